@@ -9,7 +9,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 use std::{borrow::ToOwned, format};
 
-use plm_runtime::{Described, Fault, Mechanism, Moment, Sim, Start, StartValues};
+use plm_runtime::{Cause, Described, Fault, Mechanism, Moment, Sim, Start, StartValues};
 
 /// What a part and an input are called through which a body is pulled; its number goes behind.
 const PULL: &str = "plm_pull_";
@@ -21,11 +21,16 @@ pub struct Trouble {
     pub time: f64,
     /// The part that is to blame; empty where no single one is.
     pub part: String,
+    /// By how much it stays open where all others are closed, m or rad; not a number where nothing is open.
+    pub gap: f64,
     /// The cause in words.
     pub text: String,
 }
 
 /// A mechanism with a run of it, if it could be started.
+///
+/// The run has the parameters with which it got where it is. Others act with the next step, from there; where they cannot, no
+/// step is made, and the run stays as it is.
 pub struct Live<M: Mechanism> {
     declared: M,
     mechanism: M,
@@ -88,9 +93,45 @@ impl<M: Described<S = f64> + Statics> Live<M> {
 
     /// Goes on by `dt`, s; false where it cannot, and then it stays where it is.
     pub fn step(&mut self, dt: f64) -> bool {
-        let Some(sim) = &mut self.sim else { return false };
-        let outcome = sim.step(dt);
-        self.keep(outcome).is_some()
+        let Some(before) = self.sim else { return false };
+        let mut sim = before;
+        let outcome = if self.is_turned(&before) {
+            by_number::set_parameters(&mut sim, &self.mechanism);
+            match sim.step(dt) {
+                Ok(()) => Ok(()),
+                Err(_) => self.assembled_from(&before).and_then(|assembled| {
+                    sim = assembled;
+                    sim.step(dt)
+                }),
+            }
+        } else {
+            sim.step(dt)
+        };
+        let is_made = self.keep(outcome).is_some();
+        // What a step that failed has left is kept only where the same parameters go on from it.
+        if is_made || !self.is_turned(&before) {
+            self.sim = Some(sim);
+        }
+        is_made
+    }
+
+    /// Are parameters others than those of a run?
+    fn is_turned(&self, sim: &Sim<M>) -> bool {
+        let run = sim.state().mechanism();
+        by_number::parameters(&self.mechanism).enumerate().any(|(k, value)| run.parameter(k) != Some(value))
+    }
+
+    /// A run with the parameters as they are, assembled from where another one is: loops that are followed in closed form have no
+    /// pose to begin with where their lengths do not reach.
+    fn assembled_from(&self, sim: &Sim<M>) -> Result<Sim<M>, Fault> {
+        let (state, mut mechanism) = (sim.state(), self.mechanism);
+        *mechanism.starts_mut() = state.mechanism().starts_at(&M::full(state));
+        mechanism.starts_mut().each(&mut |_, start| *start = Start::free(start.value));
+        mechanism.check(state.time())?;
+        let (held, x) = mechanism.start_with_inputs(state.time(), &state.held())?;
+        let mut assembled = *sim;
+        *assembled = Moment::new(self.mechanism, held, state.time(), x);
+        Ok(assembled)
     }
 
     /// Why nothing moves, if something is wrong.
@@ -141,12 +182,18 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         self.mechanism.parameter(index).unwrap_or(f64::NAN)
     }
 
-    /// Sets a parameter, SI, and the starts that are made of it; a run that can go on does.
+    /// Sets a parameter, SI, and the starts that are made of it. The next step of a run goes on with it; whether it can be
+    /// assembled so where it is, [`trouble`](Self::trouble) says at once.
     pub fn set_parameter(&mut self, index: usize, value: f64) {
         by_number::set_parameter(&mut self.mechanism, index, value);
-        if let Some(sim) = &mut self.sim {
-            by_number::set_running_parameter(sim, index, value);
-        }
+        let Some(before) = self.sim else { return };
+        let mut sim = before;
+        by_number::set_parameters(&mut sim, &self.mechanism);
+        let can_go_on = match self.is_turned(&before) {
+            true => sim.settle().or_else(|_| self.assembled_from(&before).map(|_| ())),
+            false => Ok(()),
+        };
+        self.keep(can_go_on);
     }
 
     /// An input, SI; not a number beyond the last, and where nothing was assembled.
@@ -231,9 +278,10 @@ impl<M: Described<S = f64> + Statics> Live<M> {
                 self.trouble = None;
                 Some(value)
             }
-            Err(Fault { time, part, cause, .. }) => {
-                let text = cause.to_string();
-                self.trouble = Some(Trouble { time, part: part.to_owned(), text });
+            Err(fault) => {
+                let gap = if let Cause::Open { gap } = fault.cause { gap } else { f64::NAN };
+                let (time, part, text) = (fault.time, fault.part.to_owned(), fault.reason().to_string());
+                self.trouble = Some(Trouble { time, part, gap, text });
                 None
             }
         }

@@ -212,6 +212,11 @@ impl Fault {
     pub fn of_part(time: f64, part: &'static str, cause: Cause) -> Self {
         Self { time, part, cause, prescribed: None }
     }
+
+    /// What it says but for time and part: the cause, and the prescribed motion that can go no further.
+    pub fn reason(&self) -> Reason {
+        Reason { cause: self.cause, prescribed: self.prescribed }
+    }
 }
 
 impl core::error::Error for Fault {}
@@ -228,7 +233,20 @@ impl fmt::Display for Fault {
         if !self.part.is_empty() {
             write!(f, "{}: ", self.part)?;
         }
-        write!(f, "{}", self.cause)?;
+        fmt::Display::fmt(&self.reason(), f)
+    }
+}
+
+/// Why a run or an assembly stopped, without time and part; see [`Fault::reason`].
+#[derive(Clone, Copy, Debug)]
+pub struct Reason {
+    cause: Cause,
+    prescribed: Option<Prescribed>,
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.cause, f)?;
         self.prescribed.map_or(Ok(()), |prescribed| write!(f, "; {prescribed}"))
     }
 }

@@ -69,7 +69,7 @@ pub mod vector;
 pub mod words;
 pub mod workspace;
 
-pub use absolute::{Absolute, Assembly};
+pub use absolute::{Absolute, Assembly, Found};
 pub use axes::{to_absolute, to_relative};
 pub use body::{BodyMotion, BodyState};
 pub use described::Described;

@@ -93,6 +93,24 @@ where
     **sim = Moment::new(mechanism, held, time, x);
 }
 
+/// Sets all parameters of a run that goes on to those of a mechanism.
+pub(crate) fn set_parameters<M, I>(sim: &mut Sim<M, I>, mechanism: &M)
+where
+    M: Described<S = f64> + Statics,
+    I: Method<M>,
+{
+    for (index, value) in parameters(mechanism).enumerate() {
+        if sim.state().mechanism().parameter(index) != Some(value) {
+            set_running_parameter(sim, index, value);
+        }
+    }
+}
+
+/// All parameters, SI.
+pub(crate) fn parameters<M: Described<S = f64>>(mechanism: &M) -> impl Iterator<Item = f64> {
+    (0..).map_while(|index| mechanism.parameter(index))
+}
+
 /// An input of a run, SI.
 pub(crate) fn input<M: Described<S = f64>>(state: &M::State, index: usize) -> Option<f64> {
     M::input(M::inputs(&mut state.held()), index).copied()

@@ -13,7 +13,7 @@ use crate::fallback;
 use crate::formulate::{Program, formulate, reduce};
 use crate::front::{self, Reading};
 use crate::model::{Model, Output};
-use crate::numeric::{Scene, assemble};
+use crate::numeric::{Reach, Scene, assemble};
 use crate::oracle::Oracle;
 use crate::report::Report;
 use crate::token::Sources;
@@ -100,7 +100,7 @@ fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnos
 
     let absolute = formulate(&model, &equations).optimise();
     let scene = Scene::declared(&model, &equations, &absolute);
-    let start = assemble(&scene);
+    let start = assemble(&scene, Reach::Full);
     let reduced = reduce(&scene, Some(&start));
     let mut program = Program::new(&model, &equations, absolute, reduced);
     if let Some((outputs, from)) = observed {

@@ -4,7 +4,7 @@ use crate::collect::{CollectVec, MapEach};
 use plm_cas::Expr;
 
 use crate::model::{Body, FrameRef, Instance, Pair, Port};
-use crate::numeric::{Scene, add_switches, assemble, value};
+use crate::numeric::{Reach, Scene, add_switches, assemble, value};
 use crate::oracle::Oracle;
 
 /// What there is to be drawn, with parameters as declared, at the assembled start.
@@ -63,7 +63,7 @@ impl Oracle {
         self.graph.borrow_mut().enter(|| {
             let model = &self.model;
             let scene = Scene::declared(model, &self.equations, &self.program.absolute);
-            let start = assemble(&scene);
+            let start = assemble(&scene, Reach::Full);
             let mut known = scene.at(&start.q);
             add_switches(model, &mut known);
             let number = |expr: Expr| value(expr, &known);

@@ -5,7 +5,7 @@ use plm_cas::{Count, Expr, algebra};
 
 use crate::formulate::{Chart, Function, Program, Reduced};
 use crate::model::{Model, Repetitions, Stabilisation};
-use crate::numeric::{Assembly, Scene, add_switches, run, value};
+use crate::numeric::{Assembly, Scene, Searched, add_switches, run, value};
 
 /// Degrees per radian.
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;
@@ -120,6 +120,11 @@ impl Report {
         } else {
             "sufficient"
         };
+        if let Some(Searched { starts, closed }) = found.searched.filter(|_| found.is_closed()) {
+            self.assembly.push(format!(
+                "Newton's steps from the declared start closed nothing: nearest of what {closed} of {starts} starts about it closed"
+            ));
+        }
         self.assembly.push(format!(
             "constraints and locks: {kind}; F = {}, {locks} locked, rank {} of {} rows, {} Newton steps",
             self.freedom,

@@ -5,13 +5,15 @@
 //! row, which is the same as removing the column. Velocities take one such solve.
 
 use super::Absolute;
-use super::assembly::{Assembly, Status};
+use super::assembly::{Assembly, Found, Status};
 use super::branch;
 use super::disagree::disagreement;
+use super::lack::lack;
 use super::newton::{assembly_step, refused};
 use super::redundancy::{Dependencies, beside};
 use super::renew::open;
 use super::scale::Scale;
+use super::search::search;
 use super::settle::descend;
 use crate::fault::{Cause, Fault, Names};
 use crate::linalg::largest;
@@ -28,13 +30,13 @@ const VELOCITY: LockCause = |count, locks, joints| Cause::VelocityRedundant { co
 const ITERATIONS: u32 = 100;
 
 /// Finds the position and velocity at the time `t` that the joints allow and that is reached from the start values with
-/// the shortest steps.
+/// the shortest steps; where those reach none, the nearest of the poses that a search about the start values finds.
 ///
 /// Joints that repeat each other are accepted and flagged. Locks that repeat joints or other locks are not.
 ///
 /// # Errors
 /// [`Cause::NotFinite`], [`Cause::Redundant`], [`Cause::Open`], [`Cause::Disagree`], [`Cause::OtherBranch`], [`Cause::VelocityRedundant`],
-/// [`Cause::VelocityOpen`]; the part is the joint that stays open widest. [`Cause::Workspace`].
+/// [`Cause::VelocityOpen`]; the part is the joint that stays open, where all others are closed. [`Cause::Workspace`].
 pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
@@ -68,6 +70,7 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
         freedom: NQ as i32 - NC as i32,
         status,
         singular: neighbour.of_joints < here.of_joints || here.of_locks > 0,
+        found: pose.found,
         iterations: pose.iterations,
         gap: largest(&pose.phi),
         coordinates: &M::COORDINATES,
@@ -76,10 +79,12 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
 }
 
 /// Where Newton's iteration ended.
+#[derive(Clone, Copy)]
 pub(super) struct Pose<S, const NQ: usize, const NC: usize> {
     pub(super) q: [S; NQ],
-    iterations: u32,
+    pub(super) iterations: u32,
     pub(super) phi: [S; NC],
+    pub(super) found: Found,
 }
 
 impl<S: Real, const NQ: usize, const NC: usize> Pose<S, NQ, NC> {
@@ -105,11 +110,12 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     if let Some(at_start) = Dependencies::at(m, t, &q0, free) {
         reject_locks(m, t, &q0, free, &at_start, POSITION)?;
     }
-    let open = || {
-        let open = open(t, &pose.phi, &M::PARTS, |gap| Cause::Open { gap });
-        disagreement(m, t, &pose.q).unwrap_or(open)
-    };
-    Err(refused(m, (t, &pose.q), free).unwrap_or_else(open))
+    // Lengths that repeat each other disagree wherever the search looks.
+    if let Some(fault) = disagreement(m, t, &pose.q) {
+        return Err(fault);
+    }
+    let missed = |q: &[S; NQ]| branch::missed(m, q);
+    search(m, t, (start, free), missed).map_err(|nearest| lack(m, (t, nearest), free, &nearest))
 }
 
 /// Full Newton steps until the joints are closed, then on to rounding; or until the steps vanish.
@@ -119,7 +125,7 @@ pub(super) fn newton<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     q0: &[S; NQ],
     free: &[S; NQ],
 ) -> Pose<S, NQ, NC> {
-    let mut pose = Pose { q: *q0, iterations: 0, phi: m.phi(t, q0) };
+    let mut pose = Pose { q: *q0, iterations: 0, phi: m.phi(t, q0), found: Found::FromStart };
     while pose.iterations < ITERATIONS && !pose.is_closed(m) {
         let Some(dq) = assembly_step(m, t, &pose.q, free, &pose.phi) else { return pose };
         for i in 0..NQ {

@@ -29,12 +29,29 @@ pub struct Assembly<S, const NQ: usize, const NC: usize> {
     pub status: Status,
     /// The rank is lower here than at neighbouring positions: a dead point or a change point.
     pub singular: bool,
+    /// How the position was found.
+    pub found: Found,
     /// Newton steps.
     pub iterations: u32,
     /// What the joints are open by, m or rad.
     pub gap: S,
     pub(super) coordinates: &'static [&'static str; NQ],
     pub(super) row_names: &'static [&'static str; NC],
+}
+
+/// How assembly found the position.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Found {
+    /// By Newton's steps from the start values.
+    FromStart,
+    /// Those closed nothing. Damped steps were led from the start values and from others about them, which are the same in every
+    /// run; of the positions that they closed, this one is nearest to the start values.
+    Searched {
+        /// How many starts were tried.
+        starts: u32,
+        /// How many of them were closed.
+        closed: u32,
+    },
 }
 
 /// Do joints and locks determine the position?
@@ -66,6 +83,12 @@ impl<S: Real, const NQ: usize, const NC: usize> fmt::Display for Assembly<S, NQ,
             "F = 3N - M = {NQ} - {NC} = {freedom}; {locks} locked; rank {rank} of {rows} rows: {status}"
         )?;
         writeln!(f, "closed to {:e} in {iterations} iterations", self.gap.to_f64())?;
+        if let Found::Searched { starts, closed } = self.found {
+            writeln!(
+                f,
+                "Newton's steps from the start values closed nothing: nearest of what {closed} of {starts} starts about them closed"
+            )?;
+        }
         if self.singular {
             writeln!(f, "singular position: the rank is higher beside it")?;
         }

@@ -6,6 +6,7 @@
 
 use super::Absolute;
 use super::assemble::{Pose, newton};
+use super::search::search;
 use crate::fault::{Cause, Fault};
 use crate::scalar::Real;
 use crate::start::Start;
@@ -56,8 +57,12 @@ pub(super) fn find<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: u
                     q.set(i, start.value);
                 }
             }
-            let found = newton(m, t, &q, free);
+            let found = Pose { found: pose.found, ..newton(m, t, &q, free) };
             (found.is_closed(m) && missed(m, &found.q) < before).then_some(found)
+        });
+        let found = found.or_else(|| {
+            let found = search(m, t, (start, free), |q| missed(m, q)).ok()?;
+            (missed(m, &found.q) < before).then_some(found)
         });
         let [first, second] = wrong.names;
         let cause = Cause::OtherBranch { first, second, left: !wrong.left };
@@ -73,7 +78,10 @@ fn all<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
 }
 
 /// How many joints are on another image than they ask for.
-fn missed<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(m: &M, q: &[S; NQ]) -> usize {
+pub(super) fn missed<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    q: &[S; NQ],
+) -> usize {
     all(m).filter(|branch| !branch.is_met(q)).count()
 }
 

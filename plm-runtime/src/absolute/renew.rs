@@ -2,18 +2,24 @@
 
 use super::Absolute;
 use super::assemble::newton;
+use super::damped::Measure;
+use super::lack::lack;
 use super::newton::{assembly_step, refused};
 use super::scale::Scale;
 use super::settle::{descend, widest};
 use crate::fault::{Cause, Fault};
 use crate::linalg::largest;
 use crate::scalar::Real;
+use crate::vector::Vector;
+
+/// Damped steps where Newton's do not close the joints, and the part of the violation that each takes away.
+const STEPS: (u32, f64) = (100, 1e-6);
 
 /// Closes the joints from the present pose as the start, with nothing locked, and gives the velocities that the joints
 /// allow nearest to the present ones. What is closed already stays as it is, to the bit.
 ///
 /// # Errors
-/// [`Cause::NotFinite`], [`Cause::Open`], [`Cause::VelocityOpen`]; the part is the joint that stays open widest.
+/// [`Cause::NotFinite`], [`Cause::Open`], [`Cause::VelocityOpen`]; the part is the joint that stays open, where all others are closed.
 /// [`Cause::Workspace`].
 pub fn renew<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
@@ -21,16 +27,15 @@ pub fn renew<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     q: &mut [S; NQ],
     v: &mut [S; NQ],
 ) -> Result<(), Fault> {
+    if !(q.is_finite() && v.is_finite()) {
+        begin_elsewhere(m, q, v);
+    }
     let free = [S::lit(1.0); NQ];
     let is_closed = |q: &[S; NQ], r: &[S; NC]| Scale::of_position(m, q).is_closed::<M, NQ, NC>(r);
     let phi = m.phi(t, q);
     if !is_closed(q, &phi) {
         let pose = newton(m, t, q, &free);
-        if !is_closed(&pose.q, &pose.phi) {
-            let open = || open(t, &phi, &M::PARTS, |gap| Cause::Open { gap });
-            return Err(refused(m, (t, &pose.q), &free).unwrap_or_else(open));
-        }
-        *q = pose.q;
+        *q = if is_closed(&pose.q, &pose.phi) { pose.q } else { damped(m, t, q, &free)? };
     }
     let scale = Scale::of_velocity(m, q, v);
     let phi_dot = m.phi_dot(t, q, v);
@@ -44,6 +49,41 @@ pub fn renew<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         }
     }
     Ok(())
+}
+
+/// Puts the declared start, at rest, in the places of bodies whose pose is not known: loops that are followed in closed form have
+/// none where their lengths do not reach.
+#[cold]
+#[inline(never)]
+fn begin_elsewhere<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    q: &mut [S; NQ],
+    v: &mut [S; NQ],
+) {
+    for (k, start) in m.start_position().iter().enumerate() {
+        if !q.at(k).is_finite() {
+            q.set(k, start.value);
+        }
+        if !v.at(k).is_finite() {
+            v.set(k, S::ZERO);
+        }
+    }
+}
+
+/// The closed pose to which damped steps lead from one whose joints are open. No other start is tried: a run goes on beside
+/// where it is, or not at all.
+#[cold]
+#[inline(never)]
+fn damped<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    from: &[S; NQ],
+    free: &[S; NQ],
+) -> Result<[S; NQ], Fault> {
+    let mut q = *from;
+    Measure::new(m, free).descend(m, t, &mut q, STEPS);
+    let pose = newton(m, t, &q, free);
+    if pose.is_closed(m) { Ok(pose.q) } else { Err(lack(m, (t, q), free, from)) }
 }
 
 /// The fault of joints that stay open by a violation.

@@ -193,6 +193,11 @@ export class App {
     this.messages = this.messages.filter(({ kind }) => kind !== "fault");
     const fault = this.run?.fault ?? null;
     if (fault === null) return;
+    const opened = this.run === this.live?.run ? this.live?.opened : "";
+    if (opened) {
+      this.tell("fault", opened);
+      return;
+    }
     const what = this.run?.isLive ? "Stopped" : "The run ended";
     const where = fault.part === "" ? "" : `${fault.part}: `;
     this.tell("fault", `${what} at ${timeText(fault.time, fault.time)}: ${where}${withShortNumbers(fault.text)}`);

@@ -43,6 +43,10 @@ export class Live {
     this.settings = { parameter: [], input: [] };
     this.speed = 1;
     this.inView = new KeptInView(app);
+    /** The parameter that was turned last, and its value: what is open then is due to it. */
+    this.turned = "";
+    /** What it has opened, in words. */
+    this.opened = "";
     /** Rises with the settings. */
     this.revision = 0;
     /** A placement that the worker has not answered, and the one to be asked for then. */
@@ -132,7 +136,9 @@ export class Live {
     this.send({ kind, index, value });
     const list = kind === "parameter" ? this.mechanism.parameters : this.mechanism.inputs;
     const { name, factor, unit } = list[index];
-    this.note(name, `${name} = ${Number((value / factor).toPrecision(6))} ${unit}`.trim());
+    const shown = `${Number((value / factor).toPrecision(6))} ${unit}`.trim();
+    if (kind === "parameter") this.turned = `${name} ${shown}`;
+    this.note(name, `${name} = ${shown}`);
   }
 
   /** An event; turning one thing for a while is one. @param {string} name @param {string} what */
@@ -219,7 +225,9 @@ export class Live {
     } else if (message.kind === "began") this.begin(message.numbers, message.isAssembled);
     else if (message.kind === "settings") this.take(message);
     else if (message.kind === "trouble") {
-      this.run.fault = message.trouble;
+      const { trouble } = message;
+      this.run.fault = trouble === null ? null : { time: trouble.time, part: trouble.part, text: trouble.text };
+      this.opened = this.openText(trouble);
       this.app.tellFault();
       this.app.change();
     } else if (message.kind === "placed") {
@@ -227,6 +235,17 @@ export class Live {
       this.placing = { isAsked: next !== null, next: null };
       if (next !== null) this.send(next);
     } else this.breakDown(`The module has stopped: ${message.text}. Load the page anew.`);
+  }
+
+  /**
+   * What a parameter has opened, as `rod_length 80 mm: small_end is 20 mm open`; nothing where it is something else.
+   * @param {import("./worker.js").Trouble | null} trouble
+   */
+  openText(trouble) {
+    if (trouble === null || this.turned === "" || !Number.isFinite(trouble.gap)) return "";
+    // A pin is open by a length; what else is, the cause says in its words.
+    const isPin = this.mechanism.parts.some(({ name, pair }) => name === trouble.part && pair === "revolute");
+    return isPin ? `${this.turned}: ${trouble.part} is ${lengthText(trouble.gap)} open` : "";
   }
 
   /** @param {string} text */
@@ -291,6 +310,12 @@ export class Live {
     const from = Math.min(recordsFrom ?? Infinity, run.end - LIVE_WINDOW);
     if (run.start < from) run.dropBefore(from);
   }
+}
+
+/** A length in the unit in which people say it. @param {number} length m */
+function lengthText(length) {
+  const [size, unit] = length < 1 ? [1000 * length, "mm"] : [length, "m"];
+  return `${Number(size.toPrecision(3))} ${unit}`;
 }
 
 /** What cannot be assembled has no ground: it is where it is declared. @param {Run} run */

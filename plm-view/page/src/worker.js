@@ -16,7 +16,8 @@
 /**
  * A spring from a point of a body (in its axes) to a target in absolute axes; or a constant force, N.
  * @typedef {{body: number, point: number[], target: number[], stiffness: number, damping: number, force: number[] | null}} Pull
- * @typedef {{time: number, part: string, text: string}} Trouble
+ * What is wrong; `gap`: by how much the part stays open where all others are closed, m or rad, not a number where nothing is.
+ * @typedef {{time: number, part: string, gap: number, text: string}} Trouble
  */
 
 /**
@@ -85,8 +86,8 @@ export class LiveMachine {
   trouble() {
     const words = this.text(this.exports.plm_trouble);
     if (words === "") return null;
-    const [time, part, ...text] = words.split("\n");
-    return { time: Number(time), part, text: text.join("\n") };
+    const [time, part, gap, ...text] = words.split("\n");
+    return { time: Number(time), part, gap: Number(gap), text: text.join("\n") };
   }
 
   /** Tells what is wrong, or that nothing is any more. */
@@ -135,7 +136,11 @@ export class LiveMachine {
     this.isStuck = false;
     // At the start a parameter acts on the assembly at once.
     if (kind === "parameter" && (!this.isAssembled || this.now[0] === 0)) this.begin("restart");
-    else this.tellSettings();
+    else {
+      this.tellSettings();
+      // Whether it can be assembled so is known at once.
+      if (kind === "parameter") this.tellTrouble();
+    }
   }
 
   /** Goes on by `dt`, s. @param {number} dt */

@@ -153,6 +153,51 @@ test("trouble is told with its part, the picture stays, and a start clears it", 
   assert.deepEqual([app.messages.length, live.run.fault, live.run.rows], [0, null, 1]);
 });
 
+test("what a parameter has opened is told with its value and the joint, and goes when it is turned back", () => {
+  const pin = { name: "pin", kind: "revolute", pair: "revolute", frames: [{ argument: "a", body: null, port: 0 }, { argument: "b", body: 0, port: 0 }], sizes: {} };
+  const { app, live } = liveApp(oneBody({ parts: [pin, { ...pin, name: "rail", kind: "prismatic", pair: "prismatic" }] }));
+  live.hear(began());
+  live.hear(rows(1));
+  live.set("parameter", 0, 0.08);
+  const told = (part, gap) => {
+    live.hear({ kind: "trouble", trouble: { time: 1, part, gap, text: "cannot be assembled" } });
+    return app.messages.filter(({ kind }) => kind === "fault").map(({ text }) => text);
+  };
+  assert.deepEqual(told("pin", 0.12), ["reach 80 mm: pin is 120 mm open"]);
+  assert.deepEqual(told("pin", 1.23456), ["reach 80 mm: pin is 1.23 m open"]);
+  // The ring is at the part.
+  assert.equal(live.run.fault.part, "pin");
+  for (const [part, gap] of [["rail", 0.1], ["pin", Number.NaN]]) assert.match(told(part, gap)[0], new RegExp(`^Stopped at .*: ${part}: cannot be assembled$`));
+  live.set("parameter", 0, 0.4);
+  live.hear({ kind: "trouble", trouble: null });
+  assert.deepEqual([app.messages.length, live.run.fault], [0, null]);
+});
+
+test("the machine says at once whether a parameter can be assembled", () => {
+  const said = { open: "1\npin\n0.12\nit is open" };
+  const bytes = new TextEncoder();
+  const memory = { buffer: new ArrayBuffer(4096) };
+  let words = "";
+  const exports = {
+    memory,
+    plm_set_parameter: (_, value) => (words = value < 0.1 ? said.open : ""),
+    plm_parameter: () => 0,
+    plm_input: () => 0,
+    plm_shape: () => 0,
+    plm_shape_length: () => 0,
+    plm_size_names: () => 0,
+    plm_trouble: () => (new Uint8Array(memory.buffer).set(bytes.encode(words)), 0),
+    plm_text_length: () => words.length,
+  };
+  const heard = [];
+  const machine = new LiveMachine(exports, { parameters: 1, inputs: 0 }, (message) => heard.push(message));
+  [machine.isAssembled, machine.now] = [true, Float64Array.from([1])];
+  machine.set("parameter", 0, 0.08);
+  assert.deepEqual(heard.findLast(({ kind }) => kind === "trouble").trouble, { time: 1, part: "pin", gap: 0.12, text: "it is open" });
+  machine.set("parameter", 0, 0.35);
+  assert.equal(heard.findLast(({ kind }) => kind === "trouble").trouble, null);
+});
+
 test("a module of another mechanism is refused in words", () => {
   const { app, live } = liveApp();
   live.hear({ kind: "began", numbers: new Float64Array(5), isAssembled: true });

@@ -83,11 +83,17 @@ pub(super) fn not_closed(model: &Model, found: &Assembly, length: f64, diagnosti
             widest.text()
         ),
     );
-    diagnostic.note(format!("this is the best of {} Newton steps from the declared start", found.steps));
+    if let Some(searched) = found.searched {
+        let tried = match searched.starts {
+            1 => String::new(),
+            starts => format!("no pose was found from {starts} starts; "),
+        };
+        diagnostic.note(format!("{tried}so much is missing at least, with all others closed"));
+    }
     if !others.is_empty() {
         diagnostic.note(format!("open too: {}", joined(&others)));
     }
-    diagnostic.help("check the dimensions of the loop, or start its bodies closer to where they should be");
+    diagnostic.help("check the dimensions of the loop");
     let example = giving_way(model, widest.row.part, std::iter::once(widest.row));
     if let Some(example) = example.filter(|_| widest.size < DISAGREEMENT * length) {
         diagnostic.help(format!(

@@ -7,7 +7,7 @@ use super::reduced::{self, Assembled, Known, Reduced};
 use crate::collect::MapEach;
 use crate::derive::{Equations, feeds_back};
 use crate::model::{Model, Output, Rung, Stabilisation};
-use crate::numeric::{Assembly, Scene, add_switches, assemble, freedom, varied};
+use crate::numeric::{Assembly, Reach, Scene, add_switches, assemble, freedom, varied};
 
 /// Values of parameters that are tried until the joints close.
 const VARIATIONS: u64 = 8;
@@ -76,7 +76,7 @@ pub(crate) fn reduce(scene: &Scene, start: Option<&Assembly>) -> Result<Reduced,
     let freedom_elsewhere = || {
         (1..=VARIATIONS).find_map(|seed| {
             let elsewhere = Scene::new(model, equations, absolute, varied(model, seed)?);
-            let start = assemble(&elsewhere);
+            let start = assemble(&elsewhere, Reach::Near);
             start.is_closed().then(|| freedom(&elsewhere, &start))
         })
     };

@@ -8,8 +8,10 @@ use plm_cas::Expr;
 
 use super::branch;
 use super::constraints::{Closed, Constraints, are_closed};
+use super::lack::lack;
 use super::rank::Rank;
 use super::scene::Scene;
+use super::search::{Searched, search};
 use super::values::value;
 use crate::model::{Body, Model};
 
@@ -42,6 +44,8 @@ pub(crate) struct Assembly {
     pub(crate) closed: Vec<f64>,
     /// Newton steps taken.
     pub(crate) steps: usize,
+    /// What was tried where Newton's steps from the declared start closed nothing.
+    pub(crate) searched: Option<Searched>,
 }
 
 impl Assembly {
@@ -63,16 +67,48 @@ pub(super) struct Start {
     pub(super) locked: Vec<bool>,
 }
 
+/// How far assembly goes for a pose.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Reach {
+    /// As the runtime does: where Newton's steps from the declared start close nothing, others are tried.
+    Full,
+    /// Newton's steps alone: one scene of several that are tried.
+    Near,
+}
+
 /// Assembles the declared start of a scene.
-pub(crate) fn assemble(scene: &Scene) -> Assembly {
+pub(crate) fn assemble(scene: &Scene, reach: Reach) -> Assembly {
     let constraints = Constraints::new(scene);
     let start = start_position(scene);
     let limits = |q: &[f64]| limits(scene.model, scene.length, q);
     let close = |q: Vec<f64>| constraints.close(q, &start.locked, limits);
     let asked = branch::asked(scene);
-    let Closed { q, phi, steps } = branch::find(&asked, close(start.values.clone()), &start, |q| {
-        Some(close(q)).filter(|closed| are_closed(&closed.phi, &limits(&closed.q)))
-    });
+    let missed = |q: &[f64]| branch::missed(&asked, q);
+    let is_closed = |closed: &Closed| are_closed(&closed.phi, &limits(&closed.q));
+    let (rows, mut searched) = (scene.model.rows.len(), None);
+    let mut others = || {
+        let (found, tried) = search(&constraints, &start, &limits, &missed);
+        searched = Some(tried);
+        found
+    };
+    let mut nearest = close(start.values.clone());
+    // Locks that are too many are the likelier mistake than joints that do not fit.
+    let ties_locks =
+        |q: &[f64]| constraints.rank(q, &start.locked).dependent.iter().any(|(row, _)| *row >= rows);
+    let fits = || {
+        nearest.phi.iter().all(|phi| phi.is_finite())
+            && !(ties_locks(&start.values) && ties_locks(&nearest.q))
+    };
+    if reach == Reach::Full && !is_closed(&nearest) && fits() {
+        nearest = others().unwrap_or_else(|q| lack(&constraints, q, &start.locked, nearest.steps));
+    }
+    let by_search = |before: usize| {
+        let found = (reach == Reach::Full).then(&mut others)?.ok();
+        found.filter(|found| missed(&found.q) < before)
+    };
+    let near = |q: Vec<f64>| Some(close(q)).filter(is_closed);
+    let Closed { q, phi, steps } =
+        if is_closed(&nearest) { branch::find(&asked, nearest, &start, near, by_search) } else { nearest };
     let Start { values: mut v, locked: velocity_locked } = start_velocity(scene, &q);
     let phi_dot = constraints.phi_dot(&q, &v);
     for (velocity, dv) in v.iter_mut().zip(constraints.step(&q, &velocity_locked, &phi_dot)) {
@@ -93,6 +129,7 @@ pub(crate) fn assemble(scene: &Scene) -> Assembly {
         velocity_locked,
         phi,
         steps,
+        searched,
     }
 }
 

@@ -34,15 +34,21 @@ pub(crate) fn asked(scene: &Scene) -> Vec<Asked> {
     branches.collect_vec()
 }
 
+/// How many joints are on another image than they ask for.
+pub(super) fn missed(asked: &[Asked], q: &[f64]) -> usize {
+    asked.iter().filter(|asked| !asked.is_met(q)).count()
+}
+
 /// Goes over to the images that are asked for, one joint after the other, each in one of three ways; `close` gives the
-/// assembled pose next to one, if there is any.
+/// assembled pose next to one, if there is any, and `search` one that misses fewer than so many from anywhere.
 pub(super) fn find(
     asked: &[Asked],
     mut pose: Closed,
     start: &Start,
     close: impl Fn(Vec<f64>) -> Option<Closed>,
+    mut search: impl FnMut(usize) -> Option<Closed>,
 ) -> Closed {
-    let missed = |q: &[f64]| asked.iter().filter(|asked| !asked.is_met(q)).count();
+    let missed = |q: &[f64]| missed(asked, q);
     while let Some(wrong) = asked.iter().find(|asked| !asked.is_met(&pose.q)) {
         let before = missed(&pose.q);
         let better = wrong.others(&pose.q).into_iter().find_map(|mut q| {
@@ -51,7 +57,7 @@ pub(super) fn find(
             }
             close(q).filter(|closed| missed(&closed.q) < before)
         });
-        let Some(better) = better else { break };
+        let Some(better) = better.or_else(|| search(before)) else { break };
         pose = better;
     }
     pose

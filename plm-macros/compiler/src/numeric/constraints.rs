@@ -16,7 +16,7 @@ const HEALTHY: f64 = 1e-6;
 
 /// The constraints of a scene.
 pub(super) struct Constraints<'a> {
-    scene: &'a Scene<'a>,
+    pub(super) scene: &'a Scene<'a>,
     phi: Tape,
     phi_q: Tape,
     phi_dot: Tape,
@@ -48,7 +48,7 @@ impl<'a> Constraints<'a> {
     }
 
     /// `phi` at a pose.
-    fn phi(&self, q: &[f64]) -> Vec<f64> {
+    pub(super) fn phi(&self, q: &[f64]) -> Vec<f64> {
         run(&self.phi, &self.scene.at(q))
     }
 
@@ -128,6 +128,6 @@ pub(super) fn are_closed(phi: &[f64], limits: &[f64]) -> bool {
 }
 
 /// Largest magnitude; infinite if a value is not a number.
-fn largest(values: &[f64]) -> f64 {
+pub(super) fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |largest, v| if v.is_nan() { f64::INFINITY } else { v.abs().max(largest) })
 }

@@ -5,17 +5,21 @@
 mod assembly;
 mod branch;
 mod constraints;
+mod damped;
 mod freedom;
+mod lack;
 mod pseudo_inverse;
 mod random;
 mod rank;
 mod scene;
+mod search;
 mod values;
 
-pub(crate) use assembly::{Assembly, assemble};
+pub(crate) use assembly::{Assembly, Reach, assemble};
 pub(crate) use branch::asked;
 pub(crate) use freedom::freedom;
 pub(crate) use random::Random;
 pub(crate) use rank::{Row, rank};
 pub(crate) use scene::Scene;
+pub(crate) use search::Searched;
 pub(crate) use values::{add_switches, defaults, run, value, values, varied};

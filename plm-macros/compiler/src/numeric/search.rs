@@ -1,0 +1,190 @@
+//! A search for poses where Newton's steps from the declared start find none, the compiler's twin of the runtime's
+//! `absolute/search.rs`: the same starts in the same order.
+
+use crate::collect::CollectVec;
+
+use super::assembly::Start;
+use super::constraints::{Closed, Constraints, are_closed, largest};
+use super::damped::Measure;
+
+/// Starts beside the declared one.
+const STARTS: usize = 64;
+/// Damped steps from one start, and the part of the violation that each takes away.
+const STEPS: (usize, f64) = (60, 1e-3);
+/// Products with the matrix after which there is no damping any more.
+const MOST_WORK: usize = 100_000;
+/// Newton's steps without damping after which the search ends.
+const MOST_STEPS: usize = 300;
+/// Newton's steps follow where the violation is below this part of the scene's size.
+const NEAR: f64 = 1e-3;
+/// Where the start itself is open by less than this part of the length, lengths that repeat each other disagree: no pose far away
+/// is what was meant.
+const DISAGREE: f64 = 1e-4;
+/// Steps back towards the start values.
+const LEANS: usize = 8;
+
+/// What a search tried.
+#[derive(Clone, Copy)]
+pub(crate) struct Searched {
+    /// How many starts.
+    pub(crate) starts: usize,
+    /// How many of them were closed.
+    pub(crate) closed: usize,
+}
+
+/// Of the poses that close the joints, the one that misses the fewest images and is nearest to the start values; where none
+/// was found, the one at which the joints are open least.
+pub(super) fn search(
+    constraints: &Constraints,
+    start: &Start,
+    limits: &dyn Fn(&[f64]) -> Vec<f64>,
+    missed: &dyn Fn(&[f64]) -> usize,
+) -> (Result<Closed, Vec<f64>>, Searched) {
+    let mut measure = Measure::new(constraints, &start.locked);
+    let search = Search { constraints, start, limits };
+    let mut others = Others { state: 7, share: 0.0, with_places: true };
+    let mut best: Option<(usize, f64, Closed)> = None;
+    let mut least = (f64::INFINITY, start.values.clone());
+    let (mut tried, mut steps) = (Searched { starts: 0, closed: 0 }, 0);
+    while tried.starts <= STARTS {
+        let mut q = if tried.starts == 0 {
+            start.values.clone()
+        } else {
+            others.next(start, constraints.scene.length)
+        };
+        tried.starts += 1;
+        if measure.work < MOST_WORK {
+            measure.descend(&mut q, STEPS);
+            let size = largest(&measure.violation(&q));
+            if size < least.0 {
+                least = (size, q.clone());
+            }
+            if size >= NEAR {
+                continue;
+            }
+        } else if steps >= MOST_STEPS {
+            break;
+        }
+        let mut pose = search.close(q);
+        steps += pose.steps;
+        if !search.is_closed(&pose) {
+            if tried.starts == 1 && least.0 < DISAGREE {
+                break;
+            }
+            continue;
+        }
+        tried.closed += 1;
+        search.unwind(&mut pose);
+        search.lean(&mut pose);
+        let found = (missed(&pose.q), distance(&pose.q, &start.values));
+        if best.as_ref().is_none_or(|(missed, distance, _)| found < (*missed, *distance)) {
+            best = Some((found.0, found.1, pose));
+        }
+    }
+    (best.map(|(_, _, pose)| pose).ok_or(least.1), tried)
+}
+
+struct Search<'a> {
+    constraints: &'a Constraints<'a>,
+    start: &'a Start,
+    limits: &'a dyn Fn(&[f64]) -> Vec<f64>,
+}
+
+impl Search<'_> {
+    fn close(&self, q: Vec<f64>) -> Closed {
+        self.constraints.close(q, &self.start.locked, self.limits)
+    }
+
+    fn is_closed(&self, pose: &Closed) -> bool {
+        are_closed(&pose.phi, &(self.limits)(&pose.q))
+    }
+
+    /// Takes off whole turns from the start values, where joints are closed without them too.
+    fn unwind(&self, pose: &mut Closed) {
+        let bodies = pose.q.len() / 3;
+        // All bodies together, since joints may hold their angles against each other; else one by one.
+        for only in (0..=bodies).map(|body| body.checked_sub(1)) {
+            let mut q = pose.q.clone();
+            for k in (0..bodies).filter(|body| only.is_none_or(|only| only == *body)).map(|body| 3 * body + 2)
+            {
+                if !self.start.locked[k] {
+                    let turns = (q[k] - self.start.values[k]) / std::f64::consts::TAU + 0.5;
+                    q[k] -= turns.floor() * std::f64::consts::TAU;
+                }
+            }
+            if q != pose.q && are_closed(&self.constraints.phi(&q), &(self.limits)(&q)) {
+                let steps = pose.steps;
+                *pose = self.close(q);
+                pose.steps += steps;
+            }
+        }
+    }
+
+    /// Leads a closed pose towards the start values, in the directions that the joints leave, as long as that brings it nearer.
+    fn lean(&self, pose: &mut Closed) {
+        let (start, locked) = (&self.start.values, &self.start.locked);
+        let mut share = 1.0;
+        for _ in 0..LEANS {
+            let away = distance(&pose.q, start);
+            let back = start.iter().zip(&pose.q).map(|(start, q)| start - q).collect_vec();
+            let opened = self.constraints.phi_q(&pose.q);
+            let opened =
+                opened.iter().map(|row| row.iter().fold(0.0, |sum, &(k, entry)| sum + entry * back[k]));
+            let across = self.constraints.step(&pose.q, locked, &opened.collect_vec());
+            let free = |k: usize| if locked[k] { 0.0 } else { 1.0 };
+            let along = (0..back.len()).map(|k| free(k) * (back[k] - across[k])).collect_vec();
+            let length = along.iter().fold(0.0, |sum, by| sum + by * by);
+            // Where no direction is left there is rounding.
+            let is_left = length > f64::EPSILON * away;
+            if !is_left {
+                return;
+            }
+            let next = self.close(pose.q.iter().zip(&along).map(|(q, by)| q + share * by).collect_vec());
+            if self.is_closed(&next) && distance(&next.q, start) < away {
+                *pose = Closed { steps: pose.steps + next.steps, ..next };
+            } else {
+                share *= 0.25;
+            }
+        }
+    }
+}
+
+/// The square of the distance in the metric of assembly: metres and radians alike.
+fn distance(q: &[f64], start: &[f64]) -> f64 {
+    q.iter().zip(start).fold(0.0, |sum, (q, start)| sum + (q - start) * (q - start))
+}
+
+/// Starts about a start, the same in every compilation and at run time.
+struct Others {
+    /// Of splitmix64 (G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number generators, OOPSLA 2014).
+    state: u64,
+    /// How far they reach, as a part of half a turn: an eighth, two, and so on, then from the beginning.
+    share: f64,
+    /// Places change too, every second time.
+    with_places: bool,
+}
+
+impl Others {
+    /// In -1 to 1, in 24 digits: as many as the shorter numbers of the runtime have.
+    fn unit(&mut self) -> f64 {
+        self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 40) as f64 / f64::from(1 << 23) - 1.0
+    }
+
+    /// The next start.
+    fn next(&mut self, start: &Start, length: f64) -> Vec<f64> {
+        self.share = if self.share >= 1.0 { 0.125 } else { self.share + 0.125 };
+        self.with_places = !self.with_places;
+        let place = if self.with_places { self.share * length } else { 0.0 };
+        let reach = |k: usize| match (start.locked[k], k % 3) {
+            (true, _) => 0.0,
+            (false, 2) => self.share * std::f64::consts::PI,
+            (false, _) => place,
+        };
+        let reaches = (0..start.values.len()).map(reach).collect_vec();
+        reaches.iter().zip(&start.values).map(|(reach, start)| reach * self.unit() + start).collect_vec()
+    }
+}
