@@ -125,7 +125,7 @@ impl From<&Fault> for Status {
             | Cause::ChangePoint
             | Cause::Undecided { .. }
             | Cause::Singular { .. } => Self::Pose,
-            Cause::Required => Self::Required,
+            Cause::Required | Cause::NotMet { .. } => Self::Required,
             Cause::Zeno { .. } | Cause::Jump { .. } => Self::Switching,
             Cause::StepTooSmall { .. }
             | Cause::StepTooLong { .. }

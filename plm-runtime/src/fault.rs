@@ -97,8 +97,14 @@ pub enum Cause {
         /// The number allowed.
         steps: u64,
     },
-    /// A requirement of the part does not hold.
+    /// A requirement of the part does not hold any more: the time is that at which it stopped to.
     Required,
+    /// A requirement of the part does not hold where the run begins, or after a change from outside.
+    NotMet {
+        /// How far it is from holding, in the SI unit of what it compares; zero or less on its boundary, which the motion leaves to the
+        /// wrong side.
+        by: f64,
+    },
     /// The two sides of a constraint row differ where a condition in it changes: what it holds would have to jump, or would
     /// need an impulse. The part is the row.
     Jump {
@@ -115,6 +121,8 @@ pub enum Cause {
         events: u32,
         /// In how short a time, s.
         within: f64,
+        /// The conditions that took part, as they were written.
+        conditions: Names,
     },
     /// An interval ends before it begins, or is not a number.
     Interval {
@@ -261,6 +269,16 @@ impl fmt::Display for Cause {
             }
             Self::TooManySteps { steps } => write!(f, "the interval needs more than {steps} steps"),
             Self::Required => write!(f, "this requirement does not hold any more"),
+            Self::NotMet { by } if *by > 0.0 => {
+                write!(f, "this requirement does not hold, by {by:e} in SI units")
+            }
+            Self::NotMet { by } => {
+                write!(
+                    f,
+                    "the motion leaves this requirement at once, which holds by {:e} in SI units",
+                    by.abs()
+                )
+            }
             Self::Jump { by, angular, speed } => {
                 let unit = if *angular { "rad" } else { "m" };
                 match speed {
@@ -274,8 +292,12 @@ impl fmt::Display for Cause {
                     ),
                 }
             }
-            Self::Zeno { events, within } => {
-                write!(f, "switches without end: {events} times within {within:e} s")
+            Self::Zeno { events, within, conditions } => {
+                write!(f, "switches without end: {events} times within {within:e} s")?;
+                for (i, condition) in conditions.iter().enumerate() {
+                    write!(f, "{} `{condition}`", if i == 0 { ", by" } else { " and" })?;
+                }
+                Ok(())
             }
             // A number so small would fill lines with zeros.
             Self::Interval { length } if length.abs() < 1e-5 && *length != 0.0 => {

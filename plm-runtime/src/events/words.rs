@@ -1,6 +1,7 @@
 //! What is known of guards as words.
 
 use super::Watch;
+use super::burst::Burst;
 use crate::vector::Vector;
 use crate::words::{InWords, Words};
 
@@ -11,10 +12,12 @@ impl<G: Vector<f64>> InWords for Watch<f64, G> {
         words.flag(&mut self.known);
         words.vector(&mut self.left_over);
         words.flag(&mut self.is_new);
-        words.number(&mut self.since);
-        let mut count = u64::from(self.count);
-        words.word(&mut count);
-        self.count = count as u32;
+        let Burst { since, count, conditions } = &mut self.burst;
+        words.number(since);
+        // The count is 101 at most.
+        let mut both = u64::from(*count).min(0xFF) | *conditions << 8;
+        words.word(&mut both);
+        (*count, *conditions) = ((both & 0xFF) as u32, both >> 8);
         self.calm.forget();
         self.is_calm = false;
     }

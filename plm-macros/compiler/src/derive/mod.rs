@@ -15,6 +15,7 @@
 
 mod branch;
 mod causes;
+mod decisions;
 mod feedback;
 mod kinks;
 mod switches;

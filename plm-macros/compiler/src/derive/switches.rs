@@ -9,8 +9,8 @@ use crate::collect::{CollectVec, MapEach, PushAll};
 use crate::sorted::sort_by_key;
 use plm_cas::{Expr, Function, Node, algebra};
 
-use super::causes;
 use super::kinks::{self, Kink, root};
+use super::{causes, decisions::decisions};
 use crate::model::{Jump, Model, Switch};
 
 /// Puts the side of every condition at which a force, a rate or an acceleration jumps, or that asks for the time alone, in
@@ -26,7 +26,8 @@ pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
         if instant(model, difference).is_none() && !jumps(&roots, condition, difference) {
             model.kinks.push(difference);
         } else {
-            pairs.push((condition, switch(model, difference, name)));
+            let text = text(model, [a, b]);
+            pairs.push((condition, switch(model, difference, (name, text))));
         }
     }
     let jumps = hold_rows(model, kinks, &mut pairs);
@@ -38,6 +39,7 @@ pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
             let index = model.switches.iter().position(|switch| switch.symbol == symbol);
             model.jumps.push_all(index.map(|switch| Jump { switch, ..jump }));
         }
+        model.decisions = decisions(model, &pairs);
         substitute(model, &pairs);
     }
     pairs
@@ -108,11 +110,17 @@ fn bends(model: &mut Model, roots: &[Expr]) {
 }
 
 /// A new switch of the condition `difference < 0`, and the condition that stands for that: `switch < 0`.
-fn switch(model: &mut Model, difference: Expr, name: String) -> Expr {
+fn switch(model: &mut Model, difference: Expr, (name, text): (String, String)) -> Expr {
     let symbol = Expr::symbol(format!("switch_{}", model.switches.len()));
     let instant = instant(model, difference);
-    model.switches.push(Switch { symbol, difference, instant, name, must_hold: false });
+    model.switches.push(Switch { symbol, difference, instant, name, text, must_hold: false });
     symbol.less(Expr::ZERO)
+}
+
+/// The comparison `a < b` as it was written, or else as it is printed.
+fn text(model: &Model, [a, b]: [Expr; 2]) -> String {
+    let written = model.comparisons.iter().find(|known| known.of == [a, b] || known.of == [b, a]);
+    written.map_or_else(|| format!("{a} < {b}"), |known| known.text.clone())
 }
 
 /// Switches of the conditions in rows; gives what may jump there, with the symbols of these switches.
@@ -124,7 +132,9 @@ fn hold_rows(model: &mut Model, kinks: Vec<Kink>, pairs: &mut Vec<(Expr, Expr)>)
             Some(held) => held,
             None if instant(model, difference).is_none() && !bends => continue,
             None => {
-                let held = switch(model, difference, model.rows[row].name.clone());
+                let Node::Less(a, b) = condition.node() else { continue };
+                let name = (model.rows[row].name.clone(), text(model, [a, b]));
+                let held = switch(model, difference, name);
                 pairs.push((condition, held));
                 held
             }

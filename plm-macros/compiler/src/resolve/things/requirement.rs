@@ -91,6 +91,7 @@ impl<'a> Resolver<'a> {
                     difference,
                     instant: None,
                     name: name.clone(),
+                    text: String::new(),
                     must_hold: true,
                 });
             }
