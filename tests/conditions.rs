@@ -220,7 +220,10 @@ macro_rules! begins_again {
                 ball.start.ball.vy.value = speed;
                 let mut up = ball.start_at(time, Dop853::default()).unwrap();
                 let fault = up.step(1e4).unwrap_err();
-                assert!(fault.time > time + 1e-2 * speed && fault.cause == Cause::Required, "{what}: {fault}");
+                assert!(
+                    fault.time > time + 1e-2 * speed && fault.cause == Cause::Required,
+                    "{what}: {fault}"
+                );
                 let mut up = ball.start_at(time, Rk4::new(1e-3)).unwrap();
                 assert!(up.step(1e-3 * speed.min(5.0)).is_ok(), "{what}");
                 // Beyond rounding it is on the wrong side, whatever its speed.

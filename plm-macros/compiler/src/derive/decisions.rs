@@ -86,6 +86,11 @@ impl<'a> Matters<'a> {
         for place in (0..self.nodes.len()).rev() {
             let (expr, read) = (self.nodes[place], self.read[place]);
             let node = expr.node();
+            // What jumps by itself is held where it is read.
+            if let (Node::Call(..), Some(&(_, side))) = (&node, self.held.iter().find(|(of, _)| *of == expr))
+            {
+                self.roots[side] = self.diagram.or(self.roots[side], read);
+            }
             let Some((side, yes, no)) = self.choice(&node) else {
                 self.bends(&node, read);
                 node.for_each_child(|child| self.reads(child, read, TRUE));

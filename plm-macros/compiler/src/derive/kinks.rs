@@ -115,7 +115,7 @@ fn kink(model: &Model, condition: Expr, difference: Expr) -> Option<Kink> {
 }
 
 /// First and second derivative along a motion at constant speed.
-fn derivatives(model: &Model, expr: Expr) -> [Expr; 2] {
+pub(super) fn derivatives(model: &Model, expr: Expr) -> [Expr; 2] {
     let bodies = model.bodies.iter().flat_map(|body| body.q.into_iter().zip(body.v));
     let mut flow: Vec<(Expr, Expr)> = bodies.collect_vec();
     flow.push((model.time, Expr::ONE));

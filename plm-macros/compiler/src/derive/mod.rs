@@ -15,9 +15,11 @@
 
 mod branch;
 mod causes;
+mod cuts;
 mod decisions;
 mod feedback;
 mod kinks;
+mod range;
 mod switches;
 mod turns;
 

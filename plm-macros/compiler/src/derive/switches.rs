@@ -9,8 +9,10 @@ use crate::collect::{CollectVec, MapEach, PushAll};
 use crate::sorted::sort_by_key;
 use plm_cas::{Expr, Function, Node, algebra};
 
+use super::causes;
+use super::cuts::{self, hold_cuts};
+use super::decisions::decisions;
 use super::kinks::{self, Kink, root};
-use super::{causes, decisions::decisions};
 use crate::model::{Jump, Model, Switch};
 
 /// Puts the side of every condition at which a force, a rate or an acceleration jumps, or that asks for the time alone, in
@@ -30,7 +32,9 @@ pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
             pairs.push((condition, switch(model, difference, (name, text))));
         }
     }
-    let jumps = hold_rows(model, kinks, &mut pairs);
+    let turning = cuts::turning_rows(model);
+    let mut jumps = hold_rows(model, kinks, &mut pairs);
+    jumps.extend(hold_cuts(model, &mut pairs));
     bends(model, &roots);
     if !pairs.is_empty() {
         // Conditions of the state stand before those of the time, as the guards do.
@@ -42,6 +46,7 @@ pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
         model.decisions = decisions(model, &pairs);
         substitute(model, &pairs);
     }
+    model.released.extend(turning.into_iter().map(|(row, wrapped)| (model.rows[row].phi, wrapped)));
     pairs
 }
 
@@ -113,7 +118,7 @@ fn bends(model: &mut Model, roots: &[Expr]) {
 fn switch(model: &mut Model, difference: Expr, (name, text): (String, String)) -> Expr {
     let symbol = Expr::symbol(format!("switch_{}", model.switches.len()));
     let instant = instant(model, difference);
-    model.switches.push(Switch { symbol, difference, instant, name, text, must_hold: false });
+    model.switches.push(Switch { symbol, difference, beyond: None, instant, name, text, must_hold: false });
     symbol.less(Expr::ZERO)
 }
 

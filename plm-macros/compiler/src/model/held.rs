@@ -9,6 +9,8 @@ pub struct Switch {
     pub symbol: Expr,
     /// What changes its sign.
     pub difference: Expr,
+    /// Its side does not change as long as this is positive either.
+    pub beyond: Option<Expr>,
     /// The time at which it does, s, and the slope of the difference there, if it depends on the time alone.
     pub instant: Option<[Expr; 2]>,
     /// The part or state that jumps; the requirement.

@@ -89,6 +89,7 @@ impl<'a> Resolver<'a> {
                 switches.push(Switch {
                     symbol,
                     difference,
+                    beyond: None,
                     instant: None,
                     name: name.clone(),
                     text: String::new(),
