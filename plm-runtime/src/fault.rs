@@ -105,6 +105,11 @@ pub enum Cause {
         /// wrong side.
         by: f64,
     },
+    /// What a row, a force or a rate divides by passes zero. The part is the row, the element or the state.
+    Pole {
+        /// What it divides by.
+        by: &'static str,
+    },
     /// The two sides of a constraint row differ where a condition in it changes: what it holds would have to jump, or would
     /// need an impulse. The part is the row.
     Jump {
@@ -279,6 +284,7 @@ impl fmt::Display for Cause {
                     by.abs()
                 )
             }
+            Self::Pole { by } => write!(f, "a pole: it divides by `{by}`, which passes zero"),
             Self::Jump { by, angular, speed } => {
                 let unit = if *angular { "rad" } else { "m" };
                 match speed {

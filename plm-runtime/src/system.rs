@@ -147,6 +147,13 @@ pub trait System {
         false
     }
 
+    /// What is divided by, if the condition with this index is that it does not change its sign: where its guard passes zero, in a
+    /// step, the run ends with a fault.
+    fn pole(&self, index: usize) -> Option<&'static str> {
+        let _ = index;
+        None
+    }
+
     /// The condition with this index, as diagnostics name it.
     fn guard_name(&self, index: usize) -> &'static str {
         let _ = index;

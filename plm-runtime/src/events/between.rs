@@ -55,7 +55,8 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             let search = search().of_one(index);
             if matches!(search.first(), Found::Crossing(..)) && !search.is_past(S::lit(1.0), index) {
                 let (first, count) = self.brief.unwrap_or((index, 0));
-                let told = if course.system.must_hold(index) { index } else { first };
+                let ends = course.system.must_hold(index) || course.system.pole(index).is_some();
+                let told = if ends { index } else { first };
                 self.brief = Some((told, count + 1));
             }
         }

@@ -1,9 +1,16 @@
-//! Where constraint rows would have to jump.
+//! Where constraint rows would have to jump, and where a pole is met.
 
+use super::border::rates;
+use super::guards_here;
+use super::past::required;
 use crate::fault::{Cause, Fault};
 use crate::method::Course;
-use crate::scalar::Real;
+use crate::scalar::{Real, Scalar};
 use crate::system::System;
+use crate::vector::Vector;
+
+/// A step that came to nothing this near before a pole, in s and as a part of the time, came to nothing there.
+const SOON: f64 = 1e-6;
 
 /// Goes on with the sides of `after`, unless constraint rows would have to jump.
 pub(crate) fn hold<M: System<S: Real>>(course: &mut Course<'_, M>, after: M::U) -> Result<(), Fault> {
@@ -16,15 +23,28 @@ pub(crate) fn hold<M: System<S: Real>>(course: &mut Course<'_, M>, after: M::U) 
 
 /// The fault of a step that came to nothing, or of what jumps there: joints that would have to jump come apart.
 #[cold]
-pub(crate) fn at_a_jump<M: System<S: Real>>(course: &Course<'_, M>, fault: Fault) -> Fault {
+pub(crate) fn at_a_jump<M: System<S: Real>>(course: &mut Course<'_, M>, fault: Fault) -> Fault {
     match fault.cause {
         Cause::StepTooSmall { .. }
         | Cause::Drift { .. }
         | Cause::TooManySteps { .. }
         | Cause::Singular { .. }
-        | Cause::Workspace { .. } => {
-            course.system.jump(course.time, &course.held, &course.x, None).unwrap_or(fault)
+        | Cause::Workspace { .. }
+        | Cause::NotFinite => {
+            let jump = course.system.jump(course.time, &course.held, &course.x, None);
+            jump.or_else(|| pole_ahead(course)).unwrap_or(fault)
         }
         _ => fault,
     }
+}
+
+/// The fault of a pole that the state would come to at once.
+fn pole_ahead<M: System<S: Real>>(course: &mut Course<'_, M>) -> Option<Fault> {
+    let is_pole = |i: &usize| course.system.pole(*i).is_some() && course.system.matters(&course.held, *i, 0);
+    let first = (0..M::G::LEN).find(is_pole)?;
+    let (here, slopes) = (guards_here(course).ok()?, rates(course)?);
+    let soon = M::S::lit(SOON) * (M::S::lit(1.0) + course.time.abs());
+    let due = |i: &usize| here.at(*i).abs() <= -soon * slopes.at(*i) && course.system.pole(*i).is_some();
+    let index = (first..M::G::LEN).find(due)?;
+    required(course, index).err()
 }

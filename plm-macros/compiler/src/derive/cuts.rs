@@ -42,6 +42,7 @@ pub(super) fn hold_cuts(model: &mut Model, pairs: &mut Vec<(Expr, Expr)>) -> Vec
             instant: None,
             name,
             text,
+            is_pole: false,
             must_hold: false,
         });
         jumps.push_all(of_rows.into_iter().map(|jump| (symbol, jump)));
@@ -70,7 +71,7 @@ fn calls(model: &Model) -> Vec<(Expr, String)> {
 }
 
 /// Do they read what changes in a step, and nothing that is not known before accelerations are?
-fn moves(model: &Model, exprs: &[Expr]) -> bool {
+pub(super) fn moves(model: &Model, exprs: &[Expr]) -> bool {
     let read = algebra::symbols(exprs);
     let unknown = model.bodies.iter().flat_map(|body| body.a).chain(model.rows.iter().map(|row| row.lambda));
     let bodies = model.bodies.iter().flat_map(|body| body.q.into_iter().chain(body.v));

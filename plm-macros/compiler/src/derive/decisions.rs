@@ -93,6 +93,7 @@ impl<'a> Matters<'a> {
             }
             let Some((side, yes, no)) = self.choice(&node) else {
                 self.bends(&node, read);
+                self.poles(&node, read);
                 node.for_each_child(|child| self.reads(child, read, TRUE));
                 continue;
             };
@@ -104,6 +105,16 @@ impl<'a> Matters<'a> {
             self.reads(yes, read, holds);
             let fails = self.diagram.not(holds);
             self.reads(no, read, fails);
+        }
+    }
+
+    /// A pole is one where it is read.
+    fn poles(&mut self, node: &Node, read: usize) {
+        let Node::Product(factors) = node else { return };
+        for (side, switch) in self.model.switches.iter().enumerate().filter(|(_, switch)| switch.is_pole) {
+            if factors.iter().any(|&(factor, exponent)| exponent < 0 && factor == switch.difference) {
+                self.roots[side] = self.diagram.or(self.roots[side], read);
+            }
         }
     }
 

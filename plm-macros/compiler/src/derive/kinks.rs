@@ -12,8 +12,8 @@ use plm_cas::{Expr, Function, Node, algebra};
 
 use crate::model::{Jump, Model};
 
-pub(super) use self::boundary::root;
-use self::boundary::{Boundary, Order};
+use self::boundary::Order;
+pub(super) use self::boundary::{Boundary, root};
 
 /// A condition that a row reads.
 pub(super) struct Kink {

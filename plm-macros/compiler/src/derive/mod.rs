@@ -19,6 +19,7 @@ mod cuts;
 mod decisions;
 mod feedback;
 mod kinks;
+mod poles;
 mod range;
 mod switches;
 mod turns;

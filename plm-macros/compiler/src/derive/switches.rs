@@ -13,6 +13,7 @@ use super::causes;
 use super::cuts::{self, hold_cuts};
 use super::decisions::decisions;
 use super::kinks::{self, Kink, root};
+use super::poles::hold_poles;
 use crate::model::{Jump, Model, Switch};
 
 /// Puts the side of every condition at which a force, a rate or an acceleration jumps, or that asks for the time alone, in
@@ -36,9 +37,10 @@ pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
     let mut jumps = hold_rows(model, kinks, &mut pairs);
     jumps.extend(hold_cuts(model, &mut pairs));
     bends(model, &roots);
+    hold_poles(model, &pairs);
+    // Conditions of the state stand before those of the time, as the guards do.
+    sort_by_key(&mut model.switches, |switch| switch.instant.is_some());
     if !pairs.is_empty() {
-        // Conditions of the state stand before those of the time, as the guards do.
-        sort_by_key(&mut model.switches, |switch| switch.instant.is_some());
         for (symbol, jump) in jumps {
             let index = model.switches.iter().position(|switch| switch.symbol == symbol);
             model.jumps.push_all(index.map(|switch| Jump { switch, ..jump }));
@@ -118,7 +120,16 @@ fn bends(model: &mut Model, roots: &[Expr]) {
 fn switch(model: &mut Model, difference: Expr, (name, text): (String, String)) -> Expr {
     let symbol = Expr::symbol(format!("switch_{}", model.switches.len()));
     let instant = instant(model, difference);
-    model.switches.push(Switch { symbol, difference, beyond: None, instant, name, text, must_hold: false });
+    model.switches.push(Switch {
+        symbol,
+        difference,
+        beyond: None,
+        instant,
+        name,
+        text,
+        is_pole: false,
+        must_hold: false,
+    });
     symbol.less(Expr::ZERO)
 }
 

@@ -17,6 +17,8 @@ pub struct Switch {
     pub name: String,
     /// The condition as it was written; empty of a requirement, which has a name.
     pub text: String,
+    /// What is divided by, whose zero ends the run: a pole.
+    pub is_pole: bool,
     /// It must not change: a requirement, positive as long as it holds.
     pub must_hold: bool,
 }

@@ -106,10 +106,25 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
         }
     });
     let names = emission.text(quoted(model.switches.iter().take(guards).map(|switch| &switch.name)));
+    let poles = model.switches.iter().take(model.guards()).enumerate().filter(|(_, switch)| switch.is_pole);
+    let poles: Vec<String> =
+        poles.map(|(index, switch)| format!("{index} => Some({:?}),", switch.text)).collect_vec();
+    let pole = (!poles.is_empty()).then(|| {
+        let poles = emission.text(poles.join(" "));
+        quote! {
+            fn pole(&self, index: usize) -> Option<&'static str> {
+                match index {
+                    #poles
+                    _ => None,
+                }
+            }
+        }
+    });
     let texts = emission.text(quoted(texts(model)));
     let guards = number(guards);
     quote! {
         #must_hold
+        #pole
         fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; #length], index: usize) {
             #only
             if let Some(side) = u.switches.get_mut(index) {

@@ -93,6 +93,7 @@ impl<'a> Resolver<'a> {
                     instant: None,
                     name: name.clone(),
                     text: String::new(),
+                    is_pole: false,
                     must_hold: true,
                 });
             }
