@@ -126,7 +126,9 @@ impl From<&Fault> for Status {
             | Cause::Undecided { .. }
             | Cause::Singular { .. } => Self::Pose,
             Cause::Required | Cause::NotMet { .. } => Self::Required,
-            Cause::Zeno { .. } | Cause::Jump { .. } | Cause::Pole { .. } => Self::Switching,
+            Cause::Zeno { .. } | Cause::Jump { .. } | Cause::Pole { .. } | Cause::Domain { .. } => {
+                Self::Switching
+            }
             Cause::StepTooSmall { .. }
             | Cause::StepTooLong { .. }
             | Cause::NotConverged { .. }

@@ -110,6 +110,11 @@ pub enum Cause {
         /// What it divides by.
         by: &'static str,
     },
+    /// A function in a row, a force or a rate is not defined beyond this. The part is the row, the element or the state.
+    Domain {
+        /// The function.
+        of: &'static str,
+    },
     /// The two sides of a constraint row differ where a condition in it changes: what it holds would have to jump, or would
     /// need an impulse. The part is the row.
     Jump {
@@ -285,6 +290,7 @@ impl fmt::Display for Cause {
                 )
             }
             Self::Pole { by } => write!(f, "a pole: it divides by `{by}`, which passes zero"),
+            Self::Domain { of } => write!(f, "`{of}` is not defined beyond this"),
             Self::Jump { by, angular, speed } => {
                 let unit = if *angular { "rad" } else { "m" };
                 match speed {

@@ -1,6 +1,6 @@
 //! The contract between generated equations of motion and the methods that integrate them.
 
-use crate::fault::Fault;
+use crate::fault::{Cause, Fault};
 use crate::lanes::Rate;
 use crate::scalar::{Real, Scalar};
 use crate::tube::Tube;
@@ -147,9 +147,8 @@ pub trait System {
         false
     }
 
-    /// What is divided by, if the condition with this index is that it does not change its sign: where its guard passes zero, in a
-    /// step, the run ends with a fault.
-    fn pole(&self, index: usize) -> Option<&'static str> {
+    /// Why the run ends where the guard with this index passes zero in a step, if it does: at a pole, at the end of a domain.
+    fn end(&self, index: usize) -> Option<Cause> {
         let _ = index;
         None
     }

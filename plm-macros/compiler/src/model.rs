@@ -18,7 +18,7 @@ use crate::sorted::SortedSet;
 use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
-pub use held::{Comparison, Counted, Decisions, Jump, Steady, Switch};
+pub use held::{Comparison, Counted, Decisions, End, Jump, Steady, Switch};
 pub use instance::{Instance, Size};
 pub use joint::{FrameRef, Pair, Part, Turn};
 pub use step::Step;

@@ -55,7 +55,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             let search = search().of_one(index);
             if matches!(search.first(), Found::Crossing(..)) && !search.is_past(S::lit(1.0), index) {
                 let (first, count) = self.brief.unwrap_or((index, 0));
-                let ends = course.system.must_hold(index) || course.system.pole(index).is_some();
+                let ends = course.system.must_hold(index) || course.system.end(index).is_some();
                 let told = if ends { index } else { first };
                 self.brief = Some((told, count + 1));
             }

@@ -27,7 +27,7 @@ use self::calm::Calm;
 pub use self::heeded::holds;
 pub(crate) use self::heeded::refresh;
 use self::heeded::{Heeded, bit};
-pub(crate) use self::jumps::{at_a_jump, hold};
+pub(crate) use self::jumps::{at_a_jump, before_settling, hold};
 use self::kinks::kink;
 use self::looks::Looks;
 use self::past::{Switched, hold_past, required};
@@ -282,7 +282,8 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             self.left_over =
                 G::from_fn(|i| if changed & bit(i) == 0 { self.left_over.at(i) } else { S::ZERO });
         }
-        let Some(index) = due else {
+        // One that does not matter here has switched with the others.
+        let Some(index) = due.filter(|index| changed & bit(*index) == 0) else {
             return Ok(());
         };
         required(course, index)?;

@@ -64,16 +64,14 @@ pub(crate) fn are_quiet<M: System<S: Real>>(system: &M, t: M::S, held: &M::U, x:
     here.is_finite() && (0..M::G::LEN).all(|i| !is_past(system, &here, i))
 }
 
-/// The end of a run whose requirement `index` is not met any more, or that has come to a pole.
+/// The end of a run whose requirement `index` is not met any more, or that has come to a pole or the end of a
+/// domain.
 pub(super) fn required<M: System<S: Real>>(course: &Course<'_, M>, index: usize) -> Result<(), Fault> {
     let (time, name) = (course.time.to_f64(), course.system.guard_name(index));
     if course.system.must_hold(index) {
         return Err(Fault::of_part(time, name, Cause::Required));
     }
-    match course.system.pole(index) {
-        Some(by) => Err(Fault::of_part(time, name, Cause::Pole { by })),
-        None => Ok(()),
-    }
+    course.system.end(index).map_or(Ok(()), |cause| Err(Fault::of_part(time, name, cause)))
 }
 
 /// The fault of a requirement that is not met where a run begins, or goes on after a change from outside.

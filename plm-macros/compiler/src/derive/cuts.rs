@@ -42,7 +42,7 @@ pub(super) fn hold_cuts(model: &mut Model, pairs: &mut Vec<(Expr, Expr)>) -> Vec
             instant: None,
             name,
             text,
-            is_pole: false,
+            end: None,
             must_hold: false,
         });
         jumps.push_all(of_rows.into_iter().map(|jump| (symbol, jump)));
@@ -157,4 +157,17 @@ fn places(model: &Model, seed: u64) -> Vec<(Expr, f64)> {
     let coordinates = model.bodies.iter().flat_map(|body| body.q.into_iter().chain(body.v));
     values.push_all(coordinates.map(|symbol| (symbol, 2.0 * numbers.unit())));
     values
+}
+
+/// Is an expression positive in some of many random places, and negative in others? Sums of squares are not, however they are written.
+pub(super) fn has_both_signs(model: &Model, expr: Expr) -> bool {
+    let found = (0..8 * PLACES).map(|seed| {
+        let mut values = places(model, seed);
+        if let Some((_, time)) = values.iter_mut().find(|(symbol, _)| *symbol == model.time) {
+            *time = seed as f64 * 0.05;
+        }
+        value(expr, &values)
+    });
+    let found: Vec<f64> = found.collect_vec();
+    found.iter().any(|value| *value < 0.0) && found.iter().any(|value| *value > 0.0)
 }

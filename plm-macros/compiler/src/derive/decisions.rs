@@ -13,7 +13,7 @@ use plm_cas::{Expr, Function, Node, algebra};
 
 use self::diagram::{Diagram, FALSE, TRUE};
 use super::causes;
-use crate::model::{Decisions, Model};
+use crate::model::{Decisions, End, Model};
 
 /// Above so many conditions each of them matters always: diagrams may grow with the power of their number.
 const MOST_SIDES: usize = 64;
@@ -93,7 +93,7 @@ impl<'a> Matters<'a> {
             }
             let Some((side, yes, no)) = self.choice(&node) else {
                 self.bends(&node, read);
-                self.poles(&node, read);
+                self.ends(expr, &node, read);
                 node.for_each_child(|child| self.reads(child, read, TRUE));
                 continue;
             };
@@ -108,11 +108,17 @@ impl<'a> Matters<'a> {
         }
     }
 
-    /// A pole is one where it is read.
-    fn poles(&mut self, node: &Node, read: usize) {
-        let Node::Product(factors) = node else { return };
-        for (side, switch) in self.model.switches.iter().enumerate().filter(|(_, switch)| switch.is_pole) {
-            if factors.iter().any(|&(factor, exponent)| exponent < 0 && factor == switch.difference) {
+    /// What ends a run does so where it is read: what is divided by, and what decides where a function is defined.
+    fn ends(&mut self, expr: Expr, node: &Node, read: usize) {
+        for (side, switch) in self.model.switches.iter().enumerate() {
+            let is_read = match (&switch.end, node) {
+                (Some(End::Pole(_)), Node::Product(factors)) => {
+                    factors.iter().any(|&(factor, exponent)| exponent < 0 && factor == switch.difference)
+                }
+                (Some(End::Domain(text)), Node::Call(..)) => *text == expr.to_string(),
+                _ => false,
+            };
+            if is_read {
                 self.roots[side] = self.diagram.or(self.roots[side], read);
             }
         }

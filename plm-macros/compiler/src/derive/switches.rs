@@ -127,7 +127,7 @@ fn switch(model: &mut Model, difference: Expr, (name, text): (String, String)) -
         instant,
         name,
         text,
-        is_pole: false,
+        end: None,
         must_hold: false,
     });
     symbol.less(Expr::ZERO)

@@ -17,10 +17,26 @@ pub struct Switch {
     pub name: String,
     /// The condition as it was written; empty of a requirement, which has a name.
     pub text: String,
-    /// What is divided by, whose zero ends the run: a pole.
-    pub is_pole: bool,
+    /// Why the run ends where it changes, if it does.
+    pub end: Option<End>,
     /// It must not change: a requirement, positive as long as it holds.
     pub must_hold: bool,
+}
+
+/// Why a run ends where an expression passes zero.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum End {
+    /// Something is divided by it, as it is printed.
+    Pole(String),
+    /// A function, as it is printed, is defined on one side alone.
+    Domain(String),
+}
+
+impl End {
+    /// Is it the end of a domain?
+    pub fn is_domain(&self) -> bool {
+        matches!(self, End::Domain(_))
+    }
 }
 
 /// A comparison as it was written.

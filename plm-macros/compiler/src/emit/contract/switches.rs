@@ -9,7 +9,7 @@ use super::super::bindings::Origin;
 use super::super::function::body;
 use super::super::{Emission, Sizes, number, pose_at, quoted};
 use super::charted::in_held;
-use crate::model::{Decisions, Model, Switch};
+use crate::model::{Decisions, End, Model, Switch};
 
 /// What is looked at in every step, guards and kinks, at a time and over an interval.
 pub(super) fn watched(emission: &Emission) -> TokenStream {
@@ -106,15 +106,19 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
         }
     });
     let names = emission.text(quoted(model.switches.iter().take(guards).map(|switch| &switch.name)));
-    let poles = model.switches.iter().take(model.guards()).enumerate().filter(|(_, switch)| switch.is_pole);
-    let poles: Vec<String> =
-        poles.map(|(index, switch)| format!("{index} => Some({:?}),", switch.text)).collect_vec();
-    let pole = (!poles.is_empty()).then(|| {
-        let poles = emission.text(poles.join(" "));
+    let ends = model.switches.iter().take(model.guards()).enumerate().filter_map(|(index, switch)| {
+        Some(match switch.end.as_ref()? {
+            End::Pole(by) => format!("{index} => Some(rt::Cause::Pole {{ by: {by:?} }}),"),
+            End::Domain(of) => format!("{index} => Some(rt::Cause::Domain {{ of: {of:?} }}),"),
+        })
+    });
+    let ends: Vec<String> = ends.collect_vec();
+    let end = (!ends.is_empty()).then(|| {
+        let ends = emission.text(ends.join(" "));
         quote! {
-            fn pole(&self, index: usize) -> Option<&'static str> {
+            fn end(&self, index: usize) -> Option<rt::Cause> {
                 match index {
-                    #poles
+                    #ends
                     _ => None,
                 }
             }
@@ -124,7 +128,7 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
     let guards = number(guards);
     quote! {
         #must_hold
-        #pole
+        #end
         fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; #length], index: usize) {
             #only
             if let Some(side) = u.switches.get_mut(index) {

@@ -93,7 +93,7 @@ impl<'a> Resolver<'a> {
                     instant: None,
                     name: name.clone(),
                     text: String::new(),
-                    is_pole: false,
+                    end: None,
                     must_hold: true,
                 });
             }
