@@ -14,11 +14,12 @@ use super::kinks::Boundary;
 use super::range::range;
 use crate::model::{End, Model, Switch};
 
-/// Adds the poles of rows, forces and rates to the switches; `held` are conditions whose sides are held.
+/// Adds the poles of rows and forces to the switches, those of rates of states are left to error control; `held` are conditions whose sides are held.
 pub(super) fn hold_poles(model: &mut Model, held: &[(Expr, Expr)]) {
     let rows = model.rows.iter().map(|row| (row.phi, row.name.clone()));
-    let causes = causes(model).map(|cause| (cause.value, cause.name.text.clone()));
-    let roots: Vec<(Expr, String)> = rows.chain(causes).collect_vec();
+    let forces = causes(model).filter(|cause| cause.is_force);
+    let forces = forces.map(|cause| (cause.value, cause.name.text.clone()));
+    let roots: Vec<(Expr, String)> = rows.chain(forces).collect_vec();
     let mut found: Vec<(Expr, End, String)> = Vec::new();
     for (root, name) in roots {
         for (difference, end) in ends_of(model, root, held) {
