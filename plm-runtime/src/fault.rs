@@ -279,31 +279,10 @@ impl fmt::Display for Cause {
             }
             Self::TooManySteps { steps } => write!(f, "the interval needs more than {steps} steps"),
             Self::Required => write!(f, "this requirement does not hold any more"),
-            Self::NotMet { by } if *by > 0.0 => {
-                write!(f, "this requirement does not hold, by {by:e} in SI units")
-            }
-            Self::NotMet { by } => {
-                write!(
-                    f,
-                    "the motion leaves this requirement at once, which holds by {:e} in SI units",
-                    by.abs()
-                )
-            }
+            Self::NotMet { by } => not_met(f, *by),
             Self::Pole { by } => write!(f, "a pole: it divides by `{by}`, which passes zero"),
             Self::Domain { of } => write!(f, "`{of}` is not defined beyond this"),
-            Self::Jump { by, angular, speed } => {
-                let unit = if *angular { "rad" } else { "m" };
-                match speed {
-                    false => write!(
-                        f,
-                        "the place that this row holds jumps by {by:e} {unit}; its sides must agree"
-                    ),
-                    true => write!(
-                        f,
-                        "the speed that this row holds jumps by {by:e} {unit}/s; its sides must meet smoothly, as in `smooth_table`"
-                    ),
-                }
-            }
+            Self::Jump { by, angular, speed } => jump(f, *by, if *angular { "rad" } else { "m" }, *speed),
             Self::Zeno { events, within, conditions } => {
                 write!(f, "switches without end: {events} times within {within:e} s")?;
                 for (i, condition) in conditions.iter().enumerate() {
@@ -339,6 +318,25 @@ impl fmt::Display for Cause {
             }
         }
     }
+}
+
+/// A requirement that does not hold, or is left at once.
+fn not_met(f: &mut fmt::Formatter<'_>, by: f64) -> fmt::Result {
+    if by > 0.0 {
+        return write!(f, "this requirement does not hold, by {by:e} in SI units");
+    }
+    write!(f, "the motion leaves this requirement at once, which holds by {:e} in SI units", by.abs())
+}
+
+/// What jumps, and what to do.
+fn jump(f: &mut fmt::Formatter<'_>, by: f64, unit: &str, speed: bool) -> fmt::Result {
+    if speed {
+        return write!(
+            f,
+            "the speed that this row holds jumps by {by:e} {unit}/s; its sides must meet smoothly, as in `smooth_table`"
+        );
+    }
+    write!(f, "the place that this row holds jumps by {by:e} {unit}; its sides must agree")
 }
 
 /// Which of the two residuals it is, and what to do.

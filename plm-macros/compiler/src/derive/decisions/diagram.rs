@@ -141,7 +141,9 @@ impl Diagram {
         let renumbered = |number: usize| kept.binary_search(&number).map_or(number, |place| place + 2);
         let nodes = kept.iter().filter_map(|number| self.asks(*number));
         let nodes = nodes.map(|(side, yes, no)| (side, renumbered(yes), renumbered(no))).collect_vec();
-        roots.iter_mut().for_each(|root| *root = renumbered(*root));
+        for root in &mut roots {
+            *root = renumbered(*root);
+        }
         Decisions { nodes, roots }
     }
 }
