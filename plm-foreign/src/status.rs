@@ -126,8 +126,10 @@ impl From<&Fault> for Status {
             | Cause::ChangePoint
             | Cause::Undecided { .. }
             | Cause::Singular { .. } => Self::Pose,
-            Cause::Required => Self::Required,
-            Cause::Zeno { .. } | Cause::Jump { .. } => Self::Switching,
+            Cause::Required | Cause::NotMet { .. } => Self::Required,
+            Cause::Zeno { .. } | Cause::Jump { .. } | Cause::Pole { .. } | Cause::Domain { .. } => {
+                Self::Switching
+            }
             Cause::StepTooSmall { .. }
             | Cause::TimeTooCoarse { .. }
             | Cause::StepTooLong { .. }

@@ -117,8 +117,24 @@ pub enum Cause {
         /// The number allowed.
         steps: u64,
     },
-    /// A requirement of the part does not hold.
+    /// A requirement of the part does not hold any more: the time is that at which it stopped to.
     Required,
+    /// A requirement of the part does not hold where the run begins, or after a change from outside.
+    NotMet {
+        /// How far it is from holding, in the SI unit of what it compares; zero or less on its boundary, which the motion leaves to the
+        /// wrong side.
+        by: f64,
+    },
+    /// What a row, a force or a rate divides by passes zero. The part is the row, the element or the state.
+    Pole {
+        /// What it divides by.
+        by: &'static str,
+    },
+    /// A function in a row, a force or a rate is not defined beyond this. The part is the row, the element or the state.
+    Domain {
+        /// The function.
+        of: &'static str,
+    },
     /// The two sides of a constraint row differ where a condition in it changes: what it holds would have to jump, or would
     /// need an impulse. The part is the row.
     Jump {
@@ -135,6 +151,8 @@ pub enum Cause {
         events: u32,
         /// In how short a time, s.
         within: f64,
+        /// The conditions that took part, as they were written.
+        conditions: Names,
     },
     /// An interval ends before it begins, or is not a number.
     Interval {
@@ -323,21 +341,16 @@ impl fmt::Display for Cause {
             }
             Self::TooManySteps { steps } => write!(f, "the interval needs more than {steps} steps"),
             Self::Required => write!(f, "this requirement does not hold any more"),
-            Self::Jump { by, angular, speed } => {
-                let unit = if *angular { "rad" } else { "m" };
-                match speed {
-                    false => write!(
-                        f,
-                        "the place that this row holds jumps by {by:e} {unit}; its sides must agree"
-                    ),
-                    true => write!(
-                        f,
-                        "the speed that this row holds jumps by {by:e} {unit}/s; its sides must meet smoothly, as in `smooth_table`"
-                    ),
+            Self::NotMet { by } => not_met(f, *by),
+            Self::Pole { by } => write!(f, "a pole: it divides by `{by}`, which passes zero"),
+            Self::Domain { of } => write!(f, "`{of}` is not defined beyond this"),
+            Self::Jump { by, angular, speed } => jump(f, *by, if *angular { "rad" } else { "m" }, *speed),
+            Self::Zeno { events, within, conditions } => {
+                write!(f, "switches without end: {events} times within {within:e} s")?;
+                for (i, condition) in conditions.iter().enumerate() {
+                    write!(f, "{} `{condition}`", if i == 0 { ", by" } else { " and" })?;
                 }
-            }
-            Self::Zeno { events, within } => {
-                write!(f, "switches without end: {events} times within {within:e} s")
+                Ok(())
             }
             // A number so small would fill lines with zeros.
             Self::Interval { length } if length.abs() < 1e-5 && *length != 0.0 => {
@@ -384,6 +397,25 @@ fn disagree(f: &mut fmt::Formatter<'_>, gap: f64, joints: &Names) -> fmt::Result
         "lengths that repeat each other disagree, and {gap:.1e} m or rad stay open: {joints} hold the same; make the \
                  lengths equal, or let a joint give way with a `compliance`"
     )
+}
+
+/// A requirement that does not hold, or is left at once.
+fn not_met(f: &mut fmt::Formatter<'_>, by: f64) -> fmt::Result {
+    if by > 0.0 {
+        return write!(f, "this requirement does not hold, by {by:e} in SI units");
+    }
+    write!(f, "the motion leaves this requirement at once, which holds by {:e} in SI units", by.abs())
+}
+
+/// What jumps, and what to do.
+fn jump(f: &mut fmt::Formatter<'_>, by: f64, unit: &str, speed: bool) -> fmt::Result {
+    if speed {
+        return write!(
+            f,
+            "the speed that this row holds jumps by {by:e} {unit}/s; its sides must meet smoothly, as in `smooth_table`"
+        );
+    }
+    write!(f, "the place that this row holds jumps by {by:e} {unit}; its sides must agree")
 }
 
 /// Which of the two residuals it is, and what to do.

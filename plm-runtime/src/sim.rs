@@ -240,7 +240,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
                 Ok(()) if O::ENDS && course.time < instant.unwrap_or(end) => break,
                 Ok(()) if instant.is_some() => outcome = pass(method, &mut course, watch, observer),
                 Ok(()) => {}
-                Err(fault) => outcome = Err(events::at_a_jump(&course, fault)),
+                Err(fault) => outcome = Err(events::at_a_jump(&mut course, fault)),
             }
         }
         let (time, held, x) = (course.time, course.held, course.x);

@@ -1,6 +1,6 @@
 //! The contract between generated equations of motion and the methods that integrate them.
 
-use crate::fault::Fault;
+use crate::fault::{Cause, Fault};
 use crate::lanes::Rate;
 use crate::scalar::{Real, Scalar};
 use crate::tube::Tube;
@@ -129,16 +129,39 @@ pub trait System {
         let _ = (t, u, x, index);
     }
 
+    /// Some conditions or kinks matter only while others have a certain side, as [`matters`](Self::matters) tells; of 64 sides at
+    /// most.
+    const SELECTIVE: bool = false;
+
+    /// Would the rate be another function if the condition `index` had its other side than `u` holds, or can it be so if those
+    /// other conditions change theirs whose bits are set in `unknown`? What does not matter is not located. Its side is brought up
+    /// to date behind every step, so that it is right when it comes to matter. Kinks follow behind the conditions.
+    fn matters(&self, u: &Self::U, index: usize, unknown: u64) -> bool {
+        let _ = (u, index, unknown);
+        true
+    }
+
     /// The condition with this index is a requirement: where its guard passes zero the run ends with a fault.
     fn must_hold(&self, index: usize) -> bool {
         let _ = index;
         false
     }
 
+    /// Why the run ends where the guard with this index passes zero in a step, if it does: at a pole, at the end of a domain.
+    fn end(&self, index: usize) -> Option<Cause> {
+        let _ = index;
+        None
+    }
+
     /// The condition with this index, as diagnostics name it.
     fn guard_name(&self, index: usize) -> &'static str {
         let _ = index;
         ""
+    }
+
+    /// All conditions as they were written, by index, for faults that name several.
+    fn conditions(&self) -> &'static [&'static str] {
+        &[]
     }
 
     /// The first time after `t` at which the rate is known to jump or to bend; steps end there.

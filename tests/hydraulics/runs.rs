@@ -49,5 +49,6 @@ fn a_start_below_vacuum_is_told_too() {
     let mut arm = ConnectPlmHyd::new();
     arm.start.line2_inlet_pressure.value = -1.1e5;
     let fault = arm.start().unwrap().step(1e-3).unwrap_err();
-    assert_eq!((fault.part, fault.cause, fault.time), ("line2.inlet.above_vacuum", Cause::Required, 0.0));
+    assert_eq!((fault.part, fault.time), ("line2.inlet.above_vacuum", 0.0));
+    assert!(matches!(fault.cause, Cause::NotMet { by } if by > 0.0), "{fault}");
 }

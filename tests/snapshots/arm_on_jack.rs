@@ -446,6 +446,15 @@ mod plm_arm_on_jack_ {
                 NAMES.get(index).copied().unwrap_or_default()
             }
 
+            fn conditions(&self) -> &'static [&'static str] {
+                &[
+                    "press.chamber1.above_vacuum",
+                    "press.chamber2.above_vacuum",
+                    "line1.inlet.above_vacuum",
+                    "line2.inlet.above_vacuum",
+                ]
+            }
+
             fn next_instant(&self, t: S, u: &Self::U) -> Option<S> {
                 let (mut at, mut slope) = ([S::lit(0.0); 4], [S::lit(0.0); 4]);
                 self.instants(u, &mut at, &mut slope);

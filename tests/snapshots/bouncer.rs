@@ -384,6 +384,10 @@ mod plm_bouncer_ {
                 NAMES.get(index).copied().unwrap_or_default()
             }
 
+            fn conditions(&self) -> &'static [&'static str] {
+                &["near", "block.x < 0 m"]
+            }
+
             fn next_instant(&self, t: S, u: &Self::U) -> Option<S> {
                 let (mut at, mut slope) = ([S::lit(0.0); 2], [S::lit(0.0); 2]);
                 self.instants(u, &mut at, &mut slope);

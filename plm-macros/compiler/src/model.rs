@@ -18,7 +18,7 @@ use crate::sorted::SortedSet;
 use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
-pub use held::{Counted, Jump, Steady, Switch};
+pub use held::{Comparison, Counted, Decisions, End, Jump, Steady, Switch};
 pub use instance::{Instance, Size};
 pub use joint::{FrameRef, Pair, Part, Turn};
 pub use step::Step;
@@ -83,6 +83,10 @@ pub struct Model {
     /// Conditions whose side is held over a step: of the state first, then of the time. Requirements are there from the
     /// beginning, derivation finds the others.
     pub switches: Vec<Switch>,
+    /// Comparisons as they were written.
+    pub comparisons: Vec<Comparison>,
+    /// When conditions of the state and kinks matter; derivation finds it.
+    pub decisions: Decisions,
     /// What forces and rates bend at where it passes zero: kinks, at which nothing is switched.
     pub kinks: Vec<Expr>,
     /// Angles whose whole turns are counted; derivation finds them.

@@ -1,5 +1,6 @@
 //! Guards over steps of fixed length, which end where they end: what comes and goes between is told, and not met.
 
+use super::heeded::{Heeded, bit};
 use super::search::{Found, Search};
 use super::{Watch, guards_here};
 use crate::fault::Fault;
@@ -41,16 +42,21 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
     #[cold]
     fn look_closely<M: System<S = S, G = G>>(&mut self, course: &Course<'_, M>, start: &Begun<M>) {
         let path = Path::between((start.time, &start.x), (course.time, &course.x), M::NQ);
-        let search = || Search::new(course.system, course.held, path, &self.left_over);
+        let (system, held) = (course.system, course.held);
+        let search = || Search::new((system, held), path, &self.left_over, Heeded::ALL);
         self.brief = None;
         if !matches!(search().first(), Found::Crossing(..)) {
             return;
         }
-        for index in 0..G::LEN {
+        let leaves = |index: usize| matches!(search().of_one(index).first(), Found::Crossing(..));
+        let all = (0..G::LEN).filter(|i| M::SELECTIVE && leaves(*i)).fold(0, |all, i| all | bit(i));
+        let heeded = Heeded::of(system, &held, all);
+        for index in (0..G::LEN).filter(|i| heeded.has(*i)) {
             let search = search().of_one(index);
             if matches!(search.first(), Found::Crossing(..)) && !search.is_past(S::lit(1.0), index) {
                 let (first, count) = self.brief.unwrap_or((index, 0));
-                let told = if course.system.must_hold(index) { index } else { first };
+                let ends = course.system.must_hold(index) || course.system.end(index).is_some();
+                let told = if ends { index } else { first };
                 self.brief = Some((told, count + 1));
             }
         }

@@ -5,8 +5,10 @@
 //! change, the dense output is held against the rate. It fits where the kink is smaller than the tolerance; where it does
 //! not, the step ends at the kink.
 
+use super::LEAST_ULPS;
 use super::root::{Point, root};
-use crate::method::Path;
+use crate::fault::Fault;
+use crate::method::{Course, Method, Path};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::tube::Tube;
@@ -27,21 +29,66 @@ const BESIDE_ULPS: f64 = 64.0;
 /// output is some times less exact than the step itself.
 const MATTERS: f64 = 1.0;
 
+/// The time of the first kink in the last step that is not smaller than the tolerance; behind a time at which a condition seems to
+/// switch, of any kink: a guard that stays on its boundary up to the kink may leave it in the dense output by less.
+///
+/// The rough output of the step tells whether there is one at all, so that steps without kinks need no more evaluations.
+pub(super) fn kink<M: System<S: Real>, I: Method<M>>(
+    method: &mut I,
+    course: &mut Course<'_, M>,
+    (start, crossing): (M::S, Option<M::S>),
+    heeded: u128,
+) -> Result<Option<M::S>, Fault> {
+    let (Some(tolerance), Some(path), true) = (method.tolerance(), method.path(), M::KINKS > 0) else {
+        return Ok(None);
+    };
+    let (system, held) = (course.system, course.held);
+    // Where there are guards, the dense output is known.
+    let path = if M::G::LEN > 0 {
+        path
+    } else {
+        if (Kinks { system, held, path, heeded }).first().is_none() {
+            return Ok(None);
+        }
+        method.densify(course)?;
+        let Some(path) = method.path() else { return Ok(None) };
+        path
+    };
+    let least = M::S::lit(LEAST_ULPS) * M::S::EPSILON * start.abs().max(course.end.abs());
+    let time = |theta: M::S| Some(path.time(theta)).filter(|time| *time - start > least);
+    let kinks = Kinks { system, held, path, heeded };
+    if let Some(crossing) = crossing
+        && let Some(first) = kinks.first().and_then(time).filter(|first| crossing < *first)
+    {
+        return Ok(Some(first));
+    }
+    let mut outcome = Ok(());
+    let theta = kinks.first_that_matters(tolerance, |t, x| {
+        let mut rate = *x;
+        outcome = course.rate(t, x, &mut rate);
+        outcome.is_ok().then_some(rate)
+    });
+    outcome?;
+    Ok(theta.and_then(time))
+}
+
 /// The kinks over a step.
-pub(super) struct Kinks<'a, M: System> {
-    pub(super) system: &'a M,
-    pub(super) held: M::U,
-    pub(super) path: Path<M::S, M::X>,
+struct Kinks<'a, M: System> {
+    system: &'a M,
+    held: M::U,
+    path: Path<M::S, M::X>,
+    /// Those that are looked at, one bit each.
+    heeded: u128,
 }
 
 impl<M: System<S: Real>> Kinks<'_, M> {
     /// The first fraction of the step at which a sign changes.
-    pub(super) fn first(&self) -> Option<M::S> {
+    fn first(&self) -> Option<M::S> {
         self.after(beside()).map(|(theta, _)| theta)
     }
 
     /// The first kink that matters, by the error of the dense output beyond it in units of `tolerance`; `rate` is the rate.
-    pub(super) fn first_that_matters(
+    fn first_that_matters(
         &self,
         tolerance: M::S,
         mut rate: impl FnMut(M::S, &M::X) -> Option<M::X>,
@@ -118,7 +165,8 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         let (time, x) = self.path.around(middle, radius);
         let mut open = false;
         let known = self.system.guards_within(time, &self.held, &x, &mut |i, tube: Tube<M::S>| {
-            let Some(bit) = bit(i.wrapping_sub(M::G::LEN)) else { return };
+            let bit = bit(i.wrapping_sub(M::G::LEN)).filter(|bit| bit & self.heeded != 0);
+            let Some(bit) = bit else { return };
             let range = tube.range(radius);
             let stays = changed & bit == 0
                 && if positive & bit == 0 { range.high <= M::S::ZERO } else { range.low > M::S::ZERO };
@@ -159,7 +207,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         let mut signs = 0;
         self.system.kinks(self.path.time(theta), &self.held, &self.path.at(theta), &mut |i, value| {
             if let (Some(bit), true) = (bit(i), value > M::S::ZERO) {
-                signs |= bit;
+                signs |= bit & self.heeded;
             }
         });
         signs
@@ -172,6 +220,6 @@ fn beside<S: Real>() -> S {
 }
 
 /// The bit of a kink; those behind the first 128 are left to error control.
-fn bit(index: usize) -> Option<u128> {
+pub(super) fn bit(index: usize) -> Option<u128> {
     u32::try_from(index).ok().and_then(|index| 1_u128.checked_shl(index))
 }

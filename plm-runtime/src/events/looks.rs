@@ -3,6 +3,7 @@
 //! Such a step is looked at a few times, evenly, and between looks by the parabola through three of them: a condition that
 //! lasts shorter can be missed.
 
+use super::heeded::Heeded;
 use super::root::{Point, root};
 use super::search::Found;
 use crate::method::{Course, Method};
@@ -24,6 +25,8 @@ pub(super) struct Looks<'a, 'c, M: System, I> {
     pub(super) start: M::S,
     /// How far guards were on the wrong side when they were switched there.
     pub(super) left_over: &'a M::G,
+    /// Those that are looked at.
+    pub(super) heeded: Heeded,
 }
 
 impl<M: System<S: Real>, I: Method<M>> Looks<'_, '_, M, I> {
@@ -34,7 +37,7 @@ impl<M: System<S: Real>, I: Method<M>> Looks<'_, '_, M, I> {
         let inside = [1.0, 2.0, 3.0].map(|look| self.guards(at(M::S::lit(look))));
         let looks = [*began, inside[0], inside[1], inside[2], *end];
         let mut first = (Found::Nothing, self.course.time);
-        for i in 0..M::G::LEN {
+        for i in (0..M::G::LEN).filter(|i| self.heeded.has(*i)) {
             let edge = self.left_over.at(i).min(M::S::ZERO) - self.course.system.band(i);
             let guard = |time: M::S| self.guards(time).at(i);
             let Some(look) = first_out(looks.map(|g| g.at(i)), edge, |look| guard(at(look)) < edge) else {

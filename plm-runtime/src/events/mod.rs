@@ -8,7 +8,11 @@
 //! constraints are kept, while the dense output is of lower order and off the constraints.
 
 mod between;
+mod border;
+mod burst;
 mod calm;
+mod heeded;
+mod jumps;
 mod kinks;
 mod looks;
 mod past;
@@ -17,10 +21,16 @@ mod search;
 mod still;
 mod words;
 
+use self::border::{Border, decide, meet};
+use self::burst::Burst;
 use self::calm::Calm;
-use self::kinks::Kinks;
+pub use self::heeded::holds;
+pub(crate) use self::heeded::refresh;
+use self::heeded::{Heeded, bit};
+pub(crate) use self::jumps::{at_a_jump, before_settling, hold};
+use self::kinks::kink;
 use self::looks::Looks;
-use self::past::hold_past;
+use self::past::{Switched, hold_past, required};
 pub(crate) use self::past::{are_quiet, switch_past};
 use self::search::{Found, Search};
 use self::still::Still;
@@ -31,12 +41,6 @@ use crate::sim::Begun;
 use crate::system::System;
 use crate::vector::Vector;
 
-/// More switches than this within a short time are the end of a run.
-const MOST_SWITCHES: u32 = 100;
-/// That short time, as a fraction of the longest step so far, ...
-const SHORT: f64 = 1e-6;
-/// ... but not less than so many units in the last place of the time.
-const SHORT_ULPS: f64 = 1000.0;
 /// A step of so many units in the last place of the time is none.
 const LEAST_ULPS: f64 = 32.0;
 
@@ -45,22 +49,23 @@ const LEAST_ULPS: f64 = 32.0;
 /// A condition may switch another one: it is repeated until none is past, but not for ever.
 pub fn switch_where_due<M: System<S: Real>>(system: &M, t: M::S, u: &mut M::U, x: &M::X) -> u32 {
     let mut switched = 0;
-    switch_each(system, t, u, x, |_| switched += 1);
+    switch_each((system, 0), t, u, x, |_| switched += 1);
     switched
 }
 
-/// The same; gives `each` that switches.
+/// The same, but for those with a bit in `decided`; gives `each` that switches.
 pub(crate) fn switch_each<M: System<S: Real>>(
-    system: &M,
+    (system, decided): (&M, u64),
     t: M::S,
     u: &mut M::U,
     x: &M::X,
     mut each: impl FnMut(usize),
 ) {
+    refresh(system, t, u, x);
     for _ in 0..=M::G::LEN {
         let mut any = false;
         for i in 0..M::G::LEN {
-            if is_past(system, &guards(system, t, u, x), i) {
+            if decided & bit(i) == 0 && is_past(system, &guards(system, t, u, x), i) {
                 system.switch(t, u, x, i);
                 each(i);
                 any = true;
@@ -70,6 +75,18 @@ pub(crate) fn switch_each<M: System<S: Real>>(
             break;
         }
     }
+}
+
+/// What a step ends with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Ends {
+    /// Nothing that switches.
+    Whole,
+    /// This condition switches.
+    Due(usize),
+    /// A kink, before which a condition may switch: the dense output that says so goes over the kink, and knows little of what is
+    /// before it.
+    BeforeKink,
 }
 
 /// What is known of the guards on the way.
@@ -87,9 +104,8 @@ pub(crate) struct Watch<S, G> {
     calm: Calm<S>,
     /// The last step stayed there.
     is_calm: bool,
-    /// When the present burst of switches began, and how many it has.
-    since: S,
-    count: u32,
+    /// Switches in a short time.
+    burst: Burst<S>,
 }
 
 impl<S: Real, G: Vector<S>> Watch<S, G> {
@@ -101,8 +117,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             brief: None,
             calm: Calm::new(),
             is_calm: false,
-            since: S::ZERO,
-            count: 0,
+            burst: Burst::new(),
         }
     }
 
@@ -123,7 +138,21 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         if self.is_known() {
             return Ok(());
         }
-        self.switch_due(method, course, false)
+        let here = guards_here(course)?;
+        let border = decide(course, &here, self.is_new)?;
+        if border.switched != 0 {
+            method.restart();
+            let count = if self.is_new { 0 } else { border.switched.count_ones() };
+            self.burst.count(course, border.switched, count)?;
+        }
+        self.switch_due(method, course, Some(border))?;
+        if border.decided != 0 {
+            let here = guards_here(course)?;
+            let left_over =
+                |i: usize| if border.decided & bit(i) == 0 { S::ZERO } else { here.at(i).min(S::ZERO) };
+            self.left_over = G::from_fn(left_over);
+        }
+        Ok(())
     }
 
     /// Are the sides held those that apply?
@@ -160,46 +189,70 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             return self.look_between(course, &start).map(|()| None);
         }
         self.calm.forget();
-        let end = guards_here(course)?;
+        // What would end a step so early that it hardly moves the time happens at once.
+        let least = S::lit(LEAST_ULPS) * S::EPSILON * start.time.abs().max(course.end.abs());
+        let mut beyond_kinks = false;
+        loop {
+            let end = guards_here(course)?;
+            let (ends, time) = self.ends(method, course, (&start, &end), (least, beyond_kinks))?;
+            let due = if let Ends::Due(index) = ends { Some(index) } else { None };
+            if time >= course.time {
+                self.arrive(end);
+                return Ok(due);
+            }
+            course.stats.steps -= 1;
+            course.stats.rejected += 1;
+            (*method, course.time, course.held, course.x) = (before, start.time, start.held, start.x);
+            // What happens at once needs no step.
+            if time - start.time <= least {
+                return Ok(due);
+            }
+            advance_to(method, course, time)?;
+            if ends != Ends::BeforeKink {
+                // A shorter step that is rejected all the same has not come as far: the next one will find the crossing again.
+                let mut due = due.filter(|_| course.time >= time);
+                if let Some(index) = due.filter(|index| course.system.must_hold(*index)) {
+                    due = meet(method, course, (&before, &start), index)?.then_some(index);
+                }
+                self.arrive(guards_here(course)?);
+                return Ok(due);
+            }
+            beyond_kinks = true;
+        }
+    }
+
+    /// Where the last step is to end, and why.
+    fn ends<M: System<S = S, G = G>, I: Method<M>>(
+        &self,
+        method: &mut I,
+        course: &mut Course<'_, M>,
+        (start, end): (&Begun<M>, &G),
+        (least, beyond_kinks): (S, bool),
+    ) -> Result<(Ends, S), Fault> {
         if G::LEN > 0 {
             method.densify(course)?;
         }
-        let still = method.path().map_or(Still::UNKNOWN, |path| Still::over(course, &path));
-        // What would end a step so early that it hardly moves the time happens at once.
-        let least = S::lit(LEAST_ULPS) * S::EPSILON * start.time.abs().max(course.end.abs());
+        let path = method.path();
+        let still = path
+            .map_or_else(|| Still::unknown(course.system, &course.held), |path| Still::over(course, &path));
         let found = if still.guards {
             (Found::Nothing, course.time)
         } else {
-            self.search(method, course, &start, &end)
+            self.search(method, course, (start, end), still.heeded)
         };
-        let (mut due, mut time) = match found {
-            (Found::Crossing(index, _), time) => (Some(index), time),
-            (Found::Open(_), time) if time - start.time > least => (None, time),
-            _ => (None, course.time),
+        let (ends, time) = match found {
+            (Found::Crossing(index, _), time) => (Ends::Due(index), time),
+            (Found::Open(_), time) if time - start.time > least => (Ends::Whole, time),
+            _ => (Ends::Whole, course.time),
         };
-        if !still.kinks
-            && let Some(kink) = kink(method, course, start.time)?.filter(|kink| *kink < time)
-        {
-            (due, time) = (None, kink);
-        }
-        if time >= course.time {
-            self.arrive(end);
-            return Ok(due);
-        }
-        course.stats.steps -= 1;
-        course.stats.rejected += 1;
-        (*method, course.time, course.held, course.x) = (before, start.time, start.held, start.x);
-        // What happens at once needs no step.
-        if time - start.time <= least {
-            return Ok(due);
-        }
-        let whole = core::mem::replace(&mut course.end, time);
-        let outcome = method.advance(course);
-        course.end = whole;
-        outcome?;
-        self.arrive(guards_here(course)?);
-        // A shorter step that is rejected all the same has not come as far: the next one will find the crossing again.
-        Ok(due.filter(|_| course.time >= time))
+        let bends = still.kinks != 0 && !beyond_kinks;
+        let crossing = matches!(ends, Ends::Due(_)).then_some(time);
+        let kink = if bends { kink(method, course, (start.time, crossing), still.kinks)? } else { None };
+        Ok(match kink.filter(|kink| *kink < course.time) {
+            Some(kink) if time < kink => (Ends::BeforeKink, kink),
+            Some(kink) => (Ends::Whole, kink),
+            None => (ends, time),
+        })
     }
 
     /// Holds the other side of the condition that is due; without dense output of all that are past their guards.
@@ -221,9 +274,16 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
                 course.stats.passed_over += passed_over;
                 required(course, index)?;
             }
-            return self.switch_due(method, course, true);
+            return self.switch_due(method, course, None);
         }
-        let Some(index) = due else {
+        let (time, x) = (course.time, course.x);
+        let changed = refresh(course.system, time, &mut course.held, &x);
+        if changed != 0 {
+            self.left_over =
+                G::from_fn(|i| if changed & bit(i) == 0 { self.left_over.at(i) } else { S::ZERO });
+        }
+        // One that does not matter here has switched with the others.
+        let Some(index) = due.filter(|index| changed & bit(*index) == 0) else {
             return Ok(());
         };
         required(course, index)?;
@@ -235,7 +295,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         self.known = true;
         self.left_over.set(index, here.at(index).min(S::ZERO));
         let switched = u32::from(!core::mem::replace(&mut self.is_new, false));
-        self.count(course, switched, index)
+        self.burst.count(course, bit(index), switched)
     }
 
     /// The state reached has these guards.
@@ -244,19 +304,20 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         self.left_over = self.left_over.map2(&guards, |left, g| if g < S::ZERO { left } else { S::ZERO });
     }
 
-    /// Switches what is past its guard at the current state, where a step led; else a change from outside did.
+    /// Switches what is past its guard at the current state, where a step led; else a change from outside did, and what is on the
+    /// border is decided.
     fn switch_due<M: System<S = S, G = G>>(
         &mut self,
         method: &mut impl Method<M>,
         course: &mut Course<'_, M>,
-        by_step: bool,
+        border: Option<Border>,
     ) -> Result<(), Fault> {
         let here = guards_here(course)?;
         self.known = true;
-        let Some((first, switched)) = hold_past(course, &here, by_step)? else { return Ok(()) };
+        let Some(Switched { conditions, count }) = hold_past(course, &here, border)? else { return Ok(()) };
         method.restart();
         guards_here(course)?;
-        self.count(course, switched, first)
+        self.burst.count(course, conditions, count)
     }
 
     /// Searches the dense output of the last step: what became of the conditions, and when.
@@ -264,111 +325,35 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         &self,
         method: &mut I,
         course: &mut Course<'_, M>,
-        start: &Begun<M>,
-        end: &G,
+        (start, end): (&Begun<M>, &G),
+        heeded: Heeded,
     ) -> (Found<S>, S) {
         if G::LEN == 0 {
             return (Found::Nothing, course.time);
         }
         let Some(path) = method.path() else {
             let began = guards(course.system, start.time, &start.held, &start.x);
-            let looks = Looks { method, course, start: start.time, left_over: &self.left_over };
+            let looks = Looks { method, course, start: start.time, left_over: &self.left_over, heeded };
             return looks.first(&began, end);
         };
-        let found = Search::new(course.system, course.held, path, &self.left_over).first();
+        let found = Search::new((course.system, course.held), path, &self.left_over, heeded).first();
         match found {
             Found::Crossing(_, theta) | Found::Open(theta) => (found, path.time(theta)),
             Found::Nothing => (found, course.time),
         }
     }
-
-    /// Counts switches; too many in too short a time are a fault of the condition `index`.
-    fn count<M: System<S = S, G = G>>(
-        &mut self,
-        course: &mut Course<'_, M>,
-        switched: u32,
-        index: usize,
-    ) -> Result<(), Fault> {
-        course.stats.switches += u64::from(switched);
-        let time = course.time;
-        let short = (S::lit(SHORT) * *course.longest_step).max(S::lit(SHORT_ULPS) * S::EPSILON * time.abs());
-        if time - self.since > short || time < self.since {
-            (self.since, self.count) = (time, 0);
-        }
-        self.count = self.count.saturating_add(switched);
-        if self.count <= MOST_SWITCHES {
-            return Ok(());
-        }
-        let cause = Cause::Zeno { events: self.count, within: (time - self.since).to_f64() };
-        Err(Fault::of_part(time.to_f64(), course.system.guard_name(index), cause))
-    }
 }
 
-/// The time of the first kink in the last step that is not smaller than the tolerance.
-///
-/// The rough output of the step tells whether there is one at all, so that steps without kinks need no more evaluations.
-fn kink<M: System<S: Real>, I: Method<M>>(
+/// One step that ends at a time within the interval at the latest.
+fn advance_to<M: System<S: Real>, I: Method<M>>(
     method: &mut I,
     course: &mut Course<'_, M>,
-    start: M::S,
-) -> Result<Option<M::S>, Fault> {
-    let (Some(tolerance), Some(path), true) = (method.tolerance(), method.path(), M::KINKS > 0) else {
-        return Ok(None);
-    };
-    let (system, held) = (course.system, course.held);
-    // Where there are guards, the dense output is known.
-    let path = if M::G::LEN > 0 {
-        path
-    } else {
-        if (Kinks { system, held, path }).first().is_none() {
-            return Ok(None);
-        }
-        method.densify(course)?;
-        let Some(path) = method.path() else { return Ok(None) };
-        path
-    };
-    let mut outcome = Ok(());
-    let theta = Kinks { system, held, path }.first_that_matters(tolerance, |t, x| {
-        let mut rate = *x;
-        outcome = course.rate(t, x, &mut rate);
-        outcome.is_ok().then_some(rate)
-    });
-    outcome?;
-    let least = M::S::lit(LEAST_ULPS) * M::S::EPSILON * start.abs().max(course.end.abs());
-    Ok(theta.map(|theta| path.time(theta)).filter(|time| *time - start > least))
-}
-
-/// Goes on with the sides of `after`, unless constraint rows would have to jump.
-pub(crate) fn hold<M: System<S: Real>>(course: &mut Course<'_, M>, after: M::U) -> Result<(), Fault> {
-    if let Some(fault) = course.system.jump(course.time, &course.held, &course.x, Some(&after)) {
-        return Err(fault);
-    }
-    course.held = after;
-    Ok(())
-}
-
-/// The fault of a step that came to nothing, or of what jumps there: joints that would have to jump come apart.
-#[cold]
-pub(crate) fn at_a_jump<M: System<S: Real>>(course: &Course<'_, M>, fault: Fault) -> Fault {
-    match fault.cause {
-        Cause::StepTooSmall { .. }
-        | Cause::Drift { .. }
-        | Cause::TooManySteps { .. }
-        | Cause::Singular { .. }
-        | Cause::Workspace { .. } => {
-            course.system.jump(course.time, &course.held, &course.x, None).unwrap_or(fault)
-        }
-        _ => fault,
-    }
-}
-
-/// The end of a run whose requirement `index` is not met.
-fn required<M: System<S: Real>>(course: &Course<'_, M>, index: usize) -> Result<(), Fault> {
-    if course.system.must_hold(index) {
-        let name = course.system.guard_name(index);
-        return Err(Fault::of_part(course.time.to_f64(), name, Cause::Required));
-    }
-    Ok(())
+    time: M::S,
+) -> Result<(), Fault> {
+    let whole = core::mem::replace(&mut course.end, time);
+    let outcome = method.advance(course);
+    course.end = whole;
+    outcome
 }
 
 /// The guards at the state reached.

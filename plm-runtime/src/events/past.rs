@@ -1,30 +1,50 @@
 //! Conditions that are past their guards.
 
-use super::{guards, guards_here, hold, is_past, required, switch_where_due};
-use crate::fault::Fault;
+use super::border::Border;
+use super::heeded::bit;
+use super::{guards, guards_here, hold, is_past, switch_each};
+use crate::fault::{Cause, Fault};
 use crate::method::Course;
-use crate::scalar::Real;
+use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// Holds the other sides of conditions that are past their guards `here`, at the state reached: the first of them, and how many
-/// switched. Where a step led there, no row may jump by it; what a change from outside asks for is taken as it is.
+/// What has switched.
+pub(super) struct Switched {
+    /// One bit for each condition.
+    pub(super) conditions: u64,
+    /// How many times.
+    pub(super) count: u32,
+}
+
+/// Holds the other sides of conditions that are past their guards `here`, at the state reached; gives those
+/// that switched. Where a step led there, no row may jump by it. What a change from outside asks for is taken as it is, but for what has
+/// been decided on the `border`.
 pub(super) fn hold_past<M: System<S: Real>>(
     course: &mut Course<'_, M>,
     here: &M::G,
-    by_step: bool,
-) -> Result<Option<(usize, u32)>, Fault> {
-    let Some(first) = (0..M::G::LEN).find(|i| is_past(course.system, here, *i)) else { return Ok(None) };
-    for index in (first..M::G::LEN).filter(|i| is_past(course.system, here, *i)) {
-        required(course, index)?;
+    border: Option<Border>,
+) -> Result<Option<Switched>, Fault> {
+    let decided = border.map_or(0, |border| border.decided);
+    let beyond = |i: &usize| decided & bit(*i) == 0 && is_past(course.system, here, *i);
+    let Some(first) = (0..M::G::LEN).find(beyond) else { return Ok(None) };
+    for index in (first..M::G::LEN).filter(beyond) {
+        match border {
+            None => required(course, index)?,
+            Some(_) if course.system.must_hold(index) => return Err(not_met(course, index, here)),
+            Some(_) => {}
+        }
     }
-    let mut after = course.held;
-    let switched = switch_where_due(course.system, course.time, &mut after, &course.x);
-    if by_step {
+    let (mut after, mut switched) = (course.held, Switched { conditions: 0, count: 0 });
+    switch_each((course.system, decided), course.time, &mut after, &course.x, |index| {
+        switched.conditions |= bit(index);
+        switched.count += 1;
+    });
+    if border.is_none() {
         hold(course, after)?;
     }
     course.held = after;
-    Ok(Some((first, switched)))
+    Ok(Some(switched))
 }
 
 /// The same at the end of a step by itself.
@@ -34,7 +54,7 @@ pub(crate) fn switch_past<M: System<S: Real>>(course: &mut Course<'_, M>) -> Res
         return Ok(());
     }
     let here = guards_here(course)?;
-    hold_past(course, &here, true).map(|_| ())
+    hold_past(course, &here, None).map(|_| ())
 }
 
 /// Is no condition past its guard at a state?
@@ -42,4 +62,20 @@ pub(crate) fn switch_past<M: System<S: Real>>(course: &mut Course<'_, M>) -> Res
 pub(crate) fn are_quiet<M: System<S: Real>>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
     let here = guards(system, t, held, x);
     here.is_finite() && (0..M::G::LEN).all(|i| !is_past(system, &here, i))
+}
+
+/// The end of a run whose requirement `index` is not met any more, or that has come to a pole or the end of a
+/// domain.
+pub(super) fn required<M: System<S: Real>>(course: &Course<'_, M>, index: usize) -> Result<(), Fault> {
+    let (time, name) = (course.time.to_f64(), course.system.guard_name(index));
+    if course.system.must_hold(index) {
+        return Err(Fault::of_part(time, name, Cause::Required));
+    }
+    course.system.end(index).map_or(Ok(()), |cause| Err(Fault::of_part(time, name, cause)))
+}
+
+/// The fault of a requirement that is not met where a run begins, or goes on after a change from outside.
+pub(super) fn not_met<M: System<S: Real>>(course: &Course<'_, M>, index: usize, here: &M::G) -> Fault {
+    let cause = Cause::NotMet { by: -here.at(index).to_f64() };
+    Fault::of_part(course.time.to_f64(), course.system.guard_name(index), cause)
 }

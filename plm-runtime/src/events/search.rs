@@ -4,6 +4,7 @@
 //! range over the interval, by the sign of its slope ([`Tube`](crate::Tube)). Where a guard comes so near to zero that this stays open,
 //! bisection ends at a fraction of the step, [`FINEST`], that is shorter than anything that is promised to be found.
 
+use super::heeded::Heeded;
 use super::root::{Point, root};
 use crate::method::Path;
 use crate::scalar::{Real, Scalar};
@@ -24,7 +25,7 @@ const LEAST: f64 = 0.002;
 /// Halvings after which rounding is judged where it happens, and not at the beginning of the step.
 const LOCAL: u32 = 10;
 /// Rounding of a state and of the time, in units in the last place.
-const ULPS: f64 = 8.0;
+pub(super) const ULPS: f64 = 8.0;
 
 /// What became of the conditions in a step.
 #[derive(Clone, Copy, Debug)]
@@ -48,6 +49,8 @@ pub(super) struct Search<'a, M: System> {
     from: M::G,
     /// What rounding makes of a guard at the beginning.
     noise: M::G,
+    /// Those that are looked at.
+    heeded: Heeded,
     /// The one guard that is looked at, of all.
     only: Option<usize>,
 }
@@ -73,9 +76,14 @@ struct Piece<S, G> {
 
 impl<'a, M: System<S: Real>> Search<'a, M> {
     /// Over `path`; `left_over` is how far guards were on the wrong side when they were switched there.
-    pub(super) fn new(system: &'a M, held: M::U, path: Path<M::S, M::X>, left_over: &M::G) -> Self {
+    pub(super) fn new(
+        (system, held): (&'a M, M::U),
+        path: Path<M::S, M::X>,
+        left_over: &M::G,
+        heeded: Heeded,
+    ) -> Self {
         let zero = M::G::fill(M::S::ZERO);
-        let mut search = Self { system, held, path, base: zero, from: zero, noise: zero, only: None };
+        let mut search = Self { system, held, path, base: zero, from: zero, noise: zero, heeded, only: None };
         search.noise = search.rounding(M::S::ZERO);
         for i in 0..M::G::LEN {
             if left_over.at(i) < M::S::ZERO {
@@ -91,6 +99,11 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
     /// The same for one guard alone.
     pub(super) fn of_one(self, index: usize) -> Self {
         Self { only: Some(index), ..self }
+    }
+
+    /// Is this guard looked at?
+    fn looks_at(&self, index: usize) -> bool {
+        self.only.map_or(self.heeded.has(index), |only| only == index)
     }
 
     /// Is the guard past at a fraction of the step?
@@ -149,7 +162,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
     fn judge(&self, piece: &Piece<M::S, M::G>, level: u32) -> Verdict<M::S> {
         let (mut open, mut crossed) = (false, false);
         let ranges = self.ranges(piece, level, |i, range, slope| {
-            if self.only.is_some_and(|only| only != i) || self.from.at(i) >= piece.to {
+            if !self.looks_at(i) || self.from.at(i) >= piece.to {
                 return;
             }
             if self.from.at(i) > piece.from {
@@ -179,7 +192,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
     /// The guard that passes its base first in an interval, of those that are past at its end.
     fn earliest(&self, piece: &Piece<M::S, M::G>) -> Option<(usize, M::S)> {
         let mut first: Option<(usize, M::S)> = None;
-        for i in (0..M::G::LEN).filter(|i| self.only.is_none_or(|only| only == *i)) {
+        for i in (0..M::G::LEN).filter(|i| self.looks_at(*i)) {
             let is_past = piece.right.at(i) < self.edge(i) - piece.noise.at(i);
             if is_past && self.from.at(i) <= piece.from {
                 let theta = self.crossing(piece, i);
@@ -247,27 +260,8 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
 
     /// What rounding of the state and of the time makes of each guard at a fraction of the step.
     fn rounding(&self, theta: M::S) -> M::G {
-        let ulps = M::S::lit(ULPS) * M::S::EPSILON;
-        let rounded = |s: M::S, size: M::S| Tube {
-            slope: Interval { low: -ulps * size, high: ulps * size },
-            ..Tube::constant(s)
-        };
-        let (x, typical) = (self.path.at(theta), self.system.typical());
         let (ahead, end) = (self.path.time(theta), self.path.time(M::S::lit(1.0)));
-        let size = |i: usize| typical.at(i) + x.at(i).abs();
-        let mut noise = self.values(theta).map(|g| ulps * g.abs());
-        self.system.guards_within(
-            rounded(ahead, end.abs()),
-            &self.held,
-            &|i| rounded(x.at(i), size(i)),
-            &mut |i, tube| {
-                let size = tube.slope.size();
-                if i < M::G::LEN && size.is_finite() {
-                    noise.set(i, noise.at(i) + size);
-                }
-            },
-        );
-        noise
+        rounding((self.system, &self.held), (ahead, end), &self.path.at(theta), &self.values(theta))
     }
 
     /// How soon a guard comes to its side that was switched a little before or after its time; if it does.
@@ -284,4 +278,28 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         }
         None
     }
+}
+
+/// What rounding of the state `x` and of a time, up to `end`, makes of each guard there.
+pub(super) fn rounding<M: System<S: Real>>(
+    (system, held): (&M, &M::U),
+    (time, end): (M::S, M::S),
+    x: &M::X,
+    here: &M::G,
+) -> M::G {
+    let ulps = M::S::lit(ULPS) * M::S::EPSILON;
+    let rounded = |s: M::S, size: M::S| Tube {
+        slope: Interval { low: -ulps * size, high: ulps * size },
+        ..Tube::constant(s)
+    };
+    let typical = system.typical();
+    let size = |i: usize| typical.at(i) + x.at(i).abs();
+    let mut noise = here.map(|g| ulps * g.abs());
+    system.guards_within(rounded(time, end.abs()), held, &|i| rounded(x.at(i), size(i)), &mut |i, tube| {
+        let size = tube.slope.size();
+        if i < M::G::LEN && size.is_finite() {
+            noise.set(i, noise.at(i) + size);
+        }
+    });
+    noise
 }

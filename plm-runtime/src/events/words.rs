@@ -1,6 +1,7 @@
 //! What is known of guards as words.
 
 use super::Watch;
+use super::burst::Burst;
 use crate::scalar::Real;
 use crate::vector::Vector;
 use crate::words::{InWords, Words};
@@ -12,8 +13,12 @@ impl<S: Real, G: Vector<S>> InWords for Watch<S, G> {
         words.flag(&mut self.known);
         words.vector(&mut self.left_over);
         words.flag(&mut self.is_new);
-        words.number(&mut self.since);
-        words.count(&mut self.count);
+        let Burst { since, count, conditions } = &mut self.burst;
+        words.number(since);
+        // The count is 101 at most.
+        let mut both = u64::from(*count).min(0xFF) | *conditions << 8;
+        words.word(&mut both);
+        (*count, *conditions) = ((both & 0xFF) as u32, both >> 8);
         self.calm.forget();
         self.is_calm = false;
     }

@@ -4,6 +4,7 @@ use core::marker::PhantomData;
 
 use super::plan::Plan;
 use super::{Course, Method, Rates, Single, Watched, drift_of_size, excess, not_finite};
+use crate::events;
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, Health, System};
@@ -140,7 +141,11 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
     ) -> Result<(), Fault> {
         let drifts = self.drifts(course.system, self.plan.next_time, next);
         self.keep(drifts);
-        if drifts { course.settle(self.plan.next_time, next) } else { Ok(()) }
+        if !drifts {
+            return Ok(());
+        }
+        events::before_settling(course, self.plan.next_time, next)?;
+        course.settle(self.plan.next_time, next)
     }
 
     /// Is the drift due to be looked at and too large?

@@ -158,13 +158,15 @@ where
 
     fn switched(&mut self, course: &Course<'_, M>, before: &M::U, what: What) {
         let Self { samples: Samples { moment, .. }, see, .. } = self;
-        moment.set(course.time, before, &course.x);
+        let mut before = *before;
+        events::refresh(course.system, course.time, &mut before, &course.x);
+        moment.set(course.time, &before, &course.x);
         match what {
             What::Condition(index) => see(Seen::Condition(index, moment)),
             What::Time => see(Seen::Instant(moment)),
             What::Due => {
-                let mut held = *before;
-                events::switch_each(course.system, course.time, &mut held, &course.x, |index| {
+                let mut held = before;
+                events::switch_each((course.system, 0), course.time, &mut held, &course.x, |index| {
                     see(Seen::Condition(index, moment));
                 });
             }
@@ -190,6 +192,7 @@ pub(super) fn sample_at<M: Mechanism, I: Method<M>>(
     if drift.phi > limit.phi || drift.phi_dot > limit.phi_dot {
         course.system.settle(time, &mut x)?;
     }
+    events::refresh(course.system, time, &mut held, &x);
     moment.set(time, &held, &x);
     Ok(())
 }

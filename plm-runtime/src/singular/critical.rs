@@ -116,6 +116,11 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
         None
     }
 
+    /// Are there rows that repeat others?
+    pub(super) fn repeat(&self) -> bool {
+        self.kept.contains(&false)
+    }
+
     /// The unit of a coordinate.
     fn column(&self, i: usize) -> M::S {
         if i % 3 == 2 { M::S::lit(1.0) } else { self.length }

@@ -63,6 +63,8 @@ impl<S: Real, const NC: usize> Meeting<S, NC> {
             }
             Ends::Touches(critical) => Self::Reached(critical.open),
             Ends::Never if critical.is_reached() => Self::Reached(critical.open),
+            // With rows that repeat others it may be the pose of those that are left alone.
+            _ if rows.repeat() => Self::Unknown,
             Ends::At(..) | Ends::Never => Self::Missed,
         })
     }

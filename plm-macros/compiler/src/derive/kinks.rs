@@ -12,8 +12,8 @@ use plm_cas::{Expr, Function, Node, algebra};
 
 use crate::model::{Jump, Model};
 
-pub(super) use self::boundary::root;
-use self::boundary::{Boundary, Order};
+use self::boundary::Order;
+pub(super) use self::boundary::{Boundary, root};
 
 /// A condition that a row reads.
 pub(super) struct Kink {
@@ -115,7 +115,7 @@ fn kink(model: &Model, condition: Expr, difference: Expr) -> Option<Kink> {
 }
 
 /// First and second derivative along a motion at constant speed.
-fn derivatives(model: &Model, expr: Expr) -> [Expr; 2] {
+pub(super) fn derivatives(model: &Model, expr: Expr) -> [Expr; 2] {
     let bodies = model.bodies.iter().flat_map(|body| body.q.into_iter().zip(body.v));
     let mut flow: Vec<(Expr, Expr)> = bodies.collect_vec();
     flow.push((model.time, Expr::ONE));

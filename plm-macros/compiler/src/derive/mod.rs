@@ -15,8 +15,12 @@
 
 mod branch;
 mod causes;
+mod cuts;
+mod decisions;
 mod feedback;
 mod kinks;
+mod poles;
+mod range;
 mod switches;
 mod turns;
 

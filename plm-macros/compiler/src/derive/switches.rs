@@ -10,7 +10,10 @@ use crate::sorted::sort_by_key;
 use plm_cas::{Expr, Function, Node, algebra};
 
 use super::causes;
+use super::cuts::{self, hold_cuts};
+use super::decisions::decisions;
 use super::kinks::{self, Kink, root};
+use super::poles::hold_poles;
 use crate::model::{Jump, Model, Switch};
 
 /// Puts the side of every condition at which a force, a rate or an acceleration jumps, or that asks for the time alone, in
@@ -26,20 +29,26 @@ pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
         if instant(model, difference).is_none() && !jumps(&roots, condition, difference) {
             model.kinks.push(difference);
         } else {
-            pairs.push((condition, switch(model, difference, name)));
+            let text = text(model, [a, b]);
+            pairs.push((condition, switch(model, difference, (name, text))));
         }
     }
-    let jumps = hold_rows(model, kinks, &mut pairs);
+    let turning = cuts::turning_rows(model);
+    let mut jumps = hold_rows(model, kinks, &mut pairs);
+    jumps.extend(hold_cuts(model, &mut pairs));
     bends(model, &roots);
+    hold_poles(model, &pairs);
+    // Conditions of the state stand before those of the time, as the guards do.
+    sort_by_key(&mut model.switches, |switch| switch.instant.is_some());
     if !pairs.is_empty() {
-        // Conditions of the state stand before those of the time, as the guards do.
-        sort_by_key(&mut model.switches, |switch| switch.instant.is_some());
         for (symbol, jump) in jumps {
             let index = model.switches.iter().position(|switch| switch.symbol == symbol);
             model.jumps.push_all(index.map(|switch| Jump { switch, ..jump }));
         }
+        model.decisions = decisions(model, &pairs);
         substitute(model, &pairs);
     }
+    model.released.extend(turning.into_iter().map(|(row, wrapped)| (model.rows[row].phi, wrapped)));
     pairs
 }
 
@@ -108,11 +117,26 @@ fn bends(model: &mut Model, roots: &[Expr]) {
 }
 
 /// A new switch of the condition `difference < 0`, and the condition that stands for that: `switch < 0`.
-fn switch(model: &mut Model, difference: Expr, name: String) -> Expr {
+fn switch(model: &mut Model, difference: Expr, (name, text): (String, String)) -> Expr {
     let symbol = Expr::symbol(format!("switch_{}", model.switches.len()));
     let instant = instant(model, difference);
-    model.switches.push(Switch { symbol, difference, instant, name, must_hold: false });
+    model.switches.push(Switch {
+        symbol,
+        difference,
+        beyond: None,
+        instant,
+        name,
+        text,
+        end: None,
+        must_hold: false,
+    });
     symbol.less(Expr::ZERO)
+}
+
+/// The comparison `a < b` as it was written, or else as it is printed.
+fn text(model: &Model, [a, b]: [Expr; 2]) -> String {
+    let written = model.comparisons.iter().find(|known| known.of == [a, b] || known.of == [b, a]);
+    written.map_or_else(|| format!("{a} < {b}"), |known| known.text.clone())
 }
 
 /// Switches of the conditions in rows; gives what may jump there, with the symbols of these switches.
@@ -124,7 +148,9 @@ fn hold_rows(model: &mut Model, kinks: Vec<Kink>, pairs: &mut Vec<(Expr, Expr)>)
             Some(held) => held,
             None if instant(model, difference).is_none() && !bends => continue,
             None => {
-                let held = switch(model, difference, model.rows[row].name.clone());
+                let Node::Less(a, b) = condition.node() else { continue };
+                let name = (model.rows[row].name.clone(), text(model, [a, b]));
+                let held = switch(model, difference, name);
                 pairs.push((condition, held));
                 held
             }

@@ -14,7 +14,7 @@ use std::fmt::Write;
 
 use crate::front::Reading;
 use crate::library::Library;
-use crate::model::{Body, Input, Model, Name, Output, Param, Stabilisation, Start, State, Step};
+use crate::model::{Body, Decisions, Input, Model, Name, Output, Param, Stabilisation, Start, State, Step};
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, IndexedName, Item, ItemKind, Operator};
 use crate::units::{Dimension, DisplayUnit};
@@ -79,6 +79,8 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         instances: Vec::new(),
         files: Vec::new(),
         switches: Vec::new(),
+        comparisons: Vec::new(),
+        decisions: Decisions::default(),
         kinks: Vec::new(),
         turns: Vec::new(),
         allowed: Vec::new(),

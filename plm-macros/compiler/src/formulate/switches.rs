@@ -14,6 +14,9 @@ pub(crate) fn guards(model: &Model, substitution: &[(Expr, Expr)]) -> Function {
     let mut g = algebra::substitute(&differences, substitution);
     for (g, switch) in g.iter_mut().zip(of_state) {
         *g = switch.symbol * *g;
+        if let Some(beyond) = switch.beyond {
+            *g = (*g).max(algebra::substitute(&[beyond], substitution)[0]);
+        }
     }
     Function::of_array("g", &g).optimise()
 }

@@ -17,6 +17,13 @@ const TRIES: u64 = 60;
 /// Below this part of the sides a difference is rounding.
 const ROUNDING: f64 = 1e-9;
 
+/// A quotient is looked at so far beside its pole, ...
+const FAR: f64 = 1e-4;
+/// ... and so near: that is 10 000 times, and of roots 100 times what it was.
+const NEAR: f64 = 1e-8;
+/// It grows if it does so by a part of that.
+const GROWTH: f64 = 30.0;
+
 /// What jumps at a boundary.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Order {
@@ -31,7 +38,7 @@ pub(super) enum Order {
 }
 
 /// Where the sides of a condition meet.
-pub(super) struct Boundary {
+pub(in crate::derive) struct Boundary {
     /// Values of all symbols in some places on the boundary.
     places: Vec<Vec<(Expr, f64)>>,
     /// The symbol of the time, and the one time at which the condition changes, if it is a number.
@@ -39,7 +46,7 @@ pub(super) struct Boundary {
 }
 
 impl Boundary {
-    pub(super) fn new(model: &Model, difference: Expr) -> Boundary {
+    pub(in crate::derive) fn new(model: &Model, difference: Expr) -> Boundary {
         let held = algebra::symbols(&[difference]);
         let is_param = |symbol: Expr| model.params.iter().any(|param| param.symbol == symbol);
         let free = held.iter().copied().filter(|&symbol| !is_param(symbol));
@@ -71,6 +78,21 @@ impl Boundary {
         let orders = [Order::Place, Order::Speed, Order::Acceleration];
         let first = derivatives.iter().zip(orders).find(|(expr, _)| !vanishes(**expr));
         first.map_or(Order::Smooth, |(_, order)| order)
+    }
+
+    /// Does an expression grow without bound towards the boundary? A quotient does so as the distance, its root as the root.
+    pub(in crate::derive) fn is_pole_of(&self, difference: Expr, root: Expr) -> bool {
+        let read = algebra::symbols(&[difference]);
+        self.places.iter().any(|values| {
+            read.iter().any(|symbol| {
+                let beside = |by: f64| {
+                    let moved = values.iter().map(|&(of, at)| (of, if of == *symbol { at + by } else { at }));
+                    value(root, &moved.collect_vec()).abs()
+                };
+                let (far, near) = (beside(FAR), beside(NEAR));
+                near > GROWTH * far && near.is_finite()
+            })
+        })
     }
 
     /// The jump that happens whatever else does: a known time, and a known difference there.

@@ -9,6 +9,7 @@ use super::super::bindings::Origin;
 use super::super::function::body;
 use super::super::{Emission, Sizes, number, pose_at, quoted};
 use super::charted::in_held;
+use crate::model::{Decisions, End, Model, Switch};
 
 /// What is looked at in every step, guards and kinks, at a time and over an interval.
 pub(super) fn watched(emission: &Emission) -> TokenStream {
@@ -105,9 +106,29 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
         }
     });
     let names = emission.text(quoted(model.switches.iter().take(guards).map(|switch| &switch.name)));
+    let ends = model.switches.iter().take(model.guards()).enumerate().filter_map(|(index, switch)| {
+        Some(match switch.end.as_ref()? {
+            End::Pole(by) => format!("{index} => Some(rt::Cause::Pole {{ by: {by:?} }}),"),
+            End::Domain(of) => format!("{index} => Some(rt::Cause::Domain {{ of: {of:?} }}),"),
+        })
+    });
+    let ends: Vec<String> = ends.collect_vec();
+    let end = (!ends.is_empty()).then(|| {
+        let ends = emission.text(ends.join(" "));
+        quote! {
+            fn end(&self, index: usize) -> Option<rt::Cause> {
+                match index {
+                    #ends
+                    _ => None,
+                }
+            }
+        }
+    });
+    let texts = emission.text(quoted(texts(model)));
     let guards = number(guards);
     quote! {
         #must_hold
+        #end
         fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; #length], index: usize) {
             #only
             if let Some(side) = u.switches.get_mut(index) {
@@ -118,6 +139,39 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
         fn guard_name(&self, index: usize) -> &'static str {
             const NAMES: [&str; #guards] = [#names];
             NAMES.get(index).copied().unwrap_or_default()
+        }
+
+        fn conditions(&self) -> &'static [&'static str] {
+            &[#texts]
+        }
+    }
+}
+
+/// The conditions of the state as they were written; with whose they are, where several are written alike.
+fn texts(model: &Model) -> impl Iterator<Item = String> {
+    let of_state = || model.switches.iter().take(model.guards());
+    let is_alone = move |text: &str| of_state().filter(|other| other.text == text).count() < 2;
+    of_state().map(move |Switch { text, name, .. }| match text.as_str() {
+        "" => name.clone(),
+        text if is_alone(text) => text.to_owned(),
+        text => format!("{text} ({name})"),
+    })
+}
+
+/// Which conditions and kinks matter, given the sides that are held.
+pub(super) fn matters(emission: &Emission) -> TokenStream {
+    let Decisions { nodes, roots } = &emission.model.decisions;
+    let [watched, count] = [roots.len(), nodes.len()].map_each(number);
+    let roots = emission.list(roots.iter().map(usize::to_string));
+    let nodes = emission.list(nodes.iter().map(|(side, yes, no)| format!("({side}, {yes}, {no})")));
+    quote! {
+        const SELECTIVE: bool = true;
+
+        fn matters(&self, u: &Self::U, index: usize, unknown: u64) -> bool {
+            const ROOTS: [u16; #watched] = [#roots];
+            const NODES: [(u8, u16, u16); #count] = [#nodes];
+            let root = ROOTS.get(index).copied().unwrap_or(1);
+            rt::events::holds(&NODES, root, &u.switches, unknown)
         }
     }
 }

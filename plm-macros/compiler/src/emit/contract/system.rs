@@ -24,6 +24,7 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
     let accept = turns::accept(emission);
     let stabilisation = (!emission.is_reduced()).then(|| stabilisation(emission));
     let watched = (model.watched() > 0).then(|| switches::watched(emission));
+    let matters = (!model.decisions.roots.is_empty()).then(|| switches::matters(emission));
     let switch = (model.guards() > 0).then(|| switches::switch(emission));
     let known_times = (model.switches.len() > model.guards()).then(|| switches::known_times(emission));
     let jump = (!model.jumps.is_empty()).then(|| switches::jump(emission));
@@ -67,6 +68,7 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
             #accept
             #stabilisation
             #watched
+            #matters
             #switch
             #known_times
             #jump

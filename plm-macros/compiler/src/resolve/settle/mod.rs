@@ -11,7 +11,7 @@ use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
 use crate::diag::Code;
-use crate::model::{Body, FrameRef, Input, Model, Name, Param, Port, Row};
+use crate::model::{Body, Decisions, FrameRef, Input, Model, Name, Param, Port, Row};
 use crate::resolve::Resolver;
 use crate::resolve::things::declare::FieldDraft;
 use crate::resolve::values::{Eval, Reads, all};
@@ -71,6 +71,7 @@ impl<'a> Resolver<'a> {
             rows,
             compliant,
             limits: self.draft.limits,
+            comparisons: self.draft.comparisons,
             jumps: Vec::new(),
             released: Vec::new(),
             loads,
@@ -79,6 +80,7 @@ impl<'a> Resolver<'a> {
             instances: instances.ok()?,
             files: self.files.keys().cloned().collect_vec(),
             switches,
+            decisions: Decisions::default(),
             kinks: Vec::new(),
             turns: Vec::new(),
             allowed: self.draft.settings.allowed,

@@ -14,7 +14,7 @@ pub(super) mod row;
 pub(super) mod settings;
 pub(super) mod state;
 
-use crate::model::{Limit, Part};
+use crate::model::{Comparison, Limit, Part};
 use crate::resolve::names::ScopeId;
 use crate::resolve::things::body::BodyDraft;
 use crate::resolve::things::declare::FieldDraft;
@@ -47,6 +47,8 @@ pub(crate) struct Draft<'a> {
     pub(crate) parts: Vec<Part>,
     pub(crate) rows: Vec<RowDraft<'a>>,
     pub(crate) requirements: Vec<Requirement<'a>>,
+    /// Comparisons as they were written.
+    pub(crate) comparisons: Vec<Comparison>,
     /// Requirements that uses of parts switch on or off.
     pub(crate) switched: Vec<Switched>,
     /// Values that must be positive when parameters are known.

@@ -89,8 +89,11 @@ impl<'a> Resolver<'a> {
                 switches.push(Switch {
                     symbol,
                     difference,
+                    beyond: None,
                     instant: None,
                     name: name.clone(),
+                    text: String::new(),
+                    end: None,
                     must_hold: true,
                 });
             }

@@ -4,8 +4,10 @@ use crate::collect::CollectVec;
 use plm_cas::Expr;
 
 use crate::diag::{Code, help_similar};
+use crate::model::Comparison;
 use crate::resolve::Resolver;
 use crate::resolve::names::ScopeId;
+use crate::resolve::values::expect::text_of;
 use crate::resolve::values::{Additive, Condition, Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, Link, Operator};
@@ -46,6 +48,7 @@ impl<'a> Resolver<'a> {
         let (a, b) = (self.eval_scalar(scope, first)?, self.eval_scalar(scope, operand)?);
         let nature = self.joined(scope, span, a, b)?;
         let (a, b) = (a.value, b.value);
+        self.note_comparison(first, *operator, operand, (a, b));
         let condition = match operator {
             Operator::Less => Condition::less(a, b),
             Operator::Greater => Condition::less(b, a),
@@ -53,6 +56,19 @@ impl<'a> Resolver<'a> {
             _ => Condition::Not(Box::new(Condition::less(a, b))),
         };
         Ok(Value::Condition(condition, nature.reads))
+    }
+
+    /// Keeps how a comparison was written, for faults that name it.
+    fn note_comparison(
+        &mut self,
+        first: &ast::Expr,
+        operator: Operator,
+        second: &ast::Expr,
+        of: (Expr, Expr),
+    ) {
+        let [Some(first), Some(second)] = [first, second].map(side_text) else { return };
+        let text = format!("{first} {} {second}", operator.text());
+        self.draft.comparisons.push(Comparison { of: [of.0, of.1], text });
     }
 
     /// Equality is for choices; that of two computed numbers is an accident.
@@ -121,6 +137,17 @@ impl<'a> Resolver<'a> {
                 Err(Failed)
             }
         }
+    }
+}
+
+/// One side of a comparison as it was written, where that is short.
+fn side_text(expr: &ast::Expr) -> Option<String> {
+    match &expr.kind {
+        ExprKind::Path(first, members) if members.iter().all(|member| member.indices.is_empty()) => {
+            let members = members.iter().map(|member| format!(".{}", member.ident.text));
+            Some(text_of(first)? + &members.collect::<String>())
+        }
+        _ => text_of(expr),
     }
 }
 

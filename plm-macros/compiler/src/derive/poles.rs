@@ -1,0 +1,84 @@
+//! Where a division by zero comes on the way: what stands under a fraction and changes its sign, as `cos(angle)` under a tangent.
+//!
+//! So is the end of a domain, as of a root. Nothing goes over a pole, and a step that is long enough does all the same; so each is a condition that ends the run. It is one
+//! only where the quotient grows without bound, and is read whatever else holds: `sin(x)/x` has none, and what stands within a choice
+//! by a condition that is not held, or within `min` and `max`, is left to those.
+
+use crate::collect::{CollectVec, PushAll};
+use crate::sorted::SortedSet;
+use plm_cas::{Expr, Function, Node};
+
+use super::causes;
+use super::cuts::{has_both_signs, moves};
+use super::kinks::Boundary;
+use super::range::range;
+use crate::model::{End, Model, Switch};
+
+/// Adds the poles of rows and forces to the switches, those of rates of states are left to error control; `held` are conditions whose sides are held.
+pub(super) fn hold_poles(model: &mut Model, held: &[(Expr, Expr)]) {
+    let rows = model.rows.iter().map(|row| (row.phi, row.name.clone()));
+    let forces = causes(model).filter(|cause| cause.is_force);
+    let forces = forces.map(|cause| (cause.value, cause.name.text.clone()));
+    let roots: Vec<(Expr, String)> = rows.chain(forces).collect_vec();
+    let mut found: Vec<(Expr, End, String)> = Vec::new();
+    for (root, name) in roots {
+        for (difference, end) in ends_of(model, root, held) {
+            let [low, high] = range(difference);
+            let changes =
+                low < 0.0 && high > 0.0 && moves(model, &[difference]) && has_both_signs(model, difference);
+            let is_known = found.iter().any(|(known, ..)| *known == difference);
+            let ends =
+                |difference| end.is_domain() || Boundary::new(model, difference).is_pole_of(difference, root);
+            if changes && !is_known && ends(difference) {
+                found.push((difference, end, name.clone()));
+            }
+        }
+    }
+    for (difference, end, name) in found {
+        let symbol = Expr::symbol(format!("switch_{}", model.switches.len()));
+        model.switches.push(Switch {
+            symbol,
+            difference,
+            beyond: None,
+            instant: None,
+            name,
+            text: String::new(),
+            end: Some(end),
+            must_hold: false,
+        });
+    }
+}
+
+/// What an expression divides by, and what decides where its functions are defined, wherever it stands.
+fn ends_of(model: &Model, root: Expr, held: &[(Expr, Expr)]) -> Vec<(Expr, End)> {
+    let (mut open, mut seen, mut found) = (vec![root], SortedSet::new(), Vec::new());
+    while let Some(expr) = open.pop() {
+        if !seen.insert(expr) {
+            continue;
+        }
+        let node = expr.node();
+        match &node {
+            Node::Select(condition, ..) if !held.iter().any(|(of, _)| of == condition) => continue,
+            Node::Call(Function::Min | Function::Max, _) | Node::Less(..) => continue,
+            Node::Product(factors) => {
+                let below = factors.iter().filter(|(_, exponent)| *exponent < 0).map(|(factor, _)| *factor);
+                found.push_all(below.map(|below| (below, End::Pole(below.to_string()))));
+            }
+            Node::Call(Function::Sqrt | Function::Ln, of) if of.len() == 1 => {
+                found.push((of[0], End::Domain(expr.to_string())));
+            }
+            Node::Call(Function::Asin | Function::Acos, of) if moves(model, &of[..1]) && !is_sine(of[0]) => {
+                found.push((Expr::ONE - of[0] * of[0], End::Domain(expr.to_string())));
+            }
+            _ => {}
+        }
+        node.for_each_child(|child| open.push(child));
+    }
+    found
+}
+
+/// Can it be nothing but a sine?
+fn is_sine(expr: Expr) -> bool {
+    let [low, high] = range(expr);
+    low >= -1.0 && high <= 1.0
+}

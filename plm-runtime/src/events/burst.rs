@@ -1,0 +1,57 @@
+//! Conditions that switch again and again within a short time.
+
+use super::heeded::bit;
+use crate::fault::{Cause, Fault, Names};
+use crate::method::Course;
+use crate::scalar::Real;
+use crate::system::System;
+use crate::vector::Vector;
+
+/// More switches than this within a short time are the end of a run.
+const MOST_SWITCHES: u32 = 100;
+/// That short time, as a fraction of the longest step so far, ...
+const SHORT: f64 = 1e-6;
+/// ... but not less than so many units in the last place of the time.
+const SHORT_ULPS: f64 = 1000.0;
+
+/// Switches in a short time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Burst<S> {
+    /// When the present burst began, and how many switches it has.
+    pub(super) since: S,
+    pub(super) count: u32,
+    /// The conditions that take part, one bit each, of the first 56.
+    pub(super) conditions: u64,
+}
+
+impl<S: Real> Burst<S> {
+    pub(super) fn new() -> Self {
+        Self { since: S::ZERO, count: 0, conditions: 0 }
+    }
+
+    /// Counts switches of `conditions`, one bit each; too many in too short a time are a fault of all that took part.
+    pub(super) fn count<M: System<S = S>>(
+        &mut self,
+        course: &mut Course<'_, M>,
+        conditions: u64,
+        switched: u32,
+    ) -> Result<(), Fault> {
+        course.stats.switches += u64::from(switched);
+        let time = course.time;
+        let short = (S::lit(SHORT) * *course.longest_step).max(S::lit(SHORT_ULPS) * S::EPSILON * time.abs());
+        if time - self.since > short || time < self.since {
+            *self = Self { since: time, count: 0, conditions: 0 };
+        }
+        self.count = self.count.saturating_add(switched);
+        self.conditions |= conditions;
+        if self.count <= MOST_SWITCHES {
+            return Ok(());
+        }
+        let marks: [bool; 64] = core::array::from_fn(|index| self.conditions & bit(index) != 0);
+        let conditions = Names::marked(course.system.conditions(), &marks);
+        let within = (time - self.since).to_f64();
+        let cause = Cause::Zeno { events: self.count, within, conditions };
+        let first = (0..M::G::LEN).find(|index| self.conditions & bit(*index) != 0).unwrap_or(0);
+        Err(Fault::of_part(time.to_f64(), course.system.guard_name(first), cause))
+    }
+}

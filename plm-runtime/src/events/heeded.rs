@@ -1,0 +1,132 @@
+//! Which conditions are looked at: those whose sides matter, given what the others can be.
+
+use super::{guards, is_past};
+use crate::scalar::Real;
+use crate::system::System;
+use crate::vector::Vector;
+
+/// Nodes of decision diagrams that are followed at most, 64 in a word.
+const WORDS: usize = 32;
+
+/// Conditions, one bit each; of systems that select some, which have 64 at most.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Heeded(u64);
+
+impl Heeded {
+    /// Every condition, of any number.
+    pub(super) const ALL: Self = Self(u64::MAX);
+
+    /// Those that matter as long as only conditions with a bit in `unknown` change their sides.
+    pub(super) fn of<M: System>(system: &M, held: &M::U, unknown: u64) -> Self {
+        if !M::SELECTIVE {
+            return Self::ALL;
+        }
+        let matter = (0..M::G::LEN).filter(|i| system.matters(held, *i, unknown & !bit(*i)));
+        Self(matter.fold(0, |bits, i| bits | bit(i)))
+    }
+
+    /// The kinks that matter, one bit each, as long as only conditions with a bit in `unknown` change their sides; kinks are counted
+    /// behind the conditions, and those behind the first 128 are left to error control.
+    pub(super) fn kinks<M: System>(system: &M, held: &M::U, unknown: u64) -> u128 {
+        if !M::SELECTIVE {
+            return u128::MAX;
+        }
+        let matter = (0..M::KINKS.min(128)).filter(|k| system.matters(held, M::G::LEN + k, unknown));
+        matter.fold(0, |bits, k| bits | 1 << k)
+    }
+
+    /// Is this one among them?
+    #[inline]
+    pub(super) fn has(self, index: usize) -> bool {
+        self == Self::ALL || self.0 & bit(index) != 0
+    }
+
+    /// Has none of these a bit in `unknown`?
+    pub(super) fn is_apart(self, unknown: u64) -> bool {
+        self.0 & unknown == 0
+    }
+}
+
+/// The bit of a condition.
+#[inline]
+pub(super) fn bit(index: usize) -> u64 {
+    u32::try_from(index).ok().and_then(|index| 1_u64.checked_shl(index)).unwrap_or(0)
+}
+
+/// Brings the sides of those conditions up to date at a state that do not matter there; which did change.
+pub(crate) fn refresh<M: System<S: Real>>(system: &M, t: M::S, u: &mut M::U, x: &M::X) -> u64 {
+    let mut changed = 0;
+    if !M::SELECTIVE || (0..M::G::LEN).all(|i| system.matters(u, i, 0)) {
+        return changed;
+    }
+    let here = guards(system, t, u, x);
+    for i in 0..M::G::LEN {
+        if is_past(system, &here, i) && !system.must_hold(i) && !system.matters(u, i, 0) {
+            system.switch(t, u, x, i);
+            changed |= bit(i);
+        }
+    }
+    changed
+}
+
+/// Does a function of sides hold, or can it if those sides are other ones that have a bit in `unknown`? It is a decision diagram:
+/// each of its `nodes` gives a side, and the node that follows where that is negative, and where it is not. Nodes are counted from
+/// 2 on; 0 does not hold, 1 does, and those that follow have smaller numbers.
+pub fn holds<S: Real>(nodes: &[(u8, u16, u16)], root: u16, sides: &[S], unknown: u64) -> bool {
+    let mut reached = [0_u64; WORDS];
+    let (mut number, mut open) = (usize::from(root), 0_u32);
+    loop {
+        let Some(&(side, yes, no)) = number.checked_sub(2).and_then(|place| nodes.get(place)) else {
+            return number != 0;
+        };
+        let side = usize::from(side);
+        let is_unknown = unknown & bit(side) != 0;
+        let negative = sides.get(side).is_some_and(|side| *side < S::ZERO);
+        for (follows, next) in [(is_unknown || negative, yes), (is_unknown || !negative, no)] {
+            let next = usize::from(next);
+            if follows && next == 1 {
+                return true;
+            }
+            if let (true, Some(word)) = (follows && next > 1, reached.get_mut(next / 64)) {
+                open += u32::from(*word & bit(next % 64) == 0);
+                *word |= bit(next % 64);
+            }
+        }
+        if open == 0 {
+            return false;
+        }
+        // The next one below.
+        number -= 1;
+        while reached.get(number / 64).is_some_and(|word| word & bit(number % 64) == 0) {
+            number -= 1;
+        }
+        open -= 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `(a and b) or c`, by sides 0, 1 and 2, after `not b` and `c` alone.
+    const NODES: [(u8, u16, u16); 5] = [(2, 1, 0), (1, 0, 1), (1, 1, 2), (0, 4, 2), (0, 3, 3)];
+
+    #[test]
+    fn what_is_not_known_may_be_either() {
+        for row in 0..8_u8 {
+            let holds_at = |row: u8| [0, 1, 2].map(|k| row >> k & 1 == 1);
+            for unknown in 0..8_u8 {
+                let can = |f: fn([bool; 3]) -> bool| {
+                    (0..8).filter(|other| (other ^ row) & !unknown == 0).any(|other| f(holds_at(other)))
+                };
+                let sides = holds_at(row).map(|holds| if holds { -1.0 } else { 1.0 });
+                let found = |root| holds(&NODES, root, &sides, u64::from(unknown));
+                assert_eq!(found(5), can(|[a, b, c]| a && b || c), "{row} {unknown}");
+                assert_eq!(found(3), can(|[_, b, _]| !b), "{row} {unknown}");
+                assert_eq!(found(6), can(|[_, b, _]| !b), "{row} {unknown}");
+                assert_eq!(found(2), can(|[_, _, c]| c), "{row} {unknown}");
+                assert!(found(1) && !found(0));
+            }
+        }
+    }
+}
