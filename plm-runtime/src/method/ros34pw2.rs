@@ -212,7 +212,9 @@ impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
             return Err(largest.fault(course.system, course.time, self.plan.h));
         }
         if error > M::S::lit(SHORT) {
-            self.estimate = trial.largest(&course.x, &typical).of_term(CONSTANT, 4.0 / 3.0);
+            let found = trial.largest(&course.x, &typical).of_term(CONSTANT, 4.0 / 3.0);
+            // What ends a run is `worst_error` alone.
+            self.estimate = Estimate { error: found.error.min(M::S::lit(0.99)), ..found };
         }
         self.plan.arrive(course, trial.x, self.tolerance, course.stats.by_rank > by_rank)?;
         Ok(())
