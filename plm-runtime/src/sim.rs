@@ -182,7 +182,8 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             return Some(Notice::StiffStabilisation { h_alpha });
         }
         let conditions = self.stats.passed_over;
-        (conditions > 0).then_some(Notice::PassedOver { conditions })
+        let long = || Notice::of_errors(&self.stats());
+        long().or_else(|| (conditions > 0).then_some(Notice::PassedOver { conditions }))
     }
 
     /// Ends the run, before the step, where a loop passes a pose in which it could go on in several ways; if not, the run

@@ -180,10 +180,9 @@ pub fn take<M: System<S: Real>>(
     trial: &Trial<M::X>,
 ) -> Result<(), Fault> {
     let error = trial.worst(x, &system.typical());
-    *x = trial.x;
     if error > M::S::lit(Ros34Pw2Formula::WORST_ERROR) {
-        let cause = Cause::StepTooLong { step: h.to_f64(), error: error.to_f64() };
-        return Err(Fault::new(t.to_f64(), cause));
+        return Err(trial.largest(x, &system.typical()).fault(system, t, h));
     }
+    *x = trial.x;
     Ok(())
 }

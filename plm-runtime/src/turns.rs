@@ -13,6 +13,8 @@ const FARTHEST: f64 = 0.75 * TAU;
 const TAU: f64 = core::f64::consts::TAU;
 /// ... and what it lacks.
 const TAU_LOW: f64 = 2.449_293_598_294_706_4e-16;
+/// So many numbers stay in registers over a step.
+const IN_REGISTERS: usize = 8;
 /// More turns at once are none that a step can make.
 const MOST: f64 = 1e9;
 
@@ -77,7 +79,29 @@ pub(crate) fn are_near<T: Scalar>(angle: T) -> T {
 /// Brings angles among `numbers` back by whole turns, which are counted; those of one count together, when the first of
 /// them is far: others may be far from that. Whether there were some.
 #[inline]
-pub fn unwind<S: Real, const K: usize>(
+pub fn unwind<S: Real, X: Vector<S>, const K: usize>(
+    turns: &mut [i32; K],
+    numbers: &mut X,
+    places: &[&[usize]; K],
+) -> bool {
+    // In almost all steps all are near: a comparison for each, without what a turn takes.
+    let near = |places: &&[usize]| places.first().is_none_or(|&at| numbers.at(at).abs() <= S::lit(FARTHEST));
+    if places.iter().fold(true, |all, places| all & near(places)) {
+        return false;
+    }
+    if X::LEN > IN_REGISTERS {
+        return unwind_far(turns, numbers, places);
+    }
+    // Copies: what is lent to a call stands in memory, and a state that is near stays in registers.
+    let (mut all, mut far) = (*turns, *numbers);
+    let turned = unwind_far(&mut all, &mut far, places);
+    (*turns, *numbers) = (all, far);
+    turned
+}
+
+/// The same where one may be far.
+#[cold]
+fn unwind_far<S: Real, const K: usize>(
     turns: &mut [i32; K],
     numbers: &mut impl Vector<S>,
     places: &[&[usize]; K],

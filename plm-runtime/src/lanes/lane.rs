@@ -96,7 +96,9 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
         self.course.health = next.map_or(1.0, |next| next.1.min(1.0));
         let next = next.map(|next| next.0);
         self.outcome = if M::Rescue::holds(&self.course) { Ok(()) } else { self.land(next) };
-        self.runs = self.outcome.is_ok() && self.course.divided.is_none() && !M::Rescue::holds(&self.course);
+        let Course { divided, senseless, .. } = &self.course;
+        let goes_on = divided.is_none() && senseless.is_none();
+        self.runs = self.outcome.is_ok() && goes_on && !M::Rescue::holds(&self.course);
         if !self.runs {
             // Near a singular pose it goes on without the others.
             let Self { course, method, watch, limits, outcome, .. } = self;
@@ -111,6 +113,7 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
         match next {
             Some(next) => {
                 x = next;
+                method.is_short();
                 course.stats.evaluations += F::STAGES;
             }
             None => method.step(course, &mut x)?,

@@ -2,7 +2,7 @@
 
 use super::lane::{Lane, set_column};
 use super::{LANES, Lanes, Pack, Rate, Unwatched};
-use crate::method::{Formula, Plan};
+use crate::method::{Formula, Plan, coarseness, looked_at};
 use crate::scalar::Scalar;
 use crate::system::System;
 use crate::vector::Vector;
@@ -48,12 +48,16 @@ impl<M: Pack<S = f64, G = [f64; 0]>, L: Lanes> Side<M, L> {
         side
     }
 
-    /// The states after a step of all lanes, and its health in each.
+    /// The states after a step of all lanes, its health in each, and in which it is so short that its error needs no estimate:
+    /// in the others the health is zero.
     #[inline]
     pub(super) fn step<F: Formula>(&self, (time, plan, _): (f64, &Plan<f64>, u64)) -> (Wide<M, L>, L) {
-        let mut next = self.x;
-        let health = F::plain_step(&self.mechanism, L::lit(time), &self.held, &mut next, L::lit(plan.h)).0;
-        (next, health)
+        let (mut next, zero, h) = (self.x, L::lit(0.0), L::lit(plan.h));
+        let all = (&self.mechanism, &self.held);
+        let (health, coarseness) = looked_at::<F, _, _>(all, (L::lit(time), h), &mut next, |next, stages| {
+            coarseness::<F, Unwatched<M::Packed<L>>>(&self.typical, h, [&self.x, next], stages)
+        });
+        (next, L::select(zero.lt(coarseness), zero, health.0))
     }
 
     /// Looks at the states that a step has led to where that is due: 1 in the lanes that go on from them as they are, 0 where

@@ -2,11 +2,14 @@
 
 use core::marker::PhantomData;
 
+use super::estimate::Estimate;
+use super::length::{are_near, are_straight, is_due};
 use super::plan::Plan;
 use super::{Course, Method, Rates, Single, Watched, drift_of_size, excess, not_finite};
 use crate::events;
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
+use crate::sim::Stats;
 use crate::system::{Drift, Health, System};
 use crate::vector::Vector;
 
@@ -16,17 +19,69 @@ pub trait Formula: Copy {
     const NAME: &'static str = "";
     /// Rates per step.
     const STAGES: u64;
+    /// The rates at the stages of a step.
+    type Stages<X: Copy>: Copy;
 
-    /// Takes the state `x` from `t` to `t + h`; `rates` computes the rates.
-    fn step<M: System>(t: M::S, h: M::S, x: &mut M::X, rates: impl Rates<M>);
+    /// Takes the state `x` from `t` to `t + h`; `rates` computes the rates. Gives what `look` makes of the state then and of the
+    /// rates.
+    fn step<M: System, T>(
+        times: (M::S, M::S),
+        x: &mut M::X,
+        rates: impl Rates<M>,
+        look: impl FnOnce(&M::X, &Self::Stages<M::X>) -> T,
+    ) -> T;
+
+    /// Positions that the trapezoidal rule of their velocities puts nearer than this share of their sizes need no estimate.
+    const STRAIGHT: f64;
+
+    /// Whether [`apart`](Self::apart) tells of positions; of velocities and first-order states it does.
+    const OF_PLACES: bool;
+
+    /// By state, how far the rates of a step of `h` are apart, and how far they may be in one that needs no
+    /// [`estimate`](Self::estimate): a share of its `size`.
+    fn apart<M: System>(
+        h: M::S,
+        stages: &Self::Stages<M::X>,
+        size: impl Fn(usize) -> M::S,
+    ) -> impl Fn(usize) -> [M::S; 2];
+
+    /// The error of a step, as it is estimated by the rates of its stages.
+    fn estimate<M: System<S: Real>>(made: &Made<'_, M>, stages: &Self::Stages<M::X>) -> Estimate<M::S>;
 
     /// One step for any scalar, with the worst health of its stages and without a second try.
     #[inline]
     fn plain_step<M: System>(system: &M, t: M::S, u: &M::U, x: &mut M::X, h: M::S) -> Health<M::S> {
-        let mut rates = Watched::new(system, u);
-        Self::step::<M>(t, h, x, &mut rates);
-        rates.worst
+        looked_at::<Self, M, _>((system, u), (t, h), x, |_, _| ()).0
     }
+}
+
+/// One step with the worst health of its stages, without a second try, and what `look` makes of its end and the rates of its
+/// stages.
+#[allow(clippy::inline_always, reason = "as the formula, which it is")]
+#[inline(always)]
+pub(crate) fn looked_at<F: Formula, M: System, T>(
+    (system, u): (&M, &M::U),
+    times: (M::S, M::S),
+    x: &mut M::X,
+    look: impl FnOnce(&M::X, &F::Stages<M::X>) -> T,
+) -> (Health<M::S>, T) {
+    let mut rates = Watched::new(system, u);
+    let seen = F::step::<M, T>(times, x, &mut rates, look);
+    (rates.worst, seen)
+}
+
+/// A step that was made.
+pub struct Made<'a, M: System> {
+    /// The equations.
+    pub system: &'a M,
+    /// What was held over it.
+    pub held: &'a M::U,
+    /// Its length, s.
+    pub h: M::S,
+    /// Time, s, and state before it.
+    pub from: (M::S, &'a M::X),
+    /// The state after it.
+    pub to: &'a M::X,
 }
 
 /// A method with steps of equal length.
@@ -49,6 +104,8 @@ pub struct FixedStep<S, F> {
     pub(crate) careful: bool,
     /// Steps until the next look at the drift.
     pub(super) until_check: u32,
+    /// The error of the last step.
+    estimate: Estimate<S>,
     formula: PhantomData<F>,
 }
 
@@ -63,6 +120,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
             plan: Plan::none(),
             careful: false,
             until_check: 0,
+            estimate: Estimate::NONE,
             formula: PhantomData,
         }
     }
@@ -80,16 +138,31 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         course: &mut Course<'_, M>,
         x: &mut M::X,
     ) -> Result<(), Fault> {
+        let (t, h) = (course.time, self.plan.h);
         if !self.careful {
-            let health = F::plain_step(course.system, course.time, &course.held, x, self.plan.h);
+            let all = (course.system, &course.held);
+            let (health, are_near) = looked_at::<F, M, _>(all, (t, h), x, |x, stages| {
+                are_near::<F, M>(course.system, h, x, stages)
+            });
+            let is_bent =
+                || is_due::<M>(course.stats) && !are_straight::<F, M>(course.system, h, [&course.x, x]);
+            let is_short = are_near && !is_bent();
             course.stats.evaluations += F::STAGES;
             course.health = course.health.min(health.0);
             if health.is_good() {
+                self.estimate =
+                    if is_short { Estimate::NONE } else { estimate::<F, M>(all, (t, h), &course.x) };
                 return Ok(());
             }
             *x = course.x;
         }
         self.step_by_rank(course, x)
+    }
+
+    /// The last step needed no estimate.
+    #[inline]
+    pub(crate) fn is_short(&mut self) {
+        self.estimate = Estimate::NONE;
     }
 
     #[cold]
@@ -100,12 +173,15 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
     ) -> Result<(), Fault> {
         let (t, h, by_rank) = (course.time, self.plan.h, course.stats.by_rank);
         let mut outcome = Ok(());
-        F::step::<M>(t, h, x, |t: M::S, x: &M::X, dx: &mut M::X| {
+        let rates = |t: M::S, x: &M::X, dx: &mut M::X| {
             if outcome.is_ok() {
                 outcome = course.rate(t, x, dx);
             }
-        });
+        };
+        let stages = F::step::<M, _>((t, h), x, rates, |_, stages| *stages);
         self.careful = course.stats.by_rank > by_rank;
+        let Course { system, held, x: from, .. } = course;
+        self.estimate = F::estimate(&Made { system: *system, held, h, from: (t, from), to: x }, &stages);
         outcome
     }
 
@@ -186,6 +262,23 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
     }
 }
 
+/// The error of a healthy step of `h` from the state `x` at `t`, which is made once more for it: steps whose rates are little
+/// apart would pay for keeping these to their ends.
+#[cold]
+#[inline(never)]
+fn estimate<F: Formula, M: System<S: Real>>(
+    (system, held): (&M, &M::U),
+    (t, h): (M::S, M::S),
+    x: &M::X,
+) -> Estimate<M::S> {
+    let mut to = *x;
+    let from = (t, x);
+    looked_at::<F, M, _>((system, held), (t, h), &mut to, |to, stages| {
+        F::estimate(&Made { system, held, h, from, to }, stages)
+    })
+    .1
+}
+
 impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
     const DENSE: bool = false;
     const SINGLE: bool = true;
@@ -204,11 +297,31 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
     }
 
     #[inline]
-    fn single(&self, system: &M, held: &M::U, (t, end): (M::S, M::S), x: &mut M::X) -> Option<Single<M::S>> {
+    fn single(
+        &self,
+        (system, held): (&M, &M::U),
+        (t, end): (M::S, M::S),
+        x: &mut M::X,
+    ) -> Option<Single<M::S>> {
         let h = Plan::single(t, end, self.longest_step).filter(|_| !self.careful)?;
-        let health = F::plain_step(system, t, held, x, h);
+        let (health, are_near) = looked_at::<F, M, _>((system, held), (t, h), x, |x, stages| {
+            are_near::<F, M>(system, h, x, stages)
+        });
+        if !are_near {
+            return None;
+        }
         let healthy = x.is_finite() && health.is_good();
         healthy.then_some(Single { h, health: health.0, evaluations: F::STAGES })
+    }
+
+    #[inline]
+    fn estimate(&self) -> Estimate<M::S> {
+        self.estimate
+    }
+
+    #[inline]
+    fn is_long(&self, (system, stats): (&M, &Stats), h: M::S, legs: [&M::X; 2]) -> bool {
+        is_due::<M>(stats) && !are_straight::<F, M>(system, h, legs)
     }
 
     #[inline]

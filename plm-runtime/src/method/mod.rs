@@ -20,10 +20,12 @@ mod adaptive;
 mod dop853;
 mod dopri5;
 mod embedded;
+mod estimate;
 mod euler;
 mod fixed;
 mod gauss;
 mod jacobian;
+mod length;
 mod path;
 mod plan;
 mod projection;
@@ -38,9 +40,12 @@ pub use adams::Adams;
 pub use dop853::{Dop853, DormandPrince853};
 pub use dopri5::{Dopri5, DormandPrince5};
 pub use embedded::{Embedded, Limits, Pair};
+pub use estimate::Estimate;
 pub use euler::{SemiImplicitEuler, SemiImplicitEulerFormula};
-pub use fixed::{FixedStep, Formula};
+pub(crate) use fixed::looked_at;
+pub use fixed::{FixedStep, Formula, Made};
 pub use gauss::Gauss;
+pub(crate) use length::coarseness;
 pub use path::Path;
 pub(crate) use plan::Plan;
 pub use radau::RadauIia5;
@@ -105,12 +110,25 @@ pub trait Method<M: System>: Copy {
     }
 
     /// Takes the state `x` over an interval between two times by the formula alone, as [`advance`](Self::advance) would before it
-    /// looks at the step. None where that takes more than one step, or where the step is not healthy; `x` is of no use then. The
-    /// method stays as it is.
+    /// looks at the step. None where that takes more than one step, or where the step is not healthy or so long that its error
+    /// is to be estimated; `x` is of no use then. The method stays as it is.
     #[inline]
-    fn single(&self, system: &M, held: &M::U, times: (M::S, M::S), x: &mut M::X) -> Option<Single<M::S>> {
+    fn single(&self, (system, held): (&M, &M::U), times: (M::S, M::S), x: &mut M::X) -> Option<Single<M::S>> {
         let _ = (system, held, times, x);
         None
+    }
+
+    /// How far the last step was off, where its length was fixed and was not chosen for its error: zero where that is too little
+    /// to be estimated, and of other steps.
+    fn estimate(&self) -> Estimate<M::S> {
+        Estimate::NONE
+    }
+
+    /// Is the error of such a step to be estimated for what its ends tell? Then it is made by [`advance`](Self::advance).
+    #[inline]
+    fn is_long(&self, (system, stats): (&M, &Stats), h: M::S, legs: [&M::X; 2]) -> bool {
+        let _ = (system, stats, h, legs);
+        false
     }
 
     /// Is a state to be settled that such a step has led to?
@@ -210,6 +228,8 @@ pub struct Course<'a, M: System> {
     pub(crate) divided: Option<Divided<M::S>>,
     /// Steps that had been tried before the interval.
     before: u64,
+    /// The last step made no sense, and the run ends before it.
+    pub(crate) senseless: Option<Fault>,
 }
 
 /// A step to `until`, s, that is to be made in so many parts at least.
@@ -241,6 +261,7 @@ impl<'a, M: System> Course<'a, M> {
             rescued: None,
             divided: None,
             before,
+            senseless: None,
         }
     }
 

@@ -1,7 +1,7 @@
 //! A Rosenbrock-W method for stiff equations with steps of equal length.
 
 use super::plan::Plan;
-use super::{Course, Method, drift_of_size};
+use super::{Course, Estimate, Method, drift_of_size};
 use crate::fault::{Cause, Fault};
 use crate::linalg::Derivatives;
 use crate::linear::Linear;
@@ -28,6 +28,8 @@ pub struct Ros34Pw2<S> {
     /// Estimated error of a step, as a fraction of the size of a state, above which the run ends.
     pub worst_error: S,
     plan: Plan<S>,
+    /// The error of the last step.
+    estimate: Estimate<S>,
 }
 
 const STAGES: usize = 4;
@@ -55,6 +57,11 @@ const ERROR: [f64; STAGES] = [
     ALPHA[3][2] + GAMMAS[3][2] - 5.0e-1,
     GAMMA - 2.179_332_607_542_295e-1,
 ];
+/// What the step of a linear oscillator errs by, 0.0259 z^4, over what the formula of order 2 differs by, 0.0396 z^3, to the
+/// power of 4/3; of equations that are stiff both fall alike.
+const CONSTANT: f64 = 1.92;
+/// Estimates of order 2 below this share of a state are left as they are: the step errs by less than 1e-4.
+const SHORT: f64 = 6e-4;
 /// The stages are solved for u = Gamma k, so that no product with the Jacobian is needed (E. Hairer, G. Wanner, Solving
 /// Ordinary Differential Equations II, IV.7, eq. (7.25)): C = 1/gamma I - Gamma^-1, A = alpha Gamma^-1. The weights
 /// b Gamma^-1 are the last row of A, and 1: the method is stiffly accurate.
@@ -71,6 +78,7 @@ impl<S: Real> Ros34Pw2<S> {
             tolerance,
             worst_error: S::lit(Ros34Pw2Formula::WORST_ERROR),
             plan: Plan::none(),
+            estimate: Estimate::NONE,
         }
     }
 
@@ -141,11 +149,26 @@ impl<X> Trial<X> {
     where
         X: Vector<S>,
     {
-        let fraction = |i: usize| {
-            let size = x.at(i).abs().max(self.x.at(i).abs()).max(typical.at(i));
-            self.error.at(i).abs() / size
-        };
-        (0..X::LEN).fold(S::ZERO, |worst, i| fraction(i).max(worst))
+        (0..X::LEN).fold(S::ZERO, |worst, i| self.fraction(i, x, typical).max(worst))
+    }
+
+    /// The same with the state that it belongs to.
+    #[cold]
+    pub(crate) fn largest<S: Real>(&self, x: &X, typical: &X) -> Estimate<S>
+    where
+        X: Vector<S>,
+    {
+        Estimate::largest(X::LEN, |i| self.fraction(i, x, typical))
+    }
+
+    /// The error of a state as a fraction of its size.
+    #[inline]
+    fn fraction<S: Real>(&self, i: usize, x: &X, typical: &X) -> S
+    where
+        X: Vector<S>,
+    {
+        let size = x.at(i).abs().max(self.x.at(i).abs()).max(typical.at(i));
+        self.error.at(i).abs() / size
     }
 }
 
@@ -181,10 +204,17 @@ impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
     fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
         let by_rank = course.stats.by_rank;
         let trial = step(course, self.plan.h)?;
-        let error = trial.worst(&course.x, &course.system.typical());
+        let typical = course.system.typical();
+        let error = trial.worst(&course.x, &typical);
+        self.estimate = Estimate::NONE;
         if error > self.worst_error {
-            let step = self.plan.h.to_f64();
-            return Err(course.fault(Cause::StepTooLong { step, error: error.to_f64() }));
+            let largest = trial.largest(&course.x, &typical);
+            return Err(largest.fault(course.system, course.time, self.plan.h));
+        }
+        if error > M::S::lit(SHORT) {
+            let found = trial.largest(&course.x, &typical).of_term(CONSTANT, 4.0 / 3.0);
+            // What ends a run is `worst_error` alone.
+            self.estimate = Estimate { error: found.error.min(M::S::lit(0.99)), ..found };
         }
         self.plan.arrive(course, trial.x, self.tolerance, course.stats.by_rank > by_rank)?;
         Ok(())
@@ -195,6 +225,10 @@ impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
     }
 
     fn restart(&mut self) {}
+
+    fn estimate(&self) -> Estimate<M::S> {
+        self.estimate
+    }
 
     fn shorter(&self, longest: M::S) -> Option<Self> {
         let Self { tolerance, worst_error, .. } = *self;

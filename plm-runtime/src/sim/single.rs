@@ -26,7 +26,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             return false;
         }
         let mut x = *state.x();
-        let Some(made) = method.single(system, &held, (time, end), &mut x) else { return false };
+        let Some(made) = method.single((system, &held), (time, end), &mut x) else { return false };
         let drifted = method.drifts(system, end, &x);
         if drifted && system.settle(end, &mut x).is_err() {
             return false;
@@ -41,6 +41,9 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         let accepted = system.accept(end, &mut held, &mut x);
         let Ok(Accepted { moved, turned, passed }) = accepted else { return false };
         if passed.is_some() && limits.change_points {
+            return false;
+        }
+        if method.is_long((system, stats), made.h, [state.x(), &x]) {
             return false;
         }
         stats.steps += 1;

@@ -48,6 +48,9 @@ fn go_on<M: Mechanism, I: Method<M>>(
 ) -> Result<(), Fault> {
     let mut failures = 0;
     while course.time < course.end {
+        if let Some(fault) = course.senseless.take() {
+            return Err(fault);
+        }
         if outcome.is_ok() && course.divided.is_none() && !M::Rescue::holds(course) {
             outcome = step(method, course, (&mut *watch, limits), observer, false);
         }
@@ -143,7 +146,11 @@ fn follow<M: Mechanism, I: Method<M>>(
 ) -> Result<(), Fault> {
     watch.begin(method, course)?;
     method.begin(course)?;
-    while course.time < course.end && course.divided.is_none() && !M::Rescue::holds(course) {
+    while course.time < course.end
+        && course.divided.is_none()
+        && course.senseless.is_none()
+        && !M::Rescue::holds(course)
+    {
         step(method, course, (&mut *watch, limits), observer, false)?;
     }
     Ok(())
@@ -267,7 +274,16 @@ pub(crate) fn look<M: Mechanism, I: Method<M>>(
             watch.forget();
             Err(fault)
         }
-        Ok(accepted) => Ok(Some(Next { accepted, held, x })),
+        Ok(_) if method.estimate().is_senseless() => {
+            let fault = method.estimate().fault(course.system, before.0, course.time - before.0);
+            refuse(course, before, watch);
+            course.senseless = Some(fault);
+            Ok(None)
+        }
+        Ok(accepted) => {
+            course.stats.errs(method.estimate());
+            Ok(Some(Next { accepted, held, x }))
+        }
         Err(fault) => {
             let (h, time) = (course.time - before.0, course.time);
             refuse(course, before, watch);

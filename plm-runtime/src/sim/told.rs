@@ -4,6 +4,8 @@ use core::fmt;
 
 use super::{Sim, Snapshot};
 use crate::mechanism::Mechanism;
+use crate::method::Estimate;
+use crate::scalar::Real;
 
 /// The state and what was done; a method has hundreds of numbers of its own.
 impl<M: Mechanism<State: fmt::Debug>, I> fmt::Debug for Sim<M, I> {
@@ -50,6 +52,20 @@ pub struct Stats {
     pub renewed: u64,
     /// Longest accepted step, s.
     pub longest_step: f64,
+    /// The largest error that a step of fixed length was estimated at, as a share of the size of a state; zero below about 1e-4.
+    pub largest_error: f64,
+    /// The sum of the largest errors of all those steps, as a share of the size of the state.
+    pub errors: f64,
+}
+
+impl Stats {
+    /// A step was off by as much.
+    #[inline]
+    pub(crate) fn errs<S: Real>(&mut self, Estimate { error, .. }: Estimate<S>) {
+        let error = error.to_f64();
+        self.largest_error = self.largest_error.max(error);
+        self.errors += error;
+    }
 }
 
 /// Something that the user should know although the run goes on.
@@ -68,7 +84,32 @@ pub enum Notice {
         /// How often.
         conditions: u64,
     },
+    /// Steps of fixed length are so long that a step errs by more than three thousandths of the size of a state, or all of them together
+    /// by more than a tenth: the motion is a rough one, and may be another one. Shorter steps, or a method that chooses them by
+    /// their error. Both are estimates of what the steps add; what a motion makes of that may be more or less.
+    LongSteps {
+        /// The largest error of a step, as a share of the size of a state.
+        largest: f64,
+        /// The sum of those of all steps, as such a share.
+        sum: f64,
+        /// The longest step, s.
+        step: f64,
+    },
 }
+
+impl Notice {
+    /// What steps of fixed length were off by, where that is worth to be told.
+    pub(super) fn of_errors(stats: &Stats) -> Option<Self> {
+        let Stats { largest_error: largest, errors: sum, longest_step: step, .. } = *stats;
+        (largest >= LARGE || sum >= SUM).then_some(Self::LongSteps { largest, sum, step })
+    }
+}
+
+/// A step is told that errs by this share of a state: estimates are right to a factor of three, and a run that is right to a
+/// thousandth is silent, ...
+const LARGE: f64 = 3e-3;
+/// ... and a run whose steps do so together.
+const SUM: f64 = 0.1;
 
 impl fmt::Display for Notice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -82,6 +123,13 @@ impl fmt::Display for Notice {
                 f,
                 "conditions came and went within steps of equal length, {conditions} times: shorter steps, or a method \
                  with dense output"
+            ),
+            Self::LongSteps { largest, sum, step } => write!(
+                f,
+                "steps of up to {step:e} s err by up to {:.2} % of a state, by {:.1} % of it together: shorter steps, or a \
+                 method that chooses them by their error",
+                100.0 * largest,
+                100.0 * sum
             ),
         }
     }

@@ -5,6 +5,7 @@ mod tableau;
 use plm_math::exact::two_sum;
 
 use self::tableau::{Legendre, Nodes, Tableau};
+use super::estimate::{Estimate, Sizes};
 use super::plan::Plan;
 use super::{Course, Method, drift_of_size};
 use crate::fault::{Cause, Fault};
@@ -31,6 +32,8 @@ pub struct Gauss<M: System, const STAGES: usize> {
     last: Option<([M::X; STAGES], M::S)>,
     /// What the last sums rounded off.
     rounded: M::X,
+    /// The error of the last step.
+    estimate: Estimate<M::S>,
 }
 
 /// Iterations after which the stages must be found.
@@ -47,6 +50,7 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
             plan: Plan::none(),
             last: None,
             rounded: M::X::fill(M::S::ZERO),
+            estimate: Estimate::NONE,
         }
     }
 
@@ -131,7 +135,11 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
         let mut least = M::X::fill(M::S::INFINITY);
         for _ in 0..MOST_ITERATIONS {
             for (i, (state, rate)) in states.iter().zip(&mut rates).enumerate() {
-                course.rate(time + tableau.c[i] * h, state, rate)?;
+                // Stages that run away are those of a step that is too long; the state that it begins from is finite.
+                course.rate(time + tableau.c[i] * h, state, rate).map_err(|fault| match fault.cause {
+                    Cause::NotFinite => course.fault(Cause::NotConverged { step: h.to_f64() }),
+                    _ => fault,
+                })?;
             }
             let (increments, next) = self.stages(&x, &tableau, &rates);
             let (mut nearer, mut is_small) = (false, true);
@@ -152,6 +160,32 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
             }
         }
         Err(course.fault(Cause::NotConverged { step: h.to_f64() }))
+    }
+
+    /// The error of a step from `x` to `next`. Positions tell of the third term of Taylor's series by the trapezoidal rule, the
+    /// rates of the stages by their differences: three of the third term, two of the second.
+    fn error(&self, system: &M, [x, next]: [&M::X; 2], increments: &[M::X; STAGES]) -> Estimate<M::S>
+    where
+        Legendre: Nodes<STAGES>,
+    {
+        let (h, order) = (self.plan.h, (2 * STAGES + 1) as f64);
+        let sizes = Sizes { typical: system.typical(), from: x, to: next };
+        let third =
+            |i: usize| if i < M::NQ { M::S::lit(12.0) * sizes.bend((i, M::NQ, h)) } else { M::S::ZERO };
+        let stage = |k: usize, i: usize| increments[k].at(i) / M::S::lit(Legendre::B[k]);
+        let apart = M::S::lit(Legendre::C[1] - Legendre::C[0]);
+        let differs = |i: usize| {
+            if i < M::NQ {
+                return M::S::ZERO;
+            }
+            let (first, last) = (stage(1, i) - stage(0, i), stage(STAGES - 1, i) - stage(STAGES - 2, i));
+            let term = if STAGES == 2 { first / apart } else { (last - first) / (apart * apart) };
+            term.abs() / sizes.of(i)
+        };
+        let constant = Legendre::ERROR;
+        let places = Estimate::largest(M::X::LEN, third).of_term(constant, order / 3.0);
+        let rates = Estimate::largest(M::X::LEN, differs).of_term(constant, order / STAGES as f64);
+        if places.error < rates.error { rates } else { places }
     }
 
     /// The state after the step: the sum of the increments with what earlier sums rounded off.
@@ -182,6 +216,7 @@ where
         let by_rank = course.stats.by_rank;
         let increments = self.solve(course)?;
         let next = self.sum(&course.x, &increments);
+        self.estimate = self.error(course.system, [&course.x, &next], &increments);
         if self.plan.arrive(course, next, self.tolerance, course.stats.by_rank > by_rank)? {
             self.rounded = M::X::fill(M::S::ZERO);
         }
@@ -190,6 +225,10 @@ where
 
     fn interpolate(&self, _time: M::S) -> M::X {
         M::X::fill(M::S::ZERO)
+    }
+
+    fn estimate(&self) -> Estimate<M::S> {
+        self.estimate
     }
 
     fn restart(&mut self) {

@@ -1,0 +1,97 @@
+//! Whether a step of fixed length is so short that its error needs no estimate: a few comparisons beside every step.
+//!
+//! Of mechanisms with few states the rates of the stages tell, which stand in registers. To keep those of many would cost a
+//! tenth of a step: of their coordinates the ends of a step tell, of every eighth as long as these are short, and of their
+//! first-order states the rates.
+
+use super::fixed::Formula;
+use crate::scalar::{Real, Scalar};
+use crate::sim::Stats;
+use crate::system::System;
+use crate::vector::Vector;
+
+/// So many velocities and first-order states are few: to compare their rates costs less than a fiftieth of a step.
+const FEW: usize = 4;
+/// Ends are looked at in every step of so many, ...
+const FIRST: u64 = 64;
+/// ... then in every eighth (with the bits that are not zero in others), ...
+const OFTEN: u64 = 7;
+
+/// ... and in every one again behind one that was too long: of mechanisms with many states.
+#[inline]
+pub(super) fn is_due<M: System>(stats: &Stats) -> bool {
+    !has_few::<M>() && (stats.steps < FIRST || stats.steps & OFTEN == 0 || stats.largest_error > 0.0)
+}
+
+/// Has the mechanism few velocities and first-order states?
+#[inline]
+pub(super) fn has_few<M: System>() -> bool {
+    M::X::LEN - M::NQ <= FEW
+}
+
+/// The first state whose rates are compared.
+#[inline]
+fn first<F: Formula, M: System>() -> usize {
+    match has_few::<M>() {
+        true if F::OF_PLACES => 0,
+        true => M::NQ,
+        false => 2 * M::NQ,
+    }
+}
+
+/// Are the rates of a step of `h` to `x` little apart ([`Formula::apart`])?
+#[allow(clippy::needless_bitwise_bool, reason = "a branch for each state would keep compilers from vectors")]
+#[allow(clippy::inline_always, reason = "the rates stay in registers")]
+#[inline(always)]
+pub(super) fn are_near<F: Formula, M: System<S: Real>>(
+    system: &M,
+    h: M::S,
+    x: &M::X,
+    stages: &F::Stages<M::X>,
+) -> bool {
+    let typical = system.typical();
+    let apart = F::apart::<M>(h, stages, |i| x.at(i).abs() + typical.at(i));
+    // All are compared: so compilers make vectors of them. False for what is not a number.
+    (first::<F, M>()..M::X::LEN).fold(true, |all, i| {
+        let [apart, most] = apart(i);
+        all & (apart <= most)
+    })
+}
+
+/// Are the positions of a step of `h` between two states near to those by the trapezoidal rule? A call: what few steps do does not
+/// take the registers of all.
+#[allow(clippy::needless_bitwise_bool, reason = "a branch for each state would keep compilers from vectors")]
+#[inline(never)]
+pub(super) fn are_straight<F: Formula, M: System<S: Real>>(system: &M, h: M::S, legs: [&M::X; 2]) -> bool {
+    let typical = system.typical();
+    (0..M::NQ).fold(true, |all, i| {
+        let [bend, most] = bend::<F, M>(&typical, h, legs, i);
+        all & (bend <= most)
+    })
+}
+
+/// How far a position is from there, and how far it may be.
+#[inline]
+fn bend<F: Formula, M: System>(typical: &M::X, h: M::S, [from, to]: [&M::X; 2], i: usize) -> [M::S; 2] {
+    let (v, half) = (M::NQ + i, M::S::lit(0.5) * h);
+    let bend = (to.at(i) - from.at(i)) - half * (from.at(v) + to.at(v));
+    [bend.abs(), M::S::lit(F::STRAIGHT) * (from.at(i).abs() + typical.at(i))]
+}
+
+/// Both in numbers of several lanes: above zero in those that are not short, and not below.
+#[inline]
+pub(crate) fn coarseness<F: Formula, M: System>(
+    typical: &M::X,
+    h: M::S,
+    legs: [&M::X; 2],
+    stages: &F::Stages<M::X>,
+) -> M::S {
+    let zero = M::S::lit(0.0);
+    let apart = F::apart::<M>(h, stages, |i| legs[1].at(i).abs() + typical.at(i));
+    let beyond = |coarse: M::S, [apart, most]: [M::S; 2]| coarse.max(apart - most);
+    let coarse = (first::<F, M>()..M::X::LEN).fold(zero, |coarse, i| beyond(coarse, apart(i)));
+    if has_few::<M>() {
+        return coarse;
+    }
+    (0..M::NQ).fold(coarse, |coarse, i| beyond(coarse, bend::<F, M>(typical, h, legs, i)))
+}
