@@ -895,10 +895,13 @@ mod plm_plate_on_three_pins_ {
             type Twofold = PlateOnThreePins<rt::Twofold<S>>;
             type Inputs = Held<rt::Twofold<S>>;
 
+            fn fine(&self) -> Self::Twofold {
+                rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::Twofold::written(s))
+            }
+
             fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
                 use rt::lanes::Pack;
-                let exact = |[s]: [S; 1]| rt::Twofold::of(s);
-                (self.pack([self], exact), Self::pack_held(held, [held], exact))
+                (self.fine(), Self::pack_held(held, [held], |[s]: [S; 1]| rt::Twofold::of(s)))
             }
 
             #[cold]
@@ -1683,6 +1686,10 @@ mod plm_plate_on_three_pins_ {
                     self.start.plate.velocity_of_centre([lit(0.0), lit(0.0)], q[11]),
                 ];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
+            }
+
+            fn refine(&self, t: S, q: &[S; 12]) -> Option<([S; 12], [S; 12])> {
+                rt::singular::refine::<Self, 12, 12, 24>(self, t, q)
             }
         }
 

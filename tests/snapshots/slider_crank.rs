@@ -441,10 +441,13 @@ mod plm_slider_crank_ {
             type Twofold = SliderCrank<rt::Twofold<S>>;
             type Inputs = Held<rt::Twofold<S>>;
 
+            fn fine(&self) -> Self::Twofold {
+                rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::Twofold::written(s))
+            }
+
             fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
                 use rt::lanes::Pack;
-                let exact = |[s]: [S; 1]| rt::Twofold::of(s);
-                (self.pack([self], exact), Self::pack_held(held, [held], exact))
+                (self.fine(), Self::pack_held(held, [held], |[s]: [S; 1]| rt::Twofold::of(s)))
             }
 
             #[cold]
@@ -885,6 +888,10 @@ mod plm_slider_crank_ {
                     self.start.slider.velocity_of_centre([lit(0.0), lit(0.0)], q[8]),
                 ];
                 core::array::from_fn(|k| bodies[k / 3][k % 3])
+            }
+
+            fn refine(&self, t: S, q: &[S; 9]) -> Option<([S; 9], [S; 9])> {
+                rt::singular::refine::<Self, 9, 8, 18>(self, t, q)
             }
         }
 

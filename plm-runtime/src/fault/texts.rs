@@ -1,0 +1,181 @@
+//! Causes in sentences.
+
+use core::fmt;
+
+use super::{Cause, Names};
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite => write!(f, "the state or its rate is infinite or not a number"),
+            Self::NotAllowed { what, wanted, found, unit } => {
+                let space = if unit.is_empty() { "" } else { " " };
+                write!(f, "the {what} must be {wanted}, found {found}{space}{unit}")
+            }
+            Self::Singular { rows } => {
+                write!(f, "the {rows} constraint rows could not be decomposed")
+            }
+            Self::NotRegular => f.write_str(
+                "the equations of motion are nearly singular: a step by itself goes no further, `Sim` may",
+            ),
+            Self::Workspace { bytes, allowed } => write!(
+                f,
+                "a solution by rank takes {bytes} bytes of stack, and {allowed} are allowed (plm::runtime::workspace)"
+            ),
+            Self::StepTooSmall { step } => {
+                write!(f, "the error stays above the tolerance down to a step of {step:e} s")
+            }
+            Self::TimeTooCoarse { step, spacing } => write!(
+                f,
+                "the motion asks for steps of {step:.1e} s, and times are {spacing:.1e} s apart at the end of this interval: it \
+                 is too long for the digits of the scalar; shorter intervals, or `f64`"
+            ),
+            Self::StepTooLong { step, error } => {
+                write!(
+                    f,
+                    "a step of {step:e} s errs by about {:.0} % of the state; shorter steps",
+                    100.0 * error
+                )
+            }
+            Self::NotConverged { step } => {
+                write!(
+                    f,
+                    "the stages of a step of {step:e} s were not found; shorter steps, or a method for stiff equations"
+                )
+            }
+            Self::Locked => write!(f, "its loop cannot be closed beyond this pose: the mechanism locks up"),
+            Self::TurnedTooFar { angle } => {
+                write!(
+                    f,
+                    "a body turned by {angle:.1} rad within a step, too far to follow its loop; shorter steps"
+                )
+            }
+            Self::Flat => write!(
+                f,
+                "its loop lies in one line at rest and can go on in several ways; `rung: absolute` takes the least motion"
+            ),
+            Self::ChangePoint => write!(f, "its loop lies in one line and could go on in several ways"),
+            Self::Undecided { gap } => write!(
+                f,
+                "its loop comes to lie in one line but for a difference of {gap:.1e} m in its lengths: so little that \
+                 rounding decides which way it goes on; make the lengths equal, or differ by more"
+            ),
+            Self::EnergyJump { by, of } => {
+                write!(f, "the energy jumps by {by:e} J, of {of:e} J that move, without work of any force")
+            }
+            Self::TooManySteps { steps } => write!(f, "the interval needs more than {steps} steps"),
+            Self::Required => write!(f, "this requirement does not hold any more"),
+            Self::NotMet { by } => not_met(f, *by),
+            Self::Pole { by } => write!(f, "a pole: it divides by `{by}`, which passes zero"),
+            Self::Domain { of } => write!(f, "`{of}` is not defined beyond this"),
+            Self::Jump { by, angular, speed } => jump(f, *by, if *angular { "rad" } else { "m" }, *speed),
+            Self::Zeno { events, within, conditions } => {
+                write!(f, "switches without end: {events} times within {within:e} s")?;
+                for (i, condition) in conditions.iter().enumerate() {
+                    write!(f, "{} `{condition}`", if i == 0 { ", by" } else { " and" })?;
+                }
+                Ok(())
+            }
+            // A number so small would fill lines with zeros.
+            Self::Interval { length } if length.abs() < 1e-5 && *length != 0.0 => {
+                write!(f, "an interval of {length:e} s cannot be integrated")
+            }
+            Self::Interval { length } => write!(f, "an interval of {length} s cannot be integrated"),
+            Self::Drift { phi, phi_dot } => drift(f, *phi, *phi_dot),
+            Self::Redundant { count, locks, joints } => redundant(f, *count, "position", locks, joints),
+            Self::VelocityRedundant { count, locks, joints } => {
+                redundant(f, *count, "velocity", locks, joints)
+            }
+            Self::Repeats { joints } => repeats(f, joints),
+            Self::Disagree { gap, joints } => disagree(f, *gap, joints),
+            Self::Open { gap } => write!(f, "the mechanism cannot be assembled: {gap:e} m or rad stay open"),
+            Self::OtherBranch { first, second, left } => {
+                let (found, asked) = if *left { ("left", "right") } else { ("right", "left") };
+                write!(
+                    f,
+                    "on the way along {first} to this joint and on along {second} one turns {found}, and no pose was found where one \
+                     turns {asked}; start nearer to it"
+                )
+            }
+            Self::VelocityOpen { gap } => {
+                write!(f, "the start velocities contradict the joints by {gap:e} m/s or rad/s")
+            }
+        }
+    }
+}
+
+/// What repeats what, and why that may be.
+fn repeats(f: &mut fmt::Formatter<'_>, joints: &Names) -> fmt::Result {
+    write!(
+        f,
+        "with these parameters {joints} hold what others hold already: pins of a loop coincide, or lengths repeat each \
+                 other, so that something is free to turn that has no coordinate here; other lengths or angles, or \
+                 `rung: absolute`, or such parameters as defaults"
+    )
+}
+
+/// By how much lengths disagree, and what to do.
+fn disagree(f: &mut fmt::Formatter<'_>, gap: f64, joints: &Names) -> fmt::Result {
+    write!(
+        f,
+        "lengths that repeat each other disagree, and {gap:.1e} m or rad stay open: {joints} hold the same; make the \
+                 lengths equal, or let a joint give way with a `compliance`"
+    )
+}
+
+/// A requirement that does not hold, or is left at once.
+fn not_met(f: &mut fmt::Formatter<'_>, by: f64) -> fmt::Result {
+    if by > 0.0 {
+        return write!(f, "this requirement does not hold, by {by:e} in SI units");
+    }
+    write!(f, "the motion leaves this requirement at once, which holds by {:e} in SI units", by.abs())
+}
+
+/// What jumps, and what to do.
+fn jump(f: &mut fmt::Formatter<'_>, by: f64, unit: &str, speed: bool) -> fmt::Result {
+    if speed {
+        return write!(
+            f,
+            "the speed that this row holds jumps by {by:e} {unit}/s; its sides must meet smoothly, as in `smooth_table`"
+        );
+    }
+    write!(f, "the place that this row holds jumps by {by:e} {unit}; its sides must agree")
+}
+
+/// Which of the two residuals it is, and what to do.
+fn drift(f: &mut fmt::Formatter<'_>, phi: f64, phi_dot: f64) -> fmt::Result {
+    // The projection takes positions to rounding wherever joints can be closed: velocities that it cannot take there contradict
+    // each other.
+    if phi < 1e-9 && phi < phi_dot {
+        return write!(
+            f,
+            "the pose is singular: this joint is closed, but {phi_dot:e} m/s or rad/s of its velocity cannot be taken away; \
+             shorter steps, or a `compliance` at this joint"
+        );
+    }
+    write!(
+        f,
+        "the joints come apart by {phi:e} m or rad, {phi_dot:e} m/s or rad/s, and cannot be closed again; shorter steps, \
+         or a `compliance` at this joint"
+    )
+}
+
+fn redundant(
+    f: &mut fmt::Formatter<'_>,
+    count: usize,
+    what: &str,
+    locks: &Names,
+    joints: &Names,
+) -> fmt::Result {
+    let plural = if count == 1 { "" } else { "s" };
+    write!(f, "{count} redundant {what} constraint{plural}: ")?;
+    if what == "velocity" {
+        locks.write_rates(f)?;
+    } else {
+        write!(f, "{locks:#}")?;
+    }
+    if !joints.is_empty() {
+        write!(f, ", tied by {joints}")?;
+    }
+    Ok(())
+}
