@@ -56,7 +56,7 @@ fn arm() -> f64 {
         let begin = Instant::now();
         for k in 0..1000 {
             let lever = 0.2 * (std::f64::consts::TAU * f64::from(k) / 1000.0).sin();
-            black_box(step(lever).expect("the arm can be moved"));
+            black_box(step(lever).0);
         }
         begin.elapsed().as_secs_f64() * 1e9 / 1000.0
     };

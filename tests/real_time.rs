@@ -12,7 +12,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use accuracy::{errors, reference, run};
-use clock::{Beat, Made, measured, troubles};
+use clock::{Beat, measured, troubles};
+use plants::Made;
 
 /// The lever goes up and down once.
 const PERIODS: u32 = 1000;

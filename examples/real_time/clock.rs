@@ -8,6 +8,8 @@ use std::time::{Duration, Instant};
 
 use plm::Fault;
 
+use super::plants::Made;
+
 /// A number that one thread sets and another reads, without a lock.
 #[derive(Default)]
 struct Wire(AtomicU64);
@@ -31,17 +33,6 @@ struct Wires {
     output: Wire,
     /// The loop has ended.
     done: AtomicBool,
-}
-
-/// How a mechanism got through a period.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Made {
-    /// By one step.
-    Whole,
-    /// By so many shorter ones: this refused the one.
-    InParts(u32, Fault),
-    /// Not at all: it stands where it was before, with what refused every step.
-    Held(Fault),
 }
 
 /// What happened at a step.

@@ -2,7 +2,16 @@
 
 use plm::Fault;
 
-use super::clock::Made;
+/// How a mechanism got through a period.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Made {
+    /// By one step.
+    Whole,
+    /// By so many shorter ones: this refused the one.
+    InParts(u32, Fault),
+    /// Not at all: it stands where it was before, with what refused every step.
+    Held(Fault),
+}
 
 plm::mechanism! {
     /// A crank-rocker; its motor turns the crank against a spring and a damper at the rocker.

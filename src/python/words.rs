@@ -54,7 +54,7 @@ mod tests {
             Cause::EnergyJump { by: 1.0, of: 2.0 },
             Cause::TooManySteps { steps: 10 },
             Cause::Required,
-            Cause::Zeno { events: 101, within: 1e-9 },
+            Cause::Zeno { events: 101, within: 1e-9, conditions: names },
             Cause::Redundant { count, locks, joints },
             Cause::VelocityRedundant { count, locks, joints },
             Cause::Repeats { joints },
