@@ -41,10 +41,15 @@ fn near_the_flat_pose_the_rank_revealing_solution_keeps_the_digits() {
         if health.is_good() {
             assert!(difference < 1e-9, "{distance}: {difference:e} at {health:?}");
         } else {
-            lost = lost.max(difference);
+            // A start is closed to rounding, a state on its way is not.
+            let mut open = x;
+            open[5] += 1e-13;
+            mechanism.rate(0.0, &held, &open, &mut straight);
+            mechanism.rate_by_rank(0.0, &held, &open, &mut by_rank).unwrap();
+            lost = lost.max((straight[11] - by_rank[11]).abs());
         }
     }
-    // Where health says no, the straight-line solution has indeed lost its digits.
+    // Where health says no, the straight-line solution loses its digits.
     assert!(lost > 1e-6, "{lost:e}");
 }
 

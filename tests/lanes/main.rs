@@ -182,14 +182,14 @@ fn what_ends_a_run_ends_its_lane() {
     let stopped = stats.map(|stats| stats.steps < 1900);
     assert!(stopped.contains(&true) && stopped.contains(&false), "{stats:?}");
 
-    // Steps of a twentieth of a second lose some of the energy, and here and there more than is allowed.
+    // Steps of a fortieth of a second lose some of the energy, and here and there more than is allowed.
     let mechanisms = AROUND.map(|turn| {
         let mut mechanism = s1::DoublePendulum::new();
         mechanism.start.arm.angle.value += turn;
         mechanism
     });
-    let stats = agree(mechanisms, Rk4::new(0.05), &[2.0, 2.0], |_, lane, sim| {
-        sim.watch_energy((lane % 2 == 0).then_some(1e-3));
+    let stats = agree(mechanisms, Rk4::new(0.025), &[2.0, 2.0], |_, lane, sim| {
+        sim.watch_energy((lane % 2 == 0).then_some(1e-4));
     });
     let refused = stats.map(|stats| stats.rejected > 0);
     assert!(refused[0] && !refused[1], "{stats:?}");

@@ -43,6 +43,9 @@ impl Package<'_> {
         self.write(folder).map_err(|error| error.to_string())?;
         write_all(folder, texts)?;
         let mut maturin = command("maturin".into());
+        // What is missing first is told first.
+        maturin.arg("--version").output().map_err(|error| missing(&error))?;
+        let mut maturin = command("maturin".into());
         maturin.args(["build", "--release", "--quiet", "--manifest-path"]).arg(folder.join("Cargo.toml"));
         maturin.arg("--target-dir").arg(folder.with_file_name("target"));
         let [target, flags] = self.without_paths(folder)?;
@@ -100,14 +103,19 @@ fn cargo_home() -> Option<PathBuf> {
     named.or_else(|| home().map(|home| Path::new(&home).join(".cargo")))
 }
 
+/// Why maturin cannot be run.
+fn missing(error: &std::io::Error) -> String {
+    match error.kind() {
+        ErrorKind::NotFound => "maturin is missing; this line installs it: pip install maturin".to_owned(),
+        _ => format!("maturin cannot be run: {error}"),
+    }
+}
+
 /// What maturin makes in a folder that it has for itself.
 fn made(mut maturin: Command, folder: &Path) -> Result<Built, String> {
     // One of another version may lie there.
     let _ = fs::remove_dir_all(folder);
-    let output = maturin.arg("--out").arg(folder).output().map_err(|error| match error.kind() {
-        ErrorKind::NotFound => "maturin is missing; this line installs it: pip install maturin".to_owned(),
-        _ => format!("maturin cannot be run: {error}"),
-    })?;
+    let output = maturin.arg("--out").arg(folder).output().map_err(|error| missing(&error))?;
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).trim().to_owned());
     }
