@@ -280,7 +280,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
             }
             Err(fault) => {
                 let gap = if let Cause::Open { gap } = fault.cause { gap } else { f64::NAN };
-                let (time, part, text) = (fault.time, fault.part.to_owned(), fault.reason().to_string());
+                let (time, part, text) = (fault.time, fault.part.to_owned(), fault.cause.to_string());
                 self.trouble = Some(Trouble { time, part, gap, text });
                 None
             }

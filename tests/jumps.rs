@@ -52,7 +52,7 @@ cart!(led, led_absolute, { smooth_table(t, (0.2 s, 0 m), (0.5 s, 0.3 m), (1.3 s,
 fn jump(outcome: Result<(), Fault>) -> Option<(f64, &'static str, f64, bool)> {
     match outcome {
         Ok(()) => None,
-        Err(Fault { time, part, cause: Cause::Jump { by, speed, .. }, .. }) => Some((time, part, by, speed)),
+        Err(Fault { time, part, cause: Cause::Jump { by, speed, .. } }) => Some((time, part, by, speed)),
         Err(other) => panic!("{other}"),
     }
 }

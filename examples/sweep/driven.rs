@@ -300,16 +300,17 @@ fn judge(drive: &Drive, by: usize, pace: f64, absolute: bool) -> Option<String> 
         (None, Err(fault)) => Some(format!("stopped, {fault}")),
         (Some(lock), Ok(())) => Some(format!("went on past {lock}")),
         (Some(lock), Err(fault)) => {
-            let value = fault.prescribed.map_or(f64::NAN, |prescribed| prescribed.value);
+            let Cause::LockedAt { row, value, .. } = fault.cause else {
+                return Some(format!("{fault}, known {lock} s"));
+            };
             let whole = if drive.kind == 2 {
                 value
             } else {
                 value + ((drive.held(lock) - value) / (2.0 * PI)).round() * 2.0 * PI
             };
-            let told = fault.cause == Cause::Locked
+            let told = row.starts_with("motor")
                 && (fault.time - lock).abs() < EXACT
-                && (whole - drive.held(lock)).abs() < EXACT
-                && fault.prescribed.is_some_and(|prescribed| prescribed.row.starts_with("motor"));
+                && (whole - drive.held(lock)).abs() < EXACT;
             if !told || lock - run.time > 0.02 {
                 return Some(format!("{fault}, known {lock} s, stopped at {} s", run.time));
             }

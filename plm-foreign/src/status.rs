@@ -122,6 +122,7 @@ impl From<&Fault> for Status {
             | Cause::VelocityOpen { .. }
             | Cause::VelocityRedundant { .. } => Self::Assembly,
             Cause::Locked
+            | Cause::LockedAt { .. }
             | Cause::Flat
             | Cause::ChangePoint
             | Cause::Undecided { .. }

@@ -18,19 +18,6 @@ pub struct Fault {
     pub part: &'static str,
     /// What happened.
     pub cause: Cause,
-    /// The prescribed motion that can go no further, where that is why the mechanism is [locked](Cause::Locked).
-    pub prescribed: Option<Prescribed>,
-}
-
-/// A prescribed motion that can go no further.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Prescribed {
-    /// The constraint row that prescribes the motion.
-    pub row: &'static str,
-    /// What the row holds there, m or rad.
-    pub value: f64,
-    /// The row is an angle.
-    pub angular: bool,
 }
 
 /// What happened.
@@ -92,6 +79,15 @@ pub enum Cause {
     /// A loop cannot be closed any further: the mechanism locks up. Where that is because lengths that repeat each other
     /// disagree, a joint can be declared to give way, with a `compliance`.
     Locked,
+    /// The same of a mechanism that is driven: a prescribed motion can go no further. The time is that at which it ends.
+    LockedAt {
+        /// The constraint row that prescribes the motion.
+        row: &'static str,
+        /// What the row holds there, m or rad.
+        value: f64,
+        /// The row is an angle.
+        angular: bool,
+    },
     /// A body turned so far within a step that its loop could not be followed.
     TurnedTooFar {
         /// The angle, rad.
@@ -224,17 +220,12 @@ pub enum Cause {
 impl Fault {
     /// A fault that no single part is to blame for.
     pub fn new(time: f64, cause: Cause) -> Self {
-        Self { time, part: "", cause, prescribed: None }
+        Self { time, part: "", cause }
     }
 
     /// A fault of a part.
     pub fn of_part(time: f64, part: &'static str, cause: Cause) -> Self {
-        Self { time, part, cause, prescribed: None }
-    }
-
-    /// What it says but for time and part: the cause, and the prescribed motion that can go no further.
-    pub fn reason(&self) -> Reason {
-        Reason { cause: self.cause, prescribed: self.prescribed }
+        Self { time, part, cause }
     }
 }
 
@@ -252,31 +243,6 @@ impl fmt::Display for Fault {
         if !self.part.is_empty() {
             write!(f, "{}: ", self.part)?;
         }
-        fmt::Display::fmt(&self.reason(), f)
-    }
-}
-
-/// Why a run or an assembly stopped, without time and part; see [`Fault::reason`].
-#[derive(Clone, Copy, Debug)]
-pub struct Reason {
-    cause: Cause,
-    prescribed: Option<Prescribed>,
-}
-
-impl fmt::Display for Reason {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(&self.cause, f)?;
-        self.prescribed.map_or(Ok(()), |prescribed| write!(f, "; {prescribed}"))
-    }
-}
-
-impl fmt::Display for Prescribed {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { row, value, angular } = *self;
-        if angular {
-            write!(f, "`{row}` can go no further than {value:.6} rad ({:.3} deg)", value.to_degrees())
-        } else {
-            write!(f, "`{row}` can go no further than {value:.6} m")
-        }
+        write!(f, "{}", self.cause)
     }
 }

@@ -74,7 +74,7 @@ pub use axes::{to_absolute, to_relative};
 pub use body::{BodyMotion, BodyState};
 pub use described::Described;
 pub use dual::Dual;
-pub use fault::{Cause, Fault, Names, Prescribed};
+pub use fault::{Cause, Fault, Names};
 pub use held::Held;
 pub use limits::{Least, Limit};
 pub use linear::Linear;

@@ -16,7 +16,7 @@ pub fn words(fault: &Fault) -> String {
         Cause::Workspace { bytes, allowed } => {
             format!("a solution by rank takes {bytes} bytes of stack, and {allowed} are allowed")
         }
-        _ => fault.reason().to_string().replace('`', "'"),
+        cause => cause.to_string().replace('`', "'"),
     };
     let part = if fault.part.is_empty() { String::new() } else { format!("{}: ", fault.part) };
     format!("t = {} s: {part}{cause}", fault.time)

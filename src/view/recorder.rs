@@ -150,7 +150,7 @@ impl<M: Described> Recorder<M> {
         if let Err(fault) = &outcome {
             // The moment of the fault, as far as it came.
             self.take(sim.state());
-            let (part, text) = (fault.part.to_owned(), fault.reason().to_string());
+            let (part, text) = (fault.part.to_owned(), fault.cause.to_string());
             self.recording.about.fault = Some(plm_view::Fault { time: fault.time, part, text });
         }
         outcome

@@ -116,7 +116,7 @@ impl<M: Described<S = f64> + Statics> Server<M> {
     pub fn stop(&mut self, fault: &Fault) {
         self.set_running(false);
         self.has_trouble = true;
-        let (part, text) = (fault.part.to_owned(), fault.reason().to_string());
+        let (part, text) = (fault.part.to_owned(), fault.cause.to_string());
         self.host.trouble(Some(&plm_view::Fault { time: fault.time, part, text }));
     }
 

@@ -64,10 +64,7 @@ fn steps_that_are_too_long_for_a_loop_are_divided() {
     // Parts do not help where the formula itself makes no sense.
     let (gap, _, fault) = rocks(0.1);
     let cause = fault.unwrap().cause;
-    assert!(
-        matches!(cause, plm::Cause::StepTooLong { .. }) && gap < 64.0 * f64::EPSILON,
-        "{cause:?} {gap:e}"
-    );
+    assert!(matches!(cause, Cause::StepTooLong { .. }) && gap < 64.0 * f64::EPSILON, "{cause:?} {gap:e}");
 }
 
 #[test]

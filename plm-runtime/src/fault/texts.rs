@@ -4,6 +4,8 @@ use core::fmt;
 
 use super::{Cause, Names};
 
+const LOCKS_UP: &str = "its loop cannot be closed beyond this pose: the mechanism locks up";
+
 impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -43,7 +45,8 @@ impl fmt::Display for Cause {
                     "the stages of a step of {step:e} s were not found; shorter steps, or a method for stiff equations"
                 )
             }
-            Self::Locked => write!(f, "its loop cannot be closed beyond this pose: the mechanism locks up"),
+            Self::Locked => f.write_str(LOCKS_UP),
+            Self::LockedAt { row, value, angular } => locked_at(f, row, *value, *angular),
             Self::TurnedTooFar { angle } => {
                 write!(
                     f,
@@ -178,4 +181,10 @@ fn redundant(
         write!(f, ", tied by {joints}")?;
     }
     Ok(())
+}
+
+/// Which drive can go no further, and where.
+fn locked_at(f: &mut fmt::Formatter<'_>, row: &str, value: f64, angular: bool) -> fmt::Result {
+    write!(f, "{LOCKS_UP}; `{row}` can go no further than {value:.6} ")?;
+    if angular { write!(f, "rad ({:.3} deg)", value.to_degrees()) } else { f.write_str("m") }
 }

@@ -181,7 +181,9 @@ fn rescue<M: Mechanism, I: Method<M>>(
         let outcome = step(&mut rescue, course, (&mut *watch, limits), observer, true);
         // The cause is that which the mechanism's own coordinates tell, but where the rescue knows that the motion ends.
         outcome.map_err(|fault| match failed {
-            Err(cause) if fault.cause != Cause::Locked => Fault { time: fault.time, ..cause },
+            Err(cause) if !matches!(fault.cause, Cause::LockedAt { .. }) => {
+                Fault { time: fault.time, ..cause }
+            }
             _ => fault,
         })?;
         if course.time <= before.0 {

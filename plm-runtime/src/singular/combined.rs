@@ -46,17 +46,28 @@ impl<S: Real, const NQ: usize, const NC: usize> Combined<S, NQ, NC> {
     /// Have they vanished?
     pub(super) fn has_vanished(&self) -> bool {
         let vanished = S::lit(VANISHED).max(S::lit(REPEATED) * S::EPSILON) * largest(&self.sizes);
-        self.vanishing().all(|k| self.sizes[k] <= vanished)
+        self.of_vanishing().all(|(size, _)| size <= vanished)
     }
 
-    /// Does a combination not vanish at the singular pose?
-    pub(super) fn is_regular(&self, k: usize) -> bool {
-        self.kept[k] && self.sizes[k] > self.small
+    /// The combinations that do not: their sizes, of which residuals they are, and their rows.
+    pub(super) fn regular(&self) -> impl Iterator<Item = (S, (&[S; NC], &[S; NQ]))> {
+        let combinations = self.of.iter().zip(&self.rows);
+        let all = self.sizes.iter().zip(&self.kept).zip(combinations);
+        let regular = all.filter(|((size, kept), _)| **kept && **size > self.small);
+        regular.map(|((size, _), combination)| (*size, combination))
     }
 
-    /// The combinations that vanish there.
-    pub(super) fn vanishing(&self) -> impl Iterator<Item = usize> {
-        (0..NC).filter(|k| self.kept[*k] && self.sizes[*k] <= self.small)
+    /// The combinations that vanish there: of which residuals, and what is left of their rows.
+    pub(super) fn vanishing(&self) -> impl Iterator<Item = (&[S; NC], &[S; NQ])> {
+        self.of_vanishing().map(|(_, combination)| combination)
+    }
+
+    /// The same with their sizes.
+    fn of_vanishing(&self) -> impl Iterator<Item = (S, (&[S; NC], &[S; NQ]))> {
+        let combinations = self.of.iter().zip(&self.rows);
+        let all = self.sizes.iter().zip(&self.kept).zip(combinations);
+        let vanishing = all.filter(|((size, kept), _)| **kept && **size <= self.small);
+        vanishing.map(|((size, _), combination)| (*size, combination))
     }
 
     /// Do rows repeat others? The pose is not to be singular.
@@ -72,8 +83,7 @@ impl<S: Real, const NQ: usize, const NC: usize> Combined<S, NQ, NC> {
 
     /// Takes away of a direction what the regular combinations do not allow.
     pub(super) fn leave(&self, along: &mut [S; NQ]) {
-        for k in (0..NC).filter(|k| self.is_regular(*k)) {
-            let (row, size) = (&self.rows[k], self.sizes[k]);
+        for (size, (_, row)) in self.regular() {
             let factor = -dot(row, along) / (size * size);
             add(along, factor, row);
         }

@@ -202,20 +202,21 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
         combined.part(together);
         let r = self.phi(t, at);
         let mut dq = [M::S::ZERO; NQ];
-        for k in (0..NC).filter(|k| combined.is_regular(*k)) {
-            let size = combined.sizes[k];
-            add(&mut dq, -dot(&combined.of[k], &r) / (size * size), &combined.rows[k]);
+        for (size, (of, row)) in combined.regular() {
+            add(&mut dq, -dot(of, &r) / (size * size), row);
         }
         // The gradients of the others are to vanish in the directions that are left: least squares, since there may be several.
         let mut normal = [[M::S::ZERO; NQ]; NQ];
         let mut sides = [[M::S::ZERO]; NQ];
-        for k in combined.vanishing() {
-            self.add_curvature((t, &q), (&combined, k), &mut normal, &mut sides);
+        for vanishing in combined.vanishing() {
+            self.add_curvature((t, &q), (&combined, vanishing), &mut normal, &mut sides);
         }
         let curvatures = rotate(&mut normal, &mut sides)?;
         let flat = curvatures.cut(M::S::lit(CURVED));
-        for (k, size) in curvatures.values.iter().enumerate().filter(|(_, size)| **size > flat) {
-            add(&mut dq, -sides[k][0] / (*size * *size), &normal[k]);
+        for ((size, row), [side]) in curvatures.values.iter().zip(&normal).zip(&sides) {
+            if *size > flat {
+                add(&mut dq, -*side / (*size * *size), row);
+            }
         }
         Some(dq)
     }
@@ -225,18 +226,18 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
     fn add_curvature(
         &self,
         (t, q): (M::S, &[M::S; NQ]),
-        (combined, k): (&Combined<M::S, NQ, NC>, usize),
+        (combined, (lambda, row)): (&Combined<M::S, NQ, NC>, (&[M::S; NC], &[M::S; NQ])),
         normal: &mut [[M::S; NQ]; NQ],
         sides: &mut [[M::S; 1]; NQ],
     ) {
         let mut hessian = [[M::S::ZERO; NQ]; NQ];
-        self.curvature((t, q), (combined, &combined.of[k]), &mut hessian);
+        self.curvature((t, q), (combined, lambda), &mut hessian);
         for i in 0..NQ {
             for j in 0..NQ {
                 let factor = hessian[i][j];
                 add(&mut normal[i], factor, &hessian[j]);
             }
-            sides[i][0] = sides[i][0] + dot(&hessian[i], &combined.rows[k]);
+            sides[i][0] = sides[i][0] + dot(&hessian[i], row);
         }
     }
 
@@ -270,11 +271,10 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
         diagonal(&mut of);
         let Some(curvatures) = rotate(&mut hessian, &mut of) else { return false };
         let flat = curvatures.cut(M::S::lit(CURVED).sqrt());
-        let curved = (0..NQ).filter(|k| curvatures.values[*k] > flat);
         let [mut up, mut down] = [false; 2];
-        for k in curved {
-            let rises = dot(&of[k], &hessian[k]) > M::S::ZERO;
-            (up, down) = (up || rises, down || !rises);
+        for ((size, row), of) in curvatures.values.iter().zip(&hessian).zip(&of) {
+            let (curved, rises) = (*size > flat, dot(of, row) > M::S::ZERO);
+            (up, down) = (up || (curved && rises), down || (curved && !rises));
         }
         up != down
     }
@@ -291,7 +291,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
         }
         let (rate, mut taken) = (self.driven(t, &pose), [M::S::ZERO; NC]);
         let mut weights = [M::S::ZERO; NC];
-        for lambda in combined.vanishing().map(|k| &combined.of[k]) {
+        for (lambda, _) in combined.vanishing() {
             weights = Vector::from_fn(|r| weights[r].max(lambda[r].abs()));
             if largest(&taken) <= M::S::ZERO || dot(lambda, &rate).abs() > dot(&taken, &rate).abs() {
                 taken = *lambda;

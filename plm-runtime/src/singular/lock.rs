@@ -7,7 +7,7 @@
 use super::Fine;
 use super::critical::{Critical, Rows};
 use crate::absolute::Absolute;
-use crate::fault::{Cause, Fault, Prescribed};
+use crate::fault::{Cause, Fault};
 use crate::linalg::dot;
 use crate::scalar::{Real, Scalar};
 use crate::twofold::Twofold;
@@ -139,12 +139,12 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Row
                 (row, most) = (r, share);
             }
         }
-        let prescribed = Prescribed {
+        let cause = Cause::LockedAt {
             row: <M as Absolute<M::S, NQ, NC>>::ROWS.get(row).copied().unwrap_or_default(),
             value: self.held_value(t, &q, row).to_f64(),
             angular: <M as Absolute<M::S, NQ, NC>>::ANGULAR.get(row).copied().unwrap_or_default(),
         };
-        Fault { prescribed: Some(prescribed), ..Fault::of_part(t.to_f64(), part, Cause::Locked) }
+        Fault::of_part(t.to_f64(), part, cause)
     }
 }
 

@@ -31,7 +31,7 @@ impl<S: Real, const NC: usize> Meeting<S, NC> {
     /// At a state in absolute coordinates.
     ///
     /// # Errors
-    /// [`Cause::Locked`](crate::Cause::Locked) where what is prescribed comes to its end before the interval does.
+    /// [`Cause::LockedAt`](crate::Cause::LockedAt) where what is prescribed comes to its end before the interval does.
     pub(super) fn of<M, const NQ: usize, const NX: usize>(
         course: &Course<'_, M>,
         full: &[S; NX],

@@ -102,9 +102,9 @@ fn bars_that_are_too_short_stay_open() {
 fn rows_that_contradict_each_other_stay_open() {
     let fault = assemble(&contradictory_pendulum(), 0.0).unwrap_err();
     assert_eq!(fault.part, "pivot");
-    // x = 1 and x = 1.25: an eighth remains on either side.
+    // x = 1 and x = 1.25: an eighth remains in each of two rows of the joint.
     let Cause::Open { gap } = fault.cause else { panic!("{fault}") };
-    assert!((gap - 0.125).abs() < 1e-12);
+    assert!((gap - 0.125 * 2_f64.sqrt()).abs() < 1e-12, "{gap}");
 }
 
 #[test]

@@ -82,8 +82,9 @@ fn literals_keep_their_digits() {
     let mut random = Random(1);
     for _ in 0..1000 {
         let x = random.unit();
-        assert_eq!(Twofold::<f64>::lit(x), Twofold::of(x));
-        assert_eq!(Twofold::<f64>::lit(x).to_f64(), x);
+        // A decimal of few digits by chance is within its rounding.
+        assert_eq!(Twofold::<f64>::lit(x), Twofold::written(x));
+        assert_eq!(Twofold::<f64>::lit(x).high(), x);
         let single = Twofold::<f32>::lit(x);
         assert_eq!(single.high(), x as f32);
         assert!((single.to_f64() - x).abs() <= x.abs() * 2.0_f64.powi(-48), "{x}: {single:?}");
