@@ -189,9 +189,10 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         let Some(before) = self.sim else { return };
         let mut sim = before;
         by_number::set_parameters(&mut sim, &self.mechanism);
-        let can_go_on = match self.is_turned(&before) {
-            true => sim.settle().or_else(|_| self.assembled_from(&before).map(|_| ())),
-            false => Ok(()),
+        let can_go_on = if self.is_turned(&before) {
+            sim.settle().or_else(|_| self.assembled_from(&before).map(|_| ()))
+        } else {
+            Ok(())
         };
         self.keep(can_go_on);
     }

@@ -233,7 +233,9 @@ fn poles_end_the_run_and_say_what_vanishes() {
             outcomes!(avoided, at, strength),
             outcomes!(chosen, at, strength),
         ] {
-            outcomes.into_iter().for_each(|outcome| outcome.unwrap());
+            for outcome in outcomes {
+                outcome.unwrap();
+            }
         }
     }
 }

@@ -2,6 +2,8 @@
 //!
 //! Seeded drives of many lengths stand in `examples/sweep/driven.rs`; here are other kinds of mechanisms, and every method.
 
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+
 use plm::{
     Adams, Cause, Dop853, Dopri5, Fault, Gauss, Mechanism, Method, RadauIia5, Rk4, Ros34Pw2,
     SemiImplicitEuler, Sim, Vern9,

@@ -71,6 +71,9 @@ fn products_of_products_stay_products() {
     compiled(&pushed("let a0 = sin(arm.angle) + other;", (1..=40).map(squares), "a40")).unwrap();
 }
 
+/// Text of an item by its number.
+type Items<'a> = &'a dyn Fn(usize) -> String;
+
 /// Eight times as many items take about eight times as long; what grows with the square of their number takes up to 64 times.
 #[test]
 fn many_items_cost_as_much_as_they_are_many() {
@@ -84,7 +87,6 @@ fn many_items_cost_as_much_as_they_are_many() {
         )
     };
     let each = |count: usize, item: &dyn Fn(usize) -> String| pinned((0..count).map(item).collect());
-    type Items<'a> = &'a dyn Fn(usize) -> String;
     let cases: [(&str, Items); 8] = [
         ("wrong outputs", &|i| format!("output w{i} = arm.nope{i};\n")),
         ("wrong names", &|i| format!("let a{i} = 1; output w{i} = b{i};\n")),
@@ -120,7 +122,8 @@ fn many_items_cost_as_much_as_they_are_many() {
 /// Of each code so many are told that a person reads, and how many there are.
 #[test]
 fn of_many_mistakes_the_first_are_told_and_the_others_counted() {
-    let wrong: String = (0..250).map(|i| format!("output w{i} = nope{i};\n")).collect();
+    let wrong: Vec<String> = (0..250).map(|i| format!("output w{i} = nope{i};\n")).collect();
+    let wrong = wrong.concat();
     let mut sources = Sources::new();
     sources.add_text("declaration", &format!("pub P {{ param late: kg = 1 m; {wrong} body b {{}} }}"));
     let found = compile(&mut sources).diagnostics;

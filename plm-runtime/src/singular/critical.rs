@@ -209,7 +209,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
         let mut normal = [[M::S::ZERO; NQ]; NQ];
         let mut sides = [[M::S::ZERO]; NQ];
         for vanishing in combined.vanishing() {
-            self.add_curvature((t, &q), (&combined, vanishing), &mut normal, &mut sides);
+            self.add_curvature((t, &q), &combined, vanishing, &mut normal, &mut sides);
         }
         let curvatures = rotate(&mut normal, &mut sides)?;
         let flat = curvatures.cut(M::S::lit(CURVED));
@@ -226,7 +226,8 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
     fn add_curvature(
         &self,
         (t, q): (M::S, &[M::S; NQ]),
-        (combined, (lambda, row)): (&Combined<M::S, NQ, NC>, (&[M::S; NC], &[M::S; NQ])),
+        combined: &Combined<M::S, NQ, NC>,
+        (lambda, row): (&[M::S; NC], &[M::S; NQ]),
         normal: &mut [[M::S; NQ]; NQ],
         sides: &mut [[M::S; 1]; NQ],
     ) {

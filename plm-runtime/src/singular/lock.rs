@@ -33,7 +33,7 @@ pub(super) enum Ends<S, const NQ: usize, const NC: usize> {
 struct Value<S, const NQ: usize, const NC: usize> {
     time: S,
     critical: Critical<S, NQ, NC>,
-    value: S,
+    open: S,
     rate: S,
 }
 
@@ -83,7 +83,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Row
             (before, rate) = (at.time, at.rate);
             at = self.after(&at, step)?;
         }
-        let parts = at.value * first.value < M::S::ZERO && at.time > first.time;
+        let parts = at.open * first.open < M::S::ZERO && at.time > first.time;
         if parts { self.between(first, at) } else { None }
     }
 
@@ -91,10 +91,10 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Row
     fn between(&self, first: &Value<M::S, NQ, NC>, last: Value<M::S, NQ, NC>) -> Option<Ends<M::S, NQ, NC>> {
         let (mut low, mut high, mut at) = (first.time, last.time, last);
         for _ in 0..2 * ITERATIONS {
-            if at.value * first.value < M::S::ZERO {
-                high = at.time
+            if at.open * first.open < M::S::ZERO {
+                high = at.time;
             } else {
-                low = at.time
+                low = at.time;
             }
             let half = M::S::lit(0.5) * (low + high) - at.time;
             let newton = at.newton();
@@ -125,8 +125,8 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Row
             critical.combination = critical.combination.map(|entry| -entry);
         }
         let rate = dot(&critical.combination, &self.driven(time, &critical.q.map(Twofold::rounded)));
-        let value = dot(&critical.combination, &self.in_metres(&critical.open));
-        Value { time, critical, value, rate }
+        let open = dot(&critical.combination, &self.in_metres(&critical.open));
+        Value { time, critical, open, rate }
     }
 
     /// The fault of a motion that ends at a singular pose.
@@ -150,7 +150,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Row
 
 impl<S: Real, const NQ: usize, const NC: usize> Value<S, NQ, NC> {
     fn newton(&self) -> S {
-        -self.value / self.rate
+        -self.open / self.rate
     }
 }
 

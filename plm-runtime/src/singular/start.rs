@@ -16,13 +16,16 @@ const NEAR: f64 = 1e-4;
 /// So far the joints are closed anew at most, as a part of typical sizes.
 const BESIDE: f64 = 1e-3;
 
+/// Pose and velocity.
+type Closed<S, const NQ: usize> = ([S; NQ], [S; NQ]);
+
 /// An assembled pose next to a singular one, closed as exactly as its locks allow, and the start velocity there; none elsewhere, and
 /// where the joints cannot be closed so near to it.
 pub fn refine<M, const NQ: usize, const NC: usize, const NX: usize>(
     system: &M,
     t: M::S,
     q: &[M::S; NQ],
-) -> Option<([M::S; NQ], [M::S; NQ])>
+) -> Option<Closed<M::S, NQ>>
 where
     M: Fine<NQ, NC, NX>,
 {
@@ -34,7 +37,7 @@ where
     let rounded = |of: &[Twofold<M::S>; NQ]| -> [M::S; NQ] { Vector::from_fn(|i| of[i].rounded()) };
     let mut equations = Equations::of(*system);
     let critical = Rows::<M, NQ, NC, NX>::at(system, &fine, t, &wide(q)).critical(t, &wide(q));
-    if let Some(critical) = critical.filter(|critical| critical.is_reached()) {
+    if let Some(critical) = critical.filter(super::critical::Critical::is_reached) {
         equations.open = critical.open;
     }
     let weights = weights_of(&Absolute::start_position(system));
