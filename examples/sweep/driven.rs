@@ -161,6 +161,15 @@ impl Drive {
         (1..steps).any(|k| reach(k) < 1e-4 && reach(k) <= reach(k - 1) && reach(k) <= reach(k + 1))
     }
 
+    /// A lock-up stands neither at the end of the run, where rounding decides, nor is one that the drive would only touch.
+    fn is_plain(&self) -> bool {
+        let after = |time: f64| self.reach(self.held(time + 1e-3)) < -1e-6;
+        let lock = self.lock();
+        let ends =
+            lock.map_or(self.reach(self.held(LENGTH)) > 1e-6, |lock| after(lock) && LENGTH - lock > 1e-6);
+        ends && !self.touches(lock.unwrap_or(LENGTH))
+    }
+
     /// Places of the dyad's two ends and of its middle joint.
     fn places(&self, time: f64, left: bool) -> [[f64; 2]; 3] {
         let ([r1, r2, r3, span], held) = (self.bars, self.held(time));
@@ -327,9 +336,7 @@ pub fn sweep(seed: u64, count: u64, verbose: bool) -> bool {
     let runs = points.run(|number| {
         let mut random = Random::new(seed ^ 0x5eed, number);
         let drive = loop {
-            if let Some(drive) =
-                Drive::draw(&mut random).filter(|drive| !drive.touches(drive.lock().unwrap_or(LENGTH)))
-            {
+            if let Some(drive) = Drive::draw(&mut random).filter(Drive::is_plain) {
                 break drive;
             }
         };
