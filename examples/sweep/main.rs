@@ -38,7 +38,7 @@ mod table;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use cases::{Case, KINDS};
+use cases::{Case, DECIMALS, KINDS};
 use judge::{Judged, Verdict, judge};
 use options::Options;
 use table::Table;
@@ -89,7 +89,9 @@ fn sweep(options: &Options) -> bool {
         let name = KINDS[Case::kind_of(*number)].name;
         options.only.as_ref().is_none_or(|only| name.contains(only.as_str()))
     };
-    let numbers: Vec<u64> = (0..options.cases).filter(wanted).collect();
+    // One in six more has decimal lengths.
+    let decimals = (0..options.cases / 6).map(|number| DECIMALS + number);
+    let numbers: Vec<u64> = (0..options.cases).chain(decimals).filter(wanted).collect();
     let points = plm::batch::points(numbers).quiet();
     let points = match options.threads {
         Some(threads) => points.threads(threads),

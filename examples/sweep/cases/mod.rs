@@ -32,26 +32,26 @@ pub struct Kind {
     draw: fn(&mut Random) -> Option<Draft>,
 }
 
-/// All kinds; the shares add up to a hundred.
+/// All kinds: those of lengths that `f64` has, whose shares add up to a hundred, and those of decimals, which are cases of their own.
 pub const KINDS: [Kind; 17] = [
     Kind {
         name: "tree",
-        share: 10,
+        share: 11,
         mechanisms: &["tree_2", "tree_3", "tree_4", "tree_5"],
         draw: placed::tree,
     },
-    Kind { name: "four-bar", share: 8, mechanisms: &["four_bar"], draw: placed::four_bar },
-    Kind { name: "neutral four-bar", share: 8, mechanisms: &["four_bar"], draw: linkages::neutral_four_bar },
+    Kind { name: "four-bar", share: 9, mechanisms: &["four_bar"], draw: placed::four_bar },
+    Kind { name: "neutral four-bar", share: 11, mechanisms: &["four_bar"], draw: linkages::neutral_four_bar },
     Kind {
         name: "nearly neutral four-bar",
-        share: 12,
+        share: 16,
         mechanisms: &["four_bar"],
         draw: linkages::nearly_neutral_four_bar,
     },
     Kind { name: "slider-crank", share: 5, mechanisms: &["slider_crank"], draw: placed::slider_crank },
     Kind {
         name: "slider-crank, r near l",
-        share: 8,
+        share: 11,
         mechanisms: &["slider_crank"],
         draw: linkages::slider_crank,
     },
@@ -66,13 +66,13 @@ pub const KINDS: [Kind; 17] = [
     Kind { name: "Newton group", share: 5, mechanisms: &["platform", "butterfly"], draw: placed::group },
     Kind {
         name: "ladder",
-        share: 3,
+        share: 4,
         mechanisms: &["ladder_2", "ladder_3", "ladder_4", "ladder_5"],
         draw: linkages::ladder,
     },
     Kind {
         name: "nearly neutral ladder",
-        share: 3,
+        share: 4,
         mechanisms: &["ladder_2", "ladder_3", "ladder_4", "ladder_5"],
         draw: linkages::nearly_neutral_ladder,
     },
@@ -98,8 +98,14 @@ pub const KINDS: [Kind; 17] = [
     },
 ];
 
+/// From this number on cases have lengths of plain decimals.
+pub const DECIMALS: u64 = 1 << 32;
+
 impl Kind {
-    fn share(&self) -> usize {
+    fn share(&self, decimal: bool) -> usize {
+        if self.name.starts_with("decimal") != decimal {
+            return 0;
+        }
         let is_compiled = |name: &&str| ENTRIES.iter().any(|entry| entry.shape.name == *name);
         if self.mechanisms.iter().any(is_compiled) { self.share } else { 0 }
     }
@@ -141,7 +147,8 @@ impl Case {
     /// The kind of a case, by its number alone; only kinds of which a mechanism was compiled. 37 has no divisor in common with
     /// the sum of their shares: kinds take turns.
     pub fn kind_of(number: u64) -> usize {
-        let shares = KINDS.iter().map(Kind::share);
+        let decimal = number >= DECIMALS;
+        let shares = KINDS.iter().map(|kind| kind.share(decimal));
         let all: usize = shares.clone().sum();
         let place = (number % all as u64) as usize * 37 % all;
         let ends = shares.scan(0, |end, share| {
@@ -178,7 +185,7 @@ impl Case {
         let rounded = |of: &[Dd]| of.iter().map(|value| value.hi).collect();
         let begin = Begin { q: rounded(&state.0), v: rounded(&state.1), locked };
         let by = if entry.every_method && random.chance(0.5) { *random.one_of(&By::ALL) } else { By::Dop853 };
-        let pace = *random.one_of(&Pace::ALL);
+        let pace = *random.one_of(if number < DECIMALS { &Pace::ALL[..4] } else { &Pace::ALL });
         Some(Self { seed, number, kind, entry, scene, begin, offset, flat, samples, by, pace, state })
     }
 

@@ -10,7 +10,7 @@ impl<S: Real> Scalar for Twofold<S> {
     const ZERO: Self = Self::of(S::ZERO);
     /// What repeats itself but for rounding of the lengths in `S` stays below: at the distance d from a flat pose the square of a unit
     /// in the last place over d. Lengths that differ by more than they are rounded stay above: by about their difference.
-    const HEALTHY: f64 = S::HEALTHY * S::HEALTHY * if S::PRECISION < 1e-12 { 1e-5 } else { 3e-5 };
+    const HEALTHY: f64 = S::HEALTHY * S::HEALTHY * 3e-5;
     const MOST_GROWTH: f64 = 1.0 / Self::HEALTHY;
     const AGREEMENT: f64 = S::AGREEMENT;
     const PRECISION: f64 = S::PRECISION;
