@@ -2,7 +2,7 @@
 //!
 //! [`Object`] is a mechanism with a run of it, and is safe; [`border`] has the same behind pointers. Text of a source file
 //! ([`source`]) gives the functions the names of a mechanism, and [`header()`] tells C of them. All of it is made of
-//! [`Described::TABLES`], nothing by hand for each mechanism. `plm::view::library` builds a
+//! `Described::TABLES`, nothing by hand for each mechanism. `plm::view::library` builds a
 //! library of any mechanism.
 //!
 //! This crate has unsafe code: what it dereferences it looks at first, as far as a pointer can be looked at.

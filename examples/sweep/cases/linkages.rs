@@ -173,11 +173,8 @@ fn rungs(random: &mut Random, offset: f64, ruler: Ruler) -> Option<Draft> {
     ];
     let windows = random.below(4) + 2;
     let mut scene = Scene::of(shapes[windows - 2]);
-    // Both halves of a bar are whole numbers.
-    let [high, wide] = [(); 2].map(|()| {
-        let [least, most] = if random.chance(0.5) { [0.5, 0.5] } else { [0.25, 0.75] };
-        2.0 * ruler.draw(random, least, most)
-    });
+    let one = ruler.units(1.0);
+    let [high, wide] = [(); 2].map(|()| if random.chance(0.5) { one } else { ruler.draw(random, 0.5, 1.5) });
     let missed = 1 + random.below(windows);
     for post in 0..=windows {
         let offset = if post == missed { offset } else { 0.0 };
@@ -215,7 +212,7 @@ pub fn decimal_third_crank(random: &mut Random) -> Option<Draft> {
 #[allow(clippy::unnecessary_wraps, reason = "kinds are drawn by functions of one type")]
 fn cranks(random: &mut Random, ruler: Ruler) -> Option<Draft> {
     let mut scene = Scene::of(&redundant::third_crank::SHAPE);
-    let [length, beam] = [0.125, 0.25].map(|least| 2.0 * ruler.draw(random, least, 0.75));
+    let [length, beam] = [0.25, 0.5].map(|least| ruler.draw(random, least, 1.5));
     let (third, rise) = (ruler.draw(random, 0.1, 2.0), ruler.draw(random, -0.5, 0.5));
     for body in [0, 2, 3] {
         bar(&mut scene, body, [0.5 * length, length], 0.0, ruler);

@@ -25,6 +25,11 @@ impl Ruler {
         }
     }
 
+    /// So many metres, in units.
+    pub fn units(self, metres: f64) -> f64 {
+        metres * self.per_metre()
+    }
+
     /// A length, in units.
     pub fn draw(self, random: &mut Random, low: f64, high: f64) -> f64 {
         let metres = random.between(low, high);

@@ -8,7 +8,7 @@ use crate::{Foreign, Matrix, ObjectBy, Run, Status, Trouble};
 /// [`ObjectBy::rates`], just as many as there are.
 ///
 /// # Safety
-/// As of [`step`]; `rates` is null or at room of the caller for `count` numbers.
+/// As of `step`; `rates` is null or at room of the caller for `count` numbers.
 pub unsafe fn rates<M: Foreign, R: Run<M>>(
     block: *mut BlockBy<M, R>,
     (rates, count): (*mut M::S, usize),
@@ -25,7 +25,7 @@ pub unsafe fn rates<M: Foreign, R: Run<M>>(
 /// How many directions the state of a linearisation has: [`Linearised::directions`](crate::Linearised::directions).
 ///
 /// # Safety
-/// As of [`step`]; `count` is null or at a number of the caller.
+/// As of `step`; `count` is null or at a number of the caller.
 pub unsafe fn directions<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>, count: *mut usize) -> i32 {
     // SAFETY: the caller's part.
     unsafe { with(block, |object| put(count, object.linearised()?.directions())) }
