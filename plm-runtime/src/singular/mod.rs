@@ -12,8 +12,10 @@
 //!   applications, Mech. Mach. Theory 76, 2014, on the branches that meet there). The motion through it is analytic; a step by
 //!   collocation leads over the pose, with nodes on both sides of it (`leap`).
 //!
-//! Whether `c` vanishes is told by the gap that is left in the joints where the polynomial of that step is flat: a pose that
-//! is passed by leaves one of the size of the difference of the lengths.
+//! Whether `c` vanishes is a matter of lengths (`critical`): the singular pose is the critical point of a combination of constraints, and
+//! its value there the difference of lengths by which it is missed. Within their rounding the joints are closed to the pose
+//! (`meeting`); else it is passed by. Where a row prescribes a motion that value changes with the time, and where it comes to zero the
+//! motion ends (`lock`). Where no such pose is found, the gap that the polynomial of a step over it leaves in the joints decides.
 
 mod ahead;
 mod collocation;
