@@ -83,13 +83,28 @@ fn literals_keep_their_digits() {
     for _ in 0..1000 {
         let x = random.unit();
         // A decimal of few digits by chance is within its rounding.
-        assert_eq!(Twofold::<f64>::lit(x), Twofold::written(x));
-        assert_eq!(Twofold::<f64>::lit(x).high(), x);
+        let double = Twofold::<f64>::lit(x);
+        assert!(double.high() == x && double.low().abs() <= 0.5 * f64::EPSILON * x.abs(), "{x}: {double:?}");
         let single = Twofold::<f32>::lit(x);
         assert_eq!(single.high(), x as f32);
         assert!((single.to_f64() - x).abs() <= x.abs() * 2.0_f64.powi(-48), "{x}: {single:?}");
     }
     assert_eq!(Twofold::<f32>::lit(1e300), Twofold::INFINITY);
+}
+
+/// n / 10^k times 10^k is n, of every decimal that people write.
+#[test]
+fn decimals_are_what_was_written() {
+    let mut random = Random(2);
+    for _ in 0..1000 {
+        let (digits, whole) = (random.below(7) as i32, random.below(10_000_000) as f64);
+        let power = 10_f64.powi(digits);
+        let found = Twofold::written(whole / power) * Twofold::of(power) - Twofold::of(whole);
+        assert!(found.rounded().abs() <= 1e-30 * whole, "{whole} / {power}: {found:?}");
+        // Between two of them in the last place is none.
+        let beside = (whole / power).next_up();
+        assert!(whole == 0.0 || Twofold::written(beside).low() == 0.0, "{beside:e}");
+    }
 }
 
 #[test]
