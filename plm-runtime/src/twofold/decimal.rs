@@ -16,9 +16,9 @@ impl<S: Real> Twofold<S> {
     /// ```
     /// use plm_runtime::Twofold;
     ///
-    /// let [a, b, c, d] = [0.3, 0.8, 0.5, 0.6].map(Twofold::written);
+    /// let [a, b, c, d] = [0.3_f64, 0.8, 0.5, 0.6].map(Twofold::written);
     /// assert!((a + b - (c + d)).rounded().abs() < 1e-32);
-    /// assert_eq!(Twofold::written(0.1 + 0.2), Twofold::of(0.1 + 0.2)); // 0.30000000000000004
+    /// assert_eq!(Twofold::written(0.1_f64 + 0.2), Twofold::of(0.1 + 0.2)); // 0.30000000000000004
     /// ```
     pub fn written(x: S) -> Self {
         let (mut power, ten, half) = (S::lit(1.0), S::lit(10.0), S::lit(0.5));
