@@ -35,7 +35,7 @@ pub use carry::check_carried;
 pub(crate) use disagree::disagreement;
 pub use jump::{Crossing, jump};
 pub use nearest::flat_part;
-pub(crate) use nearest::{closed, nearest, smallest_pivot};
+pub(crate) use nearest::{close, lead, nearest, smallest_pivot};
 pub(crate) use redundancy::beside;
 pub use renew::renew;
 pub use settle::{balance, drift, opening, residuals, settle, settle_state};

@@ -24,36 +24,49 @@ pub(crate) fn nearest<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC
     x: &mut [S; NX],
 ) -> bool {
     let w = m.inverse_mass();
-    let (q, v) = split(x);
-    let Some((q, v)) = closed(m, t, (q, &w), |_| (v, w)) else { return false };
-    join(&q, &v, x);
-    true
+    let (mut q, mut v) = split(x);
+    let led = close(m, t, &mut q, &w) && lead(m, (t, &q), &mut v, &w);
+    if led {
+        join(&q, &v, x);
+    }
+    led
 }
 
-/// The pose on phi = 0 that is reached from `q` by the shortest way in the metric W^-1, and the velocity on phi_q v = nu that is
-/// nearest to the one that a pose has, in its own metric; none where no way is found. A weight of 0 keeps a coordinate as it is.
-pub(crate) fn closed<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+/// Leads a pose onto phi = 0 by the shortest way in the metric W^-1; false where no way is found. A weight of 0 keeps a coordinate
+/// as it is.
+pub(crate) fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
-    (mut q, w): ([S; NQ], &[S; NQ]),
-    velocity: impl Fn(&[S; NQ]) -> ([S; NQ], [S; NQ]),
-) -> Option<([S; NQ], [S; NQ])> {
-    let size = m.length().max(largest(&q));
+    q: &mut [S; NQ],
+    w: &[S; NQ],
+) -> bool {
+    let size = m.length().max(largest(q));
     let (closed, disagree) = (S::lit(CLOSED) * S::EPSILON * size, S::lit(DISAGREE) * m.length());
     let mut before = S::INFINITY;
     for _ in 0..ITERATIONS {
-        let r = m.phi(t, &q);
+        let r = m.phi(t, q);
         let gap = largest(&r);
         if gap <= closed || (gap <= disagree && S::lit(2.0) * gap > before) {
-            let (v, w) = velocity(&q);
-            let dv = without_pivoting(m, t, &q, &w, &m.phi_dot(t, &q, &v))?;
-            return Some((q, Vector::from_fn(|i| v[i] - dv[i])));
+            return true;
         }
-        let dq = without_pivoting(m, t, &q, w, &r)?;
-        q = Vector::from_fn(|i| q[i] - dq[i]);
+        let Some(dq) = without_pivoting(m, t, q, w, &r) else { return false };
+        *q = Vector::from_fn(|i| q[i] - dq[i]);
         before = gap;
     }
-    None
+    false
+}
+
+/// Leads a velocity at the pose `q` onto phi_q v = nu by the shortest way in the metric W^-1; false where no way is found.
+pub(crate) fn lead<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    (t, q): (S, &[S; NQ]),
+    v: &mut [S; NQ],
+    w: &[S; NQ],
+) -> bool {
+    let r = m.phi_dot(t, q, v);
+    let Some(dv) = without_pivoting(m, t, q, w, &r) else { return false };
+    *v = Vector::from_fn(|i| v[i] - dv[i]);
+    true
 }
 
 /// The smallest pivot of `phi_q W phi_q^T` at a pose over its diagonal entry, which vanishes where the rank drops.

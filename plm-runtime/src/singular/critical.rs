@@ -88,7 +88,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
 
     /// The singular pose next to `q`; none where none is near.
     pub(super) fn critical(&self, t: M::S, q: &[Twofold<M::S>; NQ]) -> Option<Critical<M::S, NQ, NC>> {
-        let room = workspace::of::<M::S, NQ, NC>() + 2 * size_of::<[[M::S; NQ]; NQ]>();
+        let room = workspace::of::<M::S, NQ, NC>() + size_of::<[[M::S; NQ]; NQ]>();
         if room > workspace::allowed() {
             return None;
         }
@@ -205,57 +205,53 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
         for (size, (of, row)) in combined.regular() {
             add(&mut dq, -dot(of, &r) / (size * size), row);
         }
-        // The gradients of the others are to vanish in the directions that are left: least squares, since there may be several.
+        self.turn((t, &q), &combined, &mut dq)?;
+        Some(dq)
+    }
+
+    /// Adds the part of a step in the directions that are left, in which the gradients of the combinations that vanish are to be zero:
+    /// least squares, since there may be several.
+    #[inline(never)]
+    fn turn(
+        &self,
+        (t, q): (M::S, &[M::S; NQ]),
+        combined: &Combined<M::S, NQ, NC>,
+        dq: &mut [M::S; NQ],
+    ) -> Option<()> {
         let mut normal = [[M::S::ZERO; NQ]; NQ];
         let mut sides = [[M::S::ZERO]; NQ];
-        for vanishing in combined.vanishing() {
-            self.add_curvature((t, &q), &combined, vanishing, &mut normal, &mut sides);
+        for (lambda, gradient) in combined.vanishing() {
+            for (along, value) in (0..NQ).zip(gradient) {
+                let bend = self.curvature((t, q), (combined, lambda), along);
+                for ((row, side), entry) in normal.iter_mut().zip(&mut sides).zip(&bend) {
+                    add(row, *entry, &bend);
+                    side[0] = side[0] + *entry * *value;
+                }
+            }
         }
         let curvatures = rotate(&mut normal, &mut sides)?;
         let flat = curvatures.cut(M::S::lit(CURVED));
         for ((size, row), [side]) in curvatures.values.iter().zip(&normal).zip(&sides) {
             if *size > flat {
-                add(&mut dq, -*side / (*size * *size), row);
+                add(dq, -*side / (*size * *size), row);
             }
         }
-        Some(dq)
+        Some(())
     }
 
-    /// Adds the normal equations of a combination that vanishes.
-    #[inline(never)]
-    fn add_curvature(
-        &self,
-        (t, q): (M::S, &[M::S; NQ]),
-        combined: &Combined<M::S, NQ, NC>,
-        (lambda, row): (&[M::S; NC], &[M::S; NQ]),
-        normal: &mut [[M::S; NQ]; NQ],
-        sides: &mut [[M::S; 1]; NQ],
-    ) {
-        let mut hessian = [[M::S::ZERO; NQ]; NQ];
-        self.curvature((t, q), (combined, lambda), &mut hessian);
-        for i in 0..NQ {
-            for j in 0..NQ {
-                let factor = hessian[i][j];
-                add(&mut normal[i], factor, &hessian[j]);
-            }
-            sides[i][0] = sides[i][0] + dot(&hessian[i], row);
-        }
-    }
-
-    /// Second derivatives of `lambda^T phi` in the directions that the other combinations leave.
+    /// A row of the second derivatives of `lambda^T phi` in the directions that the other combinations leave.
     fn curvature(
         &self,
         (t, q): (M::S, &[M::S; NQ]),
         (combined, lambda): (&Combined<M::S, NQ, NC>, &[M::S; NC]),
-        hessian: &mut [[M::S; NQ]; NQ],
-    ) {
-        for i in 0..NQ {
-            let mut along = [M::S::ZERO; NQ];
-            along.set(i, M::S::lit(1.0));
-            combined.leave(&mut along);
-            hessian[i] = self.bend(t, q, lambda, &along);
-            combined.leave(&mut hessian[i]);
-        }
+        row: usize,
+    ) -> [M::S; NQ] {
+        let mut along = [M::S::ZERO; NQ];
+        along.set(row, M::S::lit(1.0));
+        combined.leave(&mut along);
+        let mut bend = self.bend(t, q, lambda, &along);
+        combined.leave(&mut bend);
+        bend
     }
 
     /// Do the combinations that vanish curve to one side alone, in all directions that are left? A loop then has no pose beyond.
@@ -267,15 +263,26 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
             return false;
         }
         combined.part(M::S::lit(TOGETHER[0]));
-        let (mut hessian, mut of) = ([[M::S::ZERO; NQ]; NQ], [[M::S::ZERO; NQ]; NQ]);
-        self.curvature((t, &q), (&combined, &critical.combination), &mut hessian);
-        diagonal(&mut of);
-        let Some(curvatures) = rotate(&mut hessian, &mut of) else { return false };
+        self.curves_to_one_side((t, &q), &combined, &critical.combination)
+    }
+
+    #[inline(never)]
+    fn curves_to_one_side(
+        &self,
+        (t, q): (M::S, &[M::S; NQ]),
+        combined: &Combined<M::S, NQ, NC>,
+        lambda: &[M::S; NC],
+    ) -> bool {
+        let (mut hessian, mut none) = ([[M::S::ZERO; NQ]; NQ], [[]; NQ]);
+        for (along, row) in hessian.iter_mut().enumerate() {
+            *row = self.curvature((t, q), (combined, lambda), along);
+        }
+        let Some(curvatures) = rotate(&mut hessian, &mut none) else { return false };
         let flat = curvatures.cut(M::S::lit(CURVED).sqrt());
         let [mut up, mut down] = [false; 2];
-        for ((size, row), of) in curvatures.values.iter().zip(&hessian).zip(&of) {
-            let (curved, rises) = (*size > flat, dot(of, row) > M::S::ZERO);
-            (up, down) = (up || (curved && rises), down || (curved && !rises));
+        for (_, row) in curvatures.values.iter().zip(&hessian).filter(|(size, _)| **size > flat) {
+            let rises = dot(row, &self.bend(t, q, lambda, row)) > M::S::ZERO;
+            (up, down) = (up || rises, down || !rises);
         }
         up != down
     }

@@ -21,8 +21,8 @@ const FOUND: f64 = 16.0;
 
 /// How the singular pose next to a prescribed motion changes with the time.
 pub(super) enum Ends<S, const NQ: usize, const NC: usize> {
-    /// Nothing is prescribed, or the motion does not come to the pose.
-    Never,
+    /// Nothing is prescribed, or the motion does not come to an end at the pose.
+    Never(Critical<S, NQ, NC>),
     /// The motion ends at this time, s, at this pose.
     At(S, Critical<S, NQ, NC>),
     /// It comes to this pose and goes on.
@@ -42,9 +42,9 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Row
     pub(super) fn ends(&self, t: M::S, critical: Critical<M::S, NQ, NC>) -> Ends<M::S, NQ, NC> {
         let first = self.value(t, critical, None);
         if first.rate == M::S::ZERO || !self.is_definite(t, &first.critical) {
-            return Ends::Never;
+            return Ends::Never(critical);
         }
-        self.fold(&first).unwrap_or(Ends::Never)
+        self.fold(&first).unwrap_or(Ends::Never(critical))
     }
 
     /// Follows the value to its zero, or to its extremum.

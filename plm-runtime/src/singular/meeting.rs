@@ -18,24 +18,26 @@ const BESIDE: f64 = 1e-4;
 const NEXT: f64 = 1e-3;
 
 /// How a mechanism meets a singular pose.
-pub(super) enum Meeting<S, const NC: usize> {
-    /// It comes to the pose, with joints that are open by less than the lengths are rounded, m and rad.
-    Reached([Twofold<S>; NC]),
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Meeting {
+    /// It comes to the pose, with joints that are open by less than the lengths are rounded.
+    Reached,
     /// It passes the pose by.
     Missed,
     /// No such pose was found.
     Unknown,
 }
 
-impl<S: Real, const NC: usize> Meeting<S, NC> {
-    /// At a state in absolute coordinates.
+impl Meeting {
+    /// At a state in absolute coordinates. What joints are open by at a pose that is reached is left in `open`, m and rad.
     ///
     /// # Errors
     /// [`Cause::LockedAt`](crate::Cause::LockedAt) where what is prescribed comes to its end before the interval does.
-    pub(super) fn of<M, const NQ: usize, const NX: usize>(
+    #[inline(never)]
+    pub(super) fn of<S: Real, M, const NQ: usize, const NC: usize, const NX: usize>(
         course: &Course<'_, M>,
-        full: &[S; NX],
-        ahead: Option<&Ahead<S>>,
+        (full, ahead): (&[S; NX], Option<&Ahead<S>>),
+        open: &mut [Twofold<S>; NC],
     ) -> Result<Self, Fault>
     where
         M: Fine<NQ, NC, NX, S = S>,
@@ -57,15 +59,22 @@ impl<S: Real, const NC: usize> Meeting<S, NC> {
         let Some(critical) = rows.critical(time, &guess).filter(|critical| known || is_next(critical)) else {
             return Ok(Self::Unknown);
         };
-        Ok(match if driven { rows.ends(time, critical) } else { Ends::Never } {
+        let critical = match if driven { rows.ends(time, critical) } else { Ends::Never(critical) } {
             Ends::At(end, critical) if end <= course.end => {
                 return Err(rows.locked((end, system.flat_part(time, full)), &critical));
             }
-            Ends::Touches(critical) => Self::Reached(critical.open),
-            Ends::Never if critical.is_reached() => Self::Reached(critical.open),
+            Ends::Touches(critical) => Some(critical),
+            Ends::Never(critical) => Some(critical).filter(Critical::is_reached),
+            Ends::At(..) => None,
+        };
+        Ok(match critical {
+            Some(critical) => {
+                *open = critical.open;
+                Self::Reached
+            }
             // With rows that repeat others it may be the pose of those that are left alone.
-            _ if rows.repeat() => Self::Unknown,
-            Ends::At(..) | Ends::Never => Self::Missed,
+            None if rows.repeat() => Self::Unknown,
+            None => Self::Missed,
         })
     }
 }

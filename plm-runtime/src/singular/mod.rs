@@ -22,6 +22,7 @@ mod collocation;
 mod combined;
 mod critical;
 mod equations;
+mod here;
 mod leap;
 mod lock;
 mod meeting;

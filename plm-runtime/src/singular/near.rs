@@ -2,7 +2,8 @@
 
 use super::ahead::Ahead;
 use super::collocation::Polynomial;
-use super::equations::{Equations, Evaluated};
+use super::equations::Equations;
+use super::here::Here;
 use super::leap::{Refused, leap};
 use super::meeting::Meeting;
 use super::poor::{is_doubtful, is_poor, is_regular, turned};
@@ -75,26 +76,6 @@ fn crossed<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usiz
         leg.system.crossed(leg.held, leg.from.1, leg.to.1)
     } else {
         M::S::lit(10.0) * turned(leg)
-    }
-}
-
-/// What is known before a step.
-struct Here<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
-    equations: Equations<M, NQ, NC, NX>,
-    full: [M::S; NX],
-    evaluated: Option<Evaluated<M::S, NX>>,
-}
-
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Here<M, NQ, NC, NX> {
-    fn of(equations: Equations<M, NQ, NC, NX>, course: &Course<'_, M>, full: [M::S; NX]) -> Self {
-        let evaluated = equations.evaluate(course.time, &course.held, &full);
-        Self { equations, full, evaluated }
-    }
-
-    /// What lies ahead, if the motion is known.
-    fn ahead(&self, course: &Course<'_, M>) -> Option<Ahead<M::S>> {
-        let evaluated = self.evaluated.as_ref()?;
-        Some(Ahead::of(&self.equations, (course.time, &course.held), evaluated))
     }
 }
 
@@ -229,26 +210,15 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
     fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
         self.passed = None;
         course.stats.near_singular += 1;
-        let full = course.system.full(course.time, &course.held, &course.x);
-        let closed = Here::of(Equations::of(*course.system), course, full);
-        let ahead = closed.ahead(course);
-        let meeting = Meeting::of(course, &full, ahead.as_ref())?;
-        self.open = if let Meeting::Reached(open) = meeting { open } else { [Twofold::ZERO; NC] };
-        let (here, ahead) = match meeting {
-            Meeting::Reached(open) => {
-                let here = Here::of(Equations { open, ..closed.equations }, course, full);
-                let ahead = here.ahead(course);
-                (here, ahead)
-            }
-            Meeting::Missed | Meeting::Unknown => (closed, ahead),
-        };
-        let (Some(evaluated), Some(ahead)) = (&here.evaluated, ahead) else {
+        let mut here = Here::before(course)?;
+        self.open = here.equations.open;
+        let Some(ahead) = here.ahead else {
             return self.leave(course, &here);
         };
-        if !here.equations.is_beside(&full, evaluated) {
+        if !here.follow() {
             return Err(self.fault(course, &here, Refused::NotFound));
         }
-        let here = Here { full: evaluated.x, evaluated: here.evaluated, equations: here.equations };
+        let meeting = here.meeting;
         let (longest, rest) = (ahead.longest_step(), course.end - course.time);
         match ahead.flat().filter(|_| rest > longest && !matches!(meeting, Meeting::Missed)) {
             None => self.tried = M::S::INFINITY,

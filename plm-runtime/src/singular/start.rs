@@ -4,7 +4,7 @@ use super::critical::Rows;
 use super::equations::Equations;
 use super::poor::is_near;
 use super::{Fine, size};
-use crate::absolute::{Absolute, closed};
+use crate::absolute::{Absolute, close, lead};
 use crate::scalar::{Real, Scalar};
 use crate::start::Start;
 use crate::twofold::Twofold;
@@ -40,13 +40,18 @@ where
     if let Some(critical) = critical.filter(super::critical::Critical::is_reached) {
         equations.open = critical.open;
     }
-    let weights = weights_of(&Absolute::start_position(system));
-    let velocity = |q: &[Twofold<M::S>; NQ]| {
-        let start = Absolute::start_velocity(system, &rounded(q));
-        (wide(&Vector::from_fn(|i| start[i].value)), weights_of(&start))
-    };
-    let exact = closed(&equations.opened(&fine), Twofold::of(t), (wide(q), &weights), velocity)?;
-    let [pose, v] = [&exact.0, &exact.1].map(rounded);
+    let (t, opened) = (Twofold::of(t), equations.opened(&fine));
+    let mut exact = wide(q);
+    if !close(&opened, t, &mut exact, &weights_of(&Absolute::start_position(system))) {
+        return None;
+    }
+    let pose = rounded(&exact);
+    let start = Absolute::start_velocity(system, &pose);
+    let mut v = wide(&Vector::from_fn(|i| start[i].value));
+    if !lead(&opened, (t, &exact), &mut v, &weights_of(&start)) {
+        return None;
+    }
+    let v = rounded(&v);
     let moved: [M::S; NQ] = Vector::from_fn(|i| pose[i] - q[i]);
     let beside = size(&moved, |i| equations.typical_of(i) + q[i].abs()) < M::S::lit(BESIDE);
     (beside && v.is_finite()).then_some((pose, v))

@@ -1,0 +1,62 @@
+//! What is known before a step near a singular pose.
+
+use super::Fine;
+use super::ahead::Ahead;
+use super::equations::{Equations, Evaluated};
+use super::meeting::Meeting;
+use crate::fault::Fault;
+use crate::method::Course;
+
+/// What is known before a step.
+pub(super) struct Here<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
+    pub(super) equations: Equations<M, NQ, NC, NX>,
+    /// The state [q, v, first-order states].
+    pub(super) full: [M::S; NX],
+    /// The state led back onto the constraints, and its rate; none where that is not known.
+    pub(super) evaluated: Option<Evaluated<M::S, NX>>,
+    /// What lies ahead, if the motion is known.
+    pub(super) ahead: Option<Ahead<M::S>>,
+    /// How the mechanism meets the pose that is next.
+    pub(super) meeting: Meeting,
+}
+
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Here<M, NQ, NC, NX> {
+    /// What is known before a step of `course`.
+    ///
+    /// # Errors
+    /// That of [`Meeting::of`].
+    #[inline(never)]
+    pub(super) fn before(course: &Course<'_, M>) -> Result<Self, Fault> {
+        let mut here = Self {
+            equations: Equations::of(*course.system),
+            full: course.system.full(course.time, &course.held, &course.x),
+            evaluated: None,
+            ahead: None,
+            meeting: Meeting::Unknown,
+        };
+        here.look(course);
+        let open = &mut here.equations.open;
+        here.meeting = Meeting::of(course, (&here.full, here.ahead.as_ref()), open)?;
+        if matches!(here.meeting, Meeting::Reached) {
+            here.look(course);
+        }
+        Ok(here)
+    }
+
+    #[inline(never)]
+    fn look(&mut self, course: &Course<'_, M>) {
+        let at = (course.time, &course.held);
+        self.evaluated = self.equations.evaluate(at.0, at.1, &self.full);
+        self.ahead = self.evaluated.as_ref().map(|evaluated| Ahead::of(&self.equations, at, evaluated));
+    }
+
+    /// Goes to the state that was led back, if it is beside the given one; whether it is.
+    pub(super) fn follow(&mut self) -> bool {
+        let Some(evaluated) = &self.evaluated else { return false };
+        let beside = self.equations.is_beside(&self.full, evaluated);
+        if beside {
+            self.full = evaluated.x;
+        }
+        beside
+    }
+}
