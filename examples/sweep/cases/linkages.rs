@@ -87,7 +87,7 @@ fn four_bar(random: &mut Random, offset: f64, ruler: Ruler) -> Option<Draft> {
         return None;
     }
     let lengths = [crank, coupler, rocker];
-    let backs = lengths.map(|length| ruler.part(random, length, 0.2, 0.8));
+    let backs = lengths.map(|length| Ruler::part(random, length, 0.2, 0.8));
     let missed = random.below(4);
     let long = [0, 1, 2].map(|body| {
         let offset = if missed == body { offset } else { 0.0 };
@@ -123,7 +123,7 @@ pub fn decimal_slider_crank(random: &mut Random) -> Option<Draft> {
 fn slider_crank_of(random: &mut Random, offset: f64, ruler: Ruler) -> Option<Draft> {
     let mut scene = Scene::of(&bars::slider_crank::SHAPE);
     let length = ruler.draw(random, 0.25, 1.0);
-    let back = [0.0; 2].map(|_| ruler.part(random, length, 0.2, 0.8));
+    let back = [0.0; 2].map(|_| Ruler::part(random, length, 0.2, 0.8));
     let missed = random.below(3);
     let [crank, rod] = [0, 1].map(|body| {
         let offset = if missed == body { offset } else { 0.0 };

@@ -40,7 +40,7 @@ impl Ruler {
     }
 
     /// A part of a length, in units.
-    pub fn part(self, random: &mut Random, units: f64, low: f64, high: f64) -> f64 {
+    pub fn part(random: &mut Random, units: f64, low: f64, high: f64) -> f64 {
         (units * random.between(low, high)).round()
     }
 
