@@ -27,13 +27,17 @@ pub(super) fn hold_past<M: System<S: Real>>(
 ) -> Result<Option<Switched>, Fault> {
     let decided = border.map_or(0, |border| border.decided);
     let beyond = |i: &usize| decided & bit(*i) == 0 && is_past(course.system, here, *i);
-    let Some(first) = (0..M::G::LEN).find(beyond) else { return Ok(None) };
-    for index in (first..M::G::LEN).filter(beyond) {
+    let mut any = false;
+    for index in (0..M::G::LEN).filter(beyond) {
+        any = true;
         match border {
             None => required(course, index)?,
             Some(_) if course.system.must_hold(index) => return Err(not_met(course, index, here)),
             Some(_) => {}
         }
+    }
+    if !any {
+        return Ok(None);
     }
     let (mut after, mut switched) = (course.held, Switched { conditions: 0, count: 0 });
     switch_each((course.system, decided), course.time, &mut after, &course.x, |index| {
