@@ -27,6 +27,7 @@ const SWEEPS: usize = 60;
 /// W B. Returns the singular values, the norms of the rows, in no particular order; `None` if an entry is not finite.
 ///
 /// It works in place: matrices of large mechanisms fit on a stack once, not several times.
+#[inline(never)]
 pub fn rotate<S: Real, const ROWS: usize, const COLUMNS: usize, const CARRIED: usize>(
     rows: &mut [[S; COLUMNS]; ROWS],
     carried: &mut [[S; CARRIED]; ROWS],

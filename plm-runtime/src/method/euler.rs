@@ -53,6 +53,11 @@ impl Formula for SemiImplicitEulerFormula {
         }
     }
 
+    #[inline]
+    fn difference<M: System<S: Real>>(k: &M::X) -> M::X {
+        *k
+    }
+
     // A position differs from that by the trapezoidal rule by the first term that it lacks, h^2/2 of the acceleration. A
     // velocity has no second rate; one where the step ends, from which the next will begin, makes that rule of it too.
     fn estimate<M: System<S: Real>>(made: &Made<'_, M>, k: &M::X) -> Estimate<M::S> {

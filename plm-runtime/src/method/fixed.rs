@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::estimate::Estimate;
 use super::length::{are_near, are_straight, is_due};
 use super::plan::Plan;
-use super::{Course, Method, Rates, Single, Watched, drift_of_size, excess, not_finite};
+use super::{Course, Method, Rates, Single, Watched, drift_of_size, excess, not_finite, rate};
 use crate::events;
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
@@ -45,8 +45,11 @@ pub trait Formula: Copy {
         size: impl Fn(usize) -> M::S,
     ) -> impl Fn(usize) -> [M::S; 2];
 
-    /// The error of a step, as it is estimated by the rates of its stages.
-    fn estimate<M: System<S: Real>>(made: &Made<'_, M>, stages: &Self::Stages<M::X>) -> Estimate<M::S>;
+    /// What an [`estimate`](Self::estimate) takes of the rates at the stages, by state.
+    fn difference<M: System<S: Real>>(stages: &Self::Stages<M::X>) -> M::X;
+
+    /// The error of a step, as it is estimated by a [`difference`](Self::difference) of its rates.
+    fn estimate<M: System<S: Real>>(made: &Made<'_, M>, difference: &M::X) -> Estimate<M::S>;
 
     /// One step for any scalar, with the worst health of its stages and without a second try.
     #[inline]
@@ -151,7 +154,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
             course.health = course.health.min(health.0);
             if health.is_good() {
                 self.estimate =
-                    if is_short { Estimate::NONE } else { estimate::<F, M>(all, (t, h), &course.x) };
+                    if is_short { Estimate::NONE } else { estimate::<F, M>(all, (t, h), [&course.x, x]) };
                 return Ok(());
             }
             *x = course.x;
@@ -166,6 +169,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
     }
 
     #[cold]
+    #[inline(never)]
     fn step_by_rank<M: System<S = S>>(
         &mut self,
         course: &mut Course<'_, M>,
@@ -178,10 +182,10 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
                 outcome = course.rate(t, x, dx);
             }
         };
-        let stages = F::step::<M, _>((t, h), x, rates, |_, stages| *stages);
+        let difference = F::step::<M, _>((t, h), x, rates, |_, stages| F::difference::<M>(stages));
         self.careful = course.stats.by_rank > by_rank;
         let Course { system, held, x: from, .. } = course;
-        self.estimate = F::estimate(&Made { system: *system, held, h, from: (t, from), to: x }, &stages);
+        self.estimate = F::estimate(&Made { system: *system, held, h, from: (t, from), to: x }, &difference);
         outcome
     }
 
@@ -262,21 +266,21 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
     }
 }
 
-/// The error of a healthy step of `h` from the state `x` at `t`, which is made once more for it: steps whose rates are little
+/// The error of a healthy step of `h` between two states, which is made once more for it: steps whose rates are little
 /// apart would pay for keeping these to their ends.
 #[cold]
 #[inline(never)]
 fn estimate<F: Formula, M: System<S: Real>>(
     (system, held): (&M, &M::U),
     (t, h): (M::S, M::S),
-    x: &M::X,
+    [from, to]: [&M::X; 2],
 ) -> Estimate<M::S> {
-    let mut to = *x;
-    let from = (t, x);
-    looked_at::<F, M, _>((system, held), (t, h), &mut to, |to, stages| {
-        F::estimate(&Made { system, held, h, from, to }, stages)
-    })
-    .1
+    let mut again = *from;
+    let rates = |t: M::S, x: &M::X, dx: &mut M::X| {
+        rate((system, held), t, x, dx);
+    };
+    let difference = F::step::<M, _>((t, h), &mut again, rates, |_, stages| F::difference::<M>(stages));
+    F::estimate(&Made { system, held, h, from: (t, from), to }, &difference)
 }
 
 impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
@@ -301,22 +305,23 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
         &self,
         (system, held): (&M, &M::U),
         (t, end): (M::S, M::S),
-        x: &mut M::X,
+        to: &mut M::X,
     ) -> Option<Single<M::S>> {
         let h = Plan::single(t, end, self.longest_step).filter(|_| !self.careful)?;
-        let (health, are_near) = looked_at::<F, M, _>((system, held), (t, h), x, |x, stages| {
-            are_near::<F, M>(system, h, x, stages)
+        let (health, are_near) = looked_at::<F, M, _>((system, held), (t, h), to, |to, stages| {
+            are_near::<F, M>(system, h, to, stages)
         });
-        if !are_near {
-            return None;
-        }
-        let healthy = x.is_finite() && health.is_good();
-        healthy.then_some(Single { h, health: health.0, evaluations: F::STAGES })
+        let healthy = to.is_finite() && health.is_good();
+        healthy.then_some(Single { h, health: health.0, evaluations: F::STAGES, are_near })
     }
 
     #[inline]
     fn estimate(&self) -> Estimate<M::S> {
         self.estimate
+    }
+
+    fn estimate_of(&self, all: (&M, &M::U), times: (M::S, M::S), legs: [&M::X; 2]) -> Estimate<M::S> {
+        estimate::<F, M>(all, times, legs)
     }
 
     #[inline]

@@ -60,7 +60,7 @@ use core::cmp::Ordering;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::sim::{Kept, Stats};
-use crate::system::{Drift, Leg, System};
+use crate::system::{Drift, Health, Leg, System};
 use crate::vector::Vector;
 
 /// A method that carries a state over an interval, step by step.
@@ -110,8 +110,8 @@ pub trait Method<M: System>: Copy {
     }
 
     /// Takes the state `x` over an interval between two times by the formula alone, as [`advance`](Self::advance) would before it
-    /// looks at the step. None where that takes more than one step, or where the step is not healthy or so long that its error
-    /// is to be estimated; `x` is of no use then. The method stays as it is.
+    /// looks at the step. None where that takes more than one step, or where the step is not healthy; `x` is of no use then. The
+    /// method stays as it is.
     #[inline]
     fn single(&self, (system, held): (&M, &M::U), times: (M::S, M::S), x: &mut M::X) -> Option<Single<M::S>> {
         let _ = (system, held, times, x);
@@ -124,7 +124,18 @@ pub trait Method<M: System>: Copy {
         Estimate::NONE
     }
 
-    /// Is the error of such a step to be estimated for what its ends tell? Then it is made by [`advance`](Self::advance).
+    /// How far a step of such a length from a time was off.
+    fn estimate_of(
+        &self,
+        (system, held): (&M, &M::U),
+        times: (M::S, M::S),
+        legs: [&M::X; 2],
+    ) -> Estimate<M::S> {
+        let _ = (system, held, times, legs);
+        Estimate::NONE
+    }
+
+    /// Is the error of such a step to be estimated for what its ends tell?
     #[inline]
     fn is_long(&self, (system, stats): (&M, &Stats), h: M::S, legs: [&M::X; 2]) -> bool {
         let _ = (system, stats, h, legs);
@@ -200,6 +211,8 @@ pub struct Single<S> {
     pub health: S,
     /// Evaluations of the rate that it took.
     pub evaluations: u64,
+    /// Its rates are so little apart that its error needs no estimate.
+    pub are_near: bool,
 }
 
 /// A state on its way through an interval.
@@ -285,7 +298,7 @@ impl<'a, M: System> Course<'a, M> {
     /// The rate at `(t, x)`, by rank where it is unhealthy.
     pub(crate) fn rate(&mut self, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
         self.stats.evaluations += 1;
-        let health = self.system.rate(t, &self.held, x, dx);
+        let health = rate((self.system, &self.held), t, x, dx);
         self.health = self.health.min(health.0);
         if health.is_good() {
             return Ok(());
@@ -304,6 +317,12 @@ impl<'a, M: System> Course<'a, M> {
         self.stats.settled += 1;
         self.system.settle(t, x)
     }
+}
+
+/// The rate where many places ask for it and none waits for it: one copy of its code for all of them.
+#[inline(never)]
+fn rate<M: System>((system, held): (&M, &M::U), t: M::S, x: &M::X, dx: &mut M::X) -> Health<M::S> {
+    system.rate(t, held, x, dx)
 }
 
 /// A fault that names the part of the first component which is not finite.

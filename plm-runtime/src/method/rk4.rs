@@ -74,21 +74,32 @@ impl Formula for Rk4Formula {
         [k1, k2, k3, k4]: &[M::X; 4],
         size: impl Fn(usize) -> M::S,
     ) -> impl Fn(usize) -> [M::S; 2] {
-        let short = M::S::lit(SHORT) / h;
-        move |i| [((k1.at(i) + k4.at(i)) - (k2.at(i) + k3.at(i))).abs(), short * size(i)]
+        let long = M::S::lit(1.0 / SHORT) * h;
+        move |i| [long * ((k1.at(i) + k4.at(i)) - (k2.at(i) + k3.at(i))).abs(), size(i)]
     }
 
     // Of the two sums of weights zero that leave no more than h^3, one has the derivative of the rate twice (k3 - k2), the other
     // the whole second derivative: either may vanish where the other does not. Both are a quarter of the third term.
-    fn estimate<M: System<S: Real>>(made: &Made<'_, M>, [k1, k2, k3, k4]: &[M::X; 4]) -> Estimate<M::S> {
+    #[allow(clippy::inline_always, reason = "as the step")]
+    #[inline(always)]
+    fn difference<M: System<S: Real>>([k1, k2, k3, k4]: &[M::X; 4]) -> M::X {
+        M::X::from_fn(|i| {
+            if i < M::NQ {
+                return M::S::lit(0.0);
+            }
+            let bend = (k1.at(i) + k4.at(i)) - (k2.at(i) + k3.at(i));
+            let turn = k3.at(i) - k2.at(i);
+            bend.abs().max(turn.abs())
+        })
+    }
+
+    fn estimate<M: System<S: Real>>(made: &Made<'_, M>, difference: &M::X) -> Estimate<M::S> {
         let sizes = Sizes { typical: made.system.typical(), from: made.from.1, to: made.to };
         let third = |i: usize| {
             if i < M::NQ {
                 return M::S::lit(12.0) * sizes.bend((i, M::NQ, made.h));
             }
-            let bend = (k1.at(i) + k4.at(i)) - (k2.at(i) + k3.at(i));
-            let turn = k3.at(i) - k2.at(i);
-            M::S::lit(4.0) * made.h * bend.abs().max(turn.abs()) / sizes.of(i)
+            M::S::lit(4.0) * made.h * difference.at(i) / sizes.of(i)
         };
         Estimate::largest(M::X::LEN, third).of_term(CONSTANT, POWER)
     }

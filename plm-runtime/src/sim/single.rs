@@ -26,7 +26,17 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             return false;
         }
         let mut x = *state.x();
-        let Some(made) = method.single((system, &held), (time, end), &mut x) else { return false };
+        let Some(made) = method.single((system, &held), (time, end), &mut x) else {
+            return false;
+        };
+        let mut error = M::S::ZERO;
+        if !made.are_near || method.is_long((system, stats), made.h, [state.x(), &x]) {
+            let estimate = method.estimate_of((system, &held), (time, made.h), [state.x(), &x]);
+            if estimate.is_senseless() {
+                return false;
+            }
+            error = estimate.error;
+        }
         let drifted = method.drifts(system, end, &x);
         if drifted && system.settle(end, &mut x).is_err() {
             return false;
@@ -43,15 +53,15 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         if passed.is_some() && limits.change_points {
             return false;
         }
-        if method.is_long((system, stats), made.h, [state.x(), &x]) {
-            return false;
-        }
+        stats.errs(error);
         stats.steps += 1;
         stats.evaluations += made.evaluations;
         stats.settled += u64::from(drifted);
         stats.charts += u64::from(moved);
         stats.change_points += u64::from(passed.is_some());
-        self.longest_step = self.longest_step.max(made.h);
+        if made.h > self.longest_step {
+            self.longest_step = made.h;
+        }
         method.keep(drifted);
         state.set(end, &held, &x);
         if moved || turned {

@@ -283,7 +283,7 @@ pub(crate) fn look<M: Mechanism, I: Method<M>>(
             Ok(None)
         }
         Ok(accepted) => {
-            course.stats.errs(method.estimate());
+            course.stats.errs(method.estimate().error);
             Ok(Some(Next { accepted, held, x }))
         }
         Err(fault) => {

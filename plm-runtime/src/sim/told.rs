@@ -4,7 +4,6 @@ use core::fmt;
 
 use super::{Sim, Snapshot};
 use crate::mechanism::Mechanism;
-use crate::method::Estimate;
 use crate::scalar::Real;
 
 /// The state and what was done; a method has hundreds of numbers of its own.
@@ -59,12 +58,15 @@ pub struct Stats {
 }
 
 impl Stats {
-    /// A step was off by as much.
+    /// A step was off by as much, as a share of the state.
     #[inline]
-    pub(crate) fn errs<S: Real>(&mut self, Estimate { error, .. }: Estimate<S>) {
-        let error = error.to_f64();
-        self.largest_error = self.largest_error.max(error);
-        self.errors += error;
+    pub(crate) fn errs<S: Real>(&mut self, error: S) {
+        // Most have none, and `f64` is software on small targets.
+        if error > S::ZERO {
+            let error = error.to_f64();
+            self.largest_error = self.largest_error.max(error);
+            self.errors += error;
+        }
     }
 }
 

@@ -82,6 +82,7 @@ impl<S: Real, const NQ: usize, const NC: usize> Combined<S, NQ, NC> {
     }
 
     /// Takes away of a direction what the regular combinations do not allow.
+    #[inline(never)]
     pub(super) fn leave(&self, along: &mut [S; NQ]) {
         for (size, (_, row)) in self.regular() {
             let factor = -dot(row, along) / (size * size);

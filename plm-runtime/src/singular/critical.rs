@@ -170,6 +170,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
     }
 
     /// The derivative of that along a direction.
+    #[inline(never)]
     fn bend(&self, t: M::S, q: &[M::S; NQ], lambda: &[M::S; NC], along: &[M::S; NQ]) -> [M::S; NQ] {
         let h = third::<M::S>();
         let beside = |h: M::S| {
@@ -181,6 +182,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
     }
 
     /// The rows at a pose, combined.
+    #[inline(never)]
     fn combined(&self, t: M::S, q: &[M::S; NQ], combined: &mut Combined<M::S, NQ, NC>) -> Option<()> {
         phi_q_matrix(self.system, t, q, &mut combined.rows);
         for (r, row) in combined.rows.iter_mut().enumerate() {
@@ -240,6 +242,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
     }
 
     /// A row of the second derivatives of `lambda^T phi` in the directions that the other combinations leave.
+    #[inline(never)]
     fn curvature(
         &self,
         (t, q): (M::S, &[M::S; NQ]),
@@ -273,11 +276,11 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
         combined: &Combined<M::S, NQ, NC>,
         lambda: &[M::S; NC],
     ) -> bool {
-        let (mut hessian, mut none) = ([[M::S::ZERO; NQ]; NQ], [[]; NQ]);
+        let (mut hessian, mut nothing) = ([[M::S::ZERO; NQ]; NQ], [[M::S::ZERO]; NQ]);
         for (along, row) in hessian.iter_mut().enumerate() {
             *row = self.curvature((t, q), (combined, lambda), along);
         }
-        let Some(curvatures) = rotate(&mut hessian, &mut none) else { return false };
+        let Some(curvatures) = rotate(&mut hessian, &mut nothing) else { return false };
         let flat = curvatures.cut(M::S::lit(CURVED).sqrt());
         let [mut up, mut down] = [false; 2];
         for (_, row) in curvatures.values.iter().zip(&hessian).filter(|(size, _)| **size > flat) {
@@ -323,6 +326,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
 
     /// The lengths that each residual is a sum of, m: those that turn with bodies are its second derivatives by their angles; what
     /// is left of it belongs to the ground.
+    #[inline(never)]
     fn terms(&self, t: M::S, q: &[M::S; NQ]) -> [M::S; NC] {
         let (mut terms, mut rest) = ([M::S::ZERO; NC], [M::S::ZERO; NC]);
         let angular = <M as Absolute<M::S, NQ, NC>>::ANGULAR;

@@ -39,6 +39,7 @@ struct Value<S, const NQ: usize, const NC: usize> {
 
 impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rows<'_, M, NQ, NC, NX> {
     /// How a prescribed motion that is next to a singular pose at the time `t` goes on.
+    #[inline(never)]
     pub(super) fn ends(&self, t: M::S, critical: Critical<M::S, NQ, NC>) -> Ends<M::S, NQ, NC> {
         let first = self.value(t, critical, None);
         if first.rate == M::S::ZERO || !self.is_definite(t, &first.critical) {
@@ -130,6 +131,8 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Row
     }
 
     /// The fault of a motion that ends at a singular pose.
+    #[cold]
+    #[inline(never)]
     pub(super) fn locked(&self, (t, part): (M::S, &'static str), critical: &Critical<M::S, NQ, NC>) -> Fault {
         let q = critical.q.map(Twofold::rounded);
         let (driven, mut row, mut most) = (self.driven(t, &q), 0, M::S::ZERO);

@@ -29,9 +29,20 @@ pub fn refine<M, const NQ: usize, const NC: usize, const NX: usize>(
 where
     M: Fine<NQ, NC, NX>,
 {
-    if !is_near::<M, NQ, NC, NX>(system, t, q, M::S::lit(NEAR)) {
-        return None;
-    }
+    is_near::<M, NQ, NC, NX>(system, t, q, M::S::lit(NEAR)).then(|| closed(system, t, q)).flatten()
+}
+
+/// The same where it is next to one: a call, so that other starts take nothing of the stack for it.
+#[cold]
+#[inline(never)]
+fn closed<M, const NQ: usize, const NC: usize, const NX: usize>(
+    system: &M,
+    t: M::S,
+    q: &[M::S; NQ],
+) -> Option<Closed<M::S, NQ>>
+where
+    M: Fine<NQ, NC, NX>,
+{
     let fine = system.fine();
     let wide = |of: &[M::S; NQ]| -> [Twofold<M::S>; NQ] { Vector::from_fn(|i| Twofold::of(of[i])) };
     let rounded = |of: &[Twofold<M::S>; NQ]| -> [M::S; NQ] { Vector::from_fn(|i| of[i].rounded()) };

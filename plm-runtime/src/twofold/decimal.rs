@@ -20,6 +20,7 @@ impl<S: Real> Twofold<S> {
     /// assert!((a + b - (c + d)).rounded().abs() < 1e-32);
     /// assert_eq!(Twofold::written(0.1_f64 + 0.2), Twofold::of(0.1 + 0.2)); // 0.30000000000000004
     /// ```
+    #[inline(never)]
     pub fn written(x: S) -> Self {
         let (mut power, ten, half) = (S::lit(1.0), S::lit(10.0), S::lit(0.5));
         loop {
