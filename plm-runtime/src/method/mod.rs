@@ -231,7 +231,7 @@ pub struct Course<'a, M: System> {
     pub stats: &'a mut Stats,
     /// The longest step so far, s.
     pub longest_step: &'a mut M::S,
-    /// The smallest pivot ratio of the rates since the last step was accepted, [`Health`](crate::Health).
+    /// The smallest pivot ratio of the rates since the last step was accepted, [`Health`].
     pub health: M::S,
     /// What the simulation keeps of its steps.
     pub(crate) kept: Option<&'a mut Kept<M>>,

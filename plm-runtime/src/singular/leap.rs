@@ -23,8 +23,8 @@ const UNDECIDED: f64 = 450.0;
 /// these units that may be rounding; the joints open by this in a step by so many times as much.
 const DISAGREE: f64 = 1e4;
 const SPREAD: f64 = 10.0;
-/// The rate at the end of the step may be off by this, over the step and as a part of the state.
-const AGREES: f64 = 1e-8;
+/// The rate at the ends of the step may be off by this, over the step and as a part of the state.
+const AGREES: f64 = 1e-10;
 
 /// Why there is no step over a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,7 +76,7 @@ where
             if !beside {
                 return Err(Refused::NotFound);
             }
-            return check(equations, (t, held), disagree, polynomial);
+            return check(equations, (t, held), (disagree, rate), polynomial);
         }
         before = moved;
     }
@@ -104,7 +104,7 @@ fn guess<S: Real, const NQ: usize, const NX: usize>(
 fn check<M, const NQ: usize, const NC: usize, const NX: usize>(
     equations: &Equations<M, NQ, NC, NX>,
     (t, held): (M::S, &M::U),
-    disagree: M::S,
+    (disagree, before): (M::S, Option<&[M::S; NX]>),
     polynomial: Polynomial<M::S, NX>,
 ) -> Result<Polynomial<M::S, NX>, Refused<M::S>>
 where
@@ -128,11 +128,14 @@ where
     }
     let (one, end) = (M::S::lit(1.0), polynomial.at(M::S::lit(1.0)));
     let after = equations.evaluate(t + polynomial.h, held, &end).ok_or(Refused::NotFound)?;
-    let rate = polynomial.rate(one);
-    let off: [M::S; NX] = Vector::from_fn(|i| polynomial.h * (after.dx.at(i) - rate.at(i)));
-    let weight = |i: usize| equations.typical_of(i) + end.at(i).abs();
-    let agrees = M::S::lit(AGREES).max(M::S::EPSILON.sqrt());
-    if size(&off, weight) < agrees { Ok(polynomial) } else { Err(Refused::NotFound) }
+    let agrees = |part: M::S, (x, dx): (&[M::S; NX], &[M::S; NX])| {
+        let rate = polynomial.rate(part);
+        let off: [M::S; NX] = Vector::from_fn(|i| polynomial.h * (dx.at(i) - rate.at(i)));
+        size(&off, |i| equations.typical_of(i) + x.at(i).abs()) < M::S::lit(AGREES).max(M::S::EPSILON.sqrt())
+    };
+    // No node sees what changes before the first of them or behind the last.
+    let begins = before.is_none_or(|before| agrees(M::S::ZERO, (&polynomial.from, before)));
+    if begins && agrees(one, (&end, &after.dx)) { Ok(polynomial) } else { Err(Refused::NotFound) }
 }
 
 #[cfg(test)]
