@@ -19,6 +19,9 @@ const BEFORE_TURNING: f64 = 0.25;
 /// Where the parabola is lower than this part of the present pivot, it may come to zero.
 const VANISHES: f64 = 0.05;
 
+/// No pose that is passed by has a parabola narrower than this, rad: lengths that differ by what they are rounded make one of 1e-8.
+const NARROWEST: f64 = 1e-3;
+
 /// What lies ahead of a state.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ahead<S> {
@@ -129,6 +132,12 @@ impl<S: Real> Ahead<S> {
     pub(super) fn signed_time_to(&self, distance: S) -> S {
         let time = self.time_to(distance.abs());
         if distance < S::ZERO { -time } else { time }
+    }
+
+    /// Are the pivots those of the motion? Two that are small beside a flat pose amplify the rounding of a third: that of a row which
+    /// repeats others is left out or not by chance then.
+    pub(super) fn is_resolved(&self) -> bool {
+        self.scale > S::lit(NARROWEST) * S::EPSILON.sqrt()
     }
 
     /// The longest step that follows the parabola.

@@ -48,6 +48,9 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Her
         let at = (course.time, &course.held);
         self.evaluated = self.equations.evaluate(at.0, at.1, &self.full);
         self.ahead = self.evaluated.as_ref().map(|evaluated| Ahead::of(&self.equations, at, evaluated));
+        if self.ahead.is_some_and(|ahead| !ahead.is_resolved()) {
+            (self.evaluated, self.ahead) = (None, None);
+        }
     }
 
     /// Goes to the state that was led back, if it is beside the given one; whether it is.
