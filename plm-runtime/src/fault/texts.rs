@@ -6,6 +6,9 @@ use super::{Cause, Names};
 
 const LOCKS_UP: &str = "its loop cannot be closed beyond this pose: the mechanism locks up";
 
+/// An error of so many times the state is told by that alone.
+const MANY: f64 = 10.0;
+
 impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -32,12 +35,12 @@ impl fmt::Display for Cause {
                 "the motion asks for steps of {step:.1e} s, and times are {spacing:.1e} s apart at the end of this interval: it \
                  is too long for the digits of the scalar; shorter intervals, or `f64`"
             ),
-            Self::StepTooLong { step, error } => {
-                write!(
-                    f,
-                    "a step of {step:e} s errs by about {:.0} % of the state; shorter steps",
-                    100.0 * error
-                )
+            Self::StepTooLong { step, error } if *error < MANY => {
+                let percent = 100.0 * error;
+                write!(f, "a step of {step:e} s errs by about {percent:.0} % of the state; shorter steps")
+            }
+            Self::StepTooLong { step, .. } => {
+                write!(f, "a step of {step:e} s errs by more than {MANY:.0} times the state; shorter steps")
             }
             Self::NotConverged { step } => {
                 write!(

@@ -205,3 +205,12 @@ fn a_drift_says_which_of_the_two_it_is() {
     );
     assert!(text(1e-3, 1e-2).starts_with("t = 1 s: pin: the joints come apart by 1e-3 m or rad, 1e-2 m/s"));
 }
+
+#[test]
+fn an_error_beyond_the_state_is_told_in_a_few_words() {
+    let said = |error| Cause::StepTooLong { step: 1e-2, error }.to_string();
+    assert_eq!(said(1.4), "a step of 1e-2 s errs by about 140 % of the state; shorter steps");
+    for error in [10.0, 2e132, f64::INFINITY, f64::NAN] {
+        assert_eq!(said(error), "a step of 1e-2 s errs by more than 10 times the state; shorter steps");
+    }
+}
