@@ -206,6 +206,10 @@ fn rescue<M: Mechanism, I: Method<M>>(
         }
     }
     method.restart();
+    // The turn is behind, and the step before it was chosen without it.
+    if let Some(h) = rescue.followed() {
+        method.shorten(h + h);
+    }
     if course.time < course.end { method.begin(course) } else { Ok(()) }
 }
 

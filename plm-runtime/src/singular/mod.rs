@@ -70,6 +70,9 @@ pub trait Rescue<M: Mechanism>: Method<M> {
     /// The part that closes the loop which went through a flat pose in the last step, where the mechanism could have gone
     /// on in another way.
     fn passed(&self) -> Option<&'static str>;
+
+    /// The length of the last step, s, if it followed a turn beside a flat pose.
+    fn followed(&self) -> Option<M::S>;
 }
 
 /// The equations of a mechanism in absolute coordinates, in numbers of twice the precision; implemented by generated code.
@@ -147,6 +150,9 @@ impl<M: Mechanism> Rescue<M> for Never<M> {
         false
     }
     fn passed(&self) -> Option<&'static str> {
+        None
+    }
+    fn followed(&self) -> Option<M::S> {
         None
     }
 }

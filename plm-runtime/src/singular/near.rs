@@ -59,6 +59,8 @@ pub struct Near<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX:
     over: Option<(M::S, Polynomial<M::S, NX>)>,
     /// The part that closes the loop which went through a flat pose in the last step.
     passed: Option<&'static str>,
+    /// The length of the last step, if it was one around.
+    followed: Option<M::S>,
     /// Distance below which a step over the pose ahead is tried.
     tried: M::S,
     /// How often rounding would have decided.
@@ -106,7 +108,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
             Some(evaluated) if equations.is_beside(&full, &evaluated) => full = evaluated.x,
             _ => return Err(self.fault(course, here, Refused::NotFound)),
         }
-        self.over = None;
+        (self.over, self.followed) = (None, Some(time - course.time));
         Self::arrive(course, time, &full);
         Ok(())
     }
@@ -208,7 +210,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
     }
 
     fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        self.passed = None;
+        (self.passed, self.followed) = (None, None);
         course.stats.near_singular += 1;
         let mut here = Here::before(course)?;
         self.open = here.equations.open;
@@ -310,6 +312,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
             tolerance: M::S::lit(tolerance),
             over: None,
             passed: None,
+            followed: None,
             tried: M::S::INFINITY,
             undecided: 0,
             opens: M::S::ZERO,
@@ -354,5 +357,9 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
 
     fn passed(&self) -> Option<&'static str> {
         self.passed
+    }
+
+    fn followed(&self) -> Option<M::S> {
+        self.followed
     }
 }
