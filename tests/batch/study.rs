@@ -39,9 +39,11 @@ fn study() -> Study<Row<2>, 2, 2> {
     Study::new("four bars", four_bars(), [("start", "rad"), ("end", "rad")], rocker as Row<2>)
 }
 
+type Known = BTreeMap<[u64; 2], Result<[f64; 2], Fault>>;
+
 /// The same for tests that ask again and again: each point is computed once.
 fn known(point: [f64; 2]) -> Result<[f64; 2], Fault> {
-    static KNOWN: Mutex<BTreeMap<[u64; 2], Result<[f64; 2], Fault>>> = Mutex::new(BTreeMap::new());
+    static KNOWN: Mutex<Known> = Mutex::new(BTreeMap::new());
     *KNOWN.lock().unwrap().entry(point.map(f64::to_bits)).or_insert_with(|| rocker(point))
 }
 
