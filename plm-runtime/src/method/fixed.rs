@@ -45,7 +45,7 @@ pub trait Formula: Copy {
         size: impl Fn(usize) -> M::S,
     ) -> impl Fn(usize) -> [M::S; 2];
 
-    /// What an [`estimate`](Self::estimate) takes of the rates at the stages, by state.
+    /// The difference of the rates at the stages by which an [`estimate`](Self::estimate) is made, by state.
     fn difference<M: System<S: Real>>(stages: &Self::Stages<M::X>) -> M::X;
 
     /// The error of a step, as it is estimated by a [`difference`](Self::difference) of its rates.

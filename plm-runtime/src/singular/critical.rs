@@ -60,16 +60,10 @@ pub(super) struct Rows<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize
 }
 
 impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rows<'m, M, NQ, NC, NX> {
-    /// Of a mechanism that is at the pose `q`.
-    pub(super) fn at(system: &'m M, fine: &'m M::Twofold, t: M::S, q: &[Twofold<M::S>; NQ]) -> Self {
-        let rows = Self::of(system, fine);
-        if Self::has_room() { rows.without_repeated(t, q) } else { rows }
-    }
-
-    /// Is as much of the stack allowed as the matrices take?
-    fn has_room() -> bool {
+    /// Of a mechanism that is at the pose `q`; none where their matrices take more of the stack than is allowed.
+    pub(super) fn at(system: &'m M, fine: &'m M::Twofold, t: M::S, q: &[Twofold<M::S>; NQ]) -> Option<Self> {
         let room = workspace::of::<M::S, NQ, NC>() + size_of::<[[M::S; NQ]; NQ]>();
-        room <= workspace::allowed()
+        (room <= workspace::allowed()).then(|| Self::of(system, fine).without_repeated(t, q))
     }
 
     fn of(system: &'m M, fine: &'m M::Twofold) -> Self {
@@ -95,9 +89,6 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
 
     /// The singular pose next to `q`; none where none is near.
     pub(super) fn critical(&self, t: M::S, q: &[Twofold<M::S>; NQ]) -> Option<Critical<M::S, NQ, NC>> {
-        if !Self::has_room() {
-            return None;
-        }
         TOGETHER.into_iter().find_map(|together| self.newton(t, q, M::S::lit(together)))
     }
 

@@ -1,4 +1,4 @@
-//! What is known before a step near a singular pose.
+//! The state where a step near a singular pose begins, its rate, and the pose ahead.
 
 use super::Fine;
 use super::ahead::Ahead;
@@ -7,21 +7,21 @@ use super::meeting::Meeting;
 use crate::fault::Fault;
 use crate::method::Course;
 
-/// What is known before a step.
+/// The beginning of a step near a singular pose.
 pub(super) struct Here<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
     pub(super) equations: Equations<M, NQ, NC, NX>,
     /// The state [q, v, first-order states].
     pub(super) full: [M::S; NX],
     /// The state led back onto the constraints, and its rate; none where that is not known.
     pub(super) evaluated: Option<Evaluated<M::S, NX>>,
-    /// What lies ahead, if the motion is known.
+    /// The singular pose ahead; none where the motion is not known.
     pub(super) ahead: Option<Ahead<M::S>>,
     /// How the mechanism meets the pose that is next.
     pub(super) meeting: Meeting,
 }
 
 impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Here<M, NQ, NC, NX> {
-    /// What is known before a step of `course`.
+    /// Of the next step of `course`.
     ///
     /// # Errors
     /// That of [`Meeting::of`].

@@ -45,7 +45,10 @@ impl Meeting {
         let (time, system) = (course.time, course.system);
         let (fine, _) = system.twofold(&course.held);
         let (q, v) = split::<_, NX, NQ>(full);
-        let rows = Rows::<M, NQ, NC, NX>::at(system, &fine, time, &Vector::from_fn(|i| Twofold::of(q[i])));
+        let at = Vector::from_fn(|i| Twofold::of(q[i]));
+        let Some(rows) = Rows::<M, NQ, NC, NX>::at(system, &fine, time, &at) else {
+            return Ok(Self::Unknown);
+        };
         let driven = largest(&rows.driven(time, &q)) > S::ZERO;
         // Beside the pose the motion is not known before the lengths are.
         let distance = ahead.and_then(Ahead::near).filter(|distance| distance.abs() > S::lit(BESIDE));

@@ -1,6 +1,6 @@
 //! Starts next to singular poses.
 
-use super::critical::Rows;
+use super::critical::{Critical, Rows};
 use super::equations::Equations;
 use super::poor::is_near;
 use super::{Fine, size};
@@ -29,43 +29,43 @@ pub fn refine<M, const NQ: usize, const NC: usize, const NX: usize>(
 where
     M: Fine<NQ, NC, NX>,
 {
-    is_near::<M, NQ, NC, NX>(system, t, q, M::S::lit(NEAR)).then(|| closed(system, t, q)).flatten()
+    if !is_near::<M, NQ, NC, NX>(system, t, q, M::S::lit(NEAR)) {
+        return None;
+    }
+    Equations::of(*system).closed(t, q)
 }
 
-/// The same where it is next to one: a call, so that other starts take nothing of the stack for it.
-#[cold]
-#[inline(never)]
-fn closed<M, const NQ: usize, const NC: usize, const NX: usize>(
-    system: &M,
-    t: M::S,
-    q: &[M::S; NQ],
-) -> Option<Closed<M::S, NQ>>
-where
-    M: Fine<NQ, NC, NX>,
-{
-    let fine = system.fine();
-    let wide = |of: &[M::S; NQ]| -> [Twofold<M::S>; NQ] { Vector::from_fn(|i| Twofold::of(of[i])) };
-    let rounded = |of: &[Twofold<M::S>; NQ]| -> [M::S; NQ] { Vector::from_fn(|i| of[i].rounded()) };
-    let mut equations = Equations::of(*system);
-    let critical = Rows::<M, NQ, NC, NX>::at(system, &fine, t, &wide(q)).critical(t, &wide(q));
-    if let Some(critical) = critical.filter(super::critical::Critical::is_reached) {
-        equations.open = critical.open;
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equations<M, NQ, NC, NX> {
+    /// A pose next to a singular one, closed as exactly as its locks allow, and the start velocity there. It is a call, so that starts
+    /// elsewhere take no stack for its numbers.
+    #[cold]
+    #[inline(never)]
+    fn closed(mut self, t: M::S, q: &[M::S; NQ]) -> Option<Closed<M::S, NQ>> {
+        let system = self.system;
+        let fine = system.fine();
+        let wide = |of: &[M::S; NQ]| -> [Twofold<M::S>; NQ] { Vector::from_fn(|i| Twofold::of(of[i])) };
+        let rounded = |of: &[Twofold<M::S>; NQ]| -> [M::S; NQ] { Vector::from_fn(|i| of[i].rounded()) };
+        let rows = Rows::<M, NQ, NC, NX>::at(&system, &fine, t, &wide(q));
+        let critical = rows.and_then(|rows| rows.critical(t, &wide(q)));
+        if let Some(critical) = critical.filter(Critical::is_reached) {
+            self.open = critical.open;
+        }
+        let (t, opened) = (Twofold::of(t), self.opened(&fine));
+        let mut exact = wide(q);
+        if !close(&opened, t, &mut exact, &weights_of(&Absolute::start_position(&system))) {
+            return None;
+        }
+        let pose = rounded(&exact);
+        let start = Absolute::start_velocity(&system, &pose);
+        let mut v = wide(&Vector::from_fn(|i| start[i].value));
+        if !lead(&opened, (t, &exact), &mut v, &weights_of(&start)) {
+            return None;
+        }
+        let v = rounded(&v);
+        let moved: [M::S; NQ] = Vector::from_fn(|i| pose[i] - q[i]);
+        let beside = size(&moved, |i| self.typical_of(i) + q[i].abs()) < M::S::lit(BESIDE);
+        (beside && v.is_finite()).then_some((pose, v))
     }
-    let (t, opened) = (Twofold::of(t), equations.opened(&fine));
-    let mut exact = wide(q);
-    if !close(&opened, t, &mut exact, &weights_of(&Absolute::start_position(system))) {
-        return None;
-    }
-    let pose = rounded(&exact);
-    let start = Absolute::start_velocity(system, &pose);
-    let mut v = wide(&Vector::from_fn(|i| start[i].value));
-    if !lead(&opened, (t, &exact), &mut v, &weights_of(&start)) {
-        return None;
-    }
-    let v = rounded(&v);
-    let moved: [M::S; NQ] = Vector::from_fn(|i| pose[i] - q[i]);
-    let beside = size(&moved, |i| equations.typical_of(i) + q[i].abs()) < M::S::lit(BESIDE);
-    (beside && v.is_finite()).then_some((pose, v))
 }
 
 /// The metric in which locks stay.

@@ -5,7 +5,7 @@ use crate::scalar::{Real, Scalar};
 
 /// Is `x` a whole multiple of 2^-16? Compilers know the answer for a constant, so that a half costs nothing.
 #[inline]
-fn is_whole(x: f64) -> bool {
+fn is_dyadic(x: f64) -> bool {
     // Numbers from 2^52 on are whole; the half more keeps sums of both signs there.
     const WHOLE: f64 = 1.5 * (1_u64 << 52) as f64;
     let many = x * 65536.0;
@@ -30,7 +30,7 @@ impl<S: Real> Scalar for Twofold<S> {
         let high = S::lit(x);
         let low = x - high.to_f64();
         match () {
-            () if low == 0.0 && is_whole(x) => Self::of(high),
+            () if low == 0.0 && is_dyadic(x) => Self::of(high),
             () if low == 0.0 => Self::written(high),
             () if high.is_finite() => Self { high, low: S::lit(low) },
             () => Self::of(high),
