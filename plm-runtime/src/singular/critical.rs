@@ -71,7 +71,8 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
     }
 
     /// The same where rows repeat others at the pose `q`: without those that elimination leaves out there, of which a residual moves
-    /// nothing.
+    /// nothing. It is a call: what is refused takes no stack.
+    #[inline(never)]
     fn without_repeated(mut self, t: M::S, q: &[Twofold<M::S>; NQ]) -> Self {
         let pose = Vector::from_fn(|i| q[i].rounded());
         let mut combined = Combined::nothing();
