@@ -56,7 +56,6 @@ test("it shows what a program computes, and its sliders reach it", { skip }, asy
   // Pause stands still.
   await page.click("#live-go");
   await page.waitForFunction(() => /Paused/.test(document.querySelector("#live-state").textContent));
-  await page.waitForTimeout(100);
   const still = await state(page, "app.live.run.end");
   await page.waitForTimeout(200);
   assert.equal(await state(page, "app.live.run.end"), still);

@@ -99,15 +99,20 @@ export class Live {
     this.show();
     this.app.player.stop();
     this.app.player.isFollowing = true;
-    this.isRunning = true;
+    this.ask(true);
     this.send({ kind: "run" });
     this.app.change();
   }
 
   pause() {
-    this.isRunning = false;
+    this.ask(false);
     this.send({ kind: "pause" });
     this.app.change();
+  }
+
+  /** A mechanism of the page's own does as it is asked. @param {boolean} isRunning */
+  ask(isRunning) {
+    this.isRunning = isRunning;
   }
 
   /** So many steps, one after the other. @param {number} dt s @param {number} [count] */

@@ -32,6 +32,9 @@ export class ServedLive extends Live {
   /** What a program does is not for a page to end that looks at something else. */
   unseen() {}
 
+  /** Whether it runs is known once the program says so: until then its rows come in. */
+  ask() {}
+
   /** @param {FromWorker | FromProgram} message */
   hear(message) {
     if (message.kind === "hello") this.meet(message);

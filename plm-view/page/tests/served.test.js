@@ -82,6 +82,19 @@ test("messages go one after the other, and of a dial the last", async () => {
   assert.deepEqual(sent.slice(1), [{ kind: "input", index: 0, value: 3 }, { kind: "pause" }, { kind: "input", index: 0, value: 4 }]);
 });
 
+test("it is paused when the program says so, not when it is asked", async () => {
+  const { live, streams, sent } = await listening();
+  live.start();
+  assert.ok(!live.isRunning);
+  streams[0].say({ kind: "running", isRunning: true, speed: 1 });
+  live.pause();
+  streams[0].say(rows(0.1));
+  assert.ok(live.isRunning);
+  streams[0].say({ kind: "running", isRunning: false, speed: 1 });
+  await settled();
+  assert.deepEqual([live.isRunning, live.run.end, sent], [false, 0.1, [{ kind: "run" }, { kind: "pause" }]]);
+});
+
 test("a program that ends is told of, keeps its rows, and is found again", async (t) => {
   const { app, live, streams } = await listening();
   t.mock.timers.enable({ apis: ["setTimeout"] });
