@@ -1,0 +1,222 @@
+//! What must hold before a change lands: stages, one after the other, and what runs beside them.
+
+mod chores;
+mod lints;
+mod tests;
+
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+use crate::Result;
+use crate::beside::Beside;
+use crate::place::Place;
+
+/// One set of features for all that is built in the workspace: another one would build it again.
+const FEATURES: &str = "analysis,batch,lanes";
+/// Packages outside the workspace; their own target folder keeps the tree clean.
+const OUTSIDE: [&str; 4] =
+    ["tests/no_std", "tests/chain64", "examples/firmware", "examples/firmware/machine"];
+
+/// Something that must hold.
+#[derive(Clone, Copy)]
+struct Part {
+    name: &'static str,
+    title: &'static str,
+    /// Is it compiled by rustc alone, not as the tests are?
+    is_plain: bool,
+    work: fn(&Place) -> Result,
+}
+
+enum Step {
+    /// What needs nothing of the stages begins to run beside them, one part after the other.
+    Begin { group: &'static str, niceness: u32, parts: &'static [Part] },
+    /// A stage.
+    Here(Part),
+    /// The stage of all tests, which has work beside itself.
+    Tests,
+    /// What has begun has to end well.
+    Join { group: &'static str, title: &'static str },
+}
+
+const fn part(name: &'static str, title: &'static str, work: fn(&Place) -> Result) -> Part {
+    Part { name, title, is_plain: false, work }
+}
+
+const fn plain(name: &'static str, title: &'static str, work: fn(&Place) -> Result) -> Part {
+    Part { name, title, is_plain: true, work }
+}
+
+/// Twenty minutes on two cores, from a clean checkout. Nothing of it depends on how much time is left.
+const STEPS: &[Step] = &[
+    Step::Begin { group: "tools", niceness: 0, parts: &[part(tests::NAME, "tools", tests::tools)] },
+    // They fill the cores that the stages leave idle.
+    Step::Begin {
+        group: "others",
+        niceness: 19,
+        parts: &[
+            plain("book", "mdBook", chores::install_mdbook),
+            plain("oldest", "oldest Rust", lints::oldest_rust),
+            plain("chain", "chain of 64 at opt-level 0 and 3", chores::chain),
+            part("sweep", "sweep", chores::sweep),
+        ],
+    },
+    Step::Here(part("formatting", "formatting", lints::formatting)),
+    Step::Tests,
+    Step::Here(plain("lints", "other lints", lints::what_tests_do_not_compile)),
+    Step::Here(part("fused", "fused multiply-add", tests::fused)),
+    Step::Here(part("documentation", "documentation", lints::documentation)),
+    Step::Join { group: "others", title: "oldest Rust, chain of 64 at opt-level 0 and 3, mdBook, sweep" },
+    // Both have target folders of their own, so that they wait for no other build, and mostly one core.
+    Step::Begin {
+        group: "targets",
+        niceness: 5,
+        parts: &[plain("machines", "machines", chores::few_machines), plain("miri", "Miri", lints::miri)],
+    },
+    Step::Here(plain("book", "book", chores::book)),
+    Step::Here(part("curves", "curves", chores::curves)),
+    Step::Here(part("manual", "manual", chores::manual)),
+    Step::Here(part("page", "page", chores::page)),
+    Step::Join { group: "targets", title: "machines, Miri" },
+];
+
+/// What takes longer, or needs more than a fresh machine has.
+const MORE: &[Step] = &[
+    Step::Here(part("fmu", "FMU", |place| place.command("bash tests/fmu.sh").run())),
+    Step::Here(part("python", "Python", |place| place.command("bash tests/python.sh").run())),
+    Step::Here(plain("seven-machines", "seven machines", |place| {
+        place.command("bash tests/machines.sh").run()
+    })),
+    Step::Here(plain("many-machines", "many machines", |place| {
+        place.command("bash tests/many_machines.sh").run()
+    })),
+    Step::Here(plain("instructions", "instruction counts", |place| {
+        place.command("bash benches/instructions.sh").run()
+    })),
+];
+
+/// A run of stages.
+struct Ci {
+    place: Place,
+    plain: Place,
+    /// Names of the parts that are wanted; none: all.
+    only: Vec<String>,
+    running: BTreeMap<&'static str, Beside>,
+    started: Instant,
+    durations: Vec<String>,
+}
+
+pub(crate) fn run(mut place: Place, words: &[String]) -> Result {
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let (steps, only): (Vec<&Step>, &[&str]) = match words.as_slice() {
+        [] => (STEPS.iter().collect(), &[]),
+        ["--more"] => (MORE.iter().collect(), &[]),
+        ["--only", names @ ..] if !names.is_empty() => (STEPS.iter().chain(MORE).collect(), names),
+        ["--list"] => {
+            println!("{}", names(STEPS.iter().chain(MORE)).join("\n"));
+            return Ok(());
+        }
+        _ => return Err("cargo xtask ci [--more | --only NAME... | --list]".to_owned()),
+    };
+    let all = names(steps.iter().copied());
+    if let Some(unknown) = only.iter().find(|name| !all.contains(name)) {
+        return Err(format!("`{unknown}` is no stage; `cargo xtask ci --list` lists them"));
+    }
+    lints::environment(&mut place);
+    let plain = lints::look_at_what_is_built(&mut place)?;
+    chores::add_wasm(&plain)?;
+    let only = only.iter().map(|&name| name.to_owned()).collect();
+    let (running, durations) = (BTreeMap::new(), Vec::new());
+    let mut ci = Ci { place, plain, only, running, started: Instant::now(), durations };
+    steps.into_iter().try_for_each(|step| ci.take(step))?;
+    println!("\nAll stages passed in {} s:\n{}", ci.started.elapsed().as_secs(), ci.durations.join("\n"));
+    Ok(())
+}
+
+/// Names of all parts, each once.
+fn names<'a>(steps: impl Iterator<Item = &'a Step>) -> Vec<&'static str> {
+    let mut all = Vec::new();
+    for step in steps {
+        let names: Vec<&str> = match step {
+            Step::Begin { parts, .. } => parts.iter().map(|part| part.name).collect(),
+            Step::Here(part) => vec![part.name],
+            Step::Tests => vec![tests::NAME],
+            Step::Join { .. } => Vec::new(),
+        };
+        all.extend(names.into_iter().filter(|name| !all.contains(name)).collect::<Vec<_>>());
+    }
+    all
+}
+
+impl Ci {
+    fn is_wanted(&self, name: &str) -> bool {
+        self.only.is_empty() || self.only.iter().any(|wanted| wanted == name)
+    }
+
+    fn take(&mut self, step: &Step) -> Result {
+        match *step {
+            Step::Begin { group, niceness, parts } => {
+                let (place, plain) = (self.place.clone(), self.plain.clone());
+                let parts: Vec<Part> =
+                    parts.iter().copied().filter(|part| self.is_wanted(part.name)).collect();
+                if !parts.is_empty() {
+                    self.begin(group, niceness, move |beside| {
+                        let places = [&place, &plain].map(|place| place.printing_as(beside));
+                        parts.iter().try_for_each(|part| {
+                            let started = Instant::now();
+                            (part.work)(&places[usize::from(part.is_plain)])?;
+                            beside.say(&format!("== {}: {} s", part.title, started.elapsed().as_secs()))
+                        })
+                    })?;
+                }
+            }
+            Step::Here(part) if self.is_wanted(part.name) => {
+                let place = if part.is_plain { self.plain.clone() } else { self.place.clone() };
+                self.stage(part.title, |_| (part.work)(&place))?;
+            }
+            Step::Tests if self.is_wanted(tests::NAME) => self.stage("lints and tests", tests::all)?,
+            Step::Join { group, title } if self.running.contains_key(group) => {
+                self.stage(title, |ci| ci.join(group).map(|text| print!("{}", worth_showing(&text))))?;
+            }
+            Step::Here(_) | Step::Tests | Step::Join { .. } => {}
+        }
+        Ok(())
+    }
+
+    fn stage(&mut self, title: &str, work: impl FnOnce(&mut Self) -> Result) -> Result {
+        let started = Instant::now();
+        println!("\n== {title}");
+        work(self).map_err(|why| format!("\n{title}: {why}"))?;
+        let seconds = started.elapsed().as_secs();
+        println!("== {title}: {seconds} s");
+        self.durations.push(format!("{seconds:6} s  {title}"));
+        Ok(())
+    }
+
+    /// Work beside the stages, until it is joined.
+    fn begin(
+        &mut self,
+        name: &'static str,
+        niceness: u32,
+        work: impl FnOnce(&Place) -> Result + Send + 'static,
+    ) -> Result {
+        let beside = Beside::begin(name, niceness, &self.place, work)?;
+        self.running.insert(name, beside);
+        Ok(())
+    }
+
+    /// What it has printed.
+    fn join(&mut self, name: &str) -> Result<String> {
+        let beside = self.running.remove(name).ok_or_else(|| format!("{name} was not begun"))?;
+        beside.join()
+    }
+}
+
+/// Results, durations, and what was not checked; not what cargo says while it builds.
+fn worth_showing(text: &str) -> String {
+    let mut is_result = false;
+    let lines = text.lines().filter(|line| {
+        is_result |= line.starts_with("seed") || line.contains("the same ");
+        is_result || line.starts_with("== ") || line.contains("NOT CHECKED")
+    });
+    lines.flat_map(|line| [line, "\n"]).collect()
+}

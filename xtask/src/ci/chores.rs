@@ -1,0 +1,107 @@
+//! The book, the examples, the page, other machines.
+
+use std::fs;
+use std::path::Path;
+
+use crate::Result;
+use crate::ci::FEATURES;
+use crate::ci::tests::example;
+use crate::place::Place;
+
+const MDBOOK: &str = "0.5.4";
+
+/// A live page holds the mechanism as WebAssembly; without the target its tests say that they were skipped.
+pub(super) fn add_wasm(place: &Place) -> Result {
+    let target = "wasm32-unknown-unknown";
+    if place.command("rustup target add").arg(target).works() {
+        return Ok(());
+    }
+    place.say(&format!("NOT CHECKED: the target {target} cannot be had on this machine"))
+}
+
+fn same(made: &Path, expected: &Path) -> Result {
+    let read = |path: &Path| fs::read(path).map_err(|why| format!("{}: {why}", path.display()));
+    if read(made)? == read(expected)? {
+        return Ok(());
+    }
+    Err(format!("{} and {} differ", made.display(), expected.display()))
+}
+
+/// A long chain tries rustc's stack and time hardest. All debug information; the compiler of plm at opt-level 0, as in
+/// a user's package, built once for both levels. Both must print the same bits.
+pub(super) fn chain(place: &Place) -> Result {
+    let outside = place.target.join("outside");
+    fs::create_dir_all(&outside).map_err(|why| format!("{}: {why}", outside.display()))?;
+    let printed = ["0", "3"].map(|level| (level, outside.join(format!("chain64-{level}.txt"))));
+    for (level, file) in &printed {
+        let run =
+            place.command("cargo run --manifest-path tests/chain64/Cargo.toml --target-dir").arg(&outside);
+        run.set("CARGO_PROFILE_DEV_DEBUG", "full").set("CARGO_PROFILE_DEV_OPT_LEVEL", *level).save(file)?;
+    }
+    same(&printed[0].1, &printed[1].1)?;
+    let numbers = fs::read_to_string(&printed[0].1).map_err(|why| why.to_string())?;
+    place.say(&format!("the same {} numbers at opt-level 0 and 3", numbers.lines().count()))
+}
+
+pub(super) fn install_mdbook(place: &Place) -> Result {
+    let tools = place.target.join("tools");
+    let version = place.command("").arg(tools.join("bin/mdbook")).arg("--version").text();
+    if version.is_ok_and(|version| version.trim() == format!("mdbook v{MDBOOK}")) {
+        return Ok(());
+    }
+    let install = place.command("cargo install mdbook --locked --no-default-features --debug --version");
+    let install = install.arg(MDBOOK).arg("--root").arg(&tools);
+    install.arg("--target-dir").arg(tools.join("build")).run()
+}
+
+pub(super) fn book(place: &Place) -> Result {
+    install_mdbook(place)?;
+    let build = place.command("").arg(place.target.join("tools/bin/mdbook")).args(["build", "docs"]);
+    build.arg("--dest-dir").arg(place.target.join("book")).run()
+}
+
+/// The book shows the curves that the example draws.
+pub(super) fn curves(place: &Place) -> Result {
+    example(place, "double_pendulum").run()?;
+    same("target/plm/double_pendulum.svg".as_ref(), "docs/src/images/double_pendulum.svg".as_ref())
+}
+
+/// The demos, and the gallery as the example draws and writes it; pictures of the page are not made here.
+pub(super) fn manual(place: &Place) -> Result {
+    let (made, shown) = (Path::new("target/plm/gallery"), Path::new("docs/src/images/manual"));
+    let failed = |why: std::io::Error| format!("{}: {why}", made.display());
+    example(place, "manual").run()?;
+    if made.exists() {
+        fs::remove_dir_all(made).map_err(failed)?;
+    }
+    example(place, "manual").args(["--", "--gallery"]).arg(made).run()?;
+    let mut count = 0;
+    for entry in fs::read_dir(made).map_err(failed)? {
+        let file = entry.map_err(failed)?.path();
+        if let (Some("svg"), Some(name)) = (file.extension().and_then(|e| e.to_str()), file.file_name()) {
+            same(&file, &shown.join(name))?;
+            count += 1;
+        }
+    }
+    if count == 0 {
+        return Err("the gallery has no curves".to_owned());
+    }
+    same(&made.join("gallery.md"), "docs/src/gallery.md".as_ref())
+}
+
+pub(super) fn page(place: &Place) -> Result {
+    place.command("bash plm-view/page/check.sh").run()
+}
+
+/// Random trees and loops against a reference in higher precision: the one example that is compiled for speed. Level 3 takes
+/// longer to compile than it saves.
+pub(super) fn sweep(place: &Place) -> Result {
+    let run = place.command("cargo run --config profile.dev.package.plm-planar.opt-level=2 --features");
+    let run = run.arg(format!("{FEATURES},sweep")).args(["--example", "sweep", "--"]);
+    run.args(["1000", "--seed", "31", "--double", "--verbose"]).run()
+}
+
+/// The same bits on two microcontrollers and as WebAssembly, and what a step costs there.
+pub(super) fn few_machines(place: &Place) -> Result {
+    place.command("bash tests/machines.sh --quick").run()
+}

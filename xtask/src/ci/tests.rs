@@ -1,0 +1,60 @@
+//! All tests, with the lints looking on.
+
+use crate::Result;
+use crate::ci::{Ci, FEATURES};
+use crate::place::Place;
+
+pub(super) const NAME: &str = "tests";
+
+/// The disturbed declarations, which take more than a minute on one core.
+const DISTURBED: &str = "disturbed_declarations_are_answered";
+
+/// What tests of other languages need. One after the other: both ask apt.
+pub(super) fn tools(place: &Place) -> Result {
+    place.command("bash tests/clang.sh").arg(place.target.join("clang")).run()?;
+    place.command("bash plm-view/page/check.sh --install").run()
+}
+
+/// Two take more than a minute on one core, so that the others run beside them: the disturbed declarations, and the lines of
+/// every method.
+pub(super) fn all(ci: &mut Ci) -> Result {
+    let place = ci.place.clone();
+    let build = "cargo test --no-run --message-format json-render-diagnostics --workspace --features";
+    let messages = place.command(build).arg(FEATURES).text()?;
+    place.command("cargo test --no-run --bench * --workspace --features").arg(FEATURES).run()?;
+    let robust = executable(&messages, "robust").ok_or("there is no test of the name robust")?;
+    ci.begin("robust", 0, move |place| {
+        place.command("").arg(robust).in_folder("plm-macros/compiler").args(["--exact", DISTURBED]).run()
+    })?;
+    ci.begin("precision", 0, |place| example(place, "work_precision").args(["--", "--quick"]).run())?;
+    print!("{}", ci.join("tools")?);
+    let mut path = place.target.join("clang").into_os_string();
+    if let Some(others) = std::env::var_os("PATH") {
+        path.push(":");
+        path.push(others);
+    }
+    let test = place.command("cargo test --workspace --features").arg(FEATURES).set("PATH", path);
+    test.args(["--", "--skip", DISTURBED]).run()?;
+    if !ci.join("robust")?.contains("1 passed") {
+        return Err(format!("{DISTURBED} is no test of robust"));
+    }
+    ci.join("precision").map(drop)
+}
+
+/// The program of a test, as cargo's messages name it.
+fn executable(messages: &str, test: &str) -> Option<String> {
+    let name = format!("\"name\":\"{test}\"");
+    let line = messages.lines().find(|line| line.contains("\"kind\":[\"test\"]") && line.contains(&name))?;
+    let (_, path) = line.split_once("\"executable\":\"")?;
+    Some(path.split_once('"')?.0.to_owned())
+}
+
+/// An example as the tests have built it: numbers are the same at any level of optimisation.
+pub(super) fn example<'a>(place: &'a Place, name: &str) -> crate::place::Task<'a> {
+    place.command("cargo run --features").arg(FEATURES).args(["--example", name])
+}
+
+/// What fused multiply-add changes; the lints compile the rest with it.
+pub(super) fn fused(place: &Place) -> Result {
+    place.command("cargo test -p plm-math --features fma").run()
+}

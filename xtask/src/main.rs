@@ -1,0 +1,40 @@
+//! Chores of the repository, by `cargo xtask`: what CI runs, expected texts anew, benchmarks.
+
+mod bench;
+mod beside;
+mod bless;
+mod ci;
+mod place;
+
+use std::process::ExitCode;
+
+use place::Place;
+
+/// What went wrong, in a sentence.
+type Result<T = ()> = std::result::Result<T, String>;
+
+const USAGE: &str = "\
+cargo xtask ci                    everything that must hold before a change lands
+cargo xtask ci --more             what takes longer than that
+cargo xtask ci --only NAME...     some of the stages, of both
+cargo xtask ci --list             the names of all stages
+cargo xtask bless [NAME...]       expected texts anew: what `cargo test` compares, or what is named
+cargo xtask bench [NAME...]       instruction counts beside their limits, or what is named
+";
+
+fn main() -> ExitCode {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let done = Place::new().and_then(|place| match words.split_first() {
+        Some((first, rest)) if first == "ci" => ci::run(place, rest),
+        Some((first, rest)) if first == "bless" => bless::run(&place, rest),
+        Some((first, rest)) if first == "bench" => bench::run(&place, rest),
+        _ => Err(format!("these are the commands:\n{USAGE}\n{}{}", bless::usage(), bench::usage())),
+    });
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(why) => {
+            eprintln!("{why}");
+            ExitCode::FAILURE
+        }
+    }
+}
