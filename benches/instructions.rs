@@ -50,7 +50,7 @@ fn table() -> ExitCode {
             chains.push((f64::from(scene.bodies), formula));
         }
     }
-    // Operations per bar are the same (tests/it/operations.rs); what does not fit in registers may cost a tenth.
+    // Operations per bar are the same (tests/evaluation/operations.rs); what does not fit in registers may cost a tenth.
     let linear = chains.is_sorted_by(|shorter, longer| longer.1 / longer.0 <= 1.1 * shorter.1 / shorter.0);
     if within && linear { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

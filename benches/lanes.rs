@@ -14,7 +14,7 @@
 mod chain;
 #[path = "scenes/count.rs"]
 mod count;
-#[path = "../tests/it/scenes.rs"]
+#[path = "../tests/support/standard.rs"]
 #[allow(dead_code, unused_imports, unreachable_pub)] // The tests use more of it.
 mod declared;
 #[path = "scenes/steps.rs"]

@@ -16,7 +16,9 @@ room=${1:?cas, formulate, math or runtime}
 shard=${2:-0/1}
 # Tests of the compiler but for those that take the time.
 compiler='--lib --test book --test diagnostics --test emitted --test freedom --test front -- --skip=in_time'
-scenes='--features lanes --test it --test augmented --test jumps --test lanes --test times'
+rooms='--test assembly --test declaration --test evaluation --test events --test formulations --test physics'
+scenes="--features lanes $rooms --test augmented --test jumps --test lanes --test times"
+runtime='--test algebra --test assembly --test events --test methods'
 # Stages: the packages whose tests run, a colon, and which of them.
 case $room in
 cas)
@@ -30,13 +32,13 @@ formulate)
     ;;
 math)
     files=('plm-runtime/math/src/**')
-    stages=("plm-math:--lib --tests" "plm-runtime:--lib --test it")
+    stages=("plm-math:--lib --tests" "plm-runtime:--lib $runtime")
     ;;
 runtime)
     files=('plm-runtime/src/**')
     # First without the tests that take seconds.
     slow=(random_conditions change_points drift_that_is_left rounding_grows what_touches)
-    stages=("plm-runtime:--lib --test it -- ${slow[*]/#/--skip=}" "plm-runtime:--test it" "plm-planar:$scenes")
+    stages=("plm-runtime:--lib $runtime -- ${slow[*]/#/--skip=}" "plm-runtime:$runtime" "plm-planar:$scenes")
     ;;
 *)
     echo "no such room: $room" >&2

@@ -7,7 +7,7 @@
 mod arm;
 mod chain;
 pub(crate) mod count;
-#[path = "../../tests/it/scenes.rs"]
+#[path = "../../tests/support/standard.rs"]
 #[allow(dead_code, unused_imports, unreachable_pub)] // The tests use more of it.
 mod declared;
 mod steps;

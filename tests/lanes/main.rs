@@ -7,7 +7,7 @@ mod numbers;
 #[path = "../support/random.rs"]
 mod random;
 mod scenes;
-#[path = "../it/scenes.rs"]
+#[path = "../support/standard.rs"]
 #[allow(dead_code, unused_imports)] // Other tests use more of it.
 mod standard;
 

@@ -2,7 +2,7 @@
 
 pub mod brief;
 pub mod dead;
-#[path = "../../../tests/it/scenes.rs"]
+#[path = "../../../tests/support/standard.rs"]
 #[allow(unused_imports, reason = "the tests use more of it")]
 pub mod declared;
 pub mod dyads;

@@ -1,4 +1,5 @@
 //! The mechanisms that the tests run.
+#![allow(dead_code, reason = "each uses its part")]
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4};
 

@@ -1,4 +1,5 @@
 //! Bodies with revolute joints in absolute coordinates, written by hand: what generated code is, but with loops.
+#![allow(dead_code, reason = "each uses its part")]
 
 use plm_runtime::absolute::accelerate;
 use plm_runtime::{BodyStart, Fault, Health, Real, Start};

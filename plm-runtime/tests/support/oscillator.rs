@@ -1,4 +1,5 @@
 //! A driven oscillator with an exact solution that reaches every term of a formula: time, v, first-order states.
+#![allow(dead_code, reason = "each uses its part")]
 
 use plm_runtime::{Dual, Fault, Health, Linear, Mechanism, Real, System};
 

@@ -1,35 +1,24 @@
-//! Tests of the runtime against exact solutions, published references and an independent linear algebra.
+//! Integrators against exact solutions and published references.
 #![allow(clippy::unwrap_used, clippy::panic, unreachable_pub, missing_docs, reason = "tests")]
 
-mod assembly;
-mod bead;
-mod brief;
-mod change_points;
-mod charts;
 mod clock;
 mod counts;
 mod dense;
-mod dual;
-mod events;
 mod faults;
-mod followed;
 mod gauss;
-mod linalg;
-mod linear;
+#[path = "../support/linkage.rs"]
 mod linkage;
+#[path = "../support/mechanisms.rs"]
 mod mechanisms;
 mod order;
+#[path = "../support/oscillator.rs"]
 mod oscillator;
-mod projection;
 mod radau;
 #[path = "../../../tests/support/random.rs"]
 mod random;
-mod redundant;
 mod references;
 mod resume;
 mod ros34pw2;
-mod scalar;
 mod single;
+#[path = "../support/smooth.rs"]
 mod smooth;
-mod tube;
-mod twofold;

@@ -1,8 +1,9 @@
 //! The drawn figures of the book, made anew.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
-#[path = "../../examples/figures/blocks.rs"]
+#[path = "../examples/figures/blocks.rs"]
 mod blocks;
-#[path = "../../examples/figures/draw.rs"]
+#[path = "../examples/figures/draw.rs"]
 mod draw;
 
 use std::fs;

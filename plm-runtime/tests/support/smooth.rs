@@ -1,4 +1,5 @@
 //! Small systems with known solutions or invariants, as generated code would be for them.
+#![allow(dead_code, reason = "each uses its part")]
 
 use plm_runtime::{Dual, Fault, Health, Linear, Mechanism, Real, System};
 

@@ -1,0 +1,15 @@
+//! What happens within runs: conditions, charts, steps that are refused, faults.
+#![allow(clippy::unwrap_used, clippy::panic, unreachable_pub, missing_docs, reason = "tests")]
+
+mod bead;
+mod brief;
+mod change_points;
+mod charts;
+mod events;
+mod followed;
+#[path = "../support/linkage.rs"]
+mod linkage;
+#[path = "../support/mechanisms.rs"]
+mod mechanisms;
+#[path = "../../../tests/support/random.rs"]
+mod random;

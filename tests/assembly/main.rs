@@ -1,0 +1,9 @@
+//! How a mechanism is put together, at its start and in every step, and what is said where it cannot be.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+#![allow(clippy::excessive_precision, reason = "references are written as they were published")]
+
+mod assembly;
+mod reach;
+mod robust;
+mod scenes;
+mod starts;

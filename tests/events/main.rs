@@ -1,0 +1,10 @@
+//! Conditions of a declaration, and what else makes forces jump, within runs.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+#![allow(clippy::excessive_precision, reason = "references are written as they were published")]
+
+mod brief;
+mod kinks;
+mod near;
+#[path = "../support/random.rs"]
+mod random;
+mod sides;
