@@ -1,6 +1,7 @@
 //! Conditions that change near a singular pose, where a mechanism goes on in absolute coordinates.
 
 use core::f64::consts::PI;
+use std::thread;
 
 use plm::{Dop853, Rk4, Ros34Pw2};
 
@@ -143,27 +144,30 @@ fn masses_do_not_decide_what_is_nearly_singular() {
 /// the same again behind it.
 #[test]
 fn steps_of_fixed_length_are_divided_where_a_loop_turns_sharply() {
+    // Each takes twenty seconds without optimisation.
+    thread::scope(|scope| [1e-2, -1e-3].map(|by| scope.spawn(move || steps_are_divided(by))).map(drop));
+}
+
+fn steps_are_divided(by: f64) {
     let masses = ([1.0, 2.0, 1.0], [0.02, 0.7, 0.02]);
-    for by in [1e-2, -1e-3] {
-        let (_, _, known, end) = turn!(by_rows, by, masses, Dop853::new(1e-12));
-        assert!(end.is_ok(), "{by:e} m: {end:?}");
-        for h in [4e-3, 1e-3, 2.5e-4] {
-            let near = |name: &str, most: f64, (found, lost, end): (f64, f64, Result<(), plm::Fault>)| {
-                assert!(end.is_ok(), "{name}, {by:e} m, {h:e} s: {end:?}");
-                let off = (found - known).abs();
-                assert!(
-                    off < 1e-7 && lost < most,
-                    "{name}, {by:e} m, {h:e} s: {off:e} rad, {lost:e} of the energy"
-                );
-            };
-            let (lost, _, found, end) = turn!(by_loop, by, masses, Rk4::new(h));
-            near("Rk4", 1e-7, (found, lost, end));
-            let (lost, _, found, end) = turn!(by_loop, by, masses, Ros34Pw2::new(0.25 * h));
-            near("Ros34Pw2", 1e-7, (found, lost, end));
-            let (lost, _, found, end) = turn!(by_rows, by, masses, Rk4::new(h));
-            near("Rk4, absolute", 1e-6, (found, lost, end));
-            let (lost, _, found, end) = turn!(by_rows, by, masses, Ros34Pw2::new(0.25 * h));
-            near("Ros34Pw2, absolute", 1e-6, (found, lost, end));
-        }
+    let (_, _, known, end) = turn!(by_rows, by, masses, Dop853::new(1e-12));
+    assert!(end.is_ok(), "{by:e} m: {end:?}");
+    for h in [4e-3, 1e-3, 2.5e-4] {
+        let near = |name: &str, most: f64, (found, lost, end): (f64, f64, Result<(), plm::Fault>)| {
+            assert!(end.is_ok(), "{name}, {by:e} m, {h:e} s: {end:?}");
+            let off = (found - known).abs();
+            assert!(
+                off < 1e-7 && lost < most,
+                "{name}, {by:e} m, {h:e} s: {off:e} rad, {lost:e} of the energy"
+            );
+        };
+        let (lost, _, found, end) = turn!(by_loop, by, masses, Rk4::new(h));
+        near("Rk4", 1e-7, (found, lost, end));
+        let (lost, _, found, end) = turn!(by_loop, by, masses, Ros34Pw2::new(0.25 * h));
+        near("Ros34Pw2", 1e-7, (found, lost, end));
+        let (lost, _, found, end) = turn!(by_rows, by, masses, Rk4::new(h));
+        near("Rk4, absolute", 1e-6, (found, lost, end));
+        let (lost, _, found, end) = turn!(by_rows, by, masses, Ros34Pw2::new(0.25 * h));
+        near("Ros34Pw2, absolute", 1e-6, (found, lost, end));
     }
 }
