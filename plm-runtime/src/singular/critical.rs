@@ -63,17 +63,22 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
     /// Of a mechanism that is at the pose `q`; none where their matrices take more of the stack than is allowed.
     pub(super) fn at(system: &'m M, fine: &'m M::Twofold, t: M::S, q: &[Twofold<M::S>; NQ]) -> Option<Self> {
         let room = workspace::of::<M::S, NQ, NC>() + size_of::<[[M::S; NQ]; NQ]>();
-        (room <= workspace::allowed()).then(|| Self::of(system, fine).without_repeated(t, q))
+        if room > workspace::allowed() {
+            return None;
+        }
+        let mut rows = Self::of(system, fine);
+        rows.leave_out_repeated(t, q);
+        Some(rows)
     }
 
     fn of(system: &'m M, fine: &'m M::Twofold) -> Self {
         Self { system, fine, length: system.length(), kept: [true; NC] }
     }
 
-    /// The same where rows repeat others at the pose `q`: without those that elimination leaves out there, of which a residual moves
-    /// nothing. It is a call: what is refused takes no stack.
+    /// Leaves out the rows that repeat others at the pose `q`: those that elimination leaves out there, of which a residual moves
+    /// nothing. It is a call: a mechanism whose matrices have no room takes no stack for them.
     #[inline(never)]
-    fn without_repeated(mut self, t: M::S, q: &[Twofold<M::S>; NQ]) -> Self {
+    fn leave_out_repeated(&mut self, t: M::S, q: &[Twofold<M::S>; NQ]) {
         let pose = Vector::from_fn(|i| q[i].rounded());
         let mut combined = Combined::nothing();
         let repeats = self.combined(t, &pose, &mut combined).is_some() && combined.repeats();
@@ -85,7 +90,6 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
                 self.kept[k] = largest(&dq) > Twofold::ZERO;
             }
         }
-        self
     }
 
     /// The singular pose next to `q`; none where none is near.

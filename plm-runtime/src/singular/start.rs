@@ -32,7 +32,7 @@ where
     if !is_near::<M, NQ, NC, NX>(system, t, q, M::S::lit(NEAR)) {
         return None;
     }
-    Equations::of(*system).closed(t, q)
+    Equations::closed(system, t, q)
 }
 
 impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equations<M, NQ, NC, NX> {
@@ -40,30 +40,30 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
     /// elsewhere take no stack for its numbers.
     #[cold]
     #[inline(never)]
-    fn closed(mut self, t: M::S, q: &[M::S; NQ]) -> Option<Closed<M::S, NQ>> {
-        let system = self.system;
+    fn closed(system: &M, t: M::S, q: &[M::S; NQ]) -> Option<Closed<M::S, NQ>> {
+        let mut equations = Self::of(*system);
         let fine = system.fine();
         let wide = |of: &[M::S; NQ]| -> [Twofold<M::S>; NQ] { Vector::from_fn(|i| Twofold::of(of[i])) };
         let rounded = |of: &[Twofold<M::S>; NQ]| -> [M::S; NQ] { Vector::from_fn(|i| of[i].rounded()) };
-        let rows = Rows::<M, NQ, NC, NX>::at(&system, &fine, t, &wide(q));
+        let rows = Rows::<M, NQ, NC, NX>::at(system, &fine, t, &wide(q));
         let critical = rows.and_then(|rows| rows.critical(t, &wide(q)));
         if let Some(critical) = critical.filter(Critical::is_reached) {
-            self.open = critical.open;
+            equations.open = critical.open;
         }
-        let (t, opened) = (Twofold::of(t), self.opened(&fine));
+        let (t, opened) = (Twofold::of(t), equations.opened(&fine));
         let mut exact = wide(q);
-        if !close(&opened, t, &mut exact, &weights_of(&Absolute::start_position(&system))) {
+        if !close(&opened, t, &mut exact, &weights_of(&Absolute::start_position(system))) {
             return None;
         }
         let pose = rounded(&exact);
-        let start = Absolute::start_velocity(&system, &pose);
+        let start = Absolute::start_velocity(system, &pose);
         let mut v = wide(&Vector::from_fn(|i| start[i].value));
         if !lead(&opened, (t, &exact), &mut v, &weights_of(&start)) {
             return None;
         }
         let v = rounded(&v);
         let moved: [M::S; NQ] = Vector::from_fn(|i| pose[i] - q[i]);
-        let beside = size(&moved, |i| self.typical_of(i) + q[i].abs()) < M::S::lit(BESIDE);
+        let beside = size(&moved, |i| equations.typical_of(i) + q[i].abs()) < M::S::lit(BESIDE);
         (beside && v.is_finite()).then_some((pose, v))
     }
 }
