@@ -55,6 +55,7 @@ pub mod method;
 mod observed;
 mod operations;
 pub mod ports;
+pub mod protocol;
 pub mod scalar;
 pub mod sim;
 pub mod singular;

@@ -1,13 +1,11 @@
 //! A running simulation: a mechanism at a moment, a method, and what was done.
 
-mod audit;
 mod changes;
 mod clock;
 mod count;
 mod kept;
 mod samples;
 mod single;
-mod steps;
 mod times;
 mod told;
 mod watched;
@@ -16,14 +14,14 @@ mod words;
 pub(crate) use self::clock::Clock;
 pub(crate) use self::kept::{Begun, Kept};
 pub use self::samples::Seen;
-use self::samples::{Observer, Sampler, Samples, Times, Unobserved};
-pub(crate) use self::steps::{Limits, alone, came_near, look};
-use self::steps::{pass, stretch};
+pub(crate) use self::samples::{Observer, Trigger, Unobserved};
+use self::samples::{Sampler, Samples, Times};
 pub use self::told::{Notice, Stats};
-use crate::events::{self, Watch};
+use crate::events::Watch;
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Course, Dop853, Method};
+use crate::protocol::{Advance, Guarded, Limits};
 use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
 
@@ -44,11 +42,11 @@ pub struct Sim<M: Mechanism, I = Dop853<M>> {
     pub(crate) clock: Clock<M::S>,
     /// The longest step so far, s.
     pub(crate) longest_step: M::S,
-    kept: Kept<M>,
+    pub(crate) kept: Kept<M>,
     /// When it began, s.
     start_time: M::S,
-    /// Before this time an interval may end.
-    latest: M::S,
+    /// The caller may have changed something since the last step.
+    pub(crate) changed: bool,
     /// What the parameters were when they were looked at last.
     parameters: u64,
 }
@@ -68,10 +66,10 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             method,
             stats: Stats::default(),
             watch: Watch::new(),
-            limits: Limits { energy_jump: None, change_points: false },
+            limits: Limits::NONE,
             clock: Clock { time: M::S::ZERO, rest: M::S::ZERO },
             longest_step: M::S::ZERO,
-            latest: Self::end_of_time(),
+            changed: false,
         }
     }
 
@@ -212,38 +210,30 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
 
     /// Advances to `end`, which is to be `length` from here; `observer` sees every accepted step.
     fn advance<O: Observer<M>>(&mut self, end: M::S, length: M::S, observer: &mut O) -> Result<(), Fault> {
-        let time = self.state.time();
-        if !(end >= time && end < self.latest) {
+        // False for what is not a number; no step by itself leads to an infinite time.
+        let begins = end >= self.state.time() && !self.changed;
+        if !begins {
             self.begin(end, length)?;
         }
         if I::SINGLE && !O::SEES && self.single(end) {
             return Ok(());
         }
-        self.many(end, observer)
+        self.many(end, length, observer)
     }
 
-    /// Advances by steps that are looked at one by one; apart, so that a single step does not pay for what they need.
+    /// The general path: every step is checked. It is kept out of line so that the fast path does not pay for its stack frame.
     #[inline(never)]
-    fn many<O: Observer<M>>(&mut self, end: M::S, observer: &mut O) -> Result<(), Fault> {
+    fn many<O: Observer<M>>(&mut self, end: M::S, length: M::S, observer: &mut O) -> Result<(), Fault> {
+        if !end.is_finite() {
+            return Err(self.bad_interval(length));
+        }
         let time = self.state.time();
         let Self { state, method, stats, watch, limits, longest_step, kept, .. } = self;
-        let limits = *limits;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
         let mut course = Course::new((system, held), (time, x), end, (stats, longest_step));
-        course.kept = Some(kept);
-        let mut outcome = Ok(());
-        while outcome.is_ok() && course.time < end {
-            let instant = system.next_instant(course.time, &course.held);
-            let instant = instant.filter(|instant| *instant > course.time && *instant <= end);
-            course.end = instant.unwrap_or(end);
-            outcome = stretch(method, &mut course, (watch, limits), observer);
-            match outcome {
-                Ok(()) if O::ENDS && course.time < instant.unwrap_or(end) => break,
-                Ok(()) if instant.is_some() => outcome = pass(method, &mut course, watch, observer),
-                Ok(()) => {}
-                Err(fault) => outcome = Err(events::at_a_jump(&mut course, fault)),
-            }
-        }
+        let guarded = Guarded { watch, kept, limits: *limits };
+        let mut advance = Advance { method, course: &mut course, guarded, observer };
+        let outcome = advance.run_to(end);
         let (time, held, x) = (course.time, course.held, course.x);
         state.set(time, &held, &x);
         outcome

@@ -5,10 +5,11 @@ use crate::events;
 use crate::fault::{Cause, Fault};
 use crate::lanes::Pack;
 use crate::mechanism::{InPlace, Mechanism, Moment};
-use crate::method::{Course, Formula, Rk4Formula, Ros34Pw2Formula, Trial, drift_of_size, excess, not_finite};
+use crate::method::{Course, Estimate, Formula, Rk4Formula, Ros34Pw2Formula, Trial, not_finite};
+use crate::protocol::{DriftCheck, Length, Limits, Proposal, Rules, Verdict, judge};
 use crate::scalar::{Real, Scalar};
 use crate::sim::Stats;
-use crate::singular::Rescue;
+use crate::singular::{Nearness, Rescue};
 use crate::system::{Health, Leg, System};
 use crate::vector::Vector;
 
@@ -64,17 +65,16 @@ where
 fn is_uneventful<M: Pack>(leg: &Leg<'_, M>) -> bool {
     let &Leg { system, held, from: (start, _), to: (end, x), .. } = leg;
     system.is_calm(end, held, x)
-        && !has_drifted(system, end, x)
-        && !M::Rescue::doubts(leg)
+        && !drift_check().fails(system, end, x)
+        && M::Rescue::nearness(leg, Length::Alone) == Nearness::Regular
         && events::are_quiet(system, end, held, x)
         && is_before_instants(system, held, (start, end))
 }
 
-/// Is the state farther from its constraints than it may be?
+/// How far the state may be from its constraints.
 #[inline]
-fn has_drifted<M: System<S: Real>>(system: &M, end: M::S, x: &M::X) -> bool {
-    let fraction = M::S::lit(DRIFT).max(M::S::lit(64.0) * M::S::EPSILON);
-    excess(system.drift(end, x), drift_of_size(system, fraction)) > M::S::lit(1.0)
+fn drift_check<S: Real>() -> DriftCheck<S> {
+    DriftCheck::Above { tolerance: S::lit(DRIFT).max(S::lit(64.0) * S::EPSILON), above: S::lit(1.0) }
 }
 
 /// Does no condition change in a step that the time alone decides?
@@ -83,7 +83,7 @@ fn is_before_instants<M: System<S: Real>>(system: &M, held: &M::U, (before, end)
     system.next_instant(before, held).is_none_or(|instant| instant > end)
 }
 
-/// What is done behind a step where something is; the state then.
+/// Does what the judge says of a step, and commits its discrete state; the state then.
 #[cold]
 fn arrive<M: Mechanism>(
     system: &M,
@@ -91,15 +91,21 @@ fn arrive<M: Mechanism>(
     (health, before): (M::S, (M::S, M::X)),
     (end, mut x): (M::S, M::X),
 ) -> Result<M::X, Fault> {
-    if has_drifted(system, end, &x) {
-        system.settle(end, &mut x)?;
-    }
-    let leg = Leg { system, held, from: (before.0, &before.1), to: (end, &x), health };
-    if M::Rescue::is_due(&leg, false) {
-        return Err(not_regular(before.0));
-    }
+    let mut rules = Rules { length: Length::Alone, drift: drift_check(), limits: Limits::NONE };
     let mut after = *held;
-    system.accept(end, &mut after, &mut x)?;
+    let mut proposal =
+        Proposal { system, from: (before.0, &before.1), end, held: &mut after, x: &mut x, health };
+    loop {
+        match judge(&mut proposal, Estimate::NONE, &rules) {
+            Verdict::Accept(_) => break,
+            Verdict::Project => {
+                system.settle(end, proposal.x)?;
+                rules.drift = DriftCheck::Skip;
+            }
+            Verdict::Split(_) | Verdict::NearSingular => return Err(not_regular(before.0)),
+            Verdict::Shorten(fault) | Verdict::Refuse(fault) => return Err(fault),
+        }
+    }
     if !system.is_regular(&after) {
         return Err(not_regular(before.0));
     }

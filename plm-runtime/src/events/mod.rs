@@ -89,6 +89,21 @@ enum Ends {
     BeforeKink,
 }
 
+/// What happens at the end of a step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Event {
+    /// No condition is triggered.
+    None,
+    /// This condition is triggered, where the detector has ended the step.
+    At(usize),
+    /// The step was not ended by the detector: conditions whose guards are violated at its end switch there. Others were `missed`:
+    /// they came and went within it; the first of them, and how many.
+    Behind {
+        /// A condition, by its index, and a count.
+        missed: Option<(usize, u64)>,
+    },
+}
+
 /// What is known of the guards on the way.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Watch<S, G> {
@@ -98,12 +113,8 @@ pub(crate) struct Watch<S, G> {
     left_over: G,
     /// Nothing has been done yet: a condition that is on its boundary begins on the side that it goes to.
     is_new: bool,
-    /// A condition without dense output that came and went within the last step, and how many did.
-    brief: Option<(usize, u64)>,
     /// Where guards need no look, with steps of fixed length.
     calm: Calm<S>,
-    /// The last step stayed there.
-    is_calm: bool,
     /// Switches in a short time.
     burst: Burst<S>,
 }
@@ -114,9 +125,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             known: false,
             left_over: G::fill(S::ZERO),
             is_new: true,
-            brief: None,
             calm: Calm::new(),
-            is_calm: false,
             burst: Burst::new(),
         }
     }
@@ -161,33 +170,31 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         G::LEN == 0 || self.known
     }
 
-    /// One step, ended where the first condition leaves its side; that condition.
+    /// A step as the method proposes it; with dense output it ends where the first condition leaves its side.
     #[inline]
     pub(crate) fn step<M: System<S = S, G = G>, I: Method<M>>(
         &mut self,
         method: &mut I,
         course: &mut Course<'_, M>,
-    ) -> Result<Option<usize>, Fault> {
-        if G::LEN == 0 && (M::KINKS == 0 || !I::DENSE) {
+    ) -> Result<Event, Fault> {
+        if !I::DENSE || G::LEN == 0 && M::KINKS == 0 {
             method.advance(course)?;
-            return Ok(None);
+            return Ok(Event::None);
         }
-        self.watched(method, course)
+        Ok(self.located(method, course)?.map_or(Event::None, Event::At))
     }
 
-    /// The same where there are guards. In a function of its own a build without optimisation holds the method as it was
+    /// The same where there are guards, with the condition that ends it. In a function of its own a build without optimisation holds the method as it was
     /// before the step for those alone.
     #[inline]
-    fn watched<M: System<S = S, G = G>, I: Method<M>>(
+    fn located<M: System<S = S, G = G>, I: Method<M>>(
         &mut self,
         method: &mut I,
         course: &mut Course<'_, M>,
     ) -> Result<Option<usize>, Fault> {
-        let (before, start) = (*method, Begun { time: course.time, held: course.held, x: course.x });
+        let (before, start): (I, Begun<M>) =
+            (*method, Begun { time: course.time, held: course.held, x: course.x });
         method.advance(course)?;
-        if !I::DENSE {
-            return self.look_between(course, &start).map(|()| None);
-        }
         self.calm.forget();
         // What would end a step so early that it hardly moves the time happens at once.
         let least = S::lit(LEAST_ULPS) * S::EPSILON * start.time.abs().max(course.end.abs());
@@ -261,20 +268,20 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         &mut self,
         method: &mut I,
         course: &mut Course<'_, M>,
-        due: Option<usize>,
+        event: Event,
     ) -> Result<(), Fault> {
         if G::LEN == 0 {
             return Ok(());
         }
-        if !I::DENSE {
-            if self.is_calm {
-                return Ok(());
-            }
-            if let Some((index, passed_over)) = self.brief.take() {
+        if let Event::Behind { missed } = event {
+            if let Some((index, passed_over)) = missed {
                 course.stats.passed_over += passed_over;
                 required(course, index)?;
             }
             return self.switch_due(method, course, None);
+        }
+        if !I::DENSE {
+            return Ok(());
         }
         let (time, x) = (course.time, course.x);
         let changed = refresh(course.system, time, &mut course.held, &x);
@@ -283,9 +290,10 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
                 G::from_fn(|i| if changed & bit(i) == 0 { self.left_over.at(i) } else { S::ZERO });
         }
         // One that does not matter here has switched with the others.
-        let Some(index) = due.filter(|index| changed & bit(*index) == 0) else {
+        let Event::At(index) = event else { return Ok(()) };
+        if changed & bit(index) != 0 {
             return Ok(());
-        };
+        }
         required(course, index)?;
         let mut after = course.held;
         course.system.switch(course.time, &mut after, &course.x, index);

@@ -20,6 +20,5 @@ impl<S: Real, G: Vector<S>> InWords for Watch<S, G> {
         words.word(&mut both);
         (*count, *conditions) = ((both & 0xFF) as u32, both >> 8);
         self.calm.forget();
-        self.is_calm = false;
     }
 }

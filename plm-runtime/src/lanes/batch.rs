@@ -61,7 +61,7 @@ where
     ///
     /// Those that have the latest time, and as long steps as the first of these, go together, the others alone.
     pub fn step(&mut self, dt: f64) -> [Result<(), Fault>; LANES] {
-        for sim in self.sims.iter_mut().filter(|sim| !sim.is_unchanged()) {
+        for sim in self.sims.iter_mut().filter(|sim| sim.changed) {
             // One whose change cannot be is found as it was, and goes alone: it says so itself.
             let _ = sim.take_changes();
         }
@@ -98,7 +98,7 @@ where
         let Some(first) = self.sims.iter().find(latest) else { return ([false; LANES], clock) };
         let joins = |sim: &Sim<M, FixedStep<f64, F>>| {
             let free = sim.state.mechanism().next_instant(time, &sim.state.held()).is_none();
-            free && sim.is_unchanged() && latest(&sim) && sim.method.longest_step == first.method.longest_step
+            free && !sim.changed && latest(&sim) && sim.method.longest_step == first.method.longest_step
         };
         (self.sims.each_ref().map(joins), clock)
     }

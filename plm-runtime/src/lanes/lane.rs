@@ -1,12 +1,13 @@
 //! One lane of a batch, as the simulation that it is.
 
 use super::{LANES, Lanes, Pack};
-use crate::events::Watch;
+use crate::events::{Event, Watch};
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Course, FixedStep, Formula, Method, Plan};
-use crate::sim::{Limits, Sim, alone, came_near, look};
-use crate::singular::Rescue;
+use crate::protocol::{Advance, DriftCheck, Guarded, Limits, Made};
+use crate::sim::{Begun, Kept, Sim, Unobserved};
+use crate::singular::{Nearness, Rescue};
 use crate::system::Leg;
 use crate::vector::Vector;
 
@@ -15,6 +16,7 @@ pub(super) struct Lane<'a, M: Mechanism<S = f64>, F> {
     pub(super) course: Course<'a, M>,
     method: &'a mut FixedStep<f64, F>,
     watch: &'a mut Watch<f64, M::G>,
+    kept: &'a mut Kept<M>,
     limits: Limits<f64>,
     /// It goes with the others: it started with them and has not stopped.
     pub(super) runs: bool,
@@ -26,11 +28,12 @@ pub(super) struct Lane<'a, M: Mechanism<S = f64>, F> {
 impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
     /// The simulation, on its way to `end`; it goes with the others if it `joins` them.
     pub(super) fn new(sim: &'a mut Sim<M, FixedStep<f64, F>>, end: f64, joins: bool) -> Self {
-        let Sim { state, method, stats, watch, limits, longest_step, .. } = sim;
+        let Sim { state, method, stats, watch, kept, limits, longest_step, .. } = sim;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
         let mut course = Course::new((system, held), (state.time(), x), end, (stats, longest_step));
         let outcome = if joins { method.begin(&mut course) } else { Ok(()) };
-        Self { course, method, watch, limits: *limits, runs: joins && outcome.is_ok(), outcome, counted: 0 }
+        let (limits, runs) = (*limits, joins && outcome.is_ok());
+        Self { course, method, watch, kept, limits, runs, outcome, counted: 0 }
     }
 
     /// The division of the interval into steps.
@@ -46,7 +49,7 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
 
     /// Its steps may be made with the others' where nothing is to be looked at.
     pub(super) fn coasts(&self) -> bool {
-        !self.limits.audit()
+        self.limits.energy_jump.is_none()
     }
 
     /// Makes the step `number` with the others if one that is [watched](Pack::WATCHED) needs no more. The states before and
@@ -59,13 +62,15 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
         states: impl FnOnce() -> [M::X; 2],
     ) -> bool {
         let Self { course: Course { system, held, .. }, method, .. } = self;
-        let coasts = if method.coasts() && !M::Rescue::DOUBTS {
+        let check = method.drift_check();
+        let coasts = if check == DriftCheck::Skip && !M::Rescue::POSSIBLE {
             true
         } else {
             let [from, to] = &states();
             let leg = Leg { system: *system, held, from: (time, from), to: (plan.next_time, to), health };
-            let whole = M::Rescue::parts(&leg, <FixedStep<f64, F> as Method<M>>::CAUTION) == 1;
-            whole && !M::Rescue::doubts(&leg) && method.needs_no_settling(*system, plan.next_time, to)
+            let length = <FixedStep<f64, F> as Method<M>>::LENGTH;
+            M::Rescue::nearness(&leg, length) == Nearness::Regular
+                && !check.fails(*system, plan.next_time, to)
         };
         if coasts {
             self.catch_up(number + 1);
@@ -95,37 +100,40 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
         (self.course.time, self.course.x, self.method.plan) = (time, x, *plan);
         self.course.health = next.map_or(1.0, |next| next.1.min(1.0));
         let next = next.map(|next| next.0);
-        self.outcome = if M::Rescue::holds(&self.course) { Ok(()) } else { self.land(next) };
-        let Course { divided, senseless, .. } = &self.course;
-        let goes_on = divided.is_none() && senseless.is_none();
-        self.runs = self.outcome.is_ok() && goes_on && !M::Rescue::holds(&self.course);
+        let made = if M::Rescue::holds(&self.course) { Made::NearSingular } else { self.propose(next) };
+        self.runs = matches!(made, Made::Step) && !M::Rescue::holds(&self.course);
         if !self.runs {
-            // Near a singular pose it goes on without the others.
-            let Self { course, method, watch, limits, outcome, .. } = self;
-            *outcome = alone(*method, course, (&mut **watch, *limits), *outcome);
+            // Near a singular pose, and in parts of the step, it goes on without the others.
+            self.outcome = self.advance(&mut Unobserved).resume(made);
         }
     }
 
-    fn land(&mut self, next: Option<M::X>) -> Result<(), Fault> {
-        let Self { course, method, watch, limits, .. } = self;
-        let before = (course.time, course.x);
+    fn propose(&mut self, next: Option<M::X>) -> Made<f64> {
+        let Self { course, method, .. } = self;
+        let from = Begun { time: course.time, held: course.held, x: course.x };
         let mut x = course.x;
-        match next {
+        let made = match next {
             Some(next) => {
                 x = next;
                 method.is_short();
                 course.stats.evaluations += F::STAGES;
+                Ok(())
             }
-            None => method.step(course, &mut x)?,
+            None => method.step(course, &mut x),
+        };
+        match made.and_then(|()| method.land(course, x)) {
+            Ok(()) => self.advance(&mut Unobserved).conclude(&from, Event::None),
+            Err(fault) => Made::Failed(fault),
         }
-        method.land(course, x)?;
-        if came_near::<M, FixedStep<f64, F>>(course, before, watch) {
-            return Ok(());
-        }
-        if let Some(next) = look(*method, course, (&mut **watch, *limits), before)? {
-            next.hold(*method, course);
-        }
-        Ok(())
+    }
+
+    /// The lane as a run.
+    fn advance<'s>(
+        &'s mut self,
+        observer: &'s mut Unobserved,
+    ) -> Advance<'s, 'a, M, FixedStep<f64, F>, Unobserved> {
+        let Self { course, method, watch, kept, limits, .. } = self;
+        Advance { method, course, guarded: Guarded { watch, kept, limits: *limits }, observer }
     }
 }
 

@@ -5,9 +5,9 @@ use core::marker::PhantomData;
 use super::estimate::Estimate;
 use super::length::{are_near, are_straight, is_due};
 use super::plan::Plan;
-use super::{Course, Method, Rates, Single, Watched, drift_of_size, excess, not_finite, rate};
-use crate::events;
+use super::{Course, Method, Rates, Single, Watched, drift_of_size, not_finite, rate};
 use crate::fault::Fault;
+use crate::protocol::DriftCheck;
 use crate::scalar::{Real, Scalar};
 use crate::sim::Stats;
 use crate::system::{Drift, Health, System};
@@ -189,50 +189,30 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         outcome
     }
 
-    /// Is the drift of the state `x` after a step not due to be looked at, or small?
-    #[inline]
-    pub(crate) fn needs_no_settling<M: System<S = S>>(&self, system: &M, t: S, x: &M::X) -> bool {
-        !self.careful && !self.drifts(system, t, x)
-    }
-
     /// Takes the course to `next`, the state after the step.
     #[inline]
     pub(crate) fn land<M: System<S = S>>(
         &mut self,
         course: &mut Course<'_, M>,
-        mut next: M::X,
+        next: M::X,
     ) -> Result<(), Fault> {
         if !next.is_finite() {
             return Err(not_finite(course.system, self.plan.next_time, &next));
         }
-        self.limit_drift(course, &mut next)?;
         course.stats.steps += 1;
         (course.time, course.x) = (self.plan.next_time, next);
         self.plan.next();
         Ok(())
     }
 
-    /// Settles a new state if its drift is due to be looked at and too large; by rank, after every step.
+    /// Whether the state after the next step is projected: every one by rank.
     #[inline]
-    fn limit_drift<M: System<S = S>>(
-        &mut self,
-        course: &mut Course<'_, M>,
-        next: &mut M::X,
-    ) -> Result<(), Fault> {
-        let drifts = self.drifts(course.system, self.plan.next_time, next);
-        self.keep(drifts);
-        if !drifts {
-            return Ok(());
+    pub(crate) fn drift_check(&self) -> DriftCheck<S> {
+        if self.coasts() {
+            return DriftCheck::Skip;
         }
-        events::before_settling(course, self.plan.next_time, next)?;
-        course.settle(self.plan.next_time, next)
-    }
-
-    /// Is the drift due to be looked at and too large?
-    #[inline]
-    fn drifts<M: System<S = S>>(&self, system: &M, t: S, x: &M::X) -> bool {
-        let limit = if self.careful { S::lit(0.0) } else { S::lit(1.0) };
-        !self.coasts() && excess(system.drift(t, x), drift_of_size(system, self.tolerance)) > limit
+        let above = if self.careful { S::lit(0.0) } else { S::lit(1.0) };
+        DriftCheck::Above { tolerance: self.tolerance, above }
     }
 
     /// Counts a step to the next look at the drift.
@@ -330,8 +310,8 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
     }
 
     #[inline]
-    fn drifts(&self, system: &M, t: M::S, x: &M::X) -> bool {
-        FixedStep::drifts(self, system, t, x)
+    fn drift_check(&self) -> DriftCheck<M::S> {
+        FixedStep::drift_check(self)
     }
 
     #[inline]

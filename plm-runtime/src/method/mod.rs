@@ -57,9 +57,11 @@ pub use vern9::{Vern9, Verner98};
 
 use core::cmp::Ordering;
 
+use crate::events::before_settling;
 use crate::fault::{Cause, Fault};
+use crate::protocol::{DriftCheck, Length, Proposal};
 use crate::scalar::{Real, Scalar};
-use crate::sim::{Kept, Stats};
+use crate::sim::Stats;
 use crate::system::{Drift, Health, Leg, System};
 use crate::vector::Vector;
 
@@ -71,8 +73,8 @@ pub trait Method<M: System>: Copy {
     const SINGLE: bool = false;
     /// By which results tell what made them.
     const NAME: &'static str = "";
-    /// Next to a flat pose, steps of fixed length must be shorter by this factor than those of order 4 for an error as small.
-    const CAUTION: f64 = 1.0;
+    /// What chooses the length of its steps.
+    const LENGTH: Length = if Self::DENSE { Length::Error } else { Length::Fixed { caution: 1.0 } };
 
     /// Plans the interval from `course.time` to `course.end`.
     ///
@@ -142,14 +144,13 @@ pub trait Method<M: System>: Copy {
         false
     }
 
-    /// Is a state to be settled that such a step has led to?
+    /// Whether the state that the next step leads to is projected. Methods that project by themselves have no check.
     #[inline]
-    fn drifts(&self, system: &M, t: M::S, x: &M::X) -> bool {
-        let _ = (system, t, x);
-        false
+    fn drift_check(&self) -> DriftCheck<M::S> {
+        DriftCheck::Skip
     }
 
-    /// Such a step is kept; its end was settled if it `drifted`.
+    /// A step is committed; its end was projected if it had `drifted`.
     #[inline]
     fn keep(&mut self, drifted: bool) {
         let _ = drifted;
@@ -233,23 +234,10 @@ pub struct Course<'a, M: System> {
     pub longest_step: &'a mut M::S,
     /// The smallest pivot ratio of the rates since the last step was accepted, [`Health`].
     pub health: M::S,
-    /// What the simulation keeps of its steps.
-    pub(crate) kept: Option<&'a mut Kept<M>>,
     /// Steps are made without what the mechanism's own coordinates need, until this time at least.
     pub(crate) rescued: Option<M::S>,
-    /// The last step was refused, and is to be divided.
-    pub(crate) divided: Option<Divided<M::S>>,
     /// Steps that had been tried before the interval.
     before: u64,
-    /// The last step made no sense, and the run ends before it.
-    pub(crate) senseless: Option<Fault>,
-}
-
-/// A step to `until`, s, that is to be made in so many parts at least.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Divided<S> {
-    pub(crate) until: S,
-    pub(crate) parts: u32,
 }
 
 impl<'a, M: System> Course<'a, M> {
@@ -270,11 +258,8 @@ impl<'a, M: System> Course<'a, M> {
             stats,
             longest_step,
             health: M::S::lit(1.0),
-            kept: None,
             rescued: None,
-            divided: None,
             before,
-            senseless: None,
         }
     }
 
@@ -282,6 +267,19 @@ impl<'a, M: System> Course<'a, M> {
     pub(crate) fn check_steps(&self, most: u64) -> Result<(), Fault> {
         let tried = self.stats.steps + self.stats.rejected - self.before;
         if tried < most { Ok(()) } else { Err(self.fault(Cause::TooManySteps { steps: most })) }
+    }
+
+    /// The step to the state reached, with copies `held` and `x` of what it led to.
+    #[inline]
+    pub(crate) fn proposal<'s>(
+        &self,
+        from: (M::S, &'s M::X),
+        (held, x): (&'s mut M::U, &'s mut M::X),
+    ) -> Proposal<'s, M>
+    where
+        'a: 's,
+    {
+        Proposal { system: self.system, from, end: self.time, held, x, health: self.health }
     }
 
     /// The step to the state reached.
@@ -310,6 +308,18 @@ impl<'a, M: System> Course<'a, M> {
         let outcome = self.system.rate_by_rank(t, &self.held, x, dx);
         self.stats.by_rank += u64::from(outcome.is_ok());
         outcome
+    }
+
+    /// Projects the state reached onto the constraints.
+    pub(crate) fn project(&mut self) -> Result<(), Fault>
+    where
+        M: System<S: Real>,
+    {
+        let (time, mut x) = (self.time, self.x);
+        before_settling(self, time, &x)?;
+        self.settle(time, &mut x)?;
+        self.x = x;
+        Ok(())
     }
 
     /// Projects a state onto the constraints.

@@ -5,6 +5,7 @@ use super::{Course, Estimate, Method, drift_of_size};
 use crate::fault::{Cause, Fault};
 use crate::linalg::Derivatives;
 use crate::linear::Linear;
+use crate::protocol::Length;
 use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
 use crate::vector::Vector;
@@ -194,7 +195,7 @@ fn step<M: Linear>(course: &mut Course<'_, M>, h: M::S) -> Result<Trial<M::X>, F
 impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
     const DENSE: bool = false;
     const NAME: &'static str = "Ros34Pw2";
-    const CAUTION: f64 = 4.0;
+    const LENGTH: Length = Length::Fixed { caution: 4.0 };
 
     fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
         self.plan = Plan::of_course(course, self.longest_step)?;

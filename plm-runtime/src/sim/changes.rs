@@ -6,25 +6,13 @@ use super::Sim;
 use crate::fault::{Cause, Fault};
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::Method;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
-    /// An interval may end before this time. No time is, after a mutable access: so the one comparison that every interval
-    /// needs finds changes as well, and a run without any pays nothing for it.
-    pub(super) fn end_of_time() -> M::S {
-        M::S::INFINITY
-    }
-
-    /// Nothing may have been changed since the last look.
-    #[inline]
-    pub(crate) fn is_unchanged(&self) -> bool {
-        self.latest > M::S::lit(0.0)
-    }
-
     /// State, parameters or inputs may be changed now.
     pub(super) fn expect_changes(&mut self) {
         self.forget();
-        self.latest = -Self::end_of_time();
+        self.changed = true;
     }
 
     /// Looks at changes from outside: parameters must have values that the equations allow, and if joints read them, the
@@ -34,7 +22,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// Those of [`Mechanism::check`] and [`Mechanism::renew`]; they come back until the change is undone.
     #[cold]
     pub(crate) fn take_changes(&mut self) -> Result<(), Fault> {
-        if self.is_unchanged() {
+        if !self.changed {
             return Ok(());
         }
         let mechanism = self.state.mechanism();
@@ -49,7 +37,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             self.parameters = parameters;
             self.stats.renewed += 1;
         }
-        self.latest = Self::end_of_time();
+        self.changed = false;
         Ok(())
     }
 

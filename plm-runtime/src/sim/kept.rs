@@ -31,7 +31,7 @@ impl<M: System<S: Real>> Kept<M> {
 
     /// A method has made a step.
     #[inline]
-    pub(super) fn see<I: Method<M>>(&mut self, (method, system): (&I, &M), begun: impl FnOnce() -> Begun<M>) {
+    pub(crate) fn see<I: Method<M>>(&mut self, (method, system): (&I, &M), begun: impl FnOnce() -> Begun<M>) {
         if I::DENSE {
             self.begun = Some(begun());
         }

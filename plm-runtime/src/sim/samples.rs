@@ -7,7 +7,7 @@ use crate::method::{Course, Method};
 use crate::scalar::{Real, Scalar};
 
 /// Who sees the steps of a run.
-pub(super) trait Observer<M: Mechanism> {
+pub(crate) trait Observer<M: Mechanism> {
     /// Does it see anything at all?
     const SEES: bool = true;
     /// Does it see what switches? Who does not pays nothing for it.
@@ -20,14 +20,14 @@ pub(super) trait Observer<M: Mechanism> {
 
     /// Something has switched; `before` is what was held until then.
     #[inline]
-    fn switched(&mut self, course: &Course<'_, M>, before: &M::U, what: What) {
+    fn switched(&mut self, course: &Course<'_, M>, before: &M::U, what: Trigger) {
         let _ = (course, before, what);
     }
 }
 
 /// What has switched.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum What {
+pub(crate) enum Trigger {
     /// This condition.
     Condition(usize),
     /// All conditions that were past their guards.
@@ -37,7 +37,7 @@ pub(super) enum What {
 }
 
 /// Nobody.
-pub(super) struct Unobserved;
+pub(crate) struct Unobserved;
 
 impl<M: Mechanism> Observer<M> for Unobserved {
     const SEES: bool = false;
@@ -156,15 +156,15 @@ where
         asked.see(method, course)
     }
 
-    fn switched(&mut self, course: &Course<'_, M>, before: &M::U, what: What) {
+    fn switched(&mut self, course: &Course<'_, M>, before: &M::U, what: Trigger) {
         let Self { samples: Samples { moment, .. }, see, .. } = self;
         let mut before = *before;
         events::refresh(course.system, course.time, &mut before, &course.x);
         moment.set(course.time, &before, &course.x);
         match what {
-            What::Condition(index) => see(Seen::Condition(index, moment)),
-            What::Time => see(Seen::Instant(moment)),
-            What::Due => {
+            Trigger::Condition(index) => see(Seen::Condition(index, moment)),
+            Trigger::Time => see(Seen::Instant(moment)),
+            Trigger::Due => {
                 let mut held = before;
                 events::switch_each((course.system, 0), course.time, &mut held, &course.x, |index| {
                     see(Seen::Condition(index, moment));

@@ -1,70 +1,65 @@
-//! An interval that is one step of fixed length: what real time asks for, again and again.
+//! Fast path for an interval of exactly one fixed step, the case of real-time loops.
 //!
-//! The step is made on numbers that nobody else sees, and kept where no more is to be done than the looks that every step has.
-//! Otherwise [`steps`](super::steps) makes it, from its beginning: by rank, with known times within it, where guards may come
-//! to zero, near singular poses. Both give the same bits and the same statistics.
+//! It works on a copy of the state, and commits what the judge accepts at once or behind a projection, where no event is possible.
+//! Otherwise the general path ([`Advance`](crate::protocol::Advance)) makes the step from its beginning, with the same bits.
 
 use super::Sim;
 use crate::mechanism::{Mechanism, Moment};
-use crate::method::Method;
+use crate::method::{Estimate, Method};
+use crate::protocol::{DriftCheck, Limits, Proposal, Rules, Verdict, judge};
 use crate::scalar::Scalar;
-use crate::singular::Rescue;
-use crate::system::{Accepted, Leg};
+use crate::system::Accepted;
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// Makes the step to `end`; false, and nothing has changed, where more is to be done.
     #[inline]
     pub(super) fn single(&mut self, end: M::S) -> bool {
         let Self { state, method, watch, kept, limits, stats, .. } = self;
-        let (system, time) = (state.mechanism(), state.time());
-        let mut held = state.held();
-        let instant = system.next_instant(time, &held);
+        let (system, start, mut held) = (state.mechanism(), state.time(), state.held());
+        let instant = system.next_instant(start, &held);
         if instant.is_some_and(|instant| instant <= end)
-            || limits.audit()
+            || limits.energy_jump.is_some()
             || !(watch.is_known() && system.is_regular(&held))
         {
             return false;
         }
-        let mut x = *state.x();
-        let Some(made) = method.single((system, &held), (time, end), &mut x) else {
+        let (mut x, from) = (*state.x(), (start, state.x()));
+        let Some(made) = method.single((system, &held), (start, end), &mut x) else {
             return false;
         };
         let mut error = M::S::ZERO;
-        if !made.are_near || method.is_long((system, stats), made.h, [state.x(), &x]) {
-            let estimate = method.estimate_of((system, &held), (time, made.h), [state.x(), &x]);
+        if !made.are_near || method.is_long((system, stats), made.h, [from.1, &x]) {
+            let estimate = method.estimate_of((system, &held), (start, made.h), [from.1, &x]);
             if estimate.is_senseless() {
                 return false;
             }
             error = estimate.error;
         }
-        let drifted = method.drifts(system, end, &x);
+        let limits = Limits { energy_jump: None, ..*limits };
+        let mut rules = Rules { length: I::LENGTH, drift: method.drift_check(), limits };
+        let drifted = rules.drift.fails(system, end, &x);
         if drifted && system.settle(end, &mut x).is_err() {
             return false;
         }
-        let leg = Leg { system, held: &held, from: (time, state.x()), to: (end, &x), health: made.health };
-        if M::Rescue::parts(&leg, I::CAUTION) > 1
-            || M::Rescue::is_due(&leg, false)
-            || !watch.is_calm(kept, &leg)
-        {
+        rules.drift = DriftCheck::Skip;
+        let mut proposal = Proposal { system, from, end, held: &mut held, x: &mut x, health: made.health };
+        if !watch.is_calm(kept, &proposal.leg()) {
             return false;
         }
-        let accepted = system.accept(end, &mut held, &mut x);
-        let Ok(Accepted { moved, turned, passed }) = accepted else { return false };
-        if passed.is_some() && limits.change_points {
-            return false;
-        }
+        let Verdict::Accept(accepted) = judge(&mut proposal, Estimate::NONE, &rules) else { return false };
         stats.errs(error);
         stats.steps += 1;
         stats.evaluations += made.evaluations;
         stats.settled += u64::from(drifted);
-        stats.charts += u64::from(moved);
-        stats.change_points += u64::from(passed.is_some());
         if made.h > self.longest_step {
             self.longest_step = made.h;
         }
         method.keep(drifted);
         state.set(end, &held, &x);
-        if moved || turned {
+        let Accepted { moved, turned, passed } = accepted;
+        if moved || turned || passed.is_some() {
+            stats.charts += u64::from(moved);
+            stats.change_points += u64::from(passed.is_some());
             method.restart();
         }
         true

@@ -38,7 +38,8 @@ where
         words.perhaps(&mut self.limits.energy_jump, M::S::ZERO, Words::number);
         words.flag(&mut self.limits.change_points);
         words.numbers([&mut self.clock.time, &mut self.clock.rest, &mut self.longest_step]);
-        words.numbers([&mut self.start_time, &mut self.latest]);
+        words.number(&mut self.start_time);
+        words.flag(&mut self.changed);
         words.word(&mut self.parameters);
     }
 }

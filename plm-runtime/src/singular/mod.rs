@@ -38,6 +38,7 @@ use crate::Absolute;
 use crate::fault::Fault;
 use crate::mechanism::Mechanism;
 use crate::method::{Course, Method};
+use crate::protocol::Length;
 use crate::scalar::Real;
 use crate::system::{Drift, Leg};
 use crate::twofold::Twofold;
@@ -50,19 +51,11 @@ pub trait Rescue<M: Mechanism>: Method<M> {
     /// Is the state one that only this method can go on from?
     fn holds(course: &Course<'_, M>) -> bool;
 
-    /// Whether [`doubts`](Self::doubts) has anything to look at.
-    const DOUBTS: bool;
+    /// Whether a step can be anything but [`Nearness::Regular`].
+    const POSSIBLE: bool;
 
-    /// May a step have led over poses that are nearly singular, or next to them by too far?
-    fn doubts(leg: &Leg<'_, M>) -> bool;
-
-    /// Did a step lead over poses that are so nearly singular that only this method can be trusted? More
-    /// are, where the step was not `controlled` by an estimate of its error.
-    fn is_due(leg: &Leg<'_, M>, controlled: bool) -> bool;
-
-    /// Into how many a step without an estimate of its error is to be divided, so that each is short beside the turn that
-    /// mechanisms make next to a flat pose; one for most. With the [`Method::CAUTION`] of its formula.
-    fn parts(leg: &Leg<'_, M>, caution: f64) -> u32;
+    /// How near to singular poses a step has come whose length was chosen so.
+    fn nearness(step: &Leg<'_, M>, length: Length) -> Nearness;
 
     /// Gives it the state, which another method cannot go on from; whether it can.
     fn take(course: &mut Course<'_, M>) -> bool;
@@ -73,6 +66,20 @@ pub trait Rescue<M: Mechanism>: Method<M> {
 
     /// The length of the last step, s, if it followed a turn beside a flat pose.
     fn followed(&self) -> Option<M::S>;
+}
+
+/// How near to singular poses a step has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Nearness {
+    /// It can be trusted.
+    Regular,
+    /// The mechanism turns sharply next to a flat pose: in so many parts the step is short beside the turn.
+    Turn {
+        /// At least 2.
+        parts: u32,
+    },
+    /// It has led over poses that are so nearly singular that only the near-singular method can be trusted.
+    Singular,
 }
 
 /// The equations of a mechanism in absolute coordinates, in numbers of twice the precision; implemented by generated code.
@@ -125,7 +132,7 @@ pub trait Fine<const NQ: usize, const NC: usize, const NX: usize>:
 pub struct Never<M>(core::marker::PhantomData<M>);
 
 impl<M: Mechanism> Rescue<M> for Never<M> {
-    const DOUBTS: bool = false;
+    const POSSIBLE: bool = false;
 
     fn new() -> Self {
         Self(core::marker::PhantomData)
@@ -135,16 +142,8 @@ impl<M: Mechanism> Rescue<M> for Never<M> {
         false
     }
     #[inline]
-    fn doubts(_leg: &Leg<'_, M>) -> bool {
-        false
-    }
-    #[inline]
-    fn is_due(_leg: &Leg<'_, M>, _controlled: bool) -> bool {
-        false
-    }
-    #[inline]
-    fn parts(_leg: &Leg<'_, M>, _caution: f64) -> u32 {
-        1
+    fn nearness(_step: &Leg<'_, M>, _length: Length) -> Nearness {
+        Nearness::Regular
     }
     fn take(_course: &mut Course<'_, M>) -> bool {
         false

@@ -6,11 +6,12 @@ use super::equations::Equations;
 use super::here::Here;
 use super::leap::{Refused, leap};
 use super::meeting::Meeting;
-use super::poor::{is_doubtful, is_poor, is_regular, turned};
-use super::{Fine, Rescue};
+use super::poor::{is_poor, is_regular, turned};
+use super::{Fine, Nearness, Rescue};
 use crate::absolute::{disagreement, split};
 use crate::fault::{Cause, Fault};
 use crate::method::{Course, DormandPrince853, Embedded, Method};
+use crate::protocol::Length;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, Leg};
 use crate::twofold::Twofold;
@@ -35,9 +36,9 @@ const NEARER: f64 = 0.2;
 /// few nodes, open the joints too.
 const TRIALS: u32 = 4;
 
-/// A step that crosses so much of a box is refused where nothing shorter can be tried, ...
+/// A step by itself that crosses so much of a box is refused, ...
 const SHARP: f64 = 1.0;
-/// ... and else divided if it crosses this much: of the turn's own length it is a fiftieth then, and the error of a formula of
+/// ... and another one is split if it crosses this much: of the turn's own length it is a fiftieth then, and the error of a formula of
 /// order 4 some 1e-7 of the turn, ...
 pub(crate) const LONG: f64 = 0.2;
 /// ... into parts that cross this much, as far as is known, ...
@@ -204,6 +205,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
     for Near<M, NQ, NC, NX>
 {
     const DENSE: bool = true;
+    const LENGTH: Length = Length::NearSingular;
 
     fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
         Ok(())
@@ -303,7 +305,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
 impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rescue<M>
     for Near<M, NQ, NC, NX>
 {
-    const DOUBTS: bool = true;
+    const POSSIBLE: bool = true;
 
     fn new() -> Self {
         let tolerance = if M::S::EPSILON < M::S::lit(1e-12) { TOLERANCE } else { TOLERANCE_SINGLE };
@@ -326,23 +328,22 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
     }
 
     #[inline]
-    fn doubts(leg: &Leg<'_, M>) -> bool {
-        if M::CHARTED { crossed(leg) > M::S::lit(LONG) } else { is_doubtful(leg) }
-    }
-
-    #[inline]
-    fn is_due(leg: &Leg<'_, M>, controlled: bool) -> bool {
-        if M::CHARTED {
-            return !controlled && crossed(leg) > M::S::lit(SHARP);
-        }
-        is_poor(leg)
-    }
-
-    #[inline]
-    fn parts(leg: &Leg<'_, M>, caution: f64) -> u32 {
-        let caution = if M::S::EPSILON < M::S::lit(1e-12) { caution } else { SINGLE * caution };
-        let crossed = M::S::lit(caution) * crossed(leg);
-        if crossed > M::S::lit(LONG) { 1 + (crossed.to_f64() / SHORT).min(MOST_PARTS) as u32 } else { 1 }
+    fn nearness(step: &Leg<'_, M>, length: Length) -> Nearness {
+        let is_singular = match length {
+            Length::NearSingular => false,
+            Length::Error => !M::CHARTED && is_poor(step),
+            Length::Alone if M::CHARTED => crossed(step) > M::S::lit(SHARP),
+            Length::Alone => is_poor(step),
+            Length::Fixed { caution } => {
+                let caution = if M::S::EPSILON < M::S::lit(1e-12) { caution } else { SINGLE * caution };
+                let crossed = M::S::lit(caution) * crossed(step);
+                if crossed > M::S::lit(LONG) {
+                    return Nearness::Turn { parts: 1 + (crossed.to_f64() / SHORT).min(MOST_PARTS) as u32 };
+                }
+                !M::CHARTED && is_poor(step)
+            }
+        };
+        if is_singular { Nearness::Singular } else { Nearness::Regular }
     }
 
     fn take(course: &mut Course<'_, M>) -> bool {

@@ -179,6 +179,6 @@ pub(super) fn is_regular<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, 
 
 /// May a step have led over poses that are nearly singular?
 #[inline]
-pub(super) fn is_doubtful<M: Mechanism>(leg: &Leg<'_, M>) -> bool {
+fn is_doubtful<M: Mechanism>(leg: &Leg<'_, M>) -> bool {
     leg.health < M::S::lit(LOW) || travel(leg) > M::S::lit(LONG)
 }

@@ -1,0 +1,146 @@
+//! What a proposed step is.
+
+use super::energy::check_energy;
+use crate::fault::{Cause, Fault};
+use crate::mechanism::Mechanism;
+use crate::method::{Estimate, drift_of_size, excess};
+use crate::scalar::{Real, Scalar};
+use crate::singular::{Nearness, Rescue};
+use crate::system::{Accepted, Leg, System};
+
+/// What has chosen the length of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Length {
+    /// An estimate of its error.
+    Error,
+    /// The user; next to a flat pose such a step must be shorter by `caution` than one of order 4 for an error as small.
+    Fixed {
+        /// A factor of at least 1.
+        caution: f64,
+    },
+    /// The user, of a step by itself, which cannot be split.
+    Alone,
+    /// The near-singular method, by the distance to the singular pose.
+    NearSingular,
+}
+
+/// Whether the drift from the constraints is looked at behind a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DriftCheck<S> {
+    /// Not behind this one, or the method has projected the state itself.
+    Skip,
+    /// The state is projected if its drift is `above` so many times what is tolerated.
+    Above {
+        /// What is tolerated, as a fraction of the typical coordinate and velocity.
+        tolerance: S,
+        /// 1, or 0 where every drift is projected.
+        above: S,
+    },
+}
+
+impl<S: Real> DriftCheck<S> {
+    /// Has the state to be projected?
+    #[inline]
+    pub(crate) fn fails<M: System<S = S>>(self, system: &M, t: S, x: &M::X) -> bool {
+        match self {
+            Self::Skip => false,
+            Self::Above { tolerance, above } => {
+                excess(system.drift(t, x), drift_of_size(system, tolerance)) > above
+            }
+        }
+    }
+}
+
+/// What ends a run although its state could be continued.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits<S> {
+    /// The energy jumps by more than this fraction.
+    pub(crate) energy_jump: Option<S>,
+    /// A loop can go on in several ways.
+    pub(crate) change_points: bool,
+}
+
+impl<S> Limits<S> {
+    /// None.
+    pub(crate) const NONE: Self = Self { energy_jump: None, change_points: false };
+}
+
+/// What a step is judged by.
+pub(crate) struct Rules<S> {
+    pub(crate) length: Length,
+    pub(crate) drift: DriftCheck<S>,
+    pub(crate) limits: Limits<S>,
+}
+
+/// A step that a method has made, with copies of what it leads to.
+pub(crate) struct Proposal<'a, M: System> {
+    pub(crate) system: &'a M,
+    /// Time, s, and state where it begins.
+    pub(crate) from: (M::S, &'a M::X),
+    /// The time at its end, s.
+    pub(crate) end: M::S,
+    /// The discrete state over it; behind the verdict [`Accept`](Verdict::Accept), that from its end on.
+    pub(crate) held: &'a mut M::U,
+    /// The state at its end; behind that verdict, with the coordinates and revolutions of that discrete state.
+    pub(crate) x: &'a mut M::X,
+    /// The smallest pivot ratio of its rates.
+    pub(crate) health: M::S,
+}
+
+/// What a proposed step is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Verdict {
+    /// It is committed.
+    Accept(Accepted),
+    /// The state is projected onto the constraints, and judged again.
+    Project,
+    /// A shorter step is tried; of a method that has none this fault is told.
+    Shorten(Fault),
+    /// It is made in so many parts at least.
+    Split(u32),
+    /// It is left to the near-singular method.
+    NearSingular,
+    /// The run ends before it.
+    Refuse(Fault),
+}
+
+/// Judges a step by what it led to and by the estimate of its error. Nothing but the proposal is changed.
+#[allow(clippy::inline_always, reason = "the fast path keeps the state in registers")]
+#[inline(always)]
+pub(crate) fn judge<M: Mechanism>(
+    proposal: &mut Proposal<'_, M>,
+    estimate: Estimate<M::S>,
+    rules: &Rules<M::S>,
+) -> Verdict {
+    let (system, start, end) = (proposal.system, proposal.from.0, proposal.end);
+    if rules.drift.fails(system, end, proposal.x) {
+        return Verdict::Project;
+    }
+    match M::Rescue::nearness(&proposal.leg(), rules.length) {
+        Nearness::Regular => {}
+        Nearness::Turn { parts } => return Verdict::Split(parts),
+        Nearness::Singular => return Verdict::NearSingular,
+    }
+    if let Some(fraction) = rules.limits.energy_jump
+        && let Err(fault) = check_energy(&proposal.leg(), fraction)
+    {
+        return Verdict::Shorten(fault);
+    }
+    match system.accept(end, proposal.held, proposal.x) {
+        Err(fault) => Verdict::Shorten(fault),
+        Ok(Accepted { passed: Some(part), .. }) if rules.limits.change_points => {
+            Verdict::Refuse(Fault::of_part(end.to_f64(), part, Cause::ChangePoint))
+        }
+        Ok(_) if estimate.is_senseless() => Verdict::Refuse(estimate.fault(system, start, end - start)),
+        Ok(accepted) => Verdict::Accept(accepted),
+    }
+}
+
+impl<M: System> Proposal<'_, M> {
+    /// The step.
+    #[inline]
+    pub(crate) fn leg(&self) -> Leg<'_, M> {
+        let Self { system, from, end, held, x, health } = self;
+        Leg { system: *system, held, from: *from, to: (*end, x), health: *health }
+    }
+}

@@ -1,0 +1,22 @@
+//! One step, from its proposal to its commit.
+//!
+//! 1. A method proposes a step ([`Method::advance`](crate::Method::advance), [`Method::single`](crate::Method::single)). With dense
+//!    output the event detector ([`crate::events`]) ends it at the first event.
+//! 2. [`judge`] says what it is, a [`Verdict`], and changes nothing.
+//! 3. What the verdict asks for is done: the state is projected, the step is shortened, split, left to the near-singular method or
+//!    refused; or it is committed: discrete state, charts, revolutions, then the events at its end.
+//!
+//! | path | proposal | what is done |
+//! |---|---|---|
+//! | general | any method | `advance` |
+//! | an interval of one fixed step | a formula, on a copy of the state | commits what is accepted at once, else the general path begins anew |
+//! | a step by itself ([`crate::step`]) | code that is emitted | commits, or is a fault |
+//! | lanes ([`crate::lanes`]) | eight formulas at once | as `advance`, lane by lane |
+
+mod advance;
+mod energy;
+mod judge;
+
+pub(crate) use self::advance::{Advance, Guarded, Made};
+pub use self::judge::Length;
+pub(crate) use self::judge::{DriftCheck, Limits, Proposal, Rules, Verdict, judge};
