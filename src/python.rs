@@ -92,7 +92,7 @@ impl<M: Runnable> Run<M> {
         self.get(kind, index)?;
         match kind {
             Kind::Parameter | Kind::Input => self.0.then(Set { kind, index, value }),
-            Kind::State => found(self.set_first_order(index, value).then_some(()))?,
+            Kind::State => found(self.set_first_order(index, value)?.then_some(()))?,
             _ => return Err(Status::ReadOnly.into()),
         }
         Ok(())

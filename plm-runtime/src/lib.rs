@@ -79,7 +79,7 @@ pub use fault::{Cause, Fault, Names};
 pub use held::Held;
 pub use limits::{Least, Limit};
 pub use linear::Linear;
-pub use mechanism::{AsMoment, InPlace, Mechanism, Moment};
+pub use mechanism::{AsMoment, At, InPlace, Mechanism, Moment};
 pub use method::{Adams, Dop853, Dopri5, Method, Rk4, SemiImplicitEuler, Vern9};
 pub use observed::Observed;
 pub use operations::Operations;

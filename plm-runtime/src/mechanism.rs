@@ -50,6 +50,46 @@ pub struct InPlace<'a, M: System> {
     pub x: &'a mut M::X,
 }
 
+/// The [`Moment`] of a system that is written by hand: its state has no names.
+#[derive(Clone, Copy, Debug)]
+pub struct At<M: System> {
+    /// The equations and their parameters.
+    pub mechanism: M,
+    /// The discrete state.
+    pub held: M::U,
+    /// The time, s.
+    pub time: M::S,
+    /// The state.
+    pub x: M::X,
+}
+
+impl<M: System + Copy> Moment for At<M> {
+    type M = M;
+
+    fn new(mechanism: M, held: M::U, time: M::S, x: M::X) -> Self {
+        Self { mechanism, held, time, x }
+    }
+    fn mechanism(&self) -> &M {
+        &self.mechanism
+    }
+    fn held(&self) -> M::U {
+        self.held
+    }
+    fn time(&self) -> M::S {
+        self.time
+    }
+    fn x(&self) -> &M::X {
+        &self.x
+    }
+    fn set(&mut self, time: M::S, held: &M::U, x: &M::X) {
+        (self.time, self.held, self.x) = (time, *held, *x);
+    }
+    fn in_place(&mut self) -> InPlace<'_, M> {
+        let Self { mechanism, held, time, x } = self;
+        InPlace { system: mechanism, held, time, x }
+    }
+}
+
 /// What is at a moment: a [`Moment`] itself, as `run` gives it, and a [`Sim`], which is at one. So functions that look at a
 /// moment take either.
 pub trait AsMoment {

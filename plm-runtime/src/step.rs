@@ -117,20 +117,23 @@ fn arrive<M: Mechanism>(
         let (mut stats, mut longest) = (Stats::default(), end - before.0);
         let mut course = Course::new((system, after), (end, x), end, (&mut stats, &mut longest));
         course.health = health;
-        switched(&mut course, before.0)?
+        switched(&mut course, before.0)?;
+        x = course.x;
+        course.held
     };
     Ok(x)
 }
 
-/// What is held behind a step where conditions switch.
-fn switched<M: Mechanism>(course: &mut Course<'_, M>, before: M::S) -> Result<M::U, Fault> {
+/// Commits the events at the end of a step.
+fn switched<M: Mechanism>(course: &mut Course<'_, M>, before: M::S) -> Result<(), Fault> {
     events::switch_past(course)?;
     if !is_before_instants(course.system, &course.held, (before, course.time)) {
-        let mut after = course.held;
-        course.system.pass(course.time, &mut after);
+        let (mut after, mut x) = (course.held, course.x);
+        course.system.pass(course.time, &mut after, &mut x)?;
         events::hold(course, after)?;
+        course.x = x;
     }
-    Ok(course.held)
+    Ok(())
 }
 
 /// Why the rates of a step are of no use.

@@ -6,14 +6,14 @@ use crate::scalar::{Real, Scalar};
 use crate::tube::Tube;
 use crate::vector::Vector;
 
-/// A system of first-order differential equations x' = f(t, u, x) with the state x = [q, v, first-order states].
+#[doc = include_str!("system.md")]
 pub trait System {
     /// The numbers it computes with.
     type S: Scalar;
     /// The state and its rate: [q (NQ), v (NQ), first-order states], SI units.
     type X: Vector<Self::S>;
-    /// What is held over a step: the inputs, the sides of the switching conditions, and what the formulation remembers
-    /// (its chart, the branch of each loop). The rate is smooth in time and state as long as this stays.
+    /// The discrete state, which changes at events and between steps alone: the inputs, the modes of the conditions, and what the
+    /// formulation remembers (its chart, the branch of each loop). The rate is smooth in time and state as long as it stays.
     type U: Copy + PartialEq;
     /// A number for every switching condition; `[S; 0]` costs nothing.
     type G: Vector<Self::S>;
@@ -124,9 +124,15 @@ pub trait System {
         Self::S::lit(0.0)
     }
 
-    /// Holds the other side of the condition `index` from now on; the state stays as it is.
-    fn switch(&self, t: Self::S, u: &mut Self::U, x: &Self::X, index: usize) {
+    /// Commits the event of the condition `index`, whose guard has passed zero: `u` gets the mode that applies from now on, of two or
+    /// more, in which that guard is not negative. The event may reset the state `x`, velocities too; whoever does so brings up to date
+    /// what `u` remembers of it.
+    ///
+    /// # Errors
+    /// When no mode applies: the run ends, and the state is that before the event.
+    fn switch(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X, index: usize) -> Result<(), Fault> {
         let _ = (t, u, x, index);
+        Ok(())
     }
 
     /// Some conditions or kinks matter only while others have a certain side, as [`matters`](Self::matters) tells; of 64 sides at
@@ -170,9 +176,14 @@ pub trait System {
         None
     }
 
-    /// The time has come to an instant, or a parameter has moved one: holds the sides that apply from now on.
-    fn pass(&self, t: Self::S, u: &mut Self::U) {
-        let _ = (t, u);
+    /// Commits the time event at an instant that was reached, or that a parameter has moved: `u` gets the modes that apply from now on.
+    /// It may reset the state, as [`switch`](Self::switch).
+    ///
+    /// # Errors
+    /// As [`switch`](Self::switch).
+    fn pass(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X) -> Result<(), Fault> {
+        let _ = (t, u, x);
+        Ok(())
     }
 
     /// A jump that what is held demands: of rows whose condition has another side in `after` than in `u`; without that, of

@@ -48,26 +48,32 @@ impl<M: Runnable> Run<M> {
             state.mechanism().settle(time, &mut x)?;
             (held, x)
         };
-        self.put(held, x);
-        Ok(())
+        self.put(held, x)
     }
 
     /// Sets a first-order state; false if there is none with this index.
-    pub(super) fn set_first_order(&mut self, index: usize, value: f64) -> bool {
+    ///
+    /// # Errors
+    /// When no mode applies there.
+    pub(super) fn set_first_order(&mut self, index: usize, value: f64) -> Result<bool, Fault> {
         let (state, count) = (self.0.state(), M::TABLES.states.len());
         let (held, mut x) = (state.held(), *state.x());
         if index < count {
             x.set(M::X::LEN - count + index, value);
-            self.put(held, x);
+            self.put(held, x)?;
         }
-        index < count
+        Ok(index < count)
     }
 
     /// Puts the run into a state, with conditions on the sides on which they are there.
-    fn put(&mut self, mut held: M::U, x: M::X) {
+    ///
+    /// # Errors
+    /// When no mode applies there.
+    fn put(&mut self, mut held: M::U, mut x: M::X) -> Result<(), Fault> {
         let state = self.0.state();
-        switch_where_due(state.mechanism(), state.time(), &mut held, &x);
+        switch_where_due(state.mechanism(), state.time(), &mut held, &mut x)?;
         self.0.then(Put { held, x });
+        Ok(())
     }
 
     /// The rates of the states, SI.

@@ -427,13 +427,14 @@ mod plm_arm_on_jack_ {
                 matches!(index, 0 | 1 | 2 | 3)
             }
 
-            fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; 10], index: usize) {
+            fn switch(&self, _t: S, u: &mut Self::U, _x: &mut [S; 10], index: usize) -> Result<(), Fault> {
                 if self.must_hold(index) {
-                    return;
+                    return Ok(());
                 }
                 if let Some(side) = u.switches.get_mut(index) {
                     *side = -*side;
                 }
+                Ok(())
             }
 
             fn guard_name(&self, index: usize) -> &'static str {
@@ -461,12 +462,13 @@ mod plm_arm_on_jack_ {
                 at.into_iter().filter(|at| *at > t).reduce(S::min)
             }
 
-            fn pass(&self, t: S, u: &mut Self::U) {
+            fn pass(&self, t: S, u: &mut Self::U, _x: &mut [S; 10]) -> Result<(), Fault> {
                 let (mut at, mut slope) = ([S::lit(0.0); 4], [S::lit(0.0); 4]);
                 self.instants(u, &mut at, &mut slope);
                 for ((side, at), slope) in u.switches.iter_mut().skip(4).zip(at).zip(slope) {
                     *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
                 }
+                Ok(())
             }
 
             fn energy(&self, t: S, u: &Self::U, x: &[S; 10]) -> Option<rt::Energy<S>> {
@@ -640,8 +642,8 @@ mod plm_arm_on_jack_ {
                 x[9] = self.start.valve_servo_swing.value;
                 let mut held = Self::holding_(input);
                 self.project(t, &assembly.q, &assembly.v, &mut x);
-                rt::System::pass(self, t, &mut held);
-                rt::events::switch_where_due(self, t, &mut held, &x);
+                rt::System::pass(self, t, &mut held, &mut x)?;
+                rt::events::switch_where_due(self, t, &mut held, &mut x)?;
                 Ok((held, x))
             }
         }

@@ -180,16 +180,16 @@ impl<M: Exchanged> Instance<M> {
         if self.state()?.held() != held || differs(&before, self.state()?.x()) {
             self.looked()?;
         }
-        let (mut held, x, _) = self.arrived()?;
+        let (mut held, mut x, _) = self.arrived()?;
         let state = self.state()?;
         let (mechanism, time) = (*state.mechanism(), state.time());
-        let sides = held;
+        let (sides, reached) = (held, x);
         if self.instant.is_some_and(|instant| time >= instant) {
-            mechanism.pass(time, &mut held);
+            mechanism.pass(time, &mut held, &mut x)?;
         }
         let mut left_over = self.left_over;
-        left_over.switch(&mechanism, time, &mut held, &x)?;
-        if let Some(fault) = mechanism.jump(time, &sides, &x, Some(&held)) {
+        left_over.switch(&mechanism, time, &mut held, &mut x)?;
+        if let Some(fault) = mechanism.jump(time, &sides, &reached, Some(&held)) {
             return Err(fault.into());
         }
         self.hold(held, time, x)?;

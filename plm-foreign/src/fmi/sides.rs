@@ -40,7 +40,7 @@ impl<G: Vector<f64>> LeftOver<G> {
         system: &M,
         t: f64,
         held: &mut M::U,
-        x: &M::X,
+        x: &mut M::X,
     ) -> Result<(), Fault> {
         let mut switched = vec![false; G::LEN];
         // A condition may switch another one.
@@ -51,7 +51,7 @@ impl<G: Vector<f64>> LeftOver<G> {
             if system.must_hold(index) {
                 return Err(Fault::of_part(t, system.guard_name(index), Cause::Required));
             }
-            system.switch(t, held, x, index);
+            system.switch(t, held, x, index)?;
             if let Some(done) = switched.get_mut(index) {
                 *done = true;
             }

@@ -69,16 +69,15 @@ pub(super) fn decide<M: System<S: Real>>(
         } else if course.system.must_hold(i) {
             return Err(not_met(course, i, here));
         } else {
-            let before = course.held;
-            course.system.switch(time, &mut course.held, &x, i);
+            let before = (course.held, course.x);
+            course.system.switch(time, &mut course.held, &mut course.x, i)?;
             // Where neither side leads away from the boundary, the value decides.
-            match rates(course).filter(|turned| turned.at(i) > M::S::ZERO) {
-                Some(turned) => {
-                    border.decided |= bit(i);
-                    border.switched |= bit(i);
-                    slopes = Some(turned);
-                }
-                None => course.held = before,
+            if let Some(turned) = rates(course).filter(|turned| turned.at(i) > M::S::ZERO) {
+                border.decided |= bit(i);
+                border.switched |= bit(i);
+                slopes = Some(turned);
+            } else {
+                (course.held, course.x) = before;
             }
         }
     }

@@ -60,10 +60,11 @@ pub(crate) fn refresh<M: System<S: Real>>(system: &M, t: M::S, u: &mut M::U, x: 
         return changed;
     }
     let here = guards(system, t, u, x);
+    // What does not matter resets nothing.
+    let mut x = *x;
     for i in 0..M::G::LEN {
         if is_past(system, &here, i) && !system.must_hold(i) && !system.matters(u, i, 0) {
-            system.switch(t, u, x, i);
-            changed |= bit(i);
+            changed |= if system.switch(t, u, &mut x, i).is_ok() { bit(i) } else { 0 };
         }
     }
     changed

@@ -55,8 +55,8 @@ pub(crate) fn before_settling<M: System<S: Real>>(
     t: M::S,
     x: &M::X,
 ) -> Result<(), Fault> {
-    let mut after = course.held;
-    if M::G::LEN == 0 || switch_where_due(course.system, t, &mut after, x) == 0 {
+    let (mut after, mut beyond) = (course.held, *x);
+    if M::G::LEN == 0 || switch_where_due(course.system, t, &mut after, &mut beyond)? == 0 {
         return Ok(());
     }
     course.system.jump(t, &course.held, x, Some(&after)).map_or(Ok(()), Err)

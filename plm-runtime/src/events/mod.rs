@@ -47,26 +47,36 @@ const LEAST_ULPS: f64 = 32.0;
 /// Switches every condition whose guard is past its band at the state `x`; how many did.
 ///
 /// A condition may switch another one: it is repeated until none is past, but not for ever.
-pub fn switch_where_due<M: System<S: Real>>(system: &M, t: M::S, u: &mut M::U, x: &M::X) -> u32 {
-    let mut switched = 0;
-    switch_each((system, 0), t, u, x, |_| switched += 1);
-    switched
-}
-
-/// The same, but for those with a bit in `decided`; gives `each` that switches.
-pub(crate) fn switch_each<M: System<S: Real>>(
-    (system, decided): (&M, u64),
+///
+/// # Errors
+/// Those of [`System::switch`].
+pub fn switch_where_due<M: System<S: Real>>(
+    system: &M,
     t: M::S,
     u: &mut M::U,
-    x: &M::X,
+    x: &mut M::X,
+) -> Result<u32, Fault> {
+    let mut switched = 0;
+    switch_each((system, M::G::fill(M::S::ZERO)), t, u, x, |_| switched += 1)?;
+    Ok(switched)
+}
+
+/// The same, where guards are violated below their `edges`; gives `each` that switches. A guard that its own event leaves violated, as
+/// that of a ball which has bounced, triggers it again only below where it was left.
+pub(crate) fn switch_each<M: System<S: Real>>(
+    (system, mut edges): (&M, M::G),
+    t: M::S,
+    u: &mut M::U,
+    x: &mut M::X,
     mut each: impl FnMut(usize),
-) {
+) -> Result<(), Fault> {
     refresh(system, t, u, x);
     for _ in 0..=M::G::LEN {
         let mut any = false;
         for i in 0..M::G::LEN {
-            if decided & bit(i) == 0 && is_past(system, &guards(system, t, u, x), i) {
-                system.switch(t, u, x, i);
+            if is_below(system, &guards(system, t, u, x), &edges, i) {
+                system.switch(t, u, x, i)?;
+                edges.set(i, guards(system, t, u, x).at(i).min(M::S::ZERO));
                 each(i);
                 any = true;
             }
@@ -75,6 +85,7 @@ pub(crate) fn switch_each<M: System<S: Real>>(
             break;
         }
     }
+    Ok(())
 }
 
 /// What a step ends with.
@@ -104,15 +115,25 @@ pub(crate) enum Event {
     },
 }
 
+/// What is known of the modes that the discrete state holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Modes {
+    /// Nothing has been done yet: a condition on its boundary begins in the mode that the motion goes to.
+    New,
+    /// They were decided at the beginning, and no step has been made.
+    Begun,
+    /// State, parameters or inputs may have been changed since.
+    Unknown,
+    /// They are those of the state.
+    Known,
+}
+
 /// What is known of the guards on the way.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Watch<S, G> {
-    /// The sides held are those that apply, unless the state may have been changed.
-    known: bool,
+    modes: Modes,
     /// How far each is on the wrong side because it was switched a little before its time; zero for most.
     left_over: G,
-    /// Nothing has been done yet: a condition that is on its boundary begins on the side that it goes to.
-    is_new: bool,
     /// Where guards need no look, with steps of fixed length.
     calm: Calm<S>,
     /// Switches in a short time.
@@ -121,18 +142,15 @@ pub(crate) struct Watch<S, G> {
 
 impl<S: Real, G: Vector<S>> Watch<S, G> {
     pub(crate) fn new() -> Self {
-        Self {
-            known: false,
-            left_over: G::fill(S::ZERO),
-            is_new: true,
-            calm: Calm::new(),
-            burst: Burst::new(),
-        }
+        Self { modes: Modes::New, left_over: G::fill(S::ZERO), calm: Calm::new(), burst: Burst::new() }
     }
 
     /// State, parameters or inputs may have been changed.
     pub(crate) fn forget(&mut self) {
-        self.known = false;
+        self.modes = match self.modes {
+            Modes::New | Modes::Begun => Modes::New,
+            Modes::Unknown | Modes::Known => Modes::Unknown,
+        };
         self.calm.forget();
         self.left_over = G::fill(S::ZERO);
     }
@@ -148,18 +166,20 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             return Ok(());
         }
         let here = guards_here(course)?;
-        let border = decide(course, &here, self.is_new)?;
+        let is_new = self.modes == Modes::New;
+        let border = decide(course, &here, is_new)?;
         if border.switched != 0 {
             method.restart();
-            let count = if self.is_new { 0 } else { border.switched.count_ones() };
+            let count = if is_new { 0 } else { border.switched.count_ones() };
             self.burst.count(course, border.switched, count)?;
         }
         self.switch_due(method, course, Some(border))?;
         if border.decided != 0 {
             let here = guards_here(course)?;
-            let left_over =
-                |i: usize| if border.decided & bit(i) == 0 { S::ZERO } else { here.at(i).min(S::ZERO) };
-            self.left_over = G::from_fn(left_over);
+            let own = |i: usize| {
+                if border.decided & bit(i) == 0 { self.left_over.at(i) } else { here.at(i).min(S::ZERO) }
+            };
+            self.left_over = G::from_fn(own);
         }
         Ok(())
     }
@@ -167,7 +187,7 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
     /// Are the sides held those that apply?
     #[inline]
     pub(crate) fn is_known(&self) -> bool {
-        G::LEN == 0 || self.known
+        G::LEN == 0 || matches!(self.modes, Modes::Begun | Modes::Known)
     }
 
     /// A step as the method proposes it; with dense output it ends where the first condition leaves its side.
@@ -295,21 +315,27 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
             return Ok(());
         }
         required(course, index)?;
-        let mut after = course.held;
-        course.system.switch(course.time, &mut after, &course.x, index);
+        let (mut after, mut x) = (course.held, course.x);
+        course.system.switch(course.time, &mut after, &mut x, index)?;
         hold(course, after)?;
+        course.x = x;
         method.restart();
         let here = guards_here(course)?;
-        self.known = true;
         self.left_over.set(index, here.at(index).min(S::ZERO));
-        let switched = u32::from(!core::mem::replace(&mut self.is_new, false));
+        let before = core::mem::replace(&mut self.modes, Modes::Known);
+        let switched = u32::from(!matches!(before, Modes::New | Modes::Begun));
         self.burst.count(course, bit(index), switched)
     }
 
     /// The state reached has these guards.
     fn arrive(&mut self, guards: G) {
-        (self.is_new, self.known) = (false, true);
-        self.left_over = self.left_over.map2(&guards, |left, g| if g < S::ZERO { left } else { S::ZERO });
+        self.modes = Modes::Known;
+        self.release(&guards);
+    }
+
+    /// Guards that are on their side again have nothing left over.
+    fn release(&mut self, guards: &G) {
+        self.left_over = self.left_over.map2(guards, |left, g| if g < S::ZERO { left } else { S::ZERO });
     }
 
     /// Switches what is past its guard at the current state, where a step led; else a change from outside did, and what is on the
@@ -321,10 +347,19 @@ impl<S: Real, G: Vector<S>> Watch<S, G> {
         border: Option<Border>,
     ) -> Result<(), Fault> {
         let here = guards_here(course)?;
-        self.known = true;
-        let Some(Switched { conditions, count }) = hold_past(course, &here, border)? else { return Ok(()) };
+        self.modes = match self.modes {
+            Modes::New | Modes::Begun => Modes::Begun,
+            Modes::Unknown | Modes::Known => Modes::Known,
+        };
+        self.release(&here);
+        let Some(Switched { conditions, count }) = hold_past(course, &here, (border, self.left_over))? else {
+            return Ok(());
+        };
         method.restart();
-        guards_here(course)?;
+        let here = guards_here(course)?;
+        let own =
+            |i: usize| if conditions & bit(i) == 0 { self.left_over.at(i) } else { here.at(i).min(S::ZERO) };
+        self.left_over = G::from_fn(own);
         self.burst.count(course, conditions, count)
     }
 
@@ -384,4 +419,9 @@ fn guards<M: System>(system: &M, t: M::S, u: &M::U, x: &M::X) -> M::G {
 /// The guard `index` is beyond its band.
 fn is_past<M: System<S: Real>>(system: &M, g: &M::G, index: usize) -> bool {
     g.at(index) < -system.band(index)
+}
+
+/// The guard `index` is beyond its band below its edge.
+fn is_below<M: System<S: Real>>(system: &M, g: &M::G, edges: &M::G, index: usize) -> bool {
+    g.at(index) < edges.at(index) - system.band(index)
 }

@@ -2,7 +2,7 @@
 
 use super::border::Border;
 use super::heeded::bit;
-use super::{guards, guards_here, hold, is_past, switch_each};
+use super::{guards, guards_here, hold, is_below, is_past, switch_each};
 use crate::fault::{Cause, Fault};
 use crate::method::Course;
 use crate::scalar::{Real, Scalar};
@@ -19,14 +19,16 @@ pub(super) struct Switched {
 
 /// Holds the other sides of conditions that are past their guards `here`, at the state reached; gives those
 /// that switched. Where a step led there, no row may jump by it. What a change from outside asks for is taken as it is, but for what has
-/// been decided on the `border`.
+/// been decided on the `border`, and those are not violated again that were `left_over`.
 pub(super) fn hold_past<M: System<S: Real>>(
     course: &mut Course<'_, M>,
     here: &M::G,
-    border: Option<Border>,
+    (border, left_over): (Option<Border>, M::G),
 ) -> Result<Option<Switched>, Fault> {
     let decided = border.map_or(0, |border| border.decided);
-    let beyond = |i: &usize| decided & bit(*i) == 0 && is_past(course.system, here, *i);
+    let edge = |i: usize| if decided & bit(i) == 0 { left_over.at(i) } else { -M::S::INFINITY };
+    let edges = M::G::from_fn(edge);
+    let beyond = |i: &usize| is_below(course.system, here, &edges, *i);
     let mut any = false;
     for index in (0..M::G::LEN).filter(beyond) {
         any = true;
@@ -39,15 +41,16 @@ pub(super) fn hold_past<M: System<S: Real>>(
     if !any {
         return Ok(None);
     }
-    let (mut after, mut switched) = (course.held, Switched { conditions: 0, count: 0 });
-    switch_each((course.system, decided), course.time, &mut after, &course.x, |index| {
+    let (mut after, mut x) = (course.held, course.x);
+    let mut switched = Switched { conditions: 0, count: 0 };
+    switch_each((course.system, edges), course.time, &mut after, &mut x, |index| {
         switched.conditions |= bit(index);
         switched.count += 1;
-    });
+    })?;
     if border.is_none() {
         hold(course, after)?;
     }
-    course.held = after;
+    (course.held, course.x) = (after, x);
     Ok(Some(switched))
 }
 
@@ -58,7 +61,7 @@ pub(crate) fn switch_past<M: System<S: Real>>(course: &mut Course<'_, M>) -> Res
         return Ok(());
     }
     let here = guards_here(course)?;
-    hold_past(course, &here, None).map(|_| ())
+    hold_past(course, &here, (None, M::G::fill(M::S::ZERO))).map(|_| ())
 }
 
 /// Is no condition past its guard at a state?

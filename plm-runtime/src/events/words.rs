@@ -1,7 +1,7 @@
 //! What is known of guards as words.
 
-use super::Watch;
 use super::burst::Burst;
+use super::{Modes, Watch};
 use crate::scalar::Real;
 use crate::vector::Vector;
 use crate::words::{InWords, Words};
@@ -10,9 +10,20 @@ use crate::words::{InWords, Words};
 /// which is found again and changes no number.
 impl<S: Real, G: Vector<S>> InWords for Watch<S, G> {
     fn each(&mut self, words: &mut impl Words) {
-        words.flag(&mut self.known);
         words.vector(&mut self.left_over);
-        words.flag(&mut self.is_new);
+        let mut modes = match self.modes {
+            Modes::New => 0,
+            Modes::Begun => 1,
+            Modes::Unknown => 2,
+            Modes::Known => 3,
+        };
+        words.word(&mut modes);
+        self.modes = match modes {
+            0 => Modes::New,
+            1 => Modes::Begun,
+            2 => Modes::Unknown,
+            _ => Modes::Known,
+        };
         let Burst { since, count, conditions } = &mut self.burst;
         words.number(since);
         // The count is 101 at most.

@@ -75,9 +75,11 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
 
     /// Commits the time event that was reached.
     fn time_event(&mut self) -> Result<(), Fault> {
-        let (before, mut after) = (self.course.held, self.course.held);
-        self.course.system.pass(self.course.time, &mut after);
+        let Course { time, held, x, .. } = *self.course;
+        let (before, mut after, mut x) = (Begun { time, held, x }, held, x);
+        self.course.system.pass(self.course.time, &mut after, &mut x)?;
         events::hold(self.course, after)?;
+        self.course.x = x;
         self.course.stats.switches += 1;
         self.method.restart();
         self.guarded.watch.forget();
@@ -223,16 +225,17 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         Ok(())
     }
 
-    /// Discrete state and number of events, for an observer that sees events.
-    fn modes(&self) -> Option<(M::U, u64)> {
-        O::SWITCHES.then_some((self.course.held, self.course.stats.switches))
+    /// Discrete state, state and number of events, for an observer that sees events.
+    fn modes(&self) -> Option<(Begun<M>, u64)> {
+        let Course { time, held, x, .. } = *self.course;
+        O::SWITCHES.then_some((Begun { time, held, x }, self.course.stats.switches))
     }
 
     /// Shows the events since `before`.
     #[inline]
-    fn show_events(&mut self, before: Option<(M::U, u64)>, trigger: Trigger) {
-        if let Some((held, _)) = before.filter(|(_, switches)| self.course.stats.switches > *switches) {
-            self.observer.switched(self.course, &held, trigger);
+    fn show_events(&mut self, before: Option<(Begun<M>, u64)>, trigger: Trigger) {
+        if let Some((before, _)) = before.filter(|(_, switches)| self.course.stats.switches > *switches) {
+            self.observer.switched(self.course, &before, trigger);
         }
     }
 

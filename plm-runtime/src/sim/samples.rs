@@ -1,10 +1,12 @@
 //! Who sees the steps of a run, and the samples that it gives.
 
+use super::Begun;
 use crate::events;
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Course, Method};
 use crate::scalar::{Real, Scalar};
+use crate::vector::Vector;
 
 /// Who sees the steps of a run.
 pub(crate) trait Observer<M: Mechanism> {
@@ -18,9 +20,9 @@ pub(crate) trait Observer<M: Mechanism> {
     /// A step was accepted; what was held over it is held still.
     fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault>;
 
-    /// Something has switched; `before` is what was held until then.
+    /// Something has switched; `before` is the discrete state and the state until then.
     #[inline]
-    fn switched(&mut self, course: &Course<'_, M>, before: &M::U, what: Trigger) {
+    fn switched(&mut self, course: &Course<'_, M>, before: &Begun<M>, what: Trigger) {
         let _ = (course, before, what);
     }
 }
@@ -156,19 +158,25 @@ where
         asked.see(method, course)
     }
 
-    fn switched(&mut self, course: &Course<'_, M>, before: &M::U, what: Trigger) {
+    fn switched(&mut self, course: &Course<'_, M>, before: &Begun<M>, what: Trigger) {
         let Self { samples: Samples { moment, .. }, see, .. } = self;
-        let mut before = *before;
-        events::refresh(course.system, course.time, &mut before, &course.x);
-        moment.set(course.time, &before, &course.x);
+        let (mut held, mut x) = (before.held, before.x);
+        events::refresh(course.system, course.time, &mut held, &x);
+        moment.set(course.time, &held, &x);
         match what {
             Trigger::Condition(index) => see(Seen::Condition(index, moment)),
             Trigger::Time => see(Seen::Instant(moment)),
             Trigger::Due => {
-                let mut held = before;
-                events::switch_each((course.system, 0), course.time, &mut held, &course.x, |index| {
-                    see(Seen::Condition(index, moment));
-                });
+                // The events were committed: they do not fail here.
+                let _ = events::switch_each(
+                    (course.system, M::G::fill(M::S::ZERO)),
+                    course.time,
+                    &mut held,
+                    &mut x,
+                    |index| {
+                        see(Seen::Condition(index, moment));
+                    },
+                );
             }
         }
         moment.set(course.time, &course.held, &course.x);

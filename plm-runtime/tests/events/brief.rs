@@ -104,8 +104,9 @@ impl<S: Real> System for Gate<S> {
         each(0, constant(*side) * guard(&gate, t, x(0)));
         true
     }
-    fn switch(&self, _t: S, side: &mut S, _x: &[S; 3], _index: usize) {
+    fn switch(&self, _t: S, side: &mut S, _x: &mut [S; 3], _index: usize) -> Result<(), Fault> {
         *side = -*side;
+        Ok(())
     }
     fn must_hold(&self, _index: usize) -> bool {
         self.must_hold

@@ -44,8 +44,9 @@ impl System for Scene {
     fn band(&self, _index: usize) -> f64 {
         self.band
     }
-    fn switch(&self, _t: f64, u: &mut Held, x: &[f64; 3], index: usize) {
+    fn switch(&self, _t: f64, u: &mut Held, x: &mut [f64; 3], index: usize) -> Result<(), Fault> {
         (self.switch)(u, x, index);
+        Ok(())
     }
     fn guard_name(&self, index: usize) -> &'static str {
         ["first", "second"][index]
@@ -53,9 +54,10 @@ impl System for Scene {
     fn next_instant(&self, t: f64, _u: &Held) -> Option<f64> {
         self.instants.iter().copied().find(|instant| *instant > t)
     }
-    fn pass(&self, t: f64, u: &mut Held) {
+    fn pass(&self, t: f64, u: &mut Held, _x: &mut [f64; 3]) -> Result<(), Fault> {
         u.passed += 1;
         assert_eq!(t, self.instants[u.passed - 1]);
+        Ok(())
     }
 }
 

@@ -13,3 +13,4 @@ mod linkage;
 mod mechanisms;
 #[path = "../../../tests/support/random.rs"]
 mod random;
+mod resets;

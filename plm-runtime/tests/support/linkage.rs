@@ -199,41 +199,7 @@ pub fn pose<S: Real>(x: f64, y: f64, angle: f64) -> BodyStart<S> {
     BodyStart { x, y, angle, ..zero_start() }
 }
 
-/// The generated `State`: a mechanism at a moment.
-#[derive(Clone, Copy, Debug)]
-pub struct At<M: plm_runtime::System> {
-    pub mechanism: M,
-    pub held: M::U,
-    pub time: M::S,
-    pub x: M::X,
-}
-
-impl<M: plm_runtime::System + Copy> plm_runtime::Moment for At<M> {
-    type M = M;
-
-    fn new(mechanism: M, held: M::U, time: M::S, x: M::X) -> Self {
-        Self { mechanism, held, time, x }
-    }
-    fn mechanism(&self) -> &M {
-        &self.mechanism
-    }
-    fn held(&self) -> M::U {
-        self.held
-    }
-    fn time(&self) -> M::S {
-        self.time
-    }
-    fn x(&self) -> &M::X {
-        &self.x
-    }
-    fn set(&mut self, time: M::S, held: &M::U, x: &M::X) {
-        (self.time, self.held, self.x) = (time, *held, *x);
-    }
-    fn in_place(&mut self) -> plm_runtime::InPlace<'_, M> {
-        let Self { mechanism, held, time, x } = self;
-        plm_runtime::InPlace { system: mechanism, held, time, x }
-    }
-}
+pub use plm_runtime::At;
 
 /// Implements the contract of generated code for a linkage with names.
 #[macro_export]

@@ -101,7 +101,7 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
     let only = is_required.then(|| {
         quote! {
             if self.must_hold(index) {
-                return;
+                return Ok(());
             }
         }
     });
@@ -129,11 +129,14 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
     quote! {
         #must_hold
         #end
-        fn switch(&self, _t: S, u: &mut Self::U, _x: &[S; #length], index: usize) {
+        fn switch(
+            &self, _t: S, u: &mut Self::U, _x: &mut [S; #length], index: usize
+        ) -> Result<(), Fault> {
             #only
             if let Some(side) = u.switches.get_mut(index) {
                 *side = -*side;
             }
+            Ok(())
         }
 
         fn guard_name(&self, index: usize) -> &'static str {
@@ -178,7 +181,7 @@ pub(super) fn matters(emission: &Emission) -> TokenStream {
 
 /// When switches of the time alone change, and which sides of them apply.
 pub(super) fn known_times(emission: &Emission) -> TokenStream {
-    let guards = emission.model.guards();
+    let (guards, Sizes { length, .. }) = (emission.model.guards(), &emission.sizes);
     let count = number(emission.model.switches.len() - guards);
     let guards = number(guards);
     quote! {
@@ -188,12 +191,13 @@ pub(super) fn known_times(emission: &Emission) -> TokenStream {
             at.into_iter().filter(|at| *at > t).reduce(S::min)
         }
 
-        fn pass(&self, t: S, u: &mut Self::U) {
+        fn pass(&self, t: S, u: &mut Self::U, _x: &mut [S; #length]) -> Result<(), Fault> {
             let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
             self.instants(u, &mut at, &mut slope);
             for ((side, at), slope) in u.switches.iter_mut().skip(#guards).zip(at).zip(slope) {
                 *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
             }
+            Ok(())
         }
     }
 }

@@ -268,8 +268,9 @@ fn holding(emission: &Emission) -> TokenStream {
 /// From the assembled pose to the state, and the sides of conditions that apply there.
 fn begin(emission: &Emission) -> TokenStream {
     let model = emission.model;
-    let pass = (!model.switches.is_empty()).then(|| quote!(rt::System::pass(self, t, &mut held);));
-    let switch = (model.guards() > 0).then(|| quote!(rt::events::switch_where_due(self, t, &mut held, &x);));
+    let pass = (!model.switches.is_empty()).then(|| quote!(rt::System::pass(self, t, &mut held, &mut x)?;));
+    let switch =
+        (model.guards() > 0).then(|| quote!(rt::events::switch_where_due(self, t, &mut held, &mut x)?;));
     let mut repeats = None;
     let enter = match emission.form {
         Form::Loops(reduced) => {
