@@ -19,6 +19,7 @@ mod past;
 mod root;
 mod search;
 mod still;
+mod violated;
 mod words;
 
 use self::border::{Border, decide, meet};
@@ -34,6 +35,9 @@ use self::past::{Switched, hold_past, required};
 pub(crate) use self::past::{are_quiet, switch_past};
 use self::search::{Found, Search};
 use self::still::Still;
+pub(crate) use self::violated::switch_each;
+pub use self::violated::switch_where_due;
+use self::violated::{is_below, is_past};
 use crate::fault::{Cause, Fault};
 use crate::method::{Course, Method};
 use crate::scalar::{Real, Scalar};
@@ -43,50 +47,6 @@ use crate::vector::Vector;
 
 /// A step of so many units in the last place of the time is none.
 const LEAST_ULPS: f64 = 32.0;
-
-/// Switches every condition whose guard is past its band at the state `x`; how many did.
-///
-/// A condition may switch another one: it is repeated until none is past, but not for ever.
-///
-/// # Errors
-/// Those of [`System::switch`].
-pub fn switch_where_due<M: System<S: Real>>(
-    system: &M,
-    t: M::S,
-    u: &mut M::U,
-    x: &mut M::X,
-) -> Result<u32, Fault> {
-    let mut switched = 0;
-    switch_each((system, M::G::fill(M::S::ZERO)), t, u, x, |_| switched += 1)?;
-    Ok(switched)
-}
-
-/// The same, where guards are violated below their `edges`; gives `each` that switches. A guard that its own event leaves violated, as
-/// that of a ball which has bounced, triggers it again only below where it was left.
-pub(crate) fn switch_each<M: System<S: Real>>(
-    (system, mut edges): (&M, M::G),
-    t: M::S,
-    u: &mut M::U,
-    x: &mut M::X,
-    mut each: impl FnMut(usize),
-) -> Result<(), Fault> {
-    refresh(system, t, u, x);
-    for _ in 0..=M::G::LEN {
-        let mut any = false;
-        for i in 0..M::G::LEN {
-            if is_below(system, &guards(system, t, u, x), &edges, i) {
-                system.switch(t, u, x, i)?;
-                edges.set(i, guards(system, t, u, x).at(i).min(M::S::ZERO));
-                each(i);
-                any = true;
-            }
-        }
-        if !any {
-            break;
-        }
-    }
-    Ok(())
-}
 
 /// What a step ends with.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -414,14 +374,4 @@ fn guards<M: System>(system: &M, t: M::S, u: &M::U, x: &M::X) -> M::G {
     let mut g = M::G::fill(M::S::lit(0.0));
     system.guards(t, u, x, &mut g);
     g
-}
-
-/// The guard `index` is beyond its band.
-fn is_past<M: System<S: Real>>(system: &M, g: &M::G, index: usize) -> bool {
-    g.at(index) < -system.band(index)
-}
-
-/// The guard `index` is beyond its band below its edge.
-fn is_below<M: System<S: Real>>(system: &M, g: &M::G, edges: &M::G, index: usize) -> bool {
-    g.at(index) < edges.at(index) - system.band(index)
 }
