@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use plm_runtime::method::{Course, Path};
+use plm_runtime::method::{Context, Path};
 use plm_runtime::system::Drift;
 use plm_runtime::{Adams, Dop853, Fault, Linear, Method, Moment, Sim, System, Vector, Vern9};
 
@@ -242,14 +242,14 @@ impl<M: Linear<S = f64> + Copy> Method<M> for Auto<M> {
     const DENSE: bool = true;
     const NAME: &'static str = "Auto";
 
-    fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        whichever!(mut self, method => method.begin(course))
+    fn begin(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        whichever!(mut self, method => method.begin(context))
     }
-    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        whichever!(mut self, method => method.advance(course))
+    fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        whichever!(mut self, method => method.advance(context))
     }
-    fn densify(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        whichever!(mut self, method => method.densify(course))
+    fn densify(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        whichever!(mut self, method => method.densify(context))
     }
     fn interpolate(&self, time: f64) -> M::X {
         whichever!(self, method => method.interpolate(time))

@@ -220,7 +220,7 @@ fn every_allow_has_a_reason() {
 }
 
 /// Words that have given way to those of docs/src/theory/vocabulary.md: where, the word, what stands instead.
-const OLD_WORDS: [(&str, &str, &str); 7] = [
+const OLD_WORDS: [(&str, &str, &str); 23] = [
     ("plm-macros/compiler/src/", "driver", "independent coordinate"),
     ("plm-macros/compiler/src/", "drivers", "independent"),
     ("plm-macros/compiler/src/", "survey", "remember_pose"),
@@ -228,6 +228,22 @@ const OLD_WORDS: [(&str, &str, &str); 7] = [
     ("plm-macros/compiler/src/formulate/", "drift", "time_rate; drift is the violation of constraints"),
     ("plm-macros/compiler/src/formulate/", "hold", "tree edge"),
     ("plm-macros/compiler/src/formulate/", "sides", "switches"),
+    ("plm-runtime/src/", "leg", "step"),
+    ("plm-runtime/src/", "legs", "ends"),
+    ("plm-runtime/src/", "course", "context: the integration context"),
+    ("plm-runtime/src/", "brief", "missed: missed events"),
+    ("plm-runtime/src/", "border", "boundary"),
+    ("plm-runtime/src/", "burst", "chattering"),
+    ("plm-runtime/src/", "heeded", "relevant"),
+    ("plm-runtime/src/", "begun", "beginning"),
+    ("plm-runtime/src/", "careful", "was_unhealthy"),
+    ("plm-runtime/src/events/", "watch", "detector"),
+    ("plm-runtime/src/events/", "calm", "guard_free"),
+    ("plm-runtime/src/events/", "still", "enclosure"),
+    ("plm-runtime/src/events/", "looks", "sampled"),
+    ("plm-runtime/src/events/", "past", "violated"),
+    ("plm-runtime/src/events/", "quiet", "satisfied"),
+    ("plm-runtime/src/events/", "kept", "history"),
 ];
 
 #[test]

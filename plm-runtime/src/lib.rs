@@ -88,7 +88,7 @@ pub use scalar::{Real, Scalar};
 pub use sim::{Notice, Seen, Sim, Snapshot, Stats};
 pub use start::{BodyStart, Start, StartValues};
 pub use statics::Statics;
-pub use system::{Accepted, Drift, Energy, Health, Leg, System};
+pub use system::{Accepted, Drift, Energy, Health, Step, System};
 pub use tube::{Interval, Tube};
 pub use twofold::Twofold;
 pub use vector::Vector;

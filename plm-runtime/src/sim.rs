@@ -3,24 +3,24 @@
 mod changes;
 mod clock;
 mod count;
-mod kept;
+mod fast;
+mod history;
 mod samples;
-mod single;
 mod times;
 mod told;
 mod watched;
 mod words;
 
 pub(crate) use self::clock::Clock;
-pub(crate) use self::kept::{Begun, Kept};
+pub(crate) use self::history::{Beginning, History};
 pub use self::samples::Seen;
 pub(crate) use self::samples::{Observer, Trigger, Unobserved};
 use self::samples::{Sampler, Samples, Times};
 pub use self::told::{Notice, Stats};
-use crate::events::Watch;
+use crate::events::Detector;
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
-use crate::method::{Course, Dop853, Method};
+use crate::method::{Context, Dop853, Method};
 use crate::protocol::{Advance, Guarded, Limits};
 use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
@@ -36,13 +36,13 @@ pub struct Sim<M: Mechanism, I = Dop853<M>> {
     pub(crate) state: M::State,
     pub(crate) method: I,
     pub(crate) stats: Stats,
-    pub(crate) watch: Watch<M::S, M::G>,
+    pub(crate) detector: Detector<M::S, M::G>,
     pub(crate) limits: Limits<M::S>,
     /// What rounding has left out of the time.
     pub(crate) clock: Clock<M::S>,
     /// The longest step so far, s.
     pub(crate) longest_step: M::S,
-    pub(crate) kept: Kept<M>,
+    pub(crate) history: History<M>,
     /// When it began, s.
     start_time: M::S,
     /// The caller may have changed something since the last step.
@@ -61,11 +61,11 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         Self {
             parameters: state.mechanism().fingerprint(),
             start_time: state.time(),
-            kept: Kept::new(),
+            history: History::new(),
             state,
             method,
             stats: Stats::default(),
-            watch: Watch::new(),
+            detector: Detector::new(),
             limits: Limits::NONE,
             clock: Clock { time: M::S::ZERO, rest: M::S::ZERO },
             longest_step: M::S::ZERO,
@@ -215,7 +215,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         if !begins {
             self.begin(end, length)?;
         }
-        if I::SINGLE && !O::SEES && self.single(end) {
+        if I::FAST && !O::SEES && self.fast_step(end) {
             return Ok(());
         }
         self.many(end, length, observer)
@@ -228,13 +228,13 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             return Err(self.bad_interval(length));
         }
         let time = self.state.time();
-        let Self { state, method, stats, watch, limits, longest_step, kept, .. } = self;
+        let Self { state, method, stats, detector, limits, longest_step, history, .. } = self;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
-        let mut course = Course::new((system, held), (time, x), end, (stats, longest_step));
-        let guarded = Guarded { watch, kept, limits: *limits };
-        let mut advance = Advance { method, course: &mut course, guarded, observer };
+        let mut context = Context::new((system, held), (time, x), end, (stats, longest_step));
+        let guarded = Guarded { detector, history, limits: *limits };
+        let mut advance = Advance { method, context: &mut context, guarded, observer };
         let outcome = advance.run_to(end);
-        let (time, held, x) = (course.time, course.held, course.x);
+        let (time, held, x) = (context.time, context.held, context.x);
         state.set(time, &held, &x);
         outcome
     }
@@ -242,7 +242,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// Something may have been changed from outside.
     fn forget(&mut self) {
         self.method.restart();
-        self.watch.forget();
-        self.kept.begun = None;
+        self.detector.forget();
+        self.history.beginning = None;
     }
 }

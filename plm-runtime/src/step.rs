@@ -5,12 +5,12 @@ use crate::events;
 use crate::fault::{Cause, Fault};
 use crate::lanes::Pack;
 use crate::mechanism::{InPlace, Mechanism, Moment};
-use crate::method::{Course, Estimate, Formula, Rk4Formula, Ros34Pw2Formula, Trial, not_finite};
+use crate::method::{Context, Estimate, Formula, Rk4Formula, Ros34Pw2Formula, Trial, not_finite};
 use crate::protocol::{DriftCheck, Length, Limits, Proposal, Rules, Verdict, judge};
 use crate::scalar::{Real, Scalar};
 use crate::sim::Stats;
 use crate::singular::{Nearness, Rescue};
-use crate::system::{Health, Leg, System};
+use crate::system::{Health, Step, System};
 use crate::vector::Vector;
 
 /// Drift that is tolerated, as a fraction of the typical coordinate and velocity; of what the scalar can resolve, if that is
@@ -50,8 +50,8 @@ where
     if !(health.is_good() && next.is_finite()) {
         return Err(unhealthy(system, held, before, next));
     }
-    let leg = Leg { system, held, from: (before.0, &before.1), to: (end, &next), health: health.0 };
-    if !is_uneventful(&leg) {
+    let step = Step { system, held, from: (before.0, &before.1), to: (end, &next), health: health.0 };
+    if !is_uneventful(&step) {
         // A copy: what is lent to a call stands in memory, and the state of a step without events stays in registers.
         next = arrive(system, held, (health.0, before), (end, next))?;
     }
@@ -62,12 +62,12 @@ where
 /// Is there nothing to do behind a step? All is looked at where it stands; of a loop in a good chart, whether the state is near
 /// to the last one that was looked at.
 #[inline]
-fn is_uneventful<M: Pack>(leg: &Leg<'_, M>) -> bool {
-    let &Leg { system, held, from: (start, _), to: (end, x), .. } = leg;
+fn is_uneventful<M: Pack>(step: &Step<'_, M>) -> bool {
+    let &Step { system, held, from: (start, _), to: (end, x), .. } = step;
     system.is_calm(end, held, x)
         && !drift_check().fails(system, end, x)
-        && M::Rescue::nearness(leg, Length::Alone) == Nearness::Regular
-        && events::are_quiet(system, end, held, x)
+        && matches!(M::Rescue::nearness(step, Length::Alone), Nearness::Regular)
+        && events::are_satisfied(system, end, held, x)
         && is_before_instants(system, held, (start, end))
 }
 
@@ -91,47 +91,42 @@ fn arrive<M: Mechanism>(
     (health, before): (M::S, (M::S, M::X)),
     (end, mut x): (M::S, M::X),
 ) -> Result<M::X, Fault> {
-    let mut rules = Rules { length: Length::Alone, drift: drift_check(), limits: Limits::NONE };
+    if drift_check().fails(system, end, &x) {
+        system.settle(end, &mut x)?;
+    }
+    let rules = Rules { length: Length::Alone, drift: DriftCheck::Skip, limits: Limits::NONE };
     let mut after = *held;
     let mut proposal =
         Proposal { system, from: (before.0, &before.1), end, held: &mut after, x: &mut x, health };
-    loop {
-        match judge(&mut proposal, Estimate::NONE, &rules) {
-            Verdict::Accept(_) => break,
-            Verdict::Project => {
-                system.settle(end, proposal.x)?;
-                rules.drift = DriftCheck::Skip;
-            }
-            Verdict::Split(_) | Verdict::NearSingular => return Err(not_regular(before.0)),
-            Verdict::Shorten(fault) | Verdict::Refuse(fault) => return Err(fault),
-        }
+    match judge(&mut proposal, Estimate::NONE, &rules) {
+        Verdict::Accept(_) => {}
+        Verdict::Project | Verdict::Split(_) | Verdict::NearSingular => return Err(not_regular(before.0)),
+        Verdict::Shorten(fault) | Verdict::Refuse(fault) => return Err(fault),
     }
     if !system.is_regular(&after) {
         return Err(not_regular(before.0));
     }
-    *held = if events::are_quiet(system, end, &after, &x)
-        && is_before_instants(system, &after, (before.0, end))
+    if !(events::are_satisfied(system, end, &after, &x)
+        && is_before_instants(system, &after, (before.0, end)))
     {
-        after
-    } else {
         let (mut stats, mut longest) = (Stats::default(), end - before.0);
-        let mut course = Course::new((system, after), (end, x), end, (&mut stats, &mut longest));
-        course.health = health;
-        switched(&mut course, before.0)?;
-        x = course.x;
-        course.held
-    };
+        let mut context = Context::new((system, after), (end, x), end, (&mut stats, &mut longest));
+        context.health = health;
+        switched(&mut context, before.0)?;
+        (after, x) = (context.held, context.x);
+    }
+    *held = after;
     Ok(x)
 }
 
 /// Commits the events at the end of a step.
-fn switched<M: Mechanism>(course: &mut Course<'_, M>, before: M::S) -> Result<(), Fault> {
-    events::switch_past(course)?;
-    if !is_before_instants(course.system, &course.held, (before, course.time)) {
-        let (mut after, mut x) = (course.held, course.x);
-        course.system.pass(course.time, &mut after, &mut x)?;
-        events::hold(course, after)?;
-        course.x = x;
+fn switched<M: Mechanism>(context: &mut Context<'_, M>, before: M::S) -> Result<(), Fault> {
+    events::switch_at_end(context)?;
+    if !is_before_instants(context.system, &context.held, (before, context.time)) {
+        let (mut after, mut x) = (context.held, context.x);
+        context.system.pass(context.time, &mut after, &mut x)?;
+        events::hold(context, after)?;
+        context.x = x;
     }
     Ok(())
 }

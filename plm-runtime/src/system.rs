@@ -238,7 +238,7 @@ pub fn rate_aside<M: Rate>(system: &M, t: M::S, u: &M::U, x: M::X) -> (M::X, Hea
 
 /// A step that was made, as those see it that look at steps.
 #[derive(Clone, Copy, Debug)]
-pub struct Leg<'a, M: System> {
+pub struct Step<'a, M: System> {
     /// The equations.
     pub system: &'a M,
     /// What was held over it.

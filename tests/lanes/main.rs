@@ -14,7 +14,10 @@ mod standard;
 use plm::runtime::lanes::Pack;
 use plm::runtime::method::{FixedStep, Formula, Rk4Formula};
 use plm::{Batch, Cause, Moment, Rk4, SemiImplicitEuler, Sim, Stats};
-use scenes::{Driven, Pulsed, parallelogram, parallelogram_in_loops, triple_rocker, triple_rocker_absolute};
+use scenes::{
+    Driven, Pulsed, Struck, parallelogram, parallelogram_in_loops, struck_absolute, struck_in_loops,
+    triple_rocker, triple_rocker_absolute,
+};
 use standard::{s1, s2, s5, s6};
 
 /// Eight numbers around zero.
@@ -31,7 +34,7 @@ fn agree<M, F: Formula>(
     before: impl Fn(usize, usize, &mut Lane<M, F>),
 ) -> [Stats; 8]
 where
-    M: Pack<S = f64, G = [f64; 0]>,
+    M: Pack<S = f64>,
     M::U: std::fmt::Debug + PartialEq,
     M::X: PartialEq,
 {
@@ -47,7 +50,7 @@ fn agree_with<M, F: Formula>(
     before: impl Fn(usize, usize, &mut Lane<M, F>),
 ) -> [Stats; 8]
 where
-    M: Pack<S = f64, G = [f64; 0]>,
+    M: Pack<S = f64>,
     M::U: std::fmt::Debug + PartialEq,
     M::X: PartialEq,
 {
@@ -167,6 +170,39 @@ fn known_times_are_hit() {
     let mechanisms = AROUND.map(|s| Pulsed { from: 0.1 + 0.1 * s, until: 0.2 + 0.2 * s, ..Pulsed::new() });
     let stats = agree(mechanisms, Rk4::new(1e-3), &[0.05, 0.1, 0.2, 0.1], unchanged);
     assert!(stats.iter().all(|stats| stats.switches == 2), "{stats:?}");
+}
+
+/// A lane in which a condition may switch makes the step alone, and goes on with the others behind it; one that does not hold what is
+/// required stops.
+#[test]
+fn conditions_switch_lane_by_lane() {
+    let mechanisms = AROUND.map(|s| {
+        let mut mechanism = Struck { stop: -1.9 + s, reach: 3.0 + 4.0 * s, ..Struck::new() };
+        mechanism.start.bob.angle.value += 0.3 * s;
+        mechanism
+    });
+    let stats = agree(mechanisms, Rk4::new(1e-3), &[0.05, 0.6, 0.001, 1.0], |interval, lane, sim| {
+        // A change from outside may switch a condition, too.
+        if interval == 2 && lane == 3 {
+            sim.mechanism.stop += 0.5;
+        }
+    });
+    let stopped = stats.map(|stats| stats.steps < 1651);
+    assert!(stopped.contains(&true) && stopped.contains(&false), "{stats:?}");
+    assert!(stats.iter().filter(|stats| stats.switches > 2).count() > 3, "{stats:?}");
+}
+
+#[test]
+fn conditions_of_loops_switch_lane_by_lane() {
+    fn bars<M: Pack<S = f64, X: PartialEq>>(mechanisms: [M; 8])
+    where
+        M::U: std::fmt::Debug,
+    {
+        let stats = agree(mechanisms, Rk4::new(1e-3), &[1.0, 1.5], unchanged);
+        assert!(stats.iter().all(|stats| stats.switches >= 2), "{stats:?}");
+    }
+    bars(AROUND.map(|s| struck_in_loops::FourBars { at: 1.6 + s, ..struck_in_loops::FourBars::new() }));
+    bars(AROUND.map(|s| struck_absolute::FourBars { at: 1.6 + s, ..struck_absolute::FourBars::new() }));
 }
 
 #[test]

@@ -693,7 +693,7 @@ mod plm_bouncer_ {
                 rt::Held { input, switches, turns, of_loops }
             }
 
-            const WATCHED: bool = false;
+            const WATCHED: bool = true;
             #[inline]
             fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
                 true
@@ -717,6 +717,9 @@ mod plm_bouncer_ {
             #[inline]
             fn put_held<T: Scalar>(wide: &mut Held<T>, one: &Held<S>, put: impl Fn(&mut T, S)) {
                 rt::held::Loops::<S>::put(&mut wide.of_loops, &one.of_loops, &put);
+                for (wide, &one) in wide.switches.iter_mut().zip(&one.switches) {
+                    put(wide, one);
+                }
                 for (wide, &one) in wide.turns.iter_mut().zip(&one.turns) {
                     let mut turns = T::of_turns(*wide);
                     put(&mut turns, S::of_turns(one));

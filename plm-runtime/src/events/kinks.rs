@@ -8,7 +8,7 @@
 use super::LEAST_ULPS;
 use super::root::{Point, root};
 use crate::fault::Fault;
-use crate::method::{Course, Method, Path};
+use crate::method::{Context, Method, Path};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::tube::Tube;
@@ -35,28 +35,28 @@ const MATTERS: f64 = 1.0;
 /// The rough output of the step tells whether there is one at all, so that steps without kinks need no more evaluations.
 pub(super) fn kink<M: System<S: Real>, I: Method<M>>(
     method: &mut I,
-    course: &mut Course<'_, M>,
+    context: &mut Context<'_, M>,
     (start, crossing): (M::S, Option<M::S>),
-    heeded: u128,
+    relevant: u128,
 ) -> Result<Option<M::S>, Fault> {
     let (Some(tolerance), Some(path), true) = (method.tolerance(), method.path(), M::KINKS > 0) else {
         return Ok(None);
     };
-    let (system, held) = (course.system, course.held);
+    let (system, held) = (context.system, context.held);
     // Where there are guards, the dense output is known.
     let path = if M::G::LEN > 0 {
         path
     } else {
-        if (Kinks { system, held, path, heeded }).first().is_none() {
+        if (Kinks { system, held, path, relevant }).first().is_none() {
             return Ok(None);
         }
-        method.densify(course)?;
+        method.densify(context)?;
         let Some(path) = method.path() else { return Ok(None) };
         path
     };
-    let least = M::S::lit(LEAST_ULPS) * M::S::EPSILON * start.abs().max(course.end.abs());
+    let least = M::S::lit(LEAST_ULPS) * M::S::EPSILON * start.abs().max(context.end.abs());
     let time = |theta: M::S| Some(path.time(theta)).filter(|time| *time - start > least);
-    let kinks = Kinks { system, held, path, heeded };
+    let kinks = Kinks { system, held, path, relevant };
     if let Some(crossing) = crossing
         && let Some(first) = kinks.first().and_then(time).filter(|first| crossing < *first)
     {
@@ -65,7 +65,7 @@ pub(super) fn kink<M: System<S: Real>, I: Method<M>>(
     let mut outcome = Ok(());
     let theta = kinks.first_that_matters(tolerance, |t, x| {
         let mut rate = *x;
-        outcome = course.rate(t, x, &mut rate);
+        outcome = context.rate(t, x, &mut rate);
         outcome.is_ok().then_some(rate)
     });
     outcome?;
@@ -78,7 +78,7 @@ struct Kinks<'a, M: System> {
     held: M::U,
     path: Path<M::S, M::X>,
     /// Those that are looked at, one bit each.
-    heeded: u128,
+    relevant: u128,
 }
 
 impl<M: System<S: Real>> Kinks<'_, M> {
@@ -94,10 +94,10 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         mut rate: impl FnMut(M::S, &M::X) -> Option<M::X>,
     ) -> Option<M::S> {
         let (one, half) = (M::S::lit(1.0), M::S::lit(0.5));
-        let (first, mut past) = self.after(beside())?;
+        let (first, mut behind) = self.after(beside())?;
         let (mut from, mut sum) = (first, M::S::ZERO);
         for _ in 0..FOLLOWED {
-            let next = self.after(past).unwrap_or((one, one));
+            let next = self.after(behind).unwrap_or((one, one));
             // By Simpson's rule from kink to kink; at the first the dense output still fits.
             let (to, middle) = (next.0, half * (from + next.0));
             let part = (to - from) * M::S::lit(1.0 / 6.0);
@@ -106,8 +106,8 @@ impl<M: System<S: Real>> Kinks<'_, M> {
             if sum > M::S::lit(MATTERS) * tolerance {
                 return Some(first);
             }
-            (from, past) = next;
-            if past >= one {
+            (from, behind) = next;
+            if behind >= one {
                 break;
             }
         }
@@ -165,7 +165,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         let (time, x) = self.path.around(middle, radius);
         let mut open = false;
         let known = self.system.guards_within(time, &self.held, &x, &mut |i, tube: Tube<M::S>| {
-            let bit = bit(i.wrapping_sub(M::G::LEN)).filter(|bit| bit & self.heeded != 0);
+            let bit = bit(i.wrapping_sub(M::G::LEN)).filter(|bit| bit & self.relevant != 0);
             let Some(bit) = bit else { return };
             let range = tube.range(radius);
             let stays = changed & bit == 0
@@ -207,7 +207,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         let mut signs = 0;
         self.system.kinks(self.path.time(theta), &self.held, &self.path.at(theta), &mut |i, value| {
             if let (Some(bit), true) = (bit(i), value > M::S::ZERO) {
-                signs |= bit & self.heeded;
+                signs |= bit & self.relevant;
             }
         });
         signs

@@ -4,7 +4,7 @@
 //! range over the interval, by the sign of its slope ([`Tube`](crate::Tube)). Where a guard comes so near to zero that this stays open,
 //! bisection ends at a fraction of the step, [`FINEST`], that is shorter than anything that is promised to be found.
 
-use super::heeded::Heeded;
+use super::relevant::Relevant;
 use super::root::{Point, root};
 use crate::method::Path;
 use crate::scalar::{Real, Scalar};
@@ -50,7 +50,7 @@ pub(super) struct Search<'a, M: System> {
     /// What rounding makes of a guard at the beginning.
     noise: M::G,
     /// Those that are looked at.
-    heeded: Heeded,
+    relevant: Relevant,
     /// The one guard that is looked at, of all.
     only: Option<usize>,
 }
@@ -75,21 +75,22 @@ struct Piece<S, G> {
 }
 
 impl<'a, M: System<S: Real>> Search<'a, M> {
-    /// Over `path`; `left_over` is how far guards were on the wrong side when they were switched there.
+    /// Over `path`; `residual` is by how much each guard was violated when its event was committed.
     pub(super) fn new(
         (system, held): (&'a M, M::U),
         path: Path<M::S, M::X>,
-        left_over: &M::G,
-        heeded: Heeded,
+        residual: &M::G,
+        relevant: Relevant,
     ) -> Self {
         let zero = M::G::fill(M::S::ZERO);
-        let mut search = Self { system, held, path, base: zero, from: zero, noise: zero, heeded, only: None };
+        let mut search =
+            Self { system, held, path, base: zero, from: zero, noise: zero, relevant, only: None };
         search.noise = search.rounding(M::S::ZERO);
         for i in 0..M::G::LEN {
-            if left_over.at(i) < M::S::ZERO {
+            if residual.at(i) < M::S::ZERO {
                 match search.return_of(i) {
                     Some(from) => search.from.set(i, from),
-                    None => search.base.set(i, left_over.at(i)),
+                    None => search.base.set(i, residual.at(i)),
                 }
             }
         }
@@ -102,16 +103,16 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
     }
 
     /// Is this guard looked at?
-    fn looks_at(&self, index: usize) -> bool {
-        self.only.map_or(self.heeded.has(index), |only| only == index)
+    fn searches(&self, index: usize) -> bool {
+        self.only.map_or(self.relevant.has(index), |only| only == index)
     }
 
-    /// Is the guard past at a fraction of the step?
-    pub(super) fn is_past(&self, theta: M::S, index: usize) -> bool {
+    /// Is the guard violated at a fraction of the step?
+    pub(super) fn is_violated(&self, theta: M::S, index: usize) -> bool {
         self.values(theta).at(index) < self.edge(index) - self.noise.at(index)
     }
 
-    /// Below this a guard is past, but for rounding.
+    /// Below this a guard is violated, but for rounding.
     fn edge(&self, index: usize) -> M::S {
         self.base.at(index) - self.system.band(index)
     }
@@ -162,7 +163,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
     fn judge(&self, piece: &Piece<M::S, M::G>, level: u32) -> Verdict<M::S> {
         let (mut open, mut crossed) = (false, false);
         let ranges = self.ranges(piece, level, |i, range, slope| {
-            if !self.looks_at(i) || self.from.at(i) >= piece.to {
+            if !self.searches(i) || self.from.at(i) >= piece.to {
                 return;
             }
             if self.from.at(i) > piece.from {
@@ -171,14 +172,14 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
             }
             // What is a little beyond zero may be rounding, and may be the edge of what is shorter than the interval.
             let edge = self.edge(i);
-            let past = edge - piece.noise.at(i);
-            let stay = if piece.is_local { past } else { edge };
+            let violated = edge - piece.noise.at(i);
+            let stay = if piece.is_local { violated } else { edge };
             let (left, right) = (piece.left.at(i), piece.right.at(i));
             let monotone = slope.low >= M::S::ZERO || slope.high <= M::S::ZERO;
-            if left.min(right) >= past && (monotone || range.low >= stay) {
+            if left.min(right) >= violated && (monotone || range.low >= stay) {
                 return;
             }
-            let leaves = right < past && slope.high <= M::S::ZERO;
+            let leaves = right < violated && slope.high <= M::S::ZERO;
             crossed |= leaves;
             open |= !leaves;
         });
@@ -189,12 +190,12 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         crossing.map_or(Verdict::Clean, |(i, theta)| Verdict::Crossing(i, theta))
     }
 
-    /// The guard that passes its base first in an interval, of those that are past at its end.
+    /// The guard that passes its base first in an interval, of those that are violated at its end.
     fn earliest(&self, piece: &Piece<M::S, M::G>) -> Option<(usize, M::S)> {
         let mut first: Option<(usize, M::S)> = None;
-        for i in (0..M::G::LEN).filter(|i| self.looks_at(*i)) {
-            let is_past = piece.right.at(i) < self.edge(i) - piece.noise.at(i);
-            if is_past && self.from.at(i) <= piece.from {
+        for i in (0..M::G::LEN).filter(|i| self.searches(*i)) {
+            let is_violated = piece.right.at(i) < self.edge(i) - piece.noise.at(i);
+            if is_violated && self.from.at(i) <= piece.from {
                 let theta = self.crossing(piece, i);
                 if first.is_none_or(|(_, earlier)| theta < earlier) {
                     first = Some((i, theta));
@@ -204,7 +205,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         first
     }
 
-    /// The first fraction of the step past the base of a guard, which is past at the end of an interval.
+    /// The first fraction of the step at which a guard passes its base; at the end of the interval it is violated.
     fn crossing(&self, piece: &Piece<M::S, M::G>, i: usize) -> M::S {
         // What rests on its base has not passed it.
         let above = self.base.at(i) - M::S::EPSILON * piece.noise.at(i);

@@ -1,8 +1,10 @@
 //! Events of conditions whose guards are violated at a state.
 
-use super::guards;
-use super::heeded::refresh;
-use crate::fault::Fault;
+use super::boundary::Boundary;
+use super::relevant::{bit, refresh};
+use super::{guards, guards_here, hold};
+use crate::fault::{Cause, Fault};
+use crate::method::Context;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
@@ -52,11 +54,91 @@ pub(crate) fn switch_each<M: System<S: Real>>(
 }
 
 /// The guard `index` is beyond its band.
-pub(super) fn is_past<M: System<S: Real>>(system: &M, g: &M::G, index: usize) -> bool {
+pub(super) fn is_violated<M: System<S: Real>>(system: &M, g: &M::G, index: usize) -> bool {
     g.at(index) < -system.band(index)
 }
 
 /// The guard `index` is beyond its band below its edge.
 pub(super) fn is_below<M: System<S: Real>>(system: &M, g: &M::G, edges: &M::G, index: usize) -> bool {
     g.at(index) < edges.at(index) - system.band(index)
+}
+
+/// What has switched.
+pub(super) struct Switched {
+    /// One bit for each condition.
+    pub(super) conditions: u64,
+    /// How many times.
+    pub(super) count: u32,
+}
+
+/// Commits the events of the conditions whose guards `here`, at the state reached, are violated; gives those that switched. A guard is
+/// violated below its `residual`. Behind a step no constraint row may jump; behind a change from outside, with a `boundary`, what was
+/// decided there stays.
+pub(super) fn switch_violated<M: System<S: Real>>(
+    context: &mut Context<'_, M>,
+    here: &M::G,
+    (boundary, residual): (Option<Boundary>, M::G),
+) -> Result<Option<Switched>, Fault> {
+    let decided = boundary.map_or(0, |boundary| boundary.decided);
+    let edge = |i: usize| if decided & bit(i) == 0 { residual.at(i) } else { -M::S::INFINITY };
+    let edges = M::G::from_fn(edge);
+    let mut any = false;
+    for index in 0..M::G::LEN {
+        if !is_below(context.system, here, &edges, index) {
+            continue;
+        }
+        any = true;
+        match boundary {
+            None => required(context, index)?,
+            Some(_) if context.system.must_hold(index) => return Err(not_met(context, index, here)),
+            Some(_) => {}
+        }
+    }
+    if !any {
+        return Ok(None);
+    }
+    let (mut after, mut x) = (context.held, context.x);
+    let mut switched = Switched { conditions: 0, count: 0 };
+    switch_each((context.system, edges), context.time, &mut after, &mut x, |index| {
+        switched.conditions |= bit(index);
+        switched.count += 1;
+    })?;
+    if boundary.is_none() {
+        hold(context, after)?;
+    }
+    (context.held, context.x) = (after, x);
+    Ok(Some(switched))
+}
+
+/// Commits the events at the end of a step by itself.
+#[inline]
+pub(crate) fn switch_at_end<M: System<S: Real>>(context: &mut Context<'_, M>) -> Result<(), Fault> {
+    if M::G::LEN == 0 {
+        return Ok(());
+    }
+    let here = guards_here(context)?;
+    switch_violated(context, &here, (None, M::G::fill(M::S::ZERO))).map(|_| ())
+}
+
+/// Are all guards satisfied at a state?
+#[inline]
+pub(crate) fn are_satisfied<M: System<S: Real>>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
+    let here = guards(system, t, held, x);
+    here.is_finite() && (0..M::G::LEN).all(|i| !is_violated(system, &here, i))
+}
+
+/// The end of a run whose requirement `index` is not met any more, or that has come to a pole or the end of a
+/// domain.
+pub(super) fn required<M: System<S: Real>>(context: &Context<'_, M>, index: usize) -> Result<(), Fault> {
+    let (time, name) = (context.time.to_f64(), context.system.guard_name(index));
+    if context.system.must_hold(index) {
+        return Err(Fault::of_part(time, name, Cause::Required));
+    }
+    context.system.end(index).map_or(Ok(()), |cause| Err(Fault::of_part(time, name, cause)))
+}
+
+/// The fault of a requirement that is not met where a run begins, or goes on after a change from outside.
+pub(super) fn not_met<M: System<S: Real>>(context: &Context<'_, M>, index: usize, here: &M::G) -> Fault {
+    let cause = Cause::NotMet { by: -here.at(index).to_f64() };
+    Fault::of_part(context.time.to_f64(), context.system.guard_name(index), cause)
 }

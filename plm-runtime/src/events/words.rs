@@ -1,35 +1,35 @@
 //! What is known of guards as words.
 
-use super::burst::Burst;
-use super::{Modes, Watch};
+use super::chattering::Chattering;
+use super::{Detector, Modes};
 use crate::scalar::Real;
 use crate::vector::Vector;
 use crate::words::{InWords, Words};
 
 /// Not what came and went within the last step, which methods without dense output alone have; nor where guards need no look,
 /// which is found again and changes no number.
-impl<S: Real, G: Vector<S>> InWords for Watch<S, G> {
+impl<S: Real, G: Vector<S>> InWords for Detector<S, G> {
     fn each(&mut self, words: &mut impl Words) {
-        words.vector(&mut self.left_over);
+        words.vector(&mut self.residual);
         let mut modes = match self.modes {
             Modes::New => 0,
-            Modes::Begun => 1,
+            Modes::Beginning => 1,
             Modes::Unknown => 2,
             Modes::Known => 3,
         };
         words.word(&mut modes);
         self.modes = match modes {
             0 => Modes::New,
-            1 => Modes::Begun,
+            1 => Modes::Beginning,
             2 => Modes::Unknown,
             _ => Modes::Known,
         };
-        let Burst { since, count, conditions } = &mut self.burst;
+        let Chattering { since, count, conditions } = &mut self.chattering;
         words.number(since);
         // The count is 101 at most.
         let mut both = u64::from(*count).min(0xFF) | *conditions << 8;
         words.word(&mut both);
         (*count, *conditions) = ((both & 0xFF) as u32, both >> 8);
-        self.calm.forget();
+        self.guard_free.forget();
     }
 }

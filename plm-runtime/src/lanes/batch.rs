@@ -10,7 +10,7 @@ use super::side::{Side, Wide};
 use super::{LANES, Lanes, Pack};
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
-use crate::method::{FixedStep, Formula, Plan, Rk4Formula};
+use crate::method::{FixedStep, Formula, Partition, Rk4Formula};
 use crate::scalar::Scalar;
 use crate::sim::{Clock, Sim};
 
@@ -18,8 +18,8 @@ use crate::sim::{Clock, Sim};
 /// in numbers `L` of eight lanes.
 ///
 /// Each ends with the bits that it would have if it ran alone. A lane that needs more than straight-line code makes that
-/// step alone: where a solution without pivoting is unhealthy, and as long as it is in another chart than most. One that
-/// stops with a fault does not stop the others.
+/// step alone: where a solution without pivoting is unhealthy, where an event is possible, and as long as it is in another chart than
+/// most. One that stops with a fault does not stop the others.
 ///
 /// It dereferences to the array of simulations.
 #[derive(Clone, Copy)]
@@ -36,7 +36,7 @@ impl<M: Mechanism<S = f64, State: fmt::Debug>, L, F> fmt::Debug for Batch<M, L, 
 
 impl<M, L, F> Batch<M, L, F>
 where
-    M: Pack<S = f64, G = [f64; 0]>,
+    M: Pack<S = f64>,
     L: Lanes,
     F: Formula,
 {
@@ -71,7 +71,7 @@ where
             self.sims.each_mut().map(|sim| Lane::new(sim, clock.time, joins.next() == Some(true)))
         };
         run::<M, L, F>(&mut lanes);
-        let reached = lanes.map(|lane| (lane.course.time, lane.course.held, lane.course.x, lane.outcome));
+        let reached = lanes.map(|lane| (lane.context.time, lane.context.held, lane.context.x, lane.outcome));
         array::from_fn(|i| {
             let (sim, (time, held, x, outcome)) = (&mut self.sims[i], &reached[i]);
             if !joins[i] {
@@ -105,29 +105,30 @@ where
 }
 
 /// Runs all lanes to the end of the interval.
-fn run<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(lanes: &mut [Lane<M, F>; LANES]) {
+fn run<M: Pack<S = f64>, L: Lanes, F: Formula>(lanes: &mut [Lane<M, F>; LANES]) {
     let Some(first) = lanes.iter().find(|lane| lane.runs) else { return };
-    let (mut time, end, mut plan, mut number) = (first.course.time, first.course.end, first.plan(), 0);
+    let (mut time, end, mut partition, mut number) =
+        (first.context.time, first.context.end, first.partition(), 0);
     let mut side = Side::<M, L>::new(lanes);
     while time < end {
-        step(lanes, &mut side, (time, &plan, number));
-        time = plan.next_time;
-        plan.next();
+        step(lanes, &mut side, (time, &partition, number));
+        time = partition.next_time;
+        partition.next();
         number += 1;
     }
     side.tell(lanes);
     for (i, lane) in lanes.iter_mut().enumerate().filter(|(_, lane)| lane.runs) {
-        lane.catch_up(number);
-        (lane.course.time, lane.course.x) = (end, column(&side.x, i));
+        lane.count_steps(number);
+        (lane.context.time, lane.context.x) = (end, column(&side.x, i));
     }
 }
 
-/// One step of all lanes: its beginning, the plan, and how many were made before.
+/// One step of all lanes: its beginning, the partition, and how many were made before.
 #[inline]
-fn step<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(
+fn step<M: Pack<S = f64>, L: Lanes, F: Formula>(
     lanes: &mut [Lane<M, F>; LANES],
     side: &mut Side<M, L>,
-    at: (f64, &Plan<f64>, u64),
+    at: (f64, &Partition<f64>, u64),
 ) {
     let (mut next, health) = side.step::<F>(at);
     let coasts = side.coast(at.1.next_time, &next, health);
@@ -139,11 +140,11 @@ fn step<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(
 
 /// The same step of those lanes that do not coast (1 in those that do), in ordinary numbers, each as it would be made alone.
 #[inline(never)]
-fn apart<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(
+fn apart<M: Pack<S = f64>, L: Lanes, F: Formula>(
     lanes: &mut [Lane<M, F>; LANES],
     side: &mut Side<M, L>,
     (next, health, coasts): (&mut Wide<M, L>, L, L),
-    at: (f64, &Plan<f64>, u64),
+    at: (f64, &Partition<f64>, u64),
 ) {
     side.tell(lanes);
     // Who is joined may change on the way.

@@ -1,22 +1,22 @@
 //! One lane of a batch, as the simulation that it is.
 
 use super::{LANES, Lanes, Pack};
-use crate::events::{Event, Watch};
+use crate::events::{Detector, Event, at_a_jump};
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
-use crate::method::{Course, FixedStep, Formula, Method, Plan};
+use crate::method::{Context, FixedStep, Formula, Method, Partition};
 use crate::protocol::{Advance, DriftCheck, Guarded, Limits, Made};
-use crate::sim::{Begun, Kept, Sim, Unobserved};
+use crate::sim::{Beginning, History, Sim, Unobserved};
 use crate::singular::{Nearness, Rescue};
-use crate::system::Leg;
+use crate::system::Step;
 use crate::vector::Vector;
 
 /// A simulation on its way through an interval.
 pub(super) struct Lane<'a, M: Mechanism<S = f64>, F> {
-    pub(super) course: Course<'a, M>,
+    pub(super) context: Context<'a, M>,
     method: &'a mut FixedStep<f64, F>,
-    watch: &'a mut Watch<f64, M::G>,
-    kept: &'a mut Kept<M>,
+    detector: &'a mut Detector<f64, M::G>,
+    history: &'a mut History<M>,
     limits: Limits<f64>,
     /// It goes with the others: it started with them and has not stopped.
     pub(super) runs: bool,
@@ -25,26 +25,28 @@ pub(super) struct Lane<'a, M: Mechanism<S = f64>, F> {
     counted: u64,
 }
 
-impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
+impl<'a, M: Pack<S = f64>, F: Formula> Lane<'a, M, F> {
     /// The simulation, on its way to `end`; it goes with the others if it `joins` them.
     pub(super) fn new(sim: &'a mut Sim<M, FixedStep<f64, F>>, end: f64, joins: bool) -> Self {
-        let Sim { state, method, stats, watch, kept, limits, longest_step, .. } = sim;
+        let Sim { state, method, stats, detector, history, limits, longest_step, .. } = sim;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
-        let mut course = Course::new((system, held), (state.time(), x), end, (stats, longest_step));
-        let outcome = if joins { method.begin(&mut course) } else { Ok(()) };
+        let mut context = Context::new((system, held), (state.time(), x), end, (stats, longest_step));
+        let started =
+            joins.then(|| detector.begin(method, &mut context).and_then(|()| method.begin(&mut context)));
+        let outcome = started.unwrap_or(Ok(())).map_err(|fault| at_a_jump(&mut context, fault));
         let (limits, runs) = (*limits, joins && outcome.is_ok());
-        Self { course, method, watch, kept, limits, runs, outcome, counted: 0 }
+        Self { context, method, detector, history, limits, runs, outcome, counted: 0 }
     }
 
     /// The division of the interval into steps.
-    pub(super) fn plan(&self) -> Plan<f64> {
-        self.method.plan
+    pub(super) fn partition(&self) -> Partition<f64> {
+        self.method.partition
     }
 
     /// The chart in which its steps may be made with the others'; none where they may not.
     pub(super) fn place(&self) -> Option<usize> {
-        let regular = !self.method.careful && !M::Rescue::holds(&self.course);
-        M::chart(&self.course.held).filter(|_| self.runs && regular)
+        let regular = !self.method.was_unhealthy && !M::Rescue::holds(&self.context);
+        M::chart(&self.context.held).filter(|_| self.runs && regular)
     }
 
     /// Its steps may be made with the others' where nothing is to be looked at.
@@ -57,71 +59,74 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
     #[inline]
     pub(super) fn coast(
         &mut self,
-        (time, plan, number): (f64, &Plan<f64>, u64),
+        (time, partition, number): (f64, &Partition<f64>, u64),
         health: f64,
         states: impl FnOnce() -> [M::X; 2],
     ) -> bool {
-        let Self { course: Course { system, held, .. }, method, .. } = self;
+        let Self { context: Context { system, held, .. }, method, detector, history, .. } = self;
         let check = method.drift_check();
-        let coasts = if check == DriftCheck::Skip && !M::Rescue::POSSIBLE {
+        let coasts = if check == DriftCheck::Skip && !M::Rescue::POSSIBLE && M::G::LEN == 0 {
             true
         } else {
             let [from, to] = &states();
-            let leg = Leg { system: *system, held, from: (time, from), to: (plan.next_time, to), health };
+            let step =
+                Step { system: *system, held, from: (time, from), to: (partition.next_time, to), health };
             let length = <FixedStep<f64, F> as Method<M>>::LENGTH;
-            M::Rescue::nearness(&leg, length) == Nearness::Regular
-                && !check.fails(*system, plan.next_time, to)
+            M::Rescue::nearness(&step, length) == Nearness::Regular
+                && !check.fails(*system, partition.next_time, to)
+                && detector.excludes_events(history, &step)
         };
         if coasts {
-            self.catch_up(number + 1);
+            self.count_steps(number + 1);
         }
         coasts
     }
 
     /// Counts the steps up to `number` that were made with the others.
     #[inline]
-    pub(super) fn catch_up(&mut self, number: u64) {
+    pub(super) fn count_steps(&mut self, number: u64) {
         let steps = if self.runs { number - self.counted } else { 0 };
-        self.course.stats.steps += steps;
-        self.course.stats.evaluations += steps * F::STAGES;
-        self.method.keep_on(steps);
+        self.context.stats.steps += steps;
+        self.context.stats.evaluations += steps * F::STAGES;
+        self.method.skip_checks(steps);
         self.counted = number;
     }
 
-    /// Makes the step `number` of the plan from the state `x`, to `next` if that is known, with its health, and looks at it.
+    /// Makes the step `number` of the partition from the state `x`, to `next` if that is known, with its health, and looks at it.
     pub(super) fn step(
         &mut self,
-        (time, plan, number): (f64, &Plan<f64>, u64),
+        (time, partition, number): (f64, &Partition<f64>, u64),
         x: M::X,
         next: Option<(M::X, f64)>,
     ) {
-        self.catch_up(number);
+        self.count_steps(number);
         self.counted += 1;
-        (self.course.time, self.course.x, self.method.plan) = (time, x, *plan);
-        self.course.health = next.map_or(1.0, |next| next.1.min(1.0));
+        (self.context.time, self.context.x, self.method.partition) = (time, x, *partition);
+        self.context.health = next.map_or(1.0, |next| next.1.min(1.0));
         let next = next.map(|next| next.0);
-        let made = if M::Rescue::holds(&self.course) { Made::NearSingular } else { self.propose(next) };
-        self.runs = matches!(made, Made::Step) && !M::Rescue::holds(&self.course);
+        let made = if M::Rescue::holds(&self.context) { Made::NearSingular } else { self.propose(next) };
+        self.runs = matches!(made, Made::Step) && !M::Rescue::holds(&self.context);
         if !self.runs {
-            // Near a singular pose, and in parts of the step, it goes on without the others.
-            self.outcome = self.advance(&mut Unobserved).resume(made);
+            // Near a singular pose, and where the step is split, it goes on without the others.
+            let outcome = self.advance(&mut Unobserved).resume(made);
+            self.outcome = outcome.map_err(|fault| at_a_jump(&mut self.context, fault));
         }
     }
 
     fn propose(&mut self, next: Option<M::X>) -> Made<f64> {
-        let Self { course, method, .. } = self;
-        let from = Begun { time: course.time, held: course.held, x: course.x };
-        let mut x = course.x;
+        let Self { context, method, .. } = self;
+        let from = Beginning { time: context.time, held: context.held, x: context.x };
+        let mut x = context.x;
         let made = match next {
             Some(next) => {
                 x = next;
                 method.is_short();
-                course.stats.evaluations += F::STAGES;
+                context.stats.evaluations += F::STAGES;
                 Ok(())
             }
-            None => method.step(course, &mut x),
+            None => method.step(context, &mut x),
         };
-        match made.and_then(|()| method.land(course, x)) {
+        match made.and_then(|()| method.land(context, x)) {
             Ok(()) => self.advance(&mut Unobserved).conclude(&from, Event::None),
             Err(fault) => Made::Failed(fault),
         }
@@ -132,8 +137,8 @@ impl<'a, M: Pack<S = f64, G = [f64; 0]>, F: Formula> Lane<'a, M, F> {
         &'s mut self,
         observer: &'s mut Unobserved,
     ) -> Advance<'s, 'a, M, FixedStep<f64, F>, Unobserved> {
-        let Self { course, method, watch, kept, limits, .. } = self;
-        Advance { method, course, guarded: Guarded { watch, kept, limits: *limits }, observer }
+        let Self { context, method, detector, history, limits, .. } = self;
+        Advance { method, context, guarded: Guarded { detector, history, limits: *limits }, observer }
     }
 }
 

@@ -117,7 +117,7 @@ pub trait Pack: Mechanism {
     fn are_short<T: Scalar>(
         typical: &<Self::Packed<T> as Rate>::X,
         held: &<Self::Packed<T> as Rate>::U,
-        legs: [&<Self::Packed<T> as Rate>::X; 2],
+        ends: [&<Self::Packed<T> as Rate>::X; 2],
     ) -> T;
 
     /// [`System::accept`] of several states side by side, in the lanes in which that is `due` (1, else 0): 1 in those where it

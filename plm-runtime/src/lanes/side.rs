@@ -2,7 +2,7 @@
 
 use super::lane::{Lane, set_column};
 use super::{LANES, Lanes, Pack, Rate, Unwatched};
-use crate::method::{Formula, Plan, coarseness, looked_at};
+use crate::method::{Formula, Partition, coarseness, looked_at};
 use crate::scalar::Scalar;
 use crate::system::System;
 use crate::vector::Vector;
@@ -29,15 +29,15 @@ pub(super) struct Side<M: Pack<S = f64>, L: Lanes> {
     looked: bool,
 }
 
-impl<M: Pack<S = f64, G = [f64; 0]>, L: Lanes> Side<M, L> {
+impl<M: Pack<S = f64>, L: Lanes> Side<M, L> {
     pub(super) fn new<F: Formula>(lanes: &[Lane<M, F>; LANES]) -> Self {
-        let systems = lanes.each_ref().map(|lane| lane.course.system);
+        let systems = lanes.each_ref().map(|lane| lane.context.system);
         let typical = systems.map(System::typical);
         let (held, joined) = hold(lanes);
         let mut side = Self {
             mechanism: Unwatched(systems[0].pack(systems, L::of)),
             held,
-            x: Vector::from_fn(|k| L::of(lanes.each_ref().map(|lane| lane.course.x.at(k)))),
+            x: Vector::from_fn(|k| L::of(lanes.each_ref().map(|lane| lane.context.x.at(k)))),
             typical: Vector::from_fn(|k| L::of(typical.map(|one| one.at(k)))),
             joined,
             coasting: L::lit(0.0),
@@ -51,8 +51,11 @@ impl<M: Pack<S = f64, G = [f64; 0]>, L: Lanes> Side<M, L> {
     /// The states after a step of all lanes, its health in each, and in which it is so short that its error needs no estimate:
     /// in the others the health is zero.
     #[inline]
-    pub(super) fn step<F: Formula>(&self, (time, plan, _): (f64, &Plan<f64>, u64)) -> (Wide<M, L>, L) {
-        let (mut next, zero, h) = (self.x, L::lit(0.0), L::lit(plan.h));
+    pub(super) fn step<F: Formula>(
+        &self,
+        (time, partition, _): (f64, &Partition<f64>, u64),
+    ) -> (Wide<M, L>, L) {
+        let (mut next, zero, h) = (self.x, L::lit(0.0), L::lit(partition.h));
         let all = (&self.mechanism, &self.held);
         let (health, coarseness) = looked_at::<F, _, _>(all, (L::lit(time), h), &mut next, |next, stages| {
             coarseness::<F, Unwatched<M::Packed<L>>>(&self.typical, h, [&self.x, next], stages)
@@ -85,7 +88,7 @@ impl<M: Pack<S = f64, G = [f64; 0]>, L: Lanes> Side<M, L> {
             return;
         }
         for (i, lane) in lanes.iter_mut().enumerate().filter(|&(i, _)| self.joined[i]) {
-            M::take_held(&mut lane.course.held, &self.held, |wide: L| wide.values()[i]);
+            M::take_held(&mut lane.context.held, &self.held, |wide: L| wide.values()[i]);
         }
         self.looked = false;
     }
@@ -98,12 +101,12 @@ impl<M: Pack<S = f64, G = [f64; 0]>, L: Lanes> Side<M, L> {
         lanes: &[Lane<M, F>; LANES],
     ) {
         let (lane, joined) = (&lanes[i % LANES], self.joined[i % LANES]);
-        set_column(next, i, &lane.course.x);
+        set_column(next, i, &lane.context.x);
         if lane.place() != before || !lane.runs {
             (self.held, self.joined) = hold(lanes);
             self.count(lanes);
         } else if joined {
-            M::put_held(&mut self.held, &lane.course.held, |wide: &mut L, one| wide.put(i, one));
+            M::put_held(&mut self.held, &lane.context.held, |wide: &mut L, one| wide.put(i, one));
         }
     }
 
@@ -118,15 +121,15 @@ impl<M: Pack<S = f64, G = [f64; 0]>, L: Lanes> Side<M, L> {
 }
 
 /// What the lanes hold, as one, in the chart of most, and which lanes are in that.
-fn hold<M: Pack<S = f64, G = [f64; 0]>, L: Lanes, F: Formula>(
+fn hold<M: Pack<S = f64>, L: Lanes, F: Formula>(
     lanes: &[Lane<M, F>; LANES],
 ) -> (WideHeld<M, L>, [bool; LANES]) {
-    let held = lanes.each_ref().map(|lane| &lane.course.held);
+    let held = lanes.each_ref().map(|lane| &lane.context.held);
     let joins = |lane: &Lane<M, F>, first: &Lane<M, F>| {
         let place = lane.place();
-        place.is_some() && place == M::chart(&first.course.held)
+        place.is_some() && place == M::chart(&first.context.held)
     };
     let joined_by = |first: &Lane<M, F>| lanes.iter().filter(|other| joins(other, first)).count();
     let first = lanes.iter().max_by_key(|lane| joined_by(lane)).unwrap_or(&lanes[0]);
-    (M::pack_held(&first.course.held, held, L::of), lanes.each_ref().map(|lane| joins(lane, first)))
+    (M::pack_held(&first.context.held, held, L::of), lanes.each_ref().map(|lane| joins(lane, first)))
 }

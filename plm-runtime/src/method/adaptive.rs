@@ -1,6 +1,6 @@
 //! What methods with error control share: the rate that is kept, the length of the next step.
 
-use super::{Course, not_finite};
+use super::{Context, not_finite};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
@@ -10,16 +10,16 @@ use crate::words::{InWords, Words};
 /// Rate at the current state, kept from the last step or evaluated.
 pub(super) fn rate_here<M: System<S: Real>>(
     kept: &mut Option<M::X>,
-    course: &mut Course<'_, M>,
+    context: &mut Context<'_, M>,
 ) -> Result<M::X, Fault> {
     if let Some(rate) = *kept {
         return Ok(rate);
     }
-    let x = course.x;
+    let x = context.x;
     let mut rate = x;
-    course.rate(course.time, &x, &mut rate)?;
+    context.rate(context.time, &x, &mut rate)?;
     if !(x.is_finite() && rate.is_finite()) {
-        return Err(not_finite(course.system, course.time, &rate));
+        return Err(not_finite(context.system, context.time, &rate));
     }
     *kept = Some(rate);
     Ok(rate)
@@ -29,20 +29,20 @@ pub(super) fn rate_here<M: System<S: Real>>(
 /// followed by a tiny one. It is counted down from the steps that are left of `most`.
 pub(super) fn next_step<M: System<S: Real>>(
     most: u64,
-    course: &Course<'_, M>,
+    context: &Context<'_, M>,
     proposal: M::S,
 ) -> Result<(M::S, bool), Fault> {
     // Where nothing is integrated, steps are looks at what moves as it is told to: as many as it takes.
     if M::X::LEN > 0 {
-        course.check_steps(most)?;
+        context.check_steps(most)?;
     }
-    let rest = course.end - course.time;
+    let rest = context.end - context.time;
     if M::S::lit(1.01) * proposal >= rest {
         Ok((rest, true))
-    } else if proposal > shortest(course) {
+    } else if proposal > shortest(context) {
         Ok((proposal, false))
     } else {
-        Err(course.fault(too_small(course, proposal)))
+        Err(context.fault(too_small(context, proposal)))
     }
 }
 
@@ -50,8 +50,8 @@ pub(super) fn next_step<M: System<S: Real>>(
 const COARSE: f64 = 1e-4;
 
 /// Why no step is made that is as short as is asked for.
-pub(super) fn too_small<M: System<S: Real>>(course: &Course<'_, M>, step: M::S) -> Cause {
-    let (step, shortest) = (step.to_f64(), shortest(course).to_f64());
+pub(super) fn too_small<M: System<S: Real>>(context: &Context<'_, M>, step: M::S) -> Cause {
+    let (step, shortest) = (step.to_f64(), shortest(context).to_f64());
     if shortest > COARSE {
         Cause::TimeTooCoarse { step, spacing: shortest / 16.0 }
     } else {
@@ -60,25 +60,25 @@ pub(super) fn too_small<M: System<S: Real>>(course: &Course<'_, M>, step: M::S) 
 }
 
 /// A step of so many units in the last place of the time hardly moves it.
-pub(super) fn shortest<M: System<S: Real>>(course: &Course<'_, M>) -> M::S {
-    M::S::lit(16.0) * M::S::EPSILON * course.time.abs().max(course.end.abs())
+pub(super) fn shortest<M: System<S: Real>>(context: &Context<'_, M>) -> M::S {
+    M::S::lit(16.0) * M::S::EPSILON * context.time.abs().max(context.end.abs())
 }
 
 /// A step that still moves the time; otherwise the fault that made it so short, or that of the state it led to.
 pub(super) fn ensure_moves<M: System<S: Real>>(
-    course: &Course<'_, M>,
+    context: &Context<'_, M>,
     h: M::S,
     attempt: Result<M::X, Fault>,
 ) -> Result<(), Fault> {
-    if h > shortest(course) {
+    if h > shortest(context) {
         return Ok(());
     }
-    let cause = too_small(course, h);
+    let cause = too_small(context, h);
     if matches!(cause, Cause::TimeTooCoarse { .. }) {
-        return Err(course.fault(cause));
+        return Err(context.fault(cause));
     }
     let x = attempt?;
-    if x.is_finite() { Err(course.fault(cause)) } else { Err(not_finite(course.system, course.time, &x)) }
+    if x.is_finite() { Err(context.fault(cause)) } else { Err(not_finite(context.system, context.time, &x)) }
 }
 
 /// An estimate is taken for no less than this part of what the last step's says of a step of that length.

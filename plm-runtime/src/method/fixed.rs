@@ -4,8 +4,8 @@ use core::marker::PhantomData;
 
 use super::estimate::Estimate;
 use super::length::{are_near, are_straight, is_due};
-use super::plan::Plan;
-use super::{Course, Method, Rates, Single, Watched, drift_of_size, not_finite, rate};
+use super::partition::Partition;
+use super::{Context, FastStep, Method, Rates, Watched, drift_of_size, not_finite, rate};
 use crate::fault::Fault;
 use crate::protocol::DriftCheck;
 use crate::scalar::{Real, Scalar};
@@ -102,9 +102,9 @@ pub struct FixedStep<S, F> {
     pub tolerance: S,
     /// Steps between two looks at the drift; counted on across intervals.
     pub check_every: u32,
-    pub(crate) plan: Plan<S>,
+    pub(crate) partition: Partition<S>,
     /// The last step was unhealthy.
-    pub(crate) careful: bool,
+    pub(crate) was_unhealthy: bool,
     /// Steps until the next look at the drift.
     pub(super) until_check: u32,
     /// The error of the last step.
@@ -120,8 +120,8 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
             longest_step,
             tolerance,
             check_every: 8,
-            plan: Plan::none(),
-            careful: false,
+            partition: Partition::none(),
+            was_unhealthy: false,
             until_check: 0,
             estimate: Estimate::NONE,
             formula: PhantomData,
@@ -138,28 +138,28 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
     #[inline]
     pub(crate) fn step<M: System<S = S>>(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         x: &mut M::X,
     ) -> Result<(), Fault> {
-        let (t, h) = (course.time, self.plan.h);
-        if !self.careful {
-            let all = (course.system, &course.held);
+        let (t, h) = (context.time, self.partition.h);
+        if !self.was_unhealthy {
+            let all = (context.system, &context.held);
             let (health, are_near) = looked_at::<F, M, _>(all, (t, h), x, |x, stages| {
-                are_near::<F, M>(course.system, h, x, stages)
+                are_near::<F, M>(context.system, h, x, stages)
             });
             let is_bent =
-                || is_due::<M>(course.stats) && !are_straight::<F, M>(course.system, h, [&course.x, x]);
+                || is_due::<M>(context.stats) && !are_straight::<F, M>(context.system, h, [&context.x, x]);
             let is_short = are_near && !is_bent();
-            course.stats.evaluations += F::STAGES;
-            course.health = course.health.min(health.0);
+            context.stats.evaluations += F::STAGES;
+            context.health = context.health.min(health.0);
             if health.is_good() {
                 self.estimate =
-                    if is_short { Estimate::NONE } else { estimate::<F, M>(all, (t, h), [&course.x, x]) };
+                    if is_short { Estimate::NONE } else { estimate::<F, M>(all, (t, h), [&context.x, x]) };
                 return Ok(());
             }
-            *x = course.x;
+            *x = context.x;
         }
-        self.step_by_rank(course, x)
+        self.step_by_rank(context, x)
     }
 
     /// The last step needed no estimate.
@@ -172,53 +172,53 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
     #[inline(never)]
     fn step_by_rank<M: System<S = S>>(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         x: &mut M::X,
     ) -> Result<(), Fault> {
-        let (t, h, by_rank) = (course.time, self.plan.h, course.stats.by_rank);
+        let (t, h, by_rank) = (context.time, self.partition.h, context.stats.by_rank);
         let mut outcome = Ok(());
         let rates = |t: M::S, x: &M::X, dx: &mut M::X| {
             if outcome.is_ok() {
-                outcome = course.rate(t, x, dx);
+                outcome = context.rate(t, x, dx);
             }
         };
         let difference = F::step::<M, _>((t, h), x, rates, |_, stages| F::difference::<M>(stages));
-        self.careful = course.stats.by_rank > by_rank;
-        let Course { system, held, x: from, .. } = course;
+        self.was_unhealthy = context.stats.by_rank > by_rank;
+        let Context { system, held, x: from, .. } = context;
         self.estimate = F::estimate(&Made { system: *system, held, h, from: (t, from), to: x }, &difference);
         outcome
     }
 
-    /// Takes the course to `next`, the state after the step.
+    /// Takes the context to `next`, the state after the step.
     #[inline]
     pub(crate) fn land<M: System<S = S>>(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         next: M::X,
     ) -> Result<(), Fault> {
         if !next.is_finite() {
-            return Err(not_finite(course.system, self.plan.next_time, &next));
+            return Err(not_finite(context.system, self.partition.next_time, &next));
         }
-        course.stats.steps += 1;
-        (course.time, course.x) = (self.plan.next_time, next);
-        self.plan.next();
+        context.stats.steps += 1;
+        (context.time, context.x) = (self.partition.next_time, next);
+        self.partition.next();
         Ok(())
     }
 
     /// Whether the state after the next step is projected: every one by rank.
     #[inline]
     pub(crate) fn drift_check(&self) -> DriftCheck<S> {
-        if self.coasts() {
+        if self.skips_check() {
             return DriftCheck::Skip;
         }
-        let above = if self.careful { S::lit(0.0) } else { S::lit(1.0) };
+        let above = if self.was_unhealthy { S::lit(0.0) } else { S::lit(1.0) };
         DriftCheck::Above { tolerance: self.tolerance, above }
     }
 
     /// Counts a step to the next look at the drift.
     #[inline]
     pub(crate) fn keep(&mut self, drifted: bool) {
-        self.until_check = match (self.coasts(), drifted) {
+        self.until_check = match (self.skips_check(), drifted) {
             (true, _) => self.until_check - 1,
             (false, true) => 1,
             (false, false) => self.check_every,
@@ -227,7 +227,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
 
     /// Counts so many steps to the next look at the drift, as [`keep`](Self::keep) where it was small.
     #[inline]
-    pub(crate) fn keep_on(&mut self, steps: u64) {
+    pub(crate) fn skip_checks(&mut self, steps: u64) {
         if steps == 0 {
             return;
         }
@@ -241,8 +241,8 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
 
     /// The drift is not looked at after the next step.
     #[inline]
-    pub(crate) fn coasts(&self) -> bool {
-        self.until_check > 1 && !self.careful
+    pub(crate) fn skips_check(&self) -> bool {
+        self.until_check > 1 && !self.was_unhealthy
     }
 }
 
@@ -265,34 +265,34 @@ fn estimate<F: Formula, M: System<S: Real>>(
 
 impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
     const DENSE: bool = false;
-    const SINGLE: bool = true;
+    const FAST: bool = true;
     const NAME: &'static str = F::NAME;
 
-    fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        self.plan = Plan::of_course(course, self.longest_step)?;
+    fn begin(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        self.partition = Partition::of_interval(context, self.longest_step)?;
         Ok(())
     }
 
     #[inline]
-    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        let mut next = course.x;
-        self.step(course, &mut next)?;
-        self.land(course, next)
+    fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        let mut next = context.x;
+        self.step(context, &mut next)?;
+        self.land(context, next)
     }
 
     #[inline]
-    fn single(
+    fn fast_step(
         &self,
         (system, held): (&M, &M::U),
         (t, end): (M::S, M::S),
         to: &mut M::X,
-    ) -> Option<Single<M::S>> {
-        let h = Plan::single(t, end, self.longest_step).filter(|_| !self.careful)?;
+    ) -> Option<FastStep<M::S>> {
+        let h = Partition::one_step(t, end, self.longest_step).filter(|_| !self.was_unhealthy)?;
         let (health, are_near) = looked_at::<F, M, _>((system, held), (t, h), to, |to, stages| {
             are_near::<F, M>(system, h, to, stages)
         });
         let healthy = to.is_finite() && health.is_good();
-        healthy.then_some(Single { h, health: health.0, evaluations: F::STAGES, are_near })
+        healthy.then_some(FastStep { h, health: health.0, evaluations: F::STAGES, are_near })
     }
 
     #[inline]
@@ -300,13 +300,13 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
         self.estimate
     }
 
-    fn estimate_of(&self, all: (&M, &M::U), times: (M::S, M::S), legs: [&M::X; 2]) -> Estimate<M::S> {
-        estimate::<F, M>(all, times, legs)
+    fn estimate_of(&self, all: (&M, &M::U), times: (M::S, M::S), ends: [&M::X; 2]) -> Estimate<M::S> {
+        estimate::<F, M>(all, times, ends)
     }
 
     #[inline]
-    fn is_long(&self, (system, stats): (&M, &Stats), h: M::S, legs: [&M::X; 2]) -> bool {
-        is_due::<M>(stats) && !are_straight::<F, M>(system, h, legs)
+    fn is_long(&self, (system, stats): (&M, &Stats), h: M::S, ends: [&M::X; 2]) -> bool {
+        is_due::<M>(stats) && !are_straight::<F, M>(system, h, ends)
     }
 
     #[inline]

@@ -1,6 +1,6 @@
 //! Derivatives of the rate along the way, exact where the rate is healthy.
 
-use super::Course;
+use super::Context;
 use crate::fault::{Cause, Fault};
 use crate::linalg::{Dense, Derivatives};
 use crate::linear::Linear;
@@ -12,7 +12,7 @@ use crate::vector::Vector;
 pub(super) type Resolvent<M, T> =
     <<M as Linear>::Derivatives as Derivatives<<M as System>::S, <M as System>::X>>::Resolvent<T>;
 
-impl<M: Linear> Course<'_, M> {
+impl<M: Linear> Context<'_, M> {
     /// The derivatives of the rate by the state, and by the time where asked for, at the state reached.
     pub(super) fn differentiate(
         &mut self,

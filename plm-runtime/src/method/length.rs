@@ -62,10 +62,10 @@ pub(super) fn are_near<F: Formula, M: System<S: Real>>(
 /// take the registers of all.
 #[allow(clippy::needless_bitwise_bool, reason = "a branch for each state would keep compilers from vectors")]
 #[inline(never)]
-pub(super) fn are_straight<F: Formula, M: System<S: Real>>(system: &M, h: M::S, legs: [&M::X; 2]) -> bool {
+pub(super) fn are_straight<F: Formula, M: System<S: Real>>(system: &M, h: M::S, ends: [&M::X; 2]) -> bool {
     let typical = system.typical();
     (0..M::NQ).fold(true, |all, i| {
-        let [bend, most] = bend::<F, M>(&typical, h, legs, i);
+        let [bend, most] = bend::<F, M>(&typical, h, ends, i);
         all & (bend <= most)
     })
 }
@@ -83,15 +83,15 @@ fn bend<F: Formula, M: System>(typical: &M::X, h: M::S, [from, to]: [&M::X; 2], 
 pub(crate) fn coarseness<F: Formula, M: System>(
     typical: &M::X,
     h: M::S,
-    legs: [&M::X; 2],
+    ends: [&M::X; 2],
     stages: &F::Stages<M::X>,
 ) -> M::S {
     let zero = M::S::lit(0.0);
-    let apart = F::apart::<M>(h, stages, |i| legs[1].at(i).abs() + typical.at(i));
+    let apart = F::apart::<M>(h, stages, |i| ends[1].at(i).abs() + typical.at(i));
     let beyond = |coarse: M::S, [apart, most]: [M::S; 2]| coarse.max(apart - most);
     let coarse = (first::<F, M>()..M::X::LEN).fold(zero, |coarse, i| beyond(coarse, apart(i)));
     if has_few::<M>() {
         return coarse;
     }
-    (0..M::NQ).fold(coarse, |coarse, i| beyond(coarse, bend::<F, M>(typical, h, legs, i)))
+    (0..M::NQ).fold(coarse, |coarse, i| beyond(coarse, bend::<F, M>(typical, h, ends, i)))
 }

@@ -26,8 +26,8 @@ mod fixed;
 mod gauss;
 mod jacobian;
 mod length;
+mod partition;
 mod path;
-mod plan;
 mod projection;
 mod radau;
 mod rates;
@@ -46,8 +46,8 @@ pub(crate) use fixed::looked_at;
 pub use fixed::{FixedStep, Formula, Made};
 pub use gauss::Gauss;
 pub(crate) use length::coarseness;
+pub(crate) use partition::Partition;
 pub use path::Path;
-pub(crate) use plan::Plan;
 pub use radau::RadauIia5;
 pub use rates::Rates;
 pub(crate) use rates::Watched;
@@ -62,38 +62,39 @@ use crate::fault::{Cause, Fault};
 use crate::protocol::{DriftCheck, Length, Proposal};
 use crate::scalar::{Real, Scalar};
 use crate::sim::Stats;
-use crate::system::{Drift, Health, Leg, System};
+use crate::system::{Drift, Health, Step, System};
 use crate::vector::Vector;
 
 /// A method that carries a state over an interval, step by step.
 pub trait Method<M: System>: Copy {
     /// Whether [`interpolate`](Self::interpolate) gives states inside the last step.
     const DENSE: bool;
-    /// Whether an interval may be made by [`single`](Self::single).
-    const SINGLE: bool = false;
+    /// Whether an interval may be made by [`fast_step`](Self::fast_step).
+    const FAST: bool = false;
     /// By which results tell what made them.
     const NAME: &'static str = "";
     /// What chooses the length of its steps.
     const LENGTH: Length = if Self::DENSE { Length::Error } else { Length::Fixed { caution: 1.0 } };
 
-    /// Plans the interval from `course.time` to `course.end`.
+    /// Divides the interval from `context.time` to `context.end` into steps.
     ///
     /// # Errors
     /// When the step size does not allow it.
-    fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault>;
+    fn begin(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault>;
 
-    /// One accepted step, at most to `course.end`, and exactly there in the last one.
+    /// Proposes a step, at most to `context.end`, and exactly there in the last one. With error control it is one that the estimate
+    /// of its error accepts.
     ///
     /// # Errors
-    /// When no step can be accepted; time and state of the course are then those before the step.
-    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault>;
+    /// When no step can be accepted; time and state of the context are then those before the step.
+    fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault>;
 
     /// Computes what [`interpolate`](Self::interpolate) needs and the step itself did not; it may be called again.
     ///
     /// # Errors
     /// When an evaluation fails.
-    fn densify(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        let _ = course;
+    fn densify(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        let _ = context;
         Ok(())
     }
 
@@ -106,16 +107,21 @@ pub trait Method<M: System>: Copy {
         None
     }
 
-    /// What is held, and the state, at a time within the last step of the course, as [`interpolate`](Self::interpolate).
-    fn moment(&self, course: &Course<'_, M>, time: M::S) -> (M::U, M::X) {
-        (course.held, self.interpolate(time))
+    /// What is held, and the state, at a time within the last step of the context, as [`interpolate`](Self::interpolate).
+    fn moment(&self, context: &Context<'_, M>, time: M::S) -> (M::U, M::X) {
+        (context.held, self.interpolate(time))
     }
 
     /// Takes the state `x` over an interval between two times by the formula alone, as [`advance`](Self::advance) would before it
     /// looks at the step. None where that takes more than one step, or where the step is not healthy; `x` is of no use then. The
     /// method stays as it is.
     #[inline]
-    fn single(&self, (system, held): (&M, &M::U), times: (M::S, M::S), x: &mut M::X) -> Option<Single<M::S>> {
+    fn fast_step(
+        &self,
+        (system, held): (&M, &M::U),
+        times: (M::S, M::S),
+        x: &mut M::X,
+    ) -> Option<FastStep<M::S>> {
         let _ = (system, held, times, x);
         None
     }
@@ -131,16 +137,16 @@ pub trait Method<M: System>: Copy {
         &self,
         (system, held): (&M, &M::U),
         times: (M::S, M::S),
-        legs: [&M::X; 2],
+        ends: [&M::X; 2],
     ) -> Estimate<M::S> {
-        let _ = (system, held, times, legs);
+        let _ = (system, held, times, ends);
         Estimate::NONE
     }
 
     /// Is the error of such a step to be estimated for what its ends tell?
     #[inline]
-    fn is_long(&self, (system, stats): (&M, &Stats), h: M::S, legs: [&M::X; 2]) -> bool {
-        let _ = (system, stats, h, legs);
+    fn is_long(&self, (system, stats): (&M, &Stats), h: M::S, ends: [&M::X; 2]) -> bool {
+        let _ = (system, stats, h, ends);
         false
     }
 
@@ -203,9 +209,9 @@ pub trait Method<M: System>: Copy {
     fn drift_limit(&self, system: &M) -> Drift<M::S>;
 }
 
-/// A step that makes an interval alone, by [`Method::single`].
+/// A step that makes an interval alone, by [`Method::fast_step`].
 #[derive(Clone, Copy, Debug)]
-pub struct Single<S> {
+pub struct FastStep<S> {
     /// Its length, s.
     pub h: S,
     /// The smallest pivot ratio of its rates.
@@ -216,8 +222,8 @@ pub struct Single<S> {
     pub are_near: bool,
 }
 
-/// A state on its way through an interval.
-pub struct Course<'a, M: System> {
+/// Integration context: a state on its way through an interval.
+pub struct Context<'a, M: System> {
     /// The equations.
     pub system: &'a M,
     /// What is held over the step: inputs, chart, branches.
@@ -240,7 +246,7 @@ pub struct Course<'a, M: System> {
     before: u64,
 }
 
-impl<'a, M: System> Course<'a, M> {
+impl<'a, M: System> Context<'a, M> {
     /// A state at a time, on its way to `end`.
     pub fn new(
         (system, held): (&'a M, M::U),
@@ -283,9 +289,9 @@ impl<'a, M: System> Course<'a, M> {
     }
 
     /// The step to the state reached.
-    pub(crate) fn leg<'s>(&'s self, from: (M::S, &'s M::X)) -> Leg<'s, M> {
+    pub(crate) fn step<'s>(&'s self, from: (M::S, &'s M::X)) -> Step<'s, M> {
         let to = (self.time, &self.x);
-        Leg { system: self.system, held: &self.held, from, to, health: self.health }
+        Step { system: self.system, held: &self.held, from, to, health: self.health }
     }
 
     /// A fault at the time reached.

@@ -1,6 +1,6 @@
 //! Projection after steps whose length the error decides.
 
-use super::{Course, drift_of_size, excess};
+use super::{Context, drift_of_size, excess};
 use crate::fault::Fault;
 use crate::scalar::Real;
 use crate::system::System;
@@ -28,13 +28,13 @@ impl<S: Real> Projection<S> {
     /// Settles the state that a step leads to.
     pub(super) fn settle<M: System<S = S>>(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         tolerance: S,
         (time, x): (S, &mut M::X),
     ) -> Result<(), Fault> {
-        course.settle(time, x)?;
+        context.settle(time, x)?;
         self.residue = S::ZERO;
-        self.residue = self.drift(course.system, tolerance, (time, x));
+        self.residue = self.drift(context.system, tolerance, (time, x));
         Ok(())
     }
 }

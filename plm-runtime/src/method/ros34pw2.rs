@@ -1,7 +1,7 @@
 //! A Rosenbrock-W method for stiff equations with steps of equal length.
 
-use super::plan::Plan;
-use super::{Course, Estimate, Method, drift_of_size};
+use super::partition::Partition;
+use super::{Context, Estimate, Method, drift_of_size};
 use crate::fault::{Cause, Fault};
 use crate::linalg::Derivatives;
 use crate::linear::Linear;
@@ -28,7 +28,7 @@ pub struct Ros34Pw2<S> {
     pub tolerance: S,
     /// Estimated error of a step, as a fraction of the size of a state, above which the run ends.
     pub worst_error: S,
-    plan: Plan<S>,
+    partition: Partition<S>,
     /// The error of the last step.
     estimate: Estimate<S>,
 }
@@ -78,7 +78,7 @@ impl<S: Real> Ros34Pw2<S> {
             longest_step,
             tolerance,
             worst_error: S::lit(Ros34Pw2Formula::WORST_ERROR),
-            plan: Plan::none(),
+            partition: Partition::none(),
             estimate: Estimate::NONE,
         }
     }
@@ -174,17 +174,17 @@ impl<X> Trial<X> {
 }
 
 /// One step of `h` from the state reached.
-fn step<M: Linear>(course: &mut Course<'_, M>, h: M::S) -> Result<Trial<M::X>, Fault> {
-    let (mut by_x, mut by_t) = (M::Derivatives::zeros(), course.x);
-    course.differentiate(&mut by_x, Some(&mut by_t))?;
-    course.stats.factorisations += 1;
+fn step<M: Linear>(context: &mut Context<'_, M>, h: M::S) -> Result<Trial<M::X>, Fault> {
+    let (mut by_x, mut by_t) = (M::Derivatives::zeros(), context.x);
+    context.differentiate(&mut by_x, Some(&mut by_t))?;
+    context.stats.factorisations += 1;
     let Some(resolvent) = by_x.resolvent(Ros34Pw2Formula::lambda(h), M::NQ) else {
-        return Err(course.fault(Cause::Singular { rows: M::X::LEN }));
+        return Err(context.fault(Cause::Singular { rows: M::X::LEN }));
     };
-    let (t, x, mut outcome) = (course.time, course.x, Ok(()));
+    let (t, x, mut outcome) = (context.time, context.x, Ok(()));
     let rates = |_, t: M::S, x: &M::X, dx: &mut M::X| {
         if outcome.is_ok() {
-            outcome = course.rate(t, x, dx);
+            outcome = context.rate(t, x, dx);
         }
     };
     let solve = |r: &M::X, k: &mut M::X| by_x.resolve(&resolvent, M::NQ, |i| r.at(i), |i, s| k.set(i, s));
@@ -197,27 +197,27 @@ impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
     const NAME: &'static str = "Ros34Pw2";
     const LENGTH: Length = Length::Fixed { caution: 4.0 };
 
-    fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        self.plan = Plan::of_course(course, self.longest_step)?;
+    fn begin(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        self.partition = Partition::of_interval(context, self.longest_step)?;
         Ok(())
     }
 
-    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        let by_rank = course.stats.by_rank;
-        let trial = step(course, self.plan.h)?;
-        let typical = course.system.typical();
-        let error = trial.worst(&course.x, &typical);
+    fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        let by_rank = context.stats.by_rank;
+        let trial = step(context, self.partition.h)?;
+        let typical = context.system.typical();
+        let error = trial.worst(&context.x, &typical);
         self.estimate = Estimate::NONE;
         if error > self.worst_error {
-            let largest = trial.largest(&course.x, &typical);
-            return Err(largest.fault(course.system, course.time, self.plan.h));
+            let largest = trial.largest(&context.x, &typical);
+            return Err(largest.fault(context.system, context.time, self.partition.h));
         }
         if error > M::S::lit(SHORT) {
-            let found = trial.largest(&course.x, &typical).of_term(CONSTANT, 4.0 / 3.0);
+            let found = trial.largest(&context.x, &typical).of_term(CONSTANT, 4.0 / 3.0);
             // What ends a run is `worst_error` alone.
             self.estimate = Estimate { error: found.error.min(M::S::lit(0.99)), ..found };
         }
-        self.plan.arrive(course, trial.x, self.tolerance, course.stats.by_rank > by_rank)?;
+        self.partition.arrive(context, trial.x, self.tolerance, context.stats.by_rank > by_rank)?;
         Ok(())
     }
 

@@ -1,6 +1,6 @@
 //! Methods with steps of fixed length as words; [`Embedded`](super::Embedded) pairs are beside their code.
 //!
-//! Options, and what one step leaves for the next. Not the plan of an interval, which is made anew with each.
+//! Options, and what one step leaves for the next. Not the partition of an interval, which is made anew with each.
 
 use super::{FixedStep, Formula, Ros34Pw2};
 use crate::scalar::Real;
@@ -10,7 +10,7 @@ impl<S: Real, F: Formula> InWords for FixedStep<S, F> {
     fn each(&mut self, words: &mut impl Words) {
         words.numbers([&mut self.longest_step, &mut self.tolerance]);
         words.count(&mut self.check_every);
-        words.flag(&mut self.careful);
+        words.flag(&mut self.was_unhealthy);
         words.count(&mut self.until_check);
     }
 }

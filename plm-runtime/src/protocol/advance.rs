@@ -1,12 +1,12 @@
 //! The general path: steps of any method to the end of an interval, each judged, then committed or made in another way.
 
 use super::judge::{DriftCheck, Limits, Rules, Verdict, judge};
-use crate::events::{self, Event, Watch};
+use crate::events::{self, Detector, Event};
 use crate::fault::{Cause, Fault};
 use crate::mechanism::Mechanism;
-use crate::method::{Course, Method};
+use crate::method::{Context, Method};
 use crate::scalar::{Real, Scalar};
-use crate::sim::{Begun, Kept, Observer, Trigger};
+use crate::sim::{Beginning, History, Observer, Trigger};
 use crate::singular::Rescue;
 use crate::system::{Accepted, System};
 
@@ -15,10 +15,10 @@ const MOST_FAILURES: u32 = 100;
 /// A step that is refused is not shortened below so many units in the last place of the time.
 const SHORTEST_ULPS: f64 = 64.0;
 
-/// What a run keeps besides its state and its method.
+/// Event detector, history and limits of a run.
 pub(crate) struct Guarded<'r, M: System> {
-    pub(crate) watch: &'r mut Watch<M::S, M::G>,
-    pub(crate) kept: &'r mut Kept<M>,
+    pub(crate) detector: &'r mut Detector<M::S, M::G>,
+    pub(crate) history: &'r mut History<M>,
     pub(crate) limits: Limits<M::S>,
 }
 
@@ -46,10 +46,10 @@ pub(crate) struct Parts<S> {
     count: u32,
 }
 
-/// A run on its way to the end of its course.
+/// A run on its way to the end of its interval.
 pub(crate) struct Advance<'r, 'c, M: Mechanism, I, O> {
     pub(crate) method: &'r mut I,
-    pub(crate) course: &'r mut Course<'c, M>,
+    pub(crate) context: &'r mut Context<'c, M>,
     pub(crate) guarded: Guarded<'r, M>,
     pub(crate) observer: &'r mut O,
 }
@@ -57,16 +57,16 @@ pub(crate) struct Advance<'r, 'c, M: Mechanism, I, O> {
 impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     /// Advances to the time `end`, from time event to time event.
     pub(crate) fn run_to(&mut self, end: M::S) -> Result<(), Fault> {
-        while self.course.time < end {
-            let Course { system, time, held, .. } = &*self.course;
+        while self.context.time < end {
+            let Context { system, time, held, .. } = &*self.context;
             let instant =
                 system.next_instant(*time, held).filter(|instant| *instant > *time && *instant <= end);
-            self.course.end = instant.unwrap_or(end);
-            self.run().map_err(|fault| events::at_a_jump(self.course, fault))?;
+            self.context.end = instant.unwrap_or(end);
+            self.run().map_err(|fault| events::at_a_jump(self.context, fault))?;
             match instant {
-                Some(instant) if O::ENDS && self.course.time < instant => break,
+                Some(instant) if O::ENDS && self.context.time < instant => break,
                 Some(_) => self.time_event()?,
-                None if O::ENDS && self.course.time < end => break,
+                None if O::ENDS && self.context.time < end => break,
                 None => {}
             }
         }
@@ -75,30 +75,30 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
 
     /// Commits the time event that was reached.
     fn time_event(&mut self) -> Result<(), Fault> {
-        let Course { time, held, x, .. } = *self.course;
-        let (before, mut after, mut x) = (Begun { time, held, x }, held, x);
-        self.course.system.pass(self.course.time, &mut after, &mut x)?;
-        events::hold(self.course, after)?;
-        self.course.x = x;
-        self.course.stats.switches += 1;
+        let Context { time, held, x, .. } = *self.context;
+        let (before, mut after, mut x) = (Beginning { time, held, x }, held, x);
+        self.context.system.pass(self.context.time, &mut after, &mut x)?;
+        events::hold(self.context, after)?;
+        self.context.x = x;
+        self.context.stats.switches += 1;
         self.method.restart();
-        self.guarded.watch.forget();
-        self.observer.switched(self.course, &before, Trigger::Time);
+        self.guarded.detector.forget();
+        self.observer.switched(self.context, &before, Trigger::Time);
         Ok(())
     }
 
-    /// Advances to the end of the course; no time event lies before it.
+    /// Advances to the end of the interval; no time event lies before it.
     fn run(&mut self) -> Result<(), Fault> {
         let before = self.modes();
         self.begin()?;
         self.show_events(before, Trigger::Due);
-        self.method.begin(self.course)?;
+        self.method.begin(self.context)?;
         self.go_on(Made::Step)
     }
 
-    /// Advances to the end of the course behind a step that was made by others.
+    /// Advances to the end of the interval behind a step that was made by others.
     pub(crate) fn resume(&mut self, made: Made<M::S>) -> Result<(), Fault> {
-        self.method.begin(self.course)?;
+        self.method.begin(self.context)?;
         self.go_on(made)
     }
 
@@ -113,11 +113,11 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
                 Made::Ended(fault) => return Err(fault),
                 Made::Failed(fault) if failures > MOST_FAILURES => return Err(fault),
                 Made::Failed(fault) => self.near_singular(Some(fault))?,
-                _ if M::Rescue::holds(self.course) => self.near_singular(None)?,
+                _ if M::Rescue::holds(self.context) => self.near_singular(None)?,
                 _ => {}
             }
             // False for what is not a number.
-            let goes_on = self.course.time < self.course.end;
+            let goes_on = self.context.time < self.context.end;
             if !goes_on {
                 return Ok(());
             }
@@ -128,10 +128,10 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     /// Proposes a step, and does what the judge says of it.
     #[inline]
     fn step(&mut self) -> Made<M::S> {
-        let Self { method, course, guarded, .. } = self;
-        let from = Begun { time: course.time, held: course.held, x: course.x };
-        course.health = M::S::lit(1.0);
-        match guarded.watch.step(*method, course) {
+        let Self { method, context, guarded, .. } = self;
+        let from = Beginning { time: context.time, held: context.held, x: context.x };
+        context.health = M::S::lit(1.0);
+        match guarded.detector.step(*method, context) {
             Ok(event) => self.conclude(&from, event),
             Err(fault) => {
                 self.refuse(&from);
@@ -140,35 +140,35 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         }
     }
 
-    /// Does what the judge says of the step that was proposed, from its beginning to the state of the course.
-    pub(crate) fn conclude(&mut self, from: &Begun<M>, event: Event) -> Made<M::S> {
-        let Self { method, course, guarded, .. } = self;
+    /// Does what the judge says of the step that was proposed, from its beginning to the state reached.
+    pub(crate) fn conclude(&mut self, from: &Beginning<M>, event: Event) -> Made<M::S> {
+        let Self { method, context, guarded, .. } = self;
         let (length, limits) = (I::LENGTH, guarded.limits);
         let mut rules = Rules { length, drift: method.drift_check(), limits };
         let mut drifted = false;
-        let (mut held, mut x) = (course.held, course.x);
-        let mut proposal = course.proposal((from.time, &from.x), (&mut held, &mut x));
+        let (mut held, mut x) = (context.held, context.x);
+        let mut proposal = context.proposal((from.time, &from.x), (&mut held, &mut x));
         let accepted = loop {
             match judge(&mut proposal, method.estimate(), &rules) {
                 Verdict::Accept(accepted) => break accepted,
                 Verdict::Project => {
-                    if let Err(fault) = course.project() {
+                    if let Err(fault) = context.project() {
                         self.refuse(from);
                         return Made::Failed(fault);
                     }
-                    (rules.drift, drifted, *proposal.x) = (DriftCheck::Skip, true, course.x);
+                    (rules.drift, drifted, *proposal.x) = (DriftCheck::Skip, true, context.x);
                 }
                 Verdict::Shorten(fault) => return self.shorten(from, fault),
                 Verdict::Split(count) => {
-                    let until = course.time;
+                    let until = context.time;
                     self.refuse(from);
                     return Made::Split(Parts { until, count });
                 }
                 Verdict::NearSingular => {
-                    let until = course.time;
+                    let until = context.time;
                     self.refuse(from);
-                    M::Rescue::take(self.course);
-                    self.course.rescued = self.course.rescued.map(|_| until);
+                    M::Rescue::take(self.context);
+                    self.context.rescued = self.context.rescued.map(|_| until);
                     return Made::NearSingular;
                 }
                 Verdict::Refuse(fault) => {
@@ -178,7 +178,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
                 }
             }
         };
-        match guarded.watch.look_behind::<M, I>(course, guarded.kept, from, event) {
+        match guarded.detector.look_behind::<M, I>(context, guarded.history, from, event) {
             Ok(event) => self
                 .commit(from, (held, x), (accepted, drifted), event)
                 .map_or_else(Made::Failed, |()| Made::Step),
@@ -194,22 +194,22 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     #[inline]
     fn commit(
         &mut self,
-        from: &Begun<M>,
+        from: &Beginning<M>,
         behind: (M::U, M::X),
         (Accepted { moved, turned, passed }, drifted): (Accepted, bool),
         event: Event,
     ) -> Result<(), Fault> {
         // Samples within the step belong to the modes that were held over it.
-        self.observer.see(self.method, self.course)?;
-        let Self { method, course, guarded, .. } = self;
+        self.observer.see(self.method, self.context)?;
+        let Self { method, context, guarded, .. } = self;
         // What switches at once makes no step.
-        if course.time > from.time {
-            guarded.kept.see((&**method, course.system), || *from);
+        if context.time > from.time {
+            guarded.history.see((&**method, context.system), || *from);
         }
-        (course.held, course.x) = behind;
-        course.stats.errs(method.estimate().error);
-        course.stats.charts += u64::from(moved);
-        course.stats.change_points += u64::from(passed.is_some());
+        (context.held, context.x) = behind;
+        context.stats.errs(method.estimate().error);
+        context.stats.charts += u64::from(moved);
+        context.stats.change_points += u64::from(passed.is_some());
         method.keep(drifted);
         if moved {
             method.restart();
@@ -217,7 +217,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
             method.turned();
         }
         let before = self.modes();
-        self.guarded.watch.switch(self.method, self.course, event)?;
+        self.guarded.detector.switch(self.method, self.context, event)?;
         self.show_events(
             before,
             if let Event::At(index) = event { Trigger::Condition(index) } else { Trigger::Due },
@@ -226,39 +226,39 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     }
 
     /// Discrete state, state and number of events, for an observer that sees events.
-    fn modes(&self) -> Option<(Begun<M>, u64)> {
-        let Course { time, held, x, .. } = *self.course;
-        O::SWITCHES.then_some((Begun { time, held, x }, self.course.stats.switches))
+    fn modes(&self) -> Option<(Beginning<M>, u64)> {
+        let Context { time, held, x, .. } = *self.context;
+        O::SWITCHES.then_some((Beginning { time, held, x }, self.context.stats.switches))
     }
 
     /// Shows the events since `before`.
     #[inline]
-    fn show_events(&mut self, before: Option<(Begun<M>, u64)>, trigger: Trigger) {
-        if let Some((before, _)) = before.filter(|(_, switches)| self.course.stats.switches > *switches) {
-            self.observer.switched(self.course, &before, trigger);
+    fn show_events(&mut self, before: Option<(Beginning<M>, u64)>, trigger: Trigger) {
+        if let Some((before, _)) = before.filter(|(_, switches)| self.context.stats.switches > *switches) {
+            self.observer.switched(self.context, &before, trigger);
         }
     }
 
     /// Makes sure that the modes of the conditions are those of the state.
     fn begin(&mut self) -> Result<(), Fault> {
-        self.guarded.watch.begin(self.method, self.course)
+        self.guarded.detector.begin(self.method, self.context)
     }
 
     /// Goes back to where a step began.
-    fn refuse(&mut self, from: &Begun<M>) {
-        let Self { course, guarded, .. } = self;
+    fn refuse(&mut self, from: &Beginning<M>) {
+        let Self { context, guarded, .. } = self;
         // What switches at once had made none.
-        let made = u64::from(course.time > from.time);
-        (course.time, course.x) = (from.time, from.x);
-        course.stats.steps -= made;
-        course.stats.rejected += made;
-        guarded.watch.forget();
+        let made = u64::from(context.time > from.time);
+        (context.time, context.x) = (from.time, from.x);
+        context.stats.steps -= made;
+        context.stats.rejected += made;
+        guarded.detector.forget();
     }
 
     /// Refuses a step for which a shorter one is tried.
     #[cold]
-    fn shorten(&mut self, from: &Begun<M>, fault: Fault) -> Made<M::S> {
-        let (h, time) = (self.course.time - from.time, self.course.time);
+    fn shorten(&mut self, from: &Beginning<M>, fault: Fault) -> Made<M::S> {
+        let (h, time) = (self.context.time - from.time, self.context.time);
         self.refuse(from);
         let is_long = h > M::S::lit(SHORTEST_ULPS) * M::S::EPSILON * time.abs();
         if !(self.method.shorten(h) && is_long) {
@@ -269,42 +269,42 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
 
     /// The same run with another method, or with another view of it.
     fn with<'s, J>(&'s mut self, method: &'s mut J, limits: Limits<M::S>) -> Advance<'s, 'c, M, J, O> {
-        let Guarded { watch, kept, .. } = &mut self.guarded;
-        let guarded = Guarded { watch: &mut **watch, kept: &mut **kept, limits };
-        Advance { method, course: &mut *self.course, guarded, observer: &mut *self.observer }
+        let Guarded { detector, history, .. } = &mut self.guarded;
+        let guarded = Guarded { detector: &mut **detector, history: &mut **history, limits };
+        Advance { method, context: &mut *self.context, guarded, observer: &mut *self.observer }
     }
 
     /// Makes a step that is long beside the turn next to a flat pose in shorter steps of the same formula.
     #[cold]
     fn split(&mut self, parts: Parts<M::S>) -> Made<M::S> {
-        let whole = core::mem::replace(&mut self.course.end, parts.until);
+        let whole = core::mem::replace(&mut self.context.end, parts.until);
         let mut made = Made::Split(parts);
         while let Made::Split(Parts { until, count }) = made {
-            let longest = (until - self.course.time) / M::S::lit(f64::from(count));
+            let longest = (until - self.context.time) / M::S::lit(f64::from(count));
             let moves = longest > M::S::lit(SHORTEST_ULPS) * M::S::EPSILON * until.abs();
             made = match self.method.shorter(longest).filter(|_| moves) {
                 Some(mut finer) => self.with(&mut finer, self.guarded.limits).follow(),
-                None if M::Rescue::take(self.course) => Made::NearSingular,
-                None => Made::Failed(self.course.fault(Cause::NotRegular)),
+                None if M::Rescue::take(self.context) => Made::NearSingular,
+                None => Made::Failed(self.context.fault(Cause::NotRegular)),
             };
         }
-        self.course.end = whole;
+        self.context.end = whole;
         self.method.restart();
-        if let (Made::Step, true) = (&made, self.course.time < whole)
-            && let Err(fault) = self.method.begin(self.course)
+        if let (Made::Step, true) = (&made, self.context.time < whole)
+            && let Err(fault) = self.method.begin(self.context)
         {
             return Made::Failed(fault);
         }
         made
     }
 
-    /// Steps to the end of the course, until one is refused or only the near-singular method can go on.
+    /// Steps to the end of the interval, until one is refused or only the near-singular method can go on.
     fn follow(&mut self) -> Made<M::S> {
-        if let Err(fault) = self.begin().and_then(|()| self.method.begin(self.course)) {
+        if let Err(fault) = self.begin().and_then(|()| self.method.begin(self.context)) {
             return Made::Failed(fault);
         }
-        while self.course.time < self.course.end {
-            if M::Rescue::holds(self.course) {
+        while self.context.time < self.context.end {
+            if M::Rescue::holds(self.context) {
                 return Made::NearSingular;
             }
             match self.step() {
@@ -320,39 +320,40 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     #[cold]
     fn near_singular(&mut self, failed: Option<Fault>) -> Result<(), Fault> {
         if let Some(fault) = failed {
-            if !(is_singular(&fault) && M::Rescue::take(self.course)) {
+            if !(is_singular(&fault) && M::Rescue::take(self.context)) {
                 return Err(fault);
             }
-            self.guarded.watch.forget();
+            self.guarded.detector.forget();
             self.begin()?;
         }
         // The energy is that of the mechanism's own coordinates.
         let limits = Limits { energy_jump: None, ..self.guarded.limits };
         let (mut rescue, mut refused) = (M::Rescue::new(), 0);
-        while self.course.time < self.course.end && M::Rescue::holds(self.course) {
-            self.course.check_steps(self.method.most_steps())?;
-            let from: Begun<M> = Begun { time: self.course.time, held: self.course.held, x: self.course.x };
+        while self.context.time < self.context.end && M::Rescue::holds(self.context) {
+            self.context.check_steps(self.method.most_steps())?;
+            let from: Beginning<M> =
+                Beginning { time: self.context.time, held: self.context.held, x: self.context.x };
             let made = self.with(&mut rescue, limits).step();
             if let Made::Failed(fault) | Made::Ended(fault) = made {
                 return Err(true_cause(failed, fault));
             }
-            if self.course.time <= from.time {
+            if self.context.time <= from.time {
                 // The discrete state holds the pose.
-                self.course.held = from.held;
+                self.context.held = from.held;
                 refused += 1;
                 if refused > MOST_FAILURES {
-                    return Err(failed.unwrap_or(self.course.fault(Cause::StepTooSmall { step: 0.0 })));
+                    return Err(failed.unwrap_or(self.context.fault(Cause::StepTooSmall { step: 0.0 })));
                 }
                 continue;
             }
             refused = 0;
             if let Some(part) = rescue.passed() {
                 if limits.change_points {
-                    let fault = Fault::of_part(self.course.time.to_f64(), part, Cause::ChangePoint);
-                    (self.course.time, self.course.held, self.course.x) = (from.time, from.held, from.x);
+                    let fault = Fault::of_part(self.context.time.to_f64(), part, Cause::ChangePoint);
+                    (self.context.time, self.context.held, self.context.x) = (from.time, from.held, from.x);
                     return Err(fault);
                 }
-                self.course.stats.change_points += 1;
+                self.context.stats.change_points += 1;
             }
         }
         self.method.restart();
@@ -360,7 +361,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         if let Some(h) = rescue.followed() {
             self.method.shorten(h + h);
         }
-        if self.course.time < self.course.end { self.method.begin(self.course) } else { Ok(()) }
+        if self.context.time < self.context.end { self.method.begin(self.context) } else { Ok(()) }
     }
 }
 

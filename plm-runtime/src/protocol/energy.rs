@@ -3,14 +3,14 @@
 use crate::fault::{Cause, Fault};
 use crate::mechanism::Mechanism;
 use crate::scalar::Scalar;
-use crate::system::{Energy, Leg};
+use crate::system::{Energy, Step};
 use crate::vector::Vector;
 
 /// Compares the energy after a step with that before and the work in between, by the trapezoidal rule.
 ///
 /// # Errors
 /// [`Cause::EnergyJump`] where they differ by more than `fraction` of the energy that moves.
-pub(super) fn check_energy<M: Mechanism>(step: &Leg<'_, M>, fraction: M::S) -> Result<(), Fault> {
+pub(super) fn check_energy<M: Mechanism>(step: &Step<'_, M>, fraction: M::S) -> Result<(), Fault> {
     let energy = |(t, x): (M::S, &M::X)| step.system.energy(t, step.held, x);
     let (Some(from), Some(to)) = (energy(step.from), energy(step.to)) else {
         return Ok(());
@@ -29,7 +29,7 @@ pub(super) fn check_energy<M: Mechanism>(step: &Leg<'_, M>, fraction: M::S) -> R
 
 /// The part whose own change in a step changes the energy most.
 #[cold]
-fn largest_change<M: Mechanism>(step: &Leg<'_, M>, from: Energy<M::S>) -> &'static str {
+fn largest_change<M: Mechanism>(step: &Step<'_, M>, from: Energy<M::S>) -> &'static str {
     let (mut part, mut most) = ("", M::S::ZERO);
     for i in 0..M::X::LEN {
         let mut alone = *step.from.1;

@@ -6,7 +6,7 @@ use crate::mechanism::Mechanism;
 use crate::method::{Estimate, drift_of_size, excess};
 use crate::scalar::{Real, Scalar};
 use crate::singular::{Nearness, Rescue};
-use crate::system::{Accepted, Leg, System};
+use crate::system::{Accepted, Step, System};
 
 /// What has chosen the length of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -116,13 +116,13 @@ pub(crate) fn judge<M: Mechanism>(
     if rules.drift.fails(system, end, proposal.x) {
         return Verdict::Project;
     }
-    match M::Rescue::nearness(&proposal.leg(), rules.length) {
+    match M::Rescue::nearness(&proposal.step(), rules.length) {
         Nearness::Regular => {}
         Nearness::Turn { parts } => return Verdict::Split(parts),
         Nearness::Singular => return Verdict::NearSingular,
     }
     if let Some(fraction) = rules.limits.energy_jump
-        && let Err(fault) = check_energy(&proposal.leg(), fraction)
+        && let Err(fault) = check_energy(&proposal.step(), fraction)
     {
         return Verdict::Shorten(fault);
     }
@@ -139,8 +139,8 @@ pub(crate) fn judge<M: Mechanism>(
 impl<M: System> Proposal<'_, M> {
     /// The step.
     #[inline]
-    pub(crate) fn leg(&self) -> Leg<'_, M> {
+    pub(crate) fn step(&self) -> Step<'_, M> {
         let Self { system, from, end, held, x, health } = self;
-        Leg { system: *system, held, from: *from, to: (*end, x), health: *health }
+        Step { system: *system, held, from: *from, to: (*end, x), health: *health }
     }
 }

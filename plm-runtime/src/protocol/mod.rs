@@ -1,8 +1,8 @@
 //! One step, from its proposal to its commit.
 //!
-//! 1. A method proposes a step ([`Method::advance`](crate::Method::advance), [`Method::single`](crate::Method::single)). With dense
+//! 1. A method proposes a step ([`Method::advance`](crate::Method::advance), [`Method::fast_step`](crate::Method::fast_step)). With dense
 //!    output the event detector ([`crate::events`]) ends it at the first event.
-//! 2. [`judge`] says what it is, a [`Verdict`], and changes nothing.
+//! 2. The judge says what it is, a verdict, and changes nothing.
 //! 3. What the verdict asks for is done: the state is projected, the step is shortened, split, left to the near-singular method or
 //!    refused; or it is committed: discrete state, charts, revolutions, then the events at its end.
 //!
@@ -18,5 +18,5 @@ mod energy;
 mod judge;
 
 pub(crate) use self::advance::{Advance, Guarded, Made};
-pub use self::judge::Length;
-pub(crate) use self::judge::{DriftCheck, Limits, Proposal, Rules, Verdict, judge};
+pub use self::judge::{DriftCheck, Length};
+pub(crate) use self::judge::{Limits, Proposal, Rules, Verdict, judge};

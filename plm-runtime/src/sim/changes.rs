@@ -1,4 +1,4 @@
-//! What was changed from outside between two steps, and what follows from it.
+//! Parameters, inputs and states that the caller changed between two steps, and what depends on them.
 
 use core::ops::{Deref, DerefMut};
 

@@ -1,29 +1,29 @@
-//! Who sees the steps of a run, and the samples that it gives.
+//! Observers of accepted steps, and sampling at equal intervals.
 
-use super::Begun;
+use super::Beginning;
 use crate::events;
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
-use crate::method::{Course, Method};
+use crate::method::{Context, Method};
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
-/// Who sees the steps of a run.
+/// An observer of accepted steps.
 pub(crate) trait Observer<M: Mechanism> {
     /// Does it see anything at all?
     const SEES: bool = true;
-    /// Does it see what switches? Who does not pays nothing for it.
+    /// Does it see events? A run without pays nothing for them.
     const SWITCHES: bool = false;
-    /// May it end the run, by putting `course.end` at the time of a step that it sees?
+    /// May it end the run, by putting `context.end` at the time of a step that it sees?
     const ENDS: bool = false;
 
     /// A step was accepted; what was held over it is held still.
-    fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault>;
+    fn see<I: Method<M>>(&mut self, method: &mut I, context: &mut Context<'_, M>) -> Result<(), Fault>;
 
     /// Something has switched; `before` is the discrete state and the state until then.
     #[inline]
-    fn switched(&mut self, course: &Course<'_, M>, before: &Begun<M>, what: Trigger) {
-        let _ = (course, before, what);
+    fn switched(&mut self, context: &Context<'_, M>, before: &Beginning<M>, what: Trigger) {
+        let _ = (context, before, what);
     }
 }
 
@@ -45,7 +45,7 @@ impl<M: Mechanism> Observer<M> for Unobserved {
     const SEES: bool = false;
 
     #[inline]
-    fn see<I: Method<M>>(&mut self, _method: &mut I, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+    fn see<I: Method<M>>(&mut self, _method: &mut I, _context: &mut Context<'_, M>) -> Result<(), Fault> {
         Ok(())
     }
 }
@@ -79,11 +79,11 @@ impl<M: Mechanism> Samples<M> {
     fn give<I: Method<M>>(
         &mut self,
         method: &mut I,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         mut sample: impl FnMut(&M::State),
     ) -> Result<(), Fault> {
-        while self.next <= self.times.last && self.times.at(self.next) <= course.time {
-            sample_at(method, course, self.times.at(self.next), &mut self.moment)?;
+        while self.next <= self.times.last && self.times.at(self.next) <= context.time {
+            sample_at(method, context, self.times.at(self.next), &mut self.moment)?;
             sample(&self.moment);
             self.next = self.next + M::S::lit(1.0);
         }
@@ -98,8 +98,8 @@ pub(super) struct Sampler<M: Mechanism, F> {
 }
 
 impl<M: Mechanism, F: FnMut(&M::State)> Observer<M> for Sampler<M, F> {
-    fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        self.samples.give(method, course, &mut self.sample)
+    fn see<I: Method<M>>(&mut self, method: &mut I, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        self.samples.give(method, context, &mut self.sample)
     }
 }
 
@@ -126,9 +126,9 @@ pub(super) struct Asked<F>(pub(super) F);
 impl<M: Mechanism, F: FnMut(M::S) -> bool> Observer<M> for Asked<F> {
     const ENDS: bool = true;
 
-    fn see<I: Method<M>>(&mut self, _method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        if !(self.0)(course.time) {
-            course.end = course.time;
+    fn see<I: Method<M>>(&mut self, _method: &mut I, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        if !(self.0)(context.time) {
+            context.end = context.time;
         }
         Ok(())
     }
@@ -150,27 +150,27 @@ where
     const SWITCHES: bool = true;
     const ENDS: bool = true;
 
-    fn see<I: Method<M>>(&mut self, method: &mut I, course: &mut Course<'_, M>) -> Result<(), Fault> {
+    fn see<I: Method<M>>(&mut self, method: &mut I, context: &mut Context<'_, M>) -> Result<(), Fault> {
         let Self { samples, see, asked } = self;
-        samples.give(method, course, |state| see(Seen::Sample(state)))?;
-        sample_at(method, course, course.time, &mut samples.moment)?;
+        samples.give(method, context, |state| see(Seen::Sample(state)))?;
+        sample_at(method, context, context.time, &mut samples.moment)?;
         see(Seen::Step(&samples.moment));
-        asked.see(method, course)
+        asked.see(method, context)
     }
 
-    fn switched(&mut self, course: &Course<'_, M>, before: &Begun<M>, what: Trigger) {
+    fn switched(&mut self, context: &Context<'_, M>, before: &Beginning<M>, what: Trigger) {
         let Self { samples: Samples { moment, .. }, see, .. } = self;
         let (mut held, mut x) = (before.held, before.x);
-        events::refresh(course.system, course.time, &mut held, &x);
-        moment.set(course.time, &held, &x);
+        events::refresh(context.system, context.time, &mut held, &x);
+        moment.set(context.time, &held, &x);
         match what {
             Trigger::Condition(index) => see(Seen::Condition(index, moment)),
             Trigger::Time => see(Seen::Instant(moment)),
             Trigger::Due => {
                 // The events were committed: they do not fail here.
                 let _ = events::switch_each(
-                    (course.system, M::G::fill(M::S::ZERO)),
-                    course.time,
+                    (context.system, M::G::fill(M::S::ZERO)),
+                    context.time,
                     &mut held,
                     &mut x,
                     |index| {
@@ -179,7 +179,7 @@ where
                 );
             }
         }
-        moment.set(course.time, &course.held, &course.x);
+        moment.set(context.time, &context.held, &context.x);
         see(Seen::Switched(moment));
     }
 }
@@ -187,20 +187,20 @@ where
 /// Puts `moment` at a time within the last step, onto the constraints.
 pub(super) fn sample_at<M: Mechanism, I: Method<M>>(
     method: &mut I,
-    course: &mut Course<'_, M>,
+    context: &mut Context<'_, M>,
     time: M::S,
     moment: &mut M::State,
 ) -> Result<(), Fault> {
-    let (mut held, mut x) = (course.held, course.x);
-    if time < course.time {
-        method.densify(course)?;
-        (held, x) = method.moment(course, time);
+    let (mut held, mut x) = (context.held, context.x);
+    if time < context.time {
+        method.densify(context)?;
+        (held, x) = method.moment(context, time);
     }
-    let (drift, limit) = (course.system.drift(time, &x), method.drift_limit(course.system));
+    let (drift, limit) = (context.system.drift(time, &x), method.drift_limit(context.system));
     if drift.phi > limit.phi || drift.phi_dot > limit.phi_dot {
-        course.system.settle(time, &mut x)?;
+        context.system.settle(time, &mut x)?;
     }
-    events::refresh(course.system, time, &mut held, &x);
+    events::refresh(context.system, time, &mut held, &x);
     moment.set(time, &held, &x);
     Ok(())
 }

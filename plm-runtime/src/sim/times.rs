@@ -1,11 +1,11 @@
 //! To a time, the state at another one, and back to the beginning.
 
-use super::kept::Begun;
+use super::history::Beginning;
 use super::samples::{Unobserved, sample_at};
 use super::{Clock, Sim};
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
-use crate::method::{Course, Method};
+use crate::method::{Context, Method};
 use crate::scalar::Scalar;
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
@@ -29,18 +29,18 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         let mut other = *self;
         let now = self.state.time();
         if time < now {
-            let begun = self.kept.begun.filter(|begun| I::DENSE && begun.time <= time);
-            return other.go_back(begun.ok_or_else(|| self.bad_interval(time - now))?, time);
+            let beginning = self.history.beginning.filter(|beginning| I::DENSE && beginning.time <= time);
+            return other.go_back(beginning.ok_or_else(|| self.bad_interval(time - now))?, time);
         }
         other.step_to(time)?;
         Ok(other.state)
     }
 
     /// The state within the last step.
-    fn go_back(&mut self, begun: Begun<M>, time: M::S) -> Result<M::State, Fault> {
-        if self.method.path().is_none_or(|path| path.start != begun.time) {
+    fn go_back(&mut self, beginning: Beginning<M>, time: M::S) -> Result<M::State, Fault> {
+        if self.method.path().is_none_or(|path| path.start != beginning.time) {
             // The step ended where something switched, and its dense output is gone: it is made again.
-            self.state.set(begun.time, &begun.held, &begun.x);
+            self.state.set(beginning.time, &beginning.held, &beginning.x);
             self.forget();
             self.step_to(time)?;
             return Ok(self.state);
@@ -48,8 +48,8 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         let Self { state, method, stats, longest_step, .. } = self;
         let (end, mut moment) = (state.time(), *state);
         let told = (stats, longest_step);
-        let mut course = Course::new((state.mechanism(), begun.held), (end, *state.x()), end, told);
-        sample_at(method, &mut course, time, &mut moment)?;
+        let mut context = Context::new((state.mechanism(), beginning.held), (end, *state.x()), end, told);
+        sample_at(method, &mut context, time, &mut moment)?;
         Ok(moment)
     }
 
@@ -61,7 +61,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     pub fn reset(&mut self) -> Result<(), Fault> {
         let (mechanism, time) = (*self.state.mechanism(), self.start_time);
         let (held, x) = mechanism.start_state(time)?;
-        let (limits, counts) = (self.limits, self.kept.counts.is_some());
+        let (limits, counts) = (self.limits, self.history.counts.is_some());
         let state = M::State::new(mechanism, held, time, x);
         *self = Self { limits, ..Self::new(state, self.method.fresh()) };
         self.count_states(counts);

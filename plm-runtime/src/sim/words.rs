@@ -34,7 +34,7 @@ where
             M::State::new(own, held, time, x)
         };
         self.method.each(words);
-        self.watch.each(words);
+        self.detector.each(words);
         words.perhaps(&mut self.limits.energy_jump, M::S::ZERO, Words::number);
         words.flag(&mut self.limits.change_points);
         words.numbers([&mut self.clock.time, &mut self.clock.rest, &mut self.longest_step]);

@@ -5,7 +5,7 @@ use super::ahead::Ahead;
 use super::equations::{Equations, Evaluated};
 use super::meeting::Meeting;
 use crate::fault::Fault;
-use crate::method::Course;
+use crate::method::Context;
 
 /// The beginning of a step near a singular pose.
 pub(super) struct Here<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
@@ -21,31 +21,31 @@ pub(super) struct Here<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, co
 }
 
 impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Here<M, NQ, NC, NX> {
-    /// Of the next step of `course`.
+    /// Of the next step of `context`.
     ///
     /// # Errors
     /// That of [`Meeting::of`].
     #[inline(never)]
-    pub(super) fn before(course: &Course<'_, M>) -> Result<Self, Fault> {
+    pub(super) fn before(context: &Context<'_, M>) -> Result<Self, Fault> {
         let mut here = Self {
-            equations: Equations::of(*course.system),
-            full: course.system.full(course.time, &course.held, &course.x),
+            equations: Equations::of(*context.system),
+            full: context.system.full(context.time, &context.held, &context.x),
             evaluated: None,
             ahead: None,
             meeting: Meeting::Unknown,
         };
-        here.look(course);
+        here.look(context);
         let open = &mut here.equations.open;
-        here.meeting = Meeting::of(course, (&here.full, here.ahead.as_ref()), open)?;
+        here.meeting = Meeting::of(context, (&here.full, here.ahead.as_ref()), open)?;
         if matches!(here.meeting, Meeting::Reached) {
-            here.look(course);
+            here.look(context);
         }
         Ok(here)
     }
 
     #[inline(never)]
-    fn look(&mut self, course: &Course<'_, M>) {
-        let at = (course.time, &course.held);
+    fn look(&mut self, context: &Context<'_, M>) {
+        let at = (context.time, &context.held);
         self.evaluated = self.equations.evaluate(at.0, at.1, &self.full);
         self.ahead = self.evaluated.as_ref().map(|evaluated| Ahead::of(&self.equations, at, evaluated));
         if self.ahead.is_some_and(|ahead| !ahead.is_resolved()) {

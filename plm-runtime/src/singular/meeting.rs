@@ -7,7 +7,7 @@ use super::{Fine, size};
 use crate::absolute::split;
 use crate::fault::Fault;
 use crate::linalg::largest;
-use crate::method::Course;
+use crate::method::Context;
 use crate::scalar::Real;
 use crate::twofold::Twofold;
 use crate::vector::Vector;
@@ -35,15 +35,15 @@ impl Meeting {
     /// [`Cause::LockedAt`](crate::Cause::LockedAt) where what is prescribed comes to its end before the interval does.
     #[inline(never)]
     pub(super) fn of<S: Real, M, const NQ: usize, const NC: usize, const NX: usize>(
-        course: &Course<'_, M>,
+        context: &Context<'_, M>,
         (full, ahead): (&[S; NX], Option<&Ahead<S>>),
         open: &mut [Twofold<S>; NC],
     ) -> Result<Self, Fault>
     where
         M: Fine<NQ, NC, NX, S = S>,
     {
-        let (time, system) = (course.time, course.system);
-        let (fine, _) = system.twofold(&course.held);
+        let (time, system) = (context.time, context.system);
+        let (fine, _) = system.twofold(&context.held);
         let (q, v) = split::<_, NX, NQ>(full);
         let at = Vector::from_fn(|i| Twofold::of(q[i]));
         let Some(rows) = Rows::<M, NQ, NC, NX>::at(system, &fine, time, &at) else {
@@ -63,7 +63,7 @@ impl Meeting {
             return Ok(Self::Unknown);
         };
         let critical = match if driven { rows.ends(time, critical) } else { Ends::Never(critical) } {
-            Ends::At(end, critical) if end <= course.end => {
+            Ends::At(end, critical) if end <= context.end => {
                 return Err(rows.locked((end, system.flat_part(time, full)), &critical));
             }
             Ends::Touches(critical) => Some(critical),

@@ -37,10 +37,10 @@ pub use self::start::refine;
 use crate::Absolute;
 use crate::fault::Fault;
 use crate::mechanism::Mechanism;
-use crate::method::{Course, Method};
+use crate::method::{Context, Method};
 use crate::protocol::Length;
 use crate::scalar::Real;
-use crate::system::{Drift, Leg};
+use crate::system::{Drift, Step};
 use crate::twofold::Twofold;
 
 /// A method that takes over from another one near singular poses.
@@ -49,16 +49,16 @@ pub trait Rescue<M: Mechanism>: Method<M> {
     fn new() -> Self;
 
     /// Is the state one that only this method can go on from?
-    fn holds(course: &Course<'_, M>) -> bool;
+    fn holds(context: &Context<'_, M>) -> bool;
 
     /// Whether a step can be anything but [`Nearness::Regular`].
     const POSSIBLE: bool;
 
     /// How near to singular poses a step has come whose length was chosen so.
-    fn nearness(step: &Leg<'_, M>, length: Length) -> Nearness;
+    fn nearness(step: &Step<'_, M>, length: Length) -> Nearness;
 
     /// Gives it the state, which another method cannot go on from; whether it can.
-    fn take(course: &mut Course<'_, M>) -> bool;
+    fn take(context: &mut Context<'_, M>) -> bool;
 
     /// The part that closes the loop which went through a flat pose in the last step, where the mechanism could have gone
     /// on in another way.
@@ -138,14 +138,14 @@ impl<M: Mechanism> Rescue<M> for Never<M> {
         Self(core::marker::PhantomData)
     }
     #[inline]
-    fn holds(_course: &Course<'_, M>) -> bool {
+    fn holds(_context: &Context<'_, M>) -> bool {
         false
     }
     #[inline]
-    fn nearness(_step: &Leg<'_, M>, _length: Length) -> Nearness {
+    fn nearness(_step: &Step<'_, M>, _length: Length) -> Nearness {
         Nearness::Regular
     }
-    fn take(_course: &mut Course<'_, M>) -> bool {
+    fn take(_context: &mut Context<'_, M>) -> bool {
         false
     }
     fn passed(&self) -> Option<&'static str> {
@@ -159,10 +159,10 @@ impl<M: Mechanism> Rescue<M> for Never<M> {
 impl<M: Mechanism> Method<M> for Never<M> {
     const DENSE: bool = false;
 
-    fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+    fn begin(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
         Ok(())
     }
-    fn advance(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+    fn advance(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
         Ok(())
     }
     fn interpolate(&self, _time: M::S) -> M::X {

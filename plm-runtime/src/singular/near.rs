@@ -10,10 +10,10 @@ use super::poor::{is_poor, is_regular, turned};
 use super::{Fine, Nearness, Rescue};
 use crate::absolute::{disagreement, split};
 use crate::fault::{Cause, Fault};
-use crate::method::{Course, DormandPrince853, Embedded, Method};
+use crate::method::{Context, DormandPrince853, Embedded, Method};
 use crate::protocol::Length;
 use crate::scalar::{Real, Scalar};
-use crate::system::{Drift, Leg};
+use crate::system::{Drift, Step};
 use crate::twofold::Twofold;
 use crate::vector::Vector;
 
@@ -47,7 +47,7 @@ const SHORT: f64 = 0.1;
 const MOST_PARTS: f64 = 64.0;
 /// In single precision they may be longer by this: the error of a step is about a unit in the last place then, of which
 /// shorter steps would only add up more.
-const SINGLE: f64 = 0.3;
+const FAST: f64 = 0.3;
 
 /// Steps in absolute coordinates, in numbers of twice the precision: by error control around singular poses, by collocation
 /// over them.
@@ -74,11 +74,13 @@ pub struct Near<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX:
 
 /// How much of a box a step crosses next to a flat pose: of a tenth of the turn there.
 #[inline]
-fn crossed<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(leg: &Leg<'_, M>) -> M::S {
+fn crossed<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+    step: &Step<'_, M>,
+) -> M::S {
     if M::CHARTED {
-        leg.system.crossed(leg.held, leg.from.1, leg.to.1)
+        step.system.crossed(step.held, step.from.1, step.to.1)
     } else {
-        M::S::lit(10.0) * turned(leg)
+        M::S::lit(10.0) * turned(step)
     }
 }
 
@@ -91,7 +93,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
     /// A step around a pose: one that follows its turn.
     fn step_around(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         here: &Here<M, NQ, NC, NX>,
         (longest, scale): (M::S, M::S),
     ) -> Result<(), Fault> {
@@ -99,46 +101,46 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
         self.around.longest_step = longest;
         // What a state is rounded by turns the motion by as many radians as it is parts of the turn's length.
         self.around.rtol = self.tolerance.max(M::S::EPSILON / scale);
-        let (held, time, end) = (course.held, course.time, course.end);
-        let told = (&mut *course.stats, &mut *course.longest_step);
-        let mut inner = Course::new((equations, held), (time, here.full), end, told);
+        let (held, time, end) = (context.held, context.time, context.end);
+        let told = (&mut *context.stats, &mut *context.longest_step);
+        let mut inner = Context::new((equations, held), (time, here.full), end, told);
         self.around.begin(&mut inner)?;
         self.around.advance(&mut inner)?;
         let (time, mut full) = (inner.time, inner.x);
-        match equations.evaluate(time, &course.held, &full) {
+        match equations.evaluate(time, &context.held, &full) {
             Some(evaluated) if equations.is_beside(&full, &evaluated) => full = evaluated.x,
-            _ => return Err(self.fault(course, here, Refused::NotFound)),
+            _ => return Err(self.fault(context, here, Refused::NotFound)),
         }
-        (self.over, self.followed) = (None, Some(time - course.time));
-        Self::arrive(course, time, &full);
+        (self.over, self.followed) = (None, Some(time - context.time));
+        Self::arrive(context, time, &full);
         Ok(())
     }
 
     /// A step over a pose, of one of some distances; why there is none otherwise.
     fn step_over(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         here: &Here<M, NQ, NC, NX>,
         (times, flat): (impl Iterator<Item = M::S>, Option<M::S>),
     ) -> Result<(), Refused<M::S>> {
         let mut refused = Refused::NotFound;
         for h in times {
             let rate = here.evaluated.as_ref().map(|evaluated| &evaluated.dx);
-            let (at, state) = ((course.time, &course.held), (&here.full, rate));
-            match leap(&here.equations, at, state, (h, &mut course.stats.evaluations)) {
+            let (at, state) = ((context.time, &context.held), (&here.full, rate));
+            match leap(&here.equations, at, state, (h, &mut context.stats.evaluations)) {
                 Ok(polynomial) => {
-                    let from = course.time;
-                    let time = (from + h).min(course.end);
+                    let from = context.time;
+                    let time = (from + h).min(context.end);
                     let full = polynomial.at((time - from) / h);
                     self.passed = flat
                         .filter(|flat| from + *flat <= time)
-                        .map(|_| course.system.flat_part(from, &here.full));
+                        .map(|_| context.system.flat_part(from, &here.full));
                     self.over = Some((from, polynomial));
                     self.undecided = 0;
                     self.around.restart();
-                    course.stats.steps += 1;
-                    *course.longest_step = course.longest_step.max(time - from);
-                    Self::arrive(course, time, &full);
+                    context.stats.steps += 1;
+                    *context.longest_step = context.longest_step.max(time - from);
+                    Self::arrive(context, time, &full);
                     return Ok(());
                 }
                 Err(Refused::NotFound) => {}
@@ -148,56 +150,56 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
         Err(refused)
     }
 
-    fn arrive(course: &mut Course<'_, M>, time: M::S, full: &[M::S; NX]) {
-        course.time = time;
-        course.system.hold(&mut course.held, &mut course.x, full);
-        if course.rescued.is_some_and(|until| until <= time) && is_regular(course.system, time, full) {
-            course.rescued = None;
+    fn arrive(context: &mut Context<'_, M>, time: M::S, full: &[M::S; NX]) {
+        context.time = time;
+        context.system.hold(&mut context.held, &mut context.x, full);
+        if context.rescued.is_some_and(|until| until <= time) && is_regular(context.system, time, full) {
+            context.rescued = None;
         }
     }
 
     /// A step over the pose that is so far ahead.
     fn meet(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         here: &Here<M, NQ, NC, NX>,
         (ahead, distance): (&Ahead<M::S>, M::S),
     ) -> Result<(), Refused<M::S>> {
         let flat = ahead.time_to(distance);
         // At the pose itself, as near as time can tell, and beside it, distances from it are what is known best.
-        let at = flat < M::S::lit(BARELY) * M::S::EPSILON * course.time.abs();
+        let at = flat < M::S::lit(BARELY) * M::S::EPSILON * context.time.abs();
         let spans = SPANS.into_iter().filter(|_| !at).map(|span| M::S::lit(span) * distance);
         let away = AWAY.into_iter().map(M::S::lit).filter(|_| distance < M::S::lit(BESIDE));
         let times = spans.chain(away).map(|span| ahead.time_to(span));
-        self.step_over(course, here, (times, Some(flat)))
+        self.step_over(context, here, (times, Some(flat)))
     }
 
     /// A state from which nothing is known but its pose and velocity.
-    fn leave(&mut self, course: &mut Course<'_, M>, here: &Here<M, NQ, NC, NX>) -> Result<(), Fault> {
+    fn leave(&mut self, context: &mut Context<'_, M>, here: &Here<M, NQ, NC, NX>) -> Result<(), Fault> {
         let speed = (0..NQ).fold(M::S::ZERO, |most: M::S, i| {
             most.max((here.full.at(NQ + i) / here.equations.typical_of(i)).abs())
         });
         let times = AWAY.into_iter().map(|distance| M::S::lit(distance) / speed);
         let times = times.filter(|h| h.is_finite());
-        self.step_over(course, here, (times, None)).map_err(|refused| self.fault(course, here, refused))
+        self.step_over(context, here, (times, None)).map_err(|refused| self.fault(context, here, refused))
     }
 
     /// What ends a run at a singular pose.
-    fn fault(&self, course: &Course<'_, M>, here: &Here<M, NQ, NC, NX>, refused: Refused<M::S>) -> Fault {
+    fn fault(&self, context: &Context<'_, M>, here: &Here<M, NQ, NC, NX>, refused: Refused<M::S>) -> Fault {
         let (q, _) = split::<_, NX, NQ>(&here.full);
-        if let Some(fault) = disagreement(course.system, course.time, &q) {
+        if let Some(fault) = disagreement(context.system, context.time, &q) {
             return fault;
         }
         let rest = |i: usize| M::S::EPSILON * here.equations.typical_of(i - NQ);
         let moves = (NQ..2 * NQ).any(|i| here.full.at(i).abs() > rest(i));
         let cause = match refused {
             Refused::Undecided(gap) | Refused::Opens(gap) => Cause::Undecided { gap: gap.to_f64() },
-            Refused::NotFound if moves => {
-                Cause::Undecided { gap: self.opens.max(here.equations.gap(course.time, &here.full)).to_f64() }
-            }
+            Refused::NotFound if moves => Cause::Undecided {
+                gap: self.opens.max(here.equations.gap(context.time, &here.full)).to_f64(),
+            },
             Refused::NotFound => Cause::Flat,
         };
-        Fault::of_part(course.time.to_f64(), course.system.flat_part(course.time, &here.full), cause)
+        Fault::of_part(context.time.to_f64(), context.system.flat_part(context.time, &here.full), cause)
     }
 }
 
@@ -207,30 +209,30 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
     const DENSE: bool = true;
     const LENGTH: Length = Length::NearSingular;
 
-    fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+    fn begin(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
         Ok(())
     }
 
-    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+    fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         (self.passed, self.followed) = (None, None);
-        course.stats.near_singular += 1;
-        let mut here = Here::before(course)?;
+        context.stats.near_singular += 1;
+        let mut here = Here::before(context)?;
         self.open = here.equations.open;
         let Some(ahead) = here.ahead else {
-            return self.leave(course, &here);
+            return self.leave(context, &here);
         };
         if !here.follow() {
-            return Err(self.fault(course, &here, Refused::NotFound));
+            return Err(self.fault(context, &here, Refused::NotFound));
         }
         let meeting = here.meeting;
-        let (longest, rest) = (ahead.longest_step(), course.end - course.time);
+        let (longest, rest) = (ahead.longest_step(), context.end - context.time);
         match ahead.flat().filter(|_| rest > longest && !matches!(meeting, Meeting::Missed)) {
             None => self.tried = M::S::INFINITY,
             Some(distance) if distance < M::S::lit(NEARER) * self.tried => {
-                match self.meet(course, &here, (&ahead, distance)) {
+                match self.meet(context, &here, (&ahead, distance)) {
                     Ok(()) => return Ok(()),
                     Err(refused @ Refused::Undecided(_)) if self.undecided == TRIALS => {
-                        return Err(self.fault(course, &here, refused));
+                        return Err(self.fault(context, &here, refused));
                     }
                     Err(refused) => {
                         if let Refused::Opens(gap) = refused {
@@ -243,25 +245,25 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
             }
             Some(_) => {}
         }
-        self.step_around(course, &here, (longest, ahead.scale())).map_err(|failed| {
+        self.step_around(context, &here, (longest, ahead.scale())).map_err(|failed| {
             match (failed.cause, meeting) {
                 (Cause::StepTooSmall { .. } | Cause::NotFinite, Meeting::Unknown) => {
-                    self.fault(course, &here, Refused::NotFound)
+                    self.fault(context, &here, Refused::NotFound)
                 }
                 _ => failed,
             }
         })
     }
 
-    fn densify(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+    fn densify(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         if self.over.is_some() {
             return Ok(());
         }
-        let equations = self.equations(course.system);
-        let x = course.system.full(course.time, &course.held, &course.x);
-        let (held, time, end) = (course.held, course.time, course.end);
-        let told = (&mut *course.stats, &mut *course.longest_step);
-        let mut inner = Course::new((&equations, held), (time, x), end, told);
+        let equations = self.equations(context.system);
+        let x = context.system.full(context.time, &context.held, &context.x);
+        let (held, time, end) = (context.held, context.time, context.end);
+        let told = (&mut *context.stats, &mut *context.longest_step);
+        let mut inner = Context::new((&equations, held), (time, x), end, told);
         self.around.densify(&mut inner)
     }
 
@@ -269,16 +271,16 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
         M::X::fill(M::S::ZERO)
     }
 
-    fn moment(&self, course: &Course<'_, M>, time: M::S) -> (M::U, M::X) {
+    fn moment(&self, context: &Context<'_, M>, time: M::S) -> (M::U, M::X) {
         let full = if let Some((from, polynomial)) = &self.over {
             polynomial.at((time - *from) / polynomial.h)
         } else {
             let full = self.around.interpolate(time);
-            let equations = self.equations(course.system);
-            equations.evaluate(time, &course.held, &full).map_or(full, |evaluated| evaluated.x)
+            let equations = self.equations(context.system);
+            equations.evaluate(time, &context.held, &full).map_or(full, |evaluated| evaluated.x)
         };
-        let (mut held, mut x) = (course.held, course.x);
-        course.system.hold(&mut held, &mut x, &full);
+        let (mut held, mut x) = (context.held, context.x);
+        context.system.hold(&mut held, &mut x, &full);
         (held, x)
     }
 
@@ -323,19 +325,19 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
     }
 
     #[inline]
-    fn holds(course: &Course<'_, M>) -> bool {
-        if M::CHARTED { M::is_near(&course.held) } else { course.rescued.is_some() }
+    fn holds(context: &Context<'_, M>) -> bool {
+        if M::CHARTED { M::is_near(&context.held) } else { context.rescued.is_some() }
     }
 
     #[inline]
-    fn nearness(step: &Leg<'_, M>, length: Length) -> Nearness {
+    fn nearness(step: &Step<'_, M>, length: Length) -> Nearness {
         let is_singular = match length {
             Length::NearSingular => false,
             Length::Error => !M::CHARTED && is_poor(step),
             Length::Alone if M::CHARTED => crossed(step) > M::S::lit(SHARP),
             Length::Alone => is_poor(step),
             Length::Fixed { caution } => {
-                let caution = if M::S::EPSILON < M::S::lit(1e-12) { caution } else { SINGLE * caution };
+                let caution = if M::S::EPSILON < M::S::lit(1e-12) { caution } else { FAST * caution };
                 let crossed = M::S::lit(caution) * crossed(step);
                 if crossed > M::S::lit(LONG) {
                     return Nearness::Turn { parts: 1 + (crossed.to_f64() / SHORT).min(MOST_PARTS) as u32 };
@@ -346,13 +348,13 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
         if is_singular { Nearness::Singular } else { Nearness::Regular }
     }
 
-    fn take(course: &mut Course<'_, M>) -> bool {
-        let full = course.system.full(course.time, &course.held, &course.x);
+    fn take(context: &mut Context<'_, M>) -> bool {
+        let full = context.system.full(context.time, &context.held, &context.x);
         if !full.is_finite() {
             return false;
         }
-        course.system.hold(&mut course.held, &mut course.x, &full);
-        course.rescued = (!M::CHARTED).then_some(course.time);
+        context.system.hold(&mut context.held, &mut context.x, &full);
+        context.rescued = (!M::CHARTED).then_some(context.time);
         true
     }
 

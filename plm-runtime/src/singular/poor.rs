@@ -5,7 +5,7 @@ use crate::absolute::{beside, smallest_pivot, split};
 use crate::mechanism::Mechanism;
 use crate::method::Path;
 use crate::scalar::{Real, Scalar};
-use crate::system::{Health, Leg};
+use crate::system::{Health, Step};
 use crate::vector::Vector;
 
 /// Other poses: all angles (and lengths over the mechanism's) moved by up to so many tenths.
@@ -48,18 +48,18 @@ fn usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
 /// The smallest pivot ratio over a step beside that of other poses; 1 where rows always depend on each other.
 #[cold]
 fn lowest_of_usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
-    leg: &Leg<'_, M>,
+    step: &Step<'_, M>,
 ) -> M::S {
-    let full = leg.system.full(leg.to.0, leg.held, leg.to.1);
-    let usual = usual(leg.system, leg.to.0, &split::<_, NX, NQ>(&full).0);
-    if Health(usual).is_good() { lowest(leg, M::S::lit(LOW) * usual) / usual } else { M::S::lit(1.0) }
+    let full = step.system.full(step.to.0, step.held, step.to.1);
+    let usual = usual(step.system, step.to.0, &split::<_, NX, NQ>(&full).0);
+    if Health(usual).is_good() { lowest(step, M::S::lit(LOW) * usual) / usual } else { M::S::lit(1.0) }
 }
 
 /// Has a step come to poses that are far more singular than others?
 pub(super) fn is_poor<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
-    leg: &Leg<'_, M>,
+    step: &Step<'_, M>,
 ) -> bool {
-    is_doubtful(leg) && lowest_of_usual(leg) < M::S::lit(POOR)
+    is_doubtful(step) && lowest_of_usual(step) < M::S::lit(POOR)
 }
 
 /// How long a step without error control is beside the turn next to a nearly singular pose; zero where there is no such turn, and
@@ -68,32 +68,32 @@ pub(super) fn is_poor<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, con
 /// A turn takes place over the length on which the root of the pivot ratio changes by its own size. Along the motion the pivot
 /// ratio is `c + k s^2`: that length is `2p/p'` on the way to the pose, `sqrt(2p/p'')` beside it.
 pub(super) fn turned<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
-    leg: &Leg<'_, M>,
+    step: &Step<'_, M>,
 ) -> M::S {
-    let travel = travel(leg);
-    let regular = leg.health > M::S::lit(REGULAR) && travel < M::S::lit(LONG);
-    if regular || travel < M::S::lit(SLOW) * leg.health.sqrt() {
+    let travel = travel(step);
+    let regular = step.health > M::S::lit(REGULAR) && travel < M::S::lit(LONG);
+    if regular || travel < M::S::lit(SLOW) * step.health.sqrt() {
         return M::S::ZERO;
     }
-    let turn = shortest_turn(leg, travel);
-    if turn < M::S::lit(WIDE) && !is_poor(leg) { travel / turn } else { M::S::ZERO }
+    let turn = shortest_turn(step, travel);
+    if turn < M::S::lit(WIDE) && !is_poor(step) { travel / turn } else { M::S::ZERO }
 }
 
 /// The length of a turn where a step ends, rad; infinite where rows always depend on each other, and where the pivot ratio is so
 /// large that there is none.
 #[cold]
 fn shortest_turn<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
-    leg: &Leg<'_, M>,
+    step: &Step<'_, M>,
     travel: M::S,
 ) -> M::S {
-    let (q, v) = split::<_, NX, NQ>(&leg.system.full(leg.to.0, leg.held, leg.to.1));
+    let (q, v) = split::<_, NX, NQ>(&step.system.full(step.to.0, step.held, step.to.1));
     let pivot = |after: M::S| {
         let q = Vector::from_fn(|i| after.mul_add(v.at(i), q.at(i)));
-        smallest_pivot(leg.system, leg.to.0, &q)
+        smallest_pivot(step.system, step.to.0, &q)
     };
     let (half, two) = (M::S::lit(0.5), M::S::lit(2.0));
     let apart = M::S::lit(BESIDE).max(half * travel);
-    let time = apart * (leg.to.0 - leg.from.0) / travel;
+    let time = apart * (step.to.0 - step.from.0) / travel;
     let here = pivot(M::S::ZERO);
     if !Health(here).is_good() || here > half {
         return M::S::INFINITY;
@@ -106,15 +106,15 @@ fn shortest_turn<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX
 
 /// The smallest pivot ratio over a step; not the very smallest where none is below `low`.
 fn lowest<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
-    leg: &Leg<'_, M>,
+    step: &Step<'_, M>,
     low: M::S,
 ) -> M::S {
-    let path = Path::between(leg.from, leg.to, M::NQ);
+    let path = Path::between(step.from, step.to, M::NQ);
     let pivot = |part: M::S| {
-        let full = leg.system.full(path.time(part), leg.held, &path.at(part));
-        smallest_pivot(leg.system, path.time(part), &split::<_, NX, NQ>(&full).0)
+        let full = step.system.full(path.time(part), step.held, &path.at(part));
+        smallest_pivot(step.system, path.time(part), &split::<_, NX, NQ>(&full).0)
     };
-    let looks = (travel(leg) / M::S::lit(APART)).to_f64() as usize;
+    let looks = (travel(step) / M::S::lit(APART)).to_f64() as usize;
     let looks = looks.clamp(LOOKS, MOST_LOOKS);
     let (mut place, mut least) = (M::S::ZERO, M::S::INFINITY);
     for k in 0..=looks {
@@ -147,13 +147,13 @@ fn lowest<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize
 
 /// How far a step leads, rad.
 #[inline]
-fn travel<M: Mechanism>(leg: &Leg<'_, M>) -> M::S {
-    let typical = leg.system.typical();
+fn travel<M: Mechanism>(step: &Step<'_, M>) -> M::S {
+    let typical = step.system.typical();
     let speed = (0..M::NQ).fold(M::S::ZERO, |most: M::S, i| {
         let of = |x: &M::X| x.at(M::NQ + i).abs();
-        most.max(of(leg.from.1).max(of(leg.to.1)) / typical.at(i))
+        most.max(of(step.from.1).max(of(step.to.1)) / typical.at(i))
     });
-    (leg.to.0 - leg.from.0) * speed
+    (step.to.0 - step.from.0) * speed
 }
 
 /// Is a pose so near to a singular one that its pivot is below this part of what is usual?
@@ -179,6 +179,6 @@ pub(super) fn is_regular<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, 
 
 /// May a step have led over poses that are nearly singular?
 #[inline]
-fn is_doubtful<M: Mechanism>(leg: &Leg<'_, M>) -> bool {
-    leg.health < M::S::lit(LOW) || travel(leg) > M::S::lit(LONG)
+fn is_doubtful<M: Mechanism>(step: &Step<'_, M>) -> bool {
+    step.health < M::S::lit(LOW) || travel(step) > M::S::lit(LONG)
 }

@@ -12,7 +12,7 @@ use self::order::{Errors, Next};
 use super::adaptive::{ensure_moves, next_step};
 use super::embedded::{Span, first_step};
 use super::projection::{Projection, SETTLED_ABOVE};
-use super::{Course, Method, Path, drift_of_size, not_finite};
+use super::{Context, Method, Path, drift_of_size, not_finite};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};
@@ -117,45 +117,45 @@ impl<M: System<S: Real>> Adams<M> {
 
     /// What is known at the state reached, where nothing is kept.
     #[cold]
-    fn begin_anew(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        let x = course.x;
+    fn begin_anew(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        let x = context.x;
         let mut rate = x;
-        course.rate(course.time, &x, &mut rate)?;
+        context.rate(context.time, &x, &mut rate)?;
         if !(x.is_finite() && rate.is_finite()) {
-            return Err(not_finite(course.system, course.time, &rate));
+            return Err(not_finite(context.system, context.time, &rate));
         }
         // The error of order 1 grows with the square of the step.
-        let h = first_step(course, &rate, self.tolerance(), 2)?;
+        let h = first_step(context, &rate, self.tolerance(), 2)?;
         (self.past, self.forgotten) = (Past::new(rate, h), false);
         Ok(())
     }
 
     /// One step without a decision.
-    fn trial(&mut self, course: &mut Course<'_, M>, h: M::S) -> Result<Trial<M>, Fault> {
+    fn trial(&mut self, context: &mut Context<'_, M>, h: M::S) -> Result<Trial<M>, Fault> {
         let tolerance = self.tolerance();
         let Past { differences, coefficients: by, next: Next { order: k, .. }, .. } = &mut self.past;
-        let (k, time) = (*k, course.time + h);
+        let (k, time) = (*k, context.time + h);
         by.prepare(h, k);
-        let mut x = differences.predict((&course.x, h), k, by);
+        let mut x = differences.predict((&context.x, h), k, by);
         let mut rate = x;
-        course.rate(time, &x, &mut rate)?;
+        context.rate(time, &x, &mut rate)?;
         let surprise = differences.surprise(&rate);
         let (once, twice) = (h * by.once.at(k + 1), h * h * by.twice.at(k + 1));
         for i in 0..M::X::LEN {
             let change = if i < M::NQ { twice * surprise.at(M::NQ + i) } else { once * surprise.at(i) };
             x.set(i, x.at(i) + change);
         }
-        let weight = weight(course, tolerance, h);
+        let weight = weight(context, tolerance, h);
         let mean = |sum: M::S| (sum / M::S::lit((M::X::LEN - M::NQ).max(1) as f64)).sqrt();
         let errors = Errors::new(h, differences.sizes(&surprise, &weight, k).map(mean), k, by);
-        let drift = self.projection.drift(course.system, tolerance, (time, &x));
+        let drift = self.projection.drift(context.system, tolerance, (time, &x));
         Ok(Trial { x, errors, weight, drift })
     }
 
     /// The state at the end of an accepted step and its rate, settled if the drift asks for it or the step went by rank.
     fn arrive(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         time: M::S,
         trial: &Trial<M>,
         by_rank: bool,
@@ -163,15 +163,15 @@ impl<M: System<S: Real>> Adams<M> {
         let mut x = trial.x;
         if by_rank || trial.drift > M::S::lit(SETTLED_ABOVE) {
             let tolerance = self.tolerance();
-            self.projection.settle(course, tolerance, (time, &mut x))?;
+            self.projection.settle(context, tolerance, (time, &mut x))?;
         }
         let mut rate = x;
-        course.rate(time, &x, &mut rate)?;
+        context.rate(time, &x, &mut rate)?;
         Ok((x, rate))
     }
 
     /// Remembers an accepted step of `h`, which might have been as long as `wanted`, and plans the next.
-    fn plan(&mut self, trial: &Trial<M>, rate: &M::X, (h, wanted): (M::S, M::S)) {
+    fn partition(&mut self, trial: &Trial<M>, rate: &M::X, (h, wanted): (M::S, M::S)) {
         let Past { differences, coefficients: by, next, begins, .. } = &mut self.past;
         let k = next.order;
         differences.accept(rate, k);
@@ -197,9 +197,9 @@ impl<M: System<S: Real>> Adams<M> {
 
     /// A fault that names the part of the state with the largest error, where it names none.
     #[cold]
-    fn named(&self, course: &Course<'_, M>, fault: Fault) -> Fault {
+    fn named(&self, context: &Context<'_, M>, fault: Fault) -> Fault {
         let worst =
-            self.largest_error(course.system, &course.x).map_or("", |i| course.system.part_of_state(i));
+            self.largest_error(context.system, &context.x).map_or("", |i| context.system.part_of_state(i));
         if fault.part.is_empty() { Fault { part: worst, ..fault } } else { fault }
     }
 }
@@ -241,19 +241,19 @@ impl<M: System<S: Real> + Copy> Method<M> for Adams<M> {
     const DENSE: bool = true;
     const NAME: &'static str = "Adams";
 
-    fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+    fn begin(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
         Ok(())
     }
 
-    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+    fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         if self.forgotten {
-            self.begin_anew(course)?;
+            self.begin_anew(context)?;
         }
         (self.span, self.path) = (None, None);
-        self.accepted(course).map_err(|fault| self.named(course, fault))
+        self.accepted(context).map_err(|fault| self.named(context, fault))
     }
 
-    fn densify(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+    fn densify(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
         if let (Some(span), None) = (&self.span, &self.path) {
             let Past { differences, coefficients, made, .. } = &self.past;
             self.path = Some(between::path(span, differences, coefficients, *made));
@@ -316,44 +316,44 @@ impl<M: System<S: Real> + Copy> Method<M> for Adams<M> {
 
 impl<M: System<S: Real> + Copy> Adams<M> {
     /// Steps until one is accepted.
-    fn accepted(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        let (from, start) = (course.x, self.past.differences.at(1));
+    fn accepted(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        let (from, start) = (context.x, self.past.differences.at(1));
         let rate_from = M::X::from_fn(|i| if i < M::NQ { from.at(M::NQ + i) } else { start.at(i) });
         loop {
             let wanted = self.past.next.h.min(self.longest_step);
-            let (h, last) = next_step(self.most_steps, course, wanted)?;
-            let (before, one) = (course.stats.by_rank, M::S::lit(1.0));
-            let attempt = self.trial(course, h);
+            let (h, last) = next_step(self.most_steps, context, wanted)?;
+            let (before, one) = (context.stats.by_rank, M::S::lit(1.0));
+            let attempt = self.trial(context, h);
             let mut failed = None;
             // What is not a number is not below.
             if let Some(trial) =
                 attempt.as_ref().ok().filter(|trial| trial.errors.made <= one && trial.drift <= one)
             {
-                let time = if last { course.end } else { course.time + h };
-                match self.arrive(course, time, trial, course.stats.by_rank > before) {
+                let time = if last { context.end } else { context.time + h };
+                match self.arrive(context, time, trial, context.stats.by_rank > before) {
                     Ok((to, rate_to)) => {
-                        self.span = Some(Span { time: course.time, h, from, to, rate_from, rate_to });
-                        self.plan(trial, &rate_to, (h, wanted));
+                        self.span = Some(Span { time: context.time, h, from, to, rate_from, rate_to });
+                        self.partition(trial, &rate_to, (h, wanted));
                         self.by_error = !last && h < self.longest_step && trial.drift <= trial.errors.made;
-                        course.stats.steps += 1;
-                        *course.longest_step = course.longest_step.max(h);
-                        (course.time, course.x) = (time, to);
+                        context.stats.steps += 1;
+                        *context.longest_step = context.longest_step.max(h);
+                        (context.time, context.x) = (time, to);
                         return Ok(());
                     }
                     Err(fault) => failed = Some(fault),
                 }
             }
-            course.stats.rejected += 1;
+            context.stats.rejected += 1;
             self.past.reject(h, attempt.as_ref().ok().map(|trial| &trial.errors));
             let tried = failed.map_or_else(|| attempt.map(|trial| trial.x), Err);
-            ensure_moves(course, self.past.next.h, tried)?;
+            ensure_moves(context, self.past.next.h, tried)?;
         }
     }
 }
 
 /// The weight of an error in each rate over a step of `h`: what it does to velocities, or to coordinates.
-fn weight<M: System<S: Real>>(course: &Course<'_, M>, rtol: M::S, h: M::S) -> M::X {
-    let (typical, x) = (course.system.typical(), &course.x);
+fn weight<M: System<S: Real>>(context: &Context<'_, M>, rtol: M::S, h: M::S) -> M::X {
+    let (typical, x) = (context.system.typical(), &context.x);
     let size = |i: usize| rtol * (typical.at(i) + x.at(i).abs());
     let mut weight = M::X::fill(M::S::ZERO);
     for i in M::NQ..M::X::LEN {

@@ -15,7 +15,7 @@ pub(super) use self::dense::Span;
 pub(super) use self::start::first_step;
 use super::adaptive::{Steady, ensure_moves, next_step, rate_here};
 use super::projection::{Projection, SETTLED_ABOVE};
-use super::{Course, Method, Path, Watched, drift_of_size, larger};
+use super::{Context, Method, Path, Watched, drift_of_size, larger};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};
@@ -46,7 +46,7 @@ pub struct Embedded<M: System, P: Pair> {
     stages: Option<P::Stages<M::X>>,
     bends: Option<P::Bends<M::X>>,
     /// The last step went by rank.
-    careful: bool,
+    was_unhealthy: bool,
     projection: Projection<M::S>,
     /// The error decided how long the last step was.
     by_error: bool,
@@ -80,7 +80,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
             span: None,
             stages: None,
             bends: None,
-            careful: false,
+            was_unhealthy: false,
             projection: Projection::new(),
             by_error: false,
         }
@@ -106,52 +106,52 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
     /// One step without a decision; by rank where that is needed.
     fn trial(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         rate: &M::X,
         h: M::S,
         k: &mut P::Stages<M::X>,
     ) -> Result<Trial<M::X>, Fault> {
-        let (t, x) = (course.time, course.x);
-        if !self.careful {
-            let mut rates = Watched::new(course.system, &course.held);
+        let (t, x) = (context.time, context.x);
+        if !self.was_unhealthy {
+            let mut rates = Watched::new(context.system, &context.held);
             let end = P::step::<M>(t, h, &x, rate, k, &mut rates);
             let worst = rates.worst;
-            course.stats.evaluations += P::EVALUATIONS;
-            course.health = course.health.min(worst.0);
+            context.stats.evaluations += P::EVALUATIONS;
+            context.health = context.health.min(worst.0);
             if worst.is_good() {
                 return Ok(Trial { x: end, by_rank: false });
             }
         }
-        self.trial_by_rank(course, rate, h, k)
+        self.trial_by_rank(context, rate, h, k)
     }
 
     #[cold]
     fn trial_by_rank(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         rate: &M::X,
         h: M::S,
         k: &mut P::Stages<M::X>,
     ) -> Result<Trial<M::X>, Fault> {
-        let (t, x, before) = (course.time, course.x, course.stats.by_rank);
+        let (t, x, before) = (context.time, context.x, context.stats.by_rank);
         let mut outcome = Ok(());
         let end = P::step::<M>(t, h, &x, rate, k, |t: M::S, x: &M::X, dx: &mut M::X| {
             if outcome.is_ok() {
-                outcome = course.rate(t, x, dx);
+                outcome = context.rate(t, x, dx);
             }
         });
-        self.careful = course.stats.by_rank > before;
-        outcome.map(|()| Trial { x: end, by_rank: self.careful })
+        self.was_unhealthy = context.stats.by_rank > before;
+        outcome.map(|()| Trial { x: end, by_rank: self.was_unhealthy })
     }
 
     /// Error and drift of a trial step, as multiples of the tolerance.
-    fn judge(&self, course: &Course<'_, M>, h: M::S, k: &P::Stages<M::X>, end: &M::X) -> (M::S, M::S) {
-        let (rtol, typical, from) = (self.tolerance(), course.system.typical(), course.x);
+    fn judge(&self, context: &Context<'_, M>, h: M::S, k: &P::Stages<M::X>, end: &M::X) -> (M::S, M::S) {
+        let (rtol, typical, from) = (self.tolerance(), context.system.typical(), context.x);
         let weight = M::X::from_fn(|i| {
             let size = from.at(i).abs().max(end.at(i).abs());
             M::S::lit(1.0) / (rtol * (typical.at(i) + size))
         });
-        (P::error(h, k, &weight), self.drift_ratio(course, (course.time + h, end)))
+        (P::error(h, k, &weight), self.drift_ratio(context, (context.time + h, end)))
     }
 
     /// The state with the largest error, each by itself over its size, which is at least typical.
@@ -172,20 +172,20 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
 
     /// The part that the state with the largest error belongs to.
     #[cold]
-    fn worst(course: &Course<'_, M>, k: &P::Stages<M::X>) -> &'static str {
-        let worst = Self::largest_error(course.system, k, |i| course.x.at(i).abs());
-        worst.map_or("", |i| course.system.part_of_state(i))
+    fn worst(context: &Context<'_, M>, k: &P::Stages<M::X>) -> &'static str {
+        let worst = Self::largest_error(context.system, k, |i| context.x.at(i).abs());
+        worst.map_or("", |i| context.system.part_of_state(i))
     }
 
     /// Drift of a state over the tolerance, less what projection cannot remove.
-    fn drift_ratio(&self, course: &Course<'_, M>, at: (M::S, &M::X)) -> M::S {
-        self.projection.drift(course.system, self.tolerance(), at)
+    fn drift_ratio(&self, context: &Context<'_, M>, at: (M::S, &M::X)) -> M::S {
+        self.projection.drift(context.system, self.tolerance(), at)
     }
 
     /// The state at the end of an accepted step and its rate, settled if the drift asks for it or the step went by rank.
     fn arrive(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         time: M::S,
         (trial, k): (&Trial<M::X>, &P::Stages<M::X>),
         drift: M::S,
@@ -197,10 +197,10 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         }
         if settles {
             let tolerance = self.tolerance();
-            self.projection.settle(course, tolerance, (time, &mut x))?;
+            self.projection.settle(context, tolerance, (time, &mut x))?;
         }
         let mut rate = x;
-        course.rate(time, &x, &mut rate)?;
+        context.rate(time, &x, &mut rate)?;
         Ok((x, rate))
     }
 
@@ -222,62 +222,68 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
     const DENSE: bool = true;
     const NAME: &'static str = P::NAME;
 
-    fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+    fn begin(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
         Ok(())
     }
 
-    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        let rate = rate_here(&mut self.rate, course)?;
+    fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        let rate = rate_here(&mut self.rate, context)?;
         let mut proposal = match self.proposal {
             Some(proposal) => proposal,
-            None => first_step(course, &rate, self.tolerance(), P::ORDER)?,
+            None => first_step(context, &rate, self.tolerance(), P::ORDER)?,
         };
         (self.span, self.bends) = (None, None);
         let mut k = self.stages.unwrap_or_else(|| P::blank(rate));
         loop {
             proposal = proposal.min(self.longest_step);
-            let (h, last) = next_step(self.most_steps, course, proposal)
-                .map_err(|fault| Fault { part: Self::worst(course, &k), ..fault })?;
-            let mut attempt = self.trial(course, &rate, h, &mut k);
+            let (h, last) = next_step(self.most_steps, context, proposal)
+                .map_err(|fault| Fault { part: Self::worst(context, &k), ..fault })?;
+            let mut attempt = self.trial(context, &rate, h, &mut k);
             let (estimate, drift) = match &attempt {
-                Ok(trial) => self.judge(course, h, &k, &trial.x),
+                Ok(trial) => self.judge(context, h, &k, &trial.x),
                 Err(_) => (M::S::INFINITY, M::S::INFINITY),
             };
             let error = self.steady.error(h, estimate, P::ORDER);
             let mut worst = larger(error, drift);
             if let (Ok(trial), true) = (&attempt, worst <= M::S::lit(1.0)) {
-                let time = if last { course.end } else { course.time + h };
-                match self.arrive(course, time, (trial, &k), drift) {
+                let time = if last { context.end } else { context.time + h };
+                match self.arrive(context, time, (trial, &k), drift) {
                     Ok((to, rate_to)) => {
-                        self.span =
-                            Some(Span { time: course.time, h, from: course.x, to, rate_from: rate, rate_to });
+                        self.span = Some(Span {
+                            time: context.time,
+                            h,
+                            from: context.x,
+                            to,
+                            rate_from: rate,
+                            rate_to,
+                        });
                         (self.stages, self.rate) = (Some(k), Some(rate_to));
                         // What was left standing comes from earlier steps as well: a shorter step would not lessen it.
                         let settles = drift > M::S::lit(SETTLED_ABOVE);
                         self.propose(proposal, h, (if settles { worst } else { error }, estimate));
                         self.by_error = !last && h < self.longest_step && drift <= error;
-                        course.stats.steps += 1;
-                        *course.longest_step = course.longest_step.max(h);
-                        (course.time, course.x) = (time, to);
+                        context.stats.steps += 1;
+                        *context.longest_step = context.longest_step.max(h);
+                        (context.time, context.x) = (time, to);
                         return Ok(());
                     }
                     Err(fault) => (attempt, worst) = (Err(fault), M::S::INFINITY),
                 }
             }
-            course.stats.rejected += 1;
+            context.stats.rejected += 1;
             proposal = h * self.control.reject(&P::LIMITS, worst);
-            ensure_moves(course, proposal, attempt.map(|trial| trial.x)).map_err(|fault| {
-                if fault.part.is_empty() { Fault { part: Self::worst(course, &k), ..fault } } else { fault }
+            ensure_moves(context, proposal, attempt.map(|trial| trial.x)).map_err(|fault| {
+                if fault.part.is_empty() { Fault { part: Self::worst(context, &k), ..fault } } else { fault }
             })?;
         }
     }
 
-    fn densify(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
+    fn densify(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         if let (Some(step), Some(k), None) = (&self.span, &self.stages, &self.bends) {
             let mut outcome = Ok(());
             let bends = P::bend::<M>(step.time, step.h, &step.from, k, &step.rate_to, |t, x, dx| {
                 if outcome.is_ok() {
-                    outcome = course.rate(t, x, dx);
+                    outcome = context.rate(t, x, dx);
                 }
             });
             outcome?;

@@ -1,7 +1,7 @@
 //! The first step.
 
 use crate::fault::Fault;
-use crate::method::Course;
+use crate::method::Context;
 use crate::method::adaptive::shortest;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
@@ -10,14 +10,14 @@ use crate::vector::Vector;
 /// A first step from the sizes of the state, of its rate and of an estimate of the second derivative
 /// (Hairer, Nørsett, Wanner I, II.4, "starting step size", a to f). It takes one evaluation.
 pub(in crate::method) fn first_step<M: System<S: Real>>(
-    course: &mut Course<'_, M>,
+    context: &mut Context<'_, M>,
     rate: &M::X,
     rtol: M::S,
     order: u32,
 ) -> Result<M::S, Fault> {
     let lit = M::S::lit;
-    let typical = course.system.typical();
-    let x = course.x;
+    let typical = context.system.typical();
+    let x = context.x;
     let size = |v: &M::X| {
         let mut sum = lit(0.0);
         for i in 0..M::X::LEN {
@@ -26,14 +26,14 @@ pub(in crate::method) fn first_step<M: System<S: Real>>(
         }
         (sum / lit(M::X::LEN.max(1) as f64)).sqrt()
     };
-    let (least, span) = (lit(1e-10), course.end - course.time);
+    let (least, span) = (lit(1e-10), context.end - context.time);
     let (state, slope) = (size(&x), size(rate));
     let first = if state < least || slope < least { lit(1e-6) } else { lit(0.01) * (state / slope) };
     let first = positive(first, lit(1e-6) * span).min(span);
 
     let (mut ahead, mut rate_after) = (x, *rate);
     ahead.add([(first, rate)]);
-    course.rate(course.time + first, &ahead, &mut rate_after)?;
+    context.rate(context.time + first, &ahead, &mut rate_after)?;
     let bend = size(&rate_after.map2(rate, |after, before| after - before)) / first;
     let steepest = bend.max(slope);
     let second = if steepest < lit(1e-15) {
@@ -42,7 +42,7 @@ pub(in crate::method) fn first_step<M: System<S: Real>>(
         ((lit(0.01) / steepest).ln() / lit(f64::from(order))).exp()
     };
     // A guess where everything rests may be too short to move the time.
-    Ok(positive((lit(100.0) * first).min(second), first).max(lit(2.0) * shortest(course)))
+    Ok(positive((lit(100.0) * first).min(second), first).max(lit(2.0) * shortest(context)))
 }
 
 /// The first step, or the second where the first is zero or not a number.

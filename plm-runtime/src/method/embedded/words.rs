@@ -15,7 +15,7 @@ impl<M: System<S: Real>, P: Pair> InWords for Embedded<M, P> {
         self.control.each(words);
         self.steady.each(words);
         words.perhaps(&mut self.rate, M::X::fill(M::S::ZERO), Words::vector);
-        words.flag(&mut self.careful);
+        words.flag(&mut self.was_unhealthy);
         words.number(&mut self.projection.residue);
         words.flag(&mut self.by_error);
     }

@@ -6,8 +6,8 @@ use plm_math::exact::two_sum;
 
 use self::tableau::{Legendre, Nodes, Tableau};
 use super::estimate::{Estimate, Sizes};
-use super::plan::Plan;
-use super::{Course, Method, drift_of_size};
+use super::partition::Partition;
+use super::{Context, Method, drift_of_size};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};
@@ -27,7 +27,7 @@ pub struct Gauss<M: System, const STAGES: usize> {
     pub longest_step: M::S,
     /// Drift that is tolerated, as a fraction of the typical coordinate and velocity.
     pub tolerance: M::S,
-    plan: Plan<M::S>,
+    partition: Partition<M::S>,
     /// The rates of the last stages and the length of their step.
     last: Option<([M::X; STAGES], M::S)>,
     /// What the last sums rounded off.
@@ -47,7 +47,7 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
         Self {
             longest_step,
             tolerance: M::S::lit(1e-10).max(M::S::lit(64.0) * M::S::EPSILON),
-            plan: Plan::none(),
+            partition: Partition::none(),
             last: None,
             rounded: M::X::fill(M::S::ZERO),
             estimate: Estimate::NONE,
@@ -64,18 +64,18 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
     /// at the start of the step.
     fn first_guess(
         &self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         tableau: &Tableau<M::S, STAGES>,
     ) -> Result<[M::X; STAGES], Fault>
     where
         Legendre: Nodes<STAGES>,
     {
         let Some((last, h)) = &self.last else {
-            let (x, mut rate) = (course.x, course.x);
-            course.rate(course.time, &x, &mut rate)?;
+            let (x, mut rate) = (context.x, context.x);
+            context.rate(context.time, &x, &mut rate)?;
             return Ok([rate; STAGES]);
         };
-        let ratio = self.plan.h / *h;
+        let ratio = self.partition.h / *h;
         Ok(core::array::from_fn(|i| {
             let theta = tableau.c[i].mul_add(ratio, M::S::lit(1.0));
             let mut rate = M::X::fill(M::S::ZERO);
@@ -97,7 +97,7 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
     where
         Legendre: Nodes<STAGES>,
     {
-        let weights = Tableau::<M::S, STAGES>::weights(self.plan.h);
+        let weights = Tableau::<M::S, STAGES>::weights(self.partition.h);
         let mut increments: [M::X; STAGES] = core::array::from_fn(|i| rates[i].map(|rate| weights[i] * rate));
         let mut states = [*x; STAGES];
         let state = |i: usize, k: usize, increments: &[M::X; STAGES]| {
@@ -123,21 +123,21 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
 
     /// Iterates the stages until no component comes nearer any more (Antoñana, Makazaga, Murua, section 3.1), and
     /// returns the increments.
-    fn solve(&mut self, course: &mut Course<'_, M>) -> Result<[M::X; STAGES], Fault>
+    fn solve(&mut self, context: &mut Context<'_, M>) -> Result<[M::X; STAGES], Fault>
     where
         Legendre: Nodes<STAGES>,
     {
         let tableau = Tableau::new();
-        let (time, h, x) = (course.time, self.plan.h, course.x);
-        let typical = course.system.typical();
-        let mut rates = self.first_guess(course, &tableau)?;
+        let (time, h, x) = (context.time, self.partition.h, context.x);
+        let typical = context.system.typical();
+        let mut rates = self.first_guess(context, &tableau)?;
         let (_, mut states) = self.stages(&x, &tableau, &rates);
         let mut least = M::X::fill(M::S::INFINITY);
         for _ in 0..MOST_ITERATIONS {
             for (i, (state, rate)) in states.iter().zip(&mut rates).enumerate() {
                 // Stages that run away are those of a step that is too long; the state that it begins from is finite.
-                course.rate(time + tableau.c[i] * h, state, rate).map_err(|fault| match fault.cause {
-                    Cause::NotFinite => course.fault(Cause::NotConverged { step: h.to_f64() }),
+                context.rate(time + tableau.c[i] * h, state, rate).map_err(|fault| match fault.cause {
+                    Cause::NotFinite => context.fault(Cause::NotConverged { step: h.to_f64() }),
                     _ => fault,
                 })?;
             }
@@ -159,7 +159,7 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
                 return Ok(increments);
             }
         }
-        Err(course.fault(Cause::NotConverged { step: h.to_f64() }))
+        Err(context.fault(Cause::NotConverged { step: h.to_f64() }))
     }
 
     /// The error of a step from `x` to `next`. Positions tell of the third term of Taylor's series by the trapezoidal rule, the
@@ -168,7 +168,7 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
     where
         Legendre: Nodes<STAGES>,
     {
-        let (h, order) = (self.plan.h, (2 * STAGES + 1) as f64);
+        let (h, order) = (self.partition.h, (2 * STAGES + 1) as f64);
         let sizes = Sizes { typical: system.typical(), from: x, to: next };
         let third =
             |i: usize| if i < M::NQ { M::S::lit(12.0) * sizes.bend((i, M::NQ, h)) } else { M::S::ZERO };
@@ -207,17 +207,17 @@ where
     const DENSE: bool = false;
     const NAME: &'static str = "Gauss";
 
-    fn begin(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        self.plan = Plan::of_course(course, self.longest_step)?;
+    fn begin(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        self.partition = Partition::of_interval(context, self.longest_step)?;
         Ok(())
     }
 
-    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        let by_rank = course.stats.by_rank;
-        let increments = self.solve(course)?;
-        let next = self.sum(&course.x, &increments);
-        self.estimate = self.error(course.system, [&course.x, &next], &increments);
-        if self.plan.arrive(course, next, self.tolerance, course.stats.by_rank > by_rank)? {
+    fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        let by_rank = context.stats.by_rank;
+        let increments = self.solve(context)?;
+        let next = self.sum(&context.x, &increments);
+        self.estimate = self.error(context.system, [&context.x, &next], &increments);
+        if self.partition.arrive(context, next, self.tolerance, context.stats.by_rank > by_rank)? {
             self.rounded = M::X::fill(M::S::ZERO);
         }
         Ok(())

@@ -51,7 +51,7 @@ impl<S: Real> Control<S> {
     }
 }
 
-/// From the error, more careful where many iterations were needed.
+/// From the error, more cautious where many iterations were needed.
 fn proposed<S: Real>(error: S, iterations: usize) -> S {
     let most = (2 * MOST_ITERATIONS) as f64;
     let safety = SAFETY * (most + 1.0) / (most + iterations as f64);

@@ -13,7 +13,7 @@ use self::dense::Dense;
 use self::newton::{Convergence, Factors, Outcome, iterate};
 use self::tableau::{C, ERROR};
 use super::adaptive::{Steady, next_step, rate_here};
-use super::{Course, Method, Path, drift_of_size, excess, larger};
+use super::{Context, Method, Path, drift_of_size, excess, larger};
 use crate::fault::Fault;
 use crate::linalg::Derivatives as _;
 use crate::linear::Linear;
@@ -147,26 +147,26 @@ impl<M: Linear> RadauIia5<M> {
     }
 
     /// What errors of the components count.
-    fn weights(&self, course: &Course<'_, M>) -> M::X {
+    fn weights(&self, context: &Context<'_, M>) -> M::X {
         let (rtol, one) = (self.inner_tolerance(), M::S::lit(1.0));
-        course.system.typical().map2(&course.x, |typical, x| one / (rtol * (typical + x.abs())))
+        context.system.typical().map2(&context.x, |typical, x| one / (rtol * (typical + x.abs())))
     }
 
     /// Solves the stages of a step of `h`; or the factor of a shorter one.
     fn trial(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         h: M::S,
         weights: &M::X,
     ) -> Result<Result<Trial<M::X>, f64>, Fault> {
         let wanted = (weights, self.newton_tolerance());
         let Self { by_x, factors, .. } = self;
         if !self.by_x_known {
-            course.differentiate(by_x, None)?;
+            context.differentiate(by_x, None)?;
             (self.by_x_known, self.by_x_here) = (true, true);
             factors.forget();
         }
-        if !factors.are_of(h) && !factors.decompose(course, by_x, h) {
+        if !factors.are_of(h) && !factors.decompose(context, by_x, h) {
             return Ok(Err(0.5));
         }
         let mut z = [M::X::fill(M::S::ZERO); 3];
@@ -174,10 +174,10 @@ impl<M: Linear> RadauIia5<M> {
             let ratio = h / dense.h();
             z = C.map(|c| dense.change(M::S::lit(c) * ratio));
         }
-        Ok(match iterate(course, by_x, factors, z, wanted, &mut self.convergence) {
+        Ok(match iterate(context, by_x, factors, z, wanted, &mut self.convergence) {
             Outcome::Failed(factor) => Err(factor),
             Outcome::Found(z, iterations) => {
-                Ok(Trial { x: course.x.map2(&z[2], |x, z| x + z), z, iterations })
+                Ok(Trial { x: context.x.map2(&z[2], |x, z| x + z), z, iterations })
             }
         })
     }
@@ -186,7 +186,7 @@ impl<M: Linear> RadauIia5<M> {
     /// time where the first estimate would reject and the beginning may be a fast transient.
     fn error(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         trial: &Trial<M::X>,
         rate: &M::X,
         weights: &M::X,
@@ -203,8 +203,8 @@ impl<M: Linear> RadauIia5<M> {
         if !(error >= M::S::lit(1.0) && (self.control.is_first() || self.control.rejected)) {
             return error;
         }
-        let (mut again, near) = (*rate, course.x.map2(&first, |x, error| x + error));
-        if course.rate(course.time, &near, &mut again).is_err() {
+        let (mut again, near) = (*rate, context.x.map2(&first, |x, error| x + error));
+        if context.rate(context.time, &near, &mut again).is_err() {
             return error;
         }
         norm(&estimate(&again), weights)
@@ -215,19 +215,19 @@ impl<M: Linear> RadauIia5<M> {
         excess(system.drift(t, x), drift_of_size(system, self.tolerance())) - self.residue
     }
 
-    /// Takes the course to the end of an accepted step, settled if the drift asks for it or the step went by rank.
+    /// Takes the context to the end of an accepted step, settled if the drift asks for it or the step went by rank.
     fn arrive(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         (time, h): (M::S, M::S),
         trial: &Trial<M::X>,
         limit: M::S,
     ) -> Result<(), Fault> {
         let mut x = trial.x;
-        if self.drift_ratio(course.system, time, &x) > limit {
-            course.settle(time, &mut x)?;
+        if self.drift_ratio(context.system, time, &x) > limit {
+            context.settle(time, &mut x)?;
             self.residue = M::S::ZERO;
-            self.residue = self.drift_ratio(course.system, time, &x);
+            self.residue = self.drift_ratio(context.system, time, &x);
         }
         self.dense = Some(Dense::new(time, h, trial.x, x, &trial.z));
         self.rate = None;
@@ -235,9 +235,9 @@ impl<M: Linear> RadauIia5<M> {
         if self.convergence.theta > M::S::lit(FAST) {
             self.by_x_known = false;
         }
-        course.stats.steps += 1;
-        *course.longest_step = course.longest_step.max(h);
-        (course.time, course.x) = (time, x);
+        context.stats.steps += 1;
+        *context.longest_step = context.longest_step.max(h);
+        (context.time, context.x) = (time, x);
         Ok(())
     }
 
@@ -267,21 +267,21 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
     const DENSE: bool = true;
     const NAME: &'static str = "RadauIia5";
 
-    fn begin(&mut self, _course: &mut Course<'_, M>) -> Result<(), Fault> {
+    fn begin(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
         Ok(())
     }
 
-    fn advance(&mut self, course: &mut Course<'_, M>) -> Result<(), Fault> {
-        let rate = rate_here(&mut self.rate, course)?;
-        let weights = self.weights(course);
-        let mut proposal = self.proposal.unwrap_or_else(|| first_step(course, &rate, &weights));
+    fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        let rate = rate_here(&mut self.rate, context)?;
+        let weights = self.weights(context);
+        let mut proposal = self.proposal.unwrap_or_else(|| first_step(context, &rate, &weights));
         loop {
             proposal = proposal.min(self.longest_step);
-            let (h, last) = next_step(self.most_steps, course, proposal)
-                .map_err(|fault| Fault { part: course.system.part_of_state(self.worst), ..fault })?;
-            let time = if last { course.end } else { course.time + h };
-            let by_rank = course.stats.by_rank;
-            match self.trial(course, h, &weights)? {
+            let (h, last) = next_step(self.most_steps, context, proposal)
+                .map_err(|fault| Fault { part: context.system.part_of_state(self.worst), ..fault })?;
+            let time = if last { context.end } else { context.time + h };
+            let by_rank = context.stats.by_rank;
+            match self.trial(context, h, &weights)? {
                 Err(factor) => {
                     self.control.rejected = true;
                     self.convergence = Convergence::new();
@@ -289,14 +289,14 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
                     proposal = h * M::S::lit(factor);
                 }
                 Ok(trial) => {
-                    let estimate = self.error(course, &trial, &rate, &weights);
+                    let estimate = self.error(context, &trial, &rate, &weights);
                     let error = self.steady.error(h, estimate, ORDER);
-                    let drift = self.drift_ratio(course.system, time, &trial.x);
+                    let drift = self.drift_ratio(context.system, time, &trial.x);
                     let worst = larger(error, drift);
                     if worst <= M::S::lit(1.0) {
-                        let went_by_rank = course.stats.by_rank > by_rank;
+                        let went_by_rank = context.stats.by_rank > by_rank;
                         let limit = if went_by_rank { 0.0 } else { SETTLED_ABOVE };
-                        self.arrive(course, (time, h), &trial, M::S::lit(limit))?;
+                        self.arrive(context, (time, h), &trial, M::S::lit(limit))?;
                         self.by_error = !last && h < self.longest_step && drift <= error;
                         if h >= proposal {
                             self.steady.accept(h, estimate, ORDER);
@@ -310,7 +310,7 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
                     self.renew();
                 }
             }
-            course.stats.rejected += 1;
+            context.stats.rejected += 1;
         }
     }
 
@@ -372,10 +372,10 @@ fn norm<S: Real, X: Vector<S>>(v: &X, weights: &X) -> S {
 
 /// A hundredth of the time in which the rate would change the state by its size, but no less than a fraction of the
 /// interval that rounding leaves alone: a fast transient damps out, and steps grow fast from there.
-fn first_step<M: Linear>(course: &Course<'_, M>, rate: &M::X, weights: &M::X) -> M::S {
-    let span = course.end - course.time;
-    let typical = course.system.typical();
-    let sizes = typical.map2(&course.x, |typical, x| typical + x.abs());
+fn first_step<M: Linear>(context: &Context<'_, M>, rate: &M::X, weights: &M::X) -> M::S {
+    let span = context.end - context.time;
+    let typical = context.system.typical();
+    let sizes = typical.map2(&context.x, |typical, x| typical + x.abs());
     let time = norm(&sizes, weights) / norm(rate, weights);
     (M::S::lit(0.01) * time).max(M::S::EPSILON.sqrt() * span).min(span)
 }

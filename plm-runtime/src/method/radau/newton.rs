@@ -3,7 +3,7 @@
 use super::tableau::{ALPHA, BETA, C, GAMMA, T, T_INVERSE};
 use crate::linalg::{Both, Complex, Derivatives as _};
 use crate::linear::Linear;
-use crate::method::Course;
+use crate::method::Context;
 use crate::method::jacobian::Resolvent;
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
@@ -42,8 +42,8 @@ impl<M: Linear> Factors<M> {
     }
 
     /// For steps of `h`; false if a matrix is singular.
-    pub(super) fn decompose(&mut self, course: &mut Course<'_, M>, by_x: &M::Derivatives, h: M::S) -> bool {
-        course.stats.factorisations += 1;
+    pub(super) fn decompose(&mut self, context: &mut Context<'_, M>, by_x: &M::Derivatives, h: M::S) -> bool {
+        context.stats.factorisations += 1;
         self.h = h;
         self.found(by_x)
     }
@@ -132,14 +132,14 @@ pub(super) enum Outcome<X> {
 /// Iterates the stages of a step from the guess `z` (Hairer and Wanner II, IV.8, eqs. (8.10) to (8.13)). The corrections
 /// count by `weight`; what is still to come is then below `tolerance`.
 pub(super) fn iterate<M: Linear>(
-    course: &mut Course<'_, M>,
+    context: &mut Context<'_, M>,
     by_x: &M::Derivatives,
     factors: &Factors<M>,
     mut z: [M::X; 3],
     (weight, tolerance): (&M::X, M::S),
     convergence: &mut Convergence<M::S>,
 ) -> Outcome<M::X> {
-    let (t, x, h) = (course.time, course.x, factors.h);
+    let (t, x, h) = (context.time, context.x, factors.h);
     let mut w = transform(&T_INVERSE, &z);
     let (mut last, mut last_ratio) = (M::S::ZERO, M::S::ZERO);
     convergence.rest = (convergence.rest.max(M::S::EPSILON).ln() * M::S::lit(0.8)).exp();
@@ -147,7 +147,7 @@ pub(super) fn iterate<M: Linear>(
         let mut rates = z;
         for i in 0..3 {
             let stage = x.map2(&z[i], |x, z| x + z);
-            if course.rate(t + M::S::lit(C[i]) * h, &stage, &mut rates[i]).is_err() {
+            if context.rate(t + M::S::lit(C[i]) * h, &stage, &mut rates[i]).is_err() {
                 return Outcome::Failed(0.5);
             }
         }

@@ -17,6 +17,13 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
     let none = inputs.is_empty().then(|| quote!(none: core::marker::PhantomData,));
     let Lanes { watched, calm: (is_calm, are_calm), are_short, look } = lanes(emission);
     let length = &emission.sizes.length;
+    let modes = (emission.model.guards() > 0).then(|| {
+        quote! {
+            for (wide, &one) in wide.switches.iter_mut().zip(&one.switches) {
+                put(wide, one);
+            }
+        }
+    });
     quote! {
         impl<S: Real> rt::lanes::Pack for #name<S> {
             type Packed<T: Scalar> = #name<T>;
@@ -68,6 +75,7 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
             #[inline]
             fn put_held<T: Scalar>(wide: &mut Held<T>, one: &Held<S>, put: impl Fn(&mut T, S)) {
                 rt::held::Loops::<S>::put(&mut wide.of_loops, &one.of_loops, &put);
+                #modes
                 for (wide, &one) in wide.turns.iter_mut().zip(&one.turns) {
                     let mut turns = T::of_turns(*wide);
                     put(&mut turns, S::of_turns(one));
@@ -96,9 +104,10 @@ struct Lanes {
 }
 
 fn lanes(emission: &Emission) -> Lanes {
+    let has_guards = emission.model.guards() > 0;
     let Some(reduced) = emission.loops() else {
         return Lanes {
-            watched: !emission.is_reduced(),
+            watched: !emission.is_reduced() || has_guards,
             calm: turns::are_near(emission),
             are_short: quote!(T::lit(1.0)),
             look: quote!(T::lit(0.0)),
@@ -109,7 +118,7 @@ fn lanes(emission: &Emission) -> Lanes {
         rt::charts::look::<Self, T, _>(&mut held.of_loops, x, (&memory, measure), due)
     };
     Lanes {
-        watched: false,
+        watched: has_guards,
         calm: (
             quote!(rt::charts::is_calm(self, t, held, x)),
             quote!(rt::charts::are_calm::<Self, T, _>(typical, t, &held.of_loops, x)),

@@ -1,12 +1,12 @@
-//! Where no guard can come to zero: around a state and for some time, as long as what is held stays as it is.
+//! Guard-free region: a box of states and a time span in which no event can occur while the discrete state is unchanged.
 //!
-//! A step of fixed length that stays there changes no side, and none comes and goes within it: its guards need no look. What
-//! they can be there is told by interval arithmetic ([`Tube`]), once for many steps.
+//! A fixed step inside the region cannot trigger an event, so its guards are not evaluated. Interval arithmetic ([`Tube`]) bounds every
+//! guard over the region once; later steps reuse the bound.
 
 use crate::method::Path;
 use crate::scalar::Real;
-use crate::sim::Begun;
-use crate::system::{Leg, System};
+use crate::sim::Beginning;
+use crate::system::{Step, System};
 use crate::tube::{Interval, Tube};
 use crate::vector::Vector;
 
@@ -23,9 +23,9 @@ const LASTING: f64 = 4096.0;
 /// Guards are enclosed a little farther than states may go, for what rounding makes of the difference.
 const SLACK: f64 = 1.0 + 1.0 / 256.0;
 
-/// How far around a state, and how long; the state itself is with what a simulation keeps ([`Begun`]).
+/// The size of the region and its end in time; its centre is with the history of a run ([`Beginning`]).
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Calm<S> {
+pub(super) struct GuardFree<S> {
     /// How far from there states may go, over their sizes; where nothing is known, what is to be tried next.
     reach: S,
     /// Until when, s; always past where nothing is known.
@@ -34,7 +34,7 @@ pub(super) struct Calm<S> {
     wait: u32,
 }
 
-impl<S: Real> Calm<S> {
+impl<S: Real> GuardFree<S> {
     pub(super) fn new() -> Self {
         Self { reach: S::lit(FIRST), until: -S::INFINITY, wait: 0 }
     }
@@ -46,16 +46,16 @@ impl<S: Real> Calm<S> {
 
     /// Does a step that begins there stay there, around `centre`?
     #[inline]
-    pub(super) fn holds<M: System<S = S>>(&self, centre: &Begun<M>, leg: &Leg<'_, M>) -> bool {
-        leg.to.0 <= self.until && *leg.held == centre.held && self.encloses(centre, leg)
+    pub(super) fn holds<M: System<S = S>>(&self, centre: &Beginning<M>, step: &Step<'_, M>) -> bool {
+        step.to.0 <= self.until && *step.held == centre.held && self.encloses(centre, step)
     }
 
     /// Finds out around the end of a step, of which nothing is known yet; whether the whole step is there.
     #[cold]
     pub(super) fn renew<M: System<S = S>>(
         &mut self,
-        centre: &mut Option<Begun<M>>,
-        leg: &Leg<'_, M>,
+        centre: &mut Option<Beginning<M>>,
+        step: &Step<'_, M>,
     ) -> bool {
         if self.wait > 0 {
             self.wait -= 1;
@@ -64,50 +64,50 @@ impl<S: Real> Calm<S> {
         if self.until > -S::INFINITY {
             self.reach = (self.reach + self.reach).min(S::lit(WIDEST));
         }
-        let around = centre.insert(Begun { time: leg.from.0, held: *leg.held, x: *leg.to.1 });
-        self.until = leg.to.0 + (leg.to.0 - leg.from.0) * S::lit(LASTING) * self.reach;
-        let begins = (0..M::X::LEN).all(|i| self.reaches(leg.system, around, (i, leg.from.1.at(i))));
-        let calm = begins && self.encloses(around, leg) && self.is_calm(leg.system, around);
-        if !calm {
+        let around = centre.insert(Beginning { time: step.from.0, held: *step.held, x: *step.to.1 });
+        self.until = step.to.0 + (step.to.0 - step.from.0) * S::lit(LASTING) * self.reach;
+        let begins = (0..M::X::LEN).all(|i| self.reaches(step.system, around, (i, step.from.1.at(i))));
+        let guard_free = begins && self.encloses(around, step) && self.excludes_events(step.system, around);
+        if !guard_free {
             self.forget();
             self.reach = S::lit(0.25) * self.reach;
             if self.reach < S::lit(NARROWEST) {
                 (self.reach, self.wait) = (S::lit(NARROWEST), WAIT);
             }
         }
-        calm
+        guard_free
     }
 
     /// Is the path of a step within reach, that begins there?
     #[inline]
-    fn encloses<M: System<S = S>>(&self, centre: &Begun<M>, leg: &Leg<'_, M>) -> bool {
-        Path::between_stays(leg.from, leg.to, M::NQ, |i, x| self.reaches(leg.system, centre, (i, x)))
+    fn encloses<M: System<S = S>>(&self, centre: &Beginning<M>, step: &Step<'_, M>) -> bool {
+        Path::between_stays(step.from, step.to, M::NQ, |i, x| self.reaches(step.system, centre, (i, x)))
     }
 
     /// Is a value of a component within reach? False for what is not a number.
     #[inline]
-    fn reaches<M: System<S = S>>(&self, system: &M, centre: &Begun<M>, (i, x): (usize, S)) -> bool {
+    fn reaches<M: System<S = S>>(&self, system: &M, centre: &Beginning<M>, (i, x): (usize, S)) -> bool {
         let middle = centre.x.at(i);
         (x - middle).abs() <= self.reach * (system.typical().at(i) + middle.abs())
     }
 
     /// Do all guards stay on their sides within reach?
-    fn is_calm<M: System<S = S>>(&self, system: &M, centre: &Begun<M>) -> bool {
-        let still = |middle, value| Tube { middle, value, slope: Interval::point(S::ZERO) };
+    fn excludes_events<M: System<S = S>>(&self, system: &M, centre: &Beginning<M>) -> bool {
+        let enclosure = |middle, value| Tube { middle, value, slope: Interval::point(S::ZERO) };
         let (typical, reach) = (system.typical(), S::lit(SLACK) * self.reach);
         let around = |i: usize| {
             let middle = centre.x.at(i);
             let radius = reach * (typical.at(i) + middle.abs());
-            still(middle, Interval::between(middle - radius, middle + radius))
+            enclosure(middle, Interval::between(middle - radius, middle + radius))
         };
-        let time = still(centre.time, Interval::between(centre.time, self.until));
-        let mut calm = true;
+        let time = enclosure(centre.time, Interval::between(centre.time, self.until));
+        let mut guard_free = true;
         let known = system.guards_within(time, &centre.held, &around, &mut |i, tube: Tube<S>| {
             if i < M::G::LEN {
                 // Slopes are those of what does not move: ranges alone tell something.
-                calm &= tube.value.low >= -system.band(i) && tube.value.high < S::INFINITY;
+                guard_free &= tube.value.low >= -system.band(i) && tube.value.high < S::INFINITY;
             }
         });
-        known && calm
+        known && guard_free
     }
 }

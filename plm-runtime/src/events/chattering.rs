@@ -1,8 +1,8 @@
-//! Conditions that switch again and again within a short time.
+//! Chattering: conditions that switch again and again within a short window.
 
-use super::heeded::bit;
+use super::relevant::bit;
 use crate::fault::{Cause, Fault, Names};
-use crate::method::Course;
+use crate::method::Context;
 use crate::scalar::Real;
 use crate::system::System;
 use crate::vector::Vector;
@@ -14,17 +14,17 @@ const SHORT: f64 = 1e-6;
 /// ... but not less than so many units in the last place of the time.
 const SHORT_ULPS: f64 = 1000.0;
 
-/// Switches in a short time.
+/// The window of the present chattering.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Burst<S> {
-    /// When the present burst began, and how many switches it has.
+pub(super) struct Chattering<S> {
+    /// When the window began, s, and its number of switches.
     pub(super) since: S,
     pub(super) count: u32,
     /// The conditions that take part, one bit each, of the first 56.
     pub(super) conditions: u64,
 }
 
-impl<S: Real> Burst<S> {
+impl<S: Real> Chattering<S> {
     pub(super) fn new() -> Self {
         Self { since: S::ZERO, count: 0, conditions: 0 }
     }
@@ -32,13 +32,13 @@ impl<S: Real> Burst<S> {
     /// Counts switches of `conditions`, one bit each; too many in too short a time are a fault of all that took part.
     pub(super) fn count<M: System<S = S>>(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         conditions: u64,
         switched: u32,
     ) -> Result<(), Fault> {
-        course.stats.switches += u64::from(switched);
-        let time = course.time;
-        let short = (S::lit(SHORT) * *course.longest_step).max(S::lit(SHORT_ULPS) * S::EPSILON * time.abs());
+        context.stats.switches += u64::from(switched);
+        let time = context.time;
+        let short = (S::lit(SHORT) * *context.longest_step).max(S::lit(SHORT_ULPS) * S::EPSILON * time.abs());
         if time - self.since > short || time < self.since {
             *self = Self { since: time, count: 0, conditions: 0 };
         }
@@ -48,10 +48,10 @@ impl<S: Real> Burst<S> {
             return Ok(());
         }
         let marks: [bool; 64] = core::array::from_fn(|index| self.conditions & bit(index) != 0);
-        let conditions = Names::marked(course.system.conditions(), &marks);
+        let conditions = Names::marked(context.system.conditions(), &marks);
         let within = (time - self.since).to_f64();
         let cause = Cause::Zeno { events: self.count, within, conditions };
         let first = (0..M::G::LEN).find(|index| self.conditions & bit(*index) != 0).unwrap_or(0);
-        Err(Fault::of_part(time.to_f64(), course.system.guard_name(first), cause))
+        Err(Fault::of_part(time.to_f64(), context.system.guard_name(first), cause))
     }
 }

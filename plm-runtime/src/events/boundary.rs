@@ -1,14 +1,13 @@
-//! Guards that are zero but for rounding where a run begins, or goes on after a change from outside: their rates decide on which
-//! side it is.
+//! Guards that are zero but for rounding where a run begins, or goes on after a change from outside: their rates decide the mode.
 
-use super::heeded::bit;
-use super::past::not_met;
+use super::relevant::bit;
 use super::search::{ULPS, rounding};
+use super::violated::not_met;
 use super::{advance_to, guards, guards_here};
 use crate::fault::Fault;
-use crate::method::{Course, Method};
+use crate::method::{Context, Method};
 use crate::scalar::{Real, Scalar};
-use crate::sim::Begun;
+use crate::sim::Beginning;
 use crate::system::System;
 use crate::tube::{Interval, Tube};
 use crate::vector::Vector;
@@ -18,9 +17,9 @@ const FAR: f64 = 1e6;
 /// Steps that are made again at most to end where a requirement does.
 const MOST_AGAIN: u32 = 4;
 
-/// What was found on the boundary.
+/// Conditions on whose boundary the state is.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Border {
+pub(super) struct Boundary {
     /// Conditions whose sides have been decided, one bit each: rounding is not asked again.
     pub(super) decided: u64,
     /// Those that have changed their sides.
@@ -30,19 +29,19 @@ pub(super) struct Border {
 /// Decides the sides of the conditions on whose boundary the state is, of the first 64: where the rate leads. In a run that is
 /// under way only those are asked that seem to be beyond. A requirement that the rate leads away from is not met.
 pub(super) fn decide<M: System<S: Real>>(
-    course: &mut Course<'_, M>,
+    context: &mut Context<'_, M>,
     here: &M::G,
     is_new: bool,
-) -> Result<Border, Fault> {
-    let mut border = Border::default();
-    let has_band = |i: usize| course.system.band(i) > M::S::ZERO;
+) -> Result<Boundary, Fault> {
+    let mut boundary = Boundary::default();
+    let has_band = |i: usize| context.system.band(i) > M::S::ZERO;
     let asks = |i: usize| bit(i) != 0 && !has_band(i) && (is_new || here.at(i) <= M::S::ZERO);
     let asked = (0..M::G::LEN).filter(|i| asks(*i)).fold(0, |asked, i| asked | bit(i));
-    if asked == 0 || !course.system.is_regular(&course.held) {
-        return Ok(border);
+    if asked == 0 || !context.system.is_regular(&context.held) {
+        return Ok(boundary);
     }
-    let (time, x) = (course.time, course.x);
-    let noise = rounding((course.system, &course.held), (time, time), &x, here);
+    let (time, x) = (context.time, context.x);
+    let noise = rounding((context.system, &context.held), (time, time), &x, here);
     let ulps = M::S::lit(ULPS) * M::S::EPSILON * time.abs();
     let mut slopes = None;
     for i in (0..M::G::LEN).filter(|i| asked & bit(*i) != 0) {
@@ -55,9 +54,9 @@ pub(super) fn decide<M: System<S: Real>>(
         }
         let slope = match slopes {
             Some(known) => known,
-            None => match rates(course) {
+            None => match rates(context) {
                 Some(found) => *slopes.insert(found),
-                None => return Ok(border),
+                None => return Ok(boundary),
             },
         };
         let slope = slope.at(i);
@@ -65,51 +64,52 @@ pub(super) fn decide<M: System<S: Real>>(
             continue;
         }
         if slope >= M::S::ZERO {
-            border.decided |= bit(i);
-        } else if course.system.must_hold(i) {
-            return Err(not_met(course, i, here));
+            boundary.decided |= bit(i);
+        } else if context.system.must_hold(i) {
+            return Err(not_met(context, i, here));
         } else {
-            let before = (course.held, course.x);
-            course.system.switch(time, &mut course.held, &mut course.x, i)?;
+            let before = (context.held, context.x);
+            context.system.switch(time, &mut context.held, &mut context.x, i)?;
             // Where neither side leads away from the boundary, the value decides.
-            if let Some(turned) = rates(course).filter(|turned| turned.at(i) > M::S::ZERO) {
-                border.decided |= bit(i);
-                border.switched |= bit(i);
+            if let Some(turned) = rates(context).filter(|turned| turned.at(i) > M::S::ZERO) {
+                boundary.decided |= bit(i);
+                boundary.switched |= bit(i);
                 slopes = Some(turned);
             } else {
-                (course.held, course.x) = before;
+                (context.held, context.x) = before;
             }
         }
     }
-    Ok(border)
+    Ok(boundary)
 }
 
 /// Makes a step again that ends where a requirement stops to hold, until its guard vanishes there but for rounding: the dense output
 /// by which it was located is less exact than a step, and from the state at which it ends a run may begin. Whether it has come there.
 pub(super) fn meet<M: System<S: Real>, I: Method<M>>(
     method: &mut I,
-    course: &mut Course<'_, M>,
-    (before, start): (&I, &Begun<M>),
+    context: &mut Context<'_, M>,
+    (before, start): (&I, &Beginning<M>),
     index: usize,
 ) -> Result<bool, Fault> {
     for _ in 0..MOST_AGAIN {
-        let here = guards_here(course)?;
-        let noise = rounding((course.system, &course.held), (course.time, course.time), &course.x, &here);
-        let Some(slopes) = rates(course).filter(|_| here.at(index).abs() > noise.at(index)) else { break };
-        let time = course.time - here.at(index) / slopes.at(index);
-        if !(time > start.time && time < course.end) {
+        let here = guards_here(context)?;
+        let noise =
+            rounding((context.system, &context.held), (context.time, context.time), &context.x, &here);
+        let Some(slopes) = rates(context).filter(|_| here.at(index).abs() > noise.at(index)) else { break };
+        let time = context.time - here.at(index) / slopes.at(index);
+        if !(time > start.time && time < context.end) {
             break;
         }
-        let reached = (*method, course.time, course.held, course.x);
-        (*method, course.time, course.held, course.x) = (*before, start.time, start.held, start.x);
-        course.stats.steps -= 1;
-        course.stats.rejected += 1;
-        advance_to(method, course, time)?;
-        if course.time < time {
+        let reached = (*method, context.time, context.held, context.x);
+        (*method, context.time, context.held, context.x) = (*before, start.time, start.held, start.x);
+        context.stats.steps -= 1;
+        context.stats.rejected += 1;
+        advance_to(method, context, time)?;
+        if context.time < time {
             return Ok(false);
         }
-        if guards_here(course)?.at(index).abs() >= here.at(index).abs() {
-            (*method, course.time, course.held, course.x) = reached;
+        if guards_here(context)?.at(index).abs() >= here.at(index).abs() {
+            (*method, context.time, context.held, context.x) = reached;
             break;
         }
     }
@@ -117,15 +117,15 @@ pub(super) fn meet<M: System<S: Real>, I: Method<M>>(
 }
 
 /// How fast each guard changes at the state, per second; none where there is no rate.
-pub(super) fn rates<M: System<S: Real>>(course: &mut Course<'_, M>) -> Option<M::G> {
-    let (time, x) = (course.time, course.x);
+pub(super) fn rates<M: System<S: Real>>(context: &mut Context<'_, M>) -> Option<M::G> {
+    let (time, x) = (context.time, context.x);
     let mut rate = x;
-    course.rate(time, &x, &mut rate).ok()?;
+    context.rate(time, &x, &mut rate).ok()?;
     let moving = |s: M::S, slope: M::S| Tube { slope: Interval::point(slope), ..Tube::constant(s) };
     let mut slopes = M::G::fill(M::S::ZERO);
-    let known = course.system.guards_within(
+    let known = context.system.guards_within(
         moving(time, M::S::lit(1.0)),
-        &course.held,
+        &context.held,
         &|i| moving(x.at(i), rate.at(i)),
         &mut |i, tube| {
             let Interval { low, high } = tube.slope;
@@ -141,6 +141,6 @@ pub(super) fn rates<M: System<S: Real>>(course: &mut Course<'_, M>) -> Option<M:
     let h = M::S::EPSILON.sqrt() * (M::S::lit(1.0) + time.abs());
     let ahead = x.map2(&rate, |x, rate| x + h * rate);
     let [here, ahead] =
-        [(time, &x), (time + h, &ahead)].map(|(t, x)| guards(course.system, t, &course.held, x));
+        [(time, &x), (time + h, &ahead)].map(|(t, x)| guards(context.system, t, &context.held, x));
     Some(ahead.map2(&here, |ahead, here| (ahead - here) / h))
 }

@@ -1,46 +1,46 @@
-//! The first time in a step at which a guard leaves its side, of a method whose dense output is no polynomial.
+//! Sampled search for the first event in a step whose dense output is no polynomial.
 //!
-//! Such a step is looked at a few times, evenly, and between looks by the parabola through three of them: a condition that
+//! Such a step is looked at a few times, evenly, and between samples by the parabola through three of them: a condition that
 //! lasts shorter can be missed.
 
-use super::heeded::Heeded;
+use super::relevant::Relevant;
 use super::root::{Point, root};
 use super::search::Found;
-use crate::method::{Course, Method};
+use crate::method::{Context, Method};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
 /// A step is looked at so often.
-const LOOKS: usize = 4;
+const SAMPLES: usize = 4;
 /// A condition that begins a step past its guard may yet come to its side within it: halvings of the step that are
 /// looked at to find out.
 const HALVINGS: u32 = 10;
 
 /// The last step of a method.
-pub(super) struct Looks<'a, 'c, M: System, I> {
+pub(super) struct Sampled<'a, 'c, M: System, I> {
     pub(super) method: &'a I,
-    pub(super) course: &'a Course<'c, M>,
+    pub(super) context: &'a Context<'c, M>,
     /// Where it began, s.
     pub(super) start: M::S,
     /// How far guards were on the wrong side when they were switched there.
-    pub(super) left_over: &'a M::G,
+    pub(super) residual: &'a M::G,
     /// Those that are looked at.
-    pub(super) heeded: Heeded,
+    pub(super) relevant: Relevant,
 }
 
-impl<M: System<S: Real>, I: Method<M>> Looks<'_, '_, M, I> {
+impl<M: System<S: Real>, I: Method<M>> Sampled<'_, '_, M, I> {
     /// The first guard that leaves its side, and when; they are known at the beginning and at the end of the step.
     pub(super) fn first(&self, began: &M::G, end: &M::G) -> (Found<M::S>, M::S) {
-        let (start, length) = (self.start, self.course.time - self.start);
-        let at = |look: M::S| start + look / M::S::lit(LOOKS as f64) * length;
+        let (start, length) = (self.start, self.context.time - self.start);
+        let at = |look: M::S| start + look / M::S::lit(SAMPLES as f64) * length;
         let inside = [1.0, 2.0, 3.0].map(|look| self.guards(at(M::S::lit(look))));
-        let looks = [*began, inside[0], inside[1], inside[2], *end];
-        let mut first = (Found::Nothing, self.course.time);
-        for i in (0..M::G::LEN).filter(|i| self.heeded.has(*i)) {
-            let edge = self.left_over.at(i).min(M::S::ZERO) - self.course.system.band(i);
+        let sampled = [*began, inside[0], inside[1], inside[2], *end];
+        let mut first = (Found::Nothing, self.context.time);
+        for i in (0..M::G::LEN).filter(|i| self.relevant.has(*i)) {
+            let edge = self.residual.at(i).min(M::S::ZERO) - self.context.system.band(i);
             let guard = |time: M::S| self.guards(time).at(i);
-            let Some(look) = first_out(looks.map(|g| g.at(i)), edge, |look| guard(at(look)) < edge) else {
+            let Some(look) = first_out(sampled.map(|g| g.at(i)), edge, |look| guard(at(look)) < edge) else {
                 continue;
             };
             let out = Point { at: at(look), value: guard(at(look)) };
@@ -54,21 +54,21 @@ impl<M: System<S: Real>, I: Method<M>> Looks<'_, '_, M, I> {
 
     /// The guards at a time within the step.
     fn guards(&self, time: M::S) -> M::G {
-        let (held, x) = self.method.moment(self.course, time);
-        super::guards(self.course.system, time, &held, &x)
+        let (held, x) = self.method.moment(self.context, time);
+        super::guards(self.context.system, time, &held, &x)
     }
 }
 
-/// The first look at which a guard is below its edge, or between looks, where the parabola through three of them says
+/// The first look at which a guard is below its edge, or between samples, where the parabola through three of them says
 /// so; of those that `is_out` confirms.
-fn first_out<S: Real>(g: [S; LOOKS + 1], edge: S, is_out: impl Fn(S) -> bool) -> Option<S> {
-    (1..=LOOKS).find_map(|k| {
+fn first_out<S: Real>(g: [S; SAMPLES + 1], edge: S, is_out: impl Fn(S) -> bool) -> Option<S> {
+    (1..=SAMPLES).find_map(|k| {
         let (look, value) = (S::lit(k as f64), g[k]);
         if value < edge {
             return is_out(look).then_some(look);
         }
         let (before, after) = (g[k - 1] - value, *g.get(k + 1)? - value);
-        // Its lowest point stands `lean / bend` looks after the middle one.
+        // Its lowest point stands `lean / bend` samples after the middle one.
         let (lean, bend) = (S::lit(0.5) * (before - after), before + after);
         let lowest = value - S::lit(0.5) * lean * lean / bend;
         let place = look + lean / bend;
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn a_dip_between_looks_is_found_where_it_is_lowest() {
+    fn a_dip_between_samples_is_found_where_it_is_lowest() {
         for lowest in [0.7, 1.3, 1.6, 2.4, 3.3] {
             for edge in [0.0, -0.3, 0.2] {
                 let dip = |depth: f64| found(|at| 2.0 * (at - lowest) * (at - lowest) + edge + depth, edge);

@@ -1,6 +1,7 @@
-//! Which conditions are looked at: those whose sides matter, given what the others can be.
+//! Relevant conditions: those whose modes the rate can read, given the modes that the others can have.
 
-use super::{guards, is_past};
+use super::guards;
+use super::violated::is_violated;
 use crate::scalar::Real;
 use crate::system::System;
 use crate::vector::Vector;
@@ -10,9 +11,9 @@ const WORDS: usize = 32;
 
 /// Conditions, one bit each; of systems that select some, which have 64 at most.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Heeded(u64);
+pub(super) struct Relevant(u64);
 
-impl Heeded {
+impl Relevant {
     /// Every condition, of any number.
     pub(super) const ALL: Self = Self(u64::MAX);
 
@@ -63,7 +64,7 @@ pub(crate) fn refresh<M: System<S: Real>>(system: &M, t: M::S, u: &mut M::U, x: 
     // What does not matter resets nothing.
     let mut x = *x;
     for i in 0..M::G::LEN {
-        if is_past(system, &here, i) && !system.must_hold(i) && !system.matters(u, i, 0) {
+        if is_violated(system, &here, i) && !system.must_hold(i) && !system.matters(u, i, 0) {
             changed |= if system.switch(t, u, &mut x, i).is_ok() { bit(i) } else { 0 };
         }
     }

@@ -13,18 +13,18 @@ use crate::system::Accepted;
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// Makes the step to `end`; false, and nothing has changed, where more is to be done.
     #[inline]
-    pub(super) fn single(&mut self, end: M::S) -> bool {
-        let Self { state, method, watch, kept, limits, stats, .. } = self;
+    pub(super) fn fast_step(&mut self, end: M::S) -> bool {
+        let Self { state, method, detector, history, limits, stats, .. } = self;
         let (system, start, mut held) = (state.mechanism(), state.time(), state.held());
         let instant = system.next_instant(start, &held);
         if instant.is_some_and(|instant| instant <= end)
             || limits.energy_jump.is_some()
-            || !(watch.is_known() && system.is_regular(&held))
+            || !(detector.is_known() && system.is_regular(&held))
         {
             return false;
         }
         let (mut x, from) = (*state.x(), (start, state.x()));
-        let Some(made) = method.single((system, &held), (start, end), &mut x) else {
+        let Some(made) = method.fast_step((system, &held), (start, end), &mut x) else {
             return false;
         };
         let mut error = M::S::ZERO;
@@ -43,7 +43,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         }
         rules.drift = DriftCheck::Skip;
         let mut proposal = Proposal { system, from, end, held: &mut held, x: &mut x, health: made.health };
-        if !watch.is_calm(kept, &proposal.leg()) {
+        if !detector.excludes_events(history, &proposal.step()) {
             return false;
         }
         let Verdict::Accept(accepted) = judge(&mut proposal, Estimate::NONE, &rules) else { return false };

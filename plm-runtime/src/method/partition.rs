@@ -1,7 +1,7 @@
-//! The steps of fixed-step methods: an interval divided, and the arrival of implicit methods at their end.
+//! Partition of an interval into fixed steps, and the arrival of implicit methods at their end.
 
 use super::adaptive::too_small;
-use super::{Course, drift_of_size, excess, not_finite};
+use super::{Context, drift_of_size, excess, not_finite};
 use crate::fault::Fault;
 use crate::scalar::Real;
 use crate::system::System;
@@ -9,7 +9,7 @@ use crate::vector::Vector;
 
 /// An interval divided into equal steps.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Plan<S> {
+pub(crate) struct Partition<S> {
     start: S,
     end: S,
     /// The length of a step, s.
@@ -22,48 +22,51 @@ pub(crate) struct Plan<S> {
     done: S,
 }
 
-impl<S: Real> Plan<S> {
+impl<S: Real> Partition<S> {
     /// Nothing planned.
     pub(super) fn none() -> Self {
         Self { start: S::ZERO, end: S::ZERO, h: S::ZERO, next_time: S::ZERO, steps: S::ZERO, done: S::ZERO }
     }
 
     /// Divides what is left of an interval into whole steps of at most `longest`.
-    pub(super) fn of_course<M: System<S = S>>(course: &mut Course<'_, M>, longest: S) -> Result<Self, Fault> {
-        let Some(plan) = Self::new(course.time, course.end, longest) else {
-            return Err(course.fault(too_small(course, longest)));
+    pub(super) fn of_interval<M: System<S = S>>(
+        context: &mut Context<'_, M>,
+        longest: S,
+    ) -> Result<Self, Fault> {
+        let Some(partition) = Self::new(context.time, context.end, longest) else {
+            return Err(context.fault(too_small(context, longest)));
         };
-        *course.longest_step = course.longest_step.max(plan.h);
-        Ok(plan)
+        *context.longest_step = context.longest_step.max(partition.h);
+        Ok(partition)
     }
 
-    /// Takes the course to `next`, the state after the step; settles it if it drifted by more than `tolerance` of the
+    /// Takes the context to `next`, the state after the step; settles it if it drifted by more than `tolerance` of the
     /// typical sizes, or if the step went by rank. Returns whether it did.
     pub(super) fn arrive<M: System<S = S>>(
         &mut self,
-        course: &mut Course<'_, M>,
+        context: &mut Context<'_, M>,
         mut next: M::X,
         tolerance: S,
         by_rank: bool,
     ) -> Result<bool, Fault> {
         if !next.is_finite() {
-            return Err(not_finite(course.system, self.next_time, &next));
+            return Err(not_finite(context.system, self.next_time, &next));
         }
-        let drift = course.system.drift(self.next_time, &next);
+        let drift = context.system.drift(self.next_time, &next);
         let limit = if by_rank { S::ZERO } else { S::lit(1.0) };
-        let drifted = excess(drift, drift_of_size(course.system, tolerance)) > limit;
+        let drifted = excess(drift, drift_of_size(context.system, tolerance)) > limit;
         if drifted {
-            course.settle(self.next_time, &mut next)?;
+            context.settle(self.next_time, &mut next)?;
         }
-        course.stats.steps += 1;
-        (course.time, course.x) = (self.next_time, next);
+        context.stats.steps += 1;
+        (context.time, context.x) = (self.next_time, next);
         self.next();
         Ok(drifted)
     }
 
     /// The length of the step that makes an interval alone; none where that takes several, or cannot be.
     #[inline]
-    pub(super) fn single(start: S, end: S, longest: S) -> Option<S> {
+    pub(super) fn one_step(start: S, end: S, longest: S) -> Option<S> {
         let (length, rounding) = Self::length(start, end);
         let fits = Self::least(length, rounding) <= longest && longest > S::ZERO && end > start;
         fits.then(|| if (length - longest).abs() <= rounding { longest } else { length })
@@ -96,9 +99,9 @@ impl<S: Real> Plan<S> {
         let steps = if ratio > whole { whole + one } else { whole.max(one) };
         let even = (length - steps * longest).abs() <= rounding;
         let h = if even { longest } else { length / steps };
-        let mut plan = Self { start, end, h, next_time: start, steps, done: S::ZERO };
-        plan.next();
-        (plan.next_time > start).then_some(plan)
+        let mut partition = Self { start, end, h, next_time: start, steps, done: S::ZERO };
+        partition.next();
+        (partition.next_time > start).then_some(partition)
     }
 
     /// The time after the next step.

@@ -1,0 +1,60 @@
+//! Sign-definite enclosure: one interval evaluation of all guards and kinks over a step. Most steps need no other search.
+
+use super::kinks;
+use super::relevant::{Relevant, bit};
+use crate::method::{Context, Path};
+use crate::scalar::{Real, Scalar};
+use crate::system::System;
+use crate::tube::Tube;
+use crate::vector::Vector;
+
+/// Which guards and kinks may change their sign in a step.
+#[derive(Clone, Copy)]
+pub(super) struct Enclosure {
+    /// All guards stay on their sides.
+    pub(super) guards: bool,
+    /// The kinks that matter, given the same, one bit each; none if none of them may change its sign in the step.
+    pub(super) kinks: u128,
+    /// The conditions that matter, given which of them may change their sides in the step.
+    pub(super) relevant: Relevant,
+}
+
+impl Enclosure {
+    /// Nothing is known: any condition may change its side.
+    pub(super) fn unknown<M: System>(system: &M, held: &M::U) -> Self {
+        let kinks = Relevant::kinks(system, held, u64::MAX);
+        Self { guards: false, kinks, relevant: Relevant::of(system, held, u64::MAX) }
+    }
+
+    /// By the ranges of all of them over a step with this dense output.
+    pub(super) fn over<M: System<S: Real>>(context: &Context<'_, M>, path: &Path<M::S, M::X>) -> Self {
+        let (half, zero) = (M::S::lit(0.5), M::S::ZERO);
+        let (time, x) = path.around(half, half);
+        let (mut enclosure, mut moves, mut bends) =
+            (Self { guards: true, kinks: 0, relevant: Relevant::ALL }, 0, 0);
+        let known = context.system.guards_within(time, &context.held, &x, &mut |i, tube: Tube<M::S>| {
+            let range = tube.range(half);
+            // Comparisons with what is not a number are false.
+            if i < M::G::LEN {
+                let stays = range.low >= -context.system.band(i);
+                enclosure.guards &= stays;
+                moves |= if stays { 0 } else { bit(i) };
+            } else {
+                let stays = range.low > zero || range.high <= zero;
+                bends |= if stays { 0 } else { kinks::bit(i - M::G::LEN).unwrap_or(0) };
+            }
+        });
+        if !known {
+            return Self::unknown(context.system, &context.held);
+        }
+        if M::SELECTIVE && !enclosure.guards {
+            enclosure.relevant = Relevant::of(context.system, &context.held, moves);
+            enclosure.guards = enclosure.relevant.is_apart(moves);
+        }
+        if bends != 0 {
+            let kinks = Relevant::kinks(context.system, &context.held, moves);
+            enclosure.kinks = if bends & kinks == 0 { 0 } else { kinks };
+        }
+        enclosure
+    }
+}

@@ -1,0 +1,72 @@
+//! Guards over fixed steps, which are not ended by an event: conditions that come and go within one are counted as missed.
+
+use super::relevant::{Relevant, bit};
+use super::search::{Found, Search};
+use super::{Detector, Event, guards_here};
+use crate::fault::Fault;
+use crate::method::{Context, Method, Path};
+use crate::scalar::Real;
+use crate::sim::{Beginning, History};
+use crate::system::{Step, System};
+use crate::vector::Vector;
+
+impl<S: Real, G: Vector<S>> Detector<S, G> {
+    /// Does a fixed step stay in the guard-free region that is known?
+    #[inline]
+    pub(crate) fn excludes_events<M: System<S = S, G = G>>(
+        &self,
+        history: &History<M>,
+        step: &Step<'_, M>,
+    ) -> bool {
+        G::LEN == 0 || history.beginning.as_ref().is_some_and(|centre| self.guard_free.holds(centre, step))
+    }
+
+    /// The event at the end of a step: without dense output by its guards, unless the step stays in the guard-free region.
+    #[inline]
+    pub(crate) fn look_behind<M: System<S = S, G = G>, I: Method<M>>(
+        &mut self,
+        context: &Context<'_, M>,
+        history: &mut History<M>,
+        start: &Beginning<M>,
+        event: Event,
+    ) -> Result<Event, Fault> {
+        if I::DENSE || G::LEN == 0 {
+            return Ok(event);
+        }
+        let step = context.step((start.time, &start.x));
+        let holds = history.beginning.as_ref().is_some_and(|centre| self.guard_free.holds(centre, &step));
+        if holds || self.guard_free.renew(&mut history.beginning, &step) {
+            return Ok(Event::None);
+        }
+        guards_here(context)?;
+        Ok(Event::Behind { missed: self.missed(context, start) })
+    }
+
+    /// The conditions that came and went within a step without dense output: the first of them, and how many.
+    #[cold]
+    fn missed<M: System<S = S, G = G>>(
+        &self,
+        context: &Context<'_, M>,
+        start: &Beginning<M>,
+    ) -> Option<(usize, u64)> {
+        let path = Path::between((start.time, &start.x), (context.time, &context.x), M::NQ);
+        let (system, held) = (context.system, context.held);
+        let search = || Search::new((system, held), path, &self.residual, Relevant::ALL);
+        if !matches!(search().first(), Found::Crossing(..)) {
+            return None;
+        }
+        let leaves = |index: usize| matches!(search().of_one(index).first(), Found::Crossing(..));
+        let all = (0..G::LEN).filter(|i| M::SELECTIVE && leaves(*i)).fold(0, |all, i| all | bit(i));
+        let (relevant, mut missed) = (Relevant::of(system, &held, all), None);
+        for index in (0..G::LEN).filter(|i| relevant.has(*i)) {
+            let search = search().of_one(index);
+            if matches!(search.first(), Found::Crossing(..)) && !search.is_violated(S::lit(1.0), index) {
+                let (first, count) = missed.unwrap_or((index, 0));
+                let ends = context.system.must_hold(index) || context.system.end(index).is_some();
+                let told = if ends { index } else { first };
+                missed = Some((told, count + 1));
+            }
+        }
+        missed
+    }
+}
