@@ -9,8 +9,9 @@
 //! | [`scalar`], [`vector`] | numbers (`f32`, `f64`, lanes of them) and fixed arrays of them |
 //! | [`system`], [`mechanism`], [`start`] | what generated code provides |
 //! | [`fault`] | errors as values that name the time and the part |
-//! | [`events`] | switching: where it happens, and how often it may |
+//! | [`events`] | event detection, and events that reset the state |
 //! | [`method`] | explicit, symplectic and stiff one-step methods |
+//! | [`protocol`] | one step: proposed, judged, committed |
 //! | [`sim`] | a running simulation |
 //! | [`step`] | a step of fixed length by itself |
 //! | [`held`] | what is held over a step |

@@ -9,44 +9,8 @@ mod pressures;
 mod settings;
 mod stabilise;
 
-use plm::runtime::{Dual, Health, InPlace, Linear, Ports, System, Vector};
-use plm::{Fault, Linearisation, Mechanism, Moment, Real, linearise};
-
-/// A mechanism at one moment.
-#[derive(Clone, Copy)]
-struct State<M: System> {
-    mechanism: M,
-    held: M::U,
-    time: M::S,
-    x: M::X,
-}
-
-impl<M: System + Copy> Moment for State<M> {
-    type M = M;
-
-    fn new(mechanism: M, held: M::U, time: M::S, x: M::X) -> Self {
-        Self { mechanism, held, time, x }
-    }
-    fn mechanism(&self) -> &M {
-        &self.mechanism
-    }
-    fn held(&self) -> M::U {
-        self.held
-    }
-    fn time(&self) -> M::S {
-        self.time
-    }
-    fn x(&self) -> &M::X {
-        &self.x
-    }
-    fn set(&mut self, time: M::S, held: &M::U, x: &M::X) {
-        (self.time, self.held, self.x) = (time, *held, *x);
-    }
-    fn in_place(&mut self) -> InPlace<'_, M> {
-        let Self { mechanism, held, time, x } = self;
-        InPlace { system: mechanism, held, time, x }
-    }
-}
+use plm::runtime::{At, Dual, Health, Linear, Ports, System, Vector};
+use plm::{Fault, Linearisation, Mechanism, Real, linearise};
 
 /// Declares a mechanism with one parameter and one input, as generated code would.
 macro_rules! mechanism {
@@ -89,7 +53,7 @@ macro_rules! mechanism {
         }
 
         impl<S: Real> Mechanism for $name<S> {
-            type State = State<Self>;
+            type State = At<Self>;
             type Rescue = plm::runtime::singular::Never<Self>;
 
             fn start_state(&self, _t: S) -> Result<(S, [S; $n]), Fault> {
@@ -108,7 +72,7 @@ macro_rules! mechanism {
             fn input(input: &mut S, index: usize) -> Option<&mut S> {
                 [input].into_iter().nth(index)
             }
-            fn outputs($s: &State<Self>, each: &mut impl FnMut(S)) {
+            fn outputs($s: &At<Self>, each: &mut impl FnMut(S)) {
                 $outputs.into_iter().for_each(each);
             }
         }
@@ -166,8 +130,8 @@ mechanism! {
     outputs [("x", "m"), ("height", "m")], |s| [s.x[0], s.x[1]]
 }
 
-fn at<M: Mechanism<S = f64, U = f64>>(mechanism: M, x: M::X) -> State<M> {
-    State { mechanism, held: 0.0, time: 0.0, x }
+fn at<M: Mechanism<S = f64, U = f64>>(mechanism: M, x: M::X) -> At<M> {
+    At { mechanism, held: 0.0, time: 0.0, x }
 }
 
 fn assert_close(got: f64, want: f64) {

@@ -57,7 +57,7 @@ enum Ends {
     BeforeKink,
 }
 
-/// What happens at the end of a step.
+/// The event at the end of a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Event {
     /// No condition is triggered.
@@ -72,13 +72,13 @@ pub(crate) enum Event {
     },
 }
 
-/// What is known of the modes that the discrete state holds.
+/// Whether the modes in the discrete state are those of the state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Modes {
     /// Nothing has been done yet: a condition on its boundary begins in the mode that the motion goes to.
     New,
-    /// They were decided at the beginning, and no step has been made.
-    Beginning,
+    /// They were decided at the start, and no step has been made.
+    Decided,
     /// State, parameters or inputs may have been changed since.
     Unknown,
     /// They are those of the state.
@@ -110,7 +110,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
     /// State, parameters or inputs may have been changed.
     pub(crate) fn forget(&mut self) {
         self.modes = match self.modes {
-            Modes::New | Modes::Beginning => Modes::New,
+            Modes::New | Modes::Decided => Modes::New,
             Modes::Unknown | Modes::Known => Modes::Unknown,
         };
         self.guard_free.forget();
@@ -149,7 +149,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
     /// Are the sides held those that apply?
     #[inline]
     pub(crate) fn is_known(&self) -> bool {
-        G::LEN == 0 || matches!(self.modes, Modes::Beginning | Modes::Known)
+        G::LEN == 0 || matches!(self.modes, Modes::Decided | Modes::Known)
     }
 
     /// A step as the method proposes it; with dense output it ends where the first condition leaves its side.
@@ -166,8 +166,8 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         Ok(self.located(method, context)?.map_or(Event::None, Event::At))
     }
 
-    /// The same where there are guards, with the condition that ends it. In a function of its own a build without optimisation holds the method as it was
-    /// before the step for those alone.
+    /// The condition that ends the step where there are guards. A function of its own, so that a build without optimisation copies the
+    /// method for those alone.
     #[inline]
     fn located<M: System<S = S, G = G>, I: Method<M>>(
         &mut self,
@@ -286,7 +286,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         let here = guards_here(context)?;
         self.residual.set(index, here.at(index).min(S::ZERO));
         let before = core::mem::replace(&mut self.modes, Modes::Known);
-        let switched = u32::from(!matches!(before, Modes::New | Modes::Beginning));
+        let switched = u32::from(!matches!(before, Modes::New | Modes::Decided));
         self.chattering.count(context, bit(index), switched)
     }
 
@@ -296,7 +296,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         self.release(&guards);
     }
 
-    /// Guards that are on their side again have nothing left over.
+    /// Drops the residuals of guards that are satisfied again.
     fn release(&mut self, guards: &G) {
         self.residual = self.residual.map2(guards, |left, g| if g < S::ZERO { left } else { S::ZERO });
     }
@@ -311,7 +311,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
     ) -> Result<(), Fault> {
         let here = guards_here(context)?;
         self.modes = match self.modes {
-            Modes::New | Modes::Beginning => Modes::Beginning,
+            Modes::New | Modes::Decided => Modes::Decided,
             Modes::Unknown | Modes::Known => Modes::Known,
         };
         self.release(&here);

@@ -63,7 +63,7 @@ pub(super) fn is_below<M: System<S: Real>>(system: &M, g: &M::G, edges: &M::G, i
     g.at(index) < edges.at(index) - system.band(index)
 }
 
-/// What has switched.
+/// Conditions that have switched.
 pub(super) struct Switched {
     /// One bit for each condition.
     pub(super) conditions: u64,

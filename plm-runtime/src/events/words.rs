@@ -13,14 +13,14 @@ impl<S: Real, G: Vector<S>> InWords for Detector<S, G> {
         words.vector(&mut self.residual);
         let mut modes = match self.modes {
             Modes::New => 0,
-            Modes::Beginning => 1,
+            Modes::Decided => 1,
             Modes::Unknown => 2,
             Modes::Known => 3,
         };
         words.word(&mut modes);
         self.modes = match modes {
             0 => Modes::New,
-            1 => Modes::Beginning,
+            1 => Modes::Decided,
             2 => Modes::Unknown,
             _ => Modes::Known,
         };

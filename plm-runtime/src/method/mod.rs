@@ -73,7 +73,7 @@ pub trait Method<M: System>: Copy {
     const FAST: bool = false;
     /// By which results tell what made them.
     const NAME: &'static str = "";
-    /// What chooses the length of its steps.
+    /// The choice of step lengths: by an estimate of the error, or by the user.
     const LENGTH: Length = if Self::DENSE { Length::Error } else { Length::Fixed { caution: 1.0 } };
 
     /// Divides the interval from `context.time` to `context.end` into steps.
@@ -107,7 +107,7 @@ pub trait Method<M: System>: Copy {
         None
     }
 
-    /// What is held, and the state, at a time within the last step of the context, as [`interpolate`](Self::interpolate).
+    /// Discrete state and state at a time within the last step of the context, as [`interpolate`](Self::interpolate).
     fn moment(&self, context: &Context<'_, M>, time: M::S) -> (M::U, M::X) {
         (context.held, self.interpolate(time))
     }
