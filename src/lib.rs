@@ -49,8 +49,6 @@ pub use plm_runtime::{
 mod any_sim;
 #[cfg(feature = "analysis")]
 mod auto;
-#[cfg(feature = "batch")]
-pub mod batch;
 #[cfg(doctest)]
 mod book;
 #[cfg(any(feature = "view", all(feature = "foreign", feature = "analysis")))]
@@ -69,8 +67,6 @@ pub mod python;
 mod stabilise;
 #[cfg(feature = "std")]
 mod starts;
-#[cfg(feature = "batch")]
-pub mod study;
 
 #[cfg(feature = "analysis")]
 pub use auto::{Auto, Choice, Pace, StartAuto};
@@ -78,6 +74,8 @@ pub use auto::{Auto, Choice, Pace, StartAuto};
 pub use lanes::{Batch, F64x8};
 #[cfg(feature = "analysis")]
 pub use linearise::{Linearisable, Linearisation, Mode, linearise};
+#[cfg(feature = "batch")]
+pub use plm_study::{batch, study};
 #[cfg(feature = "analysis")]
 pub use stabilise::{Change, Equilibrium, Freedom, Residual, Stabilise, Unbalanced, What, stabilise};
 #[cfg(feature = "std")]

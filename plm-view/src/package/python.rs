@@ -16,6 +16,9 @@ type Texts = [(String, String)];
 /// What of plm is compiled for a package.
 const FOLDERS: [&str; 4] = ["src", "plm-macros", "plm-runtime", "plm-foreign"];
 const FILES: [&str; 4] = ["Cargo.toml", "README.md", "LICENSE-APACHE", "LICENSE-MIT"];
+/// Packages of plm that no mechanism needs in Python, and the features that want them.
+const PACKAGES_LEFT_OUT: [&str; 2] = ["plm-study", "plm-view"];
+const FEATURES_LEFT_OUT: [&str; 2] = ["batch", "view"];
 /// Folders in it that are not.
 const LEFT_OUT: [&str; 4] = ["tests", "benches", "examples", "target"];
 
@@ -129,6 +132,8 @@ fn made(mut maturin: Command, folder: &Path) -> Result<Built, String> {
 /// The manifest of plm where nothing of it but what a mechanism needs is there.
 fn alone(manifest: &str) -> String {
     let (mut text, mut table) = (String::new(), "");
+    let is_of =
+        |line: &str, names: &[&str]| line.split_once(" = ").is_some_and(|(name, _)| names.contains(&name));
     for line in manifest.lines() {
         if line.starts_with('[') {
             table = line.trim();
@@ -136,8 +141,11 @@ fn alone(manifest: &str) -> String {
         let is_left_out = match table {
             "[workspace]" => !(line.starts_with('[') || line.starts_with("resolver")),
             "[dev-dependencies]" => true,
-            "[features]" => line.starts_with("view"),
-            table => table.starts_with("[[") || table.starts_with("[profile") || line.starts_with("plm-view"),
+            "[features]" => is_of(line, &FEATURES_LEFT_OUT),
+            table => {
+                let is_table_left_out = table.starts_with("[[") || table.starts_with("[profile");
+                is_table_left_out || is_of(line, &PACKAGES_LEFT_OUT)
+            }
         };
         if !is_left_out {
             text.push_str(line);
@@ -185,8 +193,8 @@ mod tests {
     fn a_manifest_names_nothing_that_is_left_out() {
         let manifest = concat!(
             "[workspace]\nresolver = \"3\"\nmembers = [\n    \".\",\n]\n\n",
-            "[workspace.dependencies]\nplm-math = { path = \"m\" }\nplm-view = { path = \"plm-view\" }\n\n",
-            "[features]\nstd = []\nview = [\"dep:plm-view\"]\nfmi = []\n\n[dev-dependencies]\nserde_json = \"1\"\n\n",
+            "[workspace.dependencies]\nplm-math = { path = \"m\" }\nplm-study = { path = \"s\" }\nplm-view = { path = \"plm-view\" }\n\n",
+            "[features]\nstd = []\nbatch = [\"dep:plm-study\"]\nview = [\"dep:plm-view\"]\nfmi = []\n\n[dev-dependencies]\nserde_json = \"1\"\n\n",
             "[[test]]\nname = \"lanes\"\n\n[lints]\nworkspace = true\n\n[profile.release]\ndebug = true\n",
         );
         let known = concat!(

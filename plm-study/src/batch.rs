@@ -4,13 +4,10 @@
 //! is the same to the bit. A run that fails, by a fault or by a panic, is told with its place and its parameters, and the
 //! others are kept. The book has an example (`docs/src/running/batch.md`).
 
-extern crate std;
 use std::any::Any;
 use std::fmt;
 use std::ops::Deref;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::string::{String, ToString};
-use std::vec::Vec;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use plm_runtime::Fault;

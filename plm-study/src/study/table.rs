@@ -1,13 +1,9 @@
 //! The result of a study as a file: a table of text, or an array of NumPy.
 
-use std::borrow::ToOwned;
 use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
-use std::string::String;
-use std::vec::Vec;
-use std::{format, vec};
 
 use super::{Gathered, Problem, Quantity};
 

@@ -11,8 +11,6 @@
 //! [`Study::main`] is a whole program with a command line, which hands the shards to Slurm or HyperQueue too. The book has an
 //! example (`docs/src/running/many-machines.md`).
 
-extern crate std;
-
 mod command;
 mod gathered;
 mod log;
@@ -22,13 +20,10 @@ mod shard;
 mod submit;
 mod table;
 
-use std::borrow::ToOwned;
 use std::collections::BTreeSet;
 use std::fmt;
 use std::fmt::Write;
-use std::format;
 use std::path::Path;
-use std::string::String;
 
 pub use gathered::{Gathered, Outcome};
 pub use points::{Points, Spread, linear};

@@ -1,13 +1,10 @@
 //! A shard of a study and its run.
 
 use std::fmt;
-use std::format;
+use std::fs;
 use std::path::Path;
-use std::string::{String, ToString};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
-use std::vec::Vec;
-use std::{fs, vec};
 
 use rayon::prelude::*;
 

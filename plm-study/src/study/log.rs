@@ -4,13 +4,9 @@
 //! at least), and the checksum of all that (8), little endian. A text takes as many records as it needs. So what is cut off at the
 //! end, or damaged in between, costs its own points and no other.
 
-use std::borrow::ToOwned;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-use std::string::String;
-use std::vec::Vec;
-use std::{format, vec};
 
 use super::gathered::Outcome;
 use super::{Plan, Problem, Shard};

@@ -1,12 +1,8 @@
 //! What the logs of a folder hold together.
 
-use std::boxed::Box;
 use std::fmt;
 use std::fs::{File, TryLockError};
 use std::path::{Path, PathBuf};
-use std::string::String;
-use std::vec::Vec;
-use std::{format, vec};
 
 use super::log::logs;
 use super::{Plan, Problem, Shard};

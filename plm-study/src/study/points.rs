@@ -1,9 +1,5 @@
 //! The points of a study: each is a function of its number.
 
-use std::format;
-use std::string::String;
-use std::vec::Vec;
-
 use super::log::checksum;
 use super::{Quantity, random};
 

@@ -1,15 +1,11 @@
 //! The command line of a study.
 
-use std::borrow::ToOwned;
-use std::boxed::Box;
+use std::env;
 use std::error::Error;
 use std::ffi::OsString;
 use std::fmt::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::string::{String, ToString};
-use std::vec::Vec;
-use std::{env, eprintln, format, println};
 
 use lexopt::{Arg, Parser, ValueExt};
 

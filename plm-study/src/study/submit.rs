@@ -1,11 +1,8 @@
 //! The shards of a study as the tasks of an engine for many machines.
 
-use std::format;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
-use std::string::{String, ToString};
-use std::vec::Vec;
 
 use super::Problem;
 
