@@ -1,6 +1,6 @@
 //! The parts that lie in no plane: their ports, and which way their flows and forces count.
 
-use plm_view::{Block, Side, Symbol};
+use plm::view::{Block, Side, Symbol};
 
 /// One box for each page.
 pub(crate) fn blocks() -> Vec<Block> {

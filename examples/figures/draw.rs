@@ -5,9 +5,9 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::fs;
 use std::path::Path;
 
+use plm::view::{Body, Frame, GroundPort, Mechanism, Part, Port, Sense, Sketch};
 use plm_compiler::token::Sources;
 use plm_compiler::{Picture, PicturePort, compile};
-use plm_view::{Body, Frame, GroundPort, Mechanism, Part, Port, Sense, Sketch};
 
 use super::blocks::blocks;
 

@@ -40,7 +40,10 @@ impl std::error::Error for Error {
 
 /// Writes `contents` to the file `path`, makes the folders above it where they are missing, and names the
 /// file in the error.
-pub(crate) fn write_file(path: &Path, contents: io::Result<Vec<u8>>) -> Result<(), Error> {
+///
+/// # Errors
+/// `contents`, or a file that cannot be written.
+pub fn write_file(path: &Path, contents: io::Result<Vec<u8>>) -> Result<(), Error> {
     contents
         .and_then(|bytes| {
             if let Some(folder) = path.parent() {

@@ -33,7 +33,8 @@ mod page;
 mod recording;
 mod results;
 pub mod serve;
-mod sketch;
+#[doc(hidden)]
+pub mod svg;
 
 pub use chart::{Axis, Chart, Rule, Series};
 pub use error::{Error, Unread};
@@ -43,4 +44,3 @@ pub use recording::{About, Column, Event, Fault, Recording, Row};
 pub use results::{
     Body, Frame, GroundPort, Mechanism, Operations, Parameter, Part, Port, Quantity, Report, Results,
 };
-pub use sketch::{Block, Sense, Side, Sketch, Symbol};

@@ -1,6 +1,6 @@
 //! Text in HTML and SVG.
 
 /// A text as it stands between tags, and in attributes with double quotes.
-pub(crate) fn escape(text: &str) -> String {
+pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

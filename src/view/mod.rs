@@ -13,6 +13,7 @@ mod sketch;
 mod wheel;
 
 pub use plm_foreign::fmi::Version;
+pub use plm_sketch::{Block, Sense, Side, Sketch, Symbol};
 pub use plm_view::*;
 
 pub use crate::integrator::Integrator;

@@ -3,7 +3,8 @@
 use std::vec::Vec;
 
 use plm_runtime::{AsMoment, Described, Moment, Scalar};
-use plm_view::{Mechanism, Sketch};
+use plm_sketch::Sketch;
+use plm_view::Mechanism;
 
 use super::described::{mechanism, numbers};
 

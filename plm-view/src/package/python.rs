@@ -17,7 +17,7 @@ type Texts = [(String, String)];
 const FOLDERS: [&str; 4] = ["src", "plm-macros", "plm-runtime", "plm-foreign"];
 const FILES: [&str; 4] = ["Cargo.toml", "README.md", "LICENSE-APACHE", "LICENSE-MIT"];
 /// Packages of plm that no mechanism needs in Python, and the features that want them.
-const PACKAGES_LEFT_OUT: [&str; 2] = ["plm-study", "plm-view"];
+const PACKAGES_LEFT_OUT: [&str; 3] = ["plm-sketch", "plm-study", "plm-view"];
 const FEATURES_LEFT_OUT: [&str; 2] = ["batch", "view"];
 /// Folders in it that are not.
 const LEFT_OUT: [&str; 4] = ["tests", "benches", "examples", "target"];

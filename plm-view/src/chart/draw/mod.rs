@@ -8,10 +8,10 @@ mod pen;
 mod rule;
 
 use self::canvas::{Anchor, Canvas};
-pub(crate) use self::look::{CURVES, FONT, INK};
+pub use self::look::{CURVES, FONT, INK};
 use self::panel::Plot;
 use self::pen::{TEXT, lettering};
-pub(crate) use self::pen::{text_width, wrap};
+pub use self::pen::{text_width, wrap};
 use super::axis::Ruler;
 use super::{Chart, Panel};
 

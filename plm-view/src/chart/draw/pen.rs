@@ -84,12 +84,12 @@ pub(super) const fn axis_lettering(anchor: Anchor) -> Lettering {
 }
 
 /// Room that a text needs, in pixels, on the safe side.
-pub(crate) fn text_width(text: &str, size: f64) -> f64 {
+pub fn text_width(text: &str, size: f64) -> f64 {
     text.chars().count() as f64 * CHARACTER * size
 }
 
 /// The lines of a text that is to be `width` pixels wide at most; `\n` begins a new one.
-pub(crate) fn wrap(text: &str, size: f64, width: f64) -> Vec<String> {
+pub fn wrap(text: &str, size: f64, width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for paragraph in text.lines() {
         let mut line = String::new();

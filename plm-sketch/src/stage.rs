@@ -2,10 +2,11 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use plm_view::{Frame, Part};
+
 use super::label::{self, Label};
 use super::paper::{Paper, Point, beside};
 use super::{Sketch, WIDTH, look};
-use crate::results::{Frame, Part};
 
 /// Where the mechanism may be, left and right, in pixels; on its left stand the axes.
 const FIELD: [f64; 2] = [84.0, WIDTH - 10.0];

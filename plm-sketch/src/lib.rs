@@ -13,9 +13,10 @@ mod symbol;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+use plm_view::svg::write_file;
+use plm_view::{Error, Mechanism};
+
 use self::stage::Stage;
-use crate::error::{Error, write_file};
-use crate::results::Mechanism;
 
 pub use block::{Block, Side};
 pub use symbol::Symbol;
@@ -35,7 +36,8 @@ pub enum Sense {
 /// A drawing of a mechanism at one pose, 600 pixels wide.
 ///
 /// ```
-/// use plm_view::{Body, Frame, GroundPort, Mechanism, Part, Port, Sketch};
+/// use plm_sketch::Sketch;
+/// use plm_view::{Body, Frame, GroundPort, Mechanism, Part, Port};
 ///
 /// let (x, y, angle) = (0.0, 0.0, 0.0);
 /// let ground = GroundPort { name: "o".into(), x, y, angle, depth: 0.0, moves: false };

@@ -1,8 +1,8 @@
 //! Colours and lines of a picture, light and dark, and its frame.
 
+use plm_view::svg::{CURVES, FONT, INK, escape};
+
 use super::paper::number;
-use crate::chart::{CURVES, FONT, INK};
-use crate::markup::escape;
 
 /// What is the same in light and dark.
 const LINES: &str = "\

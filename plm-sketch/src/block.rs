@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
+use plm_view::Error;
+use plm_view::svg::{text_width, wrap, write_file};
+
 use super::paper::{Paper, Point};
 use super::symbol::Symbol;
 use super::{WIDTH, look};
-use crate::chart::{text_width, wrap};
-use crate::error::{Error, write_file};
 
 /// Middle and half of the sides of the box, in pixels.
 const MIDDLE: Point = [0.5 * WIDTH, 0.0];
@@ -50,7 +51,7 @@ struct Pin {
 /// A box with named ports and signals, 600 pixels wide.
 ///
 /// ```
-/// use plm_view::{Block, Side, Symbol};
+/// use plm_sketch::{Block, Side, Symbol};
 ///
 /// let orifice = Block::new("orifice", Symbol::Orifice)
 ///     .port(Side::Left, "a")

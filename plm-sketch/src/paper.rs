@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::markup::escape;
+use plm_view::svg::escape;
 
 /// A place on the paper, in pixels, y downwards.
 pub(super) type Point = [f64; 2];
