@@ -1,8 +1,11 @@
 //! The catalogue of diagnostics.
 
-/// Writes the enum, its names and its titles from one table.
+/// Writes the enum, its names, its titles and its hints from one table: `hint` stands behind the title of a code that says what is
+/// hardly meant.
 macro_rules! catalogue {
-    ($($name:ident = $id:literal, $title:literal;)*) => {
+    (@is_hint) => { false };
+    (@is_hint hint) => { true };
+    ($($name:ident = $id:literal, $title:literal $(, $hint:ident)?;)*) => {
         /// Code of a diagnostic. Each has a page in the book.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Code {
@@ -21,6 +24,11 @@ macro_rules! catalogue {
             /// What it is about, in a few words.
             pub fn title(self) -> &'static str {
                 match self { $(Code::$name => $title,)* }
+            }
+
+            /// Does it say what is hardly meant? Such a warning waits until there is no error.
+            pub fn is_hint(self) -> bool {
+                match self { $(Code::$name => catalogue!(@is_hint $($hint)?),)* }
             }
         }
     };
@@ -94,9 +102,9 @@ catalogue! {
     Unreached = "W0002", "a body that nothing holds or reaches";
     UnknownCode = "W0003", "an allowed code that does not exist";
     Strained = "W0004", "a joint with a compliance is open at the start";
-    Upwards = "W0005", "gravity pulls upwards";
-    Idle = "W0006", "a part does nothing";
-    Unread = "W0007", "nothing reads a name";
+    Upwards = "W0005", "gravity pulls upwards", hint;
+    Idle = "W0006", "a part does nothing", hint;
+    Unread = "W0007", "nothing reads a name", hint;
 }
 
 impl core::fmt::Display for Code {
@@ -116,5 +124,11 @@ mod tests {
         sorted.sort_unstable();
         sorted.dedup();
         assert_eq!(ids, sorted);
+    }
+
+    #[test]
+    fn hints_are_warnings() {
+        let hints = Code::ALL.iter().filter(|code| code.is_hint()).map(|code| code.id());
+        assert_eq!(hints.collect::<Vec<_>>(), ["W0005", "W0006", "W0007"]);
     }
 }

@@ -187,9 +187,9 @@ impl Diagnostics {
         });
     }
 
-    /// Drops the warnings that say what is hardly meant: they wait until there is no error.
+    /// Drops the hints: they wait until there is no error.
     pub fn drop_hints(&mut self) {
-        self.list.retain(|diagnostic| !matches!(diagnostic.code, Code::Upwards | Code::Idle | Code::Unread));
+        self.list.retain(|diagnostic| !diagnostic.code.is_hint());
     }
 
     /// All of them, by source and place: the order in which people read.
