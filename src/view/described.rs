@@ -6,7 +6,7 @@ use std::vec::Vec;
 
 use plm_runtime::described::{self, Described, Place};
 use plm_runtime::{Scalar, System};
-use plm_view::{Body, Frame, GroundPort, Mechanism, Operations, Parameter, Part, Port, Quantity, Report};
+use plm_view::{Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report};
 
 /// What a results file tells of a mechanism with its parameters as they are.
 pub fn mechanism<M: Described>(of: &M) -> Mechanism {
@@ -30,12 +30,11 @@ fn number<S: Scalar>(number: Option<S>) -> f64 {
 }
 
 fn report(report: &described::Report) -> Report {
-    let plm_runtime::Operations { add, mul, div, sqrt, sin_cos, other } = report.operations;
     Report {
         formulation: report.formulation.to_owned(),
         reason: report.reason.to_owned(),
         degrees_of_freedom: report.degrees_of_freedom as i64,
-        operations: Operations { add, mul, div, sqrt, sin_cos, other },
+        operations: report.operations,
     }
 }
 

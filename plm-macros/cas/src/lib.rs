@@ -49,6 +49,7 @@ pub use algebra::{Rotation, Vec2};
 pub use graph::Graph;
 pub use node::{Expr, Function, Node};
 pub use number::Number;
+pub use plm_math::Operations;
 pub use print::Infix;
 pub use rules::{Condition, RULES, Rule};
 pub use sexpr::ParseError;

@@ -84,7 +84,7 @@ fn sharing_keeps_values_and_saves_operations() {
             }
         }
         // A division may be exchanged for a product or two; it costs more than both.
-        let cost = |tape: &Tape| tape.count().total() + 3 * tape.count().div;
+        let cost = |tape: &Tape| tape.count().total() + 3 * tape.count().operations.div as usize;
         // The choice is greedy: against what the tape merges by itself it can lose an operation or two.
         assert!(cost(&shared) <= cost(&plain) + 2, "seed {seed}: {} -> {}", plain.count(), shared.count());
         before_all += cost(&plain);

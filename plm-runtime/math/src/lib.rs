@@ -11,7 +11,7 @@
 //! No function allocates or panics. Special cases follow C99, Annex F. `ERRORS.md` has the measured errors.
 //!
 //! [`mod@f64`] and [`mod@f32`] hold the same functions. The f32 ones never compute in f64, which small targets lack.
-//! [`exact`] has the rounding errors of sums and products, for numbers of twice the precision.
+//! [`exact`] has the rounding errors of sums and products, for numbers of twice the precision. [`Operations`] counts what is computed.
 //!
 //! With the feature `std` square roots come from the processor; without it they are found and corrected in integers, with
 //! the same bits, unless `processor-sqrt-f32` or `processor-sqrt-f64` says that the processor has an instruction (in the crate
@@ -33,6 +33,7 @@ mod float;
 mod functions;
 mod hypot;
 mod ln;
+mod operations;
 mod pair;
 mod powi;
 mod reduce;
@@ -41,3 +42,4 @@ mod sqrt;
 mod tan;
 
 pub use functions::{f32, f64};
+pub use operations::Operations;

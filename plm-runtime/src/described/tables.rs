@@ -1,6 +1,6 @@
 //! What a mechanism tells of itself that no parameter changes: names, units, who joins whom.
 
-use crate::operations::Operations;
+use plm_math::Operations;
 
 /// The tables of a mechanism, in the order of the declaration.
 #[derive(Clone, Copy, Debug, PartialEq)]

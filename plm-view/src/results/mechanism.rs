@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use plm_math::Operations;
 use serde::{Deserialize, Serialize};
 
 use super::number::or_nan;
@@ -46,24 +47,20 @@ pub struct Report {
     /// Degrees of freedom, `3 N - M`.
     pub degrees_of_freedom: i64,
     /// Operations of one right-hand side.
+    #[serde(with = "InFile")]
     pub operations: Operations,
 }
 
-/// Counts of operations.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Operations {
-    /// Additions, subtractions and changes of sign.
-    pub add: u32,
-    /// Multiplications.
-    pub mul: u32,
-    /// Divisions.
-    pub div: u32,
-    /// Square roots.
-    pub sqrt: u32,
-    /// Pairs of sine and cosine, or one of them.
-    pub sin_cos: u32,
-    /// Everything else.
-    pub other: u32,
+/// How a file has them.
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Operations")]
+struct InFile {
+    add: u32,
+    mul: u32,
+    div: u32,
+    sqrt: u32,
+    sin_cos: u32,
+    other: u32,
 }
 
 /// A body.

@@ -77,12 +77,8 @@ pub(super) fn module(emission: &Emission) -> TokenStream {
 
 /// The counts as a constant expression.
 pub(super) fn operations(count: &Count) -> String {
-    let Count { add, mul, div, neg, sqrt, sin_cos, select, other } = count;
-    format!(
-        "Operations {{ add: {}, mul: {mul}, div: {div}, sqrt: {sqrt}, sin_cos: {sin_cos}, other: {} }}",
-        add + neg,
-        select + other
-    )
+    let kinds = count.operations.kinds().map_each(|(kind, count)| format!("{kind}: {count}"));
+    format!("Operations {{ {} }}", kinds.join(", "))
 }
 
 /// The SI unit of a quantity, in words.
