@@ -1,25 +1,6 @@
 //! A run whose method is known when the program runs.
 
-use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
-use plm_runtime::{
-    Adams, Dop853, Dopri5, Linear, Mechanism, Method, Rk4, SemiImplicitEuler, Sim, System, Vern9,
-};
-
-/// A run by one of the methods of [`Integrator`](crate::integrator::Integrator), which starts it.
-#[derive(Clone, Copy)]
-#[allow(clippy::large_enum_variant, reason = "a run is copied as it is, and there is one of it")]
-pub(crate) enum AnySim<M: Mechanism + Linear + System<S = f64>> {
-    Dop853(Sim<M, Dop853<M>>),
-    Vern9(Sim<M, Vern9<M>>),
-    Adams(Sim<M, Adams<M>>),
-    Dopri5(Sim<M, Dopri5<M>>),
-    RadauIia5(Sim<M, RadauIia5<M>>),
-    Rk4(Sim<M, Rk4<f64>>),
-    SemiImplicitEuler(Sim<M, SemiImplicitEuler<f64>>),
-    Gauss2(Sim<M, Gauss<M, 2>>),
-    Gauss3(Sim<M, Gauss<M, 3>>),
-    Ros34Pw2(Sim<M, Ros34Pw2<f64>>),
-}
+use plm_runtime::{Linear, Mechanism, Method, Sim, System, methods};
 
 /// What is done with a run, whatever its method.
 pub(crate) trait OnSim<M: Mechanism> {
@@ -28,20 +9,40 @@ pub(crate) trait OnSim<M: Mechanism> {
     fn on<I: Method<M>>(self, sim: &mut Sim<M, I>) -> Self::Output;
 }
 
+/// Makes a run by any method of the catalogue.
+macro_rules! any_sim {
+    (by_error { $($a:ident ($i:literal, $c:literal, $m:ty, $t:literal, $rtol:literal, $d:literal, $w:literal))* }
+     of_length { $($b:ident ($j:literal, $k:literal, $n:ty, $u:literal, $e:literal, $x:literal))* }) => {
+        /// A run by one of the methods of [`Integrator`](crate::integrator::Integrator), which starts it.
+        #[derive(Clone, Copy)]
+        #[allow(clippy::large_enum_variant, reason = "a run is copied as it is, and there is one of it")]
+        pub(crate) enum AnySim<M: Mechanism + Linear + System<S = f64>> {
+            $($a(Sim<M, $m>),)*
+            $($b(Sim<M, $n>),)*
+        }
+
+        impl<M: Mechanism + Linear + System<S = f64>> AnySim<M> {
+            /// The number of its method in the catalogue.
+            #[cfg(all(feature = "foreign", feature = "analysis"))]
+            pub(crate) fn number(&self) -> u64 {
+                match self {
+                    $(Self::$a(_) => $i,)*
+                    $(Self::$b(_) => $j,)*
+                }
+            }
+        }
+    };
+}
+
+methods!(any_sim);
+
 /// The same of whichever it is.
 macro_rules! each {
-    ($any:expr, $sim:ident => $value:expr) => {
+    ([$any:expr, $sim:ident => $value:expr]
+     by_error { $($a:ident $of_a:tt)* } of_length { $($b:ident $of_b:tt)* }) => {
         match $any {
-            Self::Dop853($sim) => $value,
-            Self::Vern9($sim) => $value,
-            Self::Adams($sim) => $value,
-            Self::Dopri5($sim) => $value,
-            Self::RadauIia5($sim) => $value,
-            Self::Rk4($sim) => $value,
-            Self::SemiImplicitEuler($sim) => $value,
-            Self::Gauss2($sim) => $value,
-            Self::Gauss3($sim) => $value,
-            Self::Ros34Pw2($sim) => $value,
+            $(AnySim::$a($sim) => $value,)*
+            $(AnySim::$b($sim) => $value,)*
         }
     };
 }
@@ -49,24 +50,7 @@ macro_rules! each {
 impl<M: Mechanism + Linear + System<S = f64>> AnySim<M> {
     /// Does something with it.
     pub(crate) fn then<W: OnSim<M>>(&mut self, work: W) -> W::Output {
-        each!(self, sim => work.on(sim))
-    }
-
-    /// The place of its method among those of [`Integrator`](crate::integrator::Integrator).
-    #[cfg(all(feature = "foreign", feature = "analysis"))]
-    pub(crate) fn place(&self) -> usize {
-        match self {
-            Self::Dop853(_) => 0,
-            Self::Vern9(_) => 1,
-            Self::Adams(_) => 2,
-            Self::Dopri5(_) => 3,
-            Self::RadauIia5(_) => 4,
-            Self::Rk4(_) => 5,
-            Self::SemiImplicitEuler(_) => 6,
-            Self::Gauss2(_) => 7,
-            Self::Gauss3(_) => 8,
-            Self::Ros34Pw2(_) => 9,
-        }
+        methods!(each [self, sim => work.on(sim)])
     }
 
     /// Shows the words of the run.
@@ -76,12 +60,12 @@ impl<M: Mechanism + Linear + System<S = f64>> AnySim<M> {
         M: plm_foreign::Foreign,
     {
         use plm_runtime::words::InWords as _;
-        each!(self, sim => sim.each(words));
+        methods!(each [self, sim => sim.each(words)]);
     }
 
     /// The mechanism at the current moment.
     #[cfg(feature = "analysis")]
     pub(crate) fn state(&self) -> &M::State {
-        each!(self, sim => sim.state())
+        methods!(each [self, sim => sim.state()])
     }
 }

@@ -5,47 +5,52 @@ use std::format;
 use std::str::FromStr;
 use std::vec::Vec;
 
-use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
-use plm_runtime::{
-    Adams, Dop853, Dopri5, Fault, Linear, Mechanism, Moment, Rk4, SemiImplicitEuler, Sim, System, Vern9,
-};
+use plm_runtime::{Fault, Linear, Mechanism, Moment, Sim, System, methods};
 
 use crate::any_sim::AnySim;
 use crate::mistake::{BadOption, nearest};
 
-/// A method of `docs/src/running/integrators.md`, with its relative tolerance or its longest step.
-///
-/// ```
-/// use plm::view::Integrator;
-///
-/// assert_eq!("Rk4:1e-3".parse::<Integrator>()?, Integrator::Rk4(1e-3));
-/// assert_eq!("dop853".parse::<Integrator>()?, Integrator::default());
-/// assert!("Rk4".parse::<Integrator>().unwrap_err().to_string().contains("Rk4:1e-3"));
-/// # Ok::<(), plm::view::BadOption>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Integrator {
-    /// [`Dop853`] with its relative tolerance.
-    Dop853(f64),
-    /// [`Vern9`] with its relative tolerance.
-    Vern9(f64),
-    /// [`Adams`] with its relative tolerance.
-    Adams(f64),
-    /// [`Dopri5`] with its relative tolerance.
-    Dopri5(f64),
-    /// [`RadauIia5`] with its relative tolerance.
-    RadauIia5(f64),
-    /// [`Rk4`] with its longest step, s.
-    Rk4(f64),
-    /// [`SemiImplicitEuler`] with its longest step, s.
-    SemiImplicitEuler(f64),
-    /// [`Gauss`] of two stages with its longest step, s.
-    Gauss2(f64),
-    /// [`Gauss`] of three stages with its longest step, s.
-    Gauss3(f64),
-    /// [`Ros34Pw2`] with its longest step, s.
-    Ros34Pw2(f64),
+/// Makes the enumeration, the table of names, and the way from a method to a run of it.
+macro_rules! integrator {
+    (by_error { $($a:ident ($i:literal, $c:literal, $m:ty, $t:literal, $rtol:literal, $d:literal, $w:literal))* }
+     of_length { $($b:ident ($j:literal, $k:literal, $n:ty, $u:literal, $e:literal, $x:literal))* }) => {
+        /// A method of `docs/src/running/integrators.md`, with its relative tolerance or its longest step.
+        ///
+        /// ```
+        /// use plm::view::Integrator;
+        ///
+        /// assert_eq!("Rk4:1e-3".parse::<Integrator>()?, Integrator::Rk4(1e-3));
+        /// assert_eq!("dop853".parse::<Integrator>()?, Integrator::default());
+        /// assert!("Rk4".parse::<Integrator>().unwrap_err().to_string().contains("Rk4:1e-3"));
+        /// # Ok::<(), plm::view::BadOption>(())
+        /// ```
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub enum Integrator {
+            $(#[doc = concat!($d, " with its relative tolerance.")] $a(f64),)*
+            $(#[doc = concat!($e, " with its longest step, s.")] $b(f64),)*
+        }
+
+        const NAMED: &[Named] = &[
+            $(Named { name: stringify!($a), number: $i, make: Integrator::$a, tolerance: Some($rtol) },)*
+            $(Named { name: stringify!($b), number: $j, make: Integrator::$b, tolerance: None },)*
+        ];
+
+        impl Integrator {
+            /// A run by this method that begins at a moment.
+            pub(crate) fn of<M>(self, state: M::State) -> AnySim<M>
+            where
+                M: Mechanism + Linear + System<S = f64>,
+            {
+                match self {
+                    $(Self::$a(rtol) => AnySim::$a(Sim::new(state, <$m>::new(rtol))),)*
+                    $(Self::$b(h) => AnySim::$b(Sim::new(state, <$n>::new(h))),)*
+                }
+            }
+        }
+    };
 }
+
+methods!(integrator);
 
 impl Default for Integrator {
     fn default() -> Self {
@@ -56,29 +61,18 @@ impl Default for Integrator {
 /// A method as it is named: whether it has a tolerance, which it need not be given, or a step.
 struct Named {
     name: &'static str,
+    /// In the catalogue.
+    number: u64,
     make: fn(f64) -> Integrator,
     tolerance: Option<f64>,
 }
-
-const NAMED: [Named; 10] = [
-    Named { name: "Dop853", make: Integrator::Dop853, tolerance: Some(1e-9) },
-    Named { name: "Vern9", make: Integrator::Vern9, tolerance: Some(1e-9) },
-    Named { name: "Adams", make: Integrator::Adams, tolerance: Some(1e-9) },
-    Named { name: "Dopri5", make: Integrator::Dopri5, tolerance: Some(1e-8) },
-    Named { name: "RadauIia5", make: Integrator::RadauIia5, tolerance: Some(1e-8) },
-    Named { name: "Rk4", make: Integrator::Rk4, tolerance: None },
-    Named { name: "SemiImplicitEuler", make: Integrator::SemiImplicitEuler, tolerance: None },
-    Named { name: "Gauss2", make: Integrator::Gauss2, tolerance: None },
-    Named { name: "Gauss3", make: Integrator::Gauss3, tolerance: None },
-    Named { name: "Ros34Pw2", make: Integrator::Ros34Pw2, tolerance: None },
-];
 
 impl FromStr for Integrator {
     type Err = BadOption;
 
     fn from_str(text: &str) -> Result<Self, BadOption> {
         let (name, number) = text.split_once(':').map_or((text, None), |(name, number)| (name, Some(number)));
-        let Some(Named { name, make, tolerance }) =
+        let Some(Named { name, make, tolerance, .. }) =
             NAMED.iter().find(|known| known.name.eq_ignore_ascii_case(name))
         else {
             return Err(unknown(name));
@@ -120,9 +114,9 @@ impl Integrator {
         Some((known.name, known.tolerance.is_none()))
     }
 
-    /// A method by its place among all, with some tolerance or longest step.
-    pub(crate) fn at(place: usize) -> Option<Self> {
-        NAMED.get(place).map(|known| (known.make)(1e-3))
+    /// A method by its number in the catalogue, with some tolerance or longest step.
+    pub(crate) fn numbered(number: u64) -> Option<Self> {
+        NAMED.iter().find(|known| known.number == number).map(|known| (known.make)(1e-3))
     }
 
     /// A method with its tolerance or its longest step; none where there is no such method, or where it needs a step.
@@ -144,32 +138,22 @@ impl Integrator {
         let (held, x) = mechanism.start_state(time)?;
         Ok(self.of(M::State::new(mechanism, held, time, x)))
     }
+}
 
-    /// A run by this method that begins at a moment.
-    pub(crate) fn of<M>(self, state: M::State) -> AnySim<M>
-    where
-        M: Mechanism + Linear + System<S = f64>,
-    {
-        match self {
-            Self::Dop853(rtol) => AnySim::Dop853(Sim::new(state, Dop853::new(rtol))),
-            Self::Vern9(rtol) => AnySim::Vern9(Sim::new(state, Vern9::new(rtol))),
-            Self::Adams(rtol) => AnySim::Adams(Sim::new(state, Adams::new(rtol))),
-            Self::Dopri5(rtol) => AnySim::Dopri5(Sim::new(state, Dopri5::new(rtol))),
-            Self::RadauIia5(rtol) => AnySim::RadauIia5(Sim::new(state, RadauIia5::new(rtol))),
-            Self::Rk4(h) => AnySim::Rk4(Sim::new(state, Rk4::new(h))),
-            Self::SemiImplicitEuler(h) => {
-                AnySim::SemiImplicitEuler(Sim::new(state, SemiImplicitEuler::new(h)))
-            }
-            Self::Gauss2(h) => AnySim::Gauss2(Sim::new(state, Gauss::new(h))),
-            Self::Gauss3(h) => AnySim::Gauss3(Sim::new(state, Gauss::new(h))),
-            Self::Ros34Pw2(h) => AnySim::Ros34Pw2(Sim::new(state, Ros34Pw2::new(h))),
-        }
-    }
+/// Makes the names for help.
+#[cfg(any(feature = "view", test))]
+macro_rules! help {
+    (by_error { $a:ident $of_a:tt $($b:ident $of_b:tt)* } of_length { $c:ident $of_c:tt $($d:ident $of_d:tt)* }) => {
+        concat!(
+            stringify!($a), "[:TOLERANCE]" $(, ", ", stringify!($b))*, "; ",
+            stringify!($c), ":STEP" $(, ", ", stringify!($d))*
+        )
+    };
 }
 
 /// The names for help.
 #[cfg(any(feature = "view", test))]
-pub(crate) const METHODS: &str = "Dop853[:TOLERANCE], Vern9, Adams, Dopri5, RadauIia5; Rk4:STEP, SemiImplicitEuler, Gauss2, Gauss3, Ros34Pw2";
+pub(crate) const METHODS: &str = methods!(help);
 
 #[cfg(test)]
 mod tests {
@@ -179,11 +163,14 @@ mod tests {
 
     #[test]
     fn every_method_has_its_name() {
-        for known in &NAMED {
+        for known in NAMED {
             let text = std::format!("{}:2.5e-4", known.name.to_lowercase());
             assert_eq!(text.parse::<Integrator>().ok(), Some((known.make)(2.5e-4)), "{text}");
-            assert!(METHODS.contains(known.name), "{}", known.name);
         }
+        assert_eq!(
+            METHODS,
+            "Dop853[:TOLERANCE], Vern9, Adams, Dopri5, RadauIia5; Rk4:STEP, SemiImplicitEuler, Gauss2, Gauss3, Ros34Pw2"
+        );
     }
 
     #[test]

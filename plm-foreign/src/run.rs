@@ -1,37 +1,79 @@
 //! Runs by a method that is chosen while a program runs, among those that its library has.
 
-use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
 use plm_runtime::words::{InWords, Words};
-use plm_runtime::{Adams, Dop853, Dopri5, Fault, Method, Rk4, Scalar, SemiImplicitEuler, Sim, Vern9};
+use plm_runtime::{Fault, Method, Scalar, Sim};
 
 use crate::border::BlockBy;
 use crate::{Foreign, Status, Trouble};
 
-/// A method of integration.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(i32)]
-pub enum By {
-    /// [`Dop853`]
-    Dop853 = 0,
-    /// [`Vern9`]
-    Vern9 = 1,
-    /// [`Adams`]
-    Adams = 2,
-    /// [`Dopri5`]
-    Dopri5 = 3,
-    /// [`RadauIia5`]
-    RadauIia5 = 4,
-    /// [`Rk4`]
-    Rk4 = 5,
-    /// [`SemiImplicitEuler`]
-    SemiImplicitEuler = 6,
-    /// [`Gauss`] of two stages
-    Gauss2 = 7,
-    /// [`Gauss`] of three stages
-    Gauss3 = 8,
-    /// [`Ros34Pw2`]
-    Ros34Pw2 = 9,
+/// Makes the enumeration and what belongs to each method of the catalogue.
+macro_rules! methods {
+    (by_error { $($a:ident ($i:literal, $c:literal, $m:ty, $t:literal, $rtol:literal, $d:literal, $w:literal))* }
+     of_length { $($b:ident ($j:literal, $k:literal, $n:ty, $u:literal, $e:literal, $x:literal))* }) => {
+        /// A method of integration.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[repr(i32)]
+        pub enum By {
+            $(#[doc = $d] $a = $i,)*
+            $(#[doc = $e] $b = $j,)*
+        }
+
+        impl By {
+            /// All of them.
+            pub const ALL: [Self; [$($i,)* $($j,)*].len()] = [$(Self::$a,)* $(Self::$b,)*];
+
+            /// What it is called.
+            pub fn called(self) -> Called {
+                let (rust, c, kind, words) = match self {
+                    $(Self::$a => (stringify!($a), $c, $t, $w),)*
+                    $(Self::$b => (stringify!($b), $k, $u, $x),)*
+                };
+                Called { rust, c, kind, words }
+            }
+
+            /// Bytes of an object with runs by this method alone, and what its address is a multiple of.
+            pub(crate) fn room<M: Foreign>(self) -> (usize, usize) {
+                fn of<M: Foreign, I: Chosen<M>>() -> (usize, usize) {
+                    (BlockBy::<M, Sim<M, I>>::SIZE, BlockBy::<M, Sim<M, I>>::ALIGN)
+                }
+                match self {
+                    $(Self::$a => of::<M, $m>(),)*
+                    $(Self::$b => of::<M, $n>(),)*
+                }
+            }
+        }
+
+        $(impl<M: Foreign> Chosen<M> for $m {
+            const BY: By = By::$a;
+
+            fn of(choice: &Choice) -> Self {
+                let mut method = Self::default();
+                Chosen::<M>::take(&mut method, choice);
+                method
+            }
+
+            fn take(&mut self, choice: &Choice) {
+                let own = Self::default().rtol;
+                self.rtol = if choice.rtol.is_nan() { own } else { M::S::lit(choice.rtol) };
+                self.longest_step = M::S::lit(choice.longest_step);
+            }
+        })*
+
+        $(impl<M: Foreign> Chosen<M> for $n {
+            const BY: By = By::$b;
+
+            fn of(choice: &Choice) -> Self {
+                Self::new(M::S::lit(choice.longest_step))
+            }
+
+            fn take(&mut self, choice: &Choice) {
+                self.longest_step = M::S::lit(choice.longest_step);
+            }
+        })*
+    };
 }
+
+plm_runtime::methods!(methods);
 
 /// What a method is called.
 pub struct Called {
@@ -46,75 +88,6 @@ pub struct Called {
 }
 
 impl By {
-    /// All of them, in the order of their numbers.
-    pub const ALL: [Self; 10] = [
-        Self::Dop853,
-        Self::Vern9,
-        Self::Adams,
-        Self::Dopri5,
-        Self::RadauIia5,
-        Self::Rk4,
-        Self::SemiImplicitEuler,
-        Self::Gauss2,
-        Self::Gauss3,
-        Self::Ros34Pw2,
-    ];
-
-    /// What it is called.
-    pub fn called(self) -> Called {
-        let (rust, c, kind, words) = match self {
-            Self::Dop853 => ("Dop853", "DOP853", "Dop853<OWN>", "order 8, steps by their error"),
-            Self::Vern9 => ("Vern9", "VERN9", "Vern9<OWN>", "order 9, steps by their error"),
-            Self::Adams => ("Adams", "ADAMS", "Adams<OWN>", "order 1 to 13, steps by their error"),
-            Self::Dopri5 => ("Dopri5", "DOPRI5", "Dopri5<OWN>", "order 5, steps by their error"),
-            Self::RadauIia5 => (
-                "RadauIia5",
-                "RADAU_IIA5",
-                "RadauIia5<OWN>",
-                "order 5, steps by their error, for what is stiff",
-            ),
-            Self::Rk4 => ("Rk4", "RK4", "Rk4<REAL>", "order 4, steps of fixed length"),
-            Self::SemiImplicitEuler => (
-                "SemiImplicitEuler",
-                "SEMI_IMPLICIT_EULER",
-                "SemiImplicitEuler<REAL>",
-                "order 1, steps of fixed length",
-            ),
-            Self::Gauss2 => {
-                ("Gauss2", "GAUSS2", "Gauss<OWN, 2>", "order 4, symplectic, steps of fixed length")
-            }
-            Self::Gauss3 => {
-                ("Gauss3", "GAUSS3", "Gauss<OWN, 3>", "order 6, symplectic, steps of fixed length")
-            }
-            Self::Ros34Pw2 => (
-                "Ros34Pw2",
-                "ROS34PW2",
-                "Ros34Pw2<REAL>",
-                "order 3, steps of fixed length, for what is stiff",
-            ),
-        };
-        Called { rust, c, kind, words }
-    }
-
-    /// Bytes of an object with runs by this method alone, and what its address is a multiple of.
-    pub(crate) fn room<M: Foreign>(self) -> (usize, usize) {
-        fn of<M: Foreign, I: Chosen<M>>() -> (usize, usize) {
-            (BlockBy::<M, Sim<M, I>>::SIZE, BlockBy::<M, Sim<M, I>>::ALIGN)
-        }
-        match self {
-            Self::Dop853 => of::<M, Dop853<M>>(),
-            Self::Vern9 => of::<M, Vern9<M>>(),
-            Self::Adams => of::<M, Adams<M>>(),
-            Self::Dopri5 => of::<M, Dopri5<M>>(),
-            Self::RadauIia5 => of::<M, RadauIia5<M>>(),
-            Self::Rk4 => of::<M, Rk4<M::S>>(),
-            Self::SemiImplicitEuler => of::<M, SemiImplicitEuler<M::S>>(),
-            Self::Gauss2 => of::<M, Gauss<M, 2>>(),
-            Self::Gauss3 => of::<M, Gauss<M, 3>>(),
-            Self::Ros34Pw2 => of::<M, Ros34Pw2<M::S>>(),
-        }
-    }
-
     /// The method with this number.
     ///
     /// # Errors
@@ -155,53 +128,6 @@ pub trait Chosen<M: Foreign>: Method<M> + InWords {
 
     /// Takes other options.
     fn take(&mut self, choice: &Choice);
-}
-
-/// Methods that choose their steps by an error.
-macro_rules! by_error {
-    ($($method:ident)*) => {$(
-        impl<M: Foreign> Chosen<M> for $method<M> {
-            const BY: By = By::$method;
-
-            fn of(choice: &Choice) -> Self {
-                let mut method = Self::default();
-                Chosen::<M>::take(&mut method, choice);
-                method
-            }
-
-            fn take(&mut self, choice: &Choice) {
-                let own = Self::default().rtol;
-                self.rtol = if choice.rtol.is_nan() { own } else { M::S::lit(choice.rtol) };
-                self.longest_step = M::S::lit(choice.longest_step);
-            }
-        }
-    )*};
-}
-
-/// Methods with steps of fixed length.
-macro_rules! of_length {
-    ($($by:ident $method:ty;)*) => {$(
-        impl<M: Foreign> Chosen<M> for $method {
-            const BY: By = By::$by;
-
-            fn of(choice: &Choice) -> Self {
-                Self::new(M::S::lit(choice.longest_step))
-            }
-
-            fn take(&mut self, choice: &Choice) {
-                self.longest_step = M::S::lit(choice.longest_step);
-            }
-        }
-    )*};
-}
-
-by_error!(Dop853 Vern9 Adams Dopri5 RadauIia5);
-of_length! {
-    Rk4 Rk4<M::S>;
-    SemiImplicitEuler SemiImplicitEuler<M::S>;
-    Gauss2 Gauss<M, 2>;
-    Gauss3 Gauss<M, 3>;
-    Ros34Pw2 Ros34Pw2<M::S>;
 }
 
 /// A run by one of several methods.

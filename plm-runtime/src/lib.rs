@@ -38,6 +38,7 @@
 pub mod absolute;
 mod axes;
 mod body;
+mod catalogue;
 pub mod charts;
 #[doc(hidden)]
 pub mod compact;

@@ -59,14 +59,14 @@ impl<M: Runnable> InWords for Saved<M> {
     }
 }
 
-/// The method's place among all, then the run by it. What is read into a run by another method becomes one by that.
+/// The method's number in the catalogue, then the run by it. What is read into a run by another method becomes one by that.
 impl<M: Runnable> InWords for AnySim<M> {
     fn each(&mut self, words: &mut impl Words) {
-        let own = self.place();
-        let mut place = own as u64;
-        words.word(&mut place);
-        let read = usize::try_from(place).ok().filter(|place| *place != own);
-        if let Some(method) = read.and_then(Integrator::at) {
+        let own = self.number();
+        let mut number = own;
+        words.word(&mut number);
+        let read = Some(number).filter(|number| *number != own);
+        if let Some(method) = read.and_then(Integrator::numbered) {
             *self = method.of(*self.state());
         }
         self.show(words);

@@ -8,6 +8,7 @@ use plm_runtime::{Dop853, Fault, Mechanism, Method, Moment, Real, Rk4, Seen, Sem
 
 use super::Exchanged;
 use super::mode::place;
+use crate::By;
 
 /// A method of co-simulation; its number is its place from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,12 +56,13 @@ impl Choice {
 
     /// Its name, and what it is.
     pub fn words(self) -> (&'static str, &'static str) {
+        let by = |by: By, what| (by.called().rust, what);
         match self {
-            Self::Dop853 => ("Dop853", "order 8, steps by error control"),
-            Self::RadauIia5 => ("RadauIia5", "order 5, for stiff equations, steps by error control"),
-            Self::Rk4 => ("Rk4", "order 4, steps of plm(step) at most"),
-            Self::SemiImplicitEuler => ("SemiImplicitEuler", "order 1, steps of plm(step) at most"),
-            Self::Ros34Pw2 => ("Ros34Pw2", "order 3, for stiff equations, steps of plm(step) at most"),
+            Self::Dop853 => by(By::Dop853, "order 8, steps by error control"),
+            Self::RadauIia5 => by(By::RadauIia5, "order 5, for stiff equations, steps by error control"),
+            Self::Rk4 => by(By::Rk4, "order 4, steps of plm(step) at most"),
+            Self::SemiImplicitEuler => by(By::SemiImplicitEuler, "order 1, steps of plm(step) at most"),
+            Self::Ros34Pw2 => by(By::Ros34Pw2, "order 3, for stiff equations, steps of plm(step) at most"),
             Self::StepRk4 => ("step_rk4", "as emitted by emit: step(rk4)"),
             Self::StepSemiImplicitEuler => {
                 ("step_semi_implicit_euler", "as emitted by emit: step(semi_implicit_euler)")
