@@ -47,37 +47,30 @@ pub use plm_runtime::{
 };
 #[cfg(any(feature = "view", all(feature = "foreign", feature = "analysis")))]
 mod any_sim;
-#[cfg(feature = "analysis")]
-mod auto;
 #[cfg(doctest)]
 mod book;
 #[cfg(any(feature = "view", all(feature = "foreign", feature = "analysis")))]
 mod integrator;
 #[cfg(feature = "lanes")]
 mod lanes;
-#[cfg(feature = "analysis")]
-mod linearise;
 #[cfg(feature = "std")]
 pub mod live;
 #[cfg(any(feature = "view", all(feature = "foreign", feature = "analysis")))]
 mod mistake;
 #[cfg(all(feature = "foreign", feature = "analysis"))]
 pub mod python;
-#[cfg(feature = "analysis")]
-mod stabilise;
 #[cfg(feature = "std")]
 mod starts;
 
-#[cfg(feature = "analysis")]
-pub use auto::{Auto, Choice, Pace, StartAuto};
 #[cfg(feature = "lanes")]
 pub use lanes::{Batch, F64x8};
 #[cfg(feature = "analysis")]
-pub use linearise::{Linearisable, Linearisation, Mode, linearise};
+pub use plm_analysis::{
+    Auto, Change, Choice, Equilibrium, Freedom, Linearisable, Linearisation, Mode, Pace, Residual, Stabilise,
+    StartAuto, Unbalanced, What, linearise, stabilise,
+};
 #[cfg(feature = "batch")]
 pub use plm_study::{batch, study};
-#[cfg(feature = "analysis")]
-pub use stabilise::{Change, Equilibrium, Freedom, Residual, Stabilise, Unbalanced, What, stabilise};
 #[cfg(feature = "std")]
 pub use starts::{BadStarts, StartProblem, read_starts};
 

@@ -10,6 +10,7 @@ mod words;
 
 use std::boxed::Box;
 
+use plm_analysis::Linearisable;
 use plm_foreign::{Foreign, Kind, Status, Trouble};
 use plm_runtime::held::Discrete;
 use plm_runtime::{Fault, Method, Moment, Sim, StartValues, System};
@@ -17,7 +18,6 @@ use plm_runtime::{Fault, Method, Moment, Sim, StartValues, System};
 use self::record::Recorded;
 use crate::any_sim::{AnySim, OnSim};
 pub use crate::integrator::Integrator;
-use crate::linearise::Linearisable;
 use crate::live::by_number;
 pub use crate::mistake::BadOption;
 pub use method::method;

@@ -2,12 +2,11 @@
 
 use std::vec::Vec;
 
-use nalgebra::DMatrix;
+use plm_analysis::{DMatrix, Derivatives, Linearisation, derivatives, linearise};
 use plm_runtime::events::switch_where_due;
 use plm_runtime::{Cause, Fault, Moment, Start, StartValues, Vector};
 
 use super::{Put, Run, Runnable};
-use crate::linearise::{Derivatives, Linearisation, derivatives, linearise};
 
 /// Parts of a number by which a state that loops are closed at may differ from the one that was asked for: it is closed to rounding,
 /// which a pose near a flat one makes larger.

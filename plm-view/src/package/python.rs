@@ -14,7 +14,7 @@ type Built = (String, Vec<u8>);
 type Texts = [(String, String)];
 
 /// What of plm is compiled for a package.
-const FOLDERS: [&str; 4] = ["src", "plm-macros", "plm-runtime", "plm-foreign"];
+const FOLDERS: [&str; 5] = ["src", "plm-macros", "plm-runtime", "plm-analysis", "plm-foreign"];
 const FILES: [&str; 4] = ["Cargo.toml", "README.md", "LICENSE-APACHE", "LICENSE-MIT"];
 /// Packages of plm that no mechanism needs in Python, and the features that want them.
 const PACKAGES_LEFT_OUT: [&str; 3] = ["plm-sketch", "plm-study", "plm-view"];

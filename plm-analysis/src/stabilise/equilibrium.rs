@@ -1,7 +1,6 @@
 //! An equilibrium, or how near to one a search has come.
 
 use std::fmt;
-use std::vec::Vec;
 
 use plm_runtime::{Dop853, Fault, Method, Sim, Statics};
 

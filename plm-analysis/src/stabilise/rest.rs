@@ -1,7 +1,5 @@
 //! A mechanism at rest as vectors and matrices: values and exact derivatives of what must vanish.
 
-use std::vec::Vec;
-
 use nalgebra::{DMatrix, DVector};
 use plm_runtime::{Dual, Fault, Linear, Moment, Statics, Vector};
 

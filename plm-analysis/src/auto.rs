@@ -2,12 +2,11 @@
 
 use std::fmt;
 
-use plm_runtime::method::{Context, Path};
+use plm_runtime::method::{Context, Path, RadauIia5};
 use plm_runtime::system::Drift;
 use plm_runtime::{Adams, Dop853, Fault, Linear, Method, Moment, Sim, System, Vector, Vern9};
 
 use crate::linearise::{Linearisable, Mode, linearise};
-use crate::runtime::method::RadauIia5;
 
 /// How many times faster than the motion that is followed something has to die out until the stiff method costs less.
 ///

@@ -1,7 +1,6 @@
 //! A mechanism near a state as a linear system: matrices, eigenvalues, damping, frequencies.
 
 use std::fmt;
-use std::vec::Vec;
 
 use nalgebra::{Complex, DMatrix};
 use plm_runtime::linalg::Dense;
@@ -132,15 +131,15 @@ where
 }
 
 /// Derivatives at a state in all its coordinates, velocities and first-order states.
-pub(crate) struct Derivatives {
+pub struct Derivatives {
     /// Of the rates by the states.
-    pub(crate) a: DMatrix<f64>,
+    pub a: DMatrix<f64>,
     /// Of the rates by the inputs.
-    pub(crate) b: DMatrix<f64>,
+    pub b: DMatrix<f64>,
     /// Of the outputs, in their units, by the states.
-    pub(crate) c: DMatrix<f64>,
+    pub c: DMatrix<f64>,
     /// Of the outputs, in their units, by the inputs.
-    pub(crate) d: DMatrix<f64>,
+    pub d: DMatrix<f64>,
     /// Of what must vanish by the states.
     constraints: DMatrix<f64>,
 }
@@ -149,7 +148,7 @@ pub(crate) struct Derivatives {
 ///
 /// # Errors
 /// As [`linearise`].
-pub(crate) fn derivatives<T>(state: &T) -> Result<Derivatives, Fault>
+pub fn derivatives<T>(state: &T) -> Result<Derivatives, Fault>
 where
     T: Moment<M: Linearisable<State = T>>,
 {

@@ -4,8 +4,6 @@
 //! have to give, and states that are free come to rest; locks need no force, and states that are locked, or that nothing
 //! reads, come to rest by themselves. Of all steps that do so the shortest is taken.
 
-use std::vec::Vec;
-
 use nalgebra::{DMatrix, DVector};
 
 use super::Stabilise;

@@ -1,8 +1,6 @@
 //! What was found, in words that name it.
 
 use std::fmt;
-use std::string::{String, ToString};
-use std::vec::Vec;
 
 use nalgebra::{DMatrix, DVector};
 use plm_runtime::Statics;
@@ -225,7 +223,7 @@ impl<M: Stabilise> Found<'_, M> {
         let residual = |i: usize| {
             let (name, unit) = M::STATES.get(i).copied().unwrap_or_default();
             let what = if self.task.locks.x[i] { What::LockedState } else { What::State };
-            let unit = if unit == "no unit" { "1/s".into() } else { std::format!("{unit}/s") };
+            let unit = if unit == "no unit" { "1/s".into() } else { format!("{unit}/s") };
             Residual { name: name.into(), what, value: rate[i], unit }
         };
         moving.map(residual).collect()
@@ -275,7 +273,7 @@ fn groups(projector: &DMatrix<f64>) -> Vec<Vec<usize>> {
     let mut left: Vec<usize> = (0..projector.nrows()).filter(|i| projector[(*i, *i)] > PART * PART).collect();
     let mut groups = Vec::new();
     while let Some(first) = left.first().copied() {
-        let mut group = std::vec![first];
+        let mut group = vec![first];
         let mut seen = 0;
         while let Some(of) = group.get(seen).copied() {
             let joins = |i: &usize| !group.contains(i) && projector[(of, *i)].abs() > PART * PART;

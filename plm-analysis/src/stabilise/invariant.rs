@@ -6,8 +6,6 @@
 //! Examples are the force of a spring that integrates its speed, and the pressure of a closed chamber. The way to an equilibrium
 //! is no motion in time, but it is a way all the same: dx/ds = r(q, x) dq/ds is integrated along it.
 
-use std::vec::Vec;
-
 use nalgebra::{DMatrix, DVector};
 
 use super::Stabilise;
@@ -26,8 +24,8 @@ const REACH: f64 = 100.0;
 /// Which states follow the coordinates: their rate vanishes at rest whatever coordinates, states and multipliers are, and is
 /// linear in the velocities.
 pub(super) fn following<M: Stabilise>(rest: &Rest<M>, start: &Point, scales: &Scales) -> Vec<bool> {
-    let mut follows = std::vec![true; Rest::<M>::NX];
-    let mut moves = std::vec![false; Rest::<M>::NX];
+    let mut follows = vec![true; Rest::<M>::NX];
+    let mut moves = vec![false; Rest::<M>::NX];
     let mut fractions = Fractions(0.0);
     for probe in 0..PROBES {
         let reach = if probe == 0 { 0.0 } else { REACH };
@@ -51,7 +49,7 @@ pub(super) fn following<M: Stabilise>(rest: &Rest<M>, start: &Point, scales: &Sc
 
 /// Which states nothing reads, neither forces nor rates: integrals that somebody wants to see.
 pub(super) fn unread<M: Stabilise>(rest: &Rest<M>, start: &Point, scales: &Scales) -> Vec<bool> {
-    let mut unread = std::vec![true; Rest::<M>::NX];
+    let mut unread = vec![true; Rest::<M>::NX];
     let mut fractions = Fractions(0.0);
     for probe in 0..PROBES {
         let reach = if probe == 0 { 0.0 } else { REACH };

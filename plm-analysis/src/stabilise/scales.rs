@@ -1,7 +1,5 @@
 //! One of each unknown and of each residual: a millimetre, a milliradian, a bar, a typical force.
 
-use std::vec::Vec;
-
 use nalgebra::DVector;
 use plm_runtime::{Start, StartValues, Statics};
 

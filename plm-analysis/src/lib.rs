@@ -1,0 +1,16 @@
+//! A mechanism near a state: linearised ([`linearise()`]), at an equilibrium ([`stabilise()`]), run by a method that is chosen by
+//! eigenvalues ([`Auto`]).
+//!
+//! `plm` has all of it behind the feature `analysis`.
+
+mod auto;
+mod linearise;
+mod stabilise;
+
+pub use auto::{Auto, Choice, Pace, StartAuto};
+#[doc(hidden)]
+pub use linearise::{Derivatives, derivatives};
+pub use linearise::{Linearisable, Linearisation, Mode, linearise};
+#[doc(hidden)]
+pub use nalgebra::DMatrix;
+pub use stabilise::{Change, Equilibrium, Freedom, Residual, Stabilise, Unbalanced, What, stabilise};
