@@ -1,18 +1,13 @@
 //! A mechanism that is run from outside, by number: parameters are turned, bodies are pulled while it moves, starts are set by
 //! hand. A page holds it as WebAssembly; what it computes is what every other run computes, to the bit.
 
-pub(crate) mod by_number;
-
-use plm_runtime::statics::Statics;
-use std::fmt::Write;
+use std::borrow::ToOwned;
 use std::string::{String, ToString};
 use std::vec::Vec;
-use std::{borrow::ToOwned, format};
 
-use plm_runtime::{Cause, Described, Fault, Mechanism, Moment, Sim, Start, StartValues};
-
-/// What a part and an input are called through which a body is pulled; its number goes behind.
-const PULL: &str = "plm_pull_";
+use plm_runtime::described::by_number::{self, SizeNames};
+use plm_runtime::described::pulls::{WithPulls, pull_input};
+use plm_runtime::{Cause, Described, Fault, Mechanism, Moment, Sim, Start, StartValues, Statics};
 
 /// Why nothing moves.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,23 +38,7 @@ pub struct Live<M: Mechanism> {
 /// A declaration to which an input of force and torque at the centre of gravity of each body is added, three for each:
 /// `plm_pull_0_x`, `plm_pull_0_y` (N), `plm_pull_0_turn` (N*m). Where they are zero, what moves is the same but for rounding.
 pub fn with_pulls(declaration: &str, bodies: &[&str]) -> String {
-    let Some((head, _)) = declaration.trim_end().rsplit_once('}') else { return declaration.to_owned() };
-    let mut text = head.to_owned();
-    text.push_str(
-        "\npart plm_pull(a: body) { input x: N = 0; input y: N = 0; input turn: N*m = 0; force on a: (x, y); torque on a: turn; }\n",
-    );
-    for (k, body) in bodies.iter().enumerate() {
-        let name = format!("{PULL}{k}");
-        let _ = writeln!(text, "input {name}_x: N = 0; input {name}_y: N = 0; input {name}_turn: N*m = 0;");
-        let _ = writeln!(text, "plm_pull {name}({body}) {{ x: {name}_x; y: {name}_y; turn: {name}_turn; }}");
-    }
-    text.push_str("}\n");
-    text
-}
-
-/// The input through which a body is pulled: `x`, `y` or `turn`.
-pub(crate) fn pull_input(body: usize, suffix: &str) -> String {
-    format!("{PULL}{body}_{suffix}")
+    WithPulls { declaration, bodies }.to_string()
 }
 
 impl<M: Described<S = f64> + Statics> Live<M> {
@@ -145,7 +124,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     pub fn read(&mut self) -> &[f64] {
         self.numbers.clear();
         match &self.sim {
-            Some(sim) => by_number::moment::<M>(sim.state(), &mut self.numbers),
+            Some(sim) => by_number::moment::<M>(sim.state(), &mut |number| self.numbers.push(number)),
             None => self.read_starts(),
         }
         &self.numbers
@@ -168,13 +147,13 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     /// [`size_names`](Self::size_names), 0 where none was given.
     pub fn shape(&mut self) -> &[f64] {
         self.shape.clear();
-        by_number::shape(&self.mechanism, &mut self.shape);
+        by_number::shape(&self.mechanism, &mut |number| self.shape.push(number));
         &self.shape
     }
 
     /// The parts that have sizes, a line each: the name of the part, and those of its sizes, with blanks between.
     pub fn size_names() -> String {
-        by_number::size_names::<M>()
+        SizeNames::of::<M>().to_string()
     }
 
     /// A parameter, SI; not a number beyond the last.
@@ -216,8 +195,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         let Some(pose) = self.sim.as_ref().and_then(|sim| M::pose(sim.state(), body)) else { return };
         let turn = (x - pose.x) * fy - (y - pose.y) * fx;
         for (suffix, value) in [("x", fx), ("y", fy), ("turn", turn)] {
-            let name = pull_input(body, suffix);
-            if let Some(index) = M::INPUTS.iter().position(|(input, _)| *input == name) {
+            if let Some(index) = pull_input::<M>(body, suffix) {
                 self.set_input(index, value);
             }
         }

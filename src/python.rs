@@ -12,13 +12,13 @@ use std::boxed::Box;
 
 use plm_analysis::Linearisable;
 use plm_foreign::{Foreign, Kind, Status, Trouble};
+use plm_runtime::described::by_number;
 use plm_runtime::held::Discrete;
 use plm_runtime::{Fault, Method, Moment, Sim, StartValues, System};
 
 use self::record::Recorded;
 use crate::any_sim::{AnySim, OnSim};
 pub use crate::integrator::Integrator;
-use crate::live::by_number;
 pub use crate::mistake::BadOption;
 pub use method::method;
 pub use record::Record;

@@ -10,13 +10,12 @@ use std::vec::Vec;
 
 use plm_foreign::By;
 use plm_foreign::fmi::Version;
-use plm_runtime::described::Quantity;
+use plm_runtime::described::{Quantity, by_number};
 use plm_runtime::{AsMoment, Described, Method, Moment, Sim, Statics};
 
 use super::arguments::{Arguments, Known};
 use super::recorder::Recorder;
 use crate::integrator::{Integrator, METHODS, unknown};
-use crate::live::by_number;
 use crate::mistake::{BadOption, nearest};
 
 /// What is asked for on the command line.

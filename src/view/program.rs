@@ -4,13 +4,14 @@ use std::boxed::Box;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::string::String;
+use std::string::{String, ToString};
 use std::time::Instant;
 use std::vec::Vec;
 use std::{eprintln, format, println};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use plm_foreign::fmi::Exchanged;
+use plm_runtime::described::pulls::WithPulls;
 use plm_runtime::{Described, Fault, Method, Moment, Sim, Statics};
 use plm_view::live::Module;
 use plm_view::{Chart, Page, Recording, Results};
@@ -22,7 +23,6 @@ use super::recorder::Recorder;
 use super::server::Server;
 use super::wheel::wheel;
 use crate::any_sim::OnSim;
-use crate::live::with_pulls;
 
 /// A run of a mechanism as its command line asks for it.
 ///
@@ -247,7 +247,7 @@ fn page<M: Described<S = f64>>(options: &Options, recording: &Recording) -> Resu
         return Ok(page);
     }
     let bodies: Vec<&str> = M::TABLES.bodies.iter().map(|body| body.name).collect();
-    let declaration: String = with_pulls(M::DECLARATION, &bodies);
+    let declaration = WithPulls { declaration: M::DECLARATION, bodies: &bodies }.to_string();
     let module = Module {
         name: M::TABLES.name,
         declaration: &declaration,

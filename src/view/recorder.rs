@@ -6,13 +6,12 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use plm_runtime::described::Quantity;
+use plm_runtime::described::{Quantity, by_number};
 use plm_runtime::sim::Seen;
 use plm_runtime::{AsMoment, Described, Fault, Method, Moment, Scalar, Sim, System};
 use plm_view::{Column, Recording, Row};
 
 use super::described::{mechanism, numbers};
-use crate::live::by_number;
 
 /// Takes poses and quantities of a mechanism while it runs: at communication points, before and after what switches, and at
 /// every internal step if asked.

@@ -8,12 +8,12 @@ use std::thread;
 use std::time::{Duration, Instant};
 use std::vec::Vec;
 
+use plm_runtime::described::by_number::{self, SizeNames};
+use plm_runtime::described::pulls::pull_input;
 use plm_runtime::{AsMoment, Described, Fault, Method, Moment, Sim, Statics};
 use plm_view::serve::{Host, Message, Pull};
 
 use super::recorder::Recorder;
-use crate::live::by_number;
-use crate::live::pull_input;
 
 /// A page served to browsers on this machine, for a loop of the user's own: hardware, a controller.
 ///
@@ -78,7 +78,7 @@ impl<M: Described<S = f64> + Statics> Server<M> {
     pub fn start<I: Method<M>>(sim: &Sim<M, I>, port: u16) -> io::Result<Self> {
         let mut described = Recorder::observing_all(sim).into_recording();
         described.about.method = String::from("served by a program");
-        let pulls = M::INPUTS.iter().any(|(name, _)| *name == pull_input(0, "x"));
+        let pulls = pull_input::<M>(0, "x").is_some();
         let host = Host::start(&described, port, pulls)?;
         let mut server = Self {
             host,
@@ -105,7 +105,7 @@ impl<M: Described<S = f64> + Statics> Server<M> {
     pub fn show(&mut self, of: &impl AsMoment<State = M::State>) {
         let state = of.as_moment();
         self.numbers.clear();
-        by_number::moment::<M>(state, &mut self.numbers);
+        by_number::moment::<M>(state, &mut |number| self.numbers.push(number));
         self.host.row(&self.numbers);
         if self.goal.is_some_and(|goal| state.time() >= goal) {
             self.goal = None;
@@ -239,7 +239,7 @@ impl<M: Described<S = f64> + Statics> Server<M> {
     fn begin<I: Method<M>>(&mut self, sim: &Sim<M, I>) {
         self.goal = None;
         self.numbers.clear();
-        by_number::moment::<M>(sim.state(), &mut self.numbers);
+        by_number::moment::<M>(sim.state(), &mut |number| self.numbers.push(number));
         self.host.began(&self.numbers, true);
         self.end_trouble();
         self.tell_settings(sim);
@@ -255,9 +255,9 @@ impl<M: Described<S = f64> + Statics> Server<M> {
         let (parameters, inputs) = (0..M::TABLES.parameters.len(), 0..M::INPUTS.len());
         let parameters = parameters.map(|k| state.mechanism().parameter(k).unwrap_or(f64::NAN));
         let inputs = inputs.map(|k| by_number::input::<M>(state, k).unwrap_or(f64::NAN));
-        by_number::shape(state.mechanism(), &mut shape);
+        by_number::shape(state.mechanism(), &mut |number| shape.push(number));
         let (parameters, inputs): (Vec<_>, Vec<_>) = (parameters.collect(), inputs.collect());
-        self.host.settings(&parameters, &inputs, (&shape, &by_number::size_names::<M>()));
+        self.host.settings(&parameters, &inputs, (&shape, &SizeNames::of::<M>().to_string()));
     }
 
     fn set_running(&mut self, runs: bool) {
@@ -276,8 +276,7 @@ fn pull_by<M: Described<S = f64>, I: Method<M>>(sim: &mut Sim<M, I>, pull: &Pull
 
 fn set_wrench<M: Described<S = f64>, I: Method<M>>(sim: &mut Sim<M, I>, body: usize, wrench: [f64; 3]) {
     for (suffix, value) in ["x", "y", "turn"].into_iter().zip(wrench) {
-        let name = pull_input(body, suffix);
-        if let Some(index) = M::INPUTS.iter().position(|(input, _)| *input == name) {
+        if let Some(index) = pull_input::<M>(body, suffix) {
             by_number::set_input(sim, index, value);
         }
     }

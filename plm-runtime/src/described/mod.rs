@@ -4,6 +4,8 @@
 //! Names, units and who joins whom are constants, [`Described::TABLES`]. What parameters change is a function of the
 //! mechanism. Nothing of it is compiled where nobody asks.
 
+pub mod by_number;
+pub mod pulls;
 mod tables;
 
 pub use tables::{Body, Frame, GroundPort, Motion, Part, Quantity, Reads, Report, Tables};

@@ -1,0 +1,169 @@
+//! Reading a mechanism and setting it by number, for programs that do not know its names.
+
+use core::fmt;
+
+use super::{Described, Part, Place, Quantity};
+use crate::mechanism::Moment;
+use crate::method::Method;
+use crate::sim::Sim;
+use crate::start::{Start, StartValues};
+use crate::statics::Statics;
+
+/// What each observed quantity is shown in: the declared output of its name in its unit, or SI where there is none.
+pub fn shown<M: Described>() -> impl Iterator<Item = Option<(usize, &'static Quantity)>> {
+    // Both lists are in the order of the declaration.
+    let mut declared = M::TABLES.outputs.iter().enumerate().peekable();
+    M::OBSERVED.iter().map(move |(name, _)| declared.next_if(|(_, output)| output.name == *name))
+}
+
+/// Gives `each` the numbers of a moment: the time (s); x, y, angle, vx, vy, omega of each body; x, y, angle of each port of the
+/// ground; all observed quantities, outputs in their declared units and the others in SI.
+pub fn moment<M: Described<S = f64>>(state: &M::State, each: &mut impl FnMut(f64)) {
+    each(state.time());
+    M::poses(state, &mut |pose| pose.components().into_iter().for_each(&mut *each));
+    for port in 0..M::TABLES.ground.len() {
+        let place = Place::components(state.mechanism().ground(state.time(), port));
+        place.into_iter().for_each(&mut *each);
+    }
+    for (k, output) in shown::<M>().enumerate() {
+        let value = M::observed(state, k).unwrap_or(f64::NAN);
+        // As the output itself is made, to the bit.
+        each(output.map_or(value, |(_, output)| value / output.factor));
+    }
+}
+
+/// Gives `each` what parameters change of bodies and ground, SI: of each body mass, moment of inertia, depth, place and angle of each
+/// port, the number of points of its contour, and these; of each port of the ground x, y and angle at time 0, and depth; the sizes of
+/// [`SizeNames`], 0 where none was given.
+pub fn shape<M: Described<S = f64>>(of: &M, each: &mut impl FnMut(f64)) {
+    let number = |number: Option<f64>| number.unwrap_or(f64::NAN);
+    for (k, body) in M::TABLES.bodies.iter().enumerate() {
+        [of.mass(k), of.inertia(k), of.depth(k)].map(number).into_iter().for_each(&mut *each);
+        for port in 0..body.ports.len() {
+            Place::components(of.port(k, port)).into_iter().for_each(&mut *each);
+        }
+        each(body.contour as f64);
+        for point in 0..body.contour {
+            of.contour(k, point).unwrap_or([f64::NAN; 2]).into_iter().for_each(&mut *each);
+        }
+    }
+    for k in 0..M::TABLES.ground.len() {
+        Place::components(of.ground(0.0, k)).into_iter().for_each(&mut *each);
+        each(number(of.ground_depth(k)));
+    }
+    for (k, part) in M::TABLES.parts.iter().enumerate() {
+        (0..part.sizes.len()).map(|size| number(of.size(k, size))).for_each(&mut *each);
+    }
+}
+
+/// The parts that have sizes, a line each: the name of the part, and those of its sizes, with blanks between.
+pub struct SizeNames(&'static [Part]);
+
+impl SizeNames {
+    /// Those of a mechanism.
+    pub fn of<M: Described>() -> Self {
+        Self(M::TABLES.parts)
+    }
+}
+
+impl fmt::Display for SizeNames {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sized = self.0.iter().filter(|part| !part.sizes.is_empty());
+        for (k, part) in sized.enumerate() {
+            write!(f, "{}{}", if k > 0 { "\n" } else { "" }, part.name)?;
+            part.sizes.iter().try_for_each(|size| write!(f, " {size}"))?;
+        }
+        Ok(())
+    }
+}
+
+/// So many start values are compared in one pass over them: there is no room for all.
+const PASS: usize = 64;
+
+/// Sets a parameter, SI, and the start values that are made of it; those that were set by hand stay. False if there is none
+/// with this index.
+pub fn set_parameter<M: Described<S = f64> + Statics>(mechanism: &mut M, index: usize, value: f64) -> bool {
+    let mut before = mechanism.declared_starts();
+    let is_known = mechanism.set_parameter(index, value);
+    let mut after = mechanism.declared_starts();
+    let (mut first, mut count) = (0, PASS);
+    while count == PASS {
+        let mut declared = [(0.0, 0.0); PASS];
+        count = each_of(&mut before, first, &mut |k, start| declared[k].0 = start.value);
+        each_of(&mut after, first, &mut |k, start| declared[k].1 = start.value);
+        each_of(mechanism.starts_mut(), first, &mut |k, start| {
+            let (before, after) = declared[k];
+            if start.value == before {
+                start.value = after;
+            }
+        });
+        first += PASS;
+    }
+    is_known
+}
+
+/// Gives `each` the start values of one pass, and how many there are.
+fn each_of(
+    starts: &mut impl StartValues<f64>,
+    first: usize,
+    each: &mut impl FnMut(usize, &mut Start<f64>),
+) -> usize {
+    let (mut index, mut count) = (0_usize, 0);
+    starts.each(&mut |_, start| {
+        if let Some(place) = index.checked_sub(first).filter(|place| *place < PASS) {
+            each(place, start);
+            count += 1;
+        }
+        index += 1;
+    });
+    count
+}
+
+/// Sets a parameter in a run that goes on, SI.
+pub fn set_running_parameter<M, I>(sim: &mut Sim<M, I>, index: usize, value: f64)
+where
+    M: Described<S = f64> + Statics,
+    I: Method<M>,
+{
+    let state = sim.state();
+    let (mut mechanism, held, time, x) = (*state.mechanism(), state.held(), state.time(), *state.x());
+    set_parameter(&mut mechanism, index, value);
+    **sim = Moment::new(mechanism, held, time, x);
+}
+
+/// Sets all parameters of a run that goes on to those of a mechanism.
+pub fn set_parameters<M, I>(sim: &mut Sim<M, I>, mechanism: &M)
+where
+    M: Described<S = f64> + Statics,
+    I: Method<M>,
+{
+    for (index, value) in parameters(mechanism).enumerate() {
+        if sim.state().mechanism().parameter(index) != Some(value) {
+            set_running_parameter(sim, index, value);
+        }
+    }
+}
+
+/// All parameters, SI.
+pub fn parameters<M: Described<S = f64>>(mechanism: &M) -> impl Iterator<Item = f64> {
+    (0..).map_while(|index| mechanism.parameter(index))
+}
+
+/// An input of a run, SI.
+pub fn input<M: Described<S = f64>>(state: &M::State, index: usize) -> Option<f64> {
+    M::input(M::inputs(&mut state.held()), index).copied()
+}
+
+/// Sets an input of a run, SI; false if there is none with this index.
+pub fn set_input<M, I>(sim: &mut Sim<M, I>, index: usize, value: f64) -> bool
+where
+    M: Described<S = f64>,
+    I: Method<M>,
+{
+    let state = sim.state();
+    let (mechanism, mut held, time, x) = (*state.mechanism(), state.held(), state.time(), *state.x());
+    let Some(input) = M::input(M::inputs(&mut held), index) else { return false };
+    *input = value;
+    **sim = Moment::new(mechanism, held, time, x);
+    true
+}
