@@ -45,20 +45,12 @@ pub use plm_runtime::{
     Method, Moment, Names, Notice, Observed, Operations, Real, Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot,
     Start, Stats, System, Vern9, to_absolute, to_relative,
 };
-#[cfg(any(feature = "view", all(feature = "foreign", feature = "analysis")))]
-mod any_sim;
 #[cfg(doctest)]
 mod book;
-#[cfg(any(feature = "view", all(feature = "foreign", feature = "analysis")))]
-mod integrator;
 #[cfg(feature = "lanes")]
 mod lanes;
 #[cfg(feature = "std")]
 pub mod live;
-#[cfg(any(feature = "view", all(feature = "foreign", feature = "analysis")))]
-mod mistake;
-#[cfg(all(feature = "foreign", feature = "analysis"))]
-pub mod python;
 #[cfg(feature = "std")]
 mod starts;
 
@@ -74,8 +66,13 @@ pub use plm_study::{batch, study};
 #[cfg(feature = "std")]
 pub use starts::{BadStarts, StartProblem, read_starts};
 
+/// Results: recordings of runs, files, charts; what records a mechanism, and whole programs over one.
 #[cfg(feature = "view")]
-pub mod view;
+pub use plm_program as view;
+
+/// What a package of Python has of a mechanism: a run by number, by a method that is named, which can be ended on its way.
+#[cfg(all(feature = "foreign", feature = "analysis"))]
+pub use plm_python::run as python;
 
 /// For C and other languages: objects in memory of the caller, numbers by kind and index, errors as codes with a text.
 #[cfg(feature = "foreign")]

@@ -14,6 +14,7 @@ extern crate alloc;
 #[allow(unsafe_code, reason = "pointers of other languages")]
 pub mod border;
 mod cpp;
+mod declared;
 #[cfg(feature = "fmi")]
 pub mod fmi;
 pub mod header;
@@ -27,6 +28,7 @@ mod status;
 mod text;
 
 pub use cpp::cpp_header;
+pub use declared::declared;
 pub use header::header;
 pub use kind::Kind;
 pub use number::Number;

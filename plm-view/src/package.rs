@@ -2,7 +2,6 @@
 //!
 //! It stands in a folder of the caller's and is built again only where something changed.
 
-mod python;
 mod sealed;
 
 use std::ffi::OsString;
@@ -24,7 +23,7 @@ pub enum Output {
     Static,
     /// A shared library of this machine, fast.
     Shared,
-    /// The part of a wheel that is not Python: see [`Package::wheel`].
+    /// The part of a wheel that is not Python: `plm_python` builds it.
     Extension,
 }
 
@@ -53,6 +52,13 @@ pub struct Package<'a> {
 pub struct Unbuilt {
     what: &'static str,
     why: String,
+}
+
+impl Unbuilt {
+    /// What was not built, and why, in words.
+    pub fn new(what: &'static str, why: String) -> Self {
+        Self { what, why }
+    }
 }
 
 impl fmt::Debug for Unbuilt {
@@ -147,12 +153,18 @@ impl Package<'_> {
     }
 
     /// Writes it; what is as it was keeps its time.
-    fn write(&self, folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn write(&self, folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
         self.write_with(folder, &self.plm.display().to_string(), "")
     }
 
     /// Writes it with plm at a path, and further lines of its workspace.
-    fn write_with(
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn write_with(
         &self,
         folder: &Path,
         plm: &str,
@@ -197,8 +209,18 @@ pub fn version() -> String {
     std::env::var("CARGO_PKG_VERSION").unwrap_or_else(|_| "0.0.0".to_owned())
 }
 
+/// The folder of the package `plm-planar`: above this one in a checkout, beside it where cargo keeps sources of a registry.
+pub fn plm() -> PathBuf {
+    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let above = own.parent().unwrap_or(own);
+    let beside =
+        [concat!("plm-planar-", env!("CARGO_PKG_VERSION")), "plm-planar"].map(|name| above.join(name));
+    let found = beside.into_iter().find(|folder| folder.join("Cargo.toml").exists());
+    found.unwrap_or_else(|| above.to_owned())
+}
+
 /// A program that builds; what the caller's own build was told is not for it.
-fn command(program: OsString) -> Command {
+pub fn command(program: OsString) -> Command {
     let mut command = Command::new(program);
     for variable in [
         "RUSTFLAGS",

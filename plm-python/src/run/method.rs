@@ -1,12 +1,6 @@
 //! A method of integration in the words of Python.
 
-use std::borrow::ToOwned;
-use std::format;
-use std::string::String;
-use std::vec::Vec;
-
-use crate::integrator::Integrator;
-use crate::mistake::{BadOption, nearest};
+use plm_run::{BadOption, Integrator, nearest};
 
 /// Which method it is, and how exactly; also as on the command line, `rk4:1e-3`.
 ///
@@ -66,8 +60,6 @@ fn number_of_python(number: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use std::string::ToString;
-
     use super::{Integrator, method};
 
     #[test]

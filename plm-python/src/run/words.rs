@@ -1,9 +1,5 @@
 //! What went wrong, in the words of Python.
 
-use std::borrow::ToOwned;
-use std::format;
-use std::string::{String, ToString};
-
 use plm_runtime::{Cause, Fault};
 
 /// A fault with its time and its part. Words of the declaration stand in quotes of Python; what belongs to Rust is left out.

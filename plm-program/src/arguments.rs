@@ -1,15 +1,10 @@
 //! The words behind a program's name: what a table of options knows is taken, everything else is a mistake.
 
-use std::borrow::ToOwned;
 use std::ffi::OsString;
-use std::format;
 use std::str::FromStr;
-use std::string::{String, ToString};
-use std::vec::Vec;
 
 use lexopt::{Arg, Parser, ValueExt};
-
-use crate::mistake::{BadOption, nearest};
+use plm_run::{BadOption, nearest};
 
 /// An option that a program knows: a line of its help.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,10 +90,10 @@ pub struct Arguments {
     given: Vec<(&'static str, OsString)>,
 }
 
-impl From<lexopt::Error> for BadOption {
-    fn from(error: lexopt::Error) -> Self {
-        Self(error.to_string())
-    }
+/// A mistake that the parser of words finds.
+#[allow(clippy::needless_pass_by_value, reason = "as `map_err` hands it over")]
+fn of_words(error: lexopt::Error) -> BadOption {
+    BadOption::new(error.to_string())
 }
 
 impl Arguments {
@@ -120,7 +115,7 @@ impl Arguments {
     ) -> Result<Self, BadOption> {
         let mut arguments = Self { known: known.iter().copied().chain([HELP]).collect(), given: Vec::new() };
         let mut parser = Parser::from_args(words.into_iter().map(Into::into).collect::<Vec<OsString>>());
-        while let Some(word) = parser.next()? {
+        while let Some(word) = parser.next().map_err(of_words)? {
             let given = match word {
                 Arg::Short('h') => (HELP.name, OsString::new()),
                 Arg::Short(letter) => return Err(arguments.unknown(&format!("-{letter}"))),
@@ -173,7 +168,7 @@ impl Arguments {
     pub fn number<T: FromStr>(&self, name: &str) -> Result<Option<T>, BadOption> {
         let Some(text) = self.text(name)? else { return Ok(None) };
         let shown = self.known.iter().find(|known| known.name == name).map_or(name.to_owned(), Known::shown);
-        let wrong = |_| BadOption(format!("{shown}: `{text}` is not such a number"));
+        let wrong = |_| BadOption::new(format!("{shown}: `{text}` is not such a number"));
         text.parse().map(Some).map_err(wrong)
     }
 
@@ -208,7 +203,7 @@ impl Arguments {
         let near = nearest(word.trim_start_matches('-'), self.named().map(|known| known.name));
         let hint = near.map_or("there are".to_owned(), |name| format!("is `--{name}` meant? There are"));
         let what = if word.starts_with('-') { "option" } else { "place for a word" };
-        BadOption(format!("there is no {what} `{word}`; {hint}\n{}", self.table()))
+        BadOption::new(format!("there is no {what} `{word}`; {hint}\n{}", self.table()))
     }
 
     /// The options, without words by themselves.
@@ -225,20 +220,18 @@ fn value_of(known: &Known, parser: &mut Parser) -> Result<OsString, BadOption> {
     let behind =
         parser.try_raw_args().and_then(|words| words.peek().map(|word| word.to_string_lossy().into_owned()));
     match behind {
-        Some(word) if !word.starts_with("--") => Ok(parser.value()?),
-        _ => Err(BadOption(format!("{}: the value is missing", known.shown()))),
+        Some(word) if !word.starts_with("--") => parser.value().map_err(of_words),
+        _ => Err(BadOption::new(format!("{}: the value is missing", known.shown()))),
     }
 }
 
 fn text(value: &OsString) -> Result<String, BadOption> {
-    Ok(value.clone().string()?)
+    value.clone().string().map_err(of_words)
 }
 
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests")]
-
-    use std::string::ToString;
 
     use super::{Arguments, Known};
 

@@ -1,22 +1,17 @@
 //! The options that programs over a mechanism have in common.
 
-use std::borrow::ToOwned;
 use std::ffi::OsString;
-use std::format;
 use std::path::PathBuf;
 use std::str::FromStr;
-use std::string::String;
-use std::vec::Vec;
 
 use plm_foreign::By;
 use plm_foreign::fmi::Version;
+use plm_run::{BadOption, Integrator, METHODS, nearest, unknown};
 use plm_runtime::described::{Quantity, by_number};
 use plm_runtime::{AsMoment, Described, Method, Moment, Sim, Statics};
 
 use super::arguments::{Arguments, Known};
 use super::recorder::Recorder;
-use crate::integrator::{Integrator, METHODS, unknown};
-use crate::mistake::{BadOption, nearest};
 
 /// What is asked for on the command line.
 ///
@@ -204,24 +199,24 @@ impl Options {
         let files = ["view", "live", "csv", "svg", "out"];
         let of_a_run = ["serve", "until", "every", "set", "input", "method"];
         if let (true, Some(name)) = (self.serve.is_some(), among(&files)) {
-            return Err(BadOption(format!(
+            return Err(BadOption::new(format!(
                 "--serve shows a run that has no end and writes no file: without --{name}; the page saves results itself"
             )));
         }
         let run = among(&files).or_else(|| among(&of_a_run));
         if let (Some(built), Some(name)) = (among(&["c", "fmu", "python"]), run) {
-            return Err(BadOption(format!(
+            return Err(BadOption::new(format!(
                 "--{built} writes the mechanism as declared and runs nothing: without --{name}"
             )));
         }
         if self.own.flag("fmi") && self.fmu.is_none() {
-            return Err(BadOption("--fmi says which version --fmu FILE is for: with --fmu".into()));
+            return Err(BadOption::new("--fmi says which version --fmu FILE is for: with --fmu"));
         }
         if self.target.is_some() && self.c.is_none() {
-            return Err(BadOption("--target says what --c FOLDER is for: with --c".into()));
+            return Err(BadOption::new("--target says what --c FOLDER is for: with --c"));
         }
         if !self.methods.is_empty() && self.c.is_none() {
-            return Err(BadOption("--methods are those of --c FOLDER: with --c".into()));
+            return Err(BadOption::new("--methods are those of --c FOLDER: with --c"));
         }
         Ok(self)
     }
@@ -282,7 +277,7 @@ fn find(what: &str, name: &str, quantities: &[Quantity]) -> Result<(usize, f64),
     found.map(|(index, quantity)| (index, quantity.factor)).ok_or_else(|| {
         let near = nearest(name, quantities.iter().map(|quantity| quantity.name));
         let hint = near.map_or(String::new(), |near| format!(" is `{near}` meant?"));
-        BadOption(format!("there is no {what} `{name}`;{hint} {}", known(quantities)))
+        BadOption::new(format!("there is no {what} `{name}`;{hint} {}", known(quantities)))
     })
 }
 
@@ -309,7 +304,7 @@ pub(super) fn quantities_of<M: Described>() -> String {
 fn time(name: &str, given: &Arguments) -> Result<Option<f64>, BadOption> {
     let Some(word) = given.text(name)? else { return Ok(None) };
     let time = word.parse().ok().filter(|time| *time > 0.0 && f64::is_finite(*time));
-    let wrong = || BadOption(format!("--{name} wants a positive time in seconds, not `{word}`"));
+    let wrong = || BadOption::new(format!("--{name} wants a positive time in seconds, not `{word}`"));
     time.map(Some).ok_or_else(wrong)
 }
 
@@ -319,7 +314,7 @@ fn settings(name: &str, given: &Arguments) -> Result<Vec<(String, f64)>, BadOpti
         let (what, value) = word.split_once('=')?;
         Some((what.trim().to_owned(), value.trim().parse().ok()?))
     };
-    let wrong = |word: &str| BadOption(format!("--{name} wants NAME=NUMBER, not `{word}`"));
+    let wrong = |word: &str| BadOption::new(format!("--{name} wants NAME=NUMBER, not `{word}`"));
     given.texts(name)?.into_iter().map(|word| setting(word.clone()).ok_or_else(|| wrong(&word))).collect()
 }
 
@@ -328,7 +323,7 @@ fn version_of(word: &str) -> Result<Version, BadOption> {
     match word {
         "2" | "2.0" => Ok(Version::Two),
         "3" | "3.0" => Ok(Version::Three),
-        _ => Err(BadOption(format!("--fmi wants 2 or 3, not `{word}`"))),
+        _ => Err(BadOption::new(format!("--fmi wants 2 or 3, not `{word}`"))),
     }
 }
 
@@ -337,15 +332,12 @@ fn port_of(word: &str) -> Result<u16, BadOption> {
     if word.is_empty() {
         return Ok(0);
     }
-    word.parse().map_err(|_| BadOption(format!("--serve wants a port from 1 to 65535, not `{word}`")))
+    word.parse().map_err(|_| BadOption::new(format!("--serve wants a port from 1 to 65535, not `{word}`")))
 }
 
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests")]
-
-    use std::string::ToString;
-    use std::vec;
 
     use super::{By, Integrator, Options, Version};
 

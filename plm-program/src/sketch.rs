@@ -1,7 +1,5 @@
 //! A drawing of any mechanism.
 
-use std::vec::Vec;
-
 use plm_runtime::{AsMoment, Described, Moment, Scalar};
 use plm_sketch::Sketch;
 use plm_view::Mechanism;

@@ -1,12 +1,8 @@
 //! A page that a running program serves itself: what its loop computes is shown, what is done in the page it obeys.
 
-use std::borrow::ToOwned;
-use std::format;
 use std::io;
-use std::string::{String, ToString};
 use std::thread;
 use std::time::{Duration, Instant};
-use std::vec::Vec;
 
 use plm_runtime::described::by_number::{self, SizeNames};
 use plm_runtime::described::pulls::pull_input;
@@ -71,7 +67,7 @@ const MOST_LATE: Duration = Duration::from_millis(100);
 
 impl<M: Described<S = f64> + Statics> Server<M> {
     /// Begins to serve the page of a run on a port of the loopback interface; 0 leaves the choice to the system. Bodies can be
-    /// pulled where the mechanism has the inputs of [`with_pulls`](crate::live::with_pulls).
+    /// pulled where the mechanism has the inputs of `plm::live::with_pulls`.
     ///
     /// # Errors
     /// If the port cannot be had.

@@ -1,7 +1,5 @@
 //! The state of a run as numbers: read, set, its rates and their derivatives.
 
-use std::vec::Vec;
-
 use plm_analysis::{DMatrix, Derivatives, Linearisation, derivatives, linearise};
 use plm_runtime::events::switch_where_due;
 use plm_runtime::{Cause, Fault, Moment, Start, StartValues, Vector};

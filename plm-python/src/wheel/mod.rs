@@ -1,18 +1,15 @@
 //! A wheel of a mechanism for Python: what of it is text; cargo and maturin do the rest.
 
+mod maturin;
 mod python;
 
-use std::boxed::Box;
 use std::error::Error;
-use std::format;
 use std::path::{Path, PathBuf};
-use std::string::{String, ToString};
-use std::vec::Vec;
 
 use plm_foreign::{Foreign, Names};
-use plm_view::package::{Output, Package, renew};
+use plm_view::package::{self, Output, Package, renew};
 
-use python::is_keyword;
+use self::python::is_keyword;
 
 /// What all mechanisms have in common, in Python.
 const MECHANISM: &str = include_str!("mechanism.py");
@@ -47,7 +44,7 @@ pub fn wheel<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>, B
         file("py.typed", String::new()),
     ];
     let source = native::<M>(&name);
-    let plm = Path::new(core::env!("CARGO_MANIFEST_DIR"));
+    let plm = &package::plm();
     let features = &["analysis", "foreign"];
     let package = Package {
         name: &name,
@@ -60,8 +57,8 @@ pub fn wheel<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>, B
     };
     let [built, copied] =
         ["python", "source"].map(|kind| Path::new("target/plm/packages").join(format!("{name}-{kind}")));
-    let wheel = package.wheel(&built, &texts)?;
-    let source = package.source_distribution(&copied, &built, &texts)?;
+    let wheel = maturin::wheel(&package, &built, &texts)?;
+    let source = maturin::source_distribution(&package, &copied, &built, &texts)?;
     let mut files = Vec::new();
     for (name, bytes) in [wheel, source] {
         let file = folder.join(name);

@@ -1,17 +1,13 @@
 //! Libraries of a mechanism for other languages, built by cargo.
 
-use std::boxed::Box;
+use std::env;
 use std::error::Error;
 use std::fmt;
 use std::path::{Path, PathBuf};
-use std::string::{String, ToString};
-use std::vec::Vec;
-use std::{env, format};
 
 use plm_foreign::fmi::{self, Exchanged, Version};
-use plm_foreign::{Foreign, Names};
-use plm_runtime::Scalar;
-use plm_view::package::{Output, Package, archive, renew};
+use plm_foreign::{Foreign, Names, declared};
+use plm_view::package::{self, Output, Package, archive, renew};
 
 use super::Library;
 
@@ -71,17 +67,7 @@ pub fn fmu_of<M: Exchanged>(
     let binary = format!("binaries/{}/{name}{}", platform(version), env::consts::DLL_SUFFIX);
     let entries = [("modelDescription.xml".to_string(), text.into_bytes()), (binary, built)];
     renew(file, &archive(entries)?)?;
-    Ok(std::vec![file.into()])
-}
-
-/// A mechanism with its parameters, and the starts that are made of them, as declared; a parameter without default is no number.
-pub(super) fn declared<M: Foreign>(mechanism: &M) -> M {
-    let mut own = *mechanism;
-    for (index, parameter) in M::TABLES.parameters.iter().enumerate() {
-        own.set_parameter(index, Scalar::lit(parameter.default.unwrap_or(f64::NAN)));
-    }
-    *own.starts_mut() = own.declared_starts();
-    own
+    Ok(vec![file.into()])
 }
 
 /// This machine as a version of FMI calls it: 2.0 (2.3) has names of its own for those of x86.
@@ -108,7 +94,7 @@ pub(super) fn complete<M: Foreign>() -> Result<(), NoDefault> {
 /// Builds a package of a mechanism.
 fn build<M: Foreign>(name: &str, source: &str) -> Result<Vec<u8>, Box<dyn Error>> {
     complete::<M>()?;
-    let plm = Path::new(core::env!("CARGO_MANIFEST_DIR"));
+    let plm = &package::plm();
     let (output, files, features) = (Output::Shared, M::FILES, &["fmi"]);
     let package = Package { name, output, source, files, plm, features, bare: None };
     Ok(package.build(&Path::new("target/plm/packages").join(format!("{name}-fmu")))?)

@@ -8,19 +8,16 @@ mod saved;
 mod state;
 mod words;
 
-use std::boxed::Box;
-
 use plm_analysis::Linearisable;
 use plm_foreign::{Foreign, Kind, Status, Trouble};
+use plm_run::{AnySim, OnSim};
 use plm_runtime::described::by_number;
 use plm_runtime::held::Discrete;
 use plm_runtime::{Fault, Method, Moment, Sim, StartValues, System};
 
 use self::record::Recorded;
-use crate::any_sim::{AnySim, OnSim};
-pub use crate::integrator::Integrator;
-pub use crate::mistake::BadOption;
 pub use method::method;
+pub use plm_run::{BadOption, Integrator};
 pub use record::Record;
 pub use words::words;
 

@@ -1,8 +1,5 @@
 //! How programs of C and C++ are told of a library: for pkg-config, and for CMake.
 
-use std::format;
-use std::string::String;
-
 use plm_view::package::{Linkage, version};
 
 /// A library in a folder.

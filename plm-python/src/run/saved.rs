@@ -1,15 +1,11 @@
 //! A run as bytes, for files and for other processes: the format of [`plm_foreign::saved`], with the method before what it shows.
 
-use std::boxed::Box;
-use std::vec::Vec;
-
 use plm_foreign::{Status, Trouble, saved};
+use plm_run::Integrator;
 use plm_runtime::words::{InWords, Words};
 use plm_runtime::{Moment, Vector};
 
 use super::{Run, Runnable};
-use crate::any_sim::AnySim;
-use crate::integrator::Integrator;
 
 /// Says that what follows is a run of Python, whose method may be any.
 const MARK: u64 = u64::from_le_bytes(*b"python\0\0");
@@ -21,7 +17,7 @@ impl<M: Runnable> Run<M> {
     /// [`Status::Memory`]
     pub fn save(&self) -> Result<Vec<u8>, Trouble> {
         let own = Saved { mark: MARK, run: self.clone() };
-        let mut bytes = std::vec![0; saved::size(own.clone())];
+        let mut bytes = vec![0; saved::size(own.clone())];
         saved::write::<M, _>(&own, &mut bytes)?;
         Ok(bytes)
     }
@@ -56,19 +52,5 @@ impl<M: Runnable> InWords for Saved<M> {
     fn each(&mut self, words: &mut impl Words) {
         words.word(&mut self.mark);
         self.run.0.each(words);
-    }
-}
-
-/// The method's number in the catalogue, then the run by it. What is read into a run by another method becomes one by that.
-impl<M: Runnable> InWords for AnySim<M> {
-    fn each(&mut self, words: &mut impl Words) {
-        let own = self.number();
-        let mut number = own;
-        words.word(&mut number);
-        let read = Some(number).filter(|number| *number != own);
-        if let Some(method) = read.and_then(Integrator::numbered) {
-            *self = method.of(*self.state());
-        }
-        self.show(words);
     }
 }

@@ -1,9 +1,5 @@
 //! What a mechanism tells of itself, for a results file.
 
-use std::borrow::ToOwned;
-use std::string::String;
-use std::vec::Vec;
-
 use plm_runtime::described::{self, Described, Place};
 use plm_runtime::{Scalar, System};
 use plm_view::{Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report};

@@ -1,15 +1,8 @@
 //! The module of a mechanism in the language Python, and its types.
 
-use std::borrow::ToOwned;
-use std::format;
-use std::string::{String, ToString};
-use std::vec::Vec;
-
-use plm_foreign::{Foreign, Si};
+use plm_foreign::{Foreign, Si, declared};
 use plm_runtime::described::Quantity;
 use plm_runtime::{Scalar, StartValues};
-
-use crate::view::foreign::declared;
 
 /// Words that cannot be names.
 const KEYWORDS: [&str; 35] = [

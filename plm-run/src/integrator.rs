@@ -1,9 +1,6 @@
 //! A method by its name: `--method Rk4:1e-3`.
 
-use std::borrow::ToOwned;
-use std::format;
 use std::str::FromStr;
-use std::vec::Vec;
 
 use plm_runtime::{Fault, Linear, Mechanism, Moment, Sim, System, methods};
 
@@ -37,7 +34,7 @@ macro_rules! integrator {
 
         impl Integrator {
             /// A run by this method that begins at a moment.
-            pub(crate) fn of<M>(self, state: M::State) -> AnySim<M>
+            pub fn of<M>(self, state: M::State) -> AnySim<M>
             where
                 M: Mechanism + Linear + System<S = f64>,
             {
@@ -79,9 +76,10 @@ impl FromStr for Integrator {
         };
         let what = if tolerance.is_some() { "relative tolerance" } else { "longest step in seconds" };
         let example = format!("{name}:{:e}", tolerance.unwrap_or(1e-3));
-        let missing = || BadOption(format!("{name} wants its {what}, as in {example}"));
-        let wrong =
-            |number| BadOption(format!("{name} wants a positive {what}, as in {example}, not `{number}`"));
+        let missing = || BadOption::new(format!("{name} wants its {what}, as in {example}"));
+        let wrong = |number| {
+            BadOption::new(format!("{name} wants a positive {what}, as in {example}, not `{number}`"))
+        };
         let value = match number {
             None => tolerance.ok_or_else(missing)?,
             Some(number) => number.parse().map_err(|_| wrong(number))?,
@@ -94,33 +92,33 @@ impl FromStr for Integrator {
     }
 }
 
-pub(crate) fn unknown(name: &str) -> BadOption {
+/// What a name is told that no method has: the nearest, and all that there are.
+pub fn unknown(name: &str) -> BadOption {
     let names: Vec<&str> = NAMED.iter().map(|known| known.name).collect();
     let near = nearest(name, names.iter().copied());
     let hint = near.map_or("there are".to_owned(), |near| format!("is {near} meant? There are"));
-    BadOption(format!("there is no method `{name}`; {hint} {}", names.join(", ")))
+    BadOption::new(format!("there is no method `{name}`; {hint} {}", names.join(", ")))
 }
 
-#[cfg(all(feature = "foreign", feature = "analysis"))]
 impl Integrator {
     /// The names of all methods.
-    pub(crate) fn names() -> impl Iterator<Item = &'static str> {
+    pub fn names() -> impl Iterator<Item = &'static str> {
         NAMED.iter().map(|known| known.name)
     }
 
     /// The name of a method in whatever case, and whether it has a longest step, not a tolerance.
-    pub(crate) fn named(name: &str) -> Option<(&'static str, bool)> {
+    pub fn named(name: &str) -> Option<(&'static str, bool)> {
         let known = NAMED.iter().find(|known| known.name.eq_ignore_ascii_case(name))?;
         Some((known.name, known.tolerance.is_none()))
     }
 
     /// A method by its number in the catalogue, with some tolerance or longest step.
-    pub(crate) fn numbered(number: u64) -> Option<Self> {
+    pub fn numbered(number: u64) -> Option<Self> {
         NAMED.iter().find(|known| known.number == number).map(|known| (known.make)(1e-3))
     }
 
     /// A method with its tolerance or its longest step; none where there is no such method, or where it needs a step.
-    pub(crate) fn by_name(name: &str, value: Option<f64>) -> Option<Self> {
+    pub fn by_name(name: &str, value: Option<f64>) -> Option<Self> {
         let known = NAMED.iter().find(|known| known.name.eq_ignore_ascii_case(name))?;
         value.or(known.tolerance).map(known.make)
     }
@@ -131,7 +129,7 @@ impl Integrator {
     ///
     /// # Errors
     /// As [`Mechanism::start_at`].
-    pub(crate) fn start_at<M>(self, mechanism: M, time: f64) -> Result<AnySim<M>, Fault>
+    pub fn start_at<M>(self, mechanism: M, time: f64) -> Result<AnySim<M>, Fault>
     where
         M: Mechanism + Linear + System<S = f64>,
     {
@@ -141,7 +139,6 @@ impl Integrator {
 }
 
 /// Makes the names for help.
-#[cfg(any(feature = "view", test))]
 macro_rules! help {
     (by_error { $a:ident $of_a:tt $($b:ident $of_b:tt)* } of_length { $c:ident $of_c:tt $($d:ident $of_d:tt)* }) => {
         concat!(
@@ -152,19 +149,16 @@ macro_rules! help {
 }
 
 /// The names for help.
-#[cfg(any(feature = "view", test))]
-pub(crate) const METHODS: &str = methods!(help);
+pub const METHODS: &str = methods!(help);
 
 #[cfg(test)]
 mod tests {
-    use std::string::{String, ToString};
-
     use super::{Integrator, METHODS, NAMED};
 
     #[test]
     fn every_method_has_its_name() {
         for known in NAMED {
-            let text = std::format!("{}:2.5e-4", known.name.to_lowercase());
+            let text = format!("{}:2.5e-4", known.name.to_lowercase());
             assert_eq!(text.parse::<Integrator>().ok(), Some((known.make)(2.5e-4)), "{text}");
         }
         assert_eq!(

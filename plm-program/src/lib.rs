@@ -1,4 +1,6 @@
-//! Results: recordings of runs, files, charts; what `plm_view` has, and what records a mechanism.
+//! Results: recordings of runs, files, charts; what `plm_view` has, what records a mechanism, and whole programs over one.
+//!
+//! `plm::view` is this crate.
 
 mod arguments;
 mod described;
@@ -10,21 +12,19 @@ mod program;
 mod recorder;
 mod server;
 mod sketch;
-mod wheel;
 
 pub use plm_foreign::fmi::Version;
 pub use plm_sketch::{Block, Sense, Side, Sketch, Symbol};
 pub use plm_view::*;
 
-pub use crate::integrator::Integrator;
-pub use crate::mistake::BadOption;
 pub use arguments::{Arguments, Known};
 pub use described::mechanism;
 pub use foreign::{NoDefault, fmu, fmu_of, library};
 pub use library::Library;
 pub use options::{Options, Table};
+pub use plm_python::wheel::wheel;
+pub use plm_run::{BadOption, Integrator};
 pub use program::{Program, run, write};
 pub use recorder::Recorder;
 pub use server::Server;
 pub use sketch::sketch;
-pub use wheel::wheel;

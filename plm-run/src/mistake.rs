@@ -1,13 +1,11 @@
 //! Mistakes in what a user asks for by name, and which name was meant.
 
 use std::fmt;
-use std::string::String;
-use std::vec::Vec;
 
 /// A mistake on the command line, or in what stands for it elsewhere.
 ///
 /// Its `Debug` reads like its `Display`, since a `main` that returns it shows that one.
-pub struct BadOption(pub(crate) String);
+pub struct BadOption(String);
 
 impl BadOption {
     /// A mistake that a program finds by itself, in words.
@@ -31,7 +29,7 @@ impl fmt::Display for BadOption {
 impl std::error::Error for BadOption {}
 
 /// The name that differs from a word in the fewest letters, if they are few.
-pub(crate) fn nearest<'a>(word: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(word: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let near = names.map(|name| (distance(word, name), name)).min_by_key(|(distance, _)| *distance);
     near.filter(|(distance, name)| *distance <= 1 + name.len() / 4).map(|(_, name)| name)
 }

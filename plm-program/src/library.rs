@@ -1,18 +1,14 @@
 //! A static library of several mechanisms for C and C++, built by cargo.
 
-use std::boxed::Box;
 use std::env;
 use std::error::Error;
 use std::fmt;
-use std::format;
 use std::path::{Path, PathBuf};
-use std::string::{String, ToString};
-use std::vec::Vec;
 
-use plm_foreign::{By, Entry, Foreign, Names, cpp_header, header, source};
-use plm_view::package::{Linkage, Output, Package, renew};
+use plm_foreign::{By, Entry, Foreign, Names, cpp_header, declared, header, source};
+use plm_view::package::{self, Linkage, Output, Package, renew};
 
-use super::foreign::{complete, declared};
+use super::foreign::complete;
 use super::linking::Linking;
 
 /// A static library that is made of mechanisms, each with a header and functions of its own.
@@ -182,7 +178,7 @@ impl Library {
             output: Output::Static,
             source: &source,
             files: &self.files,
-            plm: Path::new(core::env!("CARGO_MANIFEST_DIR")),
+            plm: &package::plm(),
             features: &["foreign"],
             bare: self.target.as_deref(),
         };
@@ -191,7 +187,7 @@ impl Library {
         let packages = Path::new("target/plm/packages");
         let packages = packages.join(format!("{}-{kind}", self.name));
         let (built, library) = (package.build_library(&packages, linkage, &prefixes)?, self.library(linkage));
-        let mut files = std::vec![folder.join(&library)];
+        let mut files = vec![folder.join(&library)];
         renew(&files[0], &built)?;
         let linking = Linking {
             name: &self.name,

@@ -1,12 +1,10 @@
 //! A run that is recorded: columns of quantities, and what has switched.
 
-use std::vec::Vec;
-
 use plm_foreign::Kind;
+use plm_run::OnSim;
 use plm_runtime::{Fault, Method, Moment, Seen, Sim};
 
 use super::{Runnable, number};
-use crate::any_sim::OnSim;
 
 /// What a run has come to.
 pub struct Record {
@@ -18,7 +16,7 @@ pub struct Record {
 
 impl Record {
     pub(super) fn new(quantities: usize) -> Self {
-        Self { columns: std::vec![Vec::new(); 1 + quantities], events: Vec::new() }
+        Self { columns: vec![Vec::new(); 1 + quantities], events: Vec::new() }
     }
 
     /// Adds a row.

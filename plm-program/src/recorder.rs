@@ -1,10 +1,6 @@
 //! Records any mechanism.
 
 use core::marker::PhantomData;
-use std::borrow::ToOwned;
-use std::format;
-use std::string::{String, ToString};
-use std::vec::Vec;
 
 use plm_runtime::described::{Quantity, by_number};
 use plm_runtime::sim::Seen;

@@ -1,19 +1,18 @@
 //! A whole program over a mechanism: options, a run with progress, and what is written of it.
 
-use std::boxed::Box;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::string::{String, ToString};
 use std::time::Instant;
-use std::vec::Vec;
-use std::{eprintln, format, println};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use plm_foreign::fmi::Exchanged;
+use plm_python::wheel::wheel;
+use plm_run::OnSim;
 use plm_runtime::described::pulls::WithPulls;
 use plm_runtime::{Described, Fault, Method, Moment, Sim, Statics};
 use plm_view::live::Module;
+use plm_view::package::plm;
 use plm_view::{Chart, Page, Recording, Results};
 
 use super::Library;
@@ -21,8 +20,6 @@ use super::foreign::fmu_of;
 use super::options::{Options, quantities_of};
 use super::recorder::Recorder;
 use super::server::Server;
-use super::wheel::wheel;
-use crate::any_sim::OnSim;
 
 /// A run of a mechanism as its command line asks for it.
 ///
@@ -241,19 +238,14 @@ pub fn write<M: Described<S = f64>>(
 
 /// The page, with the mechanism in it where that is asked for.
 fn page<M: Described<S = f64>>(options: &Options, recording: &Recording) -> Result<Page, Box<dyn Error>> {
-    let results = Results { runs: std::vec![recording.clone()], ..Results::default() }.to_bytes()?;
+    let results = Results { runs: vec![recording.clone()], ..Results::default() }.to_bytes()?;
     let page = Page::new(&results, M::TABLES.name);
     if !options.live {
         return Ok(page);
     }
     let bodies: Vec<&str> = M::TABLES.bodies.iter().map(|body| body.name).collect();
     let declaration = WithPulls { declaration: M::DECLARATION, bodies: &bodies }.to_string();
-    let module = Module {
-        name: M::TABLES.name,
-        declaration: &declaration,
-        files: M::FILES,
-        plm: Path::new(env!("CARGO_MANIFEST_DIR")),
-    };
+    let module = Module { name: M::TABLES.name, declaration: &declaration, files: M::FILES, plm: &plm() };
     match module.build(Path::new("target/plm/packages").join(format!("{}-live", M::TABLES.name))) {
         Ok(bytes) => Ok(page.with_module(&bytes)),
         Err(error) => {

@@ -1,11 +1,16 @@
 //! A run whose method is known when the program runs.
 
-use plm_runtime::{Linear, Mechanism, Method, Sim, System, methods};
+use plm_runtime::words::{InWords, Words};
+use plm_runtime::{Described, Linear, Mechanism, Method, Sim, Statics, System, methods};
+
+use crate::Integrator;
 
 /// What is done with a run, whatever its method.
-pub(crate) trait OnSim<M: Mechanism> {
+pub trait OnSim<M: Mechanism> {
+    /// What comes of it.
     type Output;
 
+    /// Does it.
     fn on<I: Method<M>>(self, sim: &mut Sim<M, I>) -> Self::Output;
 }
 
@@ -13,18 +18,17 @@ pub(crate) trait OnSim<M: Mechanism> {
 macro_rules! any_sim {
     (by_error { $($a:ident ($i:literal, $c:literal, $m:ty, $t:literal, $rtol:literal, $d:literal, $w:literal))* }
      of_length { $($b:ident ($j:literal, $k:literal, $n:ty, $u:literal, $e:literal, $x:literal))* }) => {
-        /// A run by one of the methods of [`Integrator`](crate::integrator::Integrator), which starts it.
+        /// A run by one of the methods of [`Integrator`], which starts it.
         #[derive(Clone, Copy)]
         #[allow(clippy::large_enum_variant, reason = "a run is copied as it is, and there is one of it")]
-        pub(crate) enum AnySim<M: Mechanism + Linear + System<S = f64>> {
-            $($a(Sim<M, $m>),)*
-            $($b(Sim<M, $n>),)*
+        pub enum AnySim<M: Mechanism + Linear + System<S = f64>> {
+            $(#[doc = concat!("By ", $d, ".")] $a(Sim<M, $m>),)*
+            $(#[doc = concat!("By ", $e, ".")] $b(Sim<M, $n>),)*
         }
 
         impl<M: Mechanism + Linear + System<S = f64>> AnySim<M> {
             /// The number of its method in the catalogue.
-            #[cfg(all(feature = "foreign", feature = "analysis"))]
-            pub(crate) fn number(&self) -> u64 {
+            fn number(&self) -> u64 {
                 match self {
                     $(Self::$a(_) => $i,)*
                     $(Self::$b(_) => $j,)*
@@ -49,23 +53,29 @@ macro_rules! each {
 
 impl<M: Mechanism + Linear + System<S = f64>> AnySim<M> {
     /// Does something with it.
-    pub(crate) fn then<W: OnSim<M>>(&mut self, work: W) -> W::Output {
+    pub fn then<W: OnSim<M>>(&mut self, work: W) -> W::Output {
         methods!(each [self, sim => work.on(sim)])
     }
 
-    /// Shows the words of the run.
-    #[cfg(all(feature = "foreign", feature = "analysis"))]
-    pub(crate) fn show(&mut self, words: &mut impl plm_runtime::words::Words)
-    where
-        M: plm_foreign::Foreign,
-    {
-        use plm_runtime::words::InWords as _;
-        methods!(each [self, sim => sim.each(words)]);
-    }
-
     /// The mechanism at the current moment.
-    #[cfg(feature = "analysis")]
-    pub(crate) fn state(&self) -> &M::State {
+    pub fn state(&self) -> &M::State {
         methods!(each [self, sim => sim.state()])
+    }
+}
+
+/// The method's number in the catalogue, then the run by it. What is read into a run by another method becomes one by that.
+impl<M> InWords for AnySim<M>
+where
+    M: Described + Statics + Linear + System<S = f64, U: InWords>,
+{
+    fn each(&mut self, words: &mut impl Words) {
+        let own = self.number();
+        let mut number = own;
+        words.word(&mut number);
+        let read = Some(number).filter(|number| *number != own);
+        if let Some(method) = read.and_then(Integrator::numbered) {
+            *self = method.of(*self.state());
+        }
+        methods!(each [self, sim => sim.each(words)]);
     }
 }
