@@ -1,4 +1,4 @@
-//! Mechanisms for Python: [`run`] is what a package of Python has of a mechanism, [`wheel`] writes the package.
+//! Mechanisms for Python: `run` is what a package of Python has of a mechanism, `wheel` writes the package.
 //!
 //! `plm::python` is the first, where `plm` has the features `foreign` and `analysis`, and `plm::view::wheel` the second.
 #![cfg_attr(not(any(feature = "run", feature = "wheel")), no_std)]

@@ -139,10 +139,15 @@ fn alone(manifest: &str) -> String {
         if line.starts_with('[') {
             table = line.trim();
         }
+        if table == "[features]" && is_of(line, &FEATURES_LEFT_OUT) {
+            // The name stays, since sources ask for it.
+            text.extend(line.split_once(" = ").map(|(name, _)| format!("{name} = []\n")));
+            continue;
+        }
         let is_left_out = match table {
             "[workspace]" => !(line.starts_with('[') || line.starts_with("resolver")),
             "[dev-dependencies]" => true,
-            "[features]" => is_of(line, &FEATURES_LEFT_OUT),
+            "[features]" => false,
             table => {
                 let is_table_left_out = table.starts_with("[[") || table.starts_with("[profile");
                 is_table_left_out || is_of(line, &PACKAGES_LEFT_OUT)
@@ -192,7 +197,26 @@ fn unread(path: &Path, error: &std::io::Error) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::alone;
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use std::collections::BTreeSet;
+    use std::fs;
+    use std::path::Path;
+
+    use super::{FOLDERS, PACKAGES_LEFT_OUT, alone};
+
+    #[test]
+    fn every_package_of_plm_is_copied_or_left_out() {
+        let plm = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+        let manifest = fs::read_to_string(plm.join("Cargo.toml")).unwrap();
+        let members = manifest.lines().filter_map(|line| line.trim().strip_prefix('"')?.strip_suffix("\","));
+        let packages: BTreeSet<&str> =
+            members.filter(|member| !member.contains(['/', '.']) && *member != "xtask").collect();
+        let known: BTreeSet<&str> =
+            FOLDERS.into_iter().chain(PACKAGES_LEFT_OUT).filter(|name| *name != "src").collect();
+        assert!(packages.len() > 4);
+        assert_eq!(packages, known);
+    }
 
     #[test]
     fn a_manifest_names_nothing_that_is_left_out() {
@@ -205,7 +229,7 @@ mod tests {
         let known = concat!(
             "[workspace]\nresolver = \"3\"\n",
             "[workspace.dependencies]\nplm-math = { path = \"m\" }\n\n",
-            "[features]\nstd = []\nfmi = []\n\n",
+            "[features]\nstd = []\nbatch = []\nview = []\nfmi = []\n\n",
             "[lints]\nworkspace = true\n\n",
         );
         assert_eq!(alone(manifest), known);
