@@ -2,6 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
 use plm::live::Live;
+use plm::runtime::described::by_number;
+use plm::runtime::{StartValues, Statics};
 
 plm::mechanism! {
     /// A slider-crank that swings by its weight and a torque.
@@ -51,6 +53,38 @@ plm::mechanism! {
         revolute c(coupler.c, rocker.c) { damping: 0.5 N*m*s/rad; }
         revolute p(ground.p, rocker.p);
     }
+}
+
+plm::mechanism! {
+    /// More start values than are compared in one pass.
+    pub Row {
+        param gap: m = 1 m;
+        ground { port o: (0, 0) m; }
+        repeat i in 0..12 {
+            body block[i] { mass: 1 kg; inertia: 0.01 kg*m^2; port a: (0, 0) m; start x: i*gap; start vx: i*0.1 m/s; }
+            prismatic rail[i](ground.o, block[i].a);
+        }
+    }
+}
+
+#[test]
+fn every_start_follows_a_parameter_unless_it_was_set_by_hand() {
+    let mut row = Row::new();
+    row.starts_mut().each(&mut |name, start| {
+        if name == "block[10].x" {
+            start.value = 7.0;
+        }
+    });
+    assert!(by_number::set_parameter(&mut row, 0, 2.0));
+    assert!(!by_number::set_parameter(&mut row, 1, 2.0));
+    let mut seen = Vec::new();
+    row.starts_mut().each(&mut |name, start| {
+        if name.split('.').next_back() == Some("x") {
+            seen.push(start.value);
+        }
+    });
+    let expected: Vec<f64> = (0..12).map(|i| if i == 10 { 7.0 } else { 2.0 * f64::from(i) }).collect();
+    assert_eq!(seen, expected);
 }
 
 /// Whatever a parameter is turned to, and whenever, the old value goes on; a step that is not made changes nothing.
