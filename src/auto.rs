@@ -4,7 +4,7 @@ use std::fmt;
 
 use plm_runtime::method::{Context, Path};
 use plm_runtime::system::Drift;
-use plm_runtime::{Adams, Dop853, Fault, Linear, Method, Moment, Sim, System, Vector, Vern9};
+use plm_runtime::{Adams, Dop853, Events, Fault, Linear, Method, Moment, Rate, Sim, Vector, Vern9};
 
 use crate::linearise::{Linearisable, Mode, linearise};
 use crate::runtime::method::RadauIia5;
@@ -103,8 +103,8 @@ impl Choice {
                 let modes = system.modes();
                 let choice = Self::by(&modes, rtol);
                 // Guards switch, and each switch is a new beginning; what drifts is projected after many short steps.
-                let smooth = <<T::M as System>::G as Vector<f64>>::LEN == 0;
-                let free = modes.len() == <<T::M as System>::X as Vector<f64>>::LEN;
+                let smooth = <<T::M as Events>::G as Vector<f64>>::LEN == 0;
+                let free = modes.len() == <<T::M as Rate>::X as Vector<f64>>::LEN;
                 let multistep = modes.len() >= MULTISTEP_FROM && smooth && free && choice.is_calm();
                 Self { multistep, ninth_order: choice.ninth_order && !multistep, ..choice }
             }

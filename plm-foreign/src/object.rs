@@ -2,7 +2,7 @@
 
 use plm_runtime::linearised::Linearised;
 use plm_runtime::words::{InWords, Words, mechanism};
-use plm_runtime::{Cause, Fault, Moment, Scalar, Sim, StartValues, System, Vector};
+use plm_runtime::{Cause, Fault, Moment, Rate, Scalar, Sim, StartValues, Vector};
 
 use crate::{By, Choice, Foreign, Kind, Run, Status, Trouble, saved};
 
@@ -173,11 +173,11 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
             Kind::Output => M::observed(self.state()?, index),
             Kind::Integrated => {
                 let x = self.state()?.x();
-                (index < <M as System>::X::LEN).then(|| x.at(index))
+                (index < <M as Rate>::X::LEN).then(|| x.at(index))
             }
             Kind::Rate => {
                 let rates = self.rates()?;
-                (index < <M as System>::X::LEN).then(|| rates.at(index))
+                (index < <M as Rate>::X::LEN).then(|| rates.at(index))
             }
             Kind::Start => {
                 let (mut copy, mut found) = (self.mechanism, None);

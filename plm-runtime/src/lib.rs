@@ -89,7 +89,7 @@ pub use scalar::{Real, Scalar};
 pub use sim::{Notice, Seen, Sim, Snapshot, Stats};
 pub use start::{BodyStart, Start, StartValues};
 pub use statics::Statics;
-pub use system::{Accepted, Drift, Energy, Health, Step, System};
+pub use system::{Constraints, Drift, Energy, Events, Health, Labels, Rate, Step, System, Updated};
 pub use tube::{Interval, Tube};
 pub use twofold::Twofold;
 pub use vector::Vector;

@@ -90,7 +90,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
 
     /// Runs until the time `until` and gives a sample at the current time and after every `every`, in s.
     ///
-    /// Methods with dense output are not made to step shorter by samples. A sample that drifted is settled.
+    /// Methods with dense output are not made to step shorter by samples. A sample that drifted is projected.
     ///
     /// # Errors
     /// When the run cannot be continued; the samples before that moment have been given. Before all, when `until` has passed,
@@ -132,17 +132,17 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// Projects the state onto its constraints.
     ///
     /// After a run that has ended with [`Cause::Drift`](crate::Cause::Drift) the state is that before the step, which was on its constraints: to
-    /// settle it changes nothing.
+    /// project it changes nothing.
     ///
     /// # Errors
     /// When the projection does not converge, or a parameter has been changed to what cannot be.
-    pub fn settle(&mut self) -> Result<(), Fault> {
+    pub fn project(&mut self) -> Result<(), Fault> {
         self.take_changes()?;
         let (time, mut x) = (self.state.time(), *self.state.x());
-        self.state.mechanism().settle(time, &mut x)?;
+        self.state.mechanism().project(time, &mut x)?;
         let held = self.state.held();
         self.state.set(time, &held, &x);
-        self.stats.settled += 1;
+        self.stats.projected += 1;
         self.forget();
         Ok(())
     }

@@ -25,7 +25,7 @@ use self::boundary::{Boundary, decide, meet};
 use self::chattering::Chattering;
 use self::enclosure::Enclosure;
 use self::guard_free::GuardFree;
-pub(crate) use self::jumps::{at_a_jump, before_settling, hold};
+pub(crate) use self::jumps::{at_a_jump, before_projection, hold};
 use self::kinks::kink;
 pub use self::relevant::holds;
 pub(crate) use self::relevant::refresh;

@@ -57,12 +57,12 @@ pub use vern9::{Vern9, Verner98};
 
 use core::cmp::Ordering;
 
-use crate::events::before_settling;
+use crate::events::before_projection;
 use crate::fault::{Cause, Fault};
 use crate::protocol::{DriftCheck, Length, Proposal};
 use crate::scalar::{Real, Scalar};
 use crate::sim::Stats;
-use crate::system::{Drift, Health, Step, System};
+use crate::system::{Drift, Health, Rate, Step, System};
 use crate::vector::Vector;
 
 /// A method that carries a state over an interval, step by step.
@@ -205,7 +205,7 @@ pub trait Method<M: System>: Copy {
         u64::MAX
     }
 
-    /// The drift above which a state is settled.
+    /// The drift above which a state is projected.
     fn drift_limit(&self, system: &M) -> Drift<M::S>;
 }
 
@@ -317,27 +317,27 @@ impl<'a, M: System> Context<'a, M> {
     }
 
     /// Projects the state reached onto the constraints.
-    pub(crate) fn project(&mut self) -> Result<(), Fault>
+    pub(crate) fn project_end(&mut self) -> Result<(), Fault>
     where
         M: System<S: Real>,
     {
         let (time, mut x) = (self.time, self.x);
-        before_settling(self, time, &x)?;
-        self.settle(time, &mut x)?;
+        before_projection(self, time, &x)?;
+        self.project(time, &mut x)?;
         self.x = x;
         Ok(())
     }
 
     /// Projects a state onto the constraints.
-    fn settle(&mut self, t: M::S, x: &mut M::X) -> Result<(), Fault> {
-        self.stats.settled += 1;
-        self.system.settle(t, x)
+    fn project(&mut self, t: M::S, x: &mut M::X) -> Result<(), Fault> {
+        self.stats.projected += 1;
+        self.system.project(t, x)
     }
 }
 
 /// The rate where many places ask for it and none waits for it: one copy of its code for all of them.
 #[inline(never)]
-fn rate<M: System>((system, held): (&M, &M::U), t: M::S, x: &M::X, dx: &mut M::X) -> Health<M::S> {
+fn rate<M: Rate>((system, held): (&M, &M::U), t: M::S, x: &M::X, dx: &mut M::X) -> Health<M::S> {
     system.rate(t, held, x, dx)
 }
 

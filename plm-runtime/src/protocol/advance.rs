@@ -8,7 +8,7 @@ use crate::method::{Context, Method};
 use crate::scalar::{Real, Scalar};
 use crate::sim::{Beginning, History, Observer, Trigger};
 use crate::singular::Rescue;
-use crate::system::{Accepted, System};
+use crate::system::{System, Updated};
 
 /// So many failures one after the other end a run, although the near-singular method could go on each time.
 const MOST_FAILURES: u32 = 100;
@@ -60,7 +60,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         while self.context.time < end {
             let Context { system, time, held, .. } = &*self.context;
             let instant =
-                system.next_instant(*time, held).filter(|instant| *instant > *time && *instant <= end);
+                system.next_time_event(*time, held).filter(|instant| *instant > *time && *instant <= end);
             self.context.end = instant.unwrap_or(end);
             self.run().map_err(|fault| events::at_a_jump(self.context, fault))?;
             match instant {
@@ -77,7 +77,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     fn time_event(&mut self) -> Result<(), Fault> {
         let Context { time, held, x, .. } = *self.context;
         let (before, mut after, mut x) = (Beginning { time, held, x }, held, x);
-        self.context.system.pass(self.context.time, &mut after, &mut x)?;
+        self.context.system.switch_at_time(self.context.time, &mut after, &mut x)?;
         events::hold(self.context, after)?;
         self.context.x = x;
         self.context.stats.switches += 1;
@@ -152,7 +152,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
             match judge(&mut proposal, method.estimate(), &rules) {
                 Verdict::Accept(accepted) => break accepted,
                 Verdict::Project => {
-                    if let Err(fault) = context.project() {
+                    if let Err(fault) = context.project_end() {
                         self.refuse(from);
                         return Made::Failed(fault);
                     }
@@ -196,7 +196,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         &mut self,
         from: &Beginning<M>,
         behind: (M::U, M::X),
-        (Accepted { moved, turned, passed }, drifted): (Accepted, bool),
+        (Updated { moved, turned, passed }, drifted): (Updated, bool),
         event: Event,
     ) -> Result<(), Fault> {
         // Samples within the step belong to the modes that were held over it.

@@ -6,7 +6,7 @@ use crate::mechanism::Mechanism;
 use crate::method::{Estimate, drift_of_size, excess};
 use crate::scalar::{Real, Scalar};
 use crate::singular::{Nearness, Rescue};
-use crate::system::{Accepted, Step, System};
+use crate::system::{Step, System, Updated};
 
 /// What has chosen the length of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,7 +91,7 @@ pub(crate) struct Proposal<'a, M: System> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Verdict {
     /// It is committed.
-    Accept(Accepted),
+    Accept(Updated),
     /// The state is projected onto the constraints, and judged again.
     Project,
     /// A shorter step is tried; of a method that has none this fault is told.
@@ -126,9 +126,9 @@ pub(crate) fn judge<M: Mechanism>(
     {
         return Verdict::Shorten(fault);
     }
-    match system.accept(end, proposal.held, proposal.x) {
+    match system.update(end, proposal.held, proposal.x) {
         Err(fault) => Verdict::Shorten(fault),
-        Ok(Accepted { passed: Some(part), .. }) if rules.limits.change_points => {
+        Ok(Updated { passed: Some(part), .. }) if rules.limits.change_points => {
             Verdict::Refuse(Fault::of_part(end.to_f64(), part, Cause::ChangePoint))
         }
         Ok(_) if estimate.is_senseless() => Verdict::Refuse(estimate.fault(system, start, end - start)),

@@ -111,7 +111,7 @@ pub enum Seen<'a, T> {
     Sample(&'a T),
     /// The state at the end of an internal step.
     Step(&'a T),
-    /// The condition with this index switches ([`System::guard_name`](crate::System::guard_name)); the state before that.
+    /// The condition with this index switches ([`Labels::guard_name`](crate::Labels::guard_name)); the state before that.
     Condition(usize, &'a T),
     /// The time comes to where conditions on it alone change
     /// ([`Described::instant_name`](crate::Described::instant_name)); the state before that.
@@ -198,7 +198,7 @@ pub(super) fn sample_at<M: Mechanism, I: Method<M>>(
     }
     let (drift, limit) = (context.system.drift(time, &x), method.drift_limit(context.system));
     if drift.phi > limit.phi || drift.phi_dot > limit.phi_dot {
-        context.system.settle(time, &mut x)?;
+        context.system.project(time, &mut x)?;
     }
     events::refresh(context.system, time, &mut held, &x);
     moment.set(time, &held, &x);

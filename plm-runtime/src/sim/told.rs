@@ -23,7 +23,7 @@ impl<M: Mechanism<State: fmt::Debug>, I> fmt::Debug for Snapshot<M, I> {
 /// What a simulation has done since it began.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stats {
-    /// Accepted internal steps.
+    /// Updated internal steps.
     pub steps: u64,
     /// Rejected internal steps.
     pub rejected: u64,
@@ -34,7 +34,7 @@ pub struct Stats {
     /// Decompositions of such matrices.
     pub factorisations: u64,
     /// Projections onto the constraints.
-    pub settled: u64,
+    pub projected: u64,
     /// Evaluations that were done again by rank.
     pub by_rank: u64,
     /// Changes of chart.

@@ -11,7 +11,7 @@ use self::differences::Differences;
 use self::order::{Errors, Next};
 use super::adaptive::{ensure_moves, next_step};
 use super::embedded::{Span, first_step};
-use super::projection::{Projection, SETTLED_ABOVE};
+use super::projection::{PROJECTED_ABOVE, Projection};
 use super::{Context, Method, Path, drift_of_size, not_finite};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
@@ -33,7 +33,7 @@ pub struct Adams<M: System> {
     pub rtol: M::S,
     /// Longest step, s.
     pub longest_step: M::S,
-    /// Accepted and rejected steps that one interval may take.
+    /// Updated and rejected steps that one interval may take.
     pub most_steps: u64,
     /// What is known of the rates before.
     past: Past<M>,
@@ -152,7 +152,7 @@ impl<M: System<S: Real>> Adams<M> {
         Ok(Trial { x, errors, weight, drift })
     }
 
-    /// The state at the end of an accepted step and its rate, settled if the drift asks for it or the step went by rank.
+    /// The state at the end of an accepted step and its rate, projected if the drift asks for it or the step went by rank.
     fn arrive(
         &mut self,
         context: &mut Context<'_, M>,
@@ -161,9 +161,9 @@ impl<M: System<S: Real>> Adams<M> {
         by_rank: bool,
     ) -> Result<(M::X, M::X), Fault> {
         let mut x = trial.x;
-        if by_rank || trial.drift > M::S::lit(SETTLED_ABOVE) {
+        if by_rank || trial.drift > M::S::lit(PROJECTED_ABOVE) {
             let tolerance = self.tolerance();
-            self.projection.settle(context, tolerance, (time, &mut x))?;
+            self.projection.project(context, tolerance, (time, &mut x))?;
         }
         let mut rate = x;
         context.rate(time, &x, &mut rate)?;
@@ -310,7 +310,7 @@ impl<M: System<S: Real> + Copy> Method<M> for Adams<M> {
     }
 
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
-        drift_of_size(system, self.tolerance() * M::S::lit(SETTLED_ABOVE))
+        drift_of_size(system, self.tolerance() * M::S::lit(PROJECTED_ABOVE))
     }
 }
 

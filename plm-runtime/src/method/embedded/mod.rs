@@ -14,7 +14,7 @@ use self::control::Control;
 pub(super) use self::dense::Span;
 pub(super) use self::start::first_step;
 use super::adaptive::{Steady, ensure_moves, next_step, rate_here};
-use super::projection::{Projection, SETTLED_ABOVE};
+use super::projection::{PROJECTED_ABOVE, Projection};
 use super::{Context, Method, Path, Watched, drift_of_size, larger};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
@@ -25,7 +25,7 @@ use crate::vector::Vector;
 ///
 /// The error norm is the pair's, of error_i / (rtol typical_i + rtol max|x_i|), or the drift of the new state
 /// over rtol times the typical coordinate (velocity), whichever is larger. Above a tenth of that the new state is
-/// settled, and the dense output is led to the settled state and its rate. The health of the stages is looked at once
+/// projected, and the dense output is led to the projected state and its rate. The health of the stages is looked at once
 /// a step; an unhealthy step is done again, by rank where needed, and so are the following ones until one is healthy.
 #[derive(Clone, Copy, Debug)]
 pub struct Embedded<M: System, P: Pair> {
@@ -33,7 +33,7 @@ pub struct Embedded<M: System, P: Pair> {
     pub rtol: M::S,
     /// Longest step, s.
     pub longest_step: M::S,
-    /// Accepted and rejected steps that one interval may take.
+    /// Updated and rejected steps that one interval may take.
     pub most_steps: u64,
     /// Proposal for the next step, s; none before the first.
     proposal: Option<M::S>,
@@ -182,7 +182,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         self.projection.drift(context.system, self.tolerance(), at)
     }
 
-    /// The state at the end of an accepted step and its rate, settled if the drift asks for it or the step went by rank.
+    /// The state at the end of an accepted step and its rate, projected if the drift asks for it or the step went by rank.
     fn arrive(
         &mut self,
         context: &mut Context<'_, M>,
@@ -190,14 +190,14 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         (trial, k): (&Trial<M::X>, &P::Stages<M::X>),
         drift: M::S,
     ) -> Result<(M::X, M::X), Fault> {
-        let limit = if trial.by_rank { M::S::lit(0.0) } else { M::S::lit(SETTLED_ABOVE) };
-        let (mut x, settles) = (trial.x, drift > limit);
-        if let (false, Some(rate)) = (settles, P::rate_at_end(k)) {
+        let limit = if trial.by_rank { M::S::lit(0.0) } else { M::S::lit(PROJECTED_ABOVE) };
+        let (mut x, projects) = (trial.x, drift > limit);
+        if let (false, Some(rate)) = (projects, P::rate_at_end(k)) {
             return Ok((x, *rate));
         }
-        if settles {
+        if projects {
             let tolerance = self.tolerance();
-            self.projection.settle(context, tolerance, (time, &mut x))?;
+            self.projection.project(context, tolerance, (time, &mut x))?;
         }
         let mut rate = x;
         context.rate(time, &x, &mut rate)?;
@@ -259,8 +259,8 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
                         });
                         (self.stages, self.rate) = (Some(k), Some(rate_to));
                         // What was left standing comes from earlier steps as well: a shorter step would not lessen it.
-                        let settles = drift > M::S::lit(SETTLED_ABOVE);
-                        self.propose(proposal, h, (if settles { worst } else { error }, estimate));
+                        let projects = drift > M::S::lit(PROJECTED_ABOVE);
+                        self.propose(proposal, h, (if projects { worst } else { error }, estimate));
                         self.by_error = !last && h < self.longest_step && drift <= error;
                         context.stats.steps += 1;
                         *context.longest_step = context.longest_step.max(h);
@@ -334,6 +334,6 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
     }
 
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
-        drift_of_size(system, self.tolerance() * M::S::lit(SETTLED_ABOVE))
+        drift_of_size(system, self.tolerance() * M::S::lit(PROJECTED_ABOVE))
     }
 }

@@ -27,14 +27,14 @@ use crate::vector::Vector;
 /// iteration that keeps the derivatives while it converges fast, one real and one complex decomposition, an error
 /// estimate of order 3. Its norm is the root mean square of error_i / (rtol' (typical_i + |x_i|)) with
 /// rtol' = 0.1 rtol^(2/3), which makes the error of the solution about rtol. A state that drifted by a tenth of rtol is
-/// settled, and the dense output is led there.
+/// projected, and the dense output is led there.
 #[derive(Clone, Copy)]
 pub struct RadauIia5<M: Linear> {
     /// Relative tolerance; the absolute one of each state is this times its typical size.
     pub rtol: M::S,
     /// Longest step, s.
     pub longest_step: M::S,
-    /// Accepted and rejected steps that one interval may take.
+    /// Updated and rejected steps that one interval may take.
     pub most_steps: u64,
     /// Proposal for the next step, s; none before the first.
     proposal: Option<M::S>,
@@ -80,8 +80,8 @@ struct Trial<X> {
 
 /// The estimate of the error grows with this power of the step.
 const ORDER: u32 = 4;
-/// Drift is settled above this fraction of the tolerance.
-const SETTLED_ABOVE: f64 = 0.1;
+/// Drift is projected above this fraction of the tolerance.
+const PROJECTED_ABOVE: f64 = 0.1;
 /// Derivatives are kept while corrections shrink faster than by this ratio. With a larger one there are fewer of them, and what
 /// iterations leave shows in the order of the method.
 const FAST: f64 = 1e-3;
@@ -215,7 +215,7 @@ impl<M: Linear> RadauIia5<M> {
         excess(system.drift(t, x), drift_of_size(system, self.tolerance())) - self.residue
     }
 
-    /// Takes the context to the end of an accepted step, settled if the drift asks for it or the step went by rank.
+    /// Takes the context to the end of an accepted step, projected if the drift asks for it or the step went by rank.
     fn arrive(
         &mut self,
         context: &mut Context<'_, M>,
@@ -225,7 +225,7 @@ impl<M: Linear> RadauIia5<M> {
     ) -> Result<(), Fault> {
         let mut x = trial.x;
         if self.drift_ratio(context.system, time, &x) > limit {
-            context.settle(time, &mut x)?;
+            context.project(time, &mut x)?;
             self.residue = M::S::ZERO;
             self.residue = self.drift_ratio(context.system, time, &x);
         }
@@ -295,7 +295,7 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
                     let worst = larger(error, drift);
                     if worst <= M::S::lit(1.0) {
                         let went_by_rank = context.stats.by_rank > by_rank;
-                        let limit = if went_by_rank { 0.0 } else { SETTLED_ABOVE };
+                        let limit = if went_by_rank { 0.0 } else { PROJECTED_ABOVE };
                         self.arrive(context, (time, h), &trial, M::S::lit(limit))?;
                         self.by_error = !last && h < self.longest_step && drift <= error;
                         if h >= proposal {
@@ -353,7 +353,7 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
     }
 
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
-        drift_of_size(system, self.tolerance() * M::S::lit(SETTLED_ABOVE))
+        drift_of_size(system, self.tolerance() * M::S::lit(PROJECTED_ABOVE))
     }
 }
 
