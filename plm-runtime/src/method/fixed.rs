@@ -5,10 +5,13 @@ use core::marker::PhantomData;
 use super::estimate::Estimate;
 use super::length::{are_near, are_straight, is_due};
 use super::partition::Partition;
-use super::{Context, FastStep, Method, Rates, Watched, drift_of_size, not_finite, rate};
+use super::{
+    Context, DenseOutput, ErrorControl, FastStep, FixedLength, Method, Rates, Watched, drift_of_size,
+    not_finite, rate,
+};
 use crate::fault::Fault;
 use crate::protocol::DriftCheck;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Real;
 use crate::sim::Stats;
 use crate::system::{Drift, Health, Rate, System};
 use crate::vector::Vector;
@@ -264,8 +267,6 @@ fn estimate<F: Formula, M: Rate<S: Real>>(
 }
 
 impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
-    const DENSE: bool = false;
-    const FAST: bool = true;
     const NAME: &'static str = F::NAME;
 
     fn begin(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
@@ -279,6 +280,27 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
         self.step(context, &mut next)?;
         self.land(context, next)
     }
+
+    fn restart(&mut self) {
+        self.until_check = 0;
+    }
+
+    fn fresh(&self) -> Self {
+        let Self { longest_step, tolerance, check_every, .. } = *self;
+        Self { tolerance, check_every, ..Self::new(longest_step) }
+    }
+
+    fn drift_limit(&self, system: &M) -> Drift<M::S> {
+        drift_of_size(system, self.tolerance)
+    }
+}
+
+impl<M: System<S: Real>, F: Formula> DenseOutput<M> for FixedStep<M::S, F> {}
+
+impl<M: System<S: Real>, F: Formula> ErrorControl<M> for FixedStep<M::S, F> {}
+
+impl<M: System<S: Real>, F: Formula> FixedLength<M> for FixedStep<M::S, F> {
+    const FAST: bool = true;
 
     #[inline]
     fn fast_step(
@@ -319,25 +341,8 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
         FixedStep::keep(self, drifted);
     }
 
-    fn interpolate(&self, _time: M::S) -> M::X {
-        M::X::fill(M::S::lit(0.0))
-    }
-
-    fn restart(&mut self) {
-        self.until_check = 0;
-    }
-
     fn shorter(&self, longest: M::S) -> Option<Self> {
         let Self { tolerance, check_every, .. } = *self;
         Some(Self { tolerance, check_every, ..Self::new(longest) })
-    }
-
-    fn fresh(&self) -> Self {
-        let Self { longest_step, tolerance, check_every, .. } = *self;
-        Self { tolerance, check_every, ..Self::new(longest_step) }
-    }
-
-    fn drift_limit(&self, system: &M) -> Drift<M::S> {
-        drift_of_size(system, self.tolerance)
     }
 }

@@ -25,7 +25,7 @@ impl<S: Real> Projection<S> {
         excess(system.drift(t, x), drift_of_size(system, tolerance)) - self.residue
     }
 
-    /// Settles the state that a step leads to.
+    /// Projects the state that a step leads to.
     pub(super) fn project<M: System<S = S>>(
         &mut self,
         context: &mut Context<'_, M>,

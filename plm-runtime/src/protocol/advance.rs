@@ -261,7 +261,11 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         let (h, time) = (self.context.time - from.time, self.context.time);
         self.refuse(from);
         let is_long = h > M::S::lit(SHORTEST_ULPS) * M::S::EPSILON * time.abs();
-        if !(self.method.shorten(h) && is_long) {
+        let has_shorter = self.method.shorten(h);
+        if !has_shorter {
+            self.method.restart();
+        }
+        if !(has_shorter && is_long) {
             return Made::Failed(fault);
         }
         self.begin().map_or_else(Made::Failed, |()| Made::Shortened)

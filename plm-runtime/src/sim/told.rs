@@ -23,7 +23,7 @@ impl<M: Mechanism<State: fmt::Debug>, I> fmt::Debug for Snapshot<M, I> {
 /// What a simulation has done since it began.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stats {
-    /// Updated internal steps.
+    /// Accepted internal steps.
     pub steps: u64,
     /// Rejected internal steps.
     pub rejected: u64,

@@ -37,7 +37,7 @@ pub use self::start::refine;
 use crate::Absolute;
 use crate::fault::Fault;
 use crate::mechanism::Mechanism;
-use crate::method::{Context, Method};
+use crate::method::{Context, DenseOutput, ErrorControl, FixedLength, Method};
 use crate::protocol::Length;
 use crate::scalar::Real;
 use crate::system::{Drift, Step};
@@ -157,16 +157,8 @@ impl<M: Mechanism> Rescue<M> for Never<M> {
 }
 
 impl<M: Mechanism> Method<M> for Never<M> {
-    const DENSE: bool = false;
-
-    fn begin(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
-        Ok(())
-    }
     fn advance(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
         Ok(())
-    }
-    fn interpolate(&self, _time: M::S) -> M::X {
-        crate::Vector::fill(<M::S as crate::scalar::Scalar>::ZERO)
     }
     fn restart(&mut self) {}
     fn fresh(&self) -> Self {
@@ -176,6 +168,12 @@ impl<M: Mechanism> Method<M> for Never<M> {
         Drift { phi: M::S::INFINITY, phi_dot: M::S::INFINITY }
     }
 }
+
+impl<M: Mechanism> DenseOutput<M> for Never<M> {}
+
+impl<M: Mechanism> ErrorControl<M> for Never<M> {}
+
+impl<M: Mechanism> FixedLength<M> for Never<M> {}
 
 /// The largest number of a vector over its typical size.
 fn size<S: Real, const N: usize>(numbers: &[S; N], typical: impl Fn(usize) -> S) -> S {

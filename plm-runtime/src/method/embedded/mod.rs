@@ -5,6 +5,7 @@ mod dense;
 mod pair;
 mod stages;
 mod start;
+pub(super) mod tableau;
 mod words;
 
 pub use self::pair::{Limits, Pair};
@@ -13,9 +14,10 @@ pub(super) use self::stages::{Rows, stages};
 use self::control::Control;
 pub(super) use self::dense::Span;
 pub(super) use self::start::first_step;
-use super::adaptive::{Steady, ensure_moves, next_step, rate_here};
+pub(super) use self::tableau::pair;
+use super::adaptive::{Steady, builders, ensure_moves, next_step, rate_here};
 use super::projection::{PROJECTED_ABOVE, Projection};
-use super::{Context, Method, Path, Watched, drift_of_size, larger};
+use super::{Context, DenseOutput, ErrorControl, FixedLength, Method, Path, Watched, drift_of_size, larger};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};
@@ -33,7 +35,7 @@ pub struct Embedded<M: System, P: Pair> {
     pub rtol: M::S,
     /// Longest step, s.
     pub longest_step: M::S,
-    /// Updated and rejected steps that one interval may take.
+    /// Accepted and rejected steps that one interval may take.
     pub most_steps: u64,
     /// Proposal for the next step, s; none before the first.
     proposal: Option<M::S>,
@@ -66,6 +68,8 @@ impl<M: System<S: Real>, P: Pair> Default for Embedded<M, P> {
     }
 }
 
+builders!([M: System<S: Real>, P: Pair] Embedded<M, P>);
+
 impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
     /// With the relative tolerance `rtol` (not below what the scalar can resolve).
     pub fn new(rtol: M::S) -> Self {
@@ -84,23 +88,6 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
             projection: Projection::new(),
             by_error: false,
         }
-    }
-
-    /// The same with steps of at most `longest_step`, in s.
-    #[must_use]
-    pub fn with_longest_step(self, longest_step: M::S) -> Self {
-        Self { longest_step, ..self }
-    }
-
-    /// The same with at most so many steps, accepted and rejected, in one interval.
-    #[must_use]
-    pub fn with_most_steps(self, most_steps: u64) -> Self {
-        Self { most_steps, ..self }
-    }
-
-    /// The tolerance in use: at least some units in the last place.
-    fn tolerance(&self) -> M::S {
-        self.rtol.max(M::S::lit(8.0) * M::S::EPSILON)
     }
 
     /// One step without a decision; by rank where that is needed.
@@ -219,12 +206,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
 }
 
 impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
-    const DENSE: bool = true;
     const NAME: &'static str = P::NAME;
-
-    fn begin(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
-        Ok(())
-    }
 
     fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         let rate = rate_here(&mut self.rate, context)?;
@@ -262,9 +244,7 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
                         let projects = drift > M::S::lit(PROJECTED_ABOVE);
                         self.propose(proposal, h, (if projects { worst } else { error }, estimate));
                         self.by_error = !last && h < self.longest_step && drift <= error;
-                        context.stats.steps += 1;
-                        *context.longest_step = context.longest_step.max(h);
-                        (context.time, context.x) = (time, to);
+                        context.reach(time, h, to);
                         return Ok(());
                     }
                     Err(fault) => (attempt, worst) = (Err(fault), M::S::INFINITY),
@@ -277,6 +257,25 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
             })?;
         }
     }
+
+    fn restart(&mut self) {
+        self.rate = None;
+        self.span = None;
+        self.projection = Projection::new();
+    }
+
+    fn fresh(&self) -> Self {
+        let Self { rtol, longest_step, most_steps, .. } = *self;
+        Self { longest_step, most_steps, ..Self::new(rtol) }
+    }
+
+    fn drift_limit(&self, system: &M) -> Drift<M::S> {
+        drift_of_size(system, self.tolerance() * M::S::lit(PROJECTED_ABOVE))
+    }
+}
+
+impl<M: System<S: Real> + Copy, P: Pair> DenseOutput<M> for Embedded<M, P> {
+    const DENSE: bool = true;
 
     fn densify(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         if let (Some(step), Some(k), None) = (&self.span, &self.stages, &self.bends) {
@@ -301,23 +300,14 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
         let bends = self.bends.as_ref().map_or(&[] as &[M::X], |bends| bends.as_ref());
         self.span.as_ref().map(|span| span.path(bends))
     }
+}
 
-    fn restart(&mut self) {
-        self.rate = None;
-        self.span = None;
-        self.projection = Projection::new();
-    }
-
+impl<M: System<S: Real> + Copy, P: Pair> ErrorControl<M> for Embedded<M, P> {
     fn shorten(&mut self, h: M::S) -> bool {
         self.restart();
         self.control.refuse();
         self.proposal = Some(M::S::lit(0.5) * h);
         true
-    }
-
-    fn fresh(&self) -> Self {
-        let Self { rtol, longest_step, most_steps, .. } = *self;
-        Self { longest_step, most_steps, ..Self::new(rtol) }
     }
 
     fn limited_by(&self, system: &M) -> Option<usize> {
@@ -332,8 +322,6 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
     fn tolerance(&self) -> Option<M::S> {
         Some(Embedded::tolerance(self))
     }
-
-    fn drift_limit(&self, system: &M) -> Drift<M::S> {
-        drift_of_size(system, self.tolerance() * M::S::lit(PROJECTED_ABOVE))
-    }
 }
+
+impl<M: System<S: Real> + Copy, P: Pair> FixedLength<M> for Embedded<M, P> {}

@@ -34,7 +34,7 @@ impl<M: Linear> InWords for RadauIia5<M> {
                 words.vector(vector);
             }
         });
-        words.number(&mut self.residue);
+        words.number(&mut self.projection.residue);
         words.flag(&mut self.by_error);
     }
 }
