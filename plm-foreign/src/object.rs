@@ -1,7 +1,8 @@
 //! A mechanism with a run of it, by number, without pointers.
 
+use plm_runtime::described::mechanism_in_words;
 use plm_runtime::linearised::Linearised;
-use plm_runtime::words::{InWords, Words, mechanism};
+use plm_runtime::words::{InWords, Words};
 use plm_runtime::{Cause, Fault, Moment, Rate, Scalar, Sim, StartValues, Vector};
 
 use crate::{By, Choice, Foreign, Kind, Run, Status, Trouble, saved};
@@ -327,7 +328,7 @@ impl<M: Foreign> Object<M> {
 /// run all can be read.
 impl<M: Foreign, R: Run<M>> InWords for ObjectBy<M, R> {
     fn each(&mut self, words: &mut impl Words) {
-        mechanism(&mut self.mechanism, words);
+        mechanism_in_words(&mut self.mechanism, words);
         self.choice.each(words);
         words.flag(&mut self.is_changed);
         let mut has_started = self.run.is_some();

@@ -2,9 +2,9 @@
 
 use crate::fault::Fault;
 use crate::method::{Dop853, Method};
+use crate::protocol::Rescue;
 use crate::scalar::Real;
 use crate::sim::Sim;
-use crate::singular::Rescue;
 use crate::system::{Drift, Rate, System};
 
 /// A mechanism with its parameters at one moment: the generated `State`, with methods such as `arm_angle()`.

@@ -4,25 +4,22 @@ mod changes;
 mod clock;
 mod count;
 mod fast;
-mod history;
+mod notice;
 mod samples;
 mod times;
-mod told;
 mod watched;
-mod words;
 
 pub(crate) use self::clock::Clock;
-pub(crate) use self::history::{Beginning, History};
+pub use self::notice::Notice;
 pub use self::samples::Seen;
-pub(crate) use self::samples::{Observer, Trigger, Unobserved};
 use self::samples::{Sampler, Samples, Times};
-pub use self::told::{Notice, Stats};
-use crate::events::Detector;
+use crate::events::{Detector, History};
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Context, Dop853, Method};
-use crate::protocol::{Advance, Guarded, Limits};
+use crate::protocol::{Advance, Guarded, Limits, Observer, Unobserved};
 use crate::scalar::{Real, Scalar};
+pub use crate::stats::Stats;
 use crate::system::Drift;
 
 /// A running simulation.
@@ -44,11 +41,11 @@ pub struct Sim<M: Mechanism, I = Dop853<M>> {
     pub(crate) longest_step: M::S,
     pub(crate) history: History<M>,
     /// When it began, s.
-    start_time: M::S,
+    pub(crate) start_time: M::S,
     /// The caller may have changed something since the last step.
     pub(crate) changed: bool,
     /// What the parameters were when they were looked at last.
-    parameters: u64,
+    pub(crate) parameters: u64,
 }
 
 /// A simulation as it was at one moment; resuming from it gives the same bits again.

@@ -5,8 +5,10 @@ use crate::events;
 use crate::fault::{Cause, Fault};
 use crate::lanes::Pack;
 use crate::mechanism::{InPlace, Mechanism, Moment};
-use crate::method::{Context, Estimate, Formula, Rk4Formula, Ros34Pw2Formula, Trial, not_finite};
-use crate::protocol::{DriftCheck, Length, Limits, Proposal, Rules, Verdict, judge};
+use crate::method::{
+    Context, DriftCheck, Estimate, Formula, Length, Rk4Formula, Ros34Pw2Formula, Trial, not_finite,
+};
+use crate::protocol::{Limits, Proposal, Rules, Verdict, judge};
 use crate::scalar::{Real, Scalar};
 use crate::sim::Stats;
 use crate::singular::{Nearness, Rescue};

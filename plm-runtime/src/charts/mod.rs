@@ -14,6 +14,7 @@ mod continuity;
 mod counted;
 mod lanes;
 mod memory;
+mod words;
 
 pub use continuity::not_regular;
 use continuity::{Looks, flattest};

@@ -5,8 +5,10 @@
 //! mechanism. Nothing of it is compiled where nobody asks.
 
 mod tables;
+mod words;
 
 pub use tables::{Body, Frame, GroundPort, Motion, Part, Quantity, Reads, Report, Tables};
+pub use words::mechanism_in_words;
 
 use crate::body::BodyState;
 use crate::mechanism::{Mechanism, Moment};

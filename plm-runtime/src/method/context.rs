@@ -1,11 +1,9 @@
 //! Integration context: what methods read and write on their way through an interval.
 
 use super::not_finite;
-use crate::events::before_projection;
 use crate::fault::{Cause, Fault};
-use crate::protocol::Proposal;
 use crate::scalar::{Real, Scalar};
-use crate::sim::Stats;
+use crate::stats::Stats;
 use crate::system::{Health, Rate, Step, System};
 use crate::vector::Vector;
 
@@ -73,19 +71,6 @@ impl<'a, M: System> Context<'a, M> {
         if tried < most { Ok(()) } else { Err(self.fault(Cause::TooManySteps { steps: most })) }
     }
 
-    /// The step to the state reached, with copies `held` and `x` of what it led to.
-    #[inline]
-    pub(crate) fn proposal<'s>(
-        &self,
-        from: (M::S, &'s M::X),
-        (held, x): (&'s mut M::U, &'s mut M::X),
-    ) -> Proposal<'s, M>
-    where
-        'a: 's,
-    {
-        Proposal { system: self.system, from, end: self.time, held, x, health: self.health }
-    }
-
     /// The step to the state reached.
     pub(crate) fn step<'s>(&'s self, from: (M::S, &'s M::X)) -> Step<'s, M> {
         let to = (self.time, &self.x);
@@ -114,20 +99,8 @@ impl<'a, M: System> Context<'a, M> {
         outcome
     }
 
-    /// Projects the state reached onto the constraints.
-    pub(crate) fn project_end(&mut self) -> Result<(), Fault>
-    where
-        M: System<S: Real>,
-    {
-        let (time, mut x) = (self.time, self.x);
-        before_projection(self, time, &x)?;
-        self.project(time, &mut x)?;
-        self.x = x;
-        Ok(())
-    }
-
     /// Projects a state onto the constraints.
-    pub(super) fn project(&mut self, t: M::S, x: &mut M::X) -> Result<(), Fault> {
+    pub(crate) fn project(&mut self, t: M::S, x: &mut M::X) -> Result<(), Fault> {
         self.stats.projected += 1;
         self.system.project(t, x)
     }

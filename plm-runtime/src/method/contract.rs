@@ -1,10 +1,9 @@
 //! What a method does, and what the protocol asks it: the step, states within it, and who chooses its length.
 
-use super::{Context, Estimate, Path};
+use super::{Context, Estimate, Path, drift_of_size, excess};
 use crate::fault::Fault;
-use crate::protocol::{DriftCheck, Length};
-use crate::scalar::Scalar;
-use crate::sim::Stats;
+use crate::scalar::{Real, Scalar};
+use crate::stats::Stats;
 use crate::system::{Drift, System};
 use crate::vector::Vector;
 
@@ -182,4 +181,47 @@ pub struct FastStep<S> {
     pub evaluations: u64,
     /// Its rates are so little apart that its error needs no estimate.
     pub are_near: bool,
+}
+
+/// What has chosen the length of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Length {
+    /// An estimate of its error.
+    Error,
+    /// The user; next to a flat pose such a step must be shorter by `caution` than one of order 4 for an error as small.
+    Fixed {
+        /// A factor of at least 1.
+        caution: f64,
+    },
+    /// The user, of a step by itself, which cannot be split.
+    Alone,
+    /// The near-singular method, by the distance to the singular pose.
+    NearSingular,
+}
+
+/// Whether the drift from the constraints is looked at behind a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DriftCheck<S> {
+    /// Not behind this one, or the method has projected the state itself.
+    Skip,
+    /// The state is projected if its drift is `above` so many times what is tolerated.
+    Above {
+        /// What is tolerated, as a fraction of the typical coordinate and velocity.
+        tolerance: S,
+        /// 1, or 0 where every drift is projected.
+        above: S,
+    },
+}
+
+impl<S: Real> DriftCheck<S> {
+    /// Has the state to be projected?
+    #[inline]
+    pub(crate) fn fails<M: System<S = S>>(self, system: &M, t: S, x: &M::X) -> bool {
+        match self {
+            Self::Skip => false,
+            Self::Above { tolerance, above } => {
+                excess(system.drift(t, x), drift_of_size(system, tolerance)) > above
+            }
+        }
+    }
 }

@@ -6,13 +6,12 @@ use super::estimate::Estimate;
 use super::length::{are_near, are_straight, is_due};
 use super::partition::Partition;
 use super::{
-    Context, DenseOutput, ErrorControl, FastStep, FixedLength, Method, Rates, Watched, drift_of_size,
-    not_finite, rate,
+    Context, DenseOutput, DriftCheck, ErrorControl, FastStep, FixedLength, Method, Rates, Watched,
+    drift_of_size, not_finite, rate,
 };
 use crate::fault::Fault;
-use crate::protocol::DriftCheck;
 use crate::scalar::Real;
-use crate::sim::Stats;
+use crate::stats::Stats;
 use crate::system::{Drift, Health, Rate, System};
 use crate::vector::Vector;
 

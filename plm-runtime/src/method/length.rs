@@ -6,7 +6,7 @@
 
 use super::fixed::Formula;
 use crate::scalar::{Real, Scalar};
-use crate::sim::Stats;
+use crate::stats::Stats;
 use crate::system::Rate;
 use crate::vector::Vector;
 

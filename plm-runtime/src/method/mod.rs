@@ -41,7 +41,7 @@ mod words;
 pub use adams::Adams;
 pub use context::Context;
 use context::rate;
-pub use contract::{DenseOutput, ErrorControl, FastStep, FixedLength, Method};
+pub use contract::{DenseOutput, DriftCheck, ErrorControl, FastStep, FixedLength, Length, Method};
 pub use dop853::{Dop853, DormandPrince853};
 pub use dopri5::{Dopri5, DormandPrince5};
 pub use embedded::{Embedded, Limits, Pair};

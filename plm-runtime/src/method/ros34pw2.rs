@@ -1,11 +1,10 @@
 //! A Rosenbrock-W method for stiff equations with steps of equal length.
 
 use super::partition::Partition;
-use super::{Context, DenseOutput, ErrorControl, Estimate, FixedLength, Method, drift_of_size};
+use super::{Context, DenseOutput, ErrorControl, Estimate, FixedLength, Length, Method, drift_of_size};
 use crate::fault::{Cause, Fault};
 use crate::linalg::Derivatives;
 use crate::linear::Linear;
-use crate::protocol::Length;
 use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
 use crate::vector::Vector;

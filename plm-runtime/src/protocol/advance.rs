@@ -1,13 +1,13 @@
 //! The general path: steps of any method to the end of an interval, each judged, then committed or made in another way.
 
-use super::judge::{DriftCheck, Limits, Rules, Verdict, judge};
-use crate::events::{self, Detector, Event};
+use super::judge::{Limits, Proposal, Rules, Verdict, judge};
+use super::near_singular::Rescue;
+use super::observer::{Observer, Trigger};
+use crate::events::{self, Beginning, Detector, Event, History};
 use crate::fault::{Cause, Fault};
 use crate::mechanism::Mechanism;
-use crate::method::{Context, Method};
+use crate::method::{Context, DriftCheck, Method};
 use crate::scalar::{Real, Scalar};
-use crate::sim::{Beginning, History, Observer, Trigger};
-use crate::singular::Rescue;
 use crate::system::{System, Updated};
 
 /// So many failures one after the other end a run, although the near-singular method could go on each time.
@@ -147,12 +147,12 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         let mut rules = Rules { length, drift: method.drift_check(), limits };
         let mut drifted = false;
         let (mut held, mut x) = (context.held, context.x);
-        let mut proposal = context.proposal((from.time, &from.x), (&mut held, &mut x));
+        let mut proposal = Proposal::of(context, (from.time, &from.x), (&mut held, &mut x));
         let accepted = loop {
             match judge(&mut proposal, method.estimate(), &rules) {
                 Verdict::Accept(accepted) => break accepted,
                 Verdict::Project => {
-                    if let Err(fault) = context.project_end() {
+                    if let Err(fault) = project_end(context) {
                         self.refuse(from);
                         return Made::Failed(fault);
                     }
@@ -394,4 +394,13 @@ fn is_singular(fault: &Fault) -> bool {
             | Drift { .. }
             | Workspace { .. }
     )
+}
+
+/// Projects the state reached onto the constraints.
+fn project_end<M: System<S: Real>>(context: &mut Context<'_, M>) -> Result<(), Fault> {
+    let (time, mut x) = (context.time, context.x);
+    events::before_projection(context, time, &x)?;
+    context.project(time, &mut x)?;
+    context.x = x;
+    Ok(())
 }

@@ -16,7 +16,10 @@
 mod advance;
 mod energy;
 mod judge;
+mod near_singular;
+mod observer;
 
 pub(crate) use self::advance::{Advance, Guarded, Made};
-pub use self::judge::{DriftCheck, Length};
 pub(crate) use self::judge::{Limits, Proposal, Rules, Verdict, judge};
+pub use self::near_singular::{Nearness, Rescue};
+pub(crate) use self::observer::{Observer, Trigger, Unobserved};

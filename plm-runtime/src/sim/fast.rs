@@ -5,8 +5,8 @@
 
 use super::Sim;
 use crate::mechanism::{Mechanism, Moment};
-use crate::method::{Estimate, Method};
-use crate::protocol::{DriftCheck, Limits, Proposal, Rules, Verdict, judge};
+use crate::method::{DriftCheck, Estimate, Method};
+use crate::protocol::{Limits, Proposal, Rules, Verdict, judge};
 use crate::scalar::Scalar;
 use crate::system::Updated;
 

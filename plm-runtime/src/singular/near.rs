@@ -10,8 +10,9 @@ use super::poor::{is_poor, is_regular, turned};
 use super::{Fine, Nearness, Rescue};
 use crate::absolute::{disagreement, split};
 use crate::fault::{Cause, Fault};
-use crate::method::{Context, DenseOutput, DormandPrince853, Embedded, ErrorControl, FixedLength, Method};
-use crate::protocol::Length;
+use crate::method::{
+    Context, DenseOutput, DormandPrince853, Embedded, ErrorControl, FixedLength, Length, Method,
+};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, Step};
 use crate::twofold::Twofold;
