@@ -23,7 +23,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use plm::runtime::linalg::{Complex, Dense, Derivatives};
-use plm::runtime::{Linear, System};
+use plm::runtime::{Linear, Rate, System};
 use plm::{Dop853, Mechanism, Method, Moment, RadauIia5};
 
 chain::chain!(Chain16, 16);
@@ -109,7 +109,7 @@ fn run<M: Mechanism<S = f64>, I: Method<M>>(mechanism: M, method: I) -> String {
 
 fn row<M>(bars: usize, mechanism: M)
 where
-    M: Mechanism<S = f64, X: Dense<f64, Matrix: Derivatives<f64, <M as System>::X>>> + Linear,
+    M: Mechanism<S = f64, X: Dense<f64, Matrix: Derivatives<f64, <M as Rate>::X>>> + Linear,
 {
     let mut sim = mechanism.start().expect("the chain can be assembled");
     sim.step(0.1).expect("the chain can be moved");

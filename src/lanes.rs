@@ -5,6 +5,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use plm_runtime::Scalar;
 use plm_runtime::lanes::{LANES, Lanes};
 use plm_runtime::method::Rk4Formula;
+use plm_runtime::scalar::Registers;
 use wide::f64x8;
 
 /// Eight simulations of one mechanism side by side; [`lanes::Batch`](plm_runtime::lanes::Batch) tells more.
@@ -78,6 +79,7 @@ impl Scalar for F64x8 {
     type Turns = Self;
 
     const ZERO: Self = Self(f64x8::ZERO);
+    const REGISTERS: Registers = Registers::Filled;
     const HEALTHY: f64 = f64::HEALTHY;
     const AGREEMENT: f64 = f64::AGREEMENT;
     const PRECISION: f64 = f64::PRECISION;

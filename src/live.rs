@@ -169,7 +169,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         let mut sim = before;
         by_number::set_parameters(&mut sim, &self.mechanism);
         let can_go_on = if self.is_turned(&before) {
-            sim.settle().or_else(|_| self.assembled_from(&before).map(|_| ()))
+            sim.project().or_else(|_| self.assembled_from(&before).map(|_| ()))
         } else {
             Ok(())
         };

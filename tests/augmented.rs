@@ -3,7 +3,7 @@
 
 use plm::runtime::held::Loops as _;
 use plm::runtime::linalg::{Both, Complex, Dense, Derivatives};
-use plm::runtime::{Linear, System, Vector};
+use plm::runtime::{Linear, Rate, Vector};
 use plm::{Dop853, Mechanism, Moment, RadauIia5, Ros34Pw2};
 
 /// A chain that holds a bit of everything: revolutes with springs, a slide, a slot, welds, a body that hangs on nothing, a
@@ -149,7 +149,7 @@ fn both<X: Dense<f64>, D: Derivatives<f64, X>>(
 /// tree there is no full matrix beside the system.
 fn difference<M>(mechanism: M, time: f64, lambda: Complex<f64>, is_tree: bool) -> f64
 where
-    M: Mechanism<S = f64, X: Dense<f64, Matrix: Derivatives<f64, <M as System>::X>>> + Linear,
+    M: Mechanism<S = f64, X: Dense<f64, Matrix: Derivatives<f64, <M as Rate>::X>>> + Linear,
 {
     let mut sim = mechanism.start().unwrap();
     sim.step(time).unwrap();

@@ -1,7 +1,7 @@
 //! Code with loops for what repeats itself beside the same code without: the same bits.
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
-use plm::runtime::{Statics, System, Vector};
+use plm::runtime::{Labels, Statics, Vector};
 use plm::{Described, Moment, Ros34Pw2};
 
 /// Declares a mechanism with loops and without, and tells every number of a run of each.
@@ -162,7 +162,7 @@ fn tables_of_many_bodies_are_complete() {
         // From G, which is 0.01 m from O.
         assert_eq!(mechanism.port(k, 0).unwrap().x, -0.05 - 0.01);
     }
-    let names: Vec<&str> = (0..220).map(|k| System::name_of_state(&mechanism, k)).collect();
+    let names: Vec<&str> = (0..220).map(|k| Labels::name_of_state(&mechanism, k)).collect();
     assert_eq!(
         (names[0], names[109], names[110], names[219]),
         ("bar[0].angle", "bar[109].angle", "bar[0].omega", "bar[109].omega")

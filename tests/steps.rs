@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
 use plm::runtime::held::Loops;
-use plm::runtime::{Moment, System, Vector};
+use plm::runtime::{Constraints, Moment, Vector};
 use plm::{Cause, Dop853, Fault, Mechanism, Method, Rk4, Ros34Pw2, SemiImplicitEuler, Sim};
 
 plm::mechanism! {

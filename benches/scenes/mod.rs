@@ -41,7 +41,7 @@ pub(crate) struct Scene {
     pub(crate) h: f64,
     /// Instructions that a step may need.
     pub(crate) limit: Option<u32>,
-    /// Instructions that a step of `Sim` may need. In absolute coordinates some settle every step, and loops are looked at for
+    /// Instructions that a step of `Sim` may need. In absolute coordinates some project every step, and loops are looked at for
     /// turns next to flat poses (580 instructions of S2). What depends on parameters alone, a loop over the formula computes
     /// once, and `Sim` in each step (the arm: 216 instructions).
     pub(crate) with_sim: u32,

@@ -1,6 +1,6 @@
 //! The scenes in their order, and the rungs of each.
 
-use plm::System;
+use plm::Rate;
 use plm::runtime::{Ports, Vector};
 
 use crate::arms::{arms_absolute, arms_tree};
@@ -21,7 +21,7 @@ macro_rules! rungs {
             $({
                 type Scene = $scene::$mechanism<f64>;
                 check_names(bench.scene.id, <Scene as Ports>::OUTPUTS);
-                let states = <<Scene as System>::X as Vector<f64>>::LEN;
+                let states = <<Scene as Rate>::X as Vector<f64>>::LEN;
                 lines.extend(every(&Rung {
                     bench,
                     mechanism: Scene::new(),

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use plm_runtime::method::{Context, Path, RadauIia5};
+use plm_runtime::method::{Context, DenseOutput, ErrorControl, FixedLength, Path, RadauIia5};
 use plm_runtime::system::Drift;
-use plm_runtime::{Adams, Dop853, Fault, Linear, Method, Moment, Sim, System, Vector, Vern9};
+use plm_runtime::{Adams, Dop853, Events, Fault, Linear, Method, Moment, Rate, Sim, Vector, Vern9};
 
 use crate::linearise::{Linearisable, Mode, linearise};
 
@@ -102,8 +102,8 @@ impl Choice {
                 let modes = system.modes();
                 let choice = Self::by(&modes, rtol);
                 // Guards switch, and each switch is a new beginning; what drifts is projected after many short steps.
-                let smooth = <<T::M as System>::G as Vector<f64>>::LEN == 0;
-                let free = modes.len() == <<T::M as System>::X as Vector<f64>>::LEN;
+                let smooth = <<T::M as Events>::G as Vector<f64>>::LEN == 0;
+                let free = modes.len() == <<T::M as Rate>::X as Vector<f64>>::LEN;
                 let multistep = modes.len() >= MULTISTEP_FROM && smooth && free && choice.is_calm();
                 Self { multistep, ninth_order: choice.ninth_order && !multistep, ..choice }
             }
@@ -238,29 +238,16 @@ macro_rules! whichever {
 }
 
 impl<M: Linear<S = f64> + Copy> Method<M> for Auto<M> {
-    const DENSE: bool = true;
     const NAME: &'static str = "Auto";
 
-    fn begin(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
-        whichever!(mut self, method => method.begin(context))
-    }
     fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         whichever!(mut self, method => method.advance(context))
-    }
-    fn densify(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
-        whichever!(mut self, method => method.densify(context))
-    }
-    fn interpolate(&self, time: f64) -> M::X {
-        whichever!(self, method => method.interpolate(time))
     }
     fn restart(&mut self) {
         whichever!(mut self, method => Method::<M>::restart(method));
     }
     fn turned(&mut self) {
         whichever!(mut self, method => Method::<M>::turned(method));
-    }
-    fn shorten(&mut self, h: f64) -> bool {
-        whichever!(mut self, method => Method::<M>::shorten(method, h))
     }
     fn fresh(&self) -> Self {
         let method = match &self.method {
@@ -271,19 +258,37 @@ impl<M: Linear<S = f64> + Copy> Method<M> for Auto<M> {
         };
         Self { method, choice: self.choice }
     }
-    fn path(&self) -> Option<Path<f64, M::X>> {
-        whichever!(self, method => Method::<M>::path(method))
-    }
-    fn most_steps(&self) -> u64 {
-        whichever!(self, method => Method::<M>::most_steps(method))
-    }
-    fn tolerance(&self) -> Option<f64> {
-        whichever!(self, method => Method::<M>::tolerance(method))
-    }
-    fn limited_by(&self, system: &M) -> Option<usize> {
-        whichever!(self, method => Method::<M>::limited_by(method, system))
-    }
     fn drift_limit(&self, system: &M) -> Drift<f64> {
         whichever!(self, method => method.drift_limit(system))
     }
 }
+
+impl<M: Linear<S = f64> + Copy> DenseOutput<M> for Auto<M> {
+    const DENSE: bool = true;
+    fn densify(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        whichever!(mut self, method => method.densify(context))
+    }
+    fn interpolate(&self, time: f64) -> M::X {
+        whichever!(self, method => method.interpolate(time))
+    }
+    fn path(&self) -> Option<Path<f64, M::X>> {
+        whichever!(self, method => DenseOutput::<M>::path(method))
+    }
+}
+
+impl<M: Linear<S = f64> + Copy> ErrorControl<M> for Auto<M> {
+    fn shorten(&mut self, h: f64) -> bool {
+        whichever!(mut self, method => ErrorControl::<M>::shorten(method, h))
+    }
+    fn most_steps(&self) -> u64 {
+        whichever!(self, method => ErrorControl::<M>::most_steps(method))
+    }
+    fn tolerance(&self) -> Option<f64> {
+        whichever!(self, method => ErrorControl::<M>::tolerance(method))
+    }
+    fn limited_by(&self, system: &M) -> Option<usize> {
+        whichever!(self, method => ErrorControl::<M>::limited_by(method, system))
+    }
+}
+
+impl<M: Linear<S = f64> + Copy> FixedLength<M> for Auto<M> {}

@@ -4,7 +4,9 @@ use std::fmt;
 
 use nalgebra::{Complex, DMatrix};
 use plm_runtime::linalg::Dense;
-use plm_runtime::{AsMoment, Cause, Dual, Fault, Linear, Mechanism, Moment, Ports, System};
+use plm_runtime::{
+    AsMoment, Cause, Constraints, Dual, Fault, Linear, Mechanism, Moment, Ports, Rate, System,
+};
 
 /// A mechanism that can be linearised: generated ones can.
 pub trait Linearisable: Mechanism + Ports + Linear<S = f64, Lifted<1>: Ports> + System<S = f64> {}
@@ -152,7 +154,7 @@ pub fn derivatives<T>(state: &T) -> Result<Derivatives, Fault>
 where
     T: Moment<M: Linearisable<State = T>>,
 {
-    let size = <<T::M as System>::X as plm_runtime::Vector<f64>>::LEN;
+    let size = <<T::M as Rate>::X as plm_runtime::Vector<f64>>::LEN;
     if !state.mechanism().is_regular(&state.held()) {
         return Err(Fault::new(state.time(), Cause::Singular { rows: size }));
     }
@@ -175,7 +177,7 @@ where
 
 /// The derivatives of the rate by the state.
 fn by_state<T: Moment<M: Linearisable<State = T>>>(state: &T, size: usize) -> Result<DMatrix<f64>, Fault> {
-    type X<T> = <<T as Moment>::M as System>::X;
+    type X<T> = <<T as Moment>::M as Rate>::X;
     let mut matrix = <X<T> as Dense<f64>>::zeros();
     let health = state.mechanism().jacobian(state.time(), &state.held(), state.x(), &mut matrix, None);
     if !health.is_good() {
@@ -202,7 +204,7 @@ fn along<T: Moment<M: Linearisable<State = T>>>(state: &T, direction: Direction)
     type Lifted<T> = <<T as Moment>::M as Linear>::Lifted<1>;
     type Number = Dual<f64, 1>;
     let (lifted, mut held) = state.mechanism().lift::<1>(&state.held());
-    let mut x = <<Lifted<T> as System>::X as plm_runtime::Vector<Number>>::from_fn(|i| {
+    let mut x = <<Lifted<T> as Rate>::X as plm_runtime::Vector<Number>>::from_fn(|i| {
         Dual::constant(plm_runtime::Vector::at(state.x(), i))
     });
     match direction {

@@ -1,6 +1,6 @@
 //! What an object has by number.
 
-use plm_runtime::{StartValues, System, Vector};
+use plm_runtime::{Rate, StartValues, Vector};
 
 use crate::{Foreign, Status, Trouble};
 
@@ -75,7 +75,7 @@ impl Kind {
             }
             Self::Body => M::TABLES.bodies.iter().for_each(|body| each(body.name)),
             Self::Integrated | Self::Rate => {
-                for index in 0..<M as System>::X::LEN {
+                for index in 0..<M as Rate>::X::LEN {
                     each(declared.name_of_state(index));
                 }
             }

@@ -1,8 +1,9 @@
 //! A mechanism with a run of it, by number, without pointers.
 
+use plm_runtime::described::mechanism_in_words;
 use plm_runtime::linearised::Linearised;
-use plm_runtime::words::{InWords, Words, mechanism};
-use plm_runtime::{Cause, Fault, Moment, Scalar, Sim, StartValues, System, Vector};
+use plm_runtime::words::{InWords, Words};
+use plm_runtime::{Cause, Fault, Moment, Rate, Scalar, Sim, StartValues, Vector};
 
 use crate::{By, Choice, Foreign, Kind, Run, Status, Trouble, saved};
 
@@ -173,11 +174,11 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
             Kind::Output => M::observed(self.state()?, index),
             Kind::Integrated => {
                 let x = self.state()?.x();
-                (index < <M as System>::X::LEN).then(|| x.at(index))
+                (index < <M as Rate>::X::LEN).then(|| x.at(index))
             }
             Kind::Rate => {
                 let rates = self.rates()?;
-                (index < <M as System>::X::LEN).then(|| rates.at(index))
+                (index < <M as Rate>::X::LEN).then(|| rates.at(index))
             }
             Kind::Start => {
                 let (mut copy, mut found) = (self.mechanism, None);
@@ -327,7 +328,7 @@ impl<M: Foreign> Object<M> {
 /// run all can be read.
 impl<M: Foreign, R: Run<M>> InWords for ObjectBy<M, R> {
     fn each(&mut self, words: &mut impl Words) {
-        mechanism(&mut self.mechanism, words);
+        mechanism_in_words(&mut self.mechanism, words);
         self.choice.each(words);
         words.flag(&mut self.is_changed);
         let mut has_started = self.run.is_some();

@@ -1,7 +1,7 @@
 //! What a mechanism tells of itself, for a results file.
 
 use plm_runtime::described::{self, Described, Place};
-use plm_runtime::{Scalar, System};
+use plm_runtime::{Rate, Scalar};
 use plm_view::{Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report};
 
 /// What a results file tells of a mechanism with its parameters as they are.
@@ -62,7 +62,7 @@ pub(super) fn numbers<S: Scalar>(place: Option<Place<S>>) -> [f64; 3] {
 
 fn ground<M: Described>(of: &M, k: usize) -> GroundPort {
     let row = &M::TABLES.ground[k];
-    let [x, y, angle] = numbers(of.ground(<M as System>::S::lit(0.0), k));
+    let [x, y, angle] = numbers(of.ground(<M as Rate>::S::lit(0.0), k));
     GroundPort { name: row.name.to_owned(), x, y, angle, depth: number(of.ground_depth(k)), moves: row.moves }
 }
 

@@ -1,6 +1,7 @@
 //! What is held over a step, in one shape for every mechanism.
 
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
+use crate::words::{InWords, Words};
 
 /// What is held over a step; the rate is smooth in time and state as long as this stays.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,5 +59,18 @@ impl<S> Loops<S> for () {
 
     fn chart(&self) -> Option<usize> {
         Some(0)
+    }
+}
+
+/// Switches, turns, loops. The inputs have a type of the mechanism's own: they are shown by [`Ports`](crate::Ports).
+impl<S: Real, I, const W: usize, const T: usize, L: InWords> InWords for Held<I, [S; W], [i32; T], L> {
+    fn each(&mut self, words: &mut impl Words) {
+        words.numbers(&mut self.switches);
+        for turns in &mut self.turns {
+            let mut number = f64::from(*turns);
+            words.number(&mut number);
+            *turns = number as i32;
+        }
+        self.of_loops.each(words);
     }
 }

@@ -3,7 +3,7 @@
 use crate::dual::Dual;
 use crate::linalg::{Dense, Derivatives};
 use crate::scalar::{Real, Scalar};
-use crate::system::{Health, System};
+use crate::system::{Health, Rate, System};
 use crate::vector::Vector;
 
 /// Directions in which one evaluation on dual numbers differentiates.
@@ -18,7 +18,7 @@ pub fn finite<S: Real, const N: usize>(health: Health<S>, by_x: &[[S; N]; N]) ->
 
 /// A system that can be differentiated: generated code says how its numbers become [`Dual`] numbers, the rest is done
 /// by running it on them.
-pub trait Linear: System<S: Real, X: Dense<<Self as System>::S>> {
+pub trait Linear: System<S: Real, X: Dense<<Self as Rate>::S>> {
     /// The same system of dual numbers.
     type Lifted<const K: usize>: Linear<S = Dual<Self::S, K>>;
     /// The form in which implicit methods keep the derivatives of the rate: a matrix, where states are few, or the
@@ -26,7 +26,7 @@ pub trait Linear: System<S: Real, X: Dense<<Self as System>::S>> {
     type Derivatives: Derivatives<Self::S, Self::X>;
 
     /// The system with what is held over a step, all numbers constant.
-    fn lift<const K: usize>(&self, held: &Self::U) -> (Self::Lifted<K>, <Self::Lifted<K> as System>::U);
+    fn lift<const K: usize>(&self, held: &Self::U) -> (Self::Lifted<K>, <Self::Lifted<K> as Rate>::U);
 
     /// Gives `row` the residual of every equation that a state has to keep: phi and phi_q v - nu.
     fn constraints(&self, t: Self::S, x: &Self::X, row: &mut impl FnMut(Self::S)) {

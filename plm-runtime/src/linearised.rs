@@ -9,7 +9,7 @@ use crate::linear::Linear;
 use crate::mechanism::{Mechanism, Moment};
 use crate::ports::Ports;
 use crate::scalar::{Real, Scalar};
-use crate::system::System;
+use crate::system::{Rate, System};
 use crate::vector::Vector;
 
 /// A mechanism that can be linearised with all that is observed of it: generated ones can.
@@ -20,7 +20,7 @@ impl<M: Described + Linear<Lifted<1>: Described>> Linearisable for M {}
 /// The directions in which the state of a mechanism can go, and what changes along them.
 ///
 /// With constraints the state is counted along what they leave: orthonormal directions. Without any the directions are those
-/// of the state, [`System::name_of_state`]. Inputs and observed quantities are in SI.
+/// of the state, [`Labels::name_of_state`](crate::Labels::name_of_state). Inputs and observed quantities are in SI.
 pub struct Linearised<'a, M: Mechanism + Linear> {
     state: &'a M::State,
     /// Rows, of which the first `fixed` are those that constraints do not leave.
@@ -57,7 +57,7 @@ enum Along<X> {
 }
 
 type Lifted<M> = <M as Linear>::Lifted<1>;
-type LiftedX<M> = <Lifted<M> as System>::X;
+type LiftedX<M> = <Lifted<M> as Rate>::X;
 
 impl<'a, M: Linearisable> Linearised<'a, M> {
     /// The directions at a moment.

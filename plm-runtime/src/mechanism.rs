@@ -2,10 +2,10 @@
 
 use crate::fault::Fault;
 use crate::method::{Dop853, Method};
+use crate::protocol::Rescue;
 use crate::scalar::Real;
 use crate::sim::Sim;
-use crate::singular::Rescue;
-use crate::system::{Drift, System};
+use crate::system::{Drift, Rate, System};
 
 /// A mechanism with its parameters at one moment: the generated `State`, with methods such as `arm_angle()`.
 pub trait Moment: Copy {
@@ -15,25 +15,20 @@ pub trait Moment: Copy {
     /// The mechanism at `time` in the state `x`, with what is held over a step: inputs, chart, branches.
     fn new(
         mechanism: Self::M,
-        held: <Self::M as System>::U,
-        time: <Self::M as System>::S,
-        x: <Self::M as System>::X,
+        held: <Self::M as Rate>::U,
+        time: <Self::M as Rate>::S,
+        x: <Self::M as Rate>::X,
     ) -> Self;
     /// The mechanism and its parameters.
     fn mechanism(&self) -> &Self::M;
     /// What is held over a step.
-    fn held(&self) -> <Self::M as System>::U;
+    fn held(&self) -> <Self::M as Rate>::U;
     /// The time, s.
-    fn time(&self) -> <Self::M as System>::S;
+    fn time(&self) -> <Self::M as Rate>::S;
     /// The state.
-    fn x(&self) -> &<Self::M as System>::X;
+    fn x(&self) -> &<Self::M as Rate>::X;
     /// Moves on to another time and state.
-    fn set(
-        &mut self,
-        time: <Self::M as System>::S,
-        held: &<Self::M as System>::U,
-        x: &<Self::M as System>::X,
-    );
+    fn set(&mut self, time: <Self::M as Rate>::S, held: &<Self::M as Rate>::U, x: &<Self::M as Rate>::X);
     /// The same by reference, for what moves it on without a copy.
     fn in_place(&mut self) -> InPlace<'_, Self::M>;
 }
@@ -158,7 +153,7 @@ pub trait Mechanism: System<S: Real> + Copy {
     }
 
     /// How far the joints are open at a state. With joint coordinates they cannot drift, so that
-    /// [`System::drift`] has nothing to look at in a step; they are open all the same where parameters were changed.
+    /// [`Constraints::drift`](crate::Constraints::drift) has nothing to look at in a step; they are open all the same where parameters were changed.
     fn opening(&self, t: Self::S, held: &Self::U, x: &Self::X) -> Drift<Self::S> {
         let _ = held;
         self.drift(t, x)

@@ -1,7 +1,7 @@
 //! Inputs and outputs by number: for linearisation, and for whoever couples mechanisms without knowing their names.
 
 use crate::mechanism::Mechanism;
-use crate::system::System;
+use crate::system::Rate;
 
 /// The inputs and outputs of a mechanism, in the order of the declaration.
 pub trait Ports: Mechanism {
@@ -13,11 +13,11 @@ pub trait Ports: Mechanism {
     const OUTPUTS: &'static [(&'static str, &'static str)];
 
     /// The inputs among what is held over a step.
-    fn inputs(held: &mut <Self as System>::U) -> &mut Self::Input;
+    fn inputs(held: &mut <Self as Rate>::U) -> &mut Self::Input;
 
     /// The input with this index, in SI units; none beyond the last.
-    fn input(input: &mut Self::Input, index: usize) -> Option<&mut <Self as System>::S>;
+    fn input(input: &mut Self::Input, index: usize) -> Option<&mut <Self as Rate>::S>;
 
     /// Gives `each` the value of every output, in its unit.
-    fn outputs(state: &Self::State, each: &mut impl FnMut(<Self as System>::S));
+    fn outputs(state: &Self::State, each: &mut impl FnMut(<Self as Rate>::S));
 }

@@ -10,6 +10,35 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use plm_math as math;
 use plm_math::exact::Split;
 
+/// How numbers use vector registers: what depends on them is whether two of them side by side take less time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Registers {
+    /// One number at a time.
+    Scalar,
+    /// Compilers join two numbers in one register.
+    Pairs,
+    /// A number fills its registers by itself: it has several lanes.
+    Filled,
+}
+
+impl Registers {
+    /// Whether two rates in a row take less time side by side, of a rate for which that pays or not where registers are filled.
+    #[must_use]
+    pub const fn pays_in_pairs(self, in_lanes: bool) -> bool {
+        match self {
+            Self::Scalar => false,
+            Self::Pairs => true,
+            Self::Filled => in_lanes,
+        }
+    }
+
+    /// Whether a number has several lanes.
+    #[must_use]
+    pub const fn are_filled(self) -> bool {
+        matches!(self, Self::Filled)
+    }
+}
+
 /// A number, or several in lanes, with the operations of a right-hand side.
 pub trait Scalar:
     Copy
@@ -41,6 +70,8 @@ pub trait Scalar:
     const AGREEMENT: f64;
     /// A unit in the last place of 1: two numbers that differ by less are one.
     const PRECISION: f64;
+    /// How such numbers use vector registers.
+    const REGISTERS: Registers = Registers::Scalar;
 
     /// The constant `x`, rounded to this type, in every lane.
     fn lit(x: f64) -> Self;
@@ -183,8 +214,6 @@ pub trait Real: Scalar<Mask = bool, Turns = i32> + PartialOrd + Split {
     const TWOFOLD_EPSILON: Self;
     /// Larger than every finite number.
     const INFINITY: Self;
-    /// Does the target have vectors of such numbers?
-    const VECTORS: bool = false;
     /// The largest integer that is not above the number.
     #[must_use]
     fn floor(self) -> Self;
@@ -216,6 +245,11 @@ macro_rules! real {
             const HEALTHY: f64 = $healthy;
             const AGREEMENT: f64 = $agreement;
             const PRECISION: f64 = $real::EPSILON as f64;
+            const REGISTERS: Registers = if cfg!(any(target_feature = "sse2", target_arch = "aarch64")) {
+                Registers::Pairs
+            } else {
+                Registers::Scalar
+            };
 
             #[inline]
             fn lit(x: f64) -> Self {
@@ -330,8 +364,6 @@ macro_rules! real {
             const RANK_TOLERANCE: Self = $rank_tolerance;
             const TWOFOLD_EPSILON: Self = $real::EPSILON * $real::EPSILON;
             const INFINITY: Self = $real::INFINITY;
-            const VECTORS: bool = cfg!(any(target_feature = "sse2", target_arch = "aarch64"));
-
             #[inline]
             fn are_direct<const N: usize>(angles: [Self; N]) -> bool {
                 math::$real::are_direct(angles)

@@ -4,25 +4,22 @@ mod changes;
 mod clock;
 mod count;
 mod fast;
-mod history;
+mod notice;
 mod samples;
 mod times;
-mod told;
 mod watched;
-mod words;
 
 pub(crate) use self::clock::Clock;
-pub(crate) use self::history::{Beginning, History};
+pub use self::notice::Notice;
 pub use self::samples::Seen;
-pub(crate) use self::samples::{Observer, Trigger, Unobserved};
 use self::samples::{Sampler, Samples, Times};
-pub use self::told::{Notice, Stats};
-use crate::events::Detector;
+use crate::events::{Detector, History};
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Context, Dop853, Method};
-use crate::protocol::{Advance, Guarded, Limits};
+use crate::protocol::{Advance, Guarded, Limits, Observer, Unobserved};
 use crate::scalar::{Real, Scalar};
+pub use crate::stats::Stats;
 use crate::system::Drift;
 
 /// A running simulation.
@@ -44,11 +41,11 @@ pub struct Sim<M: Mechanism, I = Dop853<M>> {
     pub(crate) longest_step: M::S,
     pub(crate) history: History<M>,
     /// When it began, s.
-    start_time: M::S,
+    pub(crate) start_time: M::S,
     /// The caller may have changed something since the last step.
     pub(crate) changed: bool,
     /// What the parameters were when they were looked at last.
-    parameters: u64,
+    pub(crate) parameters: u64,
 }
 
 /// A simulation as it was at one moment; resuming from it gives the same bits again.
@@ -90,7 +87,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
 
     /// Runs until the time `until` and gives a sample at the current time and after every `every`, in s.
     ///
-    /// Methods with dense output are not made to step shorter by samples. A sample that drifted is settled.
+    /// Methods with dense output are not made to step shorter by samples. A sample that drifted is projected.
     ///
     /// # Errors
     /// When the run cannot be continued; the samples before that moment have been given. Before all, when `until` has passed,
@@ -132,17 +129,17 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// Projects the state onto its constraints.
     ///
     /// After a run that has ended with [`Cause::Drift`](crate::Cause::Drift) the state is that before the step, which was on its constraints: to
-    /// settle it changes nothing.
+    /// project it changes nothing.
     ///
     /// # Errors
     /// When the projection does not converge, or a parameter has been changed to what cannot be.
-    pub fn settle(&mut self) -> Result<(), Fault> {
+    pub fn project(&mut self) -> Result<(), Fault> {
         self.take_changes()?;
         let (time, mut x) = (self.state.time(), *self.state.x());
-        self.state.mechanism().settle(time, &mut x)?;
+        self.state.mechanism().project(time, &mut x)?;
         let held = self.state.held();
         self.state.set(time, &held, &x);
-        self.stats.settled += 1;
+        self.stats.projected += 1;
         self.forget();
         Ok(())
     }

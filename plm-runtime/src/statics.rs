@@ -3,17 +3,17 @@
 use crate::fault::Fault;
 use crate::mechanism::Mechanism;
 use crate::start::StartValues;
-use crate::system::System;
+use crate::system::Rate;
 use crate::vector::Vector;
 
 /// The equations of a mechanism as they are before it is solved for accelerations; implemented by generated code.
 pub trait Statics: Mechanism {
     /// A state in absolute coordinates: [q, v, first-order states], SI units.
-    type Full: Vector<<Self as System>::S>;
+    type Full: Vector<<Self as Rate>::S>;
     /// A number for each constraint row.
-    type Rows: Vector<<Self as System>::S>;
+    type Rows: Vector<<Self as Rate>::S>;
     /// The start values.
-    type Starts: StartValues<<Self as System>::S>;
+    type Starts: StartValues<<Self as Rate>::S>;
 
     /// Name of each coordinate, as `arm.x`, `arm.angle`: three for each body.
     const COORDINATES: &'static [&'static str];

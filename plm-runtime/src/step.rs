@@ -5,8 +5,10 @@ use crate::events;
 use crate::fault::{Cause, Fault};
 use crate::lanes::Pack;
 use crate::mechanism::{InPlace, Mechanism, Moment};
-use crate::method::{Context, Estimate, Formula, Rk4Formula, Ros34Pw2Formula, Trial, not_finite};
-use crate::protocol::{DriftCheck, Length, Limits, Proposal, Rules, Verdict, judge};
+use crate::method::{
+    Context, DriftCheck, Estimate, Formula, Length, Rk4Formula, Ros34Pw2Formula, Trial, not_finite,
+};
+use crate::protocol::{Limits, Proposal, Rules, Verdict, judge};
 use crate::scalar::{Real, Scalar};
 use crate::sim::Stats;
 use crate::singular::{Nearness, Rescue};
@@ -19,7 +21,7 @@ const DRIFT: f64 = 1e-10;
 
 /// Takes a mechanism on by a step of `h`, in s. The formula takes the state from the time to that plus `h`.
 ///
-/// The new state is settled if it drifted. Conditions that are past their guards switch at the end of the step, as do those
+/// The new state is projected if it drifted. Conditions that are past their guards switch at the end of the step, as do those
 /// that the time alone decides: what changes within a step acts from its end.
 ///
 /// # Errors
@@ -80,7 +82,7 @@ fn drift_check<S: Real>() -> DriftCheck<S> {
 /// Does no condition change in a step that the time alone decides?
 #[inline]
 fn is_before_instants<M: System<S: Real>>(system: &M, held: &M::U, (before, end): (M::S, M::S)) -> bool {
-    system.next_instant(before, held).is_none_or(|instant| instant > end)
+    system.next_time_event(before, held).is_none_or(|instant| instant > end)
 }
 
 /// Does what the judge says of a step, and commits its discrete state; the state then.
@@ -92,7 +94,7 @@ fn arrive<M: Mechanism>(
     (end, mut x): (M::S, M::X),
 ) -> Result<M::X, Fault> {
     if drift_check().fails(system, end, &x) {
-        system.settle(end, &mut x)?;
+        system.project(end, &mut x)?;
     }
     let rules = Rules { length: Length::Alone, drift: DriftCheck::Skip, limits: Limits::NONE };
     let mut after = *held;
@@ -124,7 +126,7 @@ fn switched<M: Mechanism>(context: &mut Context<'_, M>, before: M::S) -> Result<
     events::switch_at_end(context)?;
     if !is_before_instants(context.system, &context.held, (before, context.time)) {
         let (mut after, mut x) = (context.held, context.x);
-        context.system.pass(context.time, &mut after, &mut x)?;
+        context.system.switch_at_time(context.time, &mut after, &mut x)?;
         events::hold(context, after)?;
         context.x = x;
     }

@@ -3,12 +3,7 @@
 //! One function shows every word, in one order, to whoever writes, reads or counts them: so what is read is what was
 //! written, and always as many. A number is the word of its bits.
 
-use crate::charts::{Followed, Memory, OfLoops, Reach, Remembered, Turn};
-use crate::described::Described;
-use crate::held::Held;
 use crate::scalar::Real;
-use crate::start::StartValues;
-use crate::statics::Statics;
 use crate::vector::Vector;
 
 /// Writes words, or reads them.
@@ -75,68 +70,4 @@ pub trait InWords {
 
 impl InWords for () {
     fn each(&mut self, _words: &mut impl Words) {}
-}
-
-/// Shows the parameters of a mechanism and its start values with their locks.
-pub fn mechanism<M: Described + Statics>(mechanism: &mut M, words: &mut impl Words) {
-    for index in 0..M::TABLES.parameters.len() {
-        if let Some(parameter) = mechanism.parameter_mut(index) {
-            words.number(parameter);
-        }
-    }
-    mechanism.starts_mut().each(&mut |_, start| {
-        words.number(&mut start.value);
-        words.flag(&mut start.locked);
-    });
-}
-
-/// Switches, turns, loops. The inputs have a type of the mechanism's own: they are shown by [`Ports`](crate::Ports).
-impl<S: Real, I, const W: usize, const T: usize, L: InWords> InWords for Held<I, [S; W], [i32; T], L> {
-    fn each(&mut self, words: &mut impl Words) {
-        words.numbers(&mut self.switches);
-        for turns in &mut self.turns {
-            let mut number = f64::from(*turns);
-            words.number(&mut number);
-            *turns = number as i32;
-        }
-        self.of_loops.each(words);
-    }
-}
-
-/// The chart, and what is remembered in it; or pose and velocity. What is not held is zero.
-impl<S: Real, const Y: usize, const T: usize, const A: usize, const F: usize, const NQ: usize> InWords
-    for OfLoops<Memory<S, Y, T, A, F>, [S; NQ]>
-{
-    fn each(&mut self, words: &mut impl Words) {
-        let (mut place, mut memory, mut pose) = (0, Memory::nothing(), ([S::ZERO; NQ], [S::ZERO; NQ]));
-        match *self {
-            OfLoops::InChart { chart, memory: held } => (place, memory) = (chart as u64 + 1, held),
-            OfLoops::Free { q, v } => pose = (q, v),
-        }
-        words.word(&mut place);
-        memory.each(words);
-        words.numbers(&mut pose.0);
-        words.numbers(&mut pose.1);
-        *self = match place.checked_sub(1) {
-            Some(chart) => OfLoops::InChart { chart: chart as usize, memory },
-            None => OfLoops::Free { q: pose.0, v: pose.1 },
-        };
-    }
-}
-
-impl<S: Real, const Y: usize, const T: usize, const A: usize, const F: usize> InWords
-    for Memory<S, Y, T, A, F>
-{
-    fn each(&mut self, words: &mut impl Words) {
-        for Reach { last, reach } in self.coordinates.iter_mut().chain([&mut self.time]) {
-            words.numbers([last, reach]);
-        }
-        for Turn { angle, cos, sin } in &mut self.turns {
-            words.numbers([angle, cos, sin]);
-        }
-        words.numbers(&mut self.areas);
-        for Followed { value, rate, bend } in &mut self.followed {
-            words.numbers([value, rate, bend]);
-        }
-    }
 }

@@ -9,7 +9,7 @@ mod pressures;
 mod settings;
 mod stabilise;
 
-use plm::runtime::{At, Dual, Health, Linear, Ports, System, Vector};
+use plm::runtime::{At, Constraints, Dual, Events, Health, Labels, Linear, Ports, Rate, Vector};
 use plm::{Fault, Linearisation, Mechanism, Real, linearise};
 
 /// Declares a mechanism with one parameter and one input, as generated code would.
@@ -25,11 +25,10 @@ macro_rules! mechanism {
             $param: S,
         }
 
-        impl<S: Real> System for $name<S> {
+        impl<S: Real> Rate for $name<S> {
             type S = S;
             type X = [S; $n];
             type U = S;
-            type G = [S; 0];
             const NQ: usize = $nq;
 
             fn rate(&self, _t: S, u: &S, $x: &[S; $n], dx: &mut [S; $n]) -> Health<S> {
@@ -38,6 +37,14 @@ macro_rules! mechanism {
                 Health::perfect()
             }
         }
+
+        impl<S: Real> Constraints for $name<S> {}
+
+        impl<S: Real> Events for $name<S> {
+            type G = [S; 0];
+        }
+
+        impl<S: Real> Labels for $name<S> {}
 
         impl<S: Real> Linear for $name<S> {
             type Lifted<const K: usize> = $name<Dual<S, K>>;

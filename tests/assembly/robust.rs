@@ -1,6 +1,6 @@
 //! Runs near poses where elimination without pivoting loses digits, resumed runs, faults, single precision.
 
-use plm::{Cause, Dop853, Rk4, Start};
+use plm::{Cause, Constraints, Dop853, Rate, Rk4, Start};
 
 use crate::scenes::{s1, s2};
 
@@ -23,7 +23,7 @@ mod flat {
 
 #[test]
 fn near_the_flat_pose_the_rank_revealing_solution_keeps_the_digits() {
-    use plm::{Mechanism, System};
+    use plm::Mechanism;
     let (mut lost, mut kept) = (0.0_f64, 0.0_f64);
     for distance in [1e-1, 1e-2, 1e-3, 1e-5, 1e-7] {
         let mut mechanism = flat::Parallelogram::new();

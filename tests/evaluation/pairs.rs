@@ -3,7 +3,7 @@
 use plm::runtime::charts::OfLoops;
 use plm::runtime::lanes::Two;
 use plm::runtime::method::{Formula, Rk4Formula};
-use plm::runtime::{Health, Mechanism, Moment, Real, Scalar, System, Vector};
+use plm::runtime::{Constraints, Events, Health, Labels, Mechanism, Moment, Rate, Scalar, System, Vector};
 use plm::{Rk4, Sim};
 
 use crate::linkages::loops;
@@ -13,11 +13,10 @@ use crate::scenes::{s2, s5, s6};
 /// A system whose stages come one by one.
 struct OneByOne<'a, M>(&'a M);
 
-impl<M: System> System for OneByOne<'_, M> {
+impl<M: System> Rate for OneByOne<'_, M> {
     type S = M::S;
     type X = M::X;
     type U = M::U;
-    type G = M::G;
     const NQ: usize = M::NQ;
 
     fn rate(&self, t: M::S, u: &M::U, x: &M::X, dx: &mut M::X) -> Health<M::S> {
@@ -25,9 +24,17 @@ impl<M: System> System for OneByOne<'_, M> {
     }
 }
 
+impl<M: System> Constraints for OneByOne<'_, M> {}
+
+impl<M: System> Events for OneByOne<'_, M> {
+    type G = M::G;
+}
+
+impl<M: System> Labels for OneByOne<'_, M> {}
+
 /// Runs, and compares each step with one whose stages come one by one.
 fn same_bits<M: Mechanism<S = f64>>(sim: &mut Sim<M, Rk4<f64>>, (h, steps): (f64, usize)) {
-    const { assert!(M::PAIRED == f64::VECTORS) };
+    const { assert!(M::PAIRED == f64::REGISTERS.pays_in_pairs(true)) };
     for step in 0..steps {
         let (mechanism, t) = (*sim.state().mechanism(), sim.state().time());
         let (held, x) = (sim.state().held(), *sim.state().x());

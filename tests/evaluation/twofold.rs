@@ -1,7 +1,7 @@
 //! Generated equations in numbers of twice the precision.
 
-use plm::runtime::lanes::{Pack, Rate};
-use plm::runtime::{Health, Twofold};
+use plm::runtime::lanes::Pack;
+use plm::runtime::{Health, Rate, Twofold};
 use plm::{Moment, Scalar};
 
 mod loops {

@@ -1,7 +1,7 @@
 //! Loops that do not split, by Newton's iteration: against rung 5, and where the iteration could fail.
 
 use plm::runtime::Absolute;
-use plm::{Dop853, Moment, Rk4, System};
+use plm::{Dop853, Moment, Rk4};
 
 use super::rungs::{close, on_both, on_rung_5, values};
 

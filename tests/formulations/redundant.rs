@@ -1,7 +1,7 @@
 //! Rows that say what others say, and rows on bodies that no joint holds: every rung moves alike.
 
 use plm::runtime::Absolute;
-use plm::{Dop853, Moment, System};
+use plm::{Dop853, Moment};
 
 use super::rungs::{close, on_both, on_rung_5, values};
 

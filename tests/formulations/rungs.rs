@@ -1,8 +1,8 @@
 //! Every scene on every rung that holds it: the same accelerations, the same motion, the same reactions.
 
 use plm::runtime::charts::{Charted, OfLoops};
-use plm::runtime::{Absolute, Vector};
-use plm::{BodyState, Dop853, Mechanism, Moment, System};
+use plm::runtime::{Absolute, Rate, Vector};
+use plm::{BodyState, Dop853, Mechanism, Moment};
 
 /// A mechanism on the rung that is taken, and on rung 5.
 macro_rules! on_both {
@@ -33,9 +33,9 @@ macro_rules! on_both {
                 let x: Vec<f64> = on_rung_5(&[$(state.$body()),+]);
                 let at = x.as_slice().try_into().unwrap();
                 let mut expected = *reference.x();
-                let _ = absolute.rate(state.time(), &reference.held(), &at, &mut expected);
+                let _ = plm::Rate::rate(&absolute, state.time(), &reference.held(), &at, &mut expected);
                 let (mut dx, h) = (*state.x(), 1e-6);
-                let _ = least.rate(state.time(), &state.held(), state.x(), &mut dx);
+                let _ = plm::Rate::rate(&least, state.time(), &state.held(), state.x(), &mut dx);
                 let beside = |h: f64| {
                     let mut x = *state.x();
                     for k in 0..x.len() {
@@ -288,7 +288,7 @@ mod driven {
 #[test]
 fn what_is_driven_altogether_has_no_state() {
     type Driven = driven::CrankRocker<f64>;
-    assert_eq!(<<Driven as System>::X as Vector<f64>>::LEN, 0);
+    assert_eq!(<<Driven as Rate>::X as Vector<f64>>::LEN, 0);
     let mut sim = Driven::new().start().unwrap();
     let mut samples = Vec::new();
     sim.run(20.0, 0.1, |state| samples.push((state.time(), state.coupler().angle, state.rocker().angle)))
@@ -333,7 +333,7 @@ where
         assert!(least.rate(t, &held, state.x(), &mut own).is_good());
         let rates = |t: f64, q: &L::Q, v: &L::Q| {
             let mut y = *state.x();
-            least.project(chart, t, q, v, &mut y);
+            least.to_chart(chart, t, q, v, &mut y);
             y
         };
         let a = L::Q::from_fn(|k| of_5[half + k]);

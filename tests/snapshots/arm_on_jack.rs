@@ -339,49 +339,52 @@ mod plm_arm_on_jack_ {
             }
         }
 
-        impl<S: Scalar> rt::lanes::Rate for ArmOnJack<S> {
+        impl<S: Scalar> rt::Rate for ArmOnJack<S> {
             type S = S;
             type X = [S; 10];
             type U = Held<S>;
             const NQ: usize = 1;
+            const SHORT: bool = !S::REGISTERS.are_filled();
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 10], dx: &mut [S; 10]) -> rt::Health<S> {
                 self.motion(t, u, x, dx);
                 rt::Health::perfect()
             }
-        }
-
-        impl<S: Real> rt::System for ArmOnJack<S> {
-            type S = S;
-            type X = [S; 10];
-            type U = Held<S>;
-            type G = [S; 4];
-            const NQ: usize = 1;
-            const SHORT: bool = true;
-            #[inline(always)]
-            fn rate(&self, t: S, u: &Self::U, x: &[S; 10], dx: &mut [S; 10]) -> rt::Health<S> {
-                rt::lanes::Rate::rate(self, t, u, x, dx)
-            }
-
-            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
-            #[inline(always)]
-            fn rate_pair(
-                &self,
-                t: [S; 2],
-                u: &Self::U,
-                x: [&[S; 10]; 2],
-                dx: &mut [[S; 10]; 2],
-                second: impl FnOnce(&[S; 10]) -> [S; 10],
-            ) -> rt::Health<S> {
-                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
-            }
 
             #[inline]
-            fn accept(&self, _t: S, u: &mut Self::U, x: &mut [S; 10]) -> Result<rt::Accepted, Fault> {
+            fn typical(&self) -> [S; 10] {
+                [
+                    1.0,
+                    1.0,
+                    100000.0,
+                    100000.0,
+                    1.6666666666666667e-5,
+                    100000.0,
+                    1.6666666666666667e-5,
+                    100000.0,
+                    1.0,
+                    1.0,
+                ]
+                .map(S::lit)
+            }
+        }
+
+        impl<S: Real> rt::Constraints for ArmOnJack<S> {
+            #[inline]
+            fn update(&self, _t: S, u: &mut Self::U, x: &mut [S; 10]) -> Result<rt::Updated, Fault> {
                 let turned = rt::turns::unwind(&mut u.turns, x, &[&[0]]);
-                Ok(rt::Accepted { turned, ..Default::default() })
+                Ok(rt::Updated { turned, ..Default::default() })
             }
 
+            fn energy(&self, t: S, u: &Self::U, x: &[S; 10]) -> Option<rt::Energy<S>> {
+                let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
+                let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
+                Some(rt::Energy { kinetic, gravity, power: state.load_power() })
+            }
+        }
+
+        impl<S: Real> rt::Events for ArmOnJack<S> {
+            type G = [S; 4];
             const KINKS: usize = 13;
             fn guards(&self, t: S, u: &Self::U, x: &[S; 10], g: &mut [S; 4]) {
                 let mut all = [S::lit(0.0); 17];
@@ -437,32 +440,13 @@ mod plm_arm_on_jack_ {
                 Ok(())
             }
 
-            fn guard_name(&self, index: usize) -> &'static str {
-                const NAMES: [&str; 4] = [
-                    "press.chamber1.above_vacuum",
-                    "press.chamber2.above_vacuum",
-                    "line1.inlet.above_vacuum",
-                    "line2.inlet.above_vacuum",
-                ];
-                NAMES.get(index).copied().unwrap_or_default()
-            }
-
-            fn conditions(&self) -> &'static [&'static str] {
-                &[
-                    "press.chamber1.above_vacuum",
-                    "press.chamber2.above_vacuum",
-                    "line1.inlet.above_vacuum",
-                    "line2.inlet.above_vacuum",
-                ]
-            }
-
-            fn next_instant(&self, t: S, u: &Self::U) -> Option<S> {
+            fn next_time_event(&self, t: S, u: &Self::U) -> Option<S> {
                 let (mut at, mut slope) = ([S::lit(0.0); 4], [S::lit(0.0); 4]);
                 self.instants(u, &mut at, &mut slope);
                 at.into_iter().filter(|at| *at > t).reduce(S::min)
             }
 
-            fn pass(&self, t: S, u: &mut Self::U, _x: &mut [S; 10]) -> Result<(), Fault> {
+            fn switch_at_time(&self, t: S, u: &mut Self::U, _x: &mut [S; 10]) -> Result<(), Fault> {
                 let (mut at, mut slope) = ([S::lit(0.0); 4], [S::lit(0.0); 4]);
                 self.instants(u, &mut at, &mut slope);
                 for ((side, at), slope) in u.switches.iter_mut().skip(4).zip(at).zip(slope) {
@@ -470,29 +454,9 @@ mod plm_arm_on_jack_ {
                 }
                 Ok(())
             }
+        }
 
-            fn energy(&self, t: S, u: &Self::U, x: &[S; 10]) -> Option<rt::Energy<S>> {
-                let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
-                let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
-                Some(rt::Energy { kinetic, gravity, power: state.load_power() })
-            }
-
-            fn typical(&self) -> [S; 10] {
-                [
-                    1.0,
-                    1.0,
-                    100000.0,
-                    100000.0,
-                    1.6666666666666667e-5,
-                    100000.0,
-                    1.6666666666666667e-5,
-                    100000.0,
-                    1.0,
-                    1.0,
-                ]
-                .map(S::lit)
-            }
-
+        impl<S: Real> rt::Labels for ArmOnJack<S> {
             fn part_of_state(&self, index: usize) -> &'static str {
                 let parts: &[&str] = const {
                     &[
@@ -533,6 +497,25 @@ mod plm_arm_on_jack_ {
                     Some(name) => name,
                     None => "",
                 }
+            }
+
+            fn guard_name(&self, index: usize) -> &'static str {
+                const NAMES: [&str; 4] = [
+                    "press.chamber1.above_vacuum",
+                    "press.chamber2.above_vacuum",
+                    "line1.inlet.above_vacuum",
+                    "line2.inlet.above_vacuum",
+                ];
+                NAMES.get(index).copied().unwrap_or_default()
+            }
+
+            fn conditions(&self) -> &'static [&'static str] {
+                &[
+                    "press.chamber1.above_vacuum",
+                    "press.chamber2.above_vacuum",
+                    "line1.inlet.above_vacuum",
+                    "line2.inlet.above_vacuum",
+                ]
             }
         }
 
@@ -641,8 +624,8 @@ mod plm_arm_on_jack_ {
                 x[8] = self.start.valve_servo_value.value;
                 x[9] = self.start.valve_servo_swing.value;
                 let mut held = Self::holding_(input);
-                self.project(t, &assembly.q, &assembly.v, &mut x);
-                rt::System::pass(self, t, &mut held, &mut x)?;
+                self.to_chart(t, &assembly.q, &assembly.v, &mut x);
+                rt::Events::switch_at_time(self, t, &mut held, &mut x)?;
                 rt::events::switch_where_due(self, t, &mut held, &mut x)?;
                 Ok((held, x))
             }
@@ -892,7 +875,7 @@ mod plm_arm_on_jack_ {
                 by_t: Option<&mut [S; 10]>,
             ) -> rt::Health<S> {
                 let mut dx = [S::lit(0.0); 10];
-                let health = rt::lanes::Rate::rate(self, t, u, x, &mut dx);
+                let health = rt::Rate::rate(self, t, u, x, &mut dx);
                 self.linearised(t, u, x, &dx, &mut by_x.coefficients);
                 match by_t {
                     Some(by_t) => self.jvp(t, u, x, (S::lit(1.0), &[S::lit(0.0); 10]), by_t),
@@ -1641,7 +1624,7 @@ mod plm_arm_on_jack_ {
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
-            fn project(&self, t: S, q: &[S; 3], v: &[S; 3], x: &mut [S; 10]) {
+            fn to_chart(&self, t: S, q: &[S; 3], v: &[S; 3], x: &mut [S; 10]) {
                 x[0] = q[2];
                 x[1] = v[2];
             }

@@ -288,43 +288,34 @@ mod plm_bouncer_ {
             }
         }
 
-        impl<S: Scalar> rt::lanes::Rate for Bouncer<S> {
+        impl<S: Scalar> rt::Rate for Bouncer<S> {
             type S = S;
             type X = [S; 4];
             type U = Held<S>;
             const NQ: usize = 2;
+            const SHORT: bool = !S::REGISTERS.are_filled();
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 4], dx: &mut [S; 4]) -> rt::Health<S> {
                 self.motion(t, u, x, dx);
                 rt::Health::perfect()
             }
+
+            #[inline]
+            fn typical(&self) -> [S; 4] {
+                [1.0; 4].map(S::lit)
+            }
         }
 
-        impl<S: Real> rt::System for Bouncer<S> {
-            type S = S;
-            type X = [S; 4];
-            type U = Held<S>;
+        impl<S: Real> rt::Constraints for Bouncer<S> {
+            fn energy(&self, t: S, u: &Self::U, x: &[S; 4]) -> Option<rt::Energy<S>> {
+                let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
+                let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
+                Some(rt::Energy { kinetic, gravity, power: state.load_power() })
+            }
+        }
+
+        impl<S: Real> rt::Events for Bouncer<S> {
             type G = [S; 2];
-            const NQ: usize = 2;
-            const SHORT: bool = true;
-            #[inline(always)]
-            fn rate(&self, t: S, u: &Self::U, x: &[S; 4], dx: &mut [S; 4]) -> rt::Health<S> {
-                rt::lanes::Rate::rate(self, t, u, x, dx)
-            }
-
-            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
-            #[inline(always)]
-            fn rate_pair(
-                &self,
-                t: [S; 2],
-                u: &Self::U,
-                x: [&[S; 4]; 2],
-                dx: &mut [[S; 4]; 2],
-                second: impl FnOnce(&[S; 4]) -> [S; 4],
-            ) -> rt::Health<S> {
-                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
-            }
-
             const KINKS: usize = 1;
             fn guards(&self, t: S, u: &Self::U, x: &[S; 4], g: &mut [S; 2]) {
                 let mut all = [S::lit(0.0); 3];
@@ -380,22 +371,13 @@ mod plm_bouncer_ {
                 Ok(())
             }
 
-            fn guard_name(&self, index: usize) -> &'static str {
-                const NAMES: [&str; 2] = ["near", "back"];
-                NAMES.get(index).copied().unwrap_or_default()
-            }
-
-            fn conditions(&self) -> &'static [&'static str] {
-                &["near", "block.x < 0 m"]
-            }
-
-            fn next_instant(&self, t: S, u: &Self::U) -> Option<S> {
+            fn next_time_event(&self, t: S, u: &Self::U) -> Option<S> {
                 let (mut at, mut slope) = ([S::lit(0.0); 2], [S::lit(0.0); 2]);
                 self.instants(u, &mut at, &mut slope);
                 at.into_iter().filter(|at| *at > t).reduce(S::min)
             }
 
-            fn pass(&self, t: S, u: &mut Self::U, _x: &mut [S; 4]) -> Result<(), Fault> {
+            fn switch_at_time(&self, t: S, u: &mut Self::U, _x: &mut [S; 4]) -> Result<(), Fault> {
                 let (mut at, mut slope) = ([S::lit(0.0); 2], [S::lit(0.0); 2]);
                 self.instants(u, &mut at, &mut slope);
                 for ((side, at), slope) in u.switches.iter_mut().skip(2).zip(at).zip(slope) {
@@ -403,17 +385,9 @@ mod plm_bouncer_ {
                 }
                 Ok(())
             }
+        }
 
-            fn energy(&self, t: S, u: &Self::U, x: &[S; 4]) -> Option<rt::Energy<S>> {
-                let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
-                let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
-                Some(rt::Energy { kinetic, gravity, power: state.load_power() })
-            }
-
-            fn typical(&self) -> [S; 4] {
-                [1.0; 4].map(S::lit)
-            }
-
+        impl<S: Real> rt::Labels for Bouncer<S> {
             fn part_of_state(&self, index: usize) -> &'static str {
                 let parts: &[&str] = const { &["rail", "other", "rail", "other"] };
                 match parts.get(index) {
@@ -429,6 +403,15 @@ mod plm_bouncer_ {
                     Some(name) => name,
                     None => "",
                 }
+            }
+
+            fn guard_name(&self, index: usize) -> &'static str {
+                const NAMES: [&str; 2] = ["near", "back"];
+                NAMES.get(index).copied().unwrap_or_default()
+            }
+
+            fn conditions(&self) -> &'static [&'static str] {
+                &["near", "block.x < 0 m"]
             }
         }
 
@@ -508,7 +491,7 @@ mod plm_bouncer_ {
                 let (mut q, mut v): ([S; 6], [S; 6]) =
                     <State<S> as rt::Moment>::new(*self, *held, t, *x).pose_();
                 absolute::renew::<S, Self, NQ, NC>(self, t, &mut q, &mut v)?;
-                self.project(t, &q, &v, x);
+                self.to_chart(t, &q, &v, x);
                 Ok(())
             }
 
@@ -528,8 +511,8 @@ mod plm_bouncer_ {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 4];
                 let mut held = Self::holding_(input);
-                self.project(t, &assembly.q, &assembly.v, &mut x);
-                rt::System::pass(self, t, &mut held, &mut x)?;
+                self.to_chart(t, &assembly.q, &assembly.v, &mut x);
+                rt::Events::switch_at_time(self, t, &mut held, &mut x)?;
                 rt::events::switch_where_due(self, t, &mut held, &mut x)?;
                 Ok((held, x))
             }
@@ -758,7 +741,7 @@ mod plm_bouncer_ {
                 by_t: Option<&mut [S; 4]>,
             ) -> rt::Health<S> {
                 let mut dx = [S::lit(0.0); 4];
-                let health = rt::lanes::Rate::rate(self, t, u, x, &mut dx);
+                let health = rt::Rate::rate(self, t, u, x, &mut dx);
                 self.linearised(t, u, x, &dx, &mut by_x.coefficients);
                 match by_t {
                     Some(by_t) => self.jvp(t, u, x, (S::lit(1.0), &[S::lit(0.0); 4]), by_t),
@@ -1080,7 +1063,7 @@ mod plm_bouncer_ {
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
-            fn project(&self, t: S, q: &[S; 6], v: &[S; 6], x: &mut [S; 4]) {
+            fn to_chart(&self, t: S, q: &[S; 6], v: &[S; 6], x: &mut [S; 4]) {
                 x[0] = q[0];
                 x[1] = q[3];
                 x[2] = v[0];

@@ -442,47 +442,29 @@ mod plm_chain_ {
             }
         }
 
-        impl<S: Scalar> rt::lanes::Rate for Chain<S> {
+        impl<S: Scalar> rt::Rate for Chain<S> {
             type S = S;
             type X = [S; 10];
             type U = Held<S>;
             const NQ: usize = 5;
+            const SHORT: bool = !S::REGISTERS.are_filled();
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 10], dx: &mut [S; 10]) -> rt::Health<S> {
                 self.motion(t, u, x, dx);
                 rt::Health::perfect()
             }
-        }
-
-        impl<S: Real> rt::System for Chain<S> {
-            type S = S;
-            type X = [S; 10];
-            type U = Held<S>;
-            type G = [S; 0];
-            const NQ: usize = 5;
-            const SHORT: bool = true;
-            #[inline(always)]
-            fn rate(&self, t: S, u: &Self::U, x: &[S; 10], dx: &mut [S; 10]) -> rt::Health<S> {
-                rt::lanes::Rate::rate(self, t, u, x, dx)
-            }
-
-            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
-            #[inline(always)]
-            fn rate_pair(
-                &self,
-                t: [S; 2],
-                u: &Self::U,
-                x: [&[S; 10]; 2],
-                dx: &mut [[S; 10]; 2],
-                second: impl FnOnce(&[S; 10]) -> [S; 10],
-            ) -> rt::Health<S> {
-                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
-            }
 
             #[inline]
-            fn accept(&self, _t: S, u: &mut Self::U, x: &mut [S; 10]) -> Result<rt::Accepted, Fault> {
+            fn typical(&self) -> [S; 10] {
+                [1.0; 10].map(S::lit)
+            }
+        }
+
+        impl<S: Real> rt::Constraints for Chain<S> {
+            #[inline]
+            fn update(&self, _t: S, u: &mut Self::U, x: &mut [S; 10]) -> Result<rt::Updated, Fault> {
                 let turned = rt::turns::unwind(&mut u.turns, x, &[&[0], &[1], &[2], &[3], &[4]]);
-                Ok(rt::Accepted { turned, ..Default::default() })
+                Ok(rt::Updated { turned, ..Default::default() })
             }
 
             fn energy(&self, t: S, u: &Self::U, x: &[S; 10]) -> Option<rt::Energy<S>> {
@@ -490,11 +472,13 @@ mod plm_chain_ {
                 let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
                 Some(rt::Energy { kinetic, gravity, power: state.load_power() })
             }
+        }
 
-            fn typical(&self) -> [S; 10] {
-                [1.0; 10].map(S::lit)
-            }
+        impl<S: Real> rt::Events for Chain<S> {
+            type G = [S; 0];
+        }
 
+        impl<S: Real> rt::Labels for Chain<S> {
             fn part_of_state(&self, index: usize) -> &'static str {
                 let parts: &[&str] = const {
                     &[
@@ -615,7 +599,7 @@ mod plm_chain_ {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 10];
                 let mut held = Self::holding_(input);
-                self.project(t, &assembly.q, &assembly.v, &mut x);
+                self.to_chart(t, &assembly.q, &assembly.v, &mut x);
                 Ok((held, x))
             }
         }
@@ -1214,7 +1198,7 @@ mod plm_chain_ {
                 by_t: Option<&mut [S; 10]>,
             ) -> rt::Health<S> {
                 let mut dx = [S::lit(0.0); 10];
-                let health = rt::lanes::Rate::rate(self, t, u, x, &mut dx);
+                let health = rt::Rate::rate(self, t, u, x, &mut dx);
                 self.linearised(t, u, x, &dx, &mut by_x.coefficients);
                 match by_t {
                     Some(by_t) => self.jvp(t, u, x, (S::lit(1.0), &[S::lit(0.0); 10]), by_t),
@@ -1816,7 +1800,7 @@ mod plm_chain_ {
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
-            fn project(&self, t: S, q: &[S; 15], v: &[S; 15], x: &mut [S; 10]) {
+            fn to_chart(&self, t: S, q: &[S; 15], v: &[S; 15], x: &mut [S; 10]) {
                 x[0] = q[2];
                 x[1] = q[5];
                 x[2] = q[8];

@@ -341,47 +341,29 @@ mod plm_double_pendulum_ {
             }
         }
 
-        impl<S: Scalar> rt::lanes::Rate for DoublePendulum<S> {
+        impl<S: Scalar> rt::Rate for DoublePendulum<S> {
             type S = S;
             type X = [S; 4];
             type U = Held<S>;
             const NQ: usize = 2;
+            const SHORT: bool = !S::REGISTERS.are_filled();
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 4], dx: &mut [S; 4]) -> rt::Health<S> {
                 self.motion(t, u, x, dx);
                 rt::Health::perfect()
             }
-        }
-
-        impl<S: Real> rt::System for DoublePendulum<S> {
-            type S = S;
-            type X = [S; 4];
-            type U = Held<S>;
-            type G = [S; 0];
-            const NQ: usize = 2;
-            const SHORT: bool = true;
-            #[inline(always)]
-            fn rate(&self, t: S, u: &Self::U, x: &[S; 4], dx: &mut [S; 4]) -> rt::Health<S> {
-                rt::lanes::Rate::rate(self, t, u, x, dx)
-            }
-
-            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
-            #[inline(always)]
-            fn rate_pair(
-                &self,
-                t: [S; 2],
-                u: &Self::U,
-                x: [&[S; 4]; 2],
-                dx: &mut [[S; 4]; 2],
-                second: impl FnOnce(&[S; 4]) -> [S; 4],
-            ) -> rt::Health<S> {
-                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
-            }
 
             #[inline]
-            fn accept(&self, _t: S, u: &mut Self::U, x: &mut [S; 4]) -> Result<rt::Accepted, Fault> {
+            fn typical(&self) -> [S; 4] {
+                [1.0; 4].map(S::lit)
+            }
+        }
+
+        impl<S: Real> rt::Constraints for DoublePendulum<S> {
+            #[inline]
+            fn update(&self, _t: S, u: &mut Self::U, x: &mut [S; 4]) -> Result<rt::Updated, Fault> {
                 let turned = rt::turns::unwind(&mut u.turns, x, &[&[0], &[1]]);
-                Ok(rt::Accepted { turned, ..Default::default() })
+                Ok(rt::Updated { turned, ..Default::default() })
             }
 
             fn energy(&self, t: S, u: &Self::U, x: &[S; 4]) -> Option<rt::Energy<S>> {
@@ -389,11 +371,13 @@ mod plm_double_pendulum_ {
                 let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
                 Some(rt::Energy { kinetic, gravity, power: state.load_power() })
             }
+        }
 
-            fn typical(&self) -> [S; 4] {
-                [1.0; 4].map(S::lit)
-            }
+        impl<S: Real> rt::Events for DoublePendulum<S> {
+            type G = [S; 0];
+        }
 
+        impl<S: Real> rt::Labels for DoublePendulum<S> {
             fn part_of_state(&self, index: usize) -> &'static str {
                 let parts: &[&str] = const { &["arm", "forearm", "arm", "forearm"] };
                 match parts.get(index) {
@@ -496,7 +480,7 @@ mod plm_double_pendulum_ {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 4];
                 let mut held = Self::holding_(input);
-                self.project(t, &assembly.q, &assembly.v, &mut x);
+                self.to_chart(t, &assembly.q, &assembly.v, &mut x);
                 Ok((held, x))
             }
         }
@@ -816,7 +800,7 @@ mod plm_double_pendulum_ {
                 by_t: Option<&mut [S; 4]>,
             ) -> rt::Health<S> {
                 let mut dx = [S::lit(0.0); 4];
-                let health = rt::lanes::Rate::rate(self, t, u, x, &mut dx);
+                let health = rt::Rate::rate(self, t, u, x, &mut dx);
                 self.linearised(t, u, x, &dx, &mut by_x.coefficients);
                 match by_t {
                     Some(by_t) => self.jvp(t, u, x, (S::lit(1.0), &[S::lit(0.0); 4]), by_t),
@@ -1220,7 +1204,7 @@ mod plm_double_pendulum_ {
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
-            fn project(&self, t: S, q: &[S; 6], v: &[S; 6], x: &mut [S; 4]) {
+            fn to_chart(&self, t: S, q: &[S; 6], v: &[S; 6], x: &mut [S; 4]) {
                 x[0] = q[2];
                 x[1] = q[5];
                 x[2] = v[2];

@@ -383,8 +383,8 @@ mod plm_driven_crank_ {
                 (memory, measure)
             }
 
-            fn project(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 0]) {
-                self.project_0(t, q, v, x)
+            fn to_chart(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 0]) {
+                self.to_chart_0(t, q, v, x)
             }
         }
 
@@ -401,11 +401,12 @@ mod plm_driven_crank_ {
             }
         }
 
-        impl<S: Scalar> rt::lanes::Rate for DrivenCrank<S> {
+        impl<S: Scalar> rt::Rate for DrivenCrank<S> {
             type S = S;
             type X = [S; 0];
             type U = Held<S>;
             const NQ: usize = 0;
+            const SHORT: bool = !S::REGISTERS.are_filled();
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
                 rt::Health(match &u.of_loops {
@@ -413,36 +414,17 @@ mod plm_driven_crank_ {
                     rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
                 })
             }
+
+            #[inline]
+            fn typical(&self) -> [S; 0] {
+                [].map(S::lit)
+            }
         }
 
-        impl<S: Real> rt::System for DrivenCrank<S> {
-            type S = S;
-            type X = [S; 0];
-            type U = Held<S>;
-            type G = [S; 0];
-            const NQ: usize = 0;
-            const SHORT: bool = true;
-            #[inline(always)]
-            fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
-                rt::lanes::Rate::rate(self, t, u, x, dx)
-            }
-
-            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
-            #[inline(always)]
-            fn rate_pair(
-                &self,
-                t: [S; 2],
-                u: &Self::U,
-                x: [&[S; 0]; 2],
-                dx: &mut [[S; 0]; 2],
-                second: impl FnOnce(&[S; 0]) -> [S; 0],
-            ) -> rt::Health<S> {
-                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
-            }
-
+        impl<S: Real> rt::Constraints for DrivenCrank<S> {
             #[cold]
             fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> Result<(), Fault> {
-                if rt::System::rate(self, t, u, x, dx).is_good() {
+                if rt::Rate::rate(self, t, u, x, dx).is_good() {
                     Ok(())
                 } else {
                     Err(rt::charts::not_regular(self, t, u, x))
@@ -454,14 +436,16 @@ mod plm_driven_crank_ {
             }
 
             #[inline]
-            fn accept(&self, t: S, u: &mut Self::U, x: &mut [S; 0]) -> Result<rt::Accepted, Fault> {
-                rt::charts::accept(self, t, u, x)
+            fn update(&self, t: S, u: &mut Self::U, x: &mut [S; 0]) -> Result<rt::Updated, Fault> {
+                rt::charts::update(self, t, u, x)
             }
+        }
 
-            fn typical(&self) -> [S; 0] {
-                [].map(S::lit)
-            }
+        impl<S: Real> rt::Events for DrivenCrank<S> {
+            type G = [S; 0];
+        }
 
+        impl<S: Real> rt::Labels for DrivenCrank<S> {
             fn part_of_state(&self, index: usize) -> &'static str {
                 let parts: &[&str] = const { &[] };
                 match parts.get(index) {
@@ -1780,7 +1764,7 @@ mod plm_driven_crank_ {
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
-            fn project_0(&self, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 0]) {}
+            fn to_chart_0(&self, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 0]) {}
 
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///

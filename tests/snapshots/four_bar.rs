@@ -406,11 +406,11 @@ mod plm_four_bar_ {
                 (memory, measure)
             }
 
-            fn project(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 2]) {
+            fn to_chart(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 2]) {
                 match chart {
-                    0 => self.project_0(t, q, v, x),
-                    1 => self.project_1(t, q, v, x),
-                    _ => self.project_2(t, q, v, x),
+                    0 => self.to_chart_0(t, q, v, x),
+                    1 => self.to_chart_1(t, q, v, x),
+                    _ => self.to_chart_2(t, q, v, x),
                 }
             }
         }
@@ -434,11 +434,12 @@ mod plm_four_bar_ {
             }
         }
 
-        impl<S: Scalar> rt::lanes::Rate for FourBar<S> {
+        impl<S: Scalar> rt::Rate for FourBar<S> {
             type S = S;
             type X = [S; 2];
             type U = Held<S>;
             const NQ: usize = 1;
+            const SHORT: bool = !S::REGISTERS.are_filled();
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> rt::Health<S> {
                 rt::Health(match &u.of_loops {
@@ -459,8 +460,7 @@ mod plm_four_bar_ {
                 })
             }
 
-            const PAIRED: bool = true;
-            const PAIRED_IN_LANES: bool = true;
+            const PAIRED: bool = S::REGISTERS.pays_in_pairs(true);
             #[inline(always)]
             fn rate_pair(
                 &self,
@@ -481,6 +481,11 @@ mod plm_four_bar_ {
                 let health = self.rate_at_pose::<false>(t[0], u, m, x[0], &shared, &mut dx[0]);
                 let next = second(&dx[0]);
                 health.worst(self.rate_at_pose::<true>(t[1], u, m, &next, &shared, &mut dx[1]))
+            }
+
+            #[inline]
+            fn typical(&self) -> [S; 2] {
+                [1.0; 2].map(S::lit)
             }
         }
 
@@ -563,34 +568,10 @@ mod plm_four_bar_ {
             }
         }
 
-        impl<S: Real> rt::System for FourBar<S> {
-            type S = S;
-            type X = [S; 2];
-            type U = Held<S>;
-            type G = [S; 0];
-            const NQ: usize = 1;
-            const SHORT: bool = true;
-            #[inline(always)]
-            fn rate(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> rt::Health<S> {
-                rt::lanes::Rate::rate(self, t, u, x, dx)
-            }
-
-            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
-            #[inline(always)]
-            fn rate_pair(
-                &self,
-                t: [S; 2],
-                u: &Self::U,
-                x: [&[S; 2]; 2],
-                dx: &mut [[S; 2]; 2],
-                second: impl FnOnce(&[S; 2]) -> [S; 2],
-            ) -> rt::Health<S> {
-                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
-            }
-
+        impl<S: Real> rt::Constraints for FourBar<S> {
             #[cold]
             fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> Result<(), Fault> {
-                if rt::System::rate(self, t, u, x, dx).is_good() {
+                if rt::Rate::rate(self, t, u, x, dx).is_good() {
                     Ok(())
                 } else {
                     Err(rt::charts::not_regular(self, t, u, x))
@@ -602,8 +583,8 @@ mod plm_four_bar_ {
             }
 
             #[inline]
-            fn accept(&self, t: S, u: &mut Self::U, x: &mut [S; 2]) -> Result<rt::Accepted, Fault> {
-                rt::charts::accept(self, t, u, x)
+            fn update(&self, t: S, u: &mut Self::U, x: &mut [S; 2]) -> Result<rt::Updated, Fault> {
+                rt::charts::update(self, t, u, x)
             }
 
             fn energy(&self, t: S, u: &Self::U, x: &[S; 2]) -> Option<rt::Energy<S>> {
@@ -611,11 +592,13 @@ mod plm_four_bar_ {
                 let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
                 Some(rt::Energy { kinetic, gravity, power: state.load_power() })
             }
+        }
 
-            fn typical(&self) -> [S; 2] {
-                [1.0; 2].map(S::lit)
-            }
+        impl<S: Real> rt::Events for FourBar<S> {
+            type G = [S; 0];
+        }
 
+        impl<S: Real> rt::Labels for FourBar<S> {
             fn part_of_state(&self, index: usize) -> &'static str {
                 let parts: &[&str] = const { &["crank", "crank"] };
                 match parts.get(index) {
@@ -2024,7 +2007,7 @@ mod plm_four_bar_ {
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
-            fn project_0(&self, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 2]) {
+            fn to_chart_0(&self, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 2]) {
                 x[0] = q[2];
                 x[1] = v[2];
             }
@@ -2284,7 +2267,7 @@ mod plm_four_bar_ {
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
-            fn project_1(&self, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 2]) {
+            fn to_chart_1(&self, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 2]) {
                 x[0] = q[8];
                 x[1] = v[8];
             }
@@ -2549,7 +2532,7 @@ mod plm_four_bar_ {
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
-            fn project_2(&self, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 2]) {
+            fn to_chart_2(&self, t: S, q: &[S; 9], v: &[S; 9], x: &mut [S; 2]) {
                 x[0] = q[5];
                 x[1] = v[5];
             }

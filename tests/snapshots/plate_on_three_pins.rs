@@ -479,8 +479,8 @@ mod plm_plate_on_three_pins_ {
                 (memory, measure)
             }
 
-            fn project(&self, chart: usize, t: S, q: &[S; 12], v: &[S; 12], x: &mut [S; 0]) {
-                self.project_0(t, q, v, x)
+            fn to_chart(&self, chart: usize, t: S, q: &[S; 12], v: &[S; 12], x: &mut [S; 0]) {
+                self.to_chart_0(t, q, v, x)
             }
         }
 
@@ -497,7 +497,7 @@ mod plm_plate_on_three_pins_ {
             }
         }
 
-        impl<S: Scalar> rt::lanes::Rate for PlateOnThreePins<S> {
+        impl<S: Scalar> rt::Rate for PlateOnThreePins<S> {
             type S = S;
             type X = [S; 0];
             type U = Held<S>;
@@ -510,8 +510,7 @@ mod plm_plate_on_three_pins_ {
                 })
             }
 
-            const PAIRED: bool = true;
-            const PAIRED_IN_LANES: bool = false;
+            const PAIRED: bool = S::REGISTERS.pays_in_pairs(false);
             #[inline]
             fn rate_pair(
                 &self,
@@ -532,6 +531,11 @@ mod plm_plate_on_three_pins_ {
                 let health = self.rate_at_pose::<false>(t[0], u, m, x[0], &shared, &mut dx[0]);
                 let next = second(&dx[0]);
                 health.worst(self.rate_at_pose::<true>(t[1], u, m, &next, &shared, &mut dx[1]))
+            }
+
+            #[inline]
+            fn typical(&self) -> [S; 0] {
+                [].map(S::lit)
             }
         }
 
@@ -826,34 +830,10 @@ mod plm_plate_on_three_pins_ {
             }
         }
 
-        impl<S: Real> rt::System for PlateOnThreePins<S> {
-            type S = S;
-            type X = [S; 0];
-            type U = Held<S>;
-            type G = [S; 0];
-            const NQ: usize = 0;
-            const SHORT: bool = false;
-            #[inline]
-            fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
-                rt::lanes::Rate::rate(self, t, u, x, dx)
-            }
-
-            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
-            #[inline]
-            fn rate_pair(
-                &self,
-                t: [S; 2],
-                u: &Self::U,
-                x: [&[S; 0]; 2],
-                dx: &mut [[S; 0]; 2],
-                second: impl FnOnce(&[S; 0]) -> [S; 0],
-            ) -> rt::Health<S> {
-                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
-            }
-
+        impl<S: Real> rt::Constraints for PlateOnThreePins<S> {
             #[cold]
             fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> Result<(), Fault> {
-                if rt::System::rate(self, t, u, x, dx).is_good() {
+                if rt::Rate::rate(self, t, u, x, dx).is_good() {
                     Ok(())
                 } else {
                     Err(rt::charts::not_regular(self, t, u, x))
@@ -865,14 +845,16 @@ mod plm_plate_on_three_pins_ {
             }
 
             #[inline]
-            fn accept(&self, t: S, u: &mut Self::U, x: &mut [S; 0]) -> Result<rt::Accepted, Fault> {
-                rt::charts::accept(self, t, u, x)
+            fn update(&self, t: S, u: &mut Self::U, x: &mut [S; 0]) -> Result<rt::Updated, Fault> {
+                rt::charts::update(self, t, u, x)
             }
+        }
 
-            fn typical(&self) -> [S; 0] {
-                [].map(S::lit)
-            }
+        impl<S: Real> rt::Events for PlateOnThreePins<S> {
+            type G = [S; 0];
+        }
 
+        impl<S: Real> rt::Labels for PlateOnThreePins<S> {
             fn part_of_state(&self, index: usize) -> &'static str {
                 let parts: &[&str] = const { &[] };
                 match parts.get(index) {
@@ -3679,7 +3661,7 @@ mod plm_plate_on_three_pins_ {
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
-            fn project_0(&self, t: S, q: &[S; 12], v: &[S; 12], x: &mut [S; 0]) {}
+            fn to_chart_0(&self, t: S, q: &[S; 12], v: &[S; 12], x: &mut [S; 0]) {}
 
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///

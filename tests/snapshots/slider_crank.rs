@@ -323,43 +323,26 @@ mod plm_slider_crank_ {
             }
         }
 
-        impl<S: Scalar> rt::lanes::Rate for SliderCrank<S> {
+        impl<S: Scalar> rt::Rate for SliderCrank<S> {
             type S = S;
             type X = [S; 18];
             type U = Held<S>;
             const NQ: usize = 9;
+            const SHORT: bool = !S::REGISTERS.are_filled();
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 18], dx: &mut [S; 18]) -> rt::Health<S> {
                 let mut lambda = [S::lit(0.0); 8];
                 rt::Health(self.dynamics(t, u, x, dx, &mut lambda))
             }
+
+            #[inline]
+            fn typical(&self) -> [S; 18] {
+                [0.3, 0.3, 1.0, 0.3, 0.3, 1.0, 0.3, 0.3, 1.0, 0.3, 0.3, 1.0, 0.3, 0.3, 1.0, 0.3, 0.3, 1.0]
+                    .map(S::lit)
+            }
         }
 
-        impl<S: Real> rt::System for SliderCrank<S> {
-            type S = S;
-            type X = [S; 18];
-            type U = Held<S>;
-            type G = [S; 0];
-            const NQ: usize = 9;
-            const SHORT: bool = true;
-            #[inline(always)]
-            fn rate(&self, t: S, u: &Self::U, x: &[S; 18], dx: &mut [S; 18]) -> rt::Health<S> {
-                rt::lanes::Rate::rate(self, t, u, x, dx)
-            }
-
-            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
-            #[inline(always)]
-            fn rate_pair(
-                &self,
-                t: [S; 2],
-                u: &Self::U,
-                x: [&[S; 18]; 2],
-                dx: &mut [[S; 18]; 2],
-                second: impl FnOnce(&[S; 18]) -> [S; 18],
-            ) -> rt::Health<S> {
-                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
-            }
-
+        impl<S: Real> rt::Constraints for SliderCrank<S> {
             fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 18], dx: &mut [S; 18]) -> Result<(), Fault> {
                 let solution = self.accelerate(t, u, x)?;
                 let (_, v): ([S; 9], [S; 9]) = absolute::split(x);
@@ -368,13 +351,13 @@ mod plm_slider_crank_ {
             }
 
             #[inline]
-            fn accept(&self, _t: S, u: &mut Self::U, x: &mut [S; 18]) -> Result<rt::Accepted, Fault> {
+            fn update(&self, _t: S, u: &mut Self::U, x: &mut [S; 18]) -> Result<rt::Updated, Fault> {
                 let turned = rt::turns::unwind(&mut u.turns, x, &[&[2], &[5]]);
-                Ok(rt::Accepted { turned, ..Default::default() })
+                Ok(rt::Updated { turned, ..Default::default() })
             }
 
-            fn settle(&self, t: S, x: &mut [S; 18]) -> Result<(), Fault> {
-                absolute::settle_state::<S, Self, NQ, NC, 18>(self, t, x)
+            fn project(&self, t: S, x: &mut [S; 18]) -> Result<(), Fault> {
+                absolute::project_state::<S, Self, NQ, NC, 18>(self, t, x)
             }
 
             fn drift(&self, t: S, x: &[S; 18]) -> rt::Drift<S> {
@@ -386,12 +369,13 @@ mod plm_slider_crank_ {
                 let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
                 Some(rt::Energy { kinetic, gravity, power: state.load_power() })
             }
+        }
 
-            fn typical(&self) -> [S; 18] {
-                [0.3, 0.3, 1.0, 0.3, 0.3, 1.0, 0.3, 0.3, 1.0, 0.3, 0.3, 1.0, 0.3, 0.3, 1.0, 0.3, 0.3, 1.0]
-                    .map(S::lit)
-            }
+        impl<S: Real> rt::Events for SliderCrank<S> {
+            type G = [S; 0];
+        }
 
+        impl<S: Real> rt::Labels for SliderCrank<S> {
             fn part_of_state(&self, index: usize) -> &'static str {
                 const BODIES: &[&str] = &["crank", "rod", "slider"];
                 const STATES: &[&str] = &[];

@@ -23,9 +23,9 @@ ROUNDS = {
     # Bodies whose turns are counted or remembered. A table is gone through once, by rounds that go on at the outer head or, past
     # what is not due, at an inner one; the longest path has all at the outer one. Of a body, the coordinates of a chart that are
     # its angle: one at most.
-    "FourBar::accept": (3, 1),
-    "SliderCrank::accept": (3, 1),
-    "Andrews::accept": (7, 1),
+    "FourBar::update": (3, 1),
+    "SliderCrank::update": (3, 1),
+    "Andrews::update": (7, 1),
     # Conditions of the arm, which are gone through once more than there are: plm_runtime::events::switch_each.
     "step::arrive": (5,),
     # Angles side by side: plm_math::sin_cos_lanes.

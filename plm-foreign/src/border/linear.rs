@@ -1,6 +1,6 @@
 //! What is near a moment: rates, and matrices of a linear system.
 
-use plm_runtime::{System, Vector};
+use plm_runtime::{Rate, Vector};
 
 use super::{BlockBy, put, with};
 use crate::{Foreign, Matrix, ObjectBy, Run, Status, Trouble};
@@ -16,7 +16,7 @@ pub unsafe fn rates<M: Foreign, R: Run<M>>(
     let work = |object: &mut ObjectBy<M, R>| {
         let found = object.rates()?;
         // SAFETY: the caller's part.
-        unsafe { fill((rates, count), <M as System>::X::LEN, |index| found.at(index)) }
+        unsafe { fill((rates, count), <M as Rate>::X::LEN, |index| found.at(index)) }
     };
     // SAFETY: the caller's part.
     unsafe { with(block, work) }

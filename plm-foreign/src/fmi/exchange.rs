@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use plm_runtime::words::Words;
-use plm_runtime::{Cause, Fault, Method, Moment, System, Vector};
+use plm_runtime::{Cause, Events, Fault, Method, Moment, Vector};
 
 use super::follow::{Way, has_loops};
 use super::instance::differs;
@@ -67,12 +67,12 @@ impl<M: Exchanged> Instance<M> {
         self.catch_up()?;
         let state = self.state()?;
         let guards = self.left_over.indicators(state.mechanism(), state.time(), &state.held(), state.x());
-        if (0..<M as System>::G::LEN).any(|index| guards.at(index).is_nan()) {
+        if (0..<M as Events>::G::LEN).any(|index| guards.at(index).is_nan()) {
             return Err(Fault::new(state.time(), Cause::NotFinite).into());
         }
         let leaves = self.look.is_some_and(|look| look.leaves);
         let of_loops = has_loops::<M>().then_some(if leaves { -1.0 } else { 1.0 });
-        Ok((0..<M as System>::G::LEN).map(|index| guards.at(index)).chain(of_loops).collect())
+        Ok((0..<M as Events>::G::LEN).map(|index| guards.at(index)).chain(of_loops).collect())
     }
 
     /// A solver has moved on: to a time, or to another state.
@@ -136,7 +136,7 @@ impl<M: Exchanged> Instance<M> {
             return Ok((reached.held, reached.x, reached.leaves));
         }
         let (mut held, mut x) = (state.held(), *state.x());
-        let accepted = state.mechanism().accept(state.time(), &mut held, &mut x)?;
+        let accepted = state.mechanism().update(state.time(), &mut held, &mut x)?;
         Ok((held, x, accepted.moved))
     }
 
@@ -176,7 +176,7 @@ impl<M: Exchanged> Instance<M> {
             return Ok(Update { states_changed: false, next: None });
         }
         let (held, before) = (self.state()?.held(), *self.state()?.x());
-        self.object.sim_mut()?.settle()?;
+        self.object.sim_mut()?.project()?;
         if self.state()?.held() != held || differs(&before, self.state()?.x()) {
             self.looked()?;
         }
@@ -185,7 +185,7 @@ impl<M: Exchanged> Instance<M> {
         let (mechanism, time) = (*state.mechanism(), state.time());
         let (sides, reached) = (held, x);
         if self.instant.is_some_and(|instant| time >= instant) {
-            mechanism.pass(time, &mut held, &mut x)?;
+            mechanism.switch_at_time(time, &mut held, &mut x)?;
         }
         let mut left_over = self.left_over;
         left_over.switch(&mechanism, time, &mut held, &mut x)?;
@@ -195,7 +195,7 @@ impl<M: Exchanged> Instance<M> {
         self.hold(held, time, x)?;
         self.looked()?;
         self.left_over = left_over;
-        self.instant = mechanism.next_instant(time, &held).filter(|instant| *instant > time);
+        self.instant = mechanism.next_time_event(time, &held).filter(|instant| *instant > time);
         Ok(Update { states_changed: differs(&before, &x), next: self.instant })
     }
 }

@@ -4,7 +4,7 @@
 //! there is looked at in between, on the cubic through places and velocities at both ends; where a loop cannot be followed from one
 //! look to the next, half as far. What is remembered of the loops changes in that, and no number of the solver.
 
-use plm_runtime::{Accepted, Fault, System, Vector};
+use plm_runtime::{Events, Fault, Rate, Updated, Vector};
 
 use super::Exchanged;
 
@@ -18,7 +18,7 @@ pub(super) fn has_loops<M: Exchanged>() -> bool {
 
 /// How many event indicators there are: those of conditions, and one of the loops.
 pub(super) fn indicators<M: Exchanged>() -> usize {
-    <M as System>::G::LEN + usize::from(has_loops::<M>())
+    <M as Events>::G::LEN + usize::from(has_loops::<M>())
 }
 
 /// A way from the last look to where a solver is: time and state.
@@ -51,11 +51,11 @@ impl<M: Exchanged> Way<'_, M> {
             let (time, point) = self.at(next);
             let point = point.map2(&shift, |x, by| x + by);
             let (mut held, mut x) = (reached.held, point);
-            let outcome = self.system.accept(time, &mut held, &mut x);
+            let outcome = self.system.update(time, &mut held, &mut x);
             match (outcome, too_far) {
                 // Numbers of the solver tell nothing in other coordinates.
-                (Ok(Accepted { moved: true, .. }), Some(fault)) if next < 1.0 => return Err(fault),
-                (Ok(Accepted { moved: leaves, .. }), _) => {
+                (Ok(Updated { moved: true, .. }), Some(fault)) if next < 1.0 => return Err(fault),
+                (Ok(Updated { moved: leaves, .. }), _) => {
                     reached = Reached { held, time, x, leaves };
                     if next >= 1.0 {
                         return Ok(reached);
@@ -79,8 +79,8 @@ impl<M: Exchanged> Way<'_, M> {
             let next = f64::min(at + part, 1.0);
             let (time, point) = self.at(next);
             let (mut held, mut x) = (reached.held, point);
-            match self.system.accept(time, &mut held, &mut x) {
-                Ok(Accepted { moved, turned, .. }) if moved || turned => {
+            match self.system.update(time, &mut held, &mut x) {
+                Ok(Updated { moved, turned, .. }) if moved || turned => {
                     return Ok(Reached { leaves: moved, ..reached });
                 }
                 Ok(_) => {
@@ -106,7 +106,7 @@ impl<M: Exchanged> Way<'_, M> {
             return self.to;
         }
         let ((start, from), (end, to)) = (&self.from, &self.to);
-        let (h, rest, n) = (end - start, 1.0 - part, <M as System>::NQ);
+        let (h, rest, n) = (end - start, 1.0 - part, <M as Rate>::NQ);
         let even = |i: usize| rest * from.at(i) + part * to.at(i);
         let place = |i: usize| {
             let turn = rest * from.at(i + n) - part * to.at(i + n);

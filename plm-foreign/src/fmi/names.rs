@@ -6,7 +6,7 @@ use alloc::string::{String, ToString};
 use alloc::vec;
 use alloc::vec::Vec;
 
-use plm_runtime::{System, Vector};
+use plm_runtime::{Events, Vector};
 
 use super::{Exchanged, Variable};
 use crate::Kind;
@@ -48,7 +48,7 @@ fn candidates<M: Exchanged>(declared: &M, variable: Variable) -> Vec<String> {
         Variable::Rate(k) => {
             return vec![format!("der({})", numbered("state", k, declared.name_of_state(k)))];
         }
-        Variable::Indicator(k) if k < <M as System>::G::LEN => {
+        Variable::Indicator(k) if k < <M as Events>::G::LEN => {
             return vec![numbered("indicator", k, declared.guard_name(k))];
         }
         Variable::Indicator(k) => return vec![numbered("indicator", k, "loops")],

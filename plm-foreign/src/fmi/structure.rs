@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use core::fmt::{self, Write};
 
 use plm_runtime::described::{Motion, Reads};
-use plm_runtime::{System, Vector};
+use plm_runtime::{Rate, Vector};
 
 use super::description::output;
 use super::{Exchanged, Variable, Version};
@@ -52,7 +52,7 @@ pub(super) fn structure<M: Exchanged>(version: Version, declared: &M, to: &mut i
 
 /// The value references of what an unknown depends on; none where it may depend on all that is known.
 fn known<M: Exchanged>(version: Version, unknown: Variable, all: &[Variable]) -> Option<Vec<usize>> {
-    let coordinates = <M as System>::NQ;
+    let coordinates = <M as Rate>::NQ;
     let row = row::<M>(unknown);
     let depends = |known: Variable| match (unknown, row) {
         // It tells of what can change while equations hold.
@@ -75,7 +75,7 @@ fn row<M: Exchanged>(unknown: Variable) -> Option<&'static Reads> {
             let (name, _) = M::OBSERVED.get(k)?;
             outputs.iter().position(|output| output.name == *name)?
         }
-        Variable::Rate(k) => outputs.len() + k.checked_sub(2 * <M as System>::NQ)?,
+        Variable::Rate(k) => outputs.len() + k.checked_sub(2 * <M as Rate>::NQ)?,
         _ => return None,
     };
     M::TABLES.reads.get(row)?.as_ref()
@@ -83,7 +83,7 @@ fn row<M: Exchanged>(unknown: Variable) -> Option<&'static Reads> {
 
 /// Parameters may be in everything: poses depend on lengths.
 fn is_read<M: Exchanged>(reads: &Reads, known: Variable) -> bool {
-    let (coordinates, first) = (<M as System>::NQ, <M as System>::X::LEN - M::TABLES.states.len());
+    let (coordinates, first) = (<M as Rate>::NQ, <M as Rate>::X::LEN - M::TABLES.states.len());
     match known {
         Variable::Time => reads.time,
         Variable::Parameter(_) => true,

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use plm_runtime::{Cause, Described, Dual, Fault, Linear, Moment, Ports, System, Vector};
+use plm_runtime::{Cause, Described, Dual, Fault, Linear, Moment, Ports, Rate, Vector};
 
 use super::{Exchanged, Variable};
 use crate::{Status, Trouble};
@@ -19,7 +19,7 @@ pub(super) fn along<M: Exchanged>(
     type Lifted<M> = <M as Linear>::Lifted<1>;
     let (mut lifted, mut held) = state.mechanism().lift::<1>(&state.held());
     let mut x =
-        <<Lifted<M> as System>::X as Vector<Dual<f64, 1>>>::from_fn(|i| Dual::constant(state.x().at(i)));
+        <<Lifted<M> as Rate>::X as Vector<Dual<f64, 1>>>::from_fn(|i| Dual::constant(state.x().at(i)));
     let mut time = Dual::constant(state.time());
     for (known, seed) in knowns {
         let moved = |number: Dual<f64, 1>| Dual { value: number.value, tangents: [*seed] };
@@ -40,7 +40,7 @@ pub(super) fn along<M: Exchanged>(
     let mut rate = x;
     let health = lifted.rate(time, &held, &x, &mut rate);
     if !health.is_good() {
-        let rows = <M as System>::X::LEN;
+        let rows = <M as Rate>::X::LEN;
         return Err(Fault::new(state.time(), Cause::Singular { rows }).into());
     }
     let moment = <Lifted<M> as plm_runtime::Mechanism>::State::new(lifted, held, time, x);

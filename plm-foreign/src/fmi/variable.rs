@@ -1,6 +1,6 @@
 //! The variables of an FMU by value reference.
 
-use plm_runtime::{System, Vector};
+use plm_runtime::{Rate, Vector};
 
 use super::{Exchanged, follow};
 use crate::Kind;
@@ -37,7 +37,7 @@ type Count = (fn(usize) -> Variable, usize);
 impl Variable {
     /// How many there are of each, in the order of value references; the time is 0.
     fn counts<M: Exchanged>(declared: &M) -> [Count; 9] {
-        let states = <M as System>::X::LEN;
+        let states = <M as Rate>::X::LEN;
         [
             (Self::Parameter, M::TABLES.parameters.len()),
             (Self::Start, Kind::Start.count(declared)),

@@ -2,8 +2,8 @@
 
 use super::Absolute;
 use super::newton::by_rank;
+use super::project::widest;
 use super::redundancy::{Dependencies, beside};
-use super::settle::widest;
 use crate::fault::{Cause, Fault, Names};
 use crate::linalg::largest;
 use crate::scalar::Real;

@@ -6,7 +6,7 @@
 //! | [`renew`] | the same from where a run is, after a parameter was changed |
 //! | [`jump`] | looks at prescribed motions where they change |
 //! | [`check_carried`] | looks at bodies without mass |
-//! | [`settle`] | projects a state that drifted back onto the constraints |
+//! | [`project`] | projects a state that drifted back onto the constraints |
 //! | [`accelerate`] | accelerations and multipliers by rank, where elimination without pivoting is unhealthy |
 
 mod accelerate;
@@ -21,11 +21,11 @@ mod jump;
 mod lack;
 mod nearest;
 mod newton;
+mod project;
 mod redundancy;
 mod renew;
 mod scale;
 mod search;
-mod settle;
 
 pub use accelerate::{Acceleration, accelerate};
 pub use assemble::assemble;
@@ -36,9 +36,9 @@ pub(crate) use disagree::disagreement;
 pub use jump::{Crossing, jump};
 pub use nearest::flat_part;
 pub(crate) use nearest::{close, lead, nearest, smallest_pivot};
+pub use project::{balance, drift, opening, project, project_state, residuals};
 pub(crate) use redundancy::beside;
 pub use renew::renew;
-pub use settle::{balance, drift, opening, residuals, settle, settle_state};
 
 use crate::scalar::Real;
 use crate::start::Start;

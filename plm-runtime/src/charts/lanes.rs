@@ -12,7 +12,7 @@ use crate::vector::Vector;
 /// one.
 const SURELY: f64 = 0.999;
 
-/// Whether [`accept`](super::accept) has nothing to look at yet, by what is held of the loops: 1 in the lanes where it has
+/// Whether [`update`](super::update) has nothing to look at yet, by what is held of the loops: 1 in the lanes where it has
 /// not, 0 elsewhere; with the typical size of each number of the state.
 #[inline]
 pub fn are_calm<M: Charted, T: Scalar, X: Vector<T>>(
@@ -59,7 +59,7 @@ pub fn are_short<M: Charted, T: Scalar, X: Vector<T>>(
 }
 
 /// Looks at the states of the lanes in which that is `due` (1, else 0), from what is to be remembered of them and the squares of
-/// the measures: 1 in the lanes where [`accept`](super::accept) would do no more than remember that, which is done; 0 elsewhere.
+/// the measures: 1 in the lanes where [`update`](super::update) would do no more than remember that, which is done; 0 elsewhere.
 #[inline]
 pub fn look<M: Charted, T: Scalar, Y: Remembered<T>>(
     of_loops: &mut OfLoops<Y, impl Sized>,

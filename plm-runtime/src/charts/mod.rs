@@ -14,6 +14,7 @@ mod continuity;
 mod counted;
 mod lanes;
 mod memory;
+mod words;
 
 pub use continuity::not_regular;
 use continuity::{Looks, flattest};
@@ -25,7 +26,7 @@ pub use memory::{Followed, Memory, OfLoops, Reach, Remembered, Turn};
 use crate::fault::Fault;
 use crate::held::Held;
 use crate::scalar::{Real, Scalar};
-use crate::system::{Accepted, System};
+use crate::system::{System, Updated};
 use crate::vector::Vector;
 
 /// Below this a chart's measure is worth a look at the other charts: the smallest sine (RRR), cosine (RRP), or length
@@ -95,7 +96,7 @@ pub trait Charted:
     fn remember_pose(&self, chart: usize, t: Self::S, q: &Self::Q, v: &Self::Q) -> (Self::Memory, Self::S);
 
     /// Writes the coordinates of a chart and their rates; first-order states stay.
-    fn project(&self, chart: usize, t: Self::S, q: &Self::Q, v: &Self::Q, x: &mut Self::X);
+    fn to_chart(&self, chart: usize, t: Self::S, q: &Self::Q, v: &Self::Q, x: &mut Self::X);
 }
 
 /// The state in the best chart at a pose that closes the loops; the first chart if it is not flat, none if all are.
@@ -148,17 +149,17 @@ pub fn hold<M: Charted, const N: usize>(held: &mut M::U, x: &mut M::X, full: &[M
 /// # Errors
 /// When the loops cannot be closed there, or cannot have been followed so far.
 #[inline]
-pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> Result<Accepted, Fault> {
+pub fn update<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> Result<Updated, Fault> {
     if is_calm(system, t, held, x) {
-        return Ok(Accepted::default());
+        return Ok(Updated::default());
     }
     match held.of_loops {
         OfLoops::InChart { chart, memory } => watch(system, t, held, (chart, &memory), x),
-        OfLoops::Free { .. } => Ok(Accepted { moved: come_back(system, t, held, x), ..Accepted::default() }),
+        OfLoops::Free { .. } => Ok(Updated { moved: come_back(system, t, held, x), ..Updated::default() }),
     }
 }
 
-/// Whether [`accept`] has nothing to look at yet.
+/// Whether [`update`] has nothing to look at yet.
 #[inline]
 pub fn is_calm<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
     let OfLoops::InChart { memory, .. } = &held.of_loops else { return false };
@@ -193,7 +194,7 @@ fn watch<M: Charted>(
     held: &mut M::U,
     (chart, before): (usize, &M::Memory),
     x: &mut M::X,
-) -> Result<Accepted, Fault> {
+) -> Result<Updated, Fault> {
     let (after, measure) = system.remember(t, held, x);
     let looks = Looks::<M> { t, chart, before, after: &after };
     if is_open(measure) || !after.is_finite() {
@@ -204,7 +205,7 @@ fn watch<M: Charted>(
     held.of_loops = OfLoops::InChart { chart, memory: looks.kept()? };
     let turned = unwind::<M>(held, x);
     let moved = measure < square(FLAT) && leave(system, t, held, (chart, measure), x);
-    Ok(Accepted { moved, turned, passed: None })
+    Ok(Updated { moved, turned, passed: None })
 }
 
 /// Can a loop not be closed at all?
@@ -308,7 +309,7 @@ fn change<M: Charted>(
     x: &mut M::X,
 ) {
     held.of_loops = OfLoops::InChart { chart, memory: system.remember_pose(chart, t, q, v).0 };
-    system.project(chart, t, q, v, x);
+    system.to_chart(chart, t, q, v, x);
     let (mut memory, measure) = system.remember(t, held, x);
     if is_open(measure) || !memory.is_finite() {
         return;

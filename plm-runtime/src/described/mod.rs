@@ -7,14 +7,16 @@
 pub mod by_number;
 pub mod pulls;
 mod tables;
+mod words;
 
 pub use tables::{Body, Frame, GroundPort, Motion, Part, Quantity, Reads, Report, Tables};
+pub use words::mechanism_in_words;
 
 use crate::body::BodyState;
 use crate::mechanism::{Mechanism, Moment};
 use crate::ports::Ports;
 use crate::scalar::{Real, Scalar};
-use crate::system::System;
+use crate::system::Rate;
 use crate::vector::Vector;
 
 /// Numbers of a body before those of its ports: mass, inertia, depth.
@@ -41,7 +43,7 @@ impl<S: Scalar> Place<S> {
 }
 
 /// The numbers that a mechanism computes with.
-type Number<M> = <M as System>::S;
+type Number<M> = <M as Rate>::S;
 
 /// A mechanism that tells of its bodies, parts, parameters and quantities by number.
 ///
@@ -86,8 +88,8 @@ pub trait Described: Mechanism + Ports {
     fn observed(state: &Self::State, index: usize) -> Option<Number<Self>>;
 
     /// The condition on the time alone that changes at the time `t`, s; in words of diagnostics, as
-    /// [`guard_name`](System::guard_name) those on the state.
-    fn instant_name(&self, t: Number<Self>, held: &<Self as System>::U) -> &'static str {
+    /// [`guard_name`](crate::Labels::guard_name) those on the state.
+    fn instant_name(&self, t: Number<Self>, held: &<Self as Rate>::U) -> &'static str {
         let _ = (t, held);
         ""
     }
@@ -158,7 +160,7 @@ pub trait Described: Mechanism + Ports {
     /// A first-order state.
     fn state(state: &Self::State, index: usize) -> Option<Number<Self>> {
         let states = Self::TABLES.states.len();
-        let first = <Self as System>::X::LEN.checked_sub(states)?;
+        let first = <Self as Rate>::X::LEN.checked_sub(states)?;
         (index < states).then(|| state.x().at(first + index))
     }
 

@@ -1,5 +1,6 @@
 //! Guards that are zero but for rounding where a run begins, or goes on after a change from outside: their rates decide the mode.
 
+use super::Beginning;
 use super::relevant::bit;
 use super::search::{ULPS, rounding};
 use super::violated::not_met;
@@ -7,7 +8,6 @@ use super::{advance_to, guards, guards_here};
 use crate::fault::Fault;
 use crate::method::{Context, Method};
 use crate::scalar::{Real, Scalar};
-use crate::sim::Beginning;
 use crate::system::System;
 use crate::tube::{Interval, Tube};
 use crate::vector::Vector;

@@ -2,11 +2,11 @@
 
 use super::relevant::{Relevant, bit};
 use super::search::{Found, Search};
+use super::{Beginning, History};
 use super::{Detector, Event, guards_here};
 use crate::fault::Fault;
 use crate::method::{Context, Method, Path};
 use crate::scalar::Real;
-use crate::sim::{Beginning, History};
 use crate::system::{Step, System};
 use crate::vector::Vector;
 

@@ -3,9 +3,9 @@
 //! A fixed step inside the region cannot trigger an event, so its guards are not evaluated. Interval arithmetic ([`Tube`]) bounds every
 //! guard over the region once; later steps reuse the bound.
 
+use super::Beginning;
 use crate::method::Path;
 use crate::scalar::Real;
-use crate::sim::Beginning;
 use crate::system::{Step, System};
 use crate::tube::{Interval, Tube};
 use crate::vector::Vector;

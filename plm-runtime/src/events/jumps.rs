@@ -49,8 +49,8 @@ fn end_ahead<M: System<S: Real>>(context: &mut Context<'_, M>) -> Option<Fault> 
     required(context, index).err()
 }
 
-/// A step that has led over a jump of rows is not settled: what is off the rows there is the jump, and no drift.
-pub(crate) fn before_settling<M: System<S: Real>>(
+/// A step that has led over a jump of rows is not projected: what is off the rows there is the jump, and no drift.
+pub(crate) fn before_projection<M: System<S: Real>>(
     context: &Context<'_, M>,
     t: M::S,
     x: &M::X,

@@ -12,6 +12,7 @@ mod chattering;
 mod enclosure;
 mod fixed;
 mod guard_free;
+mod history;
 mod jumps;
 mod kinks;
 mod relevant;
@@ -25,7 +26,8 @@ use self::boundary::{Boundary, decide, meet};
 use self::chattering::Chattering;
 use self::enclosure::Enclosure;
 use self::guard_free::GuardFree;
-pub(crate) use self::jumps::{at_a_jump, before_settling, hold};
+pub(crate) use self::history::{Beginning, History};
+pub(crate) use self::jumps::{at_a_jump, before_projection, hold};
 use self::kinks::kink;
 pub use self::relevant::holds;
 pub(crate) use self::relevant::refresh;
@@ -38,7 +40,7 @@ pub(crate) use self::violated::{are_satisfied, switch_at_end, switch_each};
 use crate::fault::{Cause, Fault};
 use crate::method::{Context, Method};
 use crate::scalar::{Real, Scalar};
-use crate::sim::Beginning;
+
 use crate::system::System;
 use crate::vector::Vector;
 

@@ -14,7 +14,7 @@ use crate::vector::Vector;
 /// A condition may switch another one: it is repeated until none is past, but not for ever.
 ///
 /// # Errors
-/// Those of [`System::switch`].
+/// Those of [`Events::switch`](crate::Events::switch).
 pub fn switch_where_due<M: System<S: Real>>(
     system: &M,
     t: M::S,

@@ -97,7 +97,7 @@ where
         };
         let Some(first) = self.sims.iter().find(latest) else { return ([false; LANES], clock) };
         let joins = |sim: &Sim<M, FixedStep<f64, F>>| {
-            let free = sim.state.mechanism().next_instant(time, &sim.state.held()).is_none();
+            let free = sim.state.mechanism().next_time_event(time, &sim.state.held()).is_none();
             free && !sim.changed && latest(&sim) && sim.method.longest_step == first.method.longest_step
         };
         (self.sims.each_ref().map(joins), clock)

@@ -1,12 +1,12 @@
 //! One lane of a batch, as the simulation that it is.
 
 use super::{LANES, Lanes, Pack};
-use crate::events::{Detector, Event, at_a_jump};
+use crate::events::{Beginning, Detector, Event, History, at_a_jump};
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
-use crate::method::{Context, FixedStep, Formula, Method, Partition};
-use crate::protocol::{Advance, DriftCheck, Guarded, Limits, Made};
-use crate::sim::{Beginning, History, Sim, Unobserved};
+use crate::method::{Context, DriftCheck, FixedStep, Formula, Method, Partition};
+use crate::protocol::{Advance, Guarded, Limits, Made, Unobserved};
+use crate::sim::Sim;
 use crate::singular::{Nearness, Rescue};
 use crate::system::Step;
 use crate::vector::Vector;

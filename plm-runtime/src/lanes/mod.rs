@@ -13,8 +13,7 @@ pub use two::Two;
 
 use crate::mechanism::Mechanism;
 use crate::scalar::Scalar;
-use crate::system::{Health, System};
-use crate::vector::Vector;
+use crate::system::Rate;
 
 /// How many trajectories run side by side.
 pub const LANES: usize = 8;
@@ -27,42 +26,6 @@ pub trait Lanes: Scalar {
     fn values(self) -> [f64; LANES];
     /// Gives one lane another value.
     fn put(&mut self, lane: usize, value: f64);
-}
-
-/// The right-hand side alone, for any numbers; implemented by generated code.
-pub trait Rate {
-    /// The numbers it computes with.
-    type S: Scalar;
-    /// The state and its rate, as [`System::X`].
-    type X: Vector<Self::S>;
-    /// What is held over a step, as [`System::U`].
-    type U: Copy + PartialEq;
-
-    /// Number of coordinates, as [`System::NQ`].
-    const NQ: usize;
-
-    /// The rate `dx` of the state, as straight-line code without pivoting.
-    fn rate(&self, t: Self::S, u: &Self::U, x: &Self::X, dx: &mut Self::X) -> Health<Self::S>;
-
-    /// It pays to compute rates in pairs, as [`System::PAIRED`].
-    const PAIRED: bool = false;
-    /// It pays in numbers of several lanes too, which fill the registers by themselves.
-    const PAIRED_IN_LANES: bool = false;
-
-    /// Two rates in a row, as [`System::rate_pair`].
-    #[inline]
-    fn rate_pair(
-        &self,
-        t: [Self::S; 2],
-        u: &Self::U,
-        x: [&Self::X; 2],
-        dx: &mut [Self::X; 2],
-        second: impl FnOnce(&Self::X) -> Self::X,
-    ) -> Health<Self::S> {
-        let ([t, later], [x, _], [first, last]) = (t, x, dx);
-        let health = self.rate(t, u, x, first);
-        health.worst(self.rate(later, u, &second(first), last))
-    }
 }
 
 /// A mechanism of which several can be packed into one; implemented by generated code.
@@ -100,7 +63,7 @@ pub trait Pack: Mechanism {
     /// poses that are nearly singular.
     const WATCHED: bool;
 
-    /// Whether [`System::accept`] has nothing to do at a state.
+    /// Whether [`Constraints::update`](crate::Constraints::update) has nothing to do at a state.
     fn is_calm(&self, t: Self::S, held: &Self::U, x: &Self::X) -> bool;
 
     /// The same of several states side by side, with the typical size of each number: 1 in the lanes where it has nothing to
@@ -120,7 +83,7 @@ pub trait Pack: Mechanism {
         ends: [&<Self::Packed<T> as Rate>::X; 2],
     ) -> T;
 
-    /// [`System::accept`] of several states side by side, in the lanes in which that is `due` (1, else 0): 1 in those where it
+    /// [`Constraints::update`](crate::Constraints::update) of several states side by side, in the lanes in which that is `due` (1, else 0): 1 in those where it
     /// changes nothing but what is remembered, which is done; 0 elsewhere.
     fn look<T: Scalar>(
         all: &Self::Packed<T>,
@@ -136,37 +99,4 @@ pub trait Pack: Mechanism {
         wide: &<Self::Packed<T> as Rate>::U,
         take: impl Fn(T) -> Self::S,
     );
-}
-
-/// A right-hand side as a system that is never looked at: what the formulas of methods ask for.
-struct Unwatched<R>(R);
-
-impl<R: Rate> System for Unwatched<R> {
-    type S = R::S;
-    type X = R::X;
-    type U = R::U;
-    type G = [R::S; 0];
-
-    const NQ: usize = R::NQ;
-
-    #[allow(clippy::inline_always, reason = "the wrapper is nothing")]
-    #[inline(always)]
-    fn rate(&self, t: R::S, u: &R::U, x: &R::X, dx: &mut R::X) -> Health<R::S> {
-        self.0.rate(t, u, x, dx)
-    }
-
-    const PAIRED: bool = R::PAIRED_IN_LANES;
-
-    #[allow(clippy::inline_always, reason = "as above")]
-    #[inline(always)]
-    fn rate_pair(
-        &self,
-        t: [R::S; 2],
-        u: &R::U,
-        x: [&R::X; 2],
-        dx: &mut [R::X; 2],
-        second: impl FnOnce(&R::X) -> R::X,
-    ) -> Health<R::S> {
-        self.0.rate_pair(t, u, x, dx, second)
-    }
 }

@@ -1,10 +1,10 @@
 //! Eight lanes as one mechanism in one state.
 
 use super::lane::{Lane, set_column};
-use super::{LANES, Lanes, Pack, Rate, Unwatched};
+use super::{LANES, Lanes, Pack};
 use crate::method::{Formula, Partition, coarseness, looked_at};
 use crate::scalar::Scalar;
-use crate::system::System;
+use crate::system::Rate;
 use crate::vector::Vector;
 
 /// Eight states as one.
@@ -14,7 +14,7 @@ type WideHeld<M, L> = <<M as Pack>::Packed<L> as Rate>::U;
 
 /// The lanes as one mechanism in one state.
 pub(super) struct Side<M: Pack<S = f64>, L: Lanes> {
-    mechanism: Unwatched<M::Packed<L>>,
+    mechanism: M::Packed<L>,
     held: WideHeld<M, L>,
     pub(super) x: Wide<M, L>,
     /// Typical sizes of the numbers of a state.
@@ -32,10 +32,10 @@ pub(super) struct Side<M: Pack<S = f64>, L: Lanes> {
 impl<M: Pack<S = f64>, L: Lanes> Side<M, L> {
     pub(super) fn new<F: Formula>(lanes: &[Lane<M, F>; LANES]) -> Self {
         let systems = lanes.each_ref().map(|lane| lane.context.system);
-        let typical = systems.map(System::typical);
+        let typical = systems.map(Rate::typical);
         let (held, joined) = hold(lanes);
         let mut side = Self {
-            mechanism: Unwatched(systems[0].pack(systems, L::of)),
+            mechanism: systems[0].pack(systems, L::of),
             held,
             x: Vector::from_fn(|k| L::of(lanes.each_ref().map(|lane| lane.context.x.at(k)))),
             typical: Vector::from_fn(|k| L::of(typical.map(|one| one.at(k)))),
@@ -58,7 +58,7 @@ impl<M: Pack<S = f64>, L: Lanes> Side<M, L> {
         let (mut next, zero, h) = (self.x, L::lit(0.0), L::lit(partition.h));
         let all = (&self.mechanism, &self.held);
         let (health, coarseness) = looked_at::<F, _, _>(all, (L::lit(time), h), &mut next, |next, stages| {
-            coarseness::<F, Unwatched<M::Packed<L>>>(&self.typical, h, [&self.x, next], stages)
+            coarseness::<F, M::Packed<L>>(&self.typical, h, [&self.x, next], stages)
         });
         (next, L::select(zero.lt(coarseness), zero, health.0))
     }
@@ -78,7 +78,7 @@ impl<M: Pack<S = f64>, L: Lanes> Side<M, L> {
             return calm;
         }
         self.looked = true;
-        calm + M::look(&self.mechanism.0, L::lit(time), &mut self.held, next, fits - calm)
+        calm + M::look(&self.mechanism, L::lit(time), &mut self.held, next, fits - calm)
     }
 
     /// Tells the lanes what is remembered of them.

@@ -7,6 +7,31 @@ use crate::system::System;
 use crate::vector::Vector;
 use crate::words::{InWords, Words};
 
+/// Builders and tolerance of a method with the fields `rtol`, `longest_step` and `most_steps`.
+macro_rules! builders {
+    ([$($generics:tt)*] $method:ty) => {
+        impl<$($generics)*> $method {
+            /// The same with steps of at most `longest_step`, in s.
+            #[must_use]
+            pub fn with_longest_step(self, longest_step: M::S) -> Self {
+                Self { longest_step, ..self }
+            }
+
+            /// The same with at most so many steps, accepted and rejected, in one interval.
+            #[must_use]
+            pub fn with_most_steps(self, most_steps: u64) -> Self {
+                Self { most_steps, ..self }
+            }
+
+            /// The tolerance in use: at least some units in the last place.
+            fn tolerance(&self) -> M::S {
+                self.rtol.max(M::S::lit(8.0) * M::S::EPSILON)
+            }
+        }
+    };
+}
+pub(super) use builders;
+
 /// Rate at the current state, kept from the last step or evaluated.
 pub(super) fn rate_here<M: System<S: Real>>(
     kept: &mut Option<M::X>,

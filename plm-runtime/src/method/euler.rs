@@ -4,7 +4,7 @@ use super::Rates;
 use super::estimate::{Estimate, Sizes};
 use super::fixed::{FixedStep, Formula, Made};
 use crate::scalar::{Real, Scalar};
-use crate::system::System;
+use crate::system::Rate;
 use crate::vector::Vector;
 
 /// The semi-implicit Euler method with steps of equal length: order 1, one rate a step, bounded energy error.
@@ -30,7 +30,7 @@ impl Formula for SemiImplicitEulerFormula {
     // The rate's captures (health, system, inputs) stay in registers only if the formula is part of its caller.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn step<M: System, T>(
+    fn step<M: Rate, T>(
         (t, h): (M::S, M::S),
         x: &mut M::X,
         mut rates: impl Rates<M>,
@@ -46,7 +46,7 @@ impl Formula for SemiImplicitEulerFormula {
     }
 
     #[inline]
-    fn apart<M: System>(h: M::S, k: &M::X, size: impl Fn(usize) -> M::S) -> impl Fn(usize) -> [M::S; 2] {
+    fn apart<M: Rate>(h: M::S, k: &M::X, size: impl Fn(usize) -> M::S) -> impl Fn(usize) -> [M::S; 2] {
         let (slow, short) = (M::S::lit(SLOW) / h, M::S::lit(2.0 * SHORT) / (h * h));
         move |i| {
             if i < M::NQ { [k.at(M::NQ + i).abs(), short * size(i)] } else { [k.at(i).abs(), slow * size(i)] }
@@ -54,13 +54,13 @@ impl Formula for SemiImplicitEulerFormula {
     }
 
     #[inline]
-    fn difference<M: System<S: Real>>(k: &M::X) -> M::X {
+    fn difference<M: Rate<S: Real>>(k: &M::X) -> M::X {
         *k
     }
 
     // A position differs from that by the trapezoidal rule by the first term that it lacks, h^2/2 of the acceleration. A
     // velocity has no second rate; one where the step ends, from which the next will begin, makes that rule of it too.
-    fn estimate<M: System<S: Real>>(made: &Made<'_, M>, k: &M::X) -> Estimate<M::S> {
+    fn estimate<M: Rate<S: Real>>(made: &Made<'_, M>, k: &M::X) -> Estimate<M::S> {
         let sizes = Sizes { typical: made.system.typical(), from: made.from.1, to: made.to };
         let mut end = *k;
         made.system.rate(made.from.0 + made.h, made.held, made.to, &mut end);

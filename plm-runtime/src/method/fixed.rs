@@ -5,12 +5,14 @@ use core::marker::PhantomData;
 use super::estimate::Estimate;
 use super::length::{are_near, are_straight, is_due};
 use super::partition::Partition;
-use super::{Context, FastStep, Method, Rates, Watched, drift_of_size, not_finite, rate};
+use super::{
+    Context, DenseOutput, DriftCheck, ErrorControl, FastStep, FixedLength, Method, Rates, Watched,
+    drift_of_size, not_finite, rate,
+};
 use crate::fault::Fault;
-use crate::protocol::DriftCheck;
-use crate::scalar::{Real, Scalar};
-use crate::sim::Stats;
-use crate::system::{Drift, Health, System};
+use crate::scalar::Real;
+use crate::stats::Stats;
+use crate::system::{Drift, Health, Rate, System};
 use crate::vector::Vector;
 
 /// The formula of a fixed-step method.
@@ -24,7 +26,7 @@ pub trait Formula: Copy {
 
     /// Takes the state `x` from `t` to `t + h`; `rates` computes the rates. Gives what `look` makes of the state then and of the
     /// rates.
-    fn step<M: System, T>(
+    fn step<M: Rate, T>(
         times: (M::S, M::S),
         x: &mut M::X,
         rates: impl Rates<M>,
@@ -39,21 +41,21 @@ pub trait Formula: Copy {
 
     /// By state, how far the rates of a step of `h` are apart, and how far they may be in one that needs no
     /// [`estimate`](Self::estimate): a share of its `size`.
-    fn apart<M: System>(
+    fn apart<M: Rate>(
         h: M::S,
         stages: &Self::Stages<M::X>,
         size: impl Fn(usize) -> M::S,
     ) -> impl Fn(usize) -> [M::S; 2];
 
     /// The difference of the rates at the stages by which an [`estimate`](Self::estimate) is made, by state.
-    fn difference<M: System<S: Real>>(stages: &Self::Stages<M::X>) -> M::X;
+    fn difference<M: Rate<S: Real>>(stages: &Self::Stages<M::X>) -> M::X;
 
     /// The error of a step, as it is estimated by a [`difference`](Self::difference) of its rates.
-    fn estimate<M: System<S: Real>>(made: &Made<'_, M>, difference: &M::X) -> Estimate<M::S>;
+    fn estimate<M: Rate<S: Real>>(made: &Made<'_, M>, difference: &M::X) -> Estimate<M::S>;
 
     /// One step for any scalar, with the worst health of its stages and without a second try.
     #[inline]
-    fn plain_step<M: System>(system: &M, t: M::S, u: &M::U, x: &mut M::X, h: M::S) -> Health<M::S> {
+    fn plain_step<M: Rate>(system: &M, t: M::S, u: &M::U, x: &mut M::X, h: M::S) -> Health<M::S> {
         looked_at::<Self, M, _>((system, u), (t, h), x, |_, _| ()).0
     }
 }
@@ -62,7 +64,7 @@ pub trait Formula: Copy {
 /// stages.
 #[allow(clippy::inline_always, reason = "as the formula, which it is")]
 #[inline(always)]
-pub(crate) fn looked_at<F: Formula, M: System, T>(
+pub(crate) fn looked_at<F: Formula, M: Rate, T>(
     (system, u): (&M, &M::U),
     times: (M::S, M::S),
     x: &mut M::X,
@@ -74,7 +76,7 @@ pub(crate) fn looked_at<F: Formula, M: System, T>(
 }
 
 /// A step that was made.
-pub struct Made<'a, M: System> {
+pub struct Made<'a, M: Rate> {
     /// The equations.
     pub system: &'a M,
     /// What was held over it.
@@ -91,9 +93,9 @@ pub struct Made<'a, M: System> {
 ///
 /// An interval is divided into whole steps of at most [`longest_step`](Self::longest_step). The health of the stages
 /// is looked at once a step; an unhealthy step is done again, by rank where needed, and so are the following ones until
-/// one is healthy throughout; these are settled one by one, because what is off the constraints near a singular position
+/// one is healthy throughout; these are projected one by one, because what is off the constraints near a singular position
 /// decides the branch that the motion takes. Otherwise the drift is looked at after every [`check_every`](Self::check_every) steps, and again
-/// after the next step whenever the state had to be settled.
+/// after the next step whenever the state had to be projected.
 #[derive(Clone, Copy, Debug)]
 pub struct FixedStep<S, F> {
     /// Longest step, s.
@@ -250,7 +252,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
 /// apart would pay for keeping these to their ends.
 #[cold]
 #[inline(never)]
-fn estimate<F: Formula, M: System<S: Real>>(
+fn estimate<F: Formula, M: Rate<S: Real>>(
     (system, held): (&M, &M::U),
     (t, h): (M::S, M::S),
     [from, to]: [&M::X; 2],
@@ -264,8 +266,6 @@ fn estimate<F: Formula, M: System<S: Real>>(
 }
 
 impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
-    const DENSE: bool = false;
-    const FAST: bool = true;
     const NAME: &'static str = F::NAME;
 
     fn begin(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
@@ -279,6 +279,27 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
         self.step(context, &mut next)?;
         self.land(context, next)
     }
+
+    fn restart(&mut self) {
+        self.until_check = 0;
+    }
+
+    fn fresh(&self) -> Self {
+        let Self { longest_step, tolerance, check_every, .. } = *self;
+        Self { tolerance, check_every, ..Self::new(longest_step) }
+    }
+
+    fn drift_limit(&self, system: &M) -> Drift<M::S> {
+        drift_of_size(system, self.tolerance)
+    }
+}
+
+impl<M: System<S: Real>, F: Formula> DenseOutput<M> for FixedStep<M::S, F> {}
+
+impl<M: System<S: Real>, F: Formula> ErrorControl<M> for FixedStep<M::S, F> {}
+
+impl<M: System<S: Real>, F: Formula> FixedLength<M> for FixedStep<M::S, F> {
+    const FAST: bool = true;
 
     #[inline]
     fn fast_step(
@@ -319,25 +340,8 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
         FixedStep::keep(self, drifted);
     }
 
-    fn interpolate(&self, _time: M::S) -> M::X {
-        M::X::fill(M::S::lit(0.0))
-    }
-
-    fn restart(&mut self) {
-        self.until_check = 0;
-    }
-
     fn shorter(&self, longest: M::S) -> Option<Self> {
         let Self { tolerance, check_every, .. } = *self;
         Some(Self { tolerance, check_every, ..Self::new(longest) })
-    }
-
-    fn fresh(&self) -> Self {
-        let Self { longest_step, tolerance, check_every, .. } = *self;
-        Self { tolerance, check_every, ..Self::new(longest_step) }
-    }
-
-    fn drift_limit(&self, system: &M) -> Drift<M::S> {
-        drift_of_size(system, self.tolerance)
     }
 }

@@ -5,12 +5,12 @@ use crate::fault::{Cause, Fault};
 use crate::linalg::{Dense, Derivatives};
 use crate::linear::Linear;
 use crate::scalar::{Real, Scalar};
-use crate::system::System;
+use crate::system::Rate;
 use crate::vector::Vector;
 
 /// A decomposed lambda I - J that belongs to a system, for lambda of the type `T`.
 pub(super) type Resolvent<M, T> =
-    <<M as Linear>::Derivatives as Derivatives<<M as System>::S, <M as System>::X>>::Resolvent<T>;
+    <<M as Linear>::Derivatives as Derivatives<<M as Rate>::S, <M as Rate>::X>>::Resolvent<T>;
 
 impl<M: Linear> Context<'_, M> {
     /// The derivatives of the rate by the state, and by the time where asked for, at the state reached.

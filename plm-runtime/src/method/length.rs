@@ -6,8 +6,8 @@
 
 use super::fixed::Formula;
 use crate::scalar::{Real, Scalar};
-use crate::sim::Stats;
-use crate::system::System;
+use crate::stats::Stats;
+use crate::system::Rate;
 use crate::vector::Vector;
 
 /// So many velocities and first-order states are few: to compare their rates costs less than a fiftieth of a step.
@@ -19,19 +19,19 @@ const OFTEN: u64 = 7;
 
 /// ... and in every one again behind one that was too long: of mechanisms with many states.
 #[inline]
-pub(super) fn is_due<M: System>(stats: &Stats) -> bool {
+pub(super) fn is_due<M: Rate>(stats: &Stats) -> bool {
     !has_few::<M>() && (stats.steps < FIRST || stats.steps & OFTEN == 0 || stats.largest_error > 0.0)
 }
 
 /// Has the mechanism few velocities and first-order states?
 #[inline]
-pub(super) fn has_few<M: System>() -> bool {
+pub(super) fn has_few<M: Rate>() -> bool {
     M::X::LEN - M::NQ <= FEW
 }
 
 /// The first state whose rates are compared.
 #[inline]
-fn first<F: Formula, M: System>() -> usize {
+fn first<F: Formula, M: Rate>() -> usize {
     match has_few::<M>() {
         true if F::OF_PLACES => 0,
         true => M::NQ,
@@ -43,7 +43,7 @@ fn first<F: Formula, M: System>() -> usize {
 #[allow(clippy::needless_bitwise_bool, reason = "a branch for each state would keep compilers from vectors")]
 #[allow(clippy::inline_always, reason = "the rates stay in registers")]
 #[inline(always)]
-pub(super) fn are_near<F: Formula, M: System<S: Real>>(
+pub(super) fn are_near<F: Formula, M: Rate<S: Real>>(
     system: &M,
     h: M::S,
     x: &M::X,
@@ -62,7 +62,7 @@ pub(super) fn are_near<F: Formula, M: System<S: Real>>(
 /// take the registers of all.
 #[allow(clippy::needless_bitwise_bool, reason = "a branch for each state would keep compilers from vectors")]
 #[inline(never)]
-pub(super) fn are_straight<F: Formula, M: System<S: Real>>(system: &M, h: M::S, ends: [&M::X; 2]) -> bool {
+pub(super) fn are_straight<F: Formula, M: Rate<S: Real>>(system: &M, h: M::S, ends: [&M::X; 2]) -> bool {
     let typical = system.typical();
     (0..M::NQ).fold(true, |all, i| {
         let [bend, most] = bend::<F, M>(&typical, h, ends, i);
@@ -72,7 +72,7 @@ pub(super) fn are_straight<F: Formula, M: System<S: Real>>(system: &M, h: M::S, 
 
 /// How far a position is from there, and how far it may be.
 #[inline]
-fn bend<F: Formula, M: System>(typical: &M::X, h: M::S, [from, to]: [&M::X; 2], i: usize) -> [M::S; 2] {
+fn bend<F: Formula, M: Rate>(typical: &M::X, h: M::S, [from, to]: [&M::X; 2], i: usize) -> [M::S; 2] {
     let (v, half) = (M::NQ + i, M::S::lit(0.5) * h);
     let bend = (to.at(i) - from.at(i)) - half * (from.at(v) + to.at(v));
     [bend.abs(), M::S::lit(F::STRAIGHT) * (from.at(i).abs() + typical.at(i))]
@@ -80,7 +80,7 @@ fn bend<F: Formula, M: System>(typical: &M::X, h: M::S, [from, to]: [&M::X; 2], 
 
 /// Both in numbers of several lanes: above zero in those that are not short, and not below.
 #[inline]
-pub(crate) fn coarseness<F: Formula, M: System>(
+pub(crate) fn coarseness<F: Formula, M: Rate>(
     typical: &M::X,
     h: M::S,
     ends: [&M::X; 2],

@@ -40,7 +40,7 @@ impl<S: Real> Partition<S> {
         Ok(partition)
     }
 
-    /// Takes the context to `next`, the state after the step; settles it if it drifted by more than `tolerance` of the
+    /// Takes the context to `next`, the state after the step; projects it if it drifted by more than `tolerance` of the
     /// typical sizes, or if the step went by rank. Returns whether it did.
     pub(super) fn arrive<M: System<S = S>>(
         &mut self,
@@ -56,7 +56,7 @@ impl<S: Real> Partition<S> {
         let limit = if by_rank { S::ZERO } else { S::lit(1.0) };
         let drifted = excess(drift, drift_of_size(context.system, tolerance)) > limit;
         if drifted {
-            context.settle(self.next_time, &mut next)?;
+            context.project(self.next_time, &mut next)?;
         }
         context.stats.steps += 1;
         (context.time, context.x) = (self.next_time, next);

@@ -5,8 +5,8 @@ use crate::fault::Fault;
 use crate::scalar::Real;
 use crate::system::System;
 
-/// Drift is settled above this fraction of the tolerance.
-pub(super) const SETTLED_ABOVE: f64 = 0.1;
+/// Drift is projected above this fraction of the tolerance.
+pub(super) const PROJECTED_ABOVE: f64 = 0.1;
 
 /// What is known of the drift.
 #[derive(Clone, Copy, Debug)]
@@ -25,14 +25,14 @@ impl<S: Real> Projection<S> {
         excess(system.drift(t, x), drift_of_size(system, tolerance)) - self.residue
     }
 
-    /// Settles the state that a step leads to.
-    pub(super) fn settle<M: System<S = S>>(
+    /// Projects the state that a step leads to.
+    pub(super) fn project<M: System<S = S>>(
         &mut self,
         context: &mut Context<'_, M>,
         tolerance: S,
         (time, x): (S, &mut M::X),
     ) -> Result<(), Fault> {
-        context.settle(time, x)?;
+        context.project(time, x)?;
         self.residue = S::ZERO;
         self.residue = self.drift(context.system, tolerance, (time, x));
         Ok(())

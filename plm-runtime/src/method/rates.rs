@@ -1,17 +1,17 @@
 //! Who computes the rates that a formula asks for.
 
-use crate::system::{Health, System};
+use crate::system::{Health, Rate};
 
 /// The rates at the stages of a formula.
 ///
-/// Where a rate is short ([`System::SHORT`]), formulas hold a copy of it for every stage: numbers stay in registers, and
+/// Where a rate is short ([`Rate::SHORT`]), formulas hold a copy of it for every stage: numbers stay in registers, and
 /// compilers do not pack positions with velocities into vectors, which would let the pose of a stage wait for an
 /// acceleration that it does not need. That takes more than a closure, of which nobody can ask to be copied.
-pub trait Rates<M: System> {
+pub trait Rates<M: Rate> {
     /// Writes the rate `dx` at `(t, x)`.
     fn at(&mut self, t: M::S, x: &M::X, dx: &mut M::X);
 
-    /// Writes two rates as [`System::rate_pair`] does.
+    /// Writes two rates as [`Rate::rate_pair`] does.
     #[allow(clippy::inline_always, reason = "as the formulas")]
     #[inline(always)]
     fn pair(
@@ -46,7 +46,7 @@ macro_rules! each_stage {
 }
 pub(crate) use each_stage;
 
-impl<M: System, F: FnMut(M::S, &M::X, &mut M::X)> Rates<M> for F {
+impl<M: Rate, F: FnMut(M::S, &M::X, &mut M::X)> Rates<M> for F {
     #[inline]
     fn at(&mut self, t: M::S, x: &M::X, dx: &mut M::X) {
         self(t, x, dx);
@@ -54,20 +54,20 @@ impl<M: System, F: FnMut(M::S, &M::X, &mut M::X)> Rates<M> for F {
 }
 
 /// The rates of a system, without a second try where they are unhealthy.
-pub(crate) struct Watched<'a, M: System> {
+pub(crate) struct Watched<'a, M: Rate> {
     system: &'a M,
     held: &'a M::U,
     /// The worst health so far.
     pub(crate) worst: Health<M::S>,
 }
 
-impl<'a, M: System> Watched<'a, M> {
+impl<'a, M: Rate> Watched<'a, M> {
     pub(crate) fn new(system: &'a M, held: &'a M::U) -> Self {
         Self { system, held, worst: Health::perfect() }
     }
 }
 
-impl<M: System> Rates<M> for &mut Watched<'_, M> {
+impl<M: Rate> Rates<M> for &mut Watched<'_, M> {
     #[allow(clippy::inline_always, reason = "what it holds stays in registers only within its caller")]
     #[inline(always)]
     fn at(&mut self, t: M::S, x: &M::X, dx: &mut M::X) {

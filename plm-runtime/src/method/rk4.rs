@@ -4,7 +4,7 @@ use super::estimate::{Estimate, Sizes};
 use super::fixed::{FixedStep, Formula, Made};
 use super::rates::{Rates, each_stage};
 use crate::scalar::{Real, Scalar};
-use crate::system::System;
+use crate::system::Rate;
 use crate::vector::Vector;
 
 /// The classical Runge-Kutta method of order 4 with steps of equal length.
@@ -34,7 +34,7 @@ impl Formula for Rk4Formula {
     // rate, unless it is short, becomes part of the formula only if it is called in one place, hence the loop.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn step<M: System, T>(
+    fn step<M: Rate, T>(
         (t, h): (M::S, M::S),
         x: &mut M::X,
         mut rates: impl Rates<M>,
@@ -69,7 +69,7 @@ impl Formula for Rk4Formula {
     // k1 - k2 - k3 + k4 is h^2/4 of the second derivative of the rate; the sums stand in `end` too.
     #[allow(clippy::inline_always, reason = "as the step")]
     #[inline(always)]
-    fn apart<M: System>(
+    fn apart<M: Rate>(
         h: M::S,
         [k1, k2, k3, k4]: &[M::X; 4],
         size: impl Fn(usize) -> M::S,
@@ -82,7 +82,7 @@ impl Formula for Rk4Formula {
     // the whole second derivative: either may vanish where the other does not. Both are a quarter of the third term.
     #[allow(clippy::inline_always, reason = "as the step")]
     #[inline(always)]
-    fn difference<M: System<S: Real>>([k1, k2, k3, k4]: &[M::X; 4]) -> M::X {
+    fn difference<M: Rate<S: Real>>([k1, k2, k3, k4]: &[M::X; 4]) -> M::X {
         M::X::from_fn(|i| {
             if i < M::NQ {
                 return M::S::lit(0.0);
@@ -93,7 +93,7 @@ impl Formula for Rk4Formula {
         })
     }
 
-    fn estimate<M: System<S: Real>>(made: &Made<'_, M>, difference: &M::X) -> Estimate<M::S> {
+    fn estimate<M: Rate<S: Real>>(made: &Made<'_, M>, difference: &M::X) -> Estimate<M::S> {
         let sizes = Sizes { typical: made.system.typical(), from: made.from.1, to: made.to };
         let third = |i: usize| {
             if i < M::NQ {
@@ -109,7 +109,7 @@ impl Formula for Rk4Formula {
 /// are written one by one: a copy of several waits for all of them.
 #[allow(clippy::inline_always, reason = "as the step")]
 #[inline(always)]
-fn pairs<M: System>(t: M::S, h: M::S, x: &M::X, mut rates: impl Rates<M>) -> [[M::X; 2]; 2] {
+fn pairs<M: Rate>(t: M::S, h: M::S, x: &M::X, mut rates: impl Rates<M>) -> [[M::X; 2]; 2] {
     let (zero, half) = (M::S::lit(0.0), M::S::lit(0.5) * h);
     let stages = [(zero, half), (half, h)];
     let along = |step: M::S, k: &M::X| M::X::from_fn(|i| step.mul_add(k.at(i), x.at(i)));
@@ -129,7 +129,7 @@ fn pairs<M: System>(t: M::S, h: M::S, x: &M::X, mut rates: impl Rates<M>) -> [[M
 /// up to 6 v + h (k1 + k2 + k3): the next pose waits for no more.
 #[allow(clippy::inline_always, reason = "as the step")]
 #[inline(always)]
-fn end<M: System>(h: M::S, x: &mut M::X, [k1, k2, k3, k4]: &[M::X; 4]) {
+fn end<M: Rate>(h: M::S, x: &mut M::X, [k1, k2, k3, k4]: &[M::X; 4]) {
     let (two, sixth) = (M::S::lit(2.0), M::S::lit(1.0 / 6.0) * h);
     for i in 0..M::NQ {
         let v = M::NQ + i;

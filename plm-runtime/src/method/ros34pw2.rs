@@ -1,11 +1,10 @@
 //! A Rosenbrock-W method for stiff equations with steps of equal length.
 
 use super::partition::Partition;
-use super::{Context, Estimate, Method, drift_of_size};
+use super::{Context, DenseOutput, ErrorControl, Estimate, FixedLength, Length, Method, drift_of_size};
 use crate::fault::{Cause, Fault};
 use crate::linalg::Derivatives;
 use crate::linear::Linear;
-use crate::protocol::Length;
 use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
 use crate::vector::Vector;
@@ -193,7 +192,6 @@ fn step<M: Linear>(context: &mut Context<'_, M>, h: M::S) -> Result<Trial<M::X>,
 }
 
 impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
-    const DENSE: bool = false;
     const NAME: &'static str = "Ros34Pw2";
     const LENGTH: Length = Length::Fixed { caution: 4.0 };
 
@@ -221,20 +219,7 @@ impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
         Ok(())
     }
 
-    fn interpolate(&self, _time: M::S) -> M::X {
-        M::X::fill(M::S::ZERO)
-    }
-
     fn restart(&mut self) {}
-
-    fn estimate(&self) -> Estimate<M::S> {
-        self.estimate
-    }
-
-    fn shorter(&self, longest: M::S) -> Option<Self> {
-        let Self { tolerance, worst_error, .. } = *self;
-        Some(Self { tolerance, worst_error, ..Self::new(longest) })
-    }
 
     fn fresh(&self) -> Self {
         let Self { longest_step, tolerance, worst_error, .. } = *self;
@@ -243,6 +228,21 @@ impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
 
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
         drift_of_size(system, self.tolerance)
+    }
+}
+
+impl<M: Linear> DenseOutput<M> for Ros34Pw2<M::S> {}
+
+impl<M: Linear> ErrorControl<M> for Ros34Pw2<M::S> {}
+
+impl<M: Linear> FixedLength<M> for Ros34Pw2<M::S> {
+    fn estimate(&self) -> Estimate<M::S> {
+        self.estimate
+    }
+
+    fn shorter(&self, longest: M::S) -> Option<Self> {
+        let Self { tolerance, worst_error, .. } = *self;
+        Some(Self { tolerance, worst_error, ..Self::new(longest) })
     }
 }
 

@@ -1,14 +1,14 @@
 //! The general path: steps of any method to the end of an interval, each judged, then committed or made in another way.
 
-use super::judge::{DriftCheck, Limits, Rules, Verdict, judge};
-use crate::events::{self, Detector, Event};
+use super::judge::{Limits, Proposal, Rules, Verdict, judge};
+use super::near_singular::Rescue;
+use super::observer::{Observer, Trigger};
+use crate::events::{self, Beginning, Detector, Event, History};
 use crate::fault::{Cause, Fault};
 use crate::mechanism::Mechanism;
-use crate::method::{Context, Method};
+use crate::method::{Context, DriftCheck, Method};
 use crate::scalar::{Real, Scalar};
-use crate::sim::{Beginning, History, Observer, Trigger};
-use crate::singular::Rescue;
-use crate::system::{Accepted, System};
+use crate::system::{System, Updated};
 
 /// So many failures one after the other end a run, although the near-singular method could go on each time.
 const MOST_FAILURES: u32 = 100;
@@ -60,7 +60,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         while self.context.time < end {
             let Context { system, time, held, .. } = &*self.context;
             let instant =
-                system.next_instant(*time, held).filter(|instant| *instant > *time && *instant <= end);
+                system.next_time_event(*time, held).filter(|instant| *instant > *time && *instant <= end);
             self.context.end = instant.unwrap_or(end);
             self.run().map_err(|fault| events::at_a_jump(self.context, fault))?;
             match instant {
@@ -77,7 +77,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     fn time_event(&mut self) -> Result<(), Fault> {
         let Context { time, held, x, .. } = *self.context;
         let (before, mut after, mut x) = (Beginning { time, held, x }, held, x);
-        self.context.system.pass(self.context.time, &mut after, &mut x)?;
+        self.context.system.switch_at_time(self.context.time, &mut after, &mut x)?;
         events::hold(self.context, after)?;
         self.context.x = x;
         self.context.stats.switches += 1;
@@ -147,12 +147,12 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         let mut rules = Rules { length, drift: method.drift_check(), limits };
         let mut drifted = false;
         let (mut held, mut x) = (context.held, context.x);
-        let mut proposal = context.proposal((from.time, &from.x), (&mut held, &mut x));
+        let mut proposal = Proposal::of(context, (from.time, &from.x), (&mut held, &mut x));
         let accepted = loop {
             match judge(&mut proposal, method.estimate(), &rules) {
                 Verdict::Accept(accepted) => break accepted,
                 Verdict::Project => {
-                    if let Err(fault) = context.project() {
+                    if let Err(fault) = project_end(context) {
                         self.refuse(from);
                         return Made::Failed(fault);
                     }
@@ -196,7 +196,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         &mut self,
         from: &Beginning<M>,
         behind: (M::U, M::X),
-        (Accepted { moved, turned, passed }, drifted): (Accepted, bool),
+        (Updated { moved, turned, passed }, drifted): (Updated, bool),
         event: Event,
     ) -> Result<(), Fault> {
         // Samples within the step belong to the modes that were held over it.
@@ -261,7 +261,11 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         let (h, time) = (self.context.time - from.time, self.context.time);
         self.refuse(from);
         let is_long = h > M::S::lit(SHORTEST_ULPS) * M::S::EPSILON * time.abs();
-        if !(self.method.shorten(h) && is_long) {
+        let has_shorter = self.method.shorten(h);
+        if !has_shorter {
+            self.method.restart();
+        }
+        if !(has_shorter && is_long) {
             return Made::Failed(fault);
         }
         self.begin().map_or_else(Made::Failed, |()| Made::Shortened)
@@ -390,4 +394,13 @@ fn is_singular(fault: &Fault) -> bool {
             | Drift { .. }
             | Workspace { .. }
     )
+}
+
+/// Projects the state reached onto the constraints.
+fn project_end<M: System<S: Real>>(context: &mut Context<'_, M>) -> Result<(), Fault> {
+    let (time, mut x) = (context.time, context.x);
+    events::before_projection(context, time, &x)?;
+    context.project(time, &mut x)?;
+    context.x = x;
+    Ok(())
 }

@@ -1,55 +1,12 @@
 //! What a proposed step is.
 
 use super::energy::check_energy;
+use super::near_singular::{Nearness, Rescue};
 use crate::fault::{Cause, Fault};
 use crate::mechanism::Mechanism;
-use crate::method::{Estimate, drift_of_size, excess};
-use crate::scalar::{Real, Scalar};
-use crate::singular::{Nearness, Rescue};
-use crate::system::{Accepted, Step, System};
-
-/// What has chosen the length of a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Length {
-    /// An estimate of its error.
-    Error,
-    /// The user; next to a flat pose such a step must be shorter by `caution` than one of order 4 for an error as small.
-    Fixed {
-        /// A factor of at least 1.
-        caution: f64,
-    },
-    /// The user, of a step by itself, which cannot be split.
-    Alone,
-    /// The near-singular method, by the distance to the singular pose.
-    NearSingular,
-}
-
-/// Whether the drift from the constraints is looked at behind a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum DriftCheck<S> {
-    /// Not behind this one, or the method has projected the state itself.
-    Skip,
-    /// The state is projected if its drift is `above` so many times what is tolerated.
-    Above {
-        /// What is tolerated, as a fraction of the typical coordinate and velocity.
-        tolerance: S,
-        /// 1, or 0 where every drift is projected.
-        above: S,
-    },
-}
-
-impl<S: Real> DriftCheck<S> {
-    /// Has the state to be projected?
-    #[inline]
-    pub(crate) fn fails<M: System<S = S>>(self, system: &M, t: S, x: &M::X) -> bool {
-        match self {
-            Self::Skip => false,
-            Self::Above { tolerance, above } => {
-                excess(system.drift(t, x), drift_of_size(system, tolerance)) > above
-            }
-        }
-    }
-}
+use crate::method::{Context, DriftCheck, Estimate, Length};
+use crate::scalar::Scalar;
+use crate::system::{Step, System, Updated};
 
 /// What ends a run although its state could be continued.
 #[derive(Clone, Copy, Debug)]
@@ -91,7 +48,7 @@ pub(crate) struct Proposal<'a, M: System> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Verdict {
     /// It is committed.
-    Accept(Accepted),
+    Accept(Updated),
     /// The state is projected onto the constraints, and judged again.
     Project,
     /// A shorter step is tried; of a method that has none this fault is told.
@@ -126,9 +83,9 @@ pub(crate) fn judge<M: Mechanism>(
     {
         return Verdict::Shorten(fault);
     }
-    match system.accept(end, proposal.held, proposal.x) {
+    match system.update(end, proposal.held, proposal.x) {
         Err(fault) => Verdict::Shorten(fault),
-        Ok(Accepted { passed: Some(part), .. }) if rules.limits.change_points => {
+        Ok(Updated { passed: Some(part), .. }) if rules.limits.change_points => {
             Verdict::Refuse(Fault::of_part(end.to_f64(), part, Cause::ChangePoint))
         }
         Ok(_) if estimate.is_senseless() => Verdict::Refuse(estimate.fault(system, start, end - start)),
@@ -136,7 +93,17 @@ pub(crate) fn judge<M: Mechanism>(
     }
 }
 
-impl<M: System> Proposal<'_, M> {
+impl<'s, M: System> Proposal<'s, M> {
+    /// The step of a context to the state reached, with copies `held` and `x` of it.
+    #[inline]
+    pub(crate) fn of(
+        context: &Context<'s, M>,
+        from: (M::S, &'s M::X),
+        (held, x): (&'s mut M::U, &'s mut M::X),
+    ) -> Self {
+        Self { system: context.system, from, end: context.time, held, x, health: context.health }
+    }
+
     /// The step.
     #[inline]
     pub(crate) fn step(&self) -> Step<'_, M> {

@@ -1,6 +1,6 @@
 //! One step, from its proposal to its commit.
 //!
-//! 1. A method proposes a step ([`Method::advance`](crate::Method::advance), [`Method::fast_step`](crate::Method::fast_step)). With dense
+//! 1. A method proposes a step ([`Method::advance`](crate::Method::advance), [`FixedLength::fast_step`](crate::method::FixedLength::fast_step)). With dense
 //!    output the event detector ([`crate::events`]) ends it at the first event.
 //! 2. The judge says what it is, a verdict, and changes nothing.
 //! 3. What the verdict asks for is done: the state is projected, the step is shortened, split, left to the near-singular method or
@@ -16,7 +16,10 @@
 mod advance;
 mod energy;
 mod judge;
+mod near_singular;
+mod observer;
 
 pub(crate) use self::advance::{Advance, Guarded, Made};
-pub use self::judge::{DriftCheck, Length};
 pub(crate) use self::judge::{Limits, Proposal, Rules, Verdict, judge};
+pub use self::near_singular::{Nearness, Rescue};
+pub(crate) use self::observer::{Observer, Trigger, Unobserved};

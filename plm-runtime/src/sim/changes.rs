@@ -32,7 +32,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             mechanism.check(time)?;
             mechanism.renew(time, &mut held, &mut x)?;
             // Known times may have moved past the present.
-            mechanism.pass(time, &mut held, &mut x)?;
+            mechanism.switch_at_time(time, &mut held, &mut x)?;
             self.state.set(time, &held, &x);
             self.parameters = parameters;
             self.stats.renewed += 1;

@@ -5,10 +5,10 @@
 
 use super::Sim;
 use crate::mechanism::{Mechanism, Moment};
-use crate::method::{Estimate, Method};
-use crate::protocol::{DriftCheck, Limits, Proposal, Rules, Verdict, judge};
+use crate::method::{DriftCheck, Estimate, Method};
+use crate::protocol::{Limits, Proposal, Rules, Verdict, judge};
 use crate::scalar::Scalar;
-use crate::system::Accepted;
+use crate::system::Updated;
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// Makes the step to `end`; false, and nothing has changed, where more is to be done.
@@ -16,7 +16,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     pub(super) fn fast_step(&mut self, end: M::S) -> bool {
         let Self { state, method, detector, history, limits, stats, .. } = self;
         let (system, start, mut held) = (state.mechanism(), state.time(), state.held());
-        let instant = system.next_instant(start, &held);
+        let instant = system.next_time_event(start, &held);
         if instant.is_some_and(|instant| instant <= end)
             || limits.energy_jump.is_some()
             || !(detector.is_known() && system.is_regular(&held))
@@ -38,7 +38,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         let limits = Limits { energy_jump: None, ..*limits };
         let mut rules = Rules { length: I::LENGTH, drift: method.drift_check(), limits };
         let drifted = rules.drift.fails(system, end, &x);
-        if drifted && system.settle(end, &mut x).is_err() {
+        if drifted && system.project(end, &mut x).is_err() {
             return false;
         }
         rules.drift = DriftCheck::Skip;
@@ -50,13 +50,13 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         stats.errs(error);
         stats.steps += 1;
         stats.evaluations += made.evaluations;
-        stats.settled += u64::from(drifted);
+        stats.projected += u64::from(drifted);
         if made.h > self.longest_step {
             self.longest_step = made.h;
         }
         method.keep(drifted);
         state.set(end, &held, &x);
-        let Accepted { moved, turned, passed } = accepted;
+        let Updated { moved, turned, passed } = accepted;
         if moved || turned || passed.is_some() {
             stats.charts += u64::from(moved);
             stats.change_points += u64::from(passed.is_some());

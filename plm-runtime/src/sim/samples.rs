@@ -1,54 +1,12 @@
-//! Observers of accepted steps, and sampling at equal intervals.
+//! Sampling at equal intervals.
 
-use super::Beginning;
-use crate::events;
+use crate::events::{self, Beginning};
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Context, Method};
+use crate::protocol::{Observer, Trigger};
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
-
-/// An observer of accepted steps.
-pub(crate) trait Observer<M: Mechanism> {
-    /// Does it see anything at all?
-    const SEES: bool = true;
-    /// Does it see events? A run without pays nothing for them.
-    const SWITCHES: bool = false;
-    /// May it end the run, by putting `context.end` at the time of a step that it sees?
-    const ENDS: bool = false;
-
-    /// A step was accepted; what was held over it is held still.
-    fn see<I: Method<M>>(&mut self, method: &mut I, context: &mut Context<'_, M>) -> Result<(), Fault>;
-
-    /// Something has switched; `before` is the discrete state and the state until then.
-    #[inline]
-    fn switched(&mut self, context: &Context<'_, M>, before: &Beginning<M>, what: Trigger) {
-        let _ = (context, before, what);
-    }
-}
-
-/// What has switched.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Trigger {
-    /// This condition.
-    Condition(usize),
-    /// All conditions that were past their guards.
-    Due,
-    /// Conditions on the time alone.
-    Time,
-}
-
-/// Nobody.
-pub(crate) struct Unobserved;
-
-impl<M: Mechanism> Observer<M> for Unobserved {
-    const SEES: bool = false;
-
-    #[inline]
-    fn see<I: Method<M>>(&mut self, _method: &mut I, _context: &mut Context<'_, M>) -> Result<(), Fault> {
-        Ok(())
-    }
-}
 
 /// The communication points of a run: its begin, and after every so many seconds.
 #[derive(Clone, Copy)]
@@ -111,7 +69,7 @@ pub enum Seen<'a, T> {
     Sample(&'a T),
     /// The state at the end of an internal step.
     Step(&'a T),
-    /// The condition with this index switches ([`System::guard_name`](crate::System::guard_name)); the state before that.
+    /// The condition with this index switches ([`Labels::guard_name`](crate::Labels::guard_name)); the state before that.
     Condition(usize, &'a T),
     /// The time comes to where conditions on it alone change
     /// ([`Described::instant_name`](crate::Described::instant_name)); the state before that.
@@ -198,7 +156,7 @@ pub(super) fn sample_at<M: Mechanism, I: Method<M>>(
     }
     let (drift, limit) = (context.system.drift(time, &x), method.drift_limit(context.system));
     if drift.phi > limit.phi || drift.phi_dot > limit.phi_dot {
-        context.system.settle(time, &mut x)?;
+        context.system.project(time, &mut x)?;
     }
     events::refresh(context.system, time, &mut held, &x);
     moment.set(time, &held, &x);

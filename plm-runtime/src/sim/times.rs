@@ -1,11 +1,12 @@
 //! To a time, the state at another one, and back to the beginning.
 
-use super::history::Beginning;
-use super::samples::{Unobserved, sample_at};
+use super::samples::sample_at;
 use super::{Clock, Sim};
+use crate::events::Beginning;
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
 use crate::method::{Context, Method};
+use crate::protocol::Unobserved;
 use crate::scalar::Scalar;
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {

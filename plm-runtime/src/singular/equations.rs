@@ -4,7 +4,7 @@ use super::{Fine, size};
 use crate::absolute::{Absolute, nearest, split};
 use crate::scalar::{Real, Scalar};
 use crate::start::Start;
-use crate::system::{Health, System};
+use crate::system::{Constraints, Events, Health, Labels, Rate};
 use crate::twofold::Twofold;
 use crate::vector::Vector;
 
@@ -138,13 +138,12 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
     }
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> System
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rate
     for Equations<M, NQ, NC, NX>
 {
     type S = M::S;
     type X = [M::S; NX];
     type U = M::U;
-    type G = [M::S; 0];
     const NQ: usize = NQ;
 
     fn rate(&self, t: M::S, u: &M::U, x: &[M::S; NX], dx: &mut [M::S; NX]) -> Health<M::S> {
@@ -156,7 +155,22 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Sys
     fn typical(&self) -> [M::S; NX] {
         Vector::from_fn(|i| self.typical_of(i))
     }
+}
 
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Constraints
+    for Equations<M, NQ, NC, NX>
+{
+}
+
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Events
+    for Equations<M, NQ, NC, NX>
+{
+    type G = [M::S; 0];
+}
+
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Labels
+    for Equations<M, NQ, NC, NX>
+{
     fn part_of_state(&self, index: usize) -> &'static str {
         let name = if index < 2 * NQ { M::COORDINATES.get(index % NQ.max(1)) } else { None };
         name.copied().unwrap_or_default()

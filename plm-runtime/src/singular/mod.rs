@@ -37,50 +37,11 @@ pub use self::start::refine;
 use crate::Absolute;
 use crate::fault::Fault;
 use crate::mechanism::Mechanism;
-use crate::method::{Context, Method};
-use crate::protocol::Length;
+use crate::method::{Context, DenseOutput, ErrorControl, FixedLength, Length, Method};
+pub use crate::protocol::{Nearness, Rescue};
 use crate::scalar::Real;
 use crate::system::{Drift, Step};
 use crate::twofold::Twofold;
-
-/// A method that takes over from another one near singular poses.
-pub trait Rescue<M: Mechanism>: Method<M> {
-    /// Nothing is known yet.
-    fn new() -> Self;
-
-    /// Is the state one that only this method can go on from?
-    fn holds(context: &Context<'_, M>) -> bool;
-
-    /// Whether a step can be anything but [`Nearness::Regular`].
-    const POSSIBLE: bool;
-
-    /// How near to singular poses a step has come whose length was chosen so.
-    fn nearness(step: &Step<'_, M>, length: Length) -> Nearness;
-
-    /// Gives it the state, which another method cannot go on from; whether it can.
-    fn take(context: &mut Context<'_, M>) -> bool;
-
-    /// The part that closes the loop which went through a flat pose in the last step, where the mechanism could have gone
-    /// on in another way.
-    fn passed(&self) -> Option<&'static str>;
-
-    /// The length of the last step, s, if it followed a turn beside a flat pose.
-    fn followed(&self) -> Option<M::S>;
-}
-
-/// How near to singular poses a step has come.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Nearness {
-    /// It can be trusted.
-    Regular,
-    /// The mechanism turns sharply next to a flat pose: in so many parts the step is short beside the turn.
-    Turn {
-        /// At least 2.
-        parts: u32,
-    },
-    /// It has led over poses that are so nearly singular that only the near-singular method can be trusted.
-    Singular,
-}
 
 /// The equations of a mechanism in absolute coordinates, in numbers of twice the precision; implemented by generated code.
 ///
@@ -157,16 +118,8 @@ impl<M: Mechanism> Rescue<M> for Never<M> {
 }
 
 impl<M: Mechanism> Method<M> for Never<M> {
-    const DENSE: bool = false;
-
-    fn begin(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
-        Ok(())
-    }
     fn advance(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
         Ok(())
-    }
-    fn interpolate(&self, _time: M::S) -> M::X {
-        crate::Vector::fill(<M::S as crate::scalar::Scalar>::ZERO)
     }
     fn restart(&mut self) {}
     fn fresh(&self) -> Self {
@@ -176,6 +129,12 @@ impl<M: Mechanism> Method<M> for Never<M> {
         Drift { phi: M::S::INFINITY, phi_dot: M::S::INFINITY }
     }
 }
+
+impl<M: Mechanism> DenseOutput<M> for Never<M> {}
+
+impl<M: Mechanism> ErrorControl<M> for Never<M> {}
+
+impl<M: Mechanism> FixedLength<M> for Never<M> {}
 
 /// The largest number of a vector over its typical size.
 fn size<S: Real, const N: usize>(numbers: &[S; N], typical: impl Fn(usize) -> S) -> S {

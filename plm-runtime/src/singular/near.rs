@@ -10,8 +10,9 @@ use super::poor::{is_poor, is_regular, turned};
 use super::{Fine, Nearness, Rescue};
 use crate::absolute::{disagreement, split};
 use crate::fault::{Cause, Fault};
-use crate::method::{Context, DormandPrince853, Embedded, Method};
-use crate::protocol::Length;
+use crate::method::{
+    Context, DenseOutput, DormandPrince853, Embedded, ErrorControl, FixedLength, Length, Method,
+};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, Step};
 use crate::twofold::Twofold;
@@ -206,12 +207,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
 impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Method<M>
     for Near<M, NQ, NC, NX>
 {
-    const DENSE: bool = true;
     const LENGTH: Length = Length::NearSingular;
-
-    fn begin(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
-        Ok(())
-    }
 
     fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         (self.passed, self.followed) = (None, None);
@@ -255,6 +251,26 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
         })
     }
 
+    fn restart(&mut self) {
+        self.around.restart();
+        self.over = None;
+        self.tried = M::S::INFINITY;
+    }
+
+    fn fresh(&self) -> Self {
+        Rescue::new()
+    }
+
+    fn drift_limit(&self, _system: &M) -> Drift<M::S> {
+        Drift { phi: M::S::INFINITY, phi_dot: M::S::INFINITY }
+    }
+}
+
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> DenseOutput<M>
+    for Near<M, NQ, NC, NX>
+{
+    const DENSE: bool = true;
+
     fn densify(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         if self.over.is_some() {
             return Ok(());
@@ -265,10 +281,6 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
         let told = (&mut *context.stats, &mut *context.longest_step);
         let mut inner = Context::new((&equations, held), (time, x), end, told);
         self.around.densify(&mut inner)
-    }
-
-    fn interpolate(&self, _time: M::S) -> M::X {
-        M::X::fill(M::S::ZERO)
     }
 
     fn moment(&self, context: &Context<'_, M>, time: M::S) -> (M::U, M::X) {
@@ -283,25 +295,20 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
         context.system.hold(&mut held, &mut x, &full);
         (held, x)
     }
+}
 
-    fn restart(&mut self) {
-        self.around.restart();
-        self.over = None;
-        self.tried = M::S::INFINITY;
-    }
-
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> ErrorControl<M>
+    for Near<M, NQ, NC, NX>
+{
     fn shorten(&mut self, h: M::S) -> bool {
         self.over = None;
         self.around.shorten(h)
     }
+}
 
-    fn fresh(&self) -> Self {
-        Rescue::new()
-    }
-
-    fn drift_limit(&self, _system: &M) -> Drift<M::S> {
-        Drift { phi: M::S::INFINITY, phi_dot: M::S::INFINITY }
-    }
+impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> FixedLength<M>
+    for Near<M, NQ, NC, NX>
+{
 }
 
 impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rescue<M>

@@ -3,7 +3,7 @@
 use nalgebra::{Complex as C, DMatrix, DVector};
 use plm_runtime::linalg::{Complex, Dense, Derivatives, Lu};
 use plm_runtime::linear::{Colours, by_directions};
-use plm_runtime::{Linear, Mechanism, Real, System};
+use plm_runtime::{Constraints, Events, Labels, Linear, Mechanism, Rate, Real};
 
 use crate::mechanisms::{double_pendulum, four_bar};
 use crate::oscillator::oscillator;
@@ -148,11 +148,10 @@ fn derivatives_agree_with_difference_quotients() {
 #[derive(Clone, Copy, Debug)]
 struct Root<S>(S);
 
-impl<S: Real> System for Root<S> {
+impl<S: Real> Rate for Root<S> {
     type S = S;
     type X = [S; 1];
     type U = ();
-    type G = [S; 0];
     const NQ: usize = 0;
 
     fn rate(&self, _t: S, (): &(), x: &[S; 1], dx: &mut [S; 1]) -> plm_runtime::Health<S> {
@@ -160,6 +159,14 @@ impl<S: Real> System for Root<S> {
         plm_runtime::Health::perfect()
     }
 }
+
+impl<S: Real> Constraints for Root<S> {}
+
+impl<S: Real> Events for Root<S> {
+    type G = [S; 0];
+}
+
+impl<S: Real> Labels for Root<S> {}
 
 impl<S: Real> Linear for Root<S> {
     type Lifted<const K: usize> = Root<plm_runtime::Dual<S, K>>;
@@ -201,11 +208,10 @@ fn constraints_and_their_derivatives() {
 /// Two numbers that know nothing of two others, one that reads both, and one that nothing reads.
 struct Apart<S>(S);
 
-impl<S: Real> System for Apart<S> {
+impl<S: Real> Rate for Apart<S> {
     type S = S;
     type X = [S; 6];
     type U = ();
-    type G = [S; 0];
     const NQ: usize = 1;
 
     fn rate(&self, t: S, (): &(), x: &[S; 6], dx: &mut [S; 6]) -> plm_runtime::Health<S> {
@@ -214,6 +220,14 @@ impl<S: Real> System for Apart<S> {
         plm_runtime::Health::perfect()
     }
 }
+
+impl<S: Real> Constraints for Apart<S> {}
+
+impl<S: Real> Events for Apart<S> {
+    type G = [S; 0];
+}
+
+impl<S: Real> Labels for Apart<S> {}
 
 impl<S: Real> Linear for Apart<S> {
     type Lifted<const K: usize> = Apart<plm_runtime::Dual<S, K>>;

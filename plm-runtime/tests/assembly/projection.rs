@@ -1,6 +1,6 @@
 //! Projection onto the constraints.
 
-use plm_runtime::absolute::{assemble, drift, settle};
+use plm_runtime::absolute::{assemble, drift, project};
 use plm_runtime::{Adams, Cause, Dop853, Dopri5, Mechanism, Notice, Rk4};
 
 use crate::mechanisms::{contradictory_pendulum, double_pendulum, four_bar};
@@ -16,7 +16,7 @@ fn a_drifted_state_is_settled_to_rounding() {
             v[i] += size * f64::from(i as u32 % 5) / 5.0;
         }
         let before = (q, v);
-        settle(&m, 0.0, &mut q, &mut v).unwrap();
+        project(&m, 0.0, &mut q, &mut v).unwrap();
         let mut x = [0.0; 18];
         plm_runtime::absolute::join(&q, &v, &mut x);
         let after = drift(&m, 0.0, &x);
@@ -33,7 +33,7 @@ fn projection_moves_heavy_bodies_less() {
     let (mut q, mut v) = (found.q, found.v);
     q[0] += 1e-7;
     let off = q;
-    settle(&m, 0.0, &mut q, &mut v).unwrap();
+    project(&m, 0.0, &mut q, &mut v).unwrap();
     let jacobian = nalgebra::SMatrix::<f64, 4, 6>::from_fn(|i, j| m.0.phi_q(&q)[i][j]);
     let pull = nalgebra::SVector::<f64, 6>::from_fn(|i, _| m.0.mass[i] * (q[i] - off[i]));
     let motions =
@@ -45,7 +45,7 @@ fn projection_moves_heavy_bodies_less() {
 fn what_cannot_be_settled_is_said() {
     let m = contradictory_pendulum();
     let (mut q, mut v) = ([1.0, 0.0, 0.0], [0.0; 3]);
-    let fault = settle(&m, 3.0, &mut q, &mut v).unwrap_err();
+    let fault = project(&m, 3.0, &mut q, &mut v).unwrap_err();
     assert_eq!((fault.time, fault.part), (3.0, "pivot"));
     assert!(matches!(fault.cause, Cause::Drift { phi, .. } if (phi - 0.125).abs() < 1e-9), "{fault}");
 }
@@ -59,7 +59,7 @@ fn fixed_steps_are_settled_seldom_and_enough() {
         worst = worst.max(sim.drift().phi).max(sim.drift().phi_dot / 10.0);
     }
     println!("rk4 2 ms: worst drift {worst:e}, {:?}", sim.stats());
-    assert!(sim.stats().settled > 0 && sim.stats().settled < 400, "{:?}", sim.stats());
+    assert!(sim.stats().projected > 0 && sim.stats().projected < 400, "{:?}", sim.stats());
     // The tolerance, and what the steps between two looks add to it.
     assert!(worst < 1e-8, "{worst:e}");
 }
@@ -68,15 +68,15 @@ fn fixed_steps_are_settled_seldom_and_enough() {
 fn without_drift_to_speak_of_nothing_is_settled() {
     let mut sim = double_pendulum::<f64>().start_with(Rk4::new(1e-4)).unwrap();
     sim.step(0.1).unwrap();
-    assert_eq!(sim.stats().settled, 0);
+    assert_eq!(sim.stats().projected, 0);
 }
 
 #[test]
 fn adams_keeps_joints_together_and_follows() {
     let mut sim = double_pendulum().start_with(Adams::new(1e-9)).unwrap();
     sim.step(1.0).unwrap();
-    // Above a tenth of the tolerance drift is settled; the system's size is about a metre.
-    assert!(sim.stats().settled > 0 && sim.drift().phi < 1e-9, "{:?}", sim.drift());
+    // Above a tenth of the tolerance drift is projected; the system's size is about a metre.
+    assert!(sim.stats().projected > 0 && sim.drift().phi < 1e-9, "{:?}", sim.drift());
     // Angles after 1 s: references.json, S1@1.
     let off = [sim.x[2] + 1.982_300_8, sim.x[5] + 2.289_295];
     assert!(off.iter().all(|off: &f64| off.abs() < 1e-6), "{:?}", sim.x);
@@ -87,9 +87,9 @@ fn settling_costs_one_evaluation() {
     let mut sim = double_pendulum::<f64>().start_with(Dopri5::new(1e-8)).unwrap();
     sim.step(1.0).unwrap();
     let stats = sim.stats();
-    assert!(stats.settled > 0);
-    // One at the start, one for the first step, six a step, one for each settled state.
-    assert_eq!(stats.evaluations, 2 + 6 * (stats.steps + stats.rejected) + stats.settled);
+    assert!(stats.projected > 0);
+    // One at the start, one for the first step, six a step, one for each projected state.
+    assert_eq!(stats.evaluations, 2 + 6 * (stats.steps + stats.rejected) + stats.projected);
 }
 
 #[test]
@@ -104,7 +104,7 @@ fn stiff_stabilisation_is_noticed() {
 
 #[test]
 fn drift_that_is_left_standing_does_not_shorten_steps() {
-    // Drift of a few hundredths of the tolerance is not settled; were it taken for an error of the step, which is to aim
+    // Drift of a few hundredths of the tolerance is not projected; were it taken for an error of the step, which is to aim
     // at 0.7^8 = 0.058 of the tolerance, every step would be shorter than the one before, without end.
     for k in 0..24 {
         let rtol = 1e-13 * 10_f64.powf(f64::from(k) / 3.0);

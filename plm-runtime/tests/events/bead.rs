@@ -1,11 +1,11 @@
 //! Which chart is held where, and when it is looked at again: a bead on a circle, by one of its coordinates.
 
 use plm_runtime::charts::{
-    self, Charted, OfLoops, Reach, Remembered, accept, are_calm, are_short, crossed, enter, full, hold,
-    is_calm, is_free, look, pose,
+    self, Charted, OfLoops, Reach, Remembered, are_calm, are_short, crossed, enter, full, hold, is_calm,
+    is_free, look, pose, update,
 };
 use plm_runtime::held::{Held, Loops};
-use plm_runtime::{Cause, Health, System};
+use plm_runtime::{Cause, Constraints, Events, Health, Labels, Rate};
 
 /// A bead on the circle of radius 1 m: by its y in chart 0, by its x in chart 1. The measure of a chart is the size of the other
 /// coordinate.
@@ -45,17 +45,24 @@ fn chart(held: &Bound) -> Option<usize> {
     Loops::<f64>::chart(&held.of_loops)
 }
 
-impl System for Bead {
+impl Rate for Bead {
     type S = f64;
     type X = [f64; 3];
     type U = Bound;
-    type G = [f64; 0];
     const NQ: usize = 1;
 
     fn rate(&self, _t: f64, _u: &Bound, _x: &[f64; 3], _dx: &mut [f64; 3]) -> Health<f64> {
         Health::perfect()
     }
 }
+
+impl Constraints for Bead {}
+
+impl Events for Bead {
+    type G = [f64; 0];
+}
+
+impl Labels for Bead {}
 
 impl Charted for Bead {
     type Input = ();
@@ -91,7 +98,7 @@ impl Charted for Bead {
     fn remember_pose(&self, chart: usize, t: f64, q: &[f64; 2], _v: &[f64; 2]) -> (Memory, f64) {
         (memory(q[1 - chart], t, q[chart]), (self.poorer * q[chart]).powi(2))
     }
-    fn project(&self, chart: usize, _t: f64, q: &[f64; 2], v: &[f64; 2], x: &mut [f64; 3]) {
+    fn to_chart(&self, chart: usize, _t: f64, q: &[f64; 2], v: &[f64; 2], x: &mut [f64; 3]) {
         (x[0], x[1]) = (q[1 - chart], v[1 - chart]);
     }
 }
@@ -190,7 +197,7 @@ fn steps_in_tight_boxes_are_short_up_to_a_fifth() {
     }
 }
 
-/// A look of several states does what `accept` does, or nothing.
+/// A look of several states does what `update` does, or nothing.
 #[test]
 fn looks_side_by_side_are_those_of_one_state() {
     let mut plain = 0;
@@ -200,7 +207,7 @@ fn looks_side_by_side_are_those_of_one_state() {
                 let (bead, held, mut x) = entered(1.0, degrees);
                 x[0] += boxes * REACH;
                 let (mut alone, mut moved) = (held, x);
-                let accepted = accept(&bead, t, &mut alone, &mut moved);
+                let accepted = update(&bead, t, &mut alone, &mut moved);
                 let mut together = held;
                 let (memory, measure) = bead.remember(t, &held, &x);
                 let due =
@@ -208,7 +215,7 @@ fn looks_side_by_side_are_those_of_one_state() {
                 assert_eq!(due(0.0, &mut together.of_loops), 0.0);
                 assert_eq!(together, held);
                 let found = due(1.0, &mut together.of_loops);
-                let unmoved = accepted == Ok(plm_runtime::Accepted::default());
+                let unmoved = accepted == Ok(plm_runtime::Updated::default());
                 let far = measure > 0.3 * 0.3;
                 assert_eq!(found == 1.0, unmoved && far, "{degrees} deg, {boxes} boxes, {t} s: {accepted:?}");
                 assert_eq!(together, if found == 1.0 { alone } else { held });
@@ -230,7 +237,7 @@ fn a_step_of_some_boxes_is_looked_at_and_a_longer_one_refused() {
             let t = if by_time { boxes * WHILE } else { 0.0 };
             x[0] += if by_time { 0.0 } else { boxes * REACH };
             let looked = memory(x[0], t, (1.0 - x[0] * x[0]).sqrt());
-            match (accept(&bead, t, &mut held, &mut x), kept) {
+            match (update(&bead, t, &mut held, &mut x), kept) {
                 (Ok(accepted), None) => assert!(!accepted.moved && within(&held).1 == before, "{boxes}"),
                 (Ok(accepted), Some(true)) => {
                     assert!(!accepted.moved && within(&held).1 == looked, "{boxes}: {held:?}");
@@ -252,7 +259,7 @@ fn a_step_of_some_boxes_is_looked_at_and_a_longer_one_refused() {
 fn what_cannot_be_closed_is_locked() {
     let (bead, mut held, mut x) = entered(1.0, 80.0);
     x[0] = 1.001;
-    let fault = accept(&bead, 0.1, &mut held, &mut x).unwrap_err();
+    let fault = update(&bead, 0.1, &mut held, &mut x).unwrap_err();
     assert!(matches!(fault.cause, Cause::Locked) && fault.time == 0.1 && fault.part == "hoop", "{fault}");
 }
 
@@ -261,7 +268,7 @@ fn moved_to(poorer: f64, degrees: f64) -> (Bead, Bound, [f64; 3]) {
     let (bead, _, mut x) = entered(poorer, degrees);
     let ((q, v), (before, _)) = (on_circle(degrees), on_circle(degrees - 1.0));
     let held = in_chart(0, memory(before[1], 0.0, before[0]));
-    bead.project(0, 0.0, &q, &v, &mut x);
+    bead.to_chart(0, 0.0, &q, &v, &mut x);
     (bead, held, x)
 }
 
@@ -279,7 +286,7 @@ fn a_flat_chart_is_left_for_one_that_is_better_by_far() {
         (0.044, 45.0, Some(0)),
     ] {
         let (bead, mut held, mut x) = moved_to(poorer, degrees);
-        let accepted = accept(&bead, 2.0 * WHILE, &mut held, &mut x).unwrap();
+        let accepted = update(&bead, 2.0 * WHILE, &mut held, &mut x).unwrap();
         assert_eq!((chart(&held), accepted.moved), (wanted, wanted != Some(0)), "{poorer}, {degrees} deg");
         is_at(bead, (&held, &x), degrees);
     }
@@ -300,7 +307,7 @@ fn without_a_chart_one_is_taken_that_is_clearly_good() {
         hold::<Bead, 5>(&mut held, &mut x, &[q[0], q[1], v[0], v[1], 5.0]);
         assert!(is_free::<Bead>(&held) && !is_calm(&bead, 0.0, &held, &x));
         assert_eq!(pose(&bead, 0.0, &held, &x), (q, v));
-        let accepted = accept(&bead, 0.0, &mut held, &mut x).unwrap();
+        let accepted = update(&bead, 0.0, &mut held, &mut x).unwrap();
         assert_eq!((chart(&held), accepted.moved), (wanted, wanted.is_some()), "{poorer}, {degrees} deg");
         is_at(bead, (&held, &x), degrees);
     }

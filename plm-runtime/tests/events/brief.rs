@@ -4,8 +4,8 @@ use core::f64::consts::PI;
 
 use plm_runtime::method::{Dopri5, Method, RadauIia5};
 use plm_runtime::{
-    Cause, Dop853, Dual, Fault, Health, Linear, Mechanism, Real, Rk4, Scalar, SemiImplicitEuler, Sim, System,
-    Tube,
+    Cause, Constraints, Dop853, Dual, Events, Fault, Health, Labels, Linear, Mechanism, Rate, Real, Rk4,
+    Scalar, SemiImplicitEuler, Sim, Tube,
 };
 
 use crate::linkage::At;
@@ -71,11 +71,10 @@ fn guard<S: Scalar>(gate: &Gate<S>, t: S, x: S) -> S {
     }
 }
 
-impl<S: Real> System for Gate<S> {
+impl<S: Real> Rate for Gate<S> {
     type S = S;
     type X = [S; 3];
     type U = S;
-    type G = [S; 1];
     const NQ: usize = 1;
 
     fn rate(&self, _t: S, side: &S, x: &[S; 3], dx: &mut [S; 3]) -> Health<S> {
@@ -83,6 +82,12 @@ impl<S: Real> System for Gate<S> {
         *dx = [x[1], S::ZERO, if inside { S::lit(1.0) } else { S::ZERO }];
         Health::perfect()
     }
+}
+
+impl<S: Real> Constraints for Gate<S> {}
+
+impl<S: Real> Events for Gate<S> {
+    type G = [S; 1];
     fn guards(&self, t: S, side: &S, x: &[S; 3], g: &mut [S; 1]) {
         *g = [*side * guard(self, t, x[0])];
     }
@@ -111,6 +116,9 @@ impl<S: Real> System for Gate<S> {
     fn must_hold(&self, _index: usize) -> bool {
         self.must_hold
     }
+}
+
+impl<S: Real> Labels for Gate<S> {
     fn guard_name(&self, _index: usize) -> &'static str {
         "gate"
     }

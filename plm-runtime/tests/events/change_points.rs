@@ -4,7 +4,7 @@
 use core::f64::consts::FRAC_PI_2;
 
 use plm_runtime::method::Method;
-use plm_runtime::{Dopri5, Fault, Health, Mechanism, Rk4, Sim, System};
+use plm_runtime::{Constraints, Dopri5, Events, Fault, Health, Labels, Mechanism, Rate, Rk4, Sim};
 
 use crate::linkage::At;
 use crate::mechanisms::{Ladder, bars, ladder, parallelogram};
@@ -16,11 +16,10 @@ struct Equivalent {
     start: [f64; 2],
 }
 
-impl System for Equivalent {
+impl Rate for Equivalent {
     type S = f64;
     type X = [f64; 2];
     type U = ();
-    type G = [f64; 0];
     const NQ: usize = 1;
 
     fn rate(&self, _t: f64, (): &(), x: &[f64; 2], dx: &mut [f64; 2]) -> Health<f64> {
@@ -28,6 +27,14 @@ impl System for Equivalent {
         Health::perfect()
     }
 }
+
+impl Constraints for Equivalent {}
+
+impl Events for Equivalent {
+    type G = [f64; 0];
+}
+
+impl Labels for Equivalent {}
 
 impl Mechanism for Equivalent {
     type State = At<Self>;

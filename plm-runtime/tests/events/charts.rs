@@ -3,8 +3,8 @@
 use core::f64::consts::PI;
 
 use plm_runtime::method::Method;
-use plm_runtime::system::Accepted;
-use plm_runtime::{Cause, Dop853, Fault, Health, Mechanism, Rk4, Sim, System};
+use plm_runtime::system::Updated;
+use plm_runtime::{Cause, Constraints, Dop853, Events, Fault, Health, Labels, Mechanism, Rate, Rk4, Sim};
 
 use crate::linkage::At;
 
@@ -16,18 +16,20 @@ struct Charted {
     most: f64,
 }
 
-impl System for Charted {
+impl Rate for Charted {
     type S = f64;
     type X = [f64; 2];
     type U = f64;
-    type G = [f64; 0];
     const NQ: usize = 1;
 
     fn rate(&self, _t: f64, chart: &f64, y: &[f64; 2], dy: &mut [f64; 2]) -> Health<f64> {
         *dy = [y[1], chart - y[0]];
         Health::perfect()
     }
-    fn accept(&self, t: f64, chart: &mut f64, y: &mut [f64; 2]) -> Result<Accepted, Fault> {
+}
+
+impl Constraints for Charted {
+    fn update(&self, t: f64, chart: &mut f64, y: &mut [f64; 2]) -> Result<Updated, Fault> {
         if *chart * y[0] > self.most {
             return Err(Fault::of_part(
                 t,
@@ -40,9 +42,15 @@ impl System for Charted {
             *chart = -*chart;
             *y = y.map(|y| -y);
         }
-        Ok(Accepted { moved, ..Accepted::default() })
+        Ok(Updated { moved, ..Updated::default() })
     }
 }
+
+impl Events for Charted {
+    type G = [f64; 0];
+}
+
+impl Labels for Charted {}
 
 impl Mechanism for Charted {
     type State = At<Self>;

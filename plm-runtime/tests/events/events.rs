@@ -4,7 +4,8 @@ use core::f64::consts::{LN_2, PI, SQRT_2};
 
 use plm_runtime::method::{Gauss, Method};
 use plm_runtime::{
-    Adams, Cause, Dop853, Dopri5, Fault, Health, Mechanism, Rk4, SemiImplicitEuler, Sim, System, Vern9,
+    Adams, Cause, Constraints, Dop853, Dopri5, Events, Fault, Health, Labels, Mechanism, Rate, Rk4,
+    SemiImplicitEuler, Sim, Vern9,
 };
 
 use crate::linkage::At;
@@ -27,17 +28,22 @@ struct Held {
     passed: usize,
 }
 
-impl System for Scene {
+impl Rate for Scene {
     type S = f64;
     type X = [f64; 3];
     type U = Held;
-    type G = [f64; 2];
     const NQ: usize = 1;
 
     fn rate(&self, t: f64, u: &Held, x: &[f64; 3], dx: &mut [f64; 3]) -> Health<f64> {
         *dx = (self.rate)(t, u, x);
         Health::perfect()
     }
+}
+
+impl Constraints for Scene {}
+
+impl Events for Scene {
+    type G = [f64; 2];
     fn guards(&self, _t: f64, u: &Held, x: &[f64; 3], g: &mut [f64; 2]) {
         *g = (self.guards)(u, x);
     }
@@ -48,16 +54,19 @@ impl System for Scene {
         (self.switch)(u, x, index);
         Ok(())
     }
-    fn guard_name(&self, index: usize) -> &'static str {
-        ["first", "second"][index]
-    }
-    fn next_instant(&self, t: f64, _u: &Held) -> Option<f64> {
+    fn next_time_event(&self, t: f64, _u: &Held) -> Option<f64> {
         self.instants.iter().copied().find(|instant| *instant > t)
     }
-    fn pass(&self, t: f64, u: &mut Held, _x: &mut [f64; 3]) -> Result<(), Fault> {
+    fn switch_at_time(&self, t: f64, u: &mut Held, _x: &mut [f64; 3]) -> Result<(), Fault> {
         u.passed += 1;
         assert_eq!(t, self.instants[u.passed - 1]);
         Ok(())
+    }
+}
+
+impl Labels for Scene {
+    fn guard_name(&self, index: usize) -> &'static str {
+        ["first", "second"][index]
     }
 }
 

@@ -1,7 +1,7 @@
 //! Loops that are solved by iteration: an unknown that is not where its rates have taken it is another solution.
 
-use plm_runtime::charts::{self, Charted, Followed, OfLoops, Reach, Remembered, accept};
-use plm_runtime::{Cause, Fault, Health, Held, System};
+use plm_runtime::charts::{self, Charted, Followed, OfLoops, Reach, Remembered, update};
+use plm_runtime::{Cause, Constraints, Events, Fault, Health, Held, Labels, Rate};
 
 /// A crank at the angle x turns a link to the angle 2 x, or, where the iteration is led astray, elsewhere.
 #[derive(Clone, Copy, Debug)]
@@ -28,11 +28,10 @@ fn link_of(held: &Bound) -> Followed<f64> {
     }
 }
 
-impl System for Link {
+impl Rate for Link {
     type S = f64;
     type X = [f64; 2];
     type U = Bound;
-    type G = [f64; 0];
     const NQ: usize = 1;
 
     fn rate(&self, _t: f64, _u: &Self::U, x: &[f64; 2], dx: &mut [f64; 2]) -> Health<f64> {
@@ -40,6 +39,14 @@ impl System for Link {
         Health::perfect()
     }
 }
+
+impl Constraints for Link {}
+
+impl Events for Link {
+    type G = [f64; 0];
+}
+
+impl Labels for Link {}
 
 impl Charted for Link {
     type Input = ();
@@ -74,7 +81,7 @@ impl Charted for Link {
     fn remember_pose(&self, _chart: usize, t: f64, q: &[f64; 1], v: &[f64; 1]) -> (Memory, f64) {
         self.remember(t, &held(Memory::nothing()), &[q[0], v[0]])
     }
-    fn project(&self, _chart: usize, _t: f64, q: &[f64; 1], v: &[f64; 1], x: &mut [f64; 2]) {
+    fn to_chart(&self, _chart: usize, _t: f64, q: &[f64; 1], v: &[f64; 1], x: &mut [f64; 2]) {
         *x = [q[0], v[0]];
     }
 }
@@ -85,7 +92,7 @@ fn stepped(astray: f64, measure: f64) -> Result<Bound, Fault> {
     let (memory, _) = Link { astray: 0.0, measure }.remember(0.0, &held(Memory::nothing()), &x);
     let mut held = held(memory);
     x[0] += 0.3;
-    accept(&Link { astray, measure }, 0.1, &mut held, &mut x)?;
+    update(&Link { astray, measure }, 0.1, &mut held, &mut x)?;
     Ok(held)
 }
 
@@ -115,6 +122,6 @@ fn the_rate_of_a_rate_is_remembered() {
     let link = Link { astray: 0.0, measure: 0.8 };
     let (memory, _) = link.remember(0.0, &held(Memory::nothing()), &[0.5, 3.0]);
     let mut held = held(memory);
-    accept(&link, 0.1, &mut held, &mut [0.83, 3.6]).unwrap();
+    update(&link, 0.1, &mut held, &mut [0.83, 3.6]).unwrap();
     assert!((link_of(&held).bend - 6.0).abs() < 1e-13, "{held:?}");
 }

@@ -2,7 +2,9 @@
 
 use plm_runtime::method::{Gauss, Method};
 use plm_runtime::singular::Never;
-use plm_runtime::{Adams, At, Dop853, Dopri5, Fault, Health, Mechanism, Rk4, System, Vern9};
+use plm_runtime::{
+    Adams, At, Constraints, Dop853, Dopri5, Events, Fault, Health, Labels, Mechanism, Rate, Rk4, Vern9,
+};
 
 const GRAVITY: f64 = 9.81;
 
@@ -12,17 +14,22 @@ struct Ball {
     restitution: f64,
 }
 
-impl System for Ball {
+impl Rate for Ball {
     type S = f64;
     type X = [f64; 2];
     type U = ();
-    type G = [f64; 1];
     const NQ: usize = 1;
 
     fn rate(&self, _t: f64, _u: &(), x: &[f64; 2], dx: &mut [f64; 2]) -> Health<f64> {
         *dx = [x[1], -GRAVITY];
         Health::perfect()
     }
+}
+
+impl Constraints for Ball {}
+
+impl Events for Ball {
+    type G = [f64; 1];
     fn guards(&self, _t: f64, _u: &(), x: &[f64; 2], g: &mut [f64; 1]) {
         g[0] = x[0];
     }
@@ -33,6 +40,8 @@ impl System for Ball {
         Ok(())
     }
 }
+
+impl Labels for Ball {}
 
 impl Mechanism for Ball {
     type State = At<Self>;
@@ -125,11 +134,10 @@ const SPEED: f64 = 0.5;
 const STATIC: f64 = 1.0;
 const KINETIC: f64 = 0.6;
 
-impl System for Block {
+impl Rate for Block {
     type S = f64;
     type X = [f64; 2];
     type U = Slip;
-    type G = [f64; 1];
     const NQ: usize = 1;
 
     fn rate(&self, _t: f64, u: &Slip, x: &[f64; 2], dx: &mut [f64; 2]) -> Health<f64> {
@@ -140,6 +148,12 @@ impl System for Block {
         };
         Health::perfect()
     }
+}
+
+impl Constraints for Block {}
+
+impl Events for Block {
+    type G = [f64; 1];
     fn guards(&self, _t: f64, u: &Slip, x: &[f64; 2], g: &mut [f64; 1]) {
         g[0] = match u {
             Slip::Sticks => STATIC - x[0].abs(),
@@ -160,6 +174,8 @@ impl System for Block {
         Ok(())
     }
 }
+
+impl Labels for Block {}
 
 impl Mechanism for Block {
     type State = At<Self>;

@@ -2,7 +2,8 @@
 
 use plm_runtime::method::{Gauss, Method};
 use plm_runtime::{
-    Cause, Dop853, Dopri5, Fault, Health, Mechanism, Notice, Operations, Rk4, SemiImplicitEuler, System,
+    Cause, Constraints, Dop853, Dopri5, Events, Fault, Health, Labels, Mechanism, Notice, Operations, Rate,
+    Rk4, SemiImplicitEuler,
 };
 
 use crate::linkage::At;
@@ -12,17 +13,25 @@ use crate::oscillator::oscillator;
 #[derive(Clone, Copy, Debug)]
 struct BlowUp;
 
-impl System for BlowUp {
+impl Rate for BlowUp {
     type S = f64;
     type X = [f64; 1];
     type U = ();
-    type G = [f64; 0];
     const NQ: usize = 0;
 
     fn rate(&self, _t: f64, (): &(), x: &[f64; 1], dx: &mut [f64; 1]) -> Health<f64> {
         *dx = [x[0] * x[0]];
         Health::perfect()
     }
+}
+
+impl Constraints for BlowUp {}
+
+impl Events for BlowUp {
+    type G = [f64; 0];
+}
+
+impl Labels for BlowUp {
     fn part_of_state(&self, _index: usize) -> &'static str {
         "tank"
     }
@@ -104,17 +113,25 @@ fn a_state_that_is_not_a_number_is_named_at_once() {
 #[derive(Clone, Copy, Debug)]
 struct Ends;
 
-impl System for Ends {
+impl Rate for Ends {
     type S = f64;
     type X = [f64; 2];
     type U = ();
-    type G = [f64; 0];
     const NQ: usize = 0;
 
     fn rate(&self, t: f64, (): &(), _x: &[f64; 2], dx: &mut [f64; 2]) -> Health<f64> {
         *dx = [1.0, (1.0 - t).sqrt()];
         Health::perfect()
     }
+}
+
+impl Constraints for Ends {}
+
+impl Events for Ends {
+    type G = [f64; 0];
+}
+
+impl Labels for Ends {
     fn part_of_state(&self, index: usize) -> &'static str {
         ["clock", "valve"][index]
     }

@@ -2,7 +2,7 @@
 
 use plm_runtime::linalg::Dense;
 use plm_runtime::method::Ros34Pw2;
-use plm_runtime::{Cause, Dual, Fault, Health, Linear, Mechanism, System};
+use plm_runtime::{Cause, Constraints, Dual, Events, Fault, Health, Labels, Linear, Mechanism, Rate};
 
 use crate::linkage::At;
 use crate::mechanisms::double_pendulum;
@@ -27,17 +27,24 @@ fn order_is_3() {
 #[derive(Clone, Copy, Debug)]
 struct Wrong(Oscillator<f64>);
 
-impl System for Wrong {
+impl Rate for Wrong {
     type S = f64;
     type X = [f64; 3];
     type U = f64;
-    type G = [f64; 0];
     const NQ: usize = 1;
 
     fn rate(&self, t: f64, u: &f64, x: &[f64; 3], dx: &mut [f64; 3]) -> Health<f64> {
         self.0.rate(t, u, x, dx)
     }
 }
+
+impl Constraints for Wrong {}
+
+impl Events for Wrong {
+    type G = [f64; 0];
+}
+
+impl Labels for Wrong {}
 
 impl Linear for Wrong {
     type Lifted<const K: usize> = Oscillator<Dual<f64, K>>;

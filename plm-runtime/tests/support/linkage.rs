@@ -252,11 +252,10 @@ macro_rules! linkage {
             }
         }
 
-        impl<S: plm_runtime::Real> plm_runtime::System for $name<S> {
+        impl<S: plm_runtime::Real> plm_runtime::Rate for $name<S> {
             type S = S;
             type X = [S; 2 * $nq];
             type U = ();
-            type G = [S; 0];
             const NQ: usize = $nq;
 
             fn rate(&self, _t: S, (): &(), x: &Self::X, dx: &mut Self::X) -> plm_runtime::Health<S> {
@@ -265,6 +264,9 @@ macro_rules! linkage {
                 plm_runtime::absolute::join(&v, &a, dx);
                 health
             }
+        }
+
+        impl<S: plm_runtime::Real> plm_runtime::Constraints for $name<S> {
             fn rate_by_rank(
                 &self,
                 t: S,
@@ -276,8 +278,8 @@ macro_rules! linkage {
                 plm_runtime::absolute::join(&v, &self.0.acceleration_by_rank(t, &q, &v)?, dx);
                 Ok(())
             }
-            fn settle(&self, t: S, x: &mut Self::X) -> Result<(), plm_runtime::Fault> {
-                if self.0.alpha.is_some() { Ok(()) } else { plm_runtime::absolute::settle_state(self, t, x) }
+            fn project(&self, t: S, x: &mut Self::X) -> Result<(), plm_runtime::Fault> {
+                if self.0.alpha.is_some() { Ok(()) } else { plm_runtime::absolute::project_state(self, t, x) }
             }
             fn drift(&self, t: S, x: &Self::X) -> plm_runtime::Drift<S> {
                 if self.0.alpha.is_some() {
@@ -288,6 +290,13 @@ macro_rules! linkage {
             fn baumgarte_rate(&self) -> Option<f64> {
                 self.0.alpha
             }
+        }
+
+        impl<S: plm_runtime::Real> plm_runtime::Events for $name<S> {
+            type G = [S; 0];
+        }
+
+        impl<S: plm_runtime::Real> plm_runtime::Labels for $name<S> {
             fn part_of_state(&self, index: usize) -> &'static str {
                 <Self as plm_runtime::Absolute<S, $nq, $nc>>::COORDINATES[index % $nq]
             }

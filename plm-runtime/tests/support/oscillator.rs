@@ -1,7 +1,7 @@
 //! A driven oscillator with an exact solution that reaches every term of a formula: time, v, first-order states.
 #![allow(dead_code, reason = "each uses its part")]
 
-use plm_runtime::{Dual, Fault, Health, Linear, Mechanism, Real, System};
+use plm_runtime::{Constraints, Dual, Events, Fault, Health, Labels, Linear, Mechanism, Rate, Real};
 
 use crate::linkage::At;
 
@@ -9,11 +9,10 @@ use crate::linkage::At;
 #[derive(Clone, Copy, Debug)]
 pub struct Oscillator<S>(pub core::marker::PhantomData<S>);
 
-impl<S: Real> System for Oscillator<S> {
+impl<S: Real> Rate for Oscillator<S> {
     type S = S;
     type X = [S; 3];
     type U = f64;
-    type G = [S; 0];
     const NQ: usize = 1;
 
     fn rate(&self, t: S, u: &f64, x: &[S; 3], dx: &mut [S; 3]) -> Health<S> {
@@ -21,6 +20,15 @@ impl<S: Real> System for Oscillator<S> {
         *dx = [x[1], drive - x[0], -(t + t) * x[2]];
         Health::perfect()
     }
+}
+
+impl<S: Real> Constraints for Oscillator<S> {}
+
+impl<S: Real> Events for Oscillator<S> {
+    type G = [S; 0];
+}
+
+impl<S: Real> Labels for Oscillator<S> {
     fn part_of_state(&self, index: usize) -> &'static str {
         ["oscillator", "oscillator", "filter"][index]
     }

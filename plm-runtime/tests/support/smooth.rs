@@ -1,7 +1,7 @@
 //! Small systems with known solutions or invariants, as generated code would be for them.
 #![allow(dead_code, reason = "each uses its part")]
 
-use plm_runtime::{Dual, Fault, Health, Linear, Mechanism, Real, System};
+use plm_runtime::{Constraints, Dual, Events, Fault, Health, Labels, Linear, Mechanism, Rate, Real};
 
 use crate::linkage::At;
 
@@ -16,11 +16,10 @@ macro_rules! system {
             $(pub $field: S,)*
         }
 
-        impl<S: Real> System for $name<S> {
+        impl<S: Real> Rate for $name<S> {
             type S = S;
             type X = [S; $n];
             type U = ();
-            type G = [S; 0];
             const NQ: usize = $nq;
 
             fn rate(&self, $t: S, (): &(), $x: &[S; $n], dx: &mut [S; $n]) -> Health<S> {
@@ -32,6 +31,14 @@ macro_rules! system {
                 $typical.map(S::lit)
             })?
         }
+
+        impl<S: Real> Constraints for $name<S> {}
+
+        impl<S: Real> Events for $name<S> {
+            type G = [S; 0];
+        }
+
+        impl<S: Real> Labels for $name<S> {}
 
         impl<S: Real> Linear for $name<S> {
             type Lifted<const K: usize> = $name<Dual<S, K>>;

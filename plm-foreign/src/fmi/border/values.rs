@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use plm_runtime::{Moment, System, Vector};
+use plm_runtime::{Moment, Rate, Vector};
 
 use super::{Handle, Outcome, fill, opened, put, read, with};
 use crate::fmi::{Call, Exchanged, Instance, Variable, follow};
@@ -154,7 +154,7 @@ pub unsafe fn give<M: Exchanged>(handle: *mut Handle<M>, what: Given, room: (*mu
 pub unsafe fn count<M: Exchanged>(handle: *mut Handle<M>, call: Call, count: *mut usize) -> Outcome {
     let number = match call {
         Call::GetNumberOfEventIndicators => follow::indicators::<M>(),
-        _ => <M as System>::X::LEN,
+        _ => <M as Rate>::X::LEN,
     };
     // SAFETY: the caller's part.
     unsafe { with(handle, call, |_| put(count, number)) }
@@ -168,10 +168,10 @@ pub unsafe fn set_states<M: Exchanged>(handle: *mut Handle<M>, (at, count): (*co
     let work = |instance: &mut Instance<M>| {
         // SAFETY: the caller's part.
         let states = unsafe { read(at, count)? };
-        if states.len() != <M as System>::X::LEN {
+        if states.len() != <M as Rate>::X::LEN {
             return Err(Status::NoSuch.into());
         }
-        let x = <M as System>::X::from_fn(|index| states.get(index).copied().unwrap_or_default());
+        let x = <M as Rate>::X::from_fn(|index| states.get(index).copied().unwrap_or_default());
         instance.place(None, Some(x))
     };
     // SAFETY: the caller's part.

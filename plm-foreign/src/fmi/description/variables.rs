@@ -5,7 +5,7 @@ use alloc::string::{String, ToString};
 use core::fmt::{self, Write};
 
 use plm_runtime::described::Quantity;
-use plm_runtime::{StartValues, System, Vector};
+use plm_runtime::{Rate, StartValues, Vector};
 
 use super::units::{Unit, Units};
 use super::{METHODS, Xml, output};
@@ -46,7 +46,7 @@ impl Row {
             }
             (None, _) => Unit::default(),
         };
-        let of_state = matches!(variable, Variable::Rate(_)).then(|| reference - <M as System>::X::LEN);
+        let of_state = matches!(variable, Variable::Rate(_)).then(|| reference - <M as Rate>::X::LEN);
         let docs = quantity.map_or(row.docs, |quantity| quantity.docs);
         Self { reference, name, unit, of_state, docs, ..row }
     }

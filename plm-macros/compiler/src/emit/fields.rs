@@ -41,7 +41,7 @@ pub(crate) const METHODS: &[&str] = &[
     "at",
     "reset",
     "run",
-    "settle",
+    "project",
     "drift",
     "state",
     "method",

@@ -184,7 +184,7 @@ fn tree(emission: &Emission, chart: &Chart) -> TokenStream {
             (reactions, origin),
         )
     });
-    let project = projection(emission, &quote!(project), chart);
+    let project = projection(emission, &quote!(to_chart), chart);
     let switching = switching(emission, &quote!(switching), &state, (&chart.guards, origin));
     quote!(#motion #pose #reactions #project #switching)
 }
@@ -246,7 +246,7 @@ fn in_chart(emission: &Emission, reduced: &Reduced, (index, chart): (usize, &Cha
         (&chart.pose, origin),
     );
     let switching = switching(emission, &named("switching"), &state, (&chart.guards, origin));
-    let project = projection(emission, &named("project"), chart);
+    let project = projection(emission, &named("to_chart"), chart);
     let name = named("remember");
     let remember = chart.remember.as_ref().map(|remember| {
         function(

@@ -9,10 +9,10 @@ mod words;
 use self::coefficients::Coefficients;
 use self::differences::Differences;
 use self::order::{Errors, Next};
-use super::adaptive::{ensure_moves, next_step};
+use super::adaptive::{builders, ensure_moves, next_step};
 use super::embedded::{Span, first_step};
-use super::projection::{Projection, SETTLED_ABOVE};
-use super::{Context, Method, Path, drift_of_size, not_finite};
+use super::projection::{PROJECTED_ABOVE, Projection};
+use super::{Context, DenseOutput, ErrorControl, FixedLength, Method, Path, drift_of_size, not_finite};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};
@@ -77,6 +77,8 @@ impl<M: System<S: Real>> Default for Adams<M> {
     }
 }
 
+builders!([M: System<S: Real>] Adams<M>);
+
 impl<M: System<S: Real>> Adams<M> {
     /// With the relative tolerance `rtol` (not below what the scalar can resolve).
     pub fn new(rtol: M::S) -> Self {
@@ -93,26 +95,9 @@ impl<M: System<S: Real>> Adams<M> {
         }
     }
 
-    /// The same with steps of at most `longest_step`, in s.
-    #[must_use]
-    pub fn with_longest_step(self, longest_step: M::S) -> Self {
-        Self { longest_step, ..self }
-    }
-
-    /// The same with at most so many steps, accepted and rejected, in one interval.
-    #[must_use]
-    pub fn with_most_steps(self, most_steps: u64) -> Self {
-        Self { most_steps, ..self }
-    }
-
     /// The order of the formula that the last step was corrected by; none before the first.
     pub fn order(&self) -> Option<usize> {
         (self.past.made > 0).then_some(self.past.made + 1)
-    }
-
-    /// The tolerance in use: at least some units in the last place.
-    fn tolerance(&self) -> M::S {
-        self.rtol.max(M::S::lit(8.0) * M::S::EPSILON)
     }
 
     /// What is known at the state reached, where nothing is kept.
@@ -152,7 +137,7 @@ impl<M: System<S: Real>> Adams<M> {
         Ok(Trial { x, errors, weight, drift })
     }
 
-    /// The state at the end of an accepted step and its rate, settled if the drift asks for it or the step went by rank.
+    /// The state at the end of an accepted step and its rate, projected if the drift asks for it or the step went by rank.
     fn arrive(
         &mut self,
         context: &mut Context<'_, M>,
@@ -161,9 +146,9 @@ impl<M: System<S: Real>> Adams<M> {
         by_rank: bool,
     ) -> Result<(M::X, M::X), Fault> {
         let mut x = trial.x;
-        if by_rank || trial.drift > M::S::lit(SETTLED_ABOVE) {
+        if by_rank || trial.drift > M::S::lit(PROJECTED_ABOVE) {
             let tolerance = self.tolerance();
-            self.projection.settle(context, tolerance, (time, &mut x))?;
+            self.projection.project(context, tolerance, (time, &mut x))?;
         }
         let mut rate = x;
         context.rate(time, &x, &mut rate)?;
@@ -238,12 +223,7 @@ impl<M: System<S: Real>> Past<M> {
 }
 
 impl<M: System<S: Real> + Copy> Method<M> for Adams<M> {
-    const DENSE: bool = true;
     const NAME: &'static str = "Adams";
-
-    fn begin(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
-        Ok(())
-    }
 
     fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         if self.forgotten {
@@ -252,6 +232,28 @@ impl<M: System<S: Real> + Copy> Method<M> for Adams<M> {
         (self.span, self.path) = (None, None);
         self.accepted(context).map_err(|fault| self.named(context, fault))
     }
+
+    fn restart(&mut self) {
+        (self.forgotten, self.span, self.path) = (true, None, None);
+        self.projection = Projection::new();
+    }
+
+    fn turned(&mut self) {
+        (self.span, self.path) = (None, None);
+    }
+
+    fn fresh(&self) -> Self {
+        let Self { rtol, longest_step, most_steps, .. } = *self;
+        Self { longest_step, most_steps, ..Self::new(rtol) }
+    }
+
+    fn drift_limit(&self, system: &M) -> Drift<M::S> {
+        drift_of_size(system, self.tolerance() * M::S::lit(PROJECTED_ABOVE))
+    }
+}
+
+impl<M: System<S: Real> + Copy> DenseOutput<M> for Adams<M> {
+    const DENSE: bool = true;
 
     fn densify(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
         if let (Some(span), None) = (&self.span, &self.path) {
@@ -272,16 +274,9 @@ impl<M: System<S: Real> + Copy> Method<M> for Adams<M> {
     fn path(&self) -> Option<Path<M::S, M::X>> {
         self.path.or_else(|| self.span.as_ref().map(|span| span.path(&[])))
     }
+}
 
-    fn restart(&mut self) {
-        (self.forgotten, self.span, self.path) = (true, None, None);
-        self.projection = Projection::new();
-    }
-
-    fn turned(&mut self) {
-        (self.span, self.path) = (None, None);
-    }
-
+impl<M: System<S: Real> + Copy> ErrorControl<M> for Adams<M> {
     fn shorten(&mut self, h: M::S) -> bool {
         (self.span, self.path) = (None, None);
         self.projection = Projection::new();
@@ -290,11 +285,6 @@ impl<M: System<S: Real> + Copy> Method<M> for Adams<M> {
             self.past.next = Next { order: self.past.made.max(1), h: M::S::lit(0.5) * h };
         }
         true
-    }
-
-    fn fresh(&self) -> Self {
-        let Self { rtol, longest_step, most_steps, .. } = *self;
-        Self { longest_step, most_steps, ..Self::new(rtol) }
     }
 
     fn limited_by(&self, system: &M) -> Option<usize> {
@@ -308,11 +298,9 @@ impl<M: System<S: Real> + Copy> Method<M> for Adams<M> {
     fn tolerance(&self) -> Option<M::S> {
         Some(Adams::tolerance(self))
     }
-
-    fn drift_limit(&self, system: &M) -> Drift<M::S> {
-        drift_of_size(system, self.tolerance() * M::S::lit(SETTLED_ABOVE))
-    }
 }
+
+impl<M: System<S: Real> + Copy> FixedLength<M> for Adams<M> {}
 
 impl<M: System<S: Real> + Copy> Adams<M> {
     /// Steps until one is accepted.
@@ -335,9 +323,7 @@ impl<M: System<S: Real> + Copy> Adams<M> {
                         self.span = Some(Span { time: context.time, h, from, to, rate_from, rate_to });
                         self.partition(trial, &rate_to, (h, wanted));
                         self.by_error = !last && h < self.longest_step && trial.drift <= trial.errors.made;
-                        context.stats.steps += 1;
-                        *context.longest_step = context.longest_step.max(h);
-                        (context.time, context.x) = (time, to);
+                        context.reach(time, h, to);
                         return Ok(());
                     }
                     Err(fault) => failed = Some(fault),

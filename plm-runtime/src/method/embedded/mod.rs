@@ -5,6 +5,7 @@ mod dense;
 mod pair;
 mod stages;
 mod start;
+pub(super) mod tableau;
 mod words;
 
 pub use self::pair::{Limits, Pair};
@@ -13,9 +14,10 @@ pub(super) use self::stages::{Rows, stages};
 use self::control::Control;
 pub(super) use self::dense::Span;
 pub(super) use self::start::first_step;
-use super::adaptive::{Steady, ensure_moves, next_step, rate_here};
-use super::projection::{Projection, SETTLED_ABOVE};
-use super::{Context, Method, Path, Watched, drift_of_size, larger};
+pub(super) use self::tableau::pair;
+use super::adaptive::{Steady, builders, ensure_moves, next_step, rate_here};
+use super::projection::{PROJECTED_ABOVE, Projection};
+use super::{Context, DenseOutput, ErrorControl, FixedLength, Method, Path, Watched, drift_of_size, larger};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};
@@ -25,7 +27,7 @@ use crate::vector::Vector;
 ///
 /// The error norm is the pair's, of error_i / (rtol typical_i + rtol max|x_i|), or the drift of the new state
 /// over rtol times the typical coordinate (velocity), whichever is larger. Above a tenth of that the new state is
-/// settled, and the dense output is led to the settled state and its rate. The health of the stages is looked at once
+/// projected, and the dense output is led to the projected state and its rate. The health of the stages is looked at once
 /// a step; an unhealthy step is done again, by rank where needed, and so are the following ones until one is healthy.
 #[derive(Clone, Copy, Debug)]
 pub struct Embedded<M: System, P: Pair> {
@@ -66,6 +68,8 @@ impl<M: System<S: Real>, P: Pair> Default for Embedded<M, P> {
     }
 }
 
+builders!([M: System<S: Real>, P: Pair] Embedded<M, P>);
+
 impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
     /// With the relative tolerance `rtol` (not below what the scalar can resolve).
     pub fn new(rtol: M::S) -> Self {
@@ -84,23 +88,6 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
             projection: Projection::new(),
             by_error: false,
         }
-    }
-
-    /// The same with steps of at most `longest_step`, in s.
-    #[must_use]
-    pub fn with_longest_step(self, longest_step: M::S) -> Self {
-        Self { longest_step, ..self }
-    }
-
-    /// The same with at most so many steps, accepted and rejected, in one interval.
-    #[must_use]
-    pub fn with_most_steps(self, most_steps: u64) -> Self {
-        Self { most_steps, ..self }
-    }
-
-    /// The tolerance in use: at least some units in the last place.
-    fn tolerance(&self) -> M::S {
-        self.rtol.max(M::S::lit(8.0) * M::S::EPSILON)
     }
 
     /// One step without a decision; by rank where that is needed.
@@ -182,7 +169,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         self.projection.drift(context.system, self.tolerance(), at)
     }
 
-    /// The state at the end of an accepted step and its rate, settled if the drift asks for it or the step went by rank.
+    /// The state at the end of an accepted step and its rate, projected if the drift asks for it or the step went by rank.
     fn arrive(
         &mut self,
         context: &mut Context<'_, M>,
@@ -190,14 +177,14 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         (trial, k): (&Trial<M::X>, &P::Stages<M::X>),
         drift: M::S,
     ) -> Result<(M::X, M::X), Fault> {
-        let limit = if trial.by_rank { M::S::lit(0.0) } else { M::S::lit(SETTLED_ABOVE) };
-        let (mut x, settles) = (trial.x, drift > limit);
-        if let (false, Some(rate)) = (settles, P::rate_at_end(k)) {
+        let limit = if trial.by_rank { M::S::lit(0.0) } else { M::S::lit(PROJECTED_ABOVE) };
+        let (mut x, projects) = (trial.x, drift > limit);
+        if let (false, Some(rate)) = (projects, P::rate_at_end(k)) {
             return Ok((x, *rate));
         }
-        if settles {
+        if projects {
             let tolerance = self.tolerance();
-            self.projection.settle(context, tolerance, (time, &mut x))?;
+            self.projection.project(context, tolerance, (time, &mut x))?;
         }
         let mut rate = x;
         context.rate(time, &x, &mut rate)?;
@@ -219,12 +206,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
 }
 
 impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
-    const DENSE: bool = true;
     const NAME: &'static str = P::NAME;
-
-    fn begin(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
-        Ok(())
-    }
 
     fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         let rate = rate_here(&mut self.rate, context)?;
@@ -259,12 +241,10 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
                         });
                         (self.stages, self.rate) = (Some(k), Some(rate_to));
                         // What was left standing comes from earlier steps as well: a shorter step would not lessen it.
-                        let settles = drift > M::S::lit(SETTLED_ABOVE);
-                        self.propose(proposal, h, (if settles { worst } else { error }, estimate));
+                        let projects = drift > M::S::lit(PROJECTED_ABOVE);
+                        self.propose(proposal, h, (if projects { worst } else { error }, estimate));
                         self.by_error = !last && h < self.longest_step && drift <= error;
-                        context.stats.steps += 1;
-                        *context.longest_step = context.longest_step.max(h);
-                        (context.time, context.x) = (time, to);
+                        context.reach(time, h, to);
                         return Ok(());
                     }
                     Err(fault) => (attempt, worst) = (Err(fault), M::S::INFINITY),
@@ -277,6 +257,25 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
             })?;
         }
     }
+
+    fn restart(&mut self) {
+        self.rate = None;
+        self.span = None;
+        self.projection = Projection::new();
+    }
+
+    fn fresh(&self) -> Self {
+        let Self { rtol, longest_step, most_steps, .. } = *self;
+        Self { longest_step, most_steps, ..Self::new(rtol) }
+    }
+
+    fn drift_limit(&self, system: &M) -> Drift<M::S> {
+        drift_of_size(system, self.tolerance() * M::S::lit(PROJECTED_ABOVE))
+    }
+}
+
+impl<M: System<S: Real> + Copy, P: Pair> DenseOutput<M> for Embedded<M, P> {
+    const DENSE: bool = true;
 
     fn densify(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         if let (Some(step), Some(k), None) = (&self.span, &self.stages, &self.bends) {
@@ -301,23 +300,14 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
         let bends = self.bends.as_ref().map_or(&[] as &[M::X], |bends| bends.as_ref());
         self.span.as_ref().map(|span| span.path(bends))
     }
+}
 
-    fn restart(&mut self) {
-        self.rate = None;
-        self.span = None;
-        self.projection = Projection::new();
-    }
-
+impl<M: System<S: Real> + Copy, P: Pair> ErrorControl<M> for Embedded<M, P> {
     fn shorten(&mut self, h: M::S) -> bool {
         self.restart();
         self.control.refuse();
         self.proposal = Some(M::S::lit(0.5) * h);
         true
-    }
-
-    fn fresh(&self) -> Self {
-        let Self { rtol, longest_step, most_steps, .. } = *self;
-        Self { longest_step, most_steps, ..Self::new(rtol) }
     }
 
     fn limited_by(&self, system: &M) -> Option<usize> {
@@ -332,8 +322,6 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
     fn tolerance(&self) -> Option<M::S> {
         Some(Embedded::tolerance(self))
     }
-
-    fn drift_limit(&self, system: &M) -> Drift<M::S> {
-        drift_of_size(system, self.tolerance() * M::S::lit(SETTLED_ABOVE))
-    }
 }
+
+impl<M: System<S: Real> + Copy, P: Pair> FixedLength<M> for Embedded<M, P> {}

@@ -7,7 +7,7 @@ use plm_math::exact::two_sum;
 use self::tableau::{Legendre, Nodes, Tableau};
 use super::estimate::{Estimate, Sizes};
 use super::partition::Partition;
-use super::{Context, Method, drift_of_size};
+use super::{Context, DenseOutput, ErrorControl, FixedLength, Method, drift_of_size};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};
@@ -204,7 +204,6 @@ impl<M: System<S: Real> + Copy, const STAGES: usize> Method<M> for Gauss<M, STAG
 where
     Legendre: Nodes<STAGES>,
 {
-    const DENSE: bool = false;
     const NAME: &'static str = "Gauss";
 
     fn begin(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
@@ -223,21 +222,9 @@ where
         Ok(())
     }
 
-    fn interpolate(&self, _time: M::S) -> M::X {
-        M::X::fill(M::S::ZERO)
-    }
-
-    fn estimate(&self) -> Estimate<M::S> {
-        self.estimate
-    }
-
     fn restart(&mut self) {
         self.last = None;
         self.rounded = M::X::fill(M::S::ZERO);
-    }
-
-    fn shorter(&self, longest: M::S) -> Option<Self> {
-        Some(Self::new(longest).with_tolerance(self.tolerance))
     }
 
     fn fresh(&self) -> Self {
@@ -246,6 +233,29 @@ where
 
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
         drift_of_size(system, self.tolerance)
+    }
+}
+
+impl<M: System<S: Real> + Copy, const STAGES: usize> DenseOutput<M> for Gauss<M, STAGES> where
+    Legendre: Nodes<STAGES>
+{
+}
+
+impl<M: System<S: Real> + Copy, const STAGES: usize> ErrorControl<M> for Gauss<M, STAGES> where
+    Legendre: Nodes<STAGES>
+{
+}
+
+impl<M: System<S: Real> + Copy, const STAGES: usize> FixedLength<M> for Gauss<M, STAGES>
+where
+    Legendre: Nodes<STAGES>,
+{
+    fn estimate(&self) -> Estimate<M::S> {
+        self.estimate
+    }
+
+    fn shorter(&self, longest: M::S) -> Option<Self> {
+        Some(Self::new(longest).with_tolerance(self.tolerance))
     }
 }
 

@@ -6,23 +6,23 @@ use crate::scalar::Real;
 use crate::vector::Vector;
 
 /// The polynomial of degree 3 through the state at the beginning of a step and its three stages, in Newton's form from
-/// the end (CONTR5 of the program RADAU5), led to where the step was settled.
+/// the end (CONTR5 of the program RADAU5), led to where the step was projected.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dense<S, X> {
     /// The end of the step.
     pub(super) end: S,
     pub(super) h: S,
-    /// The state at the end, before it was settled.
+    /// The state at the end, before it was projected.
     pub(super) to: X,
     /// The state at the end.
-    pub(super) settled: X,
+    pub(super) projected: X,
     /// Divided differences.
     pub(super) differences: [X; 3],
 }
 
 impl<S: Real, X: Vector<S>> Dense<S, X> {
-    /// Of a step of `h` that ended at `end` in `to`, and was settled to `settled`; with the stages less the state at its beginning.
-    pub(super) fn new(end: S, h: S, to: X, settled: X, z: &[X; 3]) -> Self {
+    /// Of a step of `h` that ended at `end` in `to`, and was projected to `projected`; with the stages less the state at its beginning.
+    pub(super) fn new(end: S, h: S, to: X, projected: X, z: &[X; 3]) -> Self {
         let lit = S::lit;
         let [c1, c2, _] = C;
         let quotient = |a: &X, b: &X, distance: f64| a.map2(b, |a, b| (a - b) / lit(distance));
@@ -31,7 +31,7 @@ impl<S: Real, X: Vector<S>> Dense<S, X> {
         let second = quotient(&middle, &first, c1 - 1.0);
         let start = quotient(&middle, &z[0].map(|z| z / lit(c1)), c2);
         let third = second.map2(&start, |second, start| second - start);
-        Self { end, h, to, settled, differences: [first, second, third] }
+        Self { end, h, to, projected, differences: [first, second, third] }
     }
 
     /// The state at `time`.
@@ -39,7 +39,7 @@ impl<S: Real, X: Vector<S>> Dense<S, X> {
         let s = (time - self.end) / self.h;
         let change = self.change(s);
         X::from_fn(|i| {
-            self.to.at(i) + change.at(i) + (S::lit(1.0) + s) * (self.settled.at(i) - self.to.at(i))
+            self.to.at(i) + change.at(i) + (S::lit(1.0) + s) * (self.projected.at(i) - self.to.at(i))
         })
     }
 
@@ -59,7 +59,7 @@ impl<S: Real, X: Vector<S>> Dense<S, X> {
             // change = s (d1 + (theta - c2) (d2 + (theta - c1) d3))
             let (low, high) = (d2 - c1 * d3, d3);
             let inner = [d1 - c2 * low, low - c2 * high, high];
-            let off = self.settled.at(i) - self.to.at(i);
+            let off = self.projected.at(i) - self.to.at(i);
             let first = self.to.at(i) - inner[0];
             [first, inner[0] - inner[1] + off, inner[1] - inner[2], inner[2], zero, zero, zero, zero, zero]
         })

@@ -12,8 +12,9 @@ use self::control::Control;
 use self::dense::Dense;
 use self::newton::{Convergence, Factors, Outcome, iterate};
 use self::tableau::{C, ERROR};
-use super::adaptive::{Steady, next_step, rate_here};
-use super::{Context, Method, Path, drift_of_size, excess, larger};
+use super::adaptive::{Steady, builders, next_step, rate_here};
+use super::projection::{PROJECTED_ABOVE, Projection};
+use super::{Context, DenseOutput, ErrorControl, FixedLength, Method, Path, drift_of_size, larger};
 use crate::fault::Fault;
 use crate::linalg::Derivatives as _;
 use crate::linear::Linear;
@@ -27,7 +28,7 @@ use crate::vector::Vector;
 /// iteration that keeps the derivatives while it converges fast, one real and one complex decomposition, an error
 /// estimate of order 3. Its norm is the root mean square of error_i / (rtol' (typical_i + |x_i|)) with
 /// rtol' = 0.1 rtol^(2/3), which makes the error of the solution about rtol. A state that drifted by a tenth of rtol is
-/// settled, and the dense output is led there.
+/// projected, and the dense output is led there.
 #[derive(Clone, Copy)]
 pub struct RadauIia5<M: Linear> {
     /// Relative tolerance; the absolute one of each state is this times its typical size.
@@ -51,8 +52,7 @@ pub struct RadauIia5<M: Linear> {
     by_x_here: bool,
     factors: Factors<M>,
     dense: Option<Dense<M::S, M::X>>,
-    /// Drift that the last projection could not remove, over the tolerance.
-    residue: M::S,
+    projection: Projection<M::S>,
     /// The component with the largest error in the last step that was tried.
     worst: usize,
     /// That error decided how long the last step was.
@@ -80,8 +80,6 @@ struct Trial<X> {
 
 /// The estimate of the error grows with this power of the step.
 const ORDER: u32 = 4;
-/// Drift is settled above this fraction of the tolerance.
-const SETTLED_ABOVE: f64 = 0.1;
 /// Derivatives are kept while corrections shrink faster than by this ratio. With a larger one there are fewer of them, and what
 /// iterations leave shows in the order of the method.
 const FAST: f64 = 1e-3;
@@ -93,6 +91,8 @@ impl<M: Linear> Default for RadauIia5<M> {
         Self::new(M::S::lit(1e-8))
     }
 }
+
+builders!([M: Linear] RadauIia5<M>);
 
 impl<M: Linear> RadauIia5<M> {
     /// With the relative tolerance `rtol` (not below what the scalar can resolve).
@@ -112,27 +112,10 @@ impl<M: Linear> RadauIia5<M> {
             by_x_here: false,
             factors: Factors::room(&by_x),
             dense: None,
-            residue: M::S::ZERO,
+            projection: Projection::new(),
             worst: 0,
             by_error: false,
         }
-    }
-
-    /// The same with steps of at most `longest_step`, in s.
-    #[must_use]
-    pub fn with_longest_step(self, longest_step: M::S) -> Self {
-        Self { longest_step, ..self }
-    }
-
-    /// The same with at most so many steps, accepted and rejected, in one interval.
-    #[must_use]
-    pub fn with_most_steps(self, most_steps: u64) -> Self {
-        Self { most_steps, ..self }
-    }
-
-    /// The tolerance in use: at least some units in the last place.
-    fn tolerance(&self) -> M::S {
-        self.rtol.max(M::S::lit(8.0) * M::S::EPSILON)
     }
 
     /// The tolerance of the error estimate, which is of order 3 and not of 5.
@@ -212,10 +195,10 @@ impl<M: Linear> RadauIia5<M> {
 
     /// Drift of a state over the tolerance, less what projection cannot remove.
     fn drift_ratio(&self, system: &M, t: M::S, x: &M::X) -> M::S {
-        excess(system.drift(t, x), drift_of_size(system, self.tolerance())) - self.residue
+        self.projection.drift(system, self.tolerance(), (t, x))
     }
 
-    /// Takes the context to the end of an accepted step, settled if the drift asks for it or the step went by rank.
+    /// Takes the context to the end of an accepted step, projected if the drift asks for it or the step went by rank.
     fn arrive(
         &mut self,
         context: &mut Context<'_, M>,
@@ -225,9 +208,8 @@ impl<M: Linear> RadauIia5<M> {
     ) -> Result<(), Fault> {
         let mut x = trial.x;
         if self.drift_ratio(context.system, time, &x) > limit {
-            context.settle(time, &mut x)?;
-            self.residue = M::S::ZERO;
-            self.residue = self.drift_ratio(context.system, time, &x);
+            let tolerance = self.tolerance();
+            self.projection.project(context, tolerance, (time, &mut x))?;
         }
         self.dense = Some(Dense::new(time, h, trial.x, x, &trial.z));
         self.rate = None;
@@ -235,9 +217,7 @@ impl<M: Linear> RadauIia5<M> {
         if self.convergence.theta > M::S::lit(FAST) {
             self.by_x_known = false;
         }
-        context.stats.steps += 1;
-        *context.longest_step = context.longest_step.max(h);
-        (context.time, context.x) = (time, x);
+        context.reach(time, h, x);
         Ok(())
     }
 
@@ -264,12 +244,7 @@ impl<M: Linear> RadauIia5<M> {
 }
 
 impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
-    const DENSE: bool = true;
     const NAME: &'static str = "RadauIia5";
-
-    fn begin(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
-        Ok(())
-    }
 
     fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         let rate = rate_here(&mut self.rate, context)?;
@@ -295,7 +270,7 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
                     let worst = larger(error, drift);
                     if worst <= M::S::lit(1.0) {
                         let went_by_rank = context.stats.by_rank > by_rank;
-                        let limit = if went_by_rank { 0.0 } else { SETTLED_ABOVE };
+                        let limit = if went_by_rank { 0.0 } else { PROJECTED_ABOVE };
                         self.arrive(context, (time, h), &trial, M::S::lit(limit))?;
                         self.by_error = !last && h < self.longest_step && drift <= error;
                         if h >= proposal {
@@ -314,6 +289,25 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
         }
     }
 
+    fn restart(&mut self) {
+        (self.rate, self.by_x_known, self.dense) = (None, false, None);
+        self.factors.forget();
+        self.projection = Projection::new();
+    }
+
+    fn fresh(&self) -> Self {
+        let Self { rtol, longest_step, most_steps, .. } = *self;
+        Self { longest_step, most_steps, ..Self::new(rtol) }
+    }
+
+    fn drift_limit(&self, system: &M) -> Drift<M::S> {
+        drift_of_size(system, self.tolerance() * M::S::lit(PROJECTED_ABOVE))
+    }
+}
+
+impl<M: Linear + Copy> DenseOutput<M> for RadauIia5<M> {
+    const DENSE: bool = true;
+
     fn interpolate(&self, time: M::S) -> M::X {
         self.dense.map_or(M::X::fill(M::S::ZERO), |dense| dense.at(time))
     }
@@ -321,23 +315,14 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
     fn path(&self) -> Option<Path<M::S, M::X>> {
         self.dense.as_ref().map(Dense::path)
     }
+}
 
-    fn restart(&mut self) {
-        (self.rate, self.by_x_known, self.dense) = (None, false, None);
-        self.factors.forget();
-        self.residue = M::S::ZERO;
-    }
-
+impl<M: Linear + Copy> ErrorControl<M> for RadauIia5<M> {
     fn shorten(&mut self, h: M::S) -> bool {
         self.restart();
         self.control.rejected = true;
         self.proposal = Some(M::S::lit(0.5) * h);
         true
-    }
-
-    fn fresh(&self) -> Self {
-        let Self { rtol, longest_step, most_steps, .. } = *self;
-        Self { longest_step, most_steps, ..Self::new(rtol) }
     }
 
     fn limited_by(&self, _system: &M) -> Option<usize> {
@@ -351,11 +336,9 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
     fn tolerance(&self) -> Option<M::S> {
         Some(RadauIia5::tolerance(self))
     }
-
-    fn drift_limit(&self, system: &M) -> Drift<M::S> {
-        drift_of_size(system, self.tolerance() * M::S::lit(SETTLED_ABOVE))
-    }
 }
+
+impl<M: Linear + Copy> FixedLength<M> for RadauIia5<M> {}
 
 /// The largest component, each by its weight.
 fn largest<S: Real, X: Vector<S>>(v: &X, weights: &X) -> usize {

@@ -26,15 +26,15 @@ impl<M: Linear> InWords for RadauIia5<M> {
         words.number(&mut self.factors.h);
         words.flag(&mut self.factors.known);
         self.factors.again(&self.by_x);
-        let dense = Dense { end: zero, h: zero, to: none, settled: none, differences: [none; 3] };
+        let dense = Dense { end: zero, h: zero, to: none, projected: none, differences: [none; 3] };
         words.perhaps(&mut self.dense, dense, |words, dense| {
             words.numbers([&mut dense.end, &mut dense.h]);
-            let vectors = [&mut dense.to, &mut dense.settled].into_iter().chain(&mut dense.differences);
+            let vectors = [&mut dense.to, &mut dense.projected].into_iter().chain(&mut dense.differences);
             for vector in vectors {
                 words.vector(vector);
             }
         });
-        words.number(&mut self.residue);
+        words.number(&mut self.projection.residue);
         words.flag(&mut self.by_error);
     }
 }

@@ -37,7 +37,7 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
         })
     };
     let remember_pose = numbered("remember_pose", quote!(&mut memory));
-    let project = numbered("project", quote!(x));
+    let project = numbered("to_chart", quote!(x));
     quote! {
         impl<S: Real> rt::charts::Charted for #name<S> {
             type Input = Input<S>;
@@ -64,7 +64,7 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
                 let measure = #remember_pose;
                 (memory, measure)
             }
-            fn project(&self, chart: usize, t: S, q: &[S; #nq], v: &[S; #nq], x: &mut [S; #length]) {
+            fn to_chart(&self, chart: usize, t: S, q: &[S; #nq], v: &[S; #nq], x: &mut [S; #length]) {
                 #project
             }
         }

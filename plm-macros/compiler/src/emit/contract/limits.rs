@@ -107,7 +107,7 @@ pub(super) fn renew(emission: &Emission) -> Option<TokenStream> {
     let (shaping, pose) = (shaping(emission), pose_at("held"));
     let back = match emission.form {
         Form::Loops(_) => quote!(rt::charts::enter(self, t, held, (&q, &v), x)),
-        Form::Tree(_) => quote!(self.project(t, &q, &v, x)),
+        Form::Tree(_) => quote!(self.to_chart(t, &q, &v, x)),
         Form::Absolute => quote!(absolute::join(&q, &v, x)),
     };
     (!shaping.is_empty()).then(|| {

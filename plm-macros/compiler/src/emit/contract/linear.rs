@@ -59,7 +59,7 @@ fn of_charts(emission: &Emission) -> Option<TokenStream> {
             by_t: Option<&mut [S; #length]>,
         ) -> rt::Health<S> {
             let mut dx = [S::lit(0.0); #length];
-            let health = rt::lanes::Rate::rate(self, t, u, x, &mut dx);
+            let health = rt::Rate::rate(self, t, u, x, &mut dx);
             *by_x = [[S::lit(0.0); #length]; #length];
             #entries;
             if let Some(by_t) = by_t {
@@ -120,7 +120,7 @@ impl Emission<'_> {
 /// The rate `dx` at a state with its `health`, and the coefficients, to `c`, of the equations linearised there.
 pub(crate) fn at_state(emission: &Emission, c: &TokenStream) -> (TokenStream, TokenStream) {
     let nc = &emission.sizes.nc;
-    let by_rate = quote!(let health = rt::lanes::Rate::rate(self, t, u, x, &mut dx););
+    let by_rate = quote!(let health = rt::Rate::rate(self, t, u, x, &mut dx););
     match emission.form {
         Form::Absolute => (
             quote! {

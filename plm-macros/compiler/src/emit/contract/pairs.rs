@@ -96,8 +96,7 @@ fn rate_pair(emission: &Emission, parts: &Parts) -> TokenStream {
     ];
     let in_lanes = parts.still.count.total() <= MOST_IN_LANES;
     quote! {
-        const PAIRED: bool = true;
-        const PAIRED_IN_LANES: bool = #in_lanes;
+        const PAIRED: bool = S::REGISTERS.pays_in_pairs(#in_lanes);
 
         #inlined
         fn rate_pair(

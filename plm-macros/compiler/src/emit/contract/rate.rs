@@ -1,5 +1,6 @@
 //! `Rate`: the right-hand side, for any scalar.
 
+use crate::collect::CollectVec;
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 use quote::format_ident;
@@ -7,7 +8,7 @@ use quote::format_ident;
 use super::super::function::is_straight;
 use super::super::{Emission, Form, Sizes, number};
 use super::charted::in_held;
-use super::pairs;
+use super::{pairs, system};
 use crate::formulate::Reduced;
 
 /// Operations up to which a rate is copied into every stage of a method: a dozen stages then stay in a processor's cache for
@@ -41,18 +42,30 @@ pub(crate) fn rate(emission: &Emission) -> TokenStream {
         Form::Loops(reduced) => in_chart(reduced, direct.as_ref()),
     };
     let [pair, parts] = pairs::pairs(emission);
+    let short = is_short(emission).then(|| {
+        quote!(
+            const SHORT: bool = !S::REGISTERS.are_filled();
+        )
+    });
+    let typical = typical(emission);
     quote! {
-        impl<S: Scalar> rt::lanes::Rate for #name<S> {
+        impl<S: Scalar> rt::Rate for #name<S> {
             type S = S;
             type X = [S; #length];
             type U = Held<S>;
             const NQ: usize = #freedom;
+            #short
 
             #inlined
             fn rate(&self, t: S, u: &Self::U, x: &[S; #length], dx: &mut [S; #length]) -> rt::Health<S> {
                 #rate
             }
             #pair
+
+            #[inline]
+            fn typical(&self) -> [S; #length] {
+                #typical.map(S::lit)
+            }
         }
 
         #parts
@@ -75,4 +88,27 @@ fn in_chart(reduced: &Reduced, direct: Option<&TokenStream>) -> TokenStream {
         })
     });
     quote!(rt::Health(#rate))
+}
+
+/// Sizes for absolute tolerances: the scene's length for displacements, one radian for angles, both per second for
+/// rates, one of the unit that it is declared in for a state.
+fn typical(emission: &Emission) -> TokenStream {
+    let Emission { equations, model, report, .. } = emission;
+    let angles: Vec<bool> = match system::first(emission) {
+        Some(chart) => chart.turning.iter().map(Option::is_some).collect_vec(),
+        None => (0..equations.q.len()).map(|k| k % 3 == 2).collect_vec(),
+    };
+    let coordinates = angles.iter().chain(&angles).map(|angle| if *angle { 1.0 } else { report.length });
+    let states = model.states.iter().map(|state| state.unit.factor.to_f64());
+    let sizes: Vec<String> = coordinates.chain(states).map(|size| format!("{size:?}")).collect_vec();
+    match sizes.as_slice() {
+        [first, .., _] if sizes.iter().all(|size| size == first) => {
+            let (first, count) = (emission.text(first), number(sizes.len()));
+            quote!([#first; #count])
+        }
+        _ => {
+            let sizes = emission.list(sizes);
+            quote!([#sizes])
+        }
+    }
 }

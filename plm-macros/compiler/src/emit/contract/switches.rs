@@ -1,4 +1,4 @@
-//! Methods of `System` for switches, whose sides are held over a step: guards, switches, known times, jumps of rows.
+//! Methods of `Events` for switches, whose sides are held over a step: guards, switches, known times, jumps of rows.
 
 use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
@@ -83,7 +83,6 @@ fn switching(emission: &Emission, mechanism: &TokenStream, free: &TokenStream) -
 /// What happens at the switches that depend on the state. One that must hold does not change: it ends the run.
 pub(super) fn switch(emission: &Emission) -> TokenStream {
     let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
-    let guards = model.guards();
     let of_state = model.switches.iter().filter(|switch| switch.instant.is_none());
     let required: Vec<_> = of_state
         .enumerate()
@@ -105,7 +104,6 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
             }
         }
     });
-    let names = emission.text(quoted(model.switches.iter().take(guards).map(|switch| &switch.name)));
     let ends = model.switches.iter().take(model.guards()).enumerate().filter_map(|(index, switch)| {
         Some(match switch.end.as_ref()? {
             End::Pole(by) => format!("{index} => Some(rt::Cause::Pole {{ by: {by:?} }}),"),
@@ -124,8 +122,6 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
             }
         }
     });
-    let texts = emission.text(quoted(texts(model)));
-    let guards = number(guards);
     quote! {
         #must_hold
         #end
@@ -138,7 +134,16 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
             }
             Ok(())
         }
+    }
+}
 
+/// Names of the conditions of the state, and their texts.
+pub(super) fn names(emission: &Emission) -> TokenStream {
+    let model = emission.model;
+    let names = emission.text(quoted(model.switches.iter().take(model.guards()).map(|switch| &switch.name)));
+    let texts = emission.text(quoted(texts(model)));
+    let guards = number(model.guards());
+    quote! {
         fn guard_name(&self, index: usize) -> &'static str {
             const NAMES: [&str; #guards] = [#names];
             NAMES.get(index).copied().unwrap_or_default()
@@ -185,13 +190,13 @@ pub(super) fn known_times(emission: &Emission) -> TokenStream {
     let count = number(emission.model.switches.len() - guards);
     let guards = number(guards);
     quote! {
-        fn next_instant(&self, t: S, u: &Self::U) -> Option<S> {
+        fn next_time_event(&self, t: S, u: &Self::U) -> Option<S> {
             let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
             self.instants(u, &mut at, &mut slope);
             at.into_iter().filter(|at| *at > t).reduce(S::min)
         }
 
-        fn pass(&self, t: S, u: &mut Self::U, _x: &mut [S; #length]) -> Result<(), Fault> {
+        fn switch_at_time(&self, t: S, u: &mut Self::U, _x: &mut [S; #length]) -> Result<(), Fault> {
             let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
             self.instants(u, &mut at, &mut slope);
             for ((side, at), slope) in u.switches.iter_mut().skip(#guards).zip(at).zip(slope) {

@@ -1,4 +1,4 @@
-//! `System`: what integrators and the event loop ask for.
+//! `Constraints`, `Events`, `Labels`: what integrators and the event detector ask for beside the rate.
 
 use crate::collect::CollectVec;
 use crate::emit::template::quote;
@@ -7,27 +7,30 @@ use proc_macro2::TokenStream;
 
 use super::super::lower::inline;
 use super::super::{Emission, Form, Sizes, compact, number, quoted};
-use super::{rate, switches, turns};
+use super::{switches, turns};
 use crate::formulate::{Chart, coordinate_name};
 use crate::model::Stabilisation;
 
-/// `System`.
+/// What `System` is made of beside the rate.
 pub(crate) fn system(emission: &Emission) -> TokenStream {
-    let Emission { model, name, sizes: Sizes { length, second_order, .. }, .. } = emission;
-    let (inlined, short) = (rate::inlined(emission), rate::is_short(emission));
-    let (freedom, guards) = (number(second_order / 2), number(model.guards()));
+    let (constraints, events, labels) = (constraints(emission), events(emission), labels(emission));
+    quote! {
+        #constraints
+        #events
+        #labels
+    }
+}
+
+/// `Constraints`.
+fn constraints(emission: &Emission) -> TokenStream {
+    let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
     let solution = match emission.form {
         Form::Absolute => by_rank(emission),
         Form::Tree(_) => TokenStream::new(),
         Form::Loops(_) => in_charts(emission),
     };
-    let accept = turns::accept(emission);
+    let update = turns::update(emission);
     let stabilisation = (!emission.is_reduced()).then(|| stabilisation(emission));
-    let watched = (model.watched() > 0).then(|| switches::watched(emission));
-    let matters = (!model.decisions.roots.is_empty()).then(|| switches::matters(emission));
-    let switch = (model.guards() > 0).then(|| switches::switch(emission));
-    let known_times = (model.switches.len() > model.guards()).then(|| switches::known_times(emission));
-    let jump = (!model.jumps.is_empty()).then(|| switches::jump(emission));
     let energy = (!knows_time(emission)).then(|| {
         quote! {
             fn energy(&self, t: S, u: &Self::U, x: &[S; #length]) -> Option<rt::Energy<S>> {
@@ -37,46 +40,46 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
             }
         }
     });
-    let typical = typical(emission);
-    let part_of_state = part_of_state(emission);
-    let names = compact::names(emission, &names_of_state(emission));
-    let names_in_charts = names_in_charts(emission);
     quote! {
-        impl<S: Real> rt::System for #name<S> {
-            type S = S;
-            type X = [S; #length];
-            type U = Held<S>;
-            type G = [S; #guards];
-            const NQ: usize = #freedom;
-            const SHORT: bool = #short;
-
-            #inlined
-            fn rate(&self, t: S, u: &Self::U, x: &[S; #length], dx: &mut [S; #length]) -> rt::Health<S> {
-                rt::lanes::Rate::rate(self, t, u, x, dx)
-            }
-
-            const PAIRED: bool = S::VECTORS && <Self as rt::lanes::Rate>::PAIRED;
-
-            #inlined
-            fn rate_pair(
-                &self, t: [S; 2], u: &Self::U, x: [&[S; #length]; 2], dx: &mut [[S; #length]; 2],
-                second: impl FnOnce(&[S; #length]) -> [S; #length]
-            ) -> rt::Health<S> {
-                rt::lanes::Rate::rate_pair(self, t, u, x, dx, second)
-            }
+        impl<S: Real> rt::Constraints for #name<S> {
             #solution
-            #accept
+            #update
             #stabilisation
+            #energy
+        }
+    }
+}
+
+/// `Events`.
+fn events(emission: &Emission) -> TokenStream {
+    let Emission { model, name, .. } = emission;
+    let guards = number(model.guards());
+    let watched = (model.watched() > 0).then(|| switches::watched(emission));
+    let matters = (!model.decisions.roots.is_empty()).then(|| switches::matters(emission));
+    let switch = (model.guards() > 0).then(|| switches::switch(emission));
+    let known_times = (model.switches.len() > model.guards()).then(|| switches::known_times(emission));
+    let jump = (!model.jumps.is_empty()).then(|| switches::jump(emission));
+    quote! {
+        impl<S: Real> rt::Events for #name<S> {
+            type G = [S; #guards];
             #watched
             #matters
             #switch
             #known_times
             #jump
-            #energy
-            fn typical(&self) -> [S; #length] {
-                #typical.map(S::lit)
-            }
+        }
+    }
+}
 
+/// `Labels`.
+fn labels(emission: &Emission) -> TokenStream {
+    let Emission { model, name, .. } = emission;
+    let part_of_state = part_of_state(emission);
+    let names = compact::names(emission, &names_of_state(emission));
+    let names_in_charts = names_in_charts(emission);
+    let conditions = (model.guards() > 0).then(|| switches::names(emission));
+    quote! {
+        impl<S: Real> rt::Labels for #name<S> {
             fn part_of_state(&self, index: usize) -> &'static str {
                 #part_of_state
             }
@@ -89,6 +92,7 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
                 }
             }
             #names_in_charts
+            #conditions
         }
     }
 }
@@ -148,7 +152,7 @@ fn in_charts(emission: &Emission) -> TokenStream {
         fn rate_by_rank(
             &self, t: S, u: &Self::U, x: &[S; #length], dx: &mut [S; #length]
         ) -> Result<(), Fault> {
-            if rt::System::rate(self, t, u, x, dx).is_good() {
+            if rt::Rate::rate(self, t, u, x, dx).is_good() {
                 Ok(())
             } else {
                 Err(rt::charts::not_regular(self, t, u, x))
@@ -160,8 +164,8 @@ fn in_charts(emission: &Emission) -> TokenStream {
         }
 
         #[inline]
-        fn accept(&self, t: S, u: &mut Self::U, x: &mut [S; #length]) -> Result<rt::Accepted, Fault> {
-            rt::charts::accept(self, t, u, x)
+        fn update(&self, t: S, u: &mut Self::U, x: &mut [S; #length]) -> Result<rt::Updated, Fault> {
+            rt::charts::update(self, t, u, x)
         }
     }
 }
@@ -171,8 +175,8 @@ fn stabilisation(emission: &Emission) -> TokenStream {
     let Sizes { length, .. } = &emission.sizes;
     match emission.model.stabilisation {
         Stabilisation::Projection => quote! {
-            fn settle(&self, t: S, x: &mut [S; #length]) -> Result<(), Fault> {
-                absolute::settle_state::<S, Self, NQ, NC, #length>(self, t, x)
+            fn project(&self, t: S, x: &mut [S; #length]) -> Result<(), Fault> {
+                absolute::project_state::<S, Self, NQ, NC, #length>(self, t, x)
             }
 
             fn drift(&self, t: S, x: &[S; #length]) -> rt::Drift<S> {
@@ -203,34 +207,11 @@ fn knows_time(emission: &Emission) -> bool {
 }
 
 /// The chart that is taken first, on a rung above 5.
-fn first<'a>(emission: &'a Emission) -> Option<&'a Chart> {
+pub(super) fn first<'a>(emission: &'a Emission) -> Option<&'a Chart> {
     match emission.form {
         Form::Absolute => None,
         Form::Tree(chart) => Some(chart),
         Form::Loops(reduced) => reduced.first(),
-    }
-}
-
-/// Sizes for absolute tolerances: the scene's length for displacements, one radian for angles, both per second for
-/// rates, one of the unit that it is declared in for a state.
-fn typical(emission: &Emission) -> TokenStream {
-    let Emission { equations, model, report, .. } = emission;
-    let angles: Vec<bool> = match first(emission) {
-        Some(chart) => chart.turning.iter().map(Option::is_some).collect_vec(),
-        None => (0..equations.q.len()).map(|k| k % 3 == 2).collect_vec(),
-    };
-    let coordinates = angles.iter().chain(&angles).map(|angle| if *angle { 1.0 } else { report.length });
-    let states = model.states.iter().map(|state| state.unit.factor.to_f64());
-    let sizes: Vec<String> = coordinates.chain(states).map(|size| format!("{size:?}")).collect_vec();
-    match sizes.as_slice() {
-        [first, .., _] if sizes.iter().all(|size| size == first) => {
-            let (first, count) = (emission.text(first), number(sizes.len()));
-            quote!([#first; #count])
-        }
-        _ => {
-            let sizes = emission.list(sizes);
-            quote!([#sizes])
-        }
     }
 }
 

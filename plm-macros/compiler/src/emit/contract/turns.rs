@@ -73,15 +73,15 @@ fn in_state(emission: &Emission) -> Option<TokenStream> {
     Some(all_places(emission, &chart.turning))
 }
 
-/// `accept` of what has no charts.
-pub(super) fn accept(emission: &Emission) -> Option<TokenStream> {
+/// `update` of what has no charts.
+pub(super) fn update(emission: &Emission) -> Option<TokenStream> {
     let Sizes { length, .. } = &emission.sizes;
     let places = are_counted(emission).then(|| in_state(emission)).flatten()?;
     Some(quote! {
         #[inline]
-        fn accept(&self, _t: S, u: &mut Self::U, x: &mut [S; #length]) -> Result<rt::Accepted, Fault> {
+        fn update(&self, _t: S, u: &mut Self::U, x: &mut [S; #length]) -> Result<rt::Updated, Fault> {
             let turned = rt::turns::unwind(&mut u.turns, x, #places);
-            Ok(rt::Accepted { turned, ..Default::default() })
+            Ok(rt::Updated { turned, ..Default::default() })
         }
     })
 }

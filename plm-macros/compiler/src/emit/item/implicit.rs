@@ -35,7 +35,7 @@ pub(crate) fn linearly_implicit(emission: &Emission) -> TokenStream {
             fn step_linearly_implicit(
                 &self, t: S, u: &Held<S>, x: &mut [S; #length], h: S
             ) -> Result<rt::Health<S>, Fault> {
-                use rt::lanes::Rate;
+                use rt::Rate;
                 use rt::method::Ros34Pw2Formula as Formula;
                 let zero = [S::lit(0.0); #length];
                 let mut dx = zero;
@@ -141,12 +141,12 @@ fn by_matrix(emission: &Emission) -> TokenStream {
             fn step_linearly_implicit(
                 &self, t: S, u: &Held<S>, x: &mut [S; #length], h: S
             ) -> Result<rt::Health<S>, Fault> {
-                use rt::lanes::Rate;
+                use rt::Rate;
                 use rt::linalg::Derivatives;
                 use rt::method::Ros34Pw2Formula as Formula;
                 let (mut by_x, mut by_t) = (<[[S; #length]; #length]>::zeros(), [S::lit(0.0); #length]);
                 let mut health = rt::Linear::jacobian(self, t, u, x, &mut by_x, Some(&mut by_t));
-                let freedom = <Self as rt::System>::NQ;
+                let freedom = <Self as rt::Rate>::NQ;
                 let resolvent = by_x.resolvent(Formula::lambda(h), freedom);
                 let resolvent = resolvent.ok_or_else(|| rt::step::singular(t, #length))?;
                 let rates = |_, t, x: &[S; #length], k: &mut [S; #length]| {

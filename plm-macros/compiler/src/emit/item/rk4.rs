@@ -30,7 +30,7 @@ pub(super) fn rk4(emission: &Emission) -> TokenStream {
     } else {
         let formula = formula(emission, |[t, x, k, _]| format!("self.rate({t}, u, {x}, &mut {k})"));
         quote! {
-            use rt::lanes::Rate;
+            use rt::Rate;
             #formula
         }
     };

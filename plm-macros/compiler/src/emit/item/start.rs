@@ -268,7 +268,8 @@ fn holding(emission: &Emission) -> TokenStream {
 /// From the assembled pose to the state, and the sides of conditions that apply there.
 fn begin(emission: &Emission) -> TokenStream {
     let model = emission.model;
-    let pass = (!model.switches.is_empty()).then(|| quote!(rt::System::pass(self, t, &mut held, &mut x)?;));
+    let pass = (!model.switches.is_empty())
+        .then(|| quote!(rt::Events::switch_at_time(self, t, &mut held, &mut x)?;));
     let switch =
         (model.guards() > 0).then(|| quote!(rt::events::switch_where_due(self, t, &mut held, &mut x)?;));
     let mut repeats = None;
@@ -287,7 +288,7 @@ fn begin(emission: &Emission) -> TokenStream {
             });
             quote!(rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);)
         }
-        Form::Tree(_) => quote!(self.project(t, &assembly.q, &assembly.v, &mut x);),
+        Form::Tree(_) => quote!(self.to_chart(t, &assembly.q, &assembly.v, &mut x);),
         Form::Absolute => quote!(absolute::join(&assembly.q, &assembly.v, &mut x);),
     };
     quote! {

@@ -72,7 +72,7 @@ fn semi_implicit_euler(emission: &Emission) -> TokenStream {
             fn step_semi_implicit_euler(
                 &self, t: S, u: &Held<S>, x: &mut [S; #length], h: S
             ) -> rt::Health<S> {
-                use rt::lanes::Rate;
+                use rt::Rate;
                 let [#(#names),*] = *x;
                 let mut k = [S::lit(0.0); #length];
                 let health = self.rate(t, u, x, &mut k);

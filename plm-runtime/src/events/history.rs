@@ -21,11 +21,11 @@ pub(crate) struct History<M: System> {
     /// of fixed length, a state around which no guard can come to zero (`events::calm`).
     pub(crate) beginning: Option<Beginning<M>>,
     /// How many steps each state has limited, where they are counted.
-    pub(super) counts: Option<M::X>,
+    pub(crate) counts: Option<M::X>,
 }
 
 impl<M: System<S: Real>> History<M> {
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { beginning: None, counts: None }
     }
 

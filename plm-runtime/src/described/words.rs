@@ -1,14 +1,15 @@
-//! A simulation as words.
+//! Mechanisms and simulations as words.
 
-use super::Sim;
-use crate::described::Described;
+use super::Described;
 use crate::mechanism::Moment;
 use crate::method::Method;
 use crate::ports::Ports;
 use crate::scalar::Scalar;
+use crate::sim::Sim;
+use crate::start::StartValues as _;
 use crate::statics::Statics;
 use crate::system::System;
-use crate::words::{InWords, Words, mechanism};
+use crate::words::{InWords, Words};
 
 /// Shows everything that decides how a run goes on, in this order: parameters and start values; inputs; what is held; time and
 /// state; the method; conditions; limits; the clock. What was counted ([`stats`](Sim::stats)) and the last step, for states
@@ -22,7 +23,7 @@ where
         self.state = {
             let (state, mut held) = (&self.state, self.state.held());
             let (mut own, mut time, mut x) = (*state.mechanism(), state.time(), *state.x());
-            mechanism(&mut own, words);
+            mechanism_in_words(&mut own, words);
             for index in 0..<M as Ports>::INPUTS.len() {
                 if let Some(input) = M::input(M::inputs(&mut held), index) {
                     words.number(input);
@@ -42,4 +43,17 @@ where
         words.flag(&mut self.changed);
         words.word(&mut self.parameters);
     }
+}
+
+/// Shows the parameters of a mechanism and its start values with their locks.
+pub fn mechanism_in_words<M: Described + Statics>(mechanism: &mut M, words: &mut impl Words) {
+    for index in 0..M::TABLES.parameters.len() {
+        if let Some(parameter) = mechanism.parameter_mut(index) {
+            words.number(parameter);
+        }
+    }
+    mechanism.starts_mut().each(&mut |_, start| {
+        words.number(&mut start.value);
+        words.flag(&mut start.locked);
+    });
 }

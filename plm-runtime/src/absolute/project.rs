@@ -18,7 +18,7 @@ const ITERATIONS: usize = 12;
 ///
 /// # Errors
 /// [`Cause::Drift`] if they stay above 1e-10 of the mechanism's size (and speed), [`Cause::Workspace`].
-pub fn settle<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+pub fn project<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
     q: &mut [S; NQ],
@@ -40,17 +40,17 @@ pub fn settle<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>
     Ok(())
 }
 
-/// [`settle`] for a state [q, v, first-order states].
+/// [`project`] for a state [q, v, first-order states].
 ///
 /// # Errors
-/// As [`settle`].
-pub fn settle_state<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize, const NX: usize>(
+/// As [`project`].
+pub fn project_state<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize, const NX: usize>(
     m: &M,
     t: S,
     x: &mut [S; NX],
 ) -> Result<(), Fault> {
     let (mut q, mut v) = split(x);
-    settle(m, t, &mut q, &mut v)?;
+    project(m, t, &mut q, &mut v)?;
     join(&q, &v, x);
     Ok(())
 }

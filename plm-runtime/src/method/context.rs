@@ -1,0 +1,113 @@
+//! Integration context: what methods read and write on their way through an interval.
+
+use super::not_finite;
+use crate::fault::{Cause, Fault};
+use crate::scalar::{Real, Scalar};
+use crate::stats::Stats;
+use crate::system::{Health, Rate, Step, System};
+use crate::vector::Vector;
+
+/// Integration context: a state on its way through an interval.
+pub struct Context<'a, M: System> {
+    /// The equations.
+    pub system: &'a M,
+    /// What is held over the step: inputs, chart, branches.
+    pub held: M::U,
+    /// The time reached, s.
+    pub time: M::S,
+    /// The state reached.
+    pub x: M::X,
+    /// The end of the interval, s.
+    pub end: M::S,
+    /// What was done so far.
+    pub stats: &'a mut Stats,
+    /// The longest step so far, s.
+    pub longest_step: &'a mut M::S,
+    /// The smallest pivot ratio of the rates since the last step was accepted, [`Health`].
+    pub health: M::S,
+    /// Steps are made without what the mechanism's own coordinates need, until this time at least.
+    pub(crate) rescued: Option<M::S>,
+    /// Steps that had been tried before the interval.
+    before: u64,
+}
+
+impl<'a, M: System> Context<'a, M> {
+    /// A state at a time, on its way to `end`.
+    pub fn new(
+        (system, held): (&'a M, M::U),
+        (time, x): (M::S, M::X),
+        end: M::S,
+        (stats, longest_step): (&'a mut Stats, &'a mut M::S),
+    ) -> Self {
+        let before = stats.steps + stats.rejected;
+        Self {
+            system,
+            held,
+            time,
+            x,
+            end,
+            stats,
+            longest_step,
+            health: M::S::lit(1.0),
+            rescued: None,
+            before,
+        }
+    }
+
+    /// Accepts a step of `h` to a time and state.
+    #[inline]
+    pub(super) fn reach(&mut self, time: M::S, h: M::S, x: M::X)
+    where
+        M::S: Real,
+    {
+        self.stats.steps += 1;
+        *self.longest_step = self.longest_step.max(h);
+        (self.time, self.x) = (time, x);
+    }
+
+    /// Has the interval taken more steps than it may?
+    pub(crate) fn check_steps(&self, most: u64) -> Result<(), Fault> {
+        let tried = self.stats.steps + self.stats.rejected - self.before;
+        if tried < most { Ok(()) } else { Err(self.fault(Cause::TooManySteps { steps: most })) }
+    }
+
+    /// The step to the state reached.
+    pub(crate) fn step<'s>(&'s self, from: (M::S, &'s M::X)) -> Step<'s, M> {
+        let to = (self.time, &self.x);
+        Step { system: self.system, held: &self.held, from, to, health: self.health }
+    }
+
+    /// A fault at the time reached.
+    pub(crate) fn fault(&self, cause: Cause) -> Fault {
+        Fault::new(self.time.to_f64(), cause)
+    }
+
+    /// The rate at `(t, x)`, by rank where it is unhealthy.
+    pub(crate) fn rate(&mut self, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
+        self.stats.evaluations += 1;
+        let health = rate((self.system, &self.held), t, x, dx);
+        self.health = self.health.min(health.0);
+        if health.is_good() {
+            return Ok(());
+        }
+        // What is not a number makes every matrix look singular; it is named for what it is.
+        if !x.is_finite() {
+            return Err(not_finite(self.system, t, x));
+        }
+        let outcome = self.system.rate_by_rank(t, &self.held, x, dx);
+        self.stats.by_rank += u64::from(outcome.is_ok());
+        outcome
+    }
+
+    /// Projects a state onto the constraints.
+    pub(crate) fn project(&mut self, t: M::S, x: &mut M::X) -> Result<(), Fault> {
+        self.stats.projected += 1;
+        self.system.project(t, x)
+    }
+}
+
+/// The rate where many places ask for it and none waits for it: one copy of its code for all of them.
+#[inline(never)]
+pub(super) fn rate<M: Rate>((system, held): (&M, &M::U), t: M::S, x: &M::X, dx: &mut M::X) -> Health<M::S> {
+    system.rate(t, held, x, dx)
+}

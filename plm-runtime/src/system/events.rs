@@ -1,0 +1,109 @@
+//! Events of a motion: guards, kinks, time events, and what they change.
+
+use crate::fault::{Cause, Fault};
+use crate::scalar::{Real, Scalar};
+use crate::system::Rate;
+use crate::tube::Tube;
+use crate::vector::Vector;
+
+/// Events, at which the discrete state changes and the state may be reset. Without any, `type G = [S; 0]` is all of it.
+pub trait Events: Rate {
+    /// A number for every switching condition; `[S; 0]` costs nothing.
+    type G: Vector<Self::S>;
+
+    /// How far every switching condition is from switching: positive as long as the side of it that `u` holds applies.
+    ///
+    /// Only conditions at which the rate jumps have a guard. A relay that is on down to `low` and off up to `high` gives
+    /// x - low while `u` holds it on, and high - x while `u` holds it off.
+    fn guards(&self, t: Self::S, u: &Self::U, x: &Self::X, g: &mut Self::G) {
+        let _ = (t, u, x, g);
+    }
+
+    /// Commits the event of the condition `index`, whose guard has passed zero: `u` gets the mode that applies from now on, of two or
+    /// more, in which that guard is not negative. The event may reset the state `x`, velocities too; whoever does so brings up to date
+    /// what `u` remembers of it.
+    ///
+    /// # Errors
+    /// When no mode applies: the run ends, and the state is that before the event.
+    fn switch(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X, index: usize) -> Result<(), Fault> {
+        let _ = (t, u, x, index);
+        Ok(())
+    }
+
+    /// A condition switches where its guard passes zero and goes on to below minus this: within the band nothing does.
+    fn band(&self, index: usize) -> Self::S {
+        let _ = index;
+        Self::S::lit(0.0)
+    }
+
+    /// The condition with this index is a requirement: where its guard passes zero the run ends with a fault.
+    fn must_hold(&self, index: usize) -> bool {
+        let _ = index;
+        false
+    }
+
+    /// Why the run ends where the guard with this index passes zero in a step, if it does: at a pole, at the end of a domain.
+    fn end(&self, index: usize) -> Option<Cause> {
+        let _ = index;
+        None
+    }
+
+    /// The first time after `t` at which the rate is known to jump or to bend; steps end there.
+    fn next_time_event(&self, t: Self::S, u: &Self::U) -> Option<Self::S> {
+        let _ = (t, u);
+        None
+    }
+
+    /// Commits the time event at a time that was reached, or that a parameter has moved: `u` gets the modes that apply from now on.
+    /// It may reset the state, as [`switch`](Self::switch).
+    ///
+    /// # Errors
+    /// As [`switch`](Self::switch).
+    fn switch_at_time(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X) -> Result<(), Fault> {
+        let _ = (t, u, x);
+        Ok(())
+    }
+
+    /// Number of kinks: numbers at whose zeros the rate has a corner; a step ends there if that matters.
+    const KINKS: usize = 0;
+
+    /// Gives each of these numbers with its index.
+    fn kinks(&self, t: Self::S, u: &Self::U, x: &Self::X, each: &mut impl FnMut(usize, Self::S)) {
+        let _ = (t, u, x, each);
+    }
+
+    /// Guards over an interval, and kinks behind them: gives each with its index, for a time and components of the state that move. False if
+    /// a system cannot, and then conditions that last shorter than a small part of a step can be missed.
+    fn guards_within(
+        &self,
+        t: Tube<Self::S>,
+        u: &Self::U,
+        x: &impl Fn(usize) -> Tube<Self::S>,
+        each: &mut impl FnMut(usize, Tube<Self::S>),
+    ) -> bool
+    where
+        Self::S: Real,
+    {
+        let _ = (t, u, x, each);
+        false
+    }
+
+    /// Some conditions or kinks matter only while others have a certain side, as [`matters`](Self::matters) tells; of 64 sides at
+    /// most.
+    const SELECTIVE: bool = false;
+
+    /// Would the rate be another function if the condition `index` had its other side than `u` holds, or can it be so if those
+    /// other conditions change theirs whose bits are set in `unknown`? What does not matter is not located. Its side is brought up
+    /// to date behind every step, so that it is right when it comes to matter. Kinks follow behind the conditions.
+    fn matters(&self, u: &Self::U, index: usize, unknown: u64) -> bool {
+        let _ = (u, index, unknown);
+        true
+    }
+
+    /// A jump that the discrete state demands: of rows whose condition has another side in `after` than in `u`; without that, of
+    /// rows at whose boundary the state is.
+    fn jump(&self, t: Self::S, u: &Self::U, x: &Self::X, after: Option<&Self::U>) -> Option<Fault> {
+        let _ = (t, u, x, after);
+        None
+    }
+}

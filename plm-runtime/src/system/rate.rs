@@ -1,0 +1,59 @@
+//! Equations of motion: the rate of the state.
+
+use crate::scalar::Scalar;
+use crate::system::Health;
+use crate::vector::Vector;
+
+/// Equations of motion x' = f(t, u, x), for any numbers: `f32`, `f64`, dual numbers, lanes.
+pub trait Rate {
+    /// The numbers it computes with.
+    type S: Scalar;
+    /// The state and its rate: [q (NQ), v (NQ), first-order states], SI units.
+    type X: Vector<Self::S>;
+    /// The discrete state, which changes at events and between steps alone: the inputs, the modes of the conditions, and what the
+    /// formulation remembers (its chart, the branch of each loop). The rate is smooth in time and state as long as it stays.
+    type U: Copy + PartialEq;
+
+    /// Number of coordinates; the first `NQ` rates are the velocities: q' = v.
+    const NQ: usize;
+    /// The rate is so short that it pays to copy it into every stage of a method. Not that of several lanes, which has work
+    /// enough while it waits.
+    const SHORT: bool = false;
+
+    /// The rate `dx` of the state, as straight-line code without pivoting.
+    fn rate(&self, t: Self::S, u: &Self::U, x: &Self::X, dx: &mut Self::X) -> Health<Self::S>;
+
+    /// It pays to compute what depends on the poses of two stages alone side by side, by [`rate_pair`](Self::rate_pair).
+    const PAIRED: bool = false;
+
+    /// Two rates in a row: that at `x[0]`, and that at the state which `second` makes of it; the positions of the latter are
+    /// those of `x[1]`. To the bit the same as one by one.
+    #[inline]
+    fn rate_pair(
+        &self,
+        t: [Self::S; 2],
+        u: &Self::U,
+        x: [&Self::X; 2],
+        dx: &mut [Self::X; 2],
+        second: impl FnOnce(&Self::X) -> Self::X,
+    ) -> Health<Self::S> {
+        let ([t, later], [x, _], [first, last]) = (t, x, dx);
+        let health = self.rate(t, u, x, first);
+        health.worst(self.rate(later, u, &second(first), last))
+    }
+
+    /// Typical size of each state; with the relative tolerance it gives the absolute one: atol = rtol * typical.
+    #[inline]
+    fn typical(&self) -> Self::X {
+        Self::X::fill(Self::S::lit(1.0))
+    }
+}
+
+/// A rate out of line: states are copied, so that the caller's stay in registers.
+#[cold]
+#[inline(never)]
+pub fn rate_aside<M: Rate>(system: &M, t: M::S, u: &M::U, x: M::X) -> (M::X, Health<M::S>) {
+    let mut dx = x;
+    let health = system.rate(t, u, &x, &mut dx);
+    (dx, health)
+}
