@@ -28,7 +28,7 @@ plm::mechanism! {
 
 plm::mechanism! {
     pub FourBar {
-        rung: absolute;
+        formulation: absolute;
         param span: m = 0.4 m; param a: m = 0.1 m; param b: m = 0.4 m; param c: m = 0.3 m; param q: rad = 1 rad;
         ground { port o: (0, 0) m; port p: (span, 0); }
         body crank { mass: 1 kg; inertia: 1 kg*m^2; port a: (0, 0) m; port b: (a, 0); start angle: q, locked; }

@@ -154,13 +154,13 @@ fn to_graze_a_boundary_is_no_end_of_a_run() {
     }
 }
 
-/// A four-bar whose rocker counts the time in a window of 0.2 mrad, on every rung.
+/// A four-bar whose rocker counts the time in a window of 0.2 mrad, in every formulation.
 macro_rules! counted {
-    ($rung:ident) => {
-        mod $rung {
+    ($formulation:ident) => {
+        mod $formulation {
             plm::mechanism! {
                 pub Counted {
-                    rung: $rung;
+                    formulation: $formulation;
                     ground { port a: (0, 0) m; port d: (1, 0) m; }
                     body crank { mass: 0.3 kg; inertia: 0.00225 kg*m^2; port a: (-0.15, 0) m; port b: (0.15, 0) m; start angle: 60 deg, locked; start omega: 7 rad/s, locked; }
                     body coupler { mass: 0.9 kg; inertia: 0.06075 kg*m^2; port b: (-0.45, 0) m; port c: (0.45, 0) m; start angle: 30 deg; }
@@ -182,12 +182,12 @@ counted!(loops);
 counted!(absolute);
 
 macro_rules! windows {
-    ($rung:ident, $interval:expr) => {{
-        let mut sim = $rung::Counted::new().start_with(Dop853::new(1e-10)).unwrap();
+    ($formulation:ident, $interval:expr) => {{
+        let mut sim = $formulation::Counted::new().start_with(Dop853::new(1e-10)).unwrap();
         for _ in 0..(5.0_f64 / $interval).round() as u32 {
             sim.step($interval).unwrap();
         }
-        println!("{} {} {:?}", stringify!($rung), $interval, sim.stats());
+        println!("{} {} {:?}", stringify!($formulation), $interval, sim.stats());
         (sim.stats().switches, sim.inside())
     }};
 }

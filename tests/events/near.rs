@@ -37,7 +37,7 @@ rhomb!(least, {
     rate area = max(left.angle - edge, 0);
     output area;
 });
-rhomb!(absolute, { rung: absolute; });
+rhomb!(absolute, { formulation: absolute; });
 
 /// At the end of a run with the edge at `PI + off`: the simulation, and how long it should have been past the edge.
 macro_rules! run {
@@ -65,12 +65,12 @@ fn conditions_switch_near_a_flat_pose_where_they_should() {
 }
 
 macro_rules! cranks {
-    ($module:ident: $($rung:tt)*) => {
+    ($module:ident: $($formulation:tt)*) => {
         mod $module {
             plm::mechanism! {
                 /// A parallelogram of 2 m by 0.5 m whose right crank may be longer, so that it comes next to flat or not.
                 pub Cranks {
-                    $($rung)*
+                    $($formulation)*
                     param by: m = 0 m;
                     param left_mass: kg = 1 kg;
                     param top_mass: kg = 1 kg;
@@ -93,7 +93,7 @@ macro_rules! cranks {
 }
 
 cranks!(by_loop:);
-cranks!(by_rows: rung: absolute;);
+cranks!(by_rows: formulation: absolute;);
 
 /// Ends of runs of 5 s, with the energy that is lost, the steps near singular poses and the right crank.
 macro_rules! turn {

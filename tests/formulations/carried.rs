@@ -2,15 +2,15 @@
 
 use plm::{Dop853, Rk4, Stabilise as _};
 
-use super::rungs::{close, values};
+use super::formulations::{close, values};
 
 /// A four-bar that a jack holds, on a stick whose torque drives it away from where it stands.
 macro_rules! stick {
-    ($rung:ident) => {
-        pub(super) mod $rung {
+    ($formulation:ident) => {
+        pub(super) mod $formulation {
             plm::mechanism! {
                 pub Stick {
-                    rung: $rung;
+                    formulation: $formulation;
                     param growth: N*m/rad = 1e5 N*m/rad;
                     ground { port o: (0, 0) m; }
                     body stick { mass: 800 kg; inertia: 2000 kg*m^2; port pin: (0, 0) m; port tip: (2.4, 0) m; port rocker: (2.0, 0) m; port cyl: (0.5, 0.4) m; start angle: 0 deg, locked; }
@@ -62,11 +62,11 @@ fn a_loop_follows_the_body_that_carries_it() {
 
 /// The arm of an excavator on its jacks, which controllers hold at their lengths.
 macro_rules! excavator {
-    ($rung:ident) => {
-        pub(super) mod $rung {
+    ($formulation:ident) => {
+        pub(super) mod $formulation {
             plm::mechanism! {
                 pub Excavator {
-                    rung: $rung;
+                    formulation: $formulation;
                     /// A jack that is held at a length.
                     part servo(a: frame, b: frame) {
                         param target: m = 1 m;

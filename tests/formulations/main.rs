@@ -3,10 +3,10 @@
 #![allow(clippy::excessive_precision, reason = "references are written as they were published")]
 
 mod carried;
+mod formulations;
 mod limits;
 mod newton;
 #[path = "../support/random.rs"]
 mod random;
 mod reactions;
 mod redundant;
-mod rungs;

@@ -9,12 +9,12 @@ use crate::standard::{s5, s6};
 use crate::{agree, agree_with, unchanged};
 
 macro_rules! nearly_flat {
-    ($module:ident: $($rung:tt)*) => {
+    ($module:ident: $($formulation:tt)*) => {
         mod $module {
             plm::mechanism! {
                 /// A parallelogram whose rocker is a little longer: it comes near to two flat poses a turn.
                 pub NearlyFlat {
-                    $($rung)*
+                    $($formulation)*
                     gravity: 9.81 m/s^2;
                     param longer: m = 0 m;
                     param damping: N*m*s/rad = 0.01 N*m*s/rad;
@@ -54,7 +54,7 @@ macro_rules! nearly_flat {
 }
 
 nearly_flat!(by_loop:);
-nearly_flat!(by_rows: rung: absolute;);
+nearly_flat!(by_rows: formulation: absolute;);
 
 /// Eight of them, each as long or longer, as fast and as damped as chance says.
 macro_rules! nearly_flat_ones {

@@ -10,7 +10,7 @@ mod plm_arm_on_jack_ {
     /// The arm of the manual, section 3.2.1.
     ///
     /// 1 bodies, 9 parts: 3 coordinates, 2 constraint rows, F = 3 N - M = 1.
-    /// Rung 2: joint coordinates; the joints make a tree, so that no constraint is left.
+    /// Formulation 2: joint coordinates; the joints make a tree, so that no constraint is left.
     /// Coordinates: arm.angle.
     /// Accelerations by a dense mass matrix.
     /// State: 10 numbers, 80 bytes in f64.

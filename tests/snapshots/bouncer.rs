@@ -10,7 +10,7 @@ mod plm_bouncer_ {
     /// A block that is pushed back to the middle, a spring that does not pull, and a clock: conditions of the state and of the time.
     ///
     /// 2 bodies, 5 parts: 6 coordinates, 4 constraint rows, F = 3 N - M = 2.
-    /// Rung 2: joint coordinates; the joints make a tree, so that no constraint is left.
+    /// Formulation 2: joint coordinates; the joints make a tree, so that no constraint is left.
     /// Coordinates: rail.displacement, other.displacement.
     /// Accelerations by a dense mass matrix.
     /// State: 4 numbers, 32 bytes in f64.

@@ -10,7 +10,7 @@ mod plm_chain_ {
     /// A chain of five bars: elimination body by body.
     ///
     /// 5 bodies, 5 parts: 15 coordinates, 10 constraint rows, F = 3 N - M = 5.
-    /// Rung 2: joint coordinates; the joints make a tree, so that no constraint is left.
+    /// Formulation 2: joint coordinates; the joints make a tree, so that no constraint is left.
     /// Coordinates: bar[0].angle, bar[1].angle, bar[2].angle, bar[3].angle, bar[4].angle.
     /// Accelerations by a dense mass matrix.
     /// State: 10 numbers, 80 bytes in f64.

@@ -10,7 +10,7 @@ mod plm_double_pendulum_ {
     /// The double pendulum of the manual, section 2.2.
     ///
     /// 2 bodies, 2 parts: 6 coordinates, 4 constraint rows, F = 3 N - M = 2.
-    /// Rung 2: joint coordinates; the joints make a tree, so that no constraint is left.
+    /// Formulation 2: joint coordinates; the joints make a tree, so that no constraint is left.
     /// Coordinates: arm.angle, forearm.angle.
     /// Accelerations by a dense mass matrix.
     /// State: 4 numbers, 32 bytes in f64.

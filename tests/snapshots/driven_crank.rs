@@ -10,7 +10,7 @@ mod plm_driven_crank_ {
     /// A crank that turns as it is told, on a ground that shakes: nothing is left to integrate.
     ///
     /// 3 bodies, 5 parts: 9 coordinates, 9 constraint rows, F = 3 N - M = 0.
-    /// Rung 1: kinematics; no freedom is left, and the motion follows from the time alone.
+    /// Formulation 1: kinematics; no freedom is left, and the motion follows from the time alone.
     /// Chart 0: none; then given crank.angle; RRP rod.angle, guide.displacement.
     /// State: 0 numbers, 0 bytes in f64.
     /// A solution by rank, where one is needed: 1296 bytes of stack in f64.

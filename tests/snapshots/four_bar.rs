@@ -10,7 +10,7 @@ mod plm_four_bar_ {
     /// Four-bar linkage: its loop is a dyad, solved in closed form in several charts.
     ///
     /// 3 bodies, 4 parts: 9 coordinates, 8 constraint rows, F = 3 N - M = 1.
-    /// Rung 3: joint coordinates; the loops are solved in closed form, so that no constraint is left.
+    /// Formulation 3: joint coordinates; the loops are solved in closed form, so that no constraint is left.
     /// Chart 0: crank.angle; then RRR rocker.angle, coupler.angle.
     /// Chart 1: rocker.angle; then RRR crank.angle, coupler.angle.
     /// Chart 2: coupler.angle; then RRR crank.angle, rocker.angle.

@@ -85,7 +85,7 @@ nearly_parallel!(
 );
 nearly_parallel!(
     /// In absolute coordinates.
-    NearlyParallelAbsolute, nearly_parallel_absolute { rung: absolute; }
+    NearlyParallelAbsolute, nearly_parallel_absolute { formulation: absolute; }
 );
 
 plm::mechanism! {

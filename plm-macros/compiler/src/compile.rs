@@ -115,7 +115,7 @@ fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnos
 
     let scene = Scene::declared(&model, &equations, &program.absolute);
     check::check_pairs(&scene, sink);
-    check::check_rung(&model, &program, sink);
+    check::check_formulation(&model, &program, sink);
     check::check_start(&scene, &start, sink);
     sink.allow(&model.allowed);
     let mut report = Report::new(&scene, &program);

@@ -52,8 +52,8 @@ pub struct Model {
     pub precision: Expr,
     /// Acceleration of gravity, absolute axes, m/s^2.
     pub gravity: Vec2,
-    /// The rung that the user ordered, and where.
-    pub rung: Option<(Rung, Span)>,
+    /// The formulation that the user ordered, and where.
+    pub formulation: Option<(Formulation, Span)>,
     /// How the user ordered that repetitions are written.
     pub repetitions: Option<Repetitions>,
     /// How constraints are kept.
@@ -133,30 +133,30 @@ pub enum Stabilisation {
     Baumgarte(Expr),
 }
 
-/// Rungs of the ladder of formulations that can be ordered.
+/// Formulations that a declaration can order. The numbers are those of the report, from 1 (kinematics) to 5.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rung {
-    /// Rung 2: joint coordinates of a tree.
+pub enum Formulation {
+    /// Joint coordinates of a tree: formulation 2.
     Tree,
-    /// Rung 3: loops in closed form; rung 4 where they have none, rung 2 where there are none.
+    /// Joint coordinates with loops in closed form, 3, or by Newton's iteration, 4; without loops formulation 2.
     Loops,
-    /// Rung 5: absolute coordinates and multipliers.
+    /// Absolute coordinates and multipliers: formulation 5.
     Absolute,
 }
 
-impl Rung {
-    /// The rungs as the language names them.
-    pub const NAMES: [(&'static str, Rung); 3] =
-        [("tree", Rung::Tree), ("loops", Rung::Loops), ("absolute", Rung::Absolute)];
+impl Formulation {
+    /// Names in the language.
+    pub const NAMES: [(&'static str, Formulation); 3] =
+        [("tree", Formulation::Tree), ("loops", Formulation::Loops), ("absolute", Formulation::Absolute)];
 
     /// Its name in the language.
     pub fn name(self) -> &'static str {
-        Rung::NAMES.iter().find(|known| known.1 == self).map_or("", |known| known.0)
+        Formulation::NAMES.iter().find(|known| known.1 == self).map_or("", |known| known.0)
     }
 
-    /// The rung of a name.
-    pub fn named(name: &str) -> Option<Rung> {
-        Rung::NAMES.iter().find(|known| known.0 == name).map(|known| known.1)
+    /// The formulation of that name.
+    pub fn named(name: &str) -> Option<Formulation> {
+        Formulation::NAMES.iter().find(|known| known.0 == name).map(|known| known.1)
     }
 }
 

@@ -5,22 +5,22 @@
 mod branch;
 mod feedback;
 mod finite;
+mod formulation;
 mod jumps;
 mod names;
 mod pairs;
 mod positive;
 mod reach;
-mod rung;
 mod size;
 mod start;
 mod verdict;
 
 pub(crate) use branch::check_branches;
 pub(crate) use feedback::check_feedback;
+pub(crate) use formulation::check_formulation;
 pub(crate) use jumps::check_jumps;
 pub(crate) use names::check_names;
 pub(crate) use pairs::check_pairs;
 pub(crate) use reach::check_reach;
-pub(crate) use rung::check_rung;
 pub(crate) use size::check_size;
 pub(crate) use start::check_start;

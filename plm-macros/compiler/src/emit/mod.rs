@@ -59,7 +59,7 @@ pub(crate) struct Emission<'a> {
 /// What the numbers of the state are.
 #[derive(Clone, Copy)]
 enum Form<'a> {
-    /// Coordinates of all bodies: rung 5.
+    /// Coordinates of all bodies: formulation 5.
     Absolute,
     /// Joint coordinates of a tree.
     Tree(&'a Chart),
@@ -266,7 +266,7 @@ impl Emission<'_> {
         [declared.map(|memory| quote!(m: &#memory,)), self.loops().map(|_| quote!(m,))]
     }
 
-    /// Accelerations and multipliers of a tree; where there are none, rung 5 gives them.
+    /// Accelerations and multipliers of a tree; where there are none, formulation 5 gives them.
     fn reactions(&self) -> Option<&Function> {
         match self.form {
             Form::Tree(chart) => chart.reactions.as_ref(),

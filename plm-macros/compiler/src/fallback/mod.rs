@@ -59,7 +59,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         agreement: Expr::symbol("agreement"),
         precision: Expr::symbol("precision"),
         gravity: Vec2::ZERO,
-        rung: None,
+        formulation: None,
         repetitions: None,
         steps: steps(&mechanism.items),
         stabilisation: Stabilisation::Projection,

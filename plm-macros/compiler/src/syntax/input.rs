@@ -257,6 +257,15 @@ impl<'a> Input<'a> {
         RefMut::map(self.reading.sink.borrow_mut(), |sink| sink.error(code, span, message))
     }
 
+    pub(super) fn warning(
+        self,
+        code: Code,
+        span: Span,
+        message: impl Into<String>,
+    ) -> RefMut<'a, Diagnostic> {
+        RefMut::map(self.reading.sink.borrow_mut(), |sink| sink.warning(code, span, message))
+    }
+
     pub(super) fn has_errors(self) -> bool {
         self.reading.sink.borrow().has_errors()
     }

@@ -7,7 +7,7 @@
 //!              | docs "domain" NAME "{" "across" NAME ":" unit ";" { "through" NAME ":" unit ";" } "}"
 //!
 //! item := "gravity" ":" expr ";"                                    in a mechanism
-//!       | "rung" ":" ("tree" | "loops" | "absolute") ";"
+//!       | "formulation" ":" ("tree" | "loops" | "absolute") ";"
 //!       | "stabilisation" ":" ("projection" | "baumgarte" ["(" expr ")"]) ";"
 //!       | "code" ":" ("rolled" | "unrolled") ";"
 //!       | "emit" ":" "step" "(" NAME { "," NAME } ")" ";"

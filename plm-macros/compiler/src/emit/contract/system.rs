@@ -115,7 +115,7 @@ fn names_in_charts(emission: &Emission) -> TokenStream {
     }
 }
 
-/// The rate of rung 5 where elimination is unhealthy.
+/// The rate of formulation 5 where elimination is unhealthy.
 fn by_rank(emission: &Emission) -> TokenStream {
     let Sizes { nq, nx, length, .. } = &emission.sizes;
     let first_order = (!emission.equations.x.is_empty()).then(|| {
@@ -166,7 +166,7 @@ fn in_charts(emission: &Emission) -> TokenStream {
     }
 }
 
-/// How the constraints of rung 5 are kept.
+/// How the constraints of formulation 5 are kept.
 fn stabilisation(emission: &Emission) -> TokenStream {
     let Sizes { length, .. } = &emission.sizes;
     match emission.model.stabilisation {
@@ -202,7 +202,7 @@ fn knows_time(emission: &Emission) -> bool {
     algebra::symbols(&roots).contains(&model.time)
 }
 
-/// The chart that is taken first, on a rung above 5.
+/// The chart that is taken first, in joint coordinates.
 fn first<'a>(emission: &'a Emission) -> Option<&'a Chart> {
     match emission.form {
         Form::Absolute => None,

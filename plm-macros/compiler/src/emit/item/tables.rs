@@ -35,14 +35,14 @@ pub(crate) fn tables(emission: &Emission, figures: &Figures) -> TokenStream {
     let (bodies, ground) = (bodies(emission, figures), ground(emission, figures));
     let (parts, outputs) = (parts(emission, figures), emission.lines(outputs(emission)));
     let reads = emission.lines(reads(model).iter().map(|row| reads_row(row.as_ref())));
-    let (rung, formulation, reason) =
-        (Literal::u8_unsuffixed(report.taken.rung), &report.taken.formulation, &report.taken.reason);
+    let (number, formulation, reason) =
+        (Literal::u8_unsuffixed(report.taken.number), &report.taken.formulation, &report.taken.reason);
     quote! {
         described::Tables {
             name: #name,
             docs: #docs,
             report: described::Report {
-                rung: #rung,
+                rung: #number,
                 formulation: #formulation,
                 reason: #reason,
                 operations: OPERATIONS,

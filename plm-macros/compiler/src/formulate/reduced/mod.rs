@@ -1,4 +1,4 @@
-//! Rungs 2 to 4: joint coordinates. A tree needs nothing else; the loops of other mechanisms are solved in closed form,
+//! Formulations 2 to 4: joint coordinates. A tree needs nothing else; the loops of other mechanisms are solved in closed form,
 //! dyad by dyad, or by Newton's iteration where they do not split, so that no constraint is left that could drift.
 
 mod bodies;
@@ -45,7 +45,7 @@ const FEW_PAIRS: usize = 4;
 /// ... and partial velocities where it has more; between them both are tried.
 const MANY_PAIRS: usize = 12;
 
-/// Everything that a rung above 5 computes.
+/// All functions of a formulation in joint coordinates.
 pub(crate) struct Reduced {
     /// Choices of coordinates, the best first; a tree has one.
     pub(crate) charts: Vec<Chart>,
@@ -65,7 +65,7 @@ impl Reduced {
         self.charts.first().map_or(0, |chart| chart.y.len())
     }
 
-    /// Is it rung 3 or 4?
+    /// Is it formulation 3 or 4?
     pub(crate) fn has_loops(&self) -> bool {
         !self.memory.is_empty()
     }
@@ -80,7 +80,7 @@ impl Reduced {
         self.charts.iter().all(|chart| chart.jacobian.is_some())
     }
 
-    /// Is it rung 4?
+    /// Is it formulation 4?
     pub(crate) fn iterates(&self) -> bool {
         !self.followed.is_empty()
     }
@@ -143,10 +143,10 @@ struct Form {
     rate: Function,
 }
 
-/// Lays out rung 1, 2 or 3.
+/// Lays out formulation 1, 2 or 3.
 ///
 /// # Errors
-/// Why the mechanism has neither: words that go on "rung 5 because …".
+/// Why the mechanism has neither: words that go on "formulation 5 because …".
 pub(crate) fn formulate(model: &Model, equations: &Equations, known: Known) -> Result<Reduced, String> {
     let coordinates = Coordinates::new(model)?;
     let schemes = schemes(model, equations, &coordinates, known)?;

@@ -60,7 +60,7 @@ impl<'a> Resolver<'a> {
             precision: self.calculus.precision,
             gravity: gravity.ok()?,
             stabilisation: stabilisation.ok()?,
-            rung: self.draft.settings.rung,
+            formulation: self.draft.settings.formulation,
             repetitions: self.draft.settings.repetitions.map(|(repetitions, _)| repetitions),
             steps: self.draft.settings.steps.keys().copied().collect(),
             params: params.ok()?,

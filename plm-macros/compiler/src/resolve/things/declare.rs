@@ -33,7 +33,7 @@ impl<'a> Resolver<'a> {
         for item in items {
             match &item.kind {
                 ItemKind::Gravity(value) => self.declare_gravity(scope, item, value),
-                ItemKind::Rung(rung) => self.declare_rung(scope, rung),
+                ItemKind::Formulation(formulation) => self.declare_formulation(scope, formulation),
                 ItemKind::Code(repetitions) => self.declare_code(scope, repetitions),
                 ItemKind::Emit(methods) => self.declare_steps(scope, methods),
                 ItemKind::Stabilisation(method, time) => {

@@ -7,7 +7,7 @@ use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Number};
 
 use crate::diag::Code;
-use crate::model::{Repetitions, Rung, Stabilisation, Step};
+use crate::model::{Formulation, Repetitions, Stabilisation, Step};
 use crate::resolve::Resolver;
 use crate::resolve::names::{ScopeId, SlotId, Thunk};
 use crate::resolve::values::expect::Wanted;
@@ -22,7 +22,7 @@ pub(crate) struct Settings<'a> {
     gravity: Option<SlotId>,
     /// The method and its time constant.
     stabilisation: Option<(&'a Ident, Option<&'a ast::Expr>)>,
-    pub(crate) rung: Option<(Rung, Span)>,
+    pub(crate) formulation: Option<(Formulation, Span)>,
     pub(crate) repetitions: Option<(Repetitions, Span)>,
     /// Steps that the code is to hold, and where they are asked for.
     pub(crate) steps: SortedMap<Step, Span>,
@@ -61,14 +61,19 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// `rung: tree;`
-    pub(crate) fn declare_rung(&mut self, scope: ScopeId, rung: &'a Ident) {
-        if let Some((_, first)) = self.draft.settings.rung {
-            self.said_twice(scope, rung.span, "the rung", first);
-        } else if let Some(known) = Rung::named(&rung.text) {
-            self.draft.settings.rung = Some((known, rung.span));
+    /// `formulation: tree;`
+    pub(crate) fn declare_formulation(&mut self, scope: ScopeId, formulation: &'a Ident) {
+        if let Some((_, first)) = self.draft.settings.formulation {
+            self.said_twice(scope, formulation.span, "the formulation", first);
+        } else if let Some(known) = Formulation::named(&formulation.text) {
+            self.draft.settings.formulation = Some((known, formulation.span));
         } else {
-            self.unknown_option(scope, &rung.text, rung.span, &Rung::NAMES.map_each(|(name, _)| name));
+            self.unknown_option(
+                scope,
+                &formulation.text,
+                formulation.span,
+                &Formulation::NAMES.map_each(|(name, _)| name),
+            );
         }
     }
 

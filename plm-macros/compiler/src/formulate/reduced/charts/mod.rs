@@ -9,7 +9,7 @@ use crate::collect::{CollectVec, PushAll};
 use crate::formulate::reduced::groups::Group;
 use crate::formulate::reduced::groups::newton::MOST_UNKNOWNS;
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
-use crate::model::{Model, Rung};
+use crate::model::{Formulation, Model};
 use crate::sorted::sort_by_key;
 use crate::topology::{Block, Choice, Equation, independent_sets};
 
@@ -46,10 +46,10 @@ impl Scheme {
 /// The charts of a mechanism, the best first; a tree has one, of all its unknowns.
 ///
 /// # Errors
-/// Why there is none: words that go on "rung 5 because …".
+/// Why there is none: words that go on "formulation 5 because …".
 pub(crate) fn schemes(model: &Model, coordinates: &Coordinates) -> Result<Vec<Scheme>, String> {
     let n = coordinates.unknowns.len();
-    if let (Some((Rung::Tree, _)), Some(&chord)) = (model.rung, coordinates.chords.first()) {
+    if let (Some((Formulation::Tree, _)), Some(&chord)) = (model.formulation, coordinates.chords.first()) {
         return Err(format!("`{}` closes a loop", model.parts[coordinates.joints[chord].part].name.text));
     }
     let equations = equations(coordinates);

@@ -123,7 +123,7 @@ impl Coordinates {
     /// The coordinates of a mechanism that is made of pairs.
     ///
     /// # Errors
-    /// Why this mechanism has none: words that go on "rung 5 because …".
+    /// Why this mechanism has none: words that go on "formulation 5 because …".
     pub(crate) fn new(model: &Model) -> Result<Coordinates, String> {
         let joints = joints(model)?;
         let node = |frame: FrameRef| frame.body.map_or(0, |body| body + 1);

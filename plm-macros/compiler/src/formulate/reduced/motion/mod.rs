@@ -313,7 +313,7 @@ pub(crate) struct Arm {
     pub(crate) at_rest: Vec2,
 }
 
-/// The coordinate as a function of the absolute pose: what a state on rung 5 becomes here.
+/// The coordinate as a function of the absolute pose: the inverse of the pose.
 pub(crate) fn of_pose(model: &Model, coordinates: &Coordinates, unknown: Unknown) -> Expr {
     match unknown {
         Unknown::Angle { body, .. } => model.bodies[body].q[2],

@@ -1,18 +1,18 @@
-//! Every scene on every rung that holds it: the same accelerations, the same motion, the same reactions.
+//! Every scene in every formulation that holds it: the same accelerations, the same motion, the same reactions.
 
 use plm::runtime::charts::{Charted, OfLoops};
 use plm::runtime::{Absolute, Vector};
 use plm::{BodyState, Dop853, Mechanism, Moment, System};
 
-/// A mechanism on the rung that is taken, and on rung 5.
+/// A mechanism in the formulation that is taken, and in formulation 5.
 macro_rules! on_both {
     ($test:ident, [$($body:ident),+], [$($output:ident),*], { $($item:tt)* }) => {
         mod $test {
             pub(super) mod least {
-                plm::mechanism! { pub Scene { rung: loops; $($item)* } }
+                plm::mechanism! { pub Scene { formulation: loops; $($item)* } }
             }
             pub(super) mod absolute {
-                plm::mechanism! { pub Scene { rung: absolute; $($item)* } }
+                plm::mechanism! { pub Scene { formulation: absolute; $($item)* } }
             }
         }
 
@@ -29,8 +29,8 @@ macro_rules! on_both {
                 let q: Vec<f64> = [$(state.$body()),+].iter().flat_map(|body| [body.x, body.y, body.angle]).collect();
                 let phi = absolute.phi(state.time(), q.as_slice().try_into().unwrap());
                 assert!(phi.iter().all(|gap| gap.abs() < 64.0 * f64::EPSILON * 4.0), "{step}: {phi:?}");
-                // At one state, accelerations by a difference quotient against those of rung 5.
-                let x: Vec<f64> = on_rung_5(&[$(state.$body()),+]);
+                // At one state, accelerations by a difference quotient against those of formulation 5.
+                let x: Vec<f64> = absolute_state(&[$(state.$body()),+]);
                 let at = x.as_slice().try_into().unwrap();
                 let mut expected = *reference.x();
                 let _ = absolute.rate(state.time(), &reference.held(), &at, &mut expected);
@@ -64,8 +64,8 @@ macro_rules! on_both {
 
 pub(crate) use on_both;
 
-/// `[q, v]` of the bodies: the state on rung 5 of a scene without first-order states.
-pub(crate) fn on_rung_5(bodies: &[BodyState<f64>]) -> Vec<f64> {
+/// `[q, v]` of the bodies: the state in formulation 5 of a scene without first-order states.
+pub(crate) fn absolute_state(bodies: &[BodyState<f64>]) -> Vec<f64> {
     let poses = bodies.iter().flat_map(|body| [body.x, body.y, body.angle]);
     let speeds = bodies.iter().flat_map(|body| [body.vx, body.vy, body.omega]);
     poses.chain(speeds).collect()
@@ -266,7 +266,7 @@ on_both!(a_driven_four_bar_with_a_flail, [crank, coupler, rocker, flail], [drive
     output drive.force;
 });
 
-/// Rung 1: nothing is left to integrate, and loops are followed through the time alone.
+/// Formulation 1: nothing is left to integrate, and loops are followed through the time alone.
 mod driven {
     plm::mechanism! {
         pub CrankRocker {
@@ -308,7 +308,7 @@ fn what_is_driven_altogether_has_no_state() {
     close("rocker", values(fixed.rocker()), values(sim.rocker()), 1e-14);
 }
 
-/// The largest difference of the second derivatives of a chart's coordinates on rung 3 from those that follow from rung 5 at
+/// The largest difference of the second derivatives of a chart's coordinates in formulation 3 from those that follow from formulation 5 at
 /// the same pose, over the largest of them; along a run.
 ///
 /// With `y' = P(q) v` of the chart, `y'' = P a + P' v`; the second term, which angles do not have, by a difference quotient.
