@@ -1,7 +1,7 @@
 //! The order in which closures can be solved, and which of them must be solved together.
 //!
 //! A closure of two rows whose unknowns, but for those that are known or solved before, are two angles is the dyad RRR;
-//! an angle and a slide make RRP or RPR, two slides PRP or RPP. Blocks of more are Newton's.
+//! an angle and a displacement make RRP or RPR, two displacements PRP or RPP. Blocks of more are Newton's.
 //!
 //! What structure cannot see; of the first two a numerical rank must judge:
 //! * dimensions that make rows dependent (the third of parallel cranks is found only because its rows are too many for
@@ -136,9 +136,9 @@ mod tests {
         }
     }
 
-    /// Angles of crank and rod, and the slide.
+    /// Angles of crank and rod, and the displacement.
     #[test]
-    fn slider_crank_from_crank_or_slide() {
+    fn slider_crank_from_crank_or_displacement() {
         let closure = [pair(&[0, 1, 2])];
         assert_eq!(solved_in_turn(3, &closure, &[0]), [[1, 2]]);
         assert_eq!(solved_in_turn(3, &closure, &[2]), [[0, 1]]);

@@ -375,11 +375,11 @@ fn pose(model: &Model, motion: &Motion) -> Function {
     let coordinates = motion.coordinates;
     let (mut q, mut v) = (Vec::new(), Vec::new());
     for body in 0..model.bodies.len() {
-        let heading = coordinates.headings[body];
+        let absolute_angle = coordinates.absolute_angles[body];
         q.push_all(motion.position[body].components());
-        q.push(motion.angle(heading));
+        q.push(motion.angle(absolute_angle));
         v.push_all(motion.velocity[body].components());
-        v.push(motion.omega[heading.class]);
+        v.push(motion.omega[absolute_angle.orientation]);
     }
     let mut results = stored("q", q.iter());
     results.extend(stored("v", v.iter()));

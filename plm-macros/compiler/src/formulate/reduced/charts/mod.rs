@@ -132,9 +132,9 @@ fn no_form(model: &Model, coordinates: &Coordinates, block: &Block) -> String {
 pub(crate) fn equations(coordinates: &Coordinates) -> Vec<Equation> {
     let loops = coordinates.closures.iter().map(|closure| {
         let mut unknowns = Vec::new();
-        for (class, slide, _) in closure.terms() {
-            unknowns.push_all(coordinates.angle_of_class[class]);
-            unknowns.push_all(slide);
+        for (orientation, displacement, _) in closure.terms() {
+            unknowns.push_all(coordinates.angle_of_orientation[orientation]);
+            unknowns.push_all(displacement);
         }
         unknowns.sort_unstable();
         unknowns.dedup();
@@ -149,13 +149,15 @@ pub(crate) fn equations(coordinates: &Coordinates) -> Vec<Equation> {
 
 /// Coordinates in the order in which a person would choose them: what turns or slides on the ground first.
 fn candidates(model: &Model, coordinates: &Coordinates) -> Vec<usize> {
-    let grounded = |unknown: usize| match coordinates.unknowns[unknown] {
-        Unknown::Angle { class, .. } => coordinates.joints.iter().any(|joint| {
-            let of_class = |body: usize| coordinates.headings[body].class == class;
-            matches!((joint.a.body, joint.b.body), (None, Some(body)) | (Some(body), None) if of_class(body))
+    let grounded = |unknown: usize| {
+        match coordinates.unknowns[unknown] {
+        Unknown::Angle { orientation, .. } => coordinates.joints.iter().any(|joint| {
+            let of_orientation = |body: usize| coordinates.absolute_angles[body].orientation == orientation;
+            matches!((joint.a.body, joint.b.body), (None, Some(body)) | (Some(body), None) if of_orientation(body))
         }),
-        Unknown::Slide { part } => model.parts[part].frames.iter().any(|frame| frame.body.is_none()),
+        Unknown::Displacement { part } => model.parts[part].frames.iter().any(|frame| frame.body.is_none()),
         Unknown::Centre { .. } => false,
+    }
     };
     let mut candidates: Vec<usize> = (0..coordinates.unknowns.len()).collect_vec();
     sort_by_key(&mut candidates, |&unknown| !grounded(unknown));

@@ -116,7 +116,7 @@ fn closes(
     let pose: Vec<Expr> = (0..model.bodies.len())
         .flat_map(|body| {
             let Vec2 { x, y } = motion.position[body];
-            [x, y, motion.angle(coordinates.headings[body])]
+            [x, y, motion.angle(coordinates.absolute_angles[body])]
         })
         .collect_vec();
     let others = assembled.values.iter().filter(|(symbol, _)| !equations.q.contains(symbol));

@@ -24,8 +24,8 @@ impl Layout<'_> {
         for coordinate in 0..motion.independent.len() {
             // Where a rate vanishes it does not stay so: the coordinate itself must not go far either.
             let own = motion.independent[coordinate];
-            let slides = !matches!(self.coordinates.unknowns[own], Unknown::Angle { .. });
-            let own_rate = if slides { motion.length.recip() } else { Expr::ONE };
+            let is_length = !matches!(self.coordinates.unknowns[own], Unknown::Angle { .. });
+            let own_rate = if is_length { motion.length.recip() } else { Expr::ONE };
             let reach =
                 self.reach(scheme, motion, (&|unknown| motion.gain[unknown][coordinate], Some(own_rate)));
             boxes.push([motion.value[own], reach]);

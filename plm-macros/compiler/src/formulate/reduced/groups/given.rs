@@ -41,7 +41,7 @@ impl Given {
         let by_time = rest.diff(motion.time);
 
         let mut pairs = known(motion, &others);
-        pairs.push_all(others.iter().zip(&rates).map(|(&(of, _), &rate)| (rate, motion.sliding(of))));
+        pairs.push_all(others.iter().zip(&rates).map(|(&(of, _), &rate)| (rate, motion.rate_over_pace(of))));
         let mut roots = vec![rest, by_time, curvature];
         roots.extend(&slopes);
         let roots = algebra::substitute(&roots, &pairs);
@@ -59,10 +59,10 @@ impl Given {
             let gain = solved(Expr::ZERO, &|other| motion.gain[other][coordinate]);
             motion.gain[self.unknown][coordinate] = gain;
         }
-        let value = motion.set_slide(self.unknown, value);
+        let value = motion.set_value(self.unknown, value);
         (motion.time_rate[self.unknown], motion.bias[self.unknown]) = (time_rate, bias);
-        if let Unknown::Angle { class, .. } = motion.coordinates.unknowns[self.unknown] {
-            motion.rotation[class] = Rotation::by(value);
+        if let Unknown::Angle { orientation, .. } = motion.coordinates.unknowns[self.unknown] {
+            motion.rotation[orientation] = Rotation::by(value);
         }
         motion.set_rate(self.unknown);
     }
@@ -72,8 +72,8 @@ impl Given {
 fn known(motion: &Motion, others: &[(usize, Expr)]) -> Vec<(Expr, Expr)> {
     let mut pairs = Vec::new();
     for &(unknown, symbol) in others {
-        if let Unknown::Angle { class, .. } = motion.coordinates.unknowns[unknown] {
-            let axis = motion.turned(class, Vec2::X);
+        if let Unknown::Angle { orientation, .. } = motion.coordinates.unknowns[unknown] {
+            let axis = motion.turned(orientation, Vec2::X);
             pairs.push_all([(symbol.cos(), axis.x), (symbol.sin(), axis.y)]);
         }
         pairs.push((symbol, motion.value[unknown]));

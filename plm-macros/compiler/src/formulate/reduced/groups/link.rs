@@ -11,7 +11,7 @@
 //! w = (a x p) / D,    w' = -(a p + u^2 p p + w^2 p r) / D
 //! ```
 //!
-//! A slide along the ground in the direction `e` instead of the second angle is the same with `r = -J e`, but that this
+//! A displacement along the ground in the direction `e` instead of the second angle is the same with `r = -J e`, but that this
 //! vector does not turn: the terms with `w^2` are none.
 
 use crate::collect::CollectVec;
@@ -25,9 +25,9 @@ use crate::formulate::reduced::motion::bases::Products;
 /// The body that moves a dyad.
 #[derive(Clone)]
 pub(crate) struct Link {
-    /// Its class.
-    class: usize,
-    /// `a` over the base of the class.
+    /// Its orientation.
+    orientation: usize,
+    /// `a` over the base of the orientation.
     arm: Vec2,
     /// Scalar and cross product of the base with the vector that the dyad's `p` is found from, `m` or `e`.
     known: Products,
@@ -36,9 +36,9 @@ pub(crate) struct Link {
 /// The vectors of a dyad.
 #[derive(Clone)]
 pub(crate) struct Own {
-    /// The class of `p`, of which it is the base.
+    /// The orientation of `p`, of which it is the base.
     pub(crate) p: usize,
-    /// Class and components over its base of `r`.
+    /// Orientation and components over its base of `r`.
     pub(crate) r: (usize, Vec2),
     /// `p p`.
     pub(crate) pp: Expr,
@@ -51,25 +51,30 @@ pub(crate) struct Own {
 impl Link {
     /// Of a loop that is moved by one body, and in which nothing else slides or moves with the time.
     pub(crate) fn of(chain: &Chain, dyad: &Dyad, motion: &Motion) -> Option<Link> {
-        let turns = dyad.classes();
-        let mut known = chain.classes().into_iter().filter(|class| *class != 0 && !turns.contains(class));
-        let (Some(class), None) = (known.next(), known.next()) else { return None };
+        let turns = dyad.orientations();
+        let mut known = chain
+            .orientations()
+            .into_iter()
+            .filter(|orientation| *orientation != 0 && !turns.contains(orientation));
+        let (Some(orientation), None) = (known.next(), known.next()) else { return None };
         let vectors: Vec<Expr> = chain.terms().flat_map(|(_, _, vector)| vector.components()).collect_vec();
-        let mut slides = chain.terms().filter_map(|(class, slide, _)| Some((class, slide?)));
-        if slides.any(|slide| slide != (0, dyad.unknowns[1]))
+        let mut displacements =
+            chain.terms().filter_map(|(orientation, displacement, _)| Some((orientation, displacement?)));
+        if displacements.any(|displacement| displacement != (0, dyad.unknowns[1]))
             || algebra::symbols(&vectors).contains(&motion.time)
         {
             return None;
         }
-        let arm = motion.over_base(class, motion.arm(chain, class, &[]));
-        let base = (class, Vec2::X);
-        let known = if let (Kind::Across { .. }, Some((_, e))) = (dyad.kind, chain.slide(dyad.unknowns[1])) {
-            motion.products(base, (0, e))
-        } else {
-            let ground = motion.arm(chain, 0, &[]);
-            motion.products(base, (class, arm)) + motion.products(base, (0, ground))
-        };
-        Some(Link { class, arm, known })
+        let arm = motion.over_base(orientation, motion.arm(chain, orientation, &[]));
+        let base = (orientation, Vec2::X);
+        let known =
+            if let (Kind::Across { .. }, Some((_, e))) = (dyad.kind, chain.displacement(dyad.unknowns[1])) {
+                motion.products(base, (0, e))
+            } else {
+                let ground = motion.arm(chain, 0, &[]);
+                motion.products(base, (orientation, arm)) + motion.products(base, (0, ground))
+            };
+        Some(Link { orientation, arm, known })
     }
 
     /// Tells `motion` the products of the body's vectors with the dyad's, from `P` and `Q` and the determinant.
@@ -82,11 +87,11 @@ impl Link {
     ) {
         let named = |products: Products, k: usize| products.named(&format!("{}_{k}", dyad.closure));
         let with_p = named(self.known.turned(ways), 0);
-        motion.bases.insert_products((self.class, own.p), with_p);
+        motion.bases.insert_products((self.orientation, own.p), with_p);
         if own.rr.is_some() {
             // `r = -(m + p)`.
             let with_r = -named(self.known + with_p, 1);
-            motion.bases.insert_products((self.class, own.r.0), with_r);
+            motion.bases.insert_products((self.orientation, own.r.0), with_r);
             motion.bases.insert_products((own.p, own.r.0), Products { dot: own.pr, cross: determinant });
         }
     }
@@ -94,9 +99,9 @@ impl Link {
     /// Writes coefficients and rates of the dyad's unknowns into `motion`.
     pub(crate) fn differentiate(&self, motion: &mut Motion, (dyad, own): (&Dyad, &Own), reciprocal: Expr) {
         let coordinates = motion.coordinates;
-        let Some(body) = coordinates.angle_of_class[self.class] else { return };
+        let Some(body) = coordinates.angle_of_orientation[self.orientation] else { return };
         let (ratios, slopes) = self.ratios(motion, (dyad, own), reciprocal);
-        let square = motion.turning[self.class].squared();
+        let square = motion.turning[self.orientation].squared();
         for (k, (&unknown, (ratio, slope))) in
             dyad.unknowns.iter().zip(ratios.into_iter().zip(slopes)).enumerate()
         {
@@ -124,13 +129,13 @@ impl Link {
             let first = (first * reciprocal).named(format!("{what}_{}_0", dyad.closure));
             [first, (second * reciprocal).named(format!("{what}_{}_1", dyad.closure))]
         };
-        let a = (self.class, self.arm);
+        let a = (self.orientation, self.arm);
         let ap = motion.products(a, (own.p, Vec2::X));
         let ar = motion.products(a, own.r);
         let [u, w] = over_determinant([-ar.cross, ap.cross], "ratio");
         let (uu, ww) = (u.squared(), w.squared());
         let Own { pp, pr, .. } = *own;
-        // A slide along the ground does not turn.
+        // A displacement along the ground does not turn.
         let (rr, rp) = own.rr.map_or((Expr::ZERO, Expr::ZERO), |rr| (rr, pr));
         let inward = [ar.dot + uu * pr + ww * rr, ap.dot + uu * pp + ww * rp];
         ([u, w], over_determinant([inward[0], -inward[1]], "slope"))

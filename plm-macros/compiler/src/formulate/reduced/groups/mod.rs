@@ -114,8 +114,8 @@ impl Group {
         };
         motion.solutions.push(solution);
         for unknown in self.unknowns() {
-            if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-                let angle = memory.unwound(unknown, motion.rotation[class]);
+            if let Unknown::Angle { orientation, .. } = coordinates.unknowns[unknown] {
+                let angle = memory.unwound(unknown, motion.rotation[orientation]);
                 motion.value[unknown] = angle.unwrap_or(motion.value[unknown]);
             }
         }
@@ -132,19 +132,23 @@ impl Group {
     }
 
     /// How fast a loop comes nearer to flat, rad, when the unknowns move at some rates: its two lines turn towards each
-    /// other, or its slide goes over the scene's length.
+    /// other, or its displacement covers the scene's length.
     pub(crate) fn closing_in(
         &self,
         coordinates: &Coordinates,
         (rate, length): (&dyn Fn(usize) -> Expr, Expr),
     ) -> Vec<Expr> {
-        let slides = |unknown: usize| !matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
+        let is_length = |unknown: usize| !matches!(coordinates.unknowns[unknown], Unknown::Angle { .. });
         match self {
             Group::Given(_) | Group::SpareRow(_) => Vec::new(),
             Group::Dyad(dyad) => {
-                let turning = |class: usize| coordinates.angle_of_class[class].map_or(Expr::ZERO, rate);
+                let turning = |orientation: usize| {
+                    coordinates.angle_of_orientation[orientation].map_or(Expr::ZERO, rate)
+                };
                 match dyad.kind {
-                    Kind::Angles([a, b]) | Kind::Slides([a, b]) | Kind::Across { class: a, along: b } => {
+                    Kind::Angles([a, b])
+                    | Kind::Displacements([a, b])
+                    | Kind::Across { orientation: a, along: b } => {
                         let turning = [turning(a), turning(b)];
                         vec![turning[0] - turning[1]]
                     }
@@ -153,7 +157,7 @@ impl Group {
             }
             Group::Newton(newton) => {
                 let one = |&unknown: &usize| {
-                    if slides(unknown) { rate(unknown) / length } else { rate(unknown) }
+                    if is_length(unknown) { rate(unknown) / length } else { rate(unknown) }
                 };
                 newton.unknowns.iter().map(one).collect_vec()
             }

@@ -17,18 +17,18 @@ pub(crate) struct SpareRow {
     /// The loop.
     pub(crate) closure: usize,
     pub(crate) unknown: usize,
-    /// The class that turns, if the unknown is an angle; that along which it slides else.
-    class: usize,
+    /// The orientation that turns, if the unknown is an angle; that along which it slides else.
+    orientation: usize,
 }
 
 impl SpareRow {
     pub(crate) fn of(coordinates: &Coordinates, closure: usize, unknown: usize) -> Option<SpareRow> {
-        let class = match coordinates.unknowns[unknown] {
-            Unknown::Angle { class, .. } => class,
-            Unknown::Slide { .. } => coordinates.closures[closure].slide(unknown)?.0,
+        let orientation = match coordinates.unknowns[unknown] {
+            Unknown::Angle { orientation, .. } => orientation,
+            Unknown::Displacement { .. } => coordinates.closures[closure].displacement(unknown)?.0,
             Unknown::Centre { .. } => return None,
         };
-        Some(SpareRow { closure, unknown, class })
+        Some(SpareRow { closure, unknown, orientation })
     }
 
     /// Writes the unknown, its coefficients and rate into `motion`.
@@ -36,19 +36,19 @@ impl SpareRow {
         let coordinates = motion.coordinates;
         let turns = matches!(coordinates.unknowns[self.unknown], Unknown::Angle { .. });
         let chain = &coordinates.closures[self.closure];
-        let turning: &[usize] = if turns { &[self.class] } else { &[] };
+        let turning: &[usize] = if turns { &[self.orientation] } else { &[] };
         let m = motion.known_sum(chain, turning, &[self.unknown]);
         let (column, length, mismatch, arms) = if turns {
-            let arm = motion.arm(chain, self.class, &[]);
+            let arm = motion.arm(chain, self.orientation, &[]);
             let square = arm.squared();
             let p = motion.name_arm(self.unknown, -m);
-            motion.turn_class(self.unknown, self.class, Rotation::between(arm, p) / square);
+            motion.set_rotation(self.unknown, self.orientation, Rotation::between(arm, p) / square);
             let mismatch = (p.squared() - square) / (square + square);
-            (p.left(), square, mismatch, vec![(self.class, p)])
+            (p.left(), square, mismatch, vec![(self.orientation, p)])
         } else {
-            let vector = chain.slide(self.unknown).map_or(Vec2::ZERO, |slide| slide.1);
-            let e = motion.turned(self.class, vector);
-            motion.set_slide(self.unknown, -m.dot(e));
+            let vector = chain.displacement(self.unknown).map_or(Vec2::ZERO, |displacement| displacement.1);
+            let e = motion.turned(self.orientation, vector);
+            motion.set_value(self.unknown, -m.dot(e));
             (e, Expr::ONE, m.cross(e) / motion.length, Vec::new())
         };
         let square = 1 - (mismatch * motion.agreement).squared();

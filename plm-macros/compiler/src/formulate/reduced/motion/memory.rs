@@ -14,7 +14,7 @@ pub(crate) struct Memory {
     angles: Vec<Option<[Expr; 3]>>,
     /// By dyad of a chart: its determinant, whose sign tells the mirror images apart.
     areas: Vec<Expr>,
-    /// By unknown, for those that Newton's iteration starts from: value, rate, half the rate of that; of slides, over the
+    /// By unknown, for those that Newton's iteration starts from: value, rate, half the rate of that; of displacements, over the
     /// size of the scene.
     followed: Vec<Option<[Expr; 3]>>,
 }
@@ -119,7 +119,7 @@ impl Memory {
         self.areas.get(dyad).copied()
     }
 
-    /// Where an unknown was, and by how much it should have moved until `time`; of slides, over the size of the scene.
+    /// Where an unknown was, and by how much it should have moved until `time`; of displacements, over the size of the scene.
     pub(crate) fn moved(&self, unknown: usize, time: Expr) -> Option<[Expr; 2]> {
         let [value, rate, bend] = (*self.followed.get(unknown)?)?;
         let [last, _] = *self.boxes.last()?;

@@ -13,7 +13,7 @@ pub(crate) struct Solution {
     pub(crate) scale: Expr,
     /// The loop's Jacobian by the two unknowns.
     pub(crate) columns: [Vec2; 2],
-    /// The vectors of the loop that turn with the unknown classes.
+    /// The vectors of the loop that turn with the unknown orientations.
     pub(crate) arms: Vec<(usize, Vec2)>,
 }
 

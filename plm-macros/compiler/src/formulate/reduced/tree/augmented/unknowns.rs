@@ -59,7 +59,9 @@ impl Unknowns {
             unknowns.column.insert(state, (n + k, Part::Value));
         }
         for (body, declared) in model.bodies.iter().enumerate() {
-            if let Some(angle) = coordinates.angle_of_class[coordinates.headings[body].class] {
+            if let Some(angle) =
+                coordinates.angle_of_orientation[coordinates.absolute_angles[body].orientation]
+            {
                 unknowns.column.insert(declared.q[2], (angle, Part::Position));
                 unknowns.column.insert(declared.v[2], (angle, Part::Velocity));
             }
@@ -114,10 +116,10 @@ impl Unknowns {
         let mut order: Vec<usize> = (n..n + self.states).collect_vec();
         for edge in coordinates.order.iter().rev() {
             order.extend(self.of_body[edge.body].values().flatten());
-            let slide = edge.joint.and_then(|joint| coordinates.joints[joint].slide);
+            let displacement = edge.joint.and_then(|joint| coordinates.joints[joint].displacement);
             let own = coordinates.unknowns.iter().enumerate().filter(|(k, unknown)| match **unknown {
                 Unknown::Angle { body, .. } | Unknown::Centre { body, .. } => body == edge.body,
-                Unknown::Slide { .. } => slide == Some(*k),
+                Unknown::Displacement { .. } => displacement == Some(*k),
             });
             let mut own: Vec<usize> = own.map(|(k, _)| k).collect_vec();
             sort_by_key(&mut own, |&k| matches!(coordinates.unknowns[k], Unknown::Angle { .. }));
