@@ -114,13 +114,13 @@ pub(super) fn of_charts(emission: &Emission, reduced: &Reduced) -> TokenStream {
     });
     let counted = emission.lines(counted);
     let is_counted = |body: usize| emission.model.turns.iter().any(|counted| counted.bodies.contains(&body));
-    let loose = reduced.charts.iter().any(|chart| {
-        chart.turning.iter().zip(&chart.loose).any(|(body, loose)| *loose && body.is_some_and(is_counted))
+    let any_free = reduced.charts.iter().any(|chart| {
+        chart.turning.iter().zip(&chart.free).any(|(body, free)| *free && body.is_some_and(is_counted))
     });
     let count = number(emission.model.turns.len());
     quote! {
         type Turns = [i32; #count];
         const COUNTED: &'static [rt::charts::Counted] = &[#counted];
-        const LOOSE: bool = #loose;
+        const LOOSE: bool = #any_free;
     }
 }

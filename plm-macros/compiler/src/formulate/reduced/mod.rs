@@ -97,8 +97,8 @@ pub(crate) struct Chart {
     pub(crate) names: Vec<String>,
     /// The body whose angle the coordinate is, if it is one.
     pub(crate) turning: Vec<Option<usize>>,
-    /// Which coordinates move no loop.
-    pub(crate) loose: Vec<bool>,
+    /// True for free coordinates: those that move no loop.
+    pub(crate) free: Vec<bool>,
     /// The angles that its loops give: places in [`Reduced::turning`].
     pub(crate) found: Vec<usize>,
     /// The part or body that each coordinate belongs to.
@@ -238,7 +238,7 @@ impl Layout<'_> {
         let parts = names.iter().map(|name| owner(name).to_owned());
         let turning = |&unknown: &usize| coordinates.unknowns[unknown].turning_body();
         let in_loops: Vec<usize> = scheme.loops().flat_map(Group::unknowns).collect_vec();
-        let is_loose = |k: usize| in_loops.iter().all(|&unknown| motion.gain[unknown][k].is_zero());
+        let is_free = |k: usize| in_loops.iter().all(|&unknown| motion.gain[unknown][k].is_zero());
         let remember = loops.then(|| self.remember(scheme, &motion));
         // Where a pose is read nothing is held.
         let remember_pose = loops.then(|| self.remember_pose(scheme).substitute(&model.released));
@@ -268,7 +268,7 @@ impl Layout<'_> {
             names,
             turning: motion.independent.iter().map(turning).collect_vec(),
             found: coordinates.places_of_angles(&in_loops),
-            loose: (0..motion.independent.len()).map(is_loose).collect_vec(),
+            free: (0..motion.independent.len()).map(is_free).collect_vec(),
             y: motion.of_independent(&motion.value),
             y_dot: motion.of_independent(&motion.rate),
             method,

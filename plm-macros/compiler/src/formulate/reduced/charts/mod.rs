@@ -14,9 +14,9 @@ use crate::sorted::sort_by_key;
 use crate::topology::{Block, Choice, Equation, independent_sets};
 
 /// Charts beyond the degrees of freedom; more would be code that hardly ever runs.
-const SPARE_CHARTS: usize = 3;
+const ALTERNATIVE_CHARTS: usize = 3;
 /// The same where blocks are solved by Newton's iteration, whose code is long.
-const SPARE_LONG_CHARTS: usize = 1;
+const ALTERNATIVE_LONG_CHARTS: usize = 1;
 
 /// Choices that are looked at until those are found.
 const MOST_TRIED: usize = 64;
@@ -83,13 +83,13 @@ pub(crate) fn split(
         return Err("its constraints are redundant".to_owned());
     };
     let blocks = best.blocks.clone();
-    let (closed, spare) = (best.closed, if best.closed { SPARE_CHARTS } else { SPARE_LONG_CHARTS });
+    let (closed, alternatives) = (best.closed, if best.closed { ALTERNATIVE_CHARTS } else { ALTERNATIVE_LONG_CHARTS });
     let scheme = |choice: Choice| {
         let groups: Option<Vec<Group>> = choice.blocks.iter().map(group).collect();
         groups.map(|groups| Scheme { groups, independent: choice.independent })
     };
     let alike = choices.into_iter().take_while(|choice| choice.closed == closed);
-    let schemes: Vec<Scheme> = alike.take(MOST_TRIED).filter_map(scheme).take(freedom + spare).collect_vec();
+    let schemes: Vec<Scheme> = alike.take(MOST_TRIED).filter_map(scheme).take(freedom + alternatives).collect_vec();
     if schemes.is_empty() {
         let unsolved = blocks.iter().find(|block| group(block).is_none());
         return Err(unsolved.map_or_else(String::new, |block| no_form(model, coordinates, block)));

@@ -1,7 +1,7 @@
 //! Redundant constraints that agree: which loop says what others have said.
 //!
 //! Structure counts too many rows; the rank of `phi_q` at the start tells how many. A loop is taken for one whose second
-//! row is spare if the mechanism that is left closes all its joints not only at the start but in poses away from it.
+//! row is redundant if the mechanism that is left closes all its joints not only at the start but in poses away from it.
 
 use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Vec2, algebra};
@@ -59,11 +59,11 @@ pub(crate) fn schemes(
     if loops == 0 {
         return None;
     }
-    let spare = (assembled.freedom + rows).checked_sub(coordinates.unknowns.len())?;
-    if spare == 0 || spare > loops {
+    let redundant = (assembled.freedom + rows).checked_sub(coordinates.unknowns.len())?;
+    if redundant == 0 || redundant > loops {
         return None;
     }
-    for set in sets(loops, spare) {
+    for set in sets(loops, redundant) {
         let mut equations_left = all.clone();
         for &closure in &set {
             equations_left[closure].rows = 1;

@@ -16,7 +16,7 @@
 use plm_cas::{Expr, Rotation, Vec2};
 
 use crate::collect::MapEach;
-use crate::formulate::reduced::groups::link::{Link, Own};
+use crate::formulate::reduced::groups::crank::{Crank, DyadVectors};
 use crate::formulate::reduced::groups::loops::{self, Found};
 use crate::formulate::reduced::joints::chain::Chain;
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
@@ -120,23 +120,23 @@ impl Dyad {
         let chain = &motion.coordinates.closures[self.closure];
         let m = motion.known_sum(chain, &self.orientations(), &self.unknowns);
         let m = m.named(format!("loop_{}", self.closure));
-        let link = Link::of(chain, self, motion);
+        let crank = Crank::of(chain, self, motion);
         let mut work = Solving { dyad: self, chain, m, side, motion };
         let (solution, own) = match self.kind {
-            Kind::Angles(orientations) => work.circles(orientations, link.as_ref()),
-            Kind::Across { orientation, along } => work.line_and_circle(orientation, along, link.as_ref()),
+            Kind::Angles(orientations) => work.circles(orientations, crank.as_ref()),
+            Kind::Across { orientation, along } => work.line_and_circle(orientation, along, crank.as_ref()),
             Kind::Along { orientation } => (work.line_that_turns(orientation), None),
             Kind::Displacements(orientations) => (work.lines(orientations), None),
         };
-        self.differentiate(motion, &solution, link.as_ref().zip(own.as_ref()));
+        self.differentiate(motion, &solution, crank.as_ref().zip(own.as_ref()));
         solution
     }
 
     /// Writes coefficients and rates of the two unknowns into `motion`: by Cramer's rule, if not by one body that moves it.
-    fn differentiate(&self, motion: &mut Motion, solution: &Solution, link: Option<(&Link, &Own)>) {
+    fn differentiate(&self, motion: &mut Motion, solution: &Solution, crank: Option<(&Crank, &DyadVectors)>) {
         let reciprocal = solution.determinant.recip().named(format!("reciprocal_{}", self.closure));
-        if let Some((link, own)) = link {
-            return link.differentiate(motion, (self, own), reciprocal);
+        if let Some((crank, own)) = crank {
+            return crank.differentiate(motion, (self, own), reciprocal);
         }
         let [first, second] = solution.columns;
         let cramer = |sum: Vec2| {
@@ -183,7 +183,7 @@ struct Solving<'a, 'm> {
 
 impl Solving<'_, '_> {
     /// RRR.
-    fn circles(&mut self, [a, b]: [usize; 2], link: Option<&Link>) -> (Solution, Option<Own>) {
+    fn circles(&mut self, [a, b]: [usize; 2], crank: Option<&Crank>) -> (Solution, Option<DyadVectors>) {
         let [first, second] = self.dyad.unknowns;
         let arms = [a, b].map_each(|orientation| self.motion.arm(self.chain, orientation, &[]));
         let [pp, rr] = arms.map_each(Vec2::squared);
@@ -202,9 +202,9 @@ impl Solving<'_, '_> {
         }
         let columns = [p.left(), r.left()];
         // From `m p = n`.
-        let own = Own { p: a, r: (b, Vec2::X), pp, pr: -(n + pp), rr: Some(rr) };
-        if let Some(link) = link {
-            link.meet(self.dyad, &own, (ways, determinant), self.motion);
+        let own = DyadVectors { p: a, r: (b, Vec2::X), pp, pr: -(n + pp), rr: Some(rr) };
+        if let Some(crank) = crank {
+            crank.meet(self.dyad, &own, (ways, determinant), self.motion);
         }
         let arms = vec![(a, p), (b, r)];
         (Solution { determinant, square, scale: pp * rr, columns, arms }, Some(own))
@@ -215,8 +215,8 @@ impl Solving<'_, '_> {
         &mut self,
         orientation: usize,
         along: usize,
-        link: Option<&Link>,
-    ) -> (Solution, Option<Own>) {
+        crank: Option<&Crank>,
+    ) -> (Solution, Option<DyadVectors>) {
         let [angle, displacement] = self.dyad.unknowns;
         let arm = self.motion.arm(self.chain, orientation, &[]);
         let pp = arm.squared();
@@ -229,10 +229,10 @@ impl Solving<'_, '_> {
         let p = self.motion.name_arm(angle, p);
         self.motion.set_rotation(angle, orientation, Rotation::between(arm, p) / pp);
         self.motion.bases.insert_arm(self.chain, orientation, Base { vector: p, own: arm, square: pp });
-        let own = Own { p: orientation, r: (0, -e.left()), pp, pr: offset, rr: None };
-        if let Some(link) = link {
+        let own = DyadVectors { p: orientation, r: (0, -e.left()), pp, pr: offset, rr: None };
+        if let Some(crank) = crank {
             let ways = Rotation::to(-Vec2::new(determinant, offset));
-            link.meet(self.dyad, &own, (ways, determinant), self.motion);
+            crank.meet(self.dyad, &own, (ways, determinant), self.motion);
         }
         let (columns, arms) = ([p.left(), e], vec![(orientation, p)]);
         (Solution { determinant, square, scale: pp, columns, arms }, Some(own))

@@ -1,6 +1,6 @@
 //! Orientations of bodies by a vector that turns with them, and what such vectors make with each other.
 //!
-//! A dyad finds the vector along a link, not the cosine and the sine of an angle: that vector is as good a base as the unit
+//! A dyad finds the vector along a bar, not the cosine and the sine of an angle: that vector is as good a base as the unit
 //! vector is, and its products with others are those that velocities, accelerations and masses are made of. Complex numbers
 //! tell how: a vector of the orientation is its base times a constant `v`, and
 //! `conj(a u) b w = (conj(a) b) (conj(u) w)` holds the scalar product of two vectors and their cross product.

@@ -1,4 +1,4 @@
-//! One unknown that a row gives as a function of others.
+//! A row that is explicit in one unknown: it gives that one as a function of others.
 
 use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Rotation, Vec2, algebra};
@@ -6,18 +6,18 @@ use plm_cas::{Expr, Rotation, Vec2, algebra};
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
 use crate::formulate::reduced::motion::Motion;
 
-/// The unknown of an explicit row.
+/// A row that is solved for one unknown.
 #[derive(Clone, Copy)]
-pub(crate) struct Given {
+pub(crate) struct ExplicitRow {
     /// Place of the row in [`Coordinates::rows`].
     row: usize,
     pub(crate) unknown: usize,
 }
 
-impl Given {
+impl ExplicitRow {
     /// If the row can be solved for the unknown.
-    pub(crate) fn of(coordinates: &Coordinates, row: usize, unknown: usize) -> Option<Given> {
-        coordinates.rows[row].coefficient(unknown).map(|_| Given { row, unknown })
+    pub(crate) fn of(coordinates: &Coordinates, row: usize, unknown: usize) -> Option<ExplicitRow> {
+        coordinates.rows[row].coefficient(unknown).map(|_| ExplicitRow { row, unknown })
     }
 
     /// Writes the unknown, its coefficients and rate into `motion`.

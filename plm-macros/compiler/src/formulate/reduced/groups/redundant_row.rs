@@ -13,7 +13,7 @@ use crate::formulate::reduced::motion::solution::Solution;
 
 /// The one unknown of a loop.
 #[derive(Clone, Copy)]
-pub(crate) struct SpareRow {
+pub(crate) struct RedundantRow {
     /// The loop.
     pub(crate) closure: usize,
     pub(crate) unknown: usize,
@@ -21,14 +21,14 @@ pub(crate) struct SpareRow {
     orientation: usize,
 }
 
-impl SpareRow {
-    pub(crate) fn of(coordinates: &Coordinates, closure: usize, unknown: usize) -> Option<SpareRow> {
+impl RedundantRow {
+    pub(crate) fn of(coordinates: &Coordinates, closure: usize, unknown: usize) -> Option<RedundantRow> {
         let orientation = match coordinates.unknowns[unknown] {
             Unknown::Angle { orientation, .. } => orientation,
             Unknown::Displacement { .. } => coordinates.closures[closure].displacement(unknown)?.0,
             Unknown::Centre { .. } => return None,
         };
-        Some(SpareRow { closure, unknown, orientation })
+        Some(RedundantRow { closure, unknown, orientation })
     }
 
     /// Writes the unknown, its coefficients and rate into `motion`.

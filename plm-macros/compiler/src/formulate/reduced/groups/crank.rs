@@ -1,6 +1,6 @@
 //! Dyads on one body by the products of vectors: how they move.
 //!
-//! One body, with the vector `a` from the loop's pivot of the ground to the dyad, moves the loop `a + g + p + r = 0`. All that
+//! One body, the crank, with the vector `a` from the loop's pivot of the ground to the dyad, moves the loop `a + g + p + r = 0`. All that
 //! velocities and accelerations need are the scalar and the cross products of `a` with `p` and `r`, and of these with each
 //! other. With the dyad's `p = P m + Q J m`, `m = a + g`, the former follow from those of `a` with `m`. The rates of the
 //! dyad's angles over that of `a`, and the derivatives of these ratios (J. J. Uicker, G. R. Pennock, J. E. Shigley, Theory of
@@ -22,9 +22,9 @@ use crate::formulate::reduced::joints::chain::Chain;
 use crate::formulate::reduced::motion::Motion;
 use crate::formulate::reduced::motion::bases::Products;
 
-/// The body that moves a dyad.
+/// The crank: the one body that moves a dyad.
 #[derive(Clone)]
-pub(crate) struct Link {
+pub(crate) struct Crank {
     /// Its orientation.
     orientation: usize,
     /// `a` over the base of the orientation.
@@ -35,7 +35,7 @@ pub(crate) struct Link {
 
 /// The vectors of a dyad.
 #[derive(Clone)]
-pub(crate) struct Own {
+pub(crate) struct DyadVectors {
     /// The orientation of `p`, of which it is the base.
     pub(crate) p: usize,
     /// Orientation and components over its base of `r`.
@@ -48,9 +48,9 @@ pub(crate) struct Own {
     pub(crate) rr: Option<Expr>,
 }
 
-impl Link {
+impl Crank {
     /// Of a loop that is moved by one body, and in which nothing else slides or moves with the time.
-    pub(crate) fn of(chain: &Chain, dyad: &Dyad, motion: &Motion) -> Option<Link> {
+    pub(crate) fn of(chain: &Chain, dyad: &Dyad, motion: &Motion) -> Option<Crank> {
         let turns = dyad.orientations();
         let mut known = chain
             .orientations()
@@ -74,14 +74,14 @@ impl Link {
                 let ground = motion.arm(chain, 0, &[]);
                 motion.products(base, (orientation, arm)) + motion.products(base, (0, ground))
             };
-        Some(Link { orientation, arm, known })
+        Some(Crank { orientation, arm, known })
     }
 
     /// Tells `motion` the products of the body's vectors with the dyad's, from `P` and `Q` and the determinant.
     pub(crate) fn meet(
         &self,
         dyad: &Dyad,
-        own: &Own,
+        own: &DyadVectors,
         (ways, determinant): (Rotation, Expr),
         motion: &mut Motion,
     ) {
@@ -97,7 +97,7 @@ impl Link {
     }
 
     /// Writes coefficients and rates of the dyad's unknowns into `motion`.
-    pub(crate) fn differentiate(&self, motion: &mut Motion, (dyad, own): (&Dyad, &Own), reciprocal: Expr) {
+    pub(crate) fn differentiate(&self, motion: &mut Motion, (dyad, own): (&Dyad, &DyadVectors), reciprocal: Expr) {
         let coordinates = motion.coordinates;
         let Some(body) = coordinates.angle_of_orientation[self.orientation] else { return };
         let (ratios, slopes) = self.ratios(motion, (dyad, own), reciprocal);
@@ -121,7 +121,7 @@ impl Link {
     fn ratios(
         &self,
         motion: &Motion,
-        (dyad, own): (&Dyad, &Own),
+        (dyad, own): (&Dyad, &DyadVectors),
         reciprocal: Expr,
     ) -> ([Expr; 2], [Expr; 2]) {
         let over_determinant = |values: [Expr; 2], what: &str| {
@@ -134,7 +134,7 @@ impl Link {
         let ar = motion.products(a, own.r);
         let [u, w] = over_determinant([-ar.cross, ap.cross], "ratio");
         let (uu, ww) = (u.squared(), w.squared());
-        let Own { pp, pr, .. } = *own;
+        let DyadVectors { pp, pr, .. } = *own;
         // A displacement along the ground does not turn.
         let (rr, rp) = own.rr.map_or((Expr::ZERO, Expr::ZERO), |rr| (rr, pr));
         let inward = [ar.dot + uu * pr + ww * rr, ap.dot + uu * pp + ww * rp];
