@@ -75,7 +75,7 @@ fn moves(model: &Model, motion: &Motion) -> Vec<Moves> {
                 beyond(model, motion, before, (edge, joint))
             }
             None => Moves {
-                partial: (0..still.partial.len()).map(|k| free(&motion.gains(k))).collect_vec(),
+                partial: (0..still.partial.len()).map(|k| free(&motion.coefficients(k))).collect_vec(),
                 bias: free(&motion.bias),
             },
         };
@@ -96,7 +96,7 @@ fn beyond(model: &Model, motion: &Motion, before: &Moves, (edge, joint): (&TreeE
     if let Some((displacement, orientation, axis)) = displacement {
         let axis = motion.turned(orientation, axis);
         for (k, partial) in partial.iter_mut().enumerate() {
-            *partial += motion.gain[displacement][k] * axis;
+            *partial += motion.coefficient[displacement][k] * axis;
         }
         // Coriolis: 2 omega s'.
         let coriolis = 2 * motion.turning[orientation] * motion.rate_over_pace(displacement);

@@ -118,12 +118,12 @@ pub(crate) fn along_independent(dense: &Dense, motion: &Motion) -> Dense {
     let independent = motion.independent.len();
     let (mut mass, mut force, mut turning) = (SortedMap::new(), Vec::new(), Vec::new());
     for j in 0..independent {
-        let column = motion.gains(j);
+        let column = motion.coefficients(j);
         let moved = times(dense, &column).into_iter().enumerate();
         let moved = moved.map(|(i, entry)| entry.named(format!("momentum_{j}_{i}")));
         let moved: Vec<Expr> = moved.collect_vec();
         for i in j..independent {
-            let entry = dot(&motion.gains(i), &moved);
+            let entry = dot(&motion.coefficients(i), &moved);
             if i == j || !entry.is_zero() {
                 mass.insert((i, j), entry);
             }

@@ -238,7 +238,7 @@ impl Layout<'_> {
         let parts = names.iter().map(|name| owner(name).to_owned());
         let turning = |&unknown: &usize| coordinates.unknowns[unknown].turning_body();
         let in_loops: Vec<usize> = scheme.loops().flat_map(Group::unknowns).collect_vec();
-        let is_free = |k: usize| in_loops.iter().all(|&unknown| motion.gain[unknown][k].is_zero());
+        let is_free = |k: usize| in_loops.iter().all(|&unknown| motion.coefficient[unknown][k].is_zero());
         let remember = loops.then(|| self.remember(scheme, &motion));
         // Where a pose is read nothing is held.
         let remember_pose = loops.then(|| self.remember_pose(scheme).substitute(&model.released));

@@ -23,10 +23,10 @@ pub(crate) fn kinematics<'a>(
         let (value, rate) = symbols(model, coordinates.unknowns[unknown]);
         motion.pace = paced.then_some(rate);
         (motion.value[unknown], motion.rate[unknown]) = (value, rate);
-        for gains in &mut motion.gain {
-            gains.push(Expr::ZERO);
+        for coefficients in &mut motion.coefficient {
+            coefficients.push(Expr::ZERO);
         }
-        motion.gain[unknown][place] = Expr::ONE;
+        motion.coefficient[unknown][place] = Expr::ONE;
         motion.independent.push(unknown);
         if let Unknown::Angle { orientation, .. } = coordinates.unknowns[unknown] {
             motion.rotation[orientation] = Rotation::by(value);

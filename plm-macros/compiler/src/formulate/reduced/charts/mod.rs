@@ -83,13 +83,15 @@ pub(crate) fn split(
         return Err("its constraints are redundant".to_owned());
     };
     let blocks = best.blocks.clone();
-    let (closed, alternatives) = (best.closed, if best.closed { ALTERNATIVE_CHARTS } else { ALTERNATIVE_LONG_CHARTS });
+    let (closed, alternatives) =
+        (best.closed, if best.closed { ALTERNATIVE_CHARTS } else { ALTERNATIVE_LONG_CHARTS });
     let scheme = |choice: Choice| {
         let groups: Option<Vec<Group>> = choice.blocks.iter().map(group).collect();
         groups.map(|groups| Scheme { groups, independent: choice.independent })
     };
     let alike = choices.into_iter().take_while(|choice| choice.closed == closed);
-    let schemes: Vec<Scheme> = alike.take(MOST_TRIED).filter_map(scheme).take(freedom + alternatives).collect_vec();
+    let schemes: Vec<Scheme> =
+        alike.take(MOST_TRIED).filter_map(scheme).take(freedom + alternatives).collect_vec();
     if schemes.is_empty() {
         let unsolved = blocks.iter().find(|block| group(block).is_none());
         return Err(unsolved.map_or_else(String::new, |block| no_form(model, coordinates, block)));

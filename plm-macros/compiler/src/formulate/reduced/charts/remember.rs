@@ -26,8 +26,11 @@ impl Layout<'_> {
             let own = motion.independent[coordinate];
             let is_length = !matches!(self.coordinates.unknowns[own], Unknown::Angle { .. });
             let own_rate = if is_length { motion.length.recip() } else { Expr::ONE };
-            let reach =
-                self.reach(scheme, motion, (&|unknown| motion.gain[unknown][coordinate], Some(own_rate)));
+            let reach = self.reach(
+                scheme,
+                motion,
+                (&|unknown| motion.coefficient[unknown][coordinate], Some(own_rate)),
+            );
             boxes.push([motion.value[own], reach]);
         }
         let mut reach = self.reach(scheme, motion, (&|unknown| motion.time_rate[unknown], None));

@@ -97,7 +97,12 @@ impl Crank {
     }
 
     /// Writes coefficients and rates of the dyad's unknowns into `motion`.
-    pub(crate) fn differentiate(&self, motion: &mut Motion, (dyad, own): (&Dyad, &DyadVectors), reciprocal: Expr) {
+    pub(crate) fn differentiate(
+        &self,
+        motion: &mut Motion,
+        (dyad, own): (&Dyad, &DyadVectors),
+        reciprocal: Expr,
+    ) {
         let coordinates = motion.coordinates;
         let Some(body) = coordinates.angle_of_orientation[self.orientation] else { return };
         let (ratios, slopes) = self.ratios(motion, (dyad, own), reciprocal);
@@ -106,9 +111,9 @@ impl Crank {
             dyad.unknowns.iter().zip(ratios.into_iter().zip(slopes)).enumerate()
         {
             for coordinate in 0..motion.independent.len() {
-                let gain = ratio * motion.gain[body][coordinate];
-                motion.gain[unknown][coordinate] =
-                    gain.named(format!("gain_{coordinate}_{}_{k}", dyad.closure));
+                let coefficient = ratio * motion.coefficient[body][coordinate];
+                motion.coefficient[unknown][coordinate] =
+                    coefficient.named(format!("coefficient_{coordinate}_{}_{k}", dyad.closure));
             }
             motion.time_rate[unknown] = ratio * motion.time_rate[body];
             let bias = square * slope + ratio * motion.bias[body];

@@ -56,8 +56,8 @@ impl ExplicitRow {
         let time_rate = solved(by_time, &|other| motion.time_rate[other]);
         let bias = solved(curvature, &|other| motion.bias[other]);
         for coordinate in 0..motion.independent.len() {
-            let gain = solved(Expr::ZERO, &|other| motion.gain[other][coordinate]);
-            motion.gain[self.unknown][coordinate] = gain;
+            let coefficient = solved(Expr::ZERO, &|other| motion.coefficient[other][coordinate]);
+            motion.coefficient[self.unknown][coordinate] = coefficient;
         }
         let value = motion.set_value(self.unknown, value);
         (motion.time_rate[self.unknown], motion.bias[self.unknown]) = (time_rate, bias);

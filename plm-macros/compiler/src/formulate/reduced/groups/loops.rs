@@ -41,9 +41,9 @@ pub(crate) fn differentiate(motion: &mut Motion, found: &Found) {
     let solved = (found.unknowns, &found.solution.arms[..]);
     let flow = Flow::new(motion, found.closure, solved);
     for coordinate in 0..motion.independent.len() {
-        let sum = flow.gain(motion, coordinate);
-        for (unknown, value) in found.named(sum, &format!("gain_{coordinate}")) {
-            motion.gain[unknown][coordinate] = value;
+        let sum = flow.coefficient(motion, coordinate);
+        for (unknown, value) in found.named(sum, &format!("coefficient_{coordinate}")) {
+            motion.coefficient[unknown][coordinate] = value;
         }
     }
     let sum = flow.time_rate(motion);
@@ -106,8 +106,8 @@ impl<'a> Flow<'a> {
     }
 
     /// The closure's velocity when one coordinate moves at the rate 1.
-    pub(crate) fn gain(&self, motion: &Motion, coordinate: usize) -> Vec2 {
-        weighted(&self.known, |unknown| motion.gain[unknown][coordinate])
+    pub(crate) fn coefficient(&self, motion: &Motion, coordinate: usize) -> Vec2 {
+        weighted(&self.known, |unknown| motion.coefficient[unknown][coordinate])
     }
 
     /// Its velocity when no coordinate moves.

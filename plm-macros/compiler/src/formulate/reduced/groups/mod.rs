@@ -1,10 +1,10 @@
 //! What determines the unknowns that are no coordinates, group by group (L. V. Assur's groups: as many rows as unknowns,
 //! and none smaller inside).
 
+pub(crate) mod crank;
 pub(crate) mod dyad;
 pub(crate) mod elimination;
 pub(crate) mod explicit_row;
-pub(crate) mod crank;
 pub(crate) mod loops;
 pub(crate) mod newton;
 pub(crate) mod redundant_row;

@@ -163,10 +163,10 @@ impl Newton {
             values.into_iter().map(|value| -value).collect_vec()
         };
         for coordinate in 0..motion.independent.len() {
-            let sums = flows.iter().map(|flow| flow.gain(motion, coordinate)).collect_vec();
-            let values = solve(sums, &format!("gain_{coordinate}"));
+            let sums = flows.iter().map(|flow| flow.coefficient(motion, coordinate)).collect_vec();
+            let values = solve(sums, &format!("coefficient_{coordinate}"));
             for (&unknown, value) in self.unknowns.iter().zip(values) {
-                motion.gain[unknown][coordinate] = value;
+                motion.coefficient[unknown][coordinate] = value;
             }
         }
         let sums = flows.iter().map(|flow| flow.time_rate(motion)).collect_vec();

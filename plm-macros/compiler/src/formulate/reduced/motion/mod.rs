@@ -31,13 +31,13 @@ pub(crate) struct Motion<'a> {
     pub(crate) value: Vec<Expr>,
     /// Its rate, `K y' + k`.
     pub(crate) rate: Vec<Expr>,
-    /// `K`: by unknown, by coordinate.
-    pub(crate) gain: Vec<Vec<Expr>>,
+    /// Kinematic coefficients `K`, derivatives of the unknowns by the coordinates: by unknown, by coordinate.
+    pub(crate) coefficient: Vec<Vec<Expr>>,
     /// `k`.
     pub(crate) time_rate: Vec<Expr>,
     /// Second derivative of each unknown while those of the coordinates are zero; with a pace, over its square.
     pub(crate) bias: Vec<Expr>,
-    /// The rate of the one coordinate on which everything depends, if there is nothing else that moves: all rates are gains
+    /// The rate of the one coordinate on which everything depends, if there is nothing else that moves: all rates are coefficients
     /// times the pace, all that velocities ask for is a function of the pose times its square. Such a function need not
     /// wait for the velocity.
     pub(crate) pace: Option<Expr>,
@@ -86,7 +86,7 @@ impl<'a> Motion<'a> {
             precision: model.precision,
             value: zeros.clone(),
             rate: zeros.clone(),
-            gain: vec![Vec::new(); coordinates.unknowns.len()],
+            coefficient: vec![Vec::new(); coordinates.unknowns.len()],
             time_rate: zeros.clone(),
             bias: zeros,
             pace: None,
@@ -186,7 +186,7 @@ impl<'a> Motion<'a> {
     /// Writes the rate of an unknown whose coefficients are known.
     pub(crate) fn set_rate(&mut self, unknown: usize) {
         let driven = self.independent.iter().enumerate();
-        let driven = driven.map(|(k, &coordinate)| self.gain[unknown][k] * self.rate[coordinate]);
+        let driven = driven.map(|(k, &coordinate)| self.coefficient[unknown][k] * self.rate[coordinate]);
         let rate: Expr = [self.time_rate[unknown]].into_iter().chain(driven).sum();
         let rate = rate.named(format!("{}.rate", self.names[unknown]));
         self.rate[unknown] = rate;
@@ -198,8 +198,8 @@ impl<'a> Motion<'a> {
 
     /// Rate of an unknown; with a pace, over it.
     pub(crate) fn rate_over_pace(&self, unknown: usize) -> Expr {
-        match (self.pace, self.gain[unknown].first()) {
-            (Some(_), Some(&gain)) => gain,
+        match (self.pace, self.coefficient[unknown].first()) {
+            (Some(_), Some(&coefficient)) => coefficient,
             _ => self.rate[unknown],
         }
     }
@@ -207,7 +207,7 @@ impl<'a> Motion<'a> {
     /// Angular velocity of an orientation over the rate of a coordinate.
     pub(crate) fn turning_by(&self, orientation: usize, coordinate: usize) -> Expr {
         self.coordinates.angle_of_orientation[orientation]
-            .map_or(Expr::ZERO, |angle| self.gain[angle][coordinate])
+            .map_or(Expr::ZERO, |angle| self.coefficient[angle][coordinate])
     }
 
     /// Angular acceleration of an orientation while the second derivatives of the coordinates are zero; with a pace, over its square.
@@ -216,8 +216,8 @@ impl<'a> Motion<'a> {
     }
 
     /// A column of `K`.
-    pub(crate) fn gains(&self, coordinate: usize) -> Vec<Expr> {
-        self.gain.iter().map(|gains| gains[coordinate]).collect_vec()
+    pub(crate) fn coefficients(&self, coordinate: usize) -> Vec<Expr> {
+        self.coefficient.iter().map(|coefficients| coefficients[coordinate]).collect_vec()
     }
 
     /// Positions and velocities from the ground outwards, each from the one before.

@@ -198,11 +198,12 @@ fn solve(columns: &[Spatial], asked: Spatial, pairs: bool) -> Option<Vec<Expr>> 
 fn second_derivatives(motion: &Motion, of_independent: &[Expr]) -> Vec<Expr> {
     // With a pace, what the velocities ask for is over its square.
     let square = motion.pace.map_or(Expr::ONE, Expr::squared);
-    let gains = motion.gain.iter().zip(&motion.bias);
-    let values = gains.map(|(gains, &bias)| {
+    let coefficients = motion.coefficient.iter().zip(&motion.bias);
+    let values = coefficients.map(|(coefficients, &bias)| {
         let mut terms = vec![square * bias];
-        let moving = gains.iter().zip(of_independent).filter(|(gain, _)| !gain.is_zero());
-        terms.push_all(moving.map(|(&gain, &value)| gain * value));
+        let moving =
+            coefficients.iter().zip(of_independent).filter(|(coefficient, _)| !coefficient.is_zero());
+        terms.push_all(moving.map(|(&coefficient, &value)| coefficient * value));
         algebra::sum(&terms)
     });
     values.collect_vec()
