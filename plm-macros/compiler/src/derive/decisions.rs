@@ -12,7 +12,7 @@ use crate::sorted::SortedMap;
 use plm_cas::{Expr, Function, Node, algebra};
 
 use self::diagram::{Diagram, FALSE, TRUE};
-use super::causes;
+use super::forcing_terms;
 use crate::model::{Decisions, End, Model};
 
 /// Above so many conditions each of them matters always: diagrams may grow with the power of their number.
@@ -52,7 +52,7 @@ struct Matters<'a> {
 
 impl<'a> Matters<'a> {
     fn new(model: &'a Model, held: &[(Expr, Expr)]) -> Self {
-        let moving = causes(model).map(|cause| cause.value);
+        let moving = forcing_terms(model).map(|term| term.value);
         let starts: Vec<Expr> = moving.chain(model.rows.iter().map(|row| row.phi)).collect_vec();
         let nodes = algebra::reachable(&starts);
         let mut read = vec![FALSE; nodes.len()];

@@ -1,12 +1,12 @@
-//! What makes a mechanism move: forces on its bodies and rates of its states.
+//! Forcing terms: applied forces and torques, and the rates of first-order states.
 
 use plm_cas::Expr;
 
 use crate::collect::MapEach;
 use crate::model::{Model, Name};
 
-/// A force or a rate, and whose it is.
-pub(crate) struct Cause<'a> {
+/// An applied force or torque, or the rate of a state.
+pub(crate) struct ForcingTerm<'a> {
     /// The part that acts, or the state.
     pub(crate) name: &'a Name,
     /// Is it a force or torque? Else it is a rate.
@@ -16,11 +16,11 @@ pub(crate) struct Cause<'a> {
 }
 
 /// All forces and torques, load by load, then all rates.
-pub(crate) fn causes(model: &Model) -> impl Iterator<Item = Cause<'_>> {
+pub(crate) fn forcing_terms(model: &Model) -> impl Iterator<Item = ForcingTerm<'_>> {
     let loads = model.loads.iter().flat_map(|load| {
         let name = &model.parts[load.part].name;
-        load.force.map_each(|value| Cause { name, is_force: true, value })
+        load.force.map_each(|value| ForcingTerm { name, is_force: true, value })
     });
     let rates = model.states.iter();
-    loads.chain(rates.map(|state| Cause { name: &state.name, is_force: false, value: state.rate }))
+    loads.chain(rates.map(|state| ForcingTerm { name: &state.name, is_force: false, value: state.rate }))
 }
