@@ -49,7 +49,7 @@ pub fn compile(sources: &mut Sources) -> Expansion {
     if sink.has_errors() {
         sink.drop_hints();
         // A mechanism that is complete but for its start is emitted as it is; else one with its names has to do.
-        let code = expansion.code.or_else(|| stand_in(&reading, &place));
+        let code = expansion.code.or_else(|| placeholder_code(&reading, &place));
         expansion = Expansion { code, ..Expansion::default() };
     }
     sink.count_unshown();
@@ -61,7 +61,7 @@ pub fn compile(sources: &mut Sources) -> Expansion {
 /// none; `None` if it has no name itself.
 pub fn names_only(sources: &mut Sources) -> Option<Code> {
     let reading = front::read(sources, &mut Diagnostics::new());
-    stand_in(&reading, &|span| sources.place_in_rust(span))
+    placeholder_code(&reading, &|span| sources.place_in_rust(span))
 }
 
 /// What is observed, and its graph.
@@ -145,7 +145,7 @@ fn fetched(mut outputs: Vec<Output>, from: &Graph, (held, whole): (&Pairs, &Pair
 }
 
 /// The source of a model that stands for one with errors; nothing about it is checked, and its start is not assembled.
-fn stand_in(reading: &Reading, place: Place) -> Option<Code> {
+fn placeholder_code(reading: &Reading, place: Place) -> Option<Code> {
     let unchecked = || {
         let model = fallback::model(reading)?;
         let equations = derive(&model);

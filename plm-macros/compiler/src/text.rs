@@ -185,8 +185,8 @@ impl Mended {
         self.flaws.push(Flaw { code, message, at: self.shown.len() });
         self.shown.push_str(word);
         // A zero for a number, which needs no unit: nothing else is said of it.
-        let stand_in = if code == Code::BadNumber { "0" } else { " " };
-        self.lexed.push_str(stand_in);
+        let placeholder = if code == Code::BadNumber { "0" } else { " " };
+        self.lexed.push_str(placeholder);
         self.lexed.push_str(&" ".repeat(word.len() - 1));
     }
 

@@ -18,7 +18,7 @@ use crate::model::{Body, Decisions, Input, Model, Name, Output, Param, Stabilisa
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, IndexedName, Item, ItemKind, Operator};
 use crate::units::{Dimension, DisplayUnit};
-use observe::Thing;
+use observe::Observable;
 use shape::Shapes;
 
 /// Parts within parts that are looked into.
@@ -37,7 +37,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         indices: Vec::new(),
         items: 0,
         found: Found::default(),
-        things: Vec::new(),
+        observables: Vec::new(),
         observed: Vec::new(),
     };
     names.walk(&mechanism.items, "", 0);
@@ -116,7 +116,7 @@ struct Names<'a> {
     items: usize,
     found: Found,
     /// What can be observed.
-    things: Vec<(String, Thing<'a>)>,
+    observables: Vec<(String, Observable<'a>)>,
     /// What is, by name.
     observed: Vec<Name>,
 }
@@ -133,10 +133,11 @@ impl<'a> Names<'a> {
                 ItemKind::Body(of) => {
                     if let Some(name) = self.name(prefix, &of.name) {
                         let ports = of.ports.iter().filter_map(|port| self.key(&port.name));
-                        let ports =
-                            ports.map(|port| (format!("{}.{port}", name.text), Thing::Port)).collect_vec();
-                        self.things.extend(ports);
-                        self.things.push((name.text.clone(), Thing::Body(of)));
+                        let ports = ports
+                            .map(|port| (format!("{}.{port}", name.text), Observable::Port))
+                            .collect_vec();
+                        self.observables.extend(ports);
+                        self.observables.push((name.text.clone(), Observable::Body(of)));
                         self.found.bodies.push(body(name));
                     }
                 }
@@ -152,14 +153,14 @@ impl<'a> Names<'a> {
                 }
                 ItemKind::Node(node) => {
                     if let Some(name) = self.name(prefix, &node.name) {
-                        self.things.push((name.text, Thing::Node(node)));
+                        self.observables.push((name.text, Observable::Node(node)));
                     }
                 }
                 ItemKind::Ground(ports) => {
                     let names = ports.iter().filter_map(|port| self.name(prefix, &port.name));
                     let ports: Vec<_> =
-                        names.map(|name| (format!("ground.{}", name.text), Thing::Port)).collect_vec();
-                    self.things.extend(ports);
+                        names.map(|name| (format!("ground.{}", name.text), Observable::Port)).collect_vec();
+                    self.observables.extend(ports);
                 }
                 _ => {}
             }
@@ -186,7 +187,7 @@ impl<'a> Names<'a> {
         else {
             return;
         };
-        self.things.push((format!("{prefix}{name}"), Thing::Part(definition)));
+        self.observables.push((format!("{prefix}{name}"), Observable::Part(definition)));
         if depth < MAX_DEPTH {
             let outside = std::mem::take(&mut self.indices);
             self.walk(&definition.items, &format!("{prefix}{name}."), depth + 1);

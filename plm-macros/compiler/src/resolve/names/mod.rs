@@ -9,8 +9,8 @@ use crate::sorted::{SortedMap, SortedSet};
 use std::borrow::Cow;
 
 use crate::diag::Use;
-use crate::resolve::settle::warnings::Readable;
-use crate::resolve::things::part::PartInUse;
+use crate::resolve::declarations::part::PartInUse;
+use crate::resolve::finalise::warnings::Readable;
 use crate::resolve::values::Value;
 use crate::resolve::values::expect::Wanted;
 use crate::resolve::values::lazy::Lazy;

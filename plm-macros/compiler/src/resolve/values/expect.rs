@@ -168,7 +168,7 @@ impl<'a> Resolver<'a> {
         found: &Value,
     ) -> Failed {
         let ports = match found {
-            Value::Body(body) if wanted == "a frame" => self.draft.port_names(*body),
+            Value::Body(body) if wanted == "a frame" => self.unresolved.port_names(*body),
             _ => Vec::new(),
         };
         let message = format!("expected {wanted}, found {}", found.kind());

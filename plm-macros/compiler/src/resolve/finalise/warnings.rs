@@ -36,7 +36,7 @@ impl<'a> Resolver<'a> {
         self.warn_of_gravity(mechanism);
         self.warn_of_idle_parts();
         self.warn_of_unread_names(&declaration.carried);
-        self.sink.allow(&self.draft.settings.allowed);
+        self.sink.allow(&self.unresolved.settings.allowed);
     }
 
     fn warn_of_gravity(&mut self, mechanism: &'a Mechanism) {
@@ -62,7 +62,7 @@ impl<'a> Resolver<'a> {
     /// A part of forces and torques alone, all of which are zero whatever happens.
     fn warn_of_idle_parts(&mut self) {
         let mut acts: SortedMap<usize, bool> = SortedMap::new();
-        for action in &self.draft.applied {
+        for action in &self.unresolved.applied {
             if let Some(instance) = self.names.around(action.scope).last() {
                 let acts = acts.or_insert(instance, false);
                 *acts |= !action.force.is_zero() || !action.torque.is_zero();
@@ -70,12 +70,12 @@ impl<'a> Resolver<'a> {
         }
         // What ties or remembers something is not idle.
         let others = self
-            .draft
+            .unresolved
             .rows
             .iter()
             .map(|row| row.scope)
-            .chain(self.draft.states.iter().map(|state| state.scope));
-        for scope in others.chain(self.draft.nodes.iter().map(|node| node.scope)) {
+            .chain(self.unresolved.states.iter().map(|state| state.scope));
+        for scope in others.chain(self.unresolved.nodes.iter().map(|node| node.scope)) {
             if let Some(instance) = self.names.around(scope).last() {
                 acts.insert(instance, true);
             }

@@ -11,15 +11,15 @@ use plm_cas::algebra::{Rotation, Vec2};
 use crate::diag::Code;
 use crate::model::FrameRef;
 use crate::resolve::Resolver;
+use crate::resolve::declarations::UnresolvedModel;
 use crate::resolve::names::ScopeId;
-use crate::resolve::things::Draft;
 use crate::resolve::values::lazy::Lazy;
 use crate::resolve::values::{Eval, Nature, Quantity, Reads};
 use crate::syntax::ast;
 use crate::units::Dimension;
 
 /// A port on the way from its declaration to its frame.
-pub(crate) struct PortDraft<'a> {
+pub(crate) struct UnresolvedPort<'a> {
     pub(crate) ast: &'a ast::Port,
     /// Its name; of a ground port in a part, with the path of the part.
     pub(crate) name: String,
@@ -58,16 +58,16 @@ pub(crate) struct Placement {
     pub(crate) centre: Vec2,
 }
 
-impl<'a> Draft<'a> {
+impl<'a> UnresolvedModel<'a> {
     /// Ports of a body or, without one, of the ground.
-    pub(crate) fn ports(&self, body: Option<usize>) -> &[PortDraft<'a>] {
+    pub(crate) fn ports(&self, body: Option<usize>) -> &[UnresolvedPort<'a>] {
         match body {
             Some(body) => &self.bodies[body].ports,
             None => &self.ground,
         }
     }
 
-    pub(crate) fn port(&mut self, frame: FrameRef) -> &mut PortDraft<'a> {
+    pub(crate) fn port(&mut self, frame: FrameRef) -> &mut UnresolvedPort<'a> {
         match frame.body {
             Some(body) => &mut self.bodies[body].ports[frame.port],
             None => &mut self.ground[frame.port],
@@ -86,10 +86,10 @@ impl<'a> Draft<'a> {
 impl<'a> Resolver<'a> {
     /// The frame of a port, worked out at its first use.
     pub(crate) fn frame(&mut self, frame: FrameRef) -> Eval<FrameGeometry> {
-        let port = self.draft.port(frame);
+        let port = self.unresolved.port(frame);
         let (ast, scope) = (port.ast, port.scope);
         self.lazy(
-            |of| &mut of.draft.port(frame).frame,
+            |of| &mut of.unresolved.port(frame).frame,
             |of| {
                 of.error(scope, Code::Cycle, ast.name.ident.span, "the place of this port needs itself");
             },
@@ -122,7 +122,7 @@ impl<'a> Resolver<'a> {
         let (at, alpha, _) = self.written(scope, port, Reads::FIXED)?;
         let placement = self.placement(body)?;
         let local = placement.place(at);
-        let state = &self.draft.bodies[body];
+        let state = &self.unresolved.bodies[body];
         let [x, y, theta] = state.q;
         let arm = state.rotation * local;
         let own_rotation = Rotation::by(alpha);

@@ -33,7 +33,7 @@ pub(crate) struct Settings<'a> {
 impl<'a> Resolver<'a> {
     /// `gravity: 9.81 m/s^2;`
     pub(crate) fn declare_gravity(&mut self, scope: ScopeId, item: &'a Item, expr: &'a ast::Expr) {
-        if let Some(first) = self.draft.settings.gravity {
+        if let Some(first) = self.unresolved.settings.gravity {
             let first = self.names.slots[first].span;
             self.said_twice(scope, item.span, "gravity", first);
             return;
@@ -41,7 +41,7 @@ impl<'a> Resolver<'a> {
         let reads = Reads::SCHEDULED.and(Reads::INPUT);
         let wanted = Wanted::NumberOrVector(Dimension::ACCELERATION, reads);
         let slot = self.names.waiting_slot(item.span, Thunk { scope, expr, wanted });
-        self.draft.settings.gravity = Some(slot);
+        self.unresolved.settings.gravity = Some(slot);
         self.names.checks.push(slot);
     }
 
@@ -52,10 +52,10 @@ impl<'a> Resolver<'a> {
         method: &'a Ident,
         time: Option<&'a ast::Expr>,
     ) {
-        if let Some((first, _)) = self.draft.settings.stabilisation {
+        if let Some((first, _)) = self.unresolved.settings.stabilisation {
             self.said_twice(scope, method.span, "the stabilisation", first.span);
         } else if method.text == "projection" || method.text == "baumgarte" {
-            self.draft.settings.stabilisation = Some((method, time));
+            self.unresolved.settings.stabilisation = Some((method, time));
         } else {
             self.unknown_option(scope, &method.text, method.span, &["projection", "baumgarte"]);
         }
@@ -63,10 +63,10 @@ impl<'a> Resolver<'a> {
 
     /// `formulation: tree;`
     pub(crate) fn declare_formulation(&mut self, scope: ScopeId, formulation: &'a Ident) {
-        if let Some((_, first)) = self.draft.settings.formulation {
+        if let Some((_, first)) = self.unresolved.settings.formulation {
             self.said_twice(scope, formulation.span, "the formulation", first);
         } else if let Some(known) = Formulation::named(&formulation.text) {
-            self.draft.settings.formulation = Some((known, formulation.span));
+            self.unresolved.settings.formulation = Some((known, formulation.span));
         } else {
             self.unknown_option(
                 scope,
@@ -79,10 +79,10 @@ impl<'a> Resolver<'a> {
 
     /// `code: rolled;`
     pub(crate) fn declare_code(&mut self, scope: ScopeId, repetitions: &'a Ident) {
-        if let Some((_, first)) = self.draft.settings.repetitions {
+        if let Some((_, first)) = self.unresolved.settings.repetitions {
             self.said_twice(scope, repetitions.span, "the code", first);
         } else if let Some(known) = Repetitions::named(&repetitions.text) {
-            self.draft.settings.repetitions = Some((known, repetitions.span));
+            self.unresolved.settings.repetitions = Some((known, repetitions.span));
         } else {
             let known = Repetitions::NAMES.map_each(|(name, _)| name);
             self.unknown_option(scope, &repetitions.text, repetitions.span, &known);
@@ -97,7 +97,7 @@ impl<'a> Resolver<'a> {
                 self.unknown_option(scope, &method.text, method.span, &known);
                 continue;
             };
-            if let Some(first) = self.draft.settings.steps.insert(step, method.span) {
+            if let Some(first) = self.unresolved.settings.steps.insert(step, method.span) {
                 self.said_twice(scope, method.span, &format!("a step of `{}`", method.text), first);
             }
         }
@@ -107,7 +107,7 @@ impl<'a> Resolver<'a> {
     pub(crate) fn declare_allowed(&mut self, codes: &'a [Ident]) {
         for code in codes {
             if Code::ALL.iter().any(|known| known.id() == code.text && known.id().starts_with('W')) {
-                self.draft.settings.allowed.push(code.text.clone());
+                self.unresolved.settings.allowed.push(code.text.clone());
             } else {
                 let message = format!("there is no warning `{}` to allow", code.text);
                 self.sink.warning(Code::UnknownCode, code.span, message);
@@ -122,7 +122,7 @@ impl<'a> Resolver<'a> {
 
     /// Gravity as it was written; zero if it was not.
     pub(crate) fn gravity(&mut self, scope: ScopeId, span: Span) -> Eval<Value> {
-        if let Some(slot) = self.draft.settings.gravity {
+        if let Some(slot) = self.unresolved.settings.gravity {
             return self.slot_value(slot, scope, span);
         }
         let nature = Nature::written(Dimension::ACCELERATION, Reads::NOTHING);
@@ -131,7 +131,7 @@ impl<'a> Resolver<'a> {
 
     /// The acceleration of gravity in absolute axes. Where a number was written, it points along -y.
     pub(crate) fn evaluate_gravity(&mut self) -> Eval<Vec2> {
-        let Some(slot) = self.draft.settings.gravity else { return Ok(Vec2::ZERO) };
+        let Some(slot) = self.unresolved.settings.gravity else { return Ok(Vec2::ZERO) };
         let span = self.names.slots[slot].span;
         match self.slot_value(slot, 0, span)? {
             Value::Scalar(down) => Ok(Vec2::new(Expr::ZERO, -down.value)),
@@ -142,7 +142,7 @@ impl<'a> Resolver<'a> {
 
     /// How constraints are kept over a run.
     pub(crate) fn evaluate_stabilisation(&mut self) -> Eval<Stabilisation> {
-        let Some((method, time)) = self.draft.settings.stabilisation else {
+        let Some((method, time)) = self.unresolved.settings.stabilisation else {
             return Ok(Stabilisation::Projection);
         };
         match time {

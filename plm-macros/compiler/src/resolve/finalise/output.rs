@@ -17,7 +17,7 @@ impl<'a> Resolver<'a> {
     pub(crate) fn evaluate_outputs(&mut self) -> Vec<Output> {
         let mut outputs: Vec<Output> = Vec::new();
         let mut names: SortedMap<String, Span> = SortedMap::new();
-        for (scope, ast, docs) in std::mem::take(&mut self.draft.outputs) {
+        for (scope, ast, docs) in std::mem::take(&mut self.unresolved.outputs) {
             let Ok(output) = self.output(scope, ast, docs) else { continue };
             let Name { text, span } = output.name.clone();
             if let Some(first) = names.get(&text) {

@@ -15,7 +15,7 @@ use crate::syntax::ast::{self, ExprKind, Item, ItemKind};
 use crate::units::{Dimension, DisplayUnit};
 
 /// A `param` or an `input` of the mechanism: a field of an emitted type.
-pub(crate) struct FieldDraft<'a> {
+pub(crate) struct UnresolvedField<'a> {
     pub(crate) ast: &'a ast::Value,
     pub(crate) docs: &'a [String],
     pub(crate) scope: ScopeId,
@@ -56,7 +56,7 @@ impl<'a> Resolver<'a> {
                 ItemKind::Output(outputs) => self.declare_outputs(scope, outputs, &item.docs),
                 ItemKind::Picture(names) => self.declare_picture(scope, names),
                 ItemKind::Observe(list) => {
-                    self.draft.observed.push_all(list.iter().map(|expr| (scope, expr)));
+                    self.unresolved.observed.push_all(list.iter().map(|expr| (scope, expr)));
                 }
                 ItemKind::Repeat(repeat) => self.declare_repeat(scope, repeat, part),
                 // Read when the part is used, and when the library is loaded.
@@ -79,8 +79,9 @@ impl<'a> Resolver<'a> {
             if kind == Reads::INPUT {
                 self.calculus.held.push(symbol);
             }
-            let fields = if kind == Reads::PARAM { &mut self.draft.params } else { &mut self.draft.inputs };
-            fields.push(FieldDraft { ast, docs: &item.docs, scope, name, symbol, unit });
+            let fields =
+                if kind == Reads::PARAM { &mut self.unresolved.params } else { &mut self.unresolved.inputs };
+            fields.push(UnresolvedField { ast, docs: &item.docs, scope, name, symbol, unit });
             self.names.known_slot(span, value)
         };
         let what = if kind == Reads::INPUT { "input" } else { "parameter" };
@@ -130,7 +131,7 @@ impl<'a> Resolver<'a> {
         let home = self.names.home(scope);
         for output in outputs {
             if self.names.instance(scope).is_none() {
-                self.draft.outputs.push((scope, output, docs));
+                self.unresolved.outputs.push((scope, output, docs));
                 continue;
             }
             let ((Some(name), _) | (None, ExprKind::Name(name))) = (&output.name, &output.value.kind) else {
@@ -159,8 +160,8 @@ impl<'a> Resolver<'a> {
         let (Ok(from), Ok(to)) = bounds else { return };
         let to = if repeat.inclusive { to.saturating_add(1) } else { to };
         for index in from..to {
-            self.draft.turns += 1;
-            if self.draft.turns > MAX_TURNS {
+            self.unresolved.turns += 1;
+            if self.unresolved.turns > MAX_TURNS {
                 let message = format!("more than {MAX_TURNS} repetitions in all");
                 self.error(scope, Code::TooMany, repeat.from.span.to(repeat.to.span), message);
                 return;

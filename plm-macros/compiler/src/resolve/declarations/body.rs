@@ -7,8 +7,8 @@ use crate::collect::MapEach;
 use crate::diag::{Code, help_similar};
 use crate::model::{Name, Start};
 use crate::resolve::Resolver;
+use crate::resolve::declarations::frame::{Placement, UnresolvedPort};
 use crate::resolve::names::ScopeId;
-use crate::resolve::things::frame::{Placement, PortDraft};
 use crate::resolve::values::lazy::Lazy;
 use crate::resolve::values::member_table::{Member, Owner};
 use crate::resolve::values::{Eval, Failed, Reads, Value};
@@ -17,7 +17,7 @@ use crate::syntax::ast;
 use crate::units::Dimension;
 
 /// A body on the way to the model.
-pub(crate) struct BodyDraft<'a> {
+pub(crate) struct UnresolvedBody<'a> {
     pub(crate) ast: &'a ast::Body,
     pub(crate) scope: ScopeId,
     pub(crate) name: Name,
@@ -29,7 +29,7 @@ pub(crate) struct BodyDraft<'a> {
     pub(crate) a: [Expr; 3],
     /// From its axes to the absolute ones: by `theta`.
     pub(crate) rotation: Rotation,
-    pub(crate) ports: Vec<PortDraft<'a>>,
+    pub(crate) ports: Vec<UnresolvedPort<'a>>,
     placement: Lazy<Placement>,
 }
 
@@ -61,12 +61,12 @@ impl<'a> Resolver<'a> {
             }
             let Ok(key) = self.key(scope, &port.name) else { continue };
             let name = format!("{}{key}", self.names.prefix(scope));
-            if let Some(first) = self.draft.port_index(None, &name) {
-                let first = self.draft.ground[first].ast.name.ident.span;
+            if let Some(first) = self.unresolved.port_index(None, &name) {
+                let first = self.unresolved.ground[first].ast.name.ident.span;
                 self.duplicate(scope, &key, port.name.ident.span, first);
             } else {
                 self.refuse_member_name(scope, port);
-                self.draft.ground.push(PortDraft {
+                self.unresolved.ground.push(UnresolvedPort {
                     ast: port,
                     name,
                     scope,
@@ -107,10 +107,10 @@ impl<'a> Resolver<'a> {
         rotation.cos.hint(&format!("{name}.cos"));
         rotation.sin.hint(&format!("{name}.sin"));
         let span = ast.name.ident.span;
-        let slot = self.names.known_slot(span, Value::Body(Some(self.draft.bodies.len())));
+        let slot = self.names.known_slot(span, Value::Body(Some(self.unresolved.bodies.len())));
         let ports = self.ports_of(scope, ast);
         let name = Name { text: name, span };
-        self.draft.bodies.push(BodyDraft {
+        self.unresolved.bodies.push(UnresolvedBody {
             ast,
             scope,
             name,
@@ -124,8 +124,8 @@ impl<'a> Resolver<'a> {
         self.bind(scope, &ast.name.ident, key, slot);
     }
 
-    fn ports_of(&mut self, scope: ScopeId, ast: &'a ast::Body) -> Vec<PortDraft<'a>> {
-        let mut ports: Vec<PortDraft<'a>> = Vec::with_capacity(ast.ports.len());
+    fn ports_of(&mut self, scope: ScopeId, ast: &'a ast::Body) -> Vec<UnresolvedPort<'a>> {
+        let mut ports: Vec<UnresolvedPort<'a>> = Vec::with_capacity(ast.ports.len());
         for port in &ast.ports {
             let Ok(key) = self.key(scope, &port.name) else { continue };
             if let Some(first) = ports.iter().find(|of| of.name == key) {
@@ -134,7 +134,7 @@ impl<'a> Resolver<'a> {
             } else {
                 self.refuse_member_name(scope, port);
                 let name = key.into_owned();
-                ports.push(PortDraft { ast: port, name, scope, used: false, frame: Lazy::Waiting });
+                ports.push(UnresolvedPort { ast: port, name, scope, used: false, frame: Lazy::Waiting });
             }
         }
         ports
@@ -142,7 +142,7 @@ impl<'a> Resolver<'a> {
 
     /// A field of a body; said twice, the first counts.
     pub(crate) fn body_field(&mut self, body: usize, name: &str) -> Option<&'a ast::Expr> {
-        let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
+        let (ast, scope) = (self.unresolved.bodies[body].ast, self.unresolved.bodies[body].scope);
         let mut fields = ast.fields.iter().filter(|(ident, _)| ident.text == name);
         let (first, value) = fields.next()?;
         if let Some((again, _)) = fields.next() {
@@ -159,7 +159,8 @@ impl<'a> Resolver<'a> {
         name: &str,
         dimension: Dimension,
     ) -> Eval<(Expr, Span)> {
-        let (scope, declared) = (self.draft.bodies[body].scope, self.draft.bodies[body].name.clone());
+        let (scope, declared) =
+            (self.unresolved.bodies[body].scope, self.unresolved.bodies[body].name.clone());
         let Some(expr) = self.body_field(body, name) else {
             let message = format!("the body `{}` has no {name}", declared.text);
             let help = format!("write `{name}: 1 {};`", dimension.si_unit());
@@ -182,11 +183,11 @@ impl<'a> Resolver<'a> {
     /// Where the origin of a body's coordinates is, worked out at its first use.
     pub(crate) fn placement(&mut self, body: usize) -> Eval<Placement> {
         // Ports are looked at first, and tell of a circle.
-        self.lazy(|of| &mut of.draft.bodies[body].placement, |_| (), |of| of.evaluate_placement(body))
+        self.lazy(|of| &mut of.unresolved.bodies[body].placement, |_| (), |of| of.evaluate_placement(body))
     }
 
     fn evaluate_placement(&mut self, body: usize) -> Eval<Placement> {
-        let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
+        let (ast, scope) = (self.unresolved.bodies[body].ast, self.unresolved.bodies[body].scope);
         let drawing = match &ast.coordinates {
             None => false,
             Some(word) if word.text == "relative" => false,
@@ -219,7 +220,7 @@ impl<'a> Resolver<'a> {
 
     /// Reports what is wrong with a body, whether or not anything reads it.
     pub(crate) fn check_body(&mut self, body: usize) {
-        let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
+        let (ast, scope) = (self.unresolved.bodies[body].ast, self.unresolved.bodies[body].scope);
         for (k, start) in ast.starts.iter().enumerate() {
             let (text, span) = (start.coordinate.text.as_str(), start.coordinate.span);
             let names = COORDINATES.map_each(|(name, _)| name);
@@ -234,7 +235,7 @@ impl<'a> Resolver<'a> {
                     .note_at(first, "it starts first here");
             }
         }
-        for port in 0..self.draft.bodies[body].ports.len() {
+        for port in 0..self.unresolved.bodies[body].ports.len() {
             let _ = self.frame(crate::model::FrameRef { body: Some(body), port });
         }
     }
@@ -247,9 +248,9 @@ impl<'a> Resolver<'a> {
         let Vec2 { x, y } = placement.centre;
         let drawn = [x, y, placement.drawing_angle, zero, zero, zero];
         let default = if placement.drawing { drawn } else { [zero; 6] };
-        let span = self.draft.bodies[body].name.span;
+        let span = self.unresolved.bodies[body].name.span;
         let mut starts = default.map_each(|value| Start { value, locked: false, given: false, span });
-        let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
+        let (ast, scope) = (self.unresolved.bodies[body].ast, self.unresolved.bodies[body].scope);
         let mut result = Ok(());
         for start in &ast.starts {
             let Some(i) = COORDINATES.iter().position(|(name, _)| *name == start.coordinate.text) else {

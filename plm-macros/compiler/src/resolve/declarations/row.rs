@@ -13,7 +13,7 @@ use crate::syntax::ast;
 use crate::units::Dimension;
 
 /// A constraint row on the way to its phi.
-pub(crate) struct RowDraft<'a> {
+pub(crate) struct UnresolvedRow<'a> {
     pub(crate) scope: ScopeId,
     left: &'a ast::Expr,
     right: &'a ast::Expr,
@@ -53,13 +53,13 @@ impl<'a> Resolver<'a> {
             return;
         }
         let span = match self.names.instance(scope) {
-            Some(_) => self.draft.parts[part.unwrap_or(0)].name.span,
+            Some(_) => self.unresolved.parts[part.unwrap_or(0)].name.span,
             None => name.ident.span,
         };
         let part = part.unwrap_or_else(|| {
             let name = Name { text: full.clone(), span };
             let kind = "constraint".to_string();
-            self.draft.parts.push(Part {
+            self.unresolved.parts.push(Part {
                 name,
                 kind,
                 pair: None,
@@ -67,28 +67,37 @@ impl<'a> Resolver<'a> {
                 frames: Vec::new(),
                 branch: None,
             });
-            self.draft.parts.len() - 1
+            self.unresolved.parts.len() - 1
         });
         let lambda = Expr::symbol(format!("lambda_{full}"));
-        self.names.scopes[home].rows.insert(key, (self.draft.rows.len(), name.ident.span));
+        self.names.scopes[home].rows.insert(key, (self.unresolved.rows.len(), name.ident.span));
         let value = Lazy::Waiting;
-        self.draft.rows.push(RowDraft { scope, left, right, name: full, part, span, lambda, value });
+        self.unresolved.rows.push(UnresolvedRow {
+            scope,
+            left,
+            right,
+            name: full,
+            part,
+            span,
+            lambda,
+            value,
+        });
     }
 
     /// Where a row was written.
     pub(crate) fn row_declared(&self, row: usize) -> Declared {
-        let RowDraft { scope, left, right, .. } = self.draft.rows[row];
+        let UnresolvedRow { scope, left, right, .. } = self.unresolved.rows[row];
         Declared { span: left.span.to(right.span), uses: self.names.uses(scope) }
     }
 
     /// The phi of a row, worked out at its first use.
     pub(crate) fn row(&mut self, row: usize) -> Eval<RowValue> {
         // A constraint that reads its own reaction is told so where it does.
-        self.lazy(|of| &mut of.draft.rows[row].value, |_| (), |of| of.phi(row))
+        self.lazy(|of| &mut of.unresolved.rows[row].value, |_| (), |of| of.phi(row))
     }
 
     fn phi(&mut self, row: usize) -> Eval<RowValue> {
-        let RowDraft { scope, left, right, .. } = self.draft.rows[row];
+        let UnresolvedRow { scope, left, right, .. } = self.unresolved.rows[row];
         let (a, b) = (self.eval_scalar(scope, left), self.eval_scalar(scope, right));
         let (a, b) = (a?, b?);
         let nature = self.joined(scope, left.span.to(right.span), a, b)?;

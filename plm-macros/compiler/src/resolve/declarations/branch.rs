@@ -29,7 +29,7 @@ impl Resolver<'_> {
             return;
         };
         match Turn::NAMES.iter().find(|known| known.0 == name.ident.text) {
-            Some((_, turn)) => self.draft.parts[part].branch = Some((*turn, field.span())),
+            Some((_, turn)) => self.unresolved.parts[part].branch = Some((*turn, field.span())),
             None => self.unknown_option(outer, &name.ident.text, name.ident.span, &names),
         }
     }

@@ -15,7 +15,7 @@ use crate::span::Span;
 use crate::syntax::ast::{self, Domain, Ident};
 
 /// A node.
-pub(crate) struct NodeDraft<'a> {
+pub(crate) struct UnresolvedNode<'a> {
     domain: &'a Domain,
     /// Full name, `cylinder.cap`.
     pub(crate) name: String,
@@ -85,15 +85,15 @@ impl<'a> Resolver<'a> {
     }
 
     fn domain_index(&mut self, domain: &'a Domain) -> usize {
-        let known = self.draft.domains.iter().position(|known| std::ptr::eq(*known, domain));
+        let known = self.unresolved.domains.iter().position(|known| std::ptr::eq(*known, domain));
         known.unwrap_or_else(|| {
-            self.draft.domains.push(domain);
-            self.draft.domains.len() - 1
+            self.unresolved.domains.push(domain);
+            self.unresolved.domains.len() - 1
         })
     }
 
     fn new_node(&mut self, scope: ScopeId, domain: usize, key: &str, span: Span) -> usize {
-        let domain = self.draft.domains[domain];
+        let domain = self.unresolved.domains[domain];
         let name = format!("{}{key}", self.names.prefix(scope));
         let through = domain.through.iter().map(|quantity| {
             let symbol = Expr::symbol(format!("{}_of_{name}", quantity.name.text));
@@ -102,8 +102,8 @@ impl<'a> Resolver<'a> {
             Through { symbol, rate, terms: Vec::new() }
         });
         let through = through.collect_vec();
-        self.draft.nodes.push(NodeDraft { domain, name, scope, span, across: None, through });
-        self.draft.nodes.len() - 1
+        self.unresolved.nodes.push(UnresolvedNode { domain, name, scope, span, across: None, through });
+        self.unresolved.nodes.len() - 1
     }
 
     /// A node where a port of a domain is wanted.
@@ -115,10 +115,12 @@ impl<'a> Resolver<'a> {
         domain: usize,
     ) -> Eval<Value> {
         match value {
-            Value::Node(node) if std::ptr::eq(self.draft.nodes[node].domain, self.draft.domains[domain]) => {
+            Value::Node(node)
+                if std::ptr::eq(self.unresolved.nodes[node].domain, self.unresolved.domains[domain]) =>
+            {
                 Ok(value)
             }
-            other => Err(self.not_of_domain(scope, expr, &other, self.draft.domains[domain])),
+            other => Err(self.not_of_domain(scope, expr, &other, self.unresolved.domains[domain])),
         }
     }
 
@@ -130,14 +132,14 @@ impl<'a> Resolver<'a> {
         value: Value,
         node: usize,
     ) -> Eval<Value> {
-        let domain = self.draft.nodes[node].domain;
+        let domain = self.unresolved.nodes[node].domain;
         match value {
-            Value::Node(other) if std::ptr::eq(self.draft.nodes[other].domain, domain) => Ok(value),
+            Value::Node(other) if std::ptr::eq(self.unresolved.nodes[other].domain, domain) => Ok(value),
             Value::Scalar(..) => {
                 let wanted = Wanted::Number(domain.across.unit.dimension, Reads::ALL);
                 if let Value::Scalar(across) = self.wanted(scope, expr, value, wanted)? {
                     let nature = Nature::derived(across.nature.dimension, across.nature.reads);
-                    self.draft.nodes[node].across = Some(Quantity { nature, ..across });
+                    self.unresolved.nodes[node].across = Some(Quantity { nature, ..across });
                 }
                 Ok(Value::Node(node))
             }
@@ -148,7 +150,7 @@ impl<'a> Resolver<'a> {
     fn not_of_domain(&mut self, scope: ScopeId, expr: &ast::Expr, found: &Value, domain: &Domain) -> Failed {
         let what = match found {
             Value::Node(node) => {
-                format!("a port of the domain `{}`", self.draft.nodes[*node].domain.name.text)
+                format!("a port of the domain `{}`", self.unresolved.nodes[*node].domain.name.text)
             }
             other => other.kind().to_string(),
         };
@@ -174,14 +176,14 @@ impl<'a> Resolver<'a> {
     /// Names of the ports that a part shows, of one domain.
     fn ports_of_domain(&self, instance: usize, domain: &Domain) -> Vec<String> {
         let prefix = format!("{}.", self.names.instances[instance].name);
-        let nodes = self.draft.nodes.iter().filter(|node| std::ptr::eq(node.domain, domain));
+        let nodes = self.unresolved.nodes.iter().filter(|node| std::ptr::eq(node.domain, domain));
         let names = nodes.filter_map(|node| node.name.strip_prefix(&prefix));
         names.filter(|name| !name.contains('.')).map(ToString::to_string).collect_vec()
     }
 
     /// `node.pressure`, `node.flow`
     pub(crate) fn node_member(&mut self, node: usize, name: &str) -> Option<Value> {
-        let state = &self.draft.nodes[node];
+        let state = &self.unresolved.nodes[node];
         if state.domain.across.name.text == name {
             return state.across.map(Value::Scalar);
         }
@@ -192,7 +194,7 @@ impl<'a> Resolver<'a> {
 
     /// Names of the members of a node.
     pub(crate) fn members_of_node(&self, node: usize) -> Vec<&'a str> {
-        let domain = self.draft.nodes[node].domain;
+        let domain = self.unresolved.nodes[node].domain;
         let through = domain.through.iter().map(|quantity| quantity.name.text.as_str());
         std::iter::once(domain.across.name.text.as_str()).chain(through).collect_vec()
     }
@@ -207,11 +209,11 @@ impl<'a> Resolver<'a> {
     ) -> Eval<usize> {
         match value {
             Value::Node(other)
-                if std::ptr::eq(self.draft.nodes[other].domain, self.draft.nodes[node].domain) =>
+                if std::ptr::eq(self.unresolved.nodes[other].domain, self.unresolved.nodes[node].domain) =>
             {
                 Ok(other)
             }
-            found => Err(self.not_of_domain(scope, expr, &found, self.draft.nodes[node].domain)),
+            found => Err(self.not_of_domain(scope, expr, &found, self.unresolved.nodes[node].domain)),
         }
     }
 
@@ -223,7 +225,7 @@ impl<'a> Resolver<'a> {
         node: usize,
         from: Option<usize>,
     ) -> Eval<()> {
-        let domain = self.draft.nodes[node].domain;
+        let domain = self.unresolved.nodes[node].domain;
         let name = &ast.quantity;
         let Some(k) = domain.through.iter().position(|of| of.name.text == name.text) else {
             let names: Vec<&str> = domain.through.iter().map(|of| of.name.text.as_str()).collect_vec();
@@ -234,9 +236,9 @@ impl<'a> Resolver<'a> {
             return Err(Failed);
         };
         let value = self.eval_number(scope, &ast.value, domain.through[k].unit.dimension, Reads::ALL)?;
-        self.draft.nodes[node].through[k].terms.push(value);
+        self.unresolved.nodes[node].through[k].terms.push(value);
         if let Some(from) = from {
-            self.draft.nodes[from].through[k].terms.push(-value);
+            self.unresolved.nodes[from].through[k].terms.push(-value);
         }
         Ok(())
     }

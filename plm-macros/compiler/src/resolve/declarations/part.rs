@@ -75,7 +75,7 @@ impl<'a> Resolver<'a> {
         let index = match part {
             Some(part) if !is_part => part,
             _ => {
-                let span = part.map_or(span, |part| self.draft.parts[part].name.span);
+                let span = part.map_or(span, |part| self.unresolved.parts[part].name.span);
                 self.new_part(&name, span, definition, pair)
             }
         };
@@ -102,7 +102,7 @@ impl<'a> Resolver<'a> {
         self.check_fields(id);
         self.ask_for_branch(id);
         if let Some((_, span)) = stated {
-            self.draft.parts[index].declared = Some(Declared { span, uses: self.names.uses(inside) });
+            self.unresolved.parts[index].declared = Some(Declared { span, uses: self.names.uses(inside) });
         }
         self.declare(&definition.items, inside, Some(index));
         self.check_outputs(definition, inside);
@@ -122,7 +122,7 @@ impl<'a> Resolver<'a> {
             self.error(scope, Code::TooDeep, ast.kind.span, message);
         }
         let too_many = self.names.instances.len() >= MAX_INSTANCES;
-        if too_many && !std::mem::replace(&mut self.draft.too_many, true) {
+        if too_many && !std::mem::replace(&mut self.unresolved.too_many, true) {
             let message = format!("more than {MAX_INSTANCES} parts in all");
             self.error(scope, Code::TooMany, ast.kind.span, message);
         }
@@ -145,8 +145,15 @@ impl<'a> Resolver<'a> {
     fn new_part(&mut self, name: &str, span: Span, definition: &Definition, pair: Option<Pair>) -> usize {
         let name = Name { text: name.to_string(), span };
         let kind = definition.name.text.clone();
-        self.draft.parts.push(Part { name, kind, pair, declared: None, frames: Vec::new(), branch: None });
-        self.draft.parts.len() - 1
+        self.unresolved.parts.push(Part {
+            name,
+            kind,
+            pair,
+            declared: None,
+            frames: Vec::new(),
+            branch: None,
+        });
+        self.unresolved.parts.len() - 1
     }
 
     fn bind_arguments(&mut self, id: usize, inside: ScopeId) {
@@ -258,7 +265,7 @@ impl<'a> Resolver<'a> {
         for slot in arguments {
             let span = self.names.slots[slot].span;
             if let Ok(Value::Frame(frame)) = self.slot_value(slot, outer, span) {
-                self.draft.port(frame).used = true;
+                self.unresolved.port(frame).used = true;
                 frames.push(frame);
             }
         }
@@ -266,13 +273,13 @@ impl<'a> Resolver<'a> {
         let joins_itself = frames.len() > 1 && frames.iter().all(|frame| frame.body == frames[0].body);
         if instance.definition.is_joint && joins_itself {
             let (name, kind, span) = (&instance.name, &instance.definition.name.text, instance.span);
-            let body = frames[0].body.map_or("ground", |body| &self.draft.bodies[body].name.text);
+            let body = frames[0].body.map_or("ground", |body| &self.unresolved.bodies[body].name.text);
             let message = format!("the {kind} joint `{name}` joins `{body}` with itself");
             self.error(outer, Code::SelfJoint, span, message);
         }
         let (part, is_part) = (self.names.instances[id].part, self.names.instances[id].is_part);
         if is_part {
-            self.draft.parts[part].frames = frames;
+            self.unresolved.parts[part].frames = frames;
         }
     }
 }

@@ -1,9 +1,9 @@
-//! The model from its draft, when every name is bound.
+//! The model from its unresolved, when every name is bound.
 
 pub(super) mod compliance;
 mod observe;
 mod output;
-mod stand_ins;
+mod placeholders;
 pub(super) mod warnings;
 
 use crate::collect::CollectVec;
@@ -13,7 +13,7 @@ use plm_cas::{Expr, Graph};
 use crate::diag::Code;
 use crate::model::{Body, Decisions, FrameRef, Input, Model, Name, Param, Port, Row};
 use crate::resolve::Resolver;
-use crate::resolve::things::declare::FieldDraft;
+use crate::resolve::declarations::declare::UnresolvedField;
 use crate::resolve::values::{Eval, Reads, all};
 use crate::syntax::ast::{self, Mechanism};
 use crate::units::{Dimension, DisplayUnit};
@@ -37,7 +37,7 @@ impl<'a> Resolver<'a> {
         let mut outputs = self.evaluate_outputs();
         self.evaluate_observed(&mut outputs);
         let mut switches = self.evaluate_requirements();
-        self.replace_stand_ins(&mut states, &mut loads, &mut outputs, &mut switches);
+        self.replace_placeholders(&mut states, &mut loads, &mut outputs, &mut switches);
         loads.retain(|load| load.force != [Expr::ZERO; 3]);
         let rows = rows.and_then(|rows| self.apply_compliances(rows, &mut loads, &mut states, &mut outputs));
         // Last of all, so that pictures have no part in the order in which terms are made.
@@ -60,18 +60,18 @@ impl<'a> Resolver<'a> {
             precision: self.calculus.precision,
             gravity: gravity.ok()?,
             stabilisation: stabilisation.ok()?,
-            formulation: self.draft.settings.formulation,
-            repetitions: self.draft.settings.repetitions.map(|(repetitions, _)| repetitions),
-            steps: self.draft.settings.steps.keys().copied().collect(),
+            formulation: self.unresolved.settings.formulation,
+            repetitions: self.unresolved.settings.repetitions.map(|(repetitions, _)| repetitions),
+            steps: self.unresolved.settings.steps.keys().copied().collect(),
             params: params.ok()?,
             inputs: inputs.ok()?,
             bodies: bodies.ok()?,
             ground: ground.ok()?,
-            parts: self.draft.parts,
+            parts: self.unresolved.parts,
             rows,
             compliant,
-            limits: self.draft.limits,
-            comparisons: self.draft.comparisons,
+            limits: self.unresolved.limits,
+            comparisons: self.unresolved.comparisons,
             jumps: Vec::new(),
             released: Vec::new(),
             loads,
@@ -83,13 +83,13 @@ impl<'a> Resolver<'a> {
             decisions: Decisions::default(),
             kinks: Vec::new(),
             turns: Vec::new(),
-            allowed: self.draft.settings.allowed,
+            allowed: self.unresolved.settings.allowed,
         })
     }
 
     /// Defaults of parameters may read parameters that stand above them.
     fn evaluate_params(&mut self) -> Eval<Vec<Param>> {
-        let states = std::mem::take(&mut self.draft.params);
+        let states = std::mem::take(&mut self.unresolved.params);
         all(states.into_iter().map(|state| {
             let required = state.ast.value.is_none();
             let default = if required { Expr::ONE } else { self.default_of(&state)? };
@@ -104,7 +104,7 @@ impl<'a> Resolver<'a> {
     }
 
     fn evaluate_inputs(&mut self) -> Eval<Vec<Input>> {
-        let states = std::mem::take(&mut self.draft.inputs);
+        let states = std::mem::take(&mut self.unresolved.inputs);
         all(states.into_iter().map(|state| {
             let default = self.default_of(&state)?;
             let docs = state.docs.to_vec();
@@ -112,7 +112,7 @@ impl<'a> Resolver<'a> {
         }))
     }
 
-    fn default_of(&mut self, state: &FieldDraft<'a>) -> Eval<Expr> {
+    fn default_of(&mut self, state: &UnresolvedField<'a>) -> Eval<Expr> {
         match &state.ast.value {
             Some(expr) => self.eval_number(state.scope, expr, state.unit.dimension, Reads::FIXED),
             None => Ok(Expr::ZERO),
@@ -120,7 +120,7 @@ impl<'a> Resolver<'a> {
     }
 
     fn evaluate_bodies(&mut self) -> Eval<Vec<Body>> {
-        all((0..self.draft.bodies.len()).map(|body| self.evaluate_body(body)))
+        all((0..self.unresolved.bodies.len()).map(|body| self.evaluate_body(body)))
     }
 
     fn evaluate_body(&mut self, body: usize) -> Eval<Body> {
@@ -128,13 +128,13 @@ impl<'a> Resolver<'a> {
         let inertia = self.body_quantity(body, "inertia", Dimension::INERTIA);
         let starts = self.starts(body);
         let contour = self.contour(body);
-        let (depth, scope) = (self.body_field(body, "depth"), self.draft.bodies[body].scope);
+        let (depth, scope) = (self.body_field(body, "depth"), self.unresolved.bodies[body].scope);
         let depth = self.depth(scope, depth);
         let ports = self.evaluate_ports(Some(body));
         let placement = self.placement(body)?;
         let ((mass, mass_span), (inertia, inertia_span)) = (mass?, inertia?);
         let [x, y, angle, vx, vy, omega] = starts?;
-        let state = &self.draft.bodies[body];
+        let state = &self.unresolved.bodies[body];
         Ok(Body {
             name: state.name.clone(),
             mass,
@@ -154,11 +154,12 @@ impl<'a> Resolver<'a> {
     }
 
     fn evaluate_ports(&mut self, body: Option<usize>) -> Eval<Vec<Port>> {
-        let count = body.map_or(self.draft.ground.len(), |body| self.draft.bodies[body].ports.len());
+        let count =
+            body.map_or(self.unresolved.ground.len(), |body| self.unresolved.bodies[body].ports.len());
         all((0..count).map(|port| {
             let frame = FrameRef { body, port };
             let geometry = self.frame(frame)?;
-            let state = self.draft.port(frame);
+            let state = self.unresolved.port(frame);
             let (ast, scope, used) = (state.ast, state.scope, state.used);
             let name = Name { text: state.name.clone(), span: ast.name.ident.span };
             let depth = self.depth(scope, ast.depth.as_ref())?;
@@ -167,10 +168,10 @@ impl<'a> Resolver<'a> {
     }
 
     fn evaluate_rows(&mut self) -> Eval<Vec<Row>> {
-        all((0..self.draft.rows.len()).map(|row| {
+        all((0..self.unresolved.rows.len()).map(|row| {
             let value = self.row(row)?;
             let declared = self.row_declared(row);
-            let state = &self.draft.rows[row];
+            let state = &self.unresolved.rows[row];
             Ok(Row {
                 name: state.name.clone(),
                 part: state.part,

@@ -27,7 +27,7 @@ pub(crate) struct Action {
 }
 
 /// A force or a torque that was declared.
-pub(crate) struct LoadDraft<'a> {
+pub(crate) struct UnresolvedLoad<'a> {
     scope: ScopeId,
     ast: &'a ast::Load,
     part: usize,
@@ -37,22 +37,22 @@ impl<'a> Resolver<'a> {
     /// `force on port from port: value;` of a part.
     pub(crate) fn declare_load(&mut self, scope: ScopeId, ast: &'a ast::Load, part: Option<usize>) {
         if let Some(part) = part {
-            self.draft.loads.push(LoadDraft { scope, ast, part });
+            self.unresolved.loads.push(UnresolvedLoad { scope, ast, part });
         }
     }
 
     /// All loads, carried to the centres of gravity.
     pub(crate) fn evaluate_loads(&mut self) -> Vec<Load> {
         let mut loads = Vec::new();
-        for load in std::mem::take(&mut self.draft.loads) {
+        for load in std::mem::take(&mut self.unresolved.loads) {
             // A mistake has been reported; what else is wrong is found all the same.
             let _ = self.load(&load, &mut loads);
         }
         loads
     }
 
-    fn load(&mut self, load: &LoadDraft<'a>, loads: &mut Vec<Load>) -> Eval<()> {
-        let LoadDraft { scope, ast, .. } = *load;
+    fn load(&mut self, load: &UnresolvedLoad<'a>, loads: &mut Vec<Load>) -> Eval<()> {
+        let UnresolvedLoad { scope, ast, .. } = *load;
         let on = self.eval(scope, &ast.on);
         let from = ast.from.as_ref().map(|from| self.eval(scope, from)).transpose();
         let (on, from) = (on?, from?);
@@ -106,7 +106,7 @@ impl<'a> Resolver<'a> {
     /// A force F at P acts on G as F and the torque (P - G) x F (manual, equation (6), which omits the torques).
     fn apply(
         &mut self,
-        load: &LoadDraft<'a>,
+        load: &UnresolvedLoad<'a>,
         target: Target,
         value: Applied,
         loads: &mut Vec<Load>,
@@ -119,7 +119,7 @@ impl<'a> Resolver<'a> {
             Applied::Torque(torque) => (Vec2::ZERO, torque),
             Applied::Force(force) => (force, Expr::ZERO),
         };
-        self.draft.applied.push(Action { scope: load.scope, body, arm, force, torque });
+        self.unresolved.applied.push(Action { scope: load.scope, body, arm, force, torque });
         let moment = arm.cross(force);
         let force = [force.x, force.y, moment + torque];
         if let Some(body) = body.filter(|_| force != [Expr::ZERO; 3]) {

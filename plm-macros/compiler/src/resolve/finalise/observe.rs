@@ -13,8 +13,8 @@ use plm_cas::algebra::{self, Vec2};
 use crate::diag::Code;
 use crate::model::{FrameRef, Name, Output};
 use crate::resolve::Resolver;
+use crate::resolve::declarations::load::Action;
 use crate::resolve::names::ScopeId;
-use crate::resolve::things::load::Action;
 use crate::resolve::values::member_table::{Member, Owner};
 use crate::resolve::values::{Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::span::Span;
@@ -52,7 +52,7 @@ impl<'a> Resolver<'a> {
     /// Adds to the outputs what is observed and not declared.
     pub(crate) fn evaluate_observed(&mut self, outputs: &mut Vec<Output>) {
         let mut targets: Vec<(Value, Span)> = Vec::new();
-        for (scope, expr) in std::mem::take(&mut self.draft.observed) {
+        for (scope, expr) in std::mem::take(&mut self.unresolved.observed) {
             // A mistake has been reported; the others are shown all the same.
             let _ = self.targets(scope, expr, &mut targets);
         }
@@ -81,9 +81,10 @@ impl<'a> Resolver<'a> {
         let is_all = matches!(&expr.kind, ExprKind::Name(name) if name.ident.text == "all");
         if is_all && self.names.find(scope, "all").is_none() {
             // One that is another name of a node has no quantities of its own.
-            let nodes = (0..self.draft.nodes.len()).filter(|&node| self.draft.nodes[node].across.is_some());
+            let nodes =
+                (0..self.unresolved.nodes.len()).filter(|&node| self.unresolved.nodes[node].across.is_some());
             let nodes = nodes.map(Value::Node);
-            let bodies = (0..self.draft.bodies.len()).map(Some).chain([None]).map(Value::Body);
+            let bodies = (0..self.unresolved.bodies.len()).map(Some).chain([None]).map(Value::Body);
             let parts = (0..self.names.instances.len()).map(Value::Instance);
             targets.push_all(bodies.chain(nodes).chain(parts).map(|target| (target, expr.span)));
             return Ok(());
@@ -105,14 +106,15 @@ impl<'a> Resolver<'a> {
     /// A body and its ports; the ground has no more than ports.
     fn show_body(&mut self, body: Option<usize>, shown: &mut Shown) -> Eval<()> {
         if let Some(moving) = body {
-            let name = self.draft.bodies[moving].name.text.clone();
+            let name = self.unresolved.bodies[moving].name.text.clone();
             for Member { name: member, .. } in Member::observed(Owner::Body) {
                 if let Some(value) = self.body_member(body, member) {
                     shown.push(format!("{name}.{member}"), &value, String::new());
                 }
             }
         }
-        let ports = body.map_or(self.draft.ground.len(), |body| self.draft.bodies[body].ports.len());
+        let ports =
+            body.map_or(self.unresolved.ground.len(), |body| self.unresolved.bodies[body].ports.len());
         (0..ports).try_for_each(|port| self.show_port(FrameRef { body, port }, shown))
     }
 
@@ -127,7 +129,7 @@ impl<'a> Resolver<'a> {
     }
 
     fn show_node(&mut self, node: usize, shown: &mut Shown) {
-        let name = self.draft.nodes[node].name.clone();
+        let name = self.unresolved.nodes[node].name.clone();
         for member in self.members_of_node(node) {
             if let Some(value) = self.node_member(node, member) {
                 shown.push(format!("{name}.{member}"), &value, String::new());
@@ -175,20 +177,21 @@ impl<'a> Resolver<'a> {
     }
 
     pub(crate) fn name_of_port(&mut self, frame: FrameRef) -> String {
-        let of = frame.body.map_or("ground".to_owned(), |body| self.draft.bodies[body].name.text.clone());
-        format!("{of}.{}", self.draft.port(frame).name)
+        let of =
+            frame.body.map_or("ground".to_owned(), |body| self.unresolved.bodies[body].name.text.clone());
+        format!("{of}.{}", self.unresolved.port(frame).name)
     }
 
     fn actions(&self) -> Actions {
         let count = self.names.instances.len();
         let (mut rows, mut applied) = (vec![Vec::new(); count], vec![Vec::new(); count]);
-        for (row, state) in self.draft.rows.iter().enumerate() {
+        for (row, state) in self.unresolved.rows.iter().enumerate() {
             self.names.around(state.scope).for_each(|part: usize| rows[part].push(row));
         }
-        for action in &self.draft.applied {
+        for action in &self.unresolved.applied {
             self.names.around(action.scope).for_each(|part: usize| applied[part].push(*action));
         }
-        let bodies = self.draft.bodies.iter().enumerate();
+        let bodies = self.unresolved.bodies.iter().enumerate();
         let coordinates = bodies.flat_map(|(i, body)| (0..3).map(move |k| (body.q[k], (i, k)))).collect();
         Actions { rows, applied, coordinates }
     }
@@ -221,13 +224,13 @@ impl<'a> Resolver<'a> {
         row: usize,
         coordinates: &SortedMap<Expr, (usize, usize)>,
     ) -> Eval<[Expr; 3]> {
-        let (phi, lambda) = (self.row(row)?.phi, self.draft.rows[row].lambda);
+        let (phi, lambda) = (self.row(row)?.phi, self.unresolved.rows[row].lambda);
         let mut terms = [const { Vec::new() }; 3];
         let held = algebra::symbols(&[phi]);
         let touched: SortedSet<usize> =
             held.iter().filter_map(|symbol| coordinates.get(symbol)).map(|(i, _)| *i).collect();
         for i in touched.into_iter().filter(|i| body.is_none_or(|body| body == *i)) {
-            let q = self.draft.bodies[i].q;
+            let q = self.unresolved.bodies[i].q;
             let [x, y, theta] = q.map_each(|symbol| phi.diff(symbol));
             // From the point to G.
             let arm = match body {

@@ -43,14 +43,14 @@ impl<'a> Resolver<'a> {
         }
         let Ok(key) = self.key(scope, name) else { return };
         let (full, span) = (format!("{}{key}", self.names.prefix(scope)), name.ident.span);
-        if let Some(first) = self.draft.requirements.iter().find(|known| known.name == full) {
+        if let Some(first) = self.unresolved.requirements.iter().find(|known| known.name == full) {
             let first = first.span;
             self.duplicate(scope, &key, span, first);
             return;
         }
         let set = self.names.instance(scope).and_then(|instance| self.names.field(instance, &key));
         let is_off = set.is_some_and(|(_, field)| word(field) == Some("off"));
-        self.draft.requirements.push(Requirement { scope, condition, name: full, span, is_off });
+        self.unresolved.requirements.push(Requirement { scope, condition, name: full, span, is_off });
     }
 
     /// `above_vacuum: off;` in the use of a part; `name` is the full name of the requirement.
@@ -59,13 +59,13 @@ impl<'a> Resolver<'a> {
             let message = "a requirement is switched `on` or `off`";
             self.error(scope, Code::UnknownOption, field.value.span, message);
         }
-        self.draft.switched.push(Switched { scope, name, span: field.span() });
+        self.unresolved.switched.push(Switched { scope, name, span: field.span() });
     }
 
     /// With its indices a requirement must exist, which is known when all are declared.
     fn check_switched(&mut self) {
-        for Switched { scope, name, span } in std::mem::take(&mut self.draft.switched) {
-            if !self.draft.requirements.iter().any(|known| known.name == name) {
+        for Switched { scope, name, span } in std::mem::take(&mut self.unresolved.switched) {
+            if !self.unresolved.requirements.iter().any(|known| known.name == name) {
                 self.error(scope, Code::BadIndex, span, format!("there is no requirement `{name}`"));
             }
         }
@@ -75,7 +75,8 @@ impl<'a> Resolver<'a> {
     pub(crate) fn evaluate_requirements(&mut self) -> Vec<Switch> {
         self.check_switched();
         let mut switches = Vec::new();
-        for Requirement { scope, condition, name, is_off, .. } in std::mem::take(&mut self.draft.requirements)
+        for Requirement { scope, condition, name, is_off, .. } in
+            std::mem::take(&mut self.unresolved.requirements)
         {
             if is_off {
                 // Its mistakes are told all the same, and what it reads is not for nobody.

@@ -51,7 +51,8 @@ impl<'a> Resolver<'a> {
             if WORDS.iter().all(|word| self.names.word(instance, word).is_none()) {
                 continue;
             }
-            let within = |row: &usize| self.names.instance(self.draft.rows[*row].scope) == Some(instance);
+            let within =
+                |row: &usize| self.names.instance(self.unresolved.rows[*row].scope) == Some(instance);
             let of_instance: OfInstance = (0..rows.len()).filter(within).collect_vec();
             let found = self.multipliers(instance, &rows, of_instance);
             sound = sound.and(found.map(|found| multipliers.extend(found)));
@@ -62,7 +63,7 @@ impl<'a> Resolver<'a> {
             let Row { part, phi, lambda: symbol, .. } = rows[row];
             self.push(phi, lambda, part, loads);
             // What gives way is no pair that coordinates could follow.
-            self.draft.parts[part].pair = None;
+            self.unresolved.parts[part].pair = None;
             rows[row].lambda = lambda;
             stands_for.push((symbol, lambda));
         }
@@ -158,7 +159,7 @@ impl<'a> Resolver<'a> {
         let Some(number) = value.as_number() else {
             let (part, unit) = (self.names.instances[word.instance].name.clone(), dimension.si_unit());
             let (what, span) = (name.to_owned(), expr.span);
-            self.draft.limits.push(Limit { part, what, value, unit, or_zero, span });
+            self.unresolved.limits.push(Limit { part, what, value, unit, or_zero, span });
             return Ok(value);
         };
         if !number.is_negative() && (or_zero || !number.is_zero()) {
@@ -177,9 +178,9 @@ impl<'a> Resolver<'a> {
 
     /// The force `-phi_q^T lambda` on every body that a row holds.
     fn push(&mut self, phi: Expr, lambda: Expr, part: usize, loads: &mut Vec<Load>) {
-        for body in 0..self.draft.bodies.len() {
+        for body in 0..self.unresolved.bodies.len() {
             let mut force = [Expr::ZERO; 3];
-            for (axis, entry) in algebra::gradient(phi, &self.draft.bodies[body].q) {
+            for (axis, entry) in algebra::gradient(phi, &self.unresolved.bodies[body].q) {
                 force[axis] = -(entry * lambda);
             }
             if force != [Expr::ZERO; 3] {

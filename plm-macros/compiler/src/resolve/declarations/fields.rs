@@ -4,9 +4,9 @@
 use crate::collect::{CollectVec, PushAll};
 use crate::diag::{Code, help_similar};
 use crate::resolve::Resolver;
+use crate::resolve::declarations::branch::{BRANCH, tells_branches};
+use crate::resolve::finalise::compliance::WORDS;
 use crate::resolve::names::{Names, ScopeId};
-use crate::resolve::settle::compliance::WORDS;
-use crate::resolve::things::branch::{BRANCH, tells_branches};
 use crate::syntax::ast::{Field, Instance, Item, ItemKind};
 
 impl<'a> Names<'a> {

@@ -15,7 +15,7 @@ use crate::syntax::ast::{self, Contour, IndexedName};
 use crate::units::Dimension;
 
 /// A size of a part: the parameter, and whose it is.
-pub(crate) struct SizeDraft {
+pub(crate) struct UnresolvedSize {
     instance: usize,
     name: String,
     slot: SlotId,
@@ -35,7 +35,7 @@ impl<'a> Resolver<'a> {
                 Some(slot) => {
                     self.names.slots[slot].is_read = true;
                     let name = key.to_string();
-                    self.draft.sizes.push(SizeDraft { instance, name, slot, scope, span });
+                    self.unresolved.sizes.push(UnresolvedSize { instance, name, slot, scope, span });
                 }
                 None => {
                     self.error(scope, Code::UnknownName, span, format!("unknown name `{key}`"))
@@ -48,8 +48,8 @@ impl<'a> Resolver<'a> {
     /// What tables tell of the parts: of all in the declaration, and inside of them of those that join frames or have sizes.
     pub(crate) fn evaluate_instances(&mut self) -> Eval<Vec<Instance>> {
         let mut sizes: Vec<Vec<Size>> = self.names.instances.iter().map(|_| Vec::new()).collect_vec();
-        let drafts = std::mem::take(&mut self.draft.sizes).into_iter();
-        let known = all(drafts.map(|SizeDraft { instance, name, slot, scope, span }| {
+        let drafts = std::mem::take(&mut self.unresolved.sizes).into_iter();
+        let known = all(drafts.map(|UnresolvedSize { instance, name, slot, scope, span }| {
             self.size(slot, scope, span).map(|value| (instance, Size { name, value }))
         }));
         for (instance, size) in known? {
@@ -98,7 +98,7 @@ impl<'a> Resolver<'a> {
 
     /// The outline of a body, from G in the axes of the body: like its ports it is written from the body's origin.
     pub(crate) fn contour(&mut self, body: usize) -> Eval<Vec<Vec2>> {
-        let (ast, scope) = (self.draft.bodies[body].ast, self.draft.bodies[body].scope);
+        let (ast, scope) = (self.unresolved.bodies[body].ast, self.unresolved.bodies[body].scope);
         let Some(contour) = &ast.contour else { return Ok(Vec::new()) };
         let (points, span) = match contour {
             Contour::Points(points) => {
@@ -106,7 +106,7 @@ impl<'a> Resolver<'a> {
                 let points = all(points.iter().map(|point| {
                     self.eval_vector(scope, point, Dimension::LENGTH, Reads::FIXED).map(|at| at.value)
                 }));
-                (points?, span.unwrap_or(self.draft.bodies[body].name.span))
+                (points?, span.unwrap_or(self.unresolved.bodies[body].name.span))
             }
             Contour::File(name, span) => (self.points_of_file(scope, name, *span)?, *span),
         };

@@ -15,37 +15,37 @@ pub(super) mod settings;
 pub(super) mod state;
 
 use crate::model::{Comparison, Limit, Part};
+use crate::resolve::declarations::body::UnresolvedBody;
+use crate::resolve::declarations::declare::UnresolvedField;
+use crate::resolve::declarations::frame::UnresolvedPort;
+use crate::resolve::declarations::load::{Action, UnresolvedLoad};
+use crate::resolve::declarations::node::UnresolvedNode;
+use crate::resolve::declarations::picture::UnresolvedSize;
+use crate::resolve::declarations::requirement::{Requirement, Switched};
+use crate::resolve::declarations::row::UnresolvedRow;
+use crate::resolve::declarations::settings::Settings;
+use crate::resolve::declarations::state::{UnresolvedRate, UnresolvedState};
 use crate::resolve::names::ScopeId;
-use crate::resolve::things::body::BodyDraft;
-use crate::resolve::things::declare::FieldDraft;
-use crate::resolve::things::frame::PortDraft;
-use crate::resolve::things::load::{Action, LoadDraft};
-use crate::resolve::things::node::NodeDraft;
-use crate::resolve::things::picture::SizeDraft;
-use crate::resolve::things::requirement::{Requirement, Switched};
-use crate::resolve::things::row::RowDraft;
-use crate::resolve::things::settings::Settings;
-use crate::resolve::things::state::{RateDraft, StateDraft};
 use crate::syntax::ast;
 
 /// What is declared.
 #[derive(Default)]
-pub(crate) struct Draft<'a> {
+pub(crate) struct UnresolvedModel<'a> {
     pub(crate) settings: Settings<'a>,
-    pub(crate) params: Vec<FieldDraft<'a>>,
-    pub(crate) inputs: Vec<FieldDraft<'a>>,
-    pub(crate) states: Vec<StateDraft<'a>>,
+    pub(crate) params: Vec<UnresolvedField<'a>>,
+    pub(crate) inputs: Vec<UnresolvedField<'a>>,
+    pub(crate) states: Vec<UnresolvedState<'a>>,
     /// Rates, which are given to their states when all states are declared.
-    pub(crate) rates: Vec<RateDraft<'a>>,
+    pub(crate) rates: Vec<UnresolvedRate<'a>>,
     /// Ports of the ground.
-    pub(crate) ground: Vec<PortDraft<'a>>,
-    pub(crate) bodies: Vec<BodyDraft<'a>>,
+    pub(crate) ground: Vec<UnresolvedPort<'a>>,
+    pub(crate) bodies: Vec<UnresolvedBody<'a>>,
     /// Domains of nodes, in the order in which they are met.
     pub(crate) domains: Vec<&'a ast::Domain>,
-    pub(crate) nodes: Vec<NodeDraft<'a>>,
+    pub(crate) nodes: Vec<UnresolvedNode<'a>>,
     /// The parts of the mechanism; what they contain counts as theirs, but for joints.
     pub(crate) parts: Vec<Part>,
-    pub(crate) rows: Vec<RowDraft<'a>>,
+    pub(crate) rows: Vec<UnresolvedRow<'a>>,
     pub(crate) requirements: Vec<Requirement<'a>>,
     /// Comparisons as they were written.
     pub(crate) comparisons: Vec<Comparison>,
@@ -53,7 +53,7 @@ pub(crate) struct Draft<'a> {
     pub(crate) switched: Vec<Switched>,
     /// Values that must be positive when parameters are known.
     pub(crate) limits: Vec<Limit>,
-    pub(crate) loads: Vec<LoadDraft<'a>>,
+    pub(crate) loads: Vec<UnresolvedLoad<'a>>,
     /// What parts apply to bodies and to the ground, for who observes them.
     pub(crate) applied: Vec<Action>,
     /// Outputs of the mechanism, with the documentation of their items.
@@ -61,7 +61,7 @@ pub(crate) struct Draft<'a> {
     /// What `observe` names.
     pub(crate) observed: Vec<(ScopeId, &'a ast::Expr)>,
     /// Sizes of parts for pictures.
-    pub(crate) sizes: Vec<SizeDraft>,
+    pub(crate) sizes: Vec<UnresolvedSize>,
     /// Turns of repetitions so far.
     pub(crate) turns: usize,
     /// It has been said that there are too many parts.

@@ -6,14 +6,14 @@ use plm_cas::Expr;
 use crate::diag::Code;
 use crate::model::{Name, State};
 use crate::resolve::Resolver;
+use crate::resolve::declarations::declare::dimension_of;
 use crate::resolve::names::ScopeId;
-use crate::resolve::things::declare::dimension_of;
 use crate::resolve::values::{Nature, Quantity, Reads, Value};
 use crate::syntax::ast::{self, IndexedName};
 use crate::units::{Dimension, DisplayUnit};
 
 /// A state that was declared.
-pub(crate) struct StateDraft<'a> {
+pub(crate) struct UnresolvedState<'a> {
     ast: &'a ast::Value,
     pub(crate) scope: ScopeId,
     name: Name,
@@ -23,13 +23,13 @@ pub(crate) struct StateDraft<'a> {
     start: Option<(ScopeId, &'a ast::Expr)>,
     locked: bool,
     /// Stands for its rate where that is used before it is known.
-    pub(crate) stand_in: Expr,
-    rate: Option<RateDraft<'a>>,
+    pub(crate) placeholder: Expr,
+    rate: Option<UnresolvedRate<'a>>,
 }
 
 /// A rate that was declared.
 #[derive(Clone, Copy)]
-pub(crate) struct RateDraft<'a> {
+pub(crate) struct UnresolvedRate<'a> {
     scope: ScopeId,
     /// The name of its state.
     name: &'a IndexedName,
@@ -43,8 +43,8 @@ impl<'a> Resolver<'a> {
         let Some((key, unit)) = self.name_and_unit(scope, ast) else { return };
         let text = format!("{}{key}", self.names.prefix(scope));
         let symbol = Expr::symbol(&text);
-        let stand_in = Expr::symbol(format!("rate_{text}"));
-        self.calculus.changes(symbol, stand_in);
+        let placeholder = Expr::symbol(format!("rate_{text}"));
+        self.calculus.changes(symbol, placeholder);
         let name = Name { text, span: ast.name.ident.span };
         let value = Quantity::new(symbol, Nature::written(unit.dimension, Reads::STATE)).into();
         let set = self.names.instance(scope).and_then(|instance| self.names.field(instance, &key));
@@ -52,7 +52,7 @@ impl<'a> Resolver<'a> {
             Some((outer, field)) => (Some((outer, &field.value)), field.locked.is_some()),
             None => (ast.value.as_ref().map(|value| (scope, value)), ast.locked),
         };
-        self.draft.states.push(StateDraft {
+        self.unresolved.states.push(UnresolvedState {
             ast,
             scope,
             name,
@@ -60,7 +60,7 @@ impl<'a> Resolver<'a> {
             unit,
             start,
             locked,
-            stand_in,
+            placeholder,
             rate: None,
         });
         let slot = self.names.known_slot(ast.name.ident.span, value);
@@ -69,12 +69,12 @@ impl<'a> Resolver<'a> {
 
     /// `rate name = value;`
     pub(crate) fn declare_rate(&mut self, scope: ScopeId, name: &'a IndexedName, value: &'a ast::Expr) {
-        self.draft.rates.push(RateDraft { scope, name, value });
+        self.unresolved.rates.push(UnresolvedRate { scope, name, value });
     }
 
     /// Gives the rates to their states.
     fn assign_rates(&mut self) {
-        for rate in std::mem::take(&mut self.draft.rates) {
+        for rate in std::mem::take(&mut self.unresolved.rates) {
             let (scope, span) = (rate.scope, rate.name.ident.span);
             let Ok(key) = self.key(scope, rate.name) else { continue };
             let named = self.names.find(scope, &key).map(|slot| self.slot_value(slot, scope, span));
@@ -89,29 +89,30 @@ impl<'a> Resolver<'a> {
                     .help(format!("write `state {key}: unit = 0;`"));
                 continue;
             };
-            if let Some(first) = self.draft.states[state].rate {
+            if let Some(first) = self.unresolved.states[state].rate {
                 self.error(scope, Code::StateRate, span, format!("the state `{key}` has two rates"))
                     .note_at(first.name.ident.span, "the first stands here");
             } else {
-                self.draft.states[state].rate = Some(rate);
+                self.unresolved.states[state].rate = Some(rate);
             }
         }
     }
 
     /// The state that a symbol stands for; symbols of later states are greater.
     fn state_of(&self, symbol: Expr) -> Option<usize> {
-        self.draft.states.binary_search_by_key(&symbol, |state| state.symbol).ok()
+        self.unresolved.states.binary_search_by_key(&symbol, |state| state.symbol).ok()
     }
 
     /// All states whose start and rate could be evaluated.
     pub(crate) fn evaluate_states(&mut self) -> Vec<State> {
         self.assign_rates();
-        (0..self.draft.states.len()).filter_map(|state| self.evaluate_state(state)).collect_vec()
+        (0..self.unresolved.states.len()).filter_map(|state| self.evaluate_state(state)).collect_vec()
     }
 
     fn evaluate_state(&mut self, state: usize) -> Option<State> {
-        let StateDraft { ast, scope, symbol, start, locked, rate, .. } = self.draft.states[state];
-        let (name, unit) = (self.draft.states[state].name.clone(), self.draft.states[state].unit.clone());
+        let UnresolvedState { ast, scope, symbol, start, locked, rate, .. } = self.unresolved.states[state];
+        let (name, unit) =
+            (self.unresolved.states[state].name.clone(), self.unresolved.states[state].unit.clone());
         let start = match start {
             Some((scope, expr)) => self.eval_number(scope, expr, unit.dimension, Reads::FIXED),
             None => Ok(Expr::ZERO),
