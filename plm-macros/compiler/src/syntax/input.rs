@@ -49,8 +49,8 @@ impl<'a> Deref for Input<'a> {
 
 /// Reads a source by a rule of the grammar. Mistakes go to the sink.
 pub(super) fn read<T: Default>(source: &Source, sink: &mut Diagnostics, rule: impl FnOnce(Input) -> T) -> T {
-    for flaw in &source.flaws {
-        sink.error(flaw.code, source.token_at(flaw.at), &flaw.message);
+    for error in &source.lexical_errors {
+        sink.error(error.code, source.token_at(error.at), &error.message);
     }
     let mut tree = T::default();
     let parse = |stream: ParseStream| {

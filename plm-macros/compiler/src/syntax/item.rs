@@ -7,7 +7,7 @@ use syn::{Token, token};
 use super::body::{Body, Port};
 use super::domain::{Domain, Node};
 use super::expr::{Expr, ExprKind};
-use super::habits::{behind_value, instead_of_item};
+use super::foreign_syntax::{behind_value, instead_of_item};
 use super::input::{Input, Reported, Result};
 use super::instance::Instance;
 use super::keyword as kw;

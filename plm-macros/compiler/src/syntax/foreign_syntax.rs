@@ -1,4 +1,4 @@
-//! What people write who know Rust, or another language: told once, with what it is here.
+//! Hints for the syntax of Rust and other languages: each form is reported once, with what to write here.
 
 use syn::ext::IdentExt;
 use syn::{Token, token};
