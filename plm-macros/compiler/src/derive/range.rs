@@ -15,8 +15,8 @@ pub(super) fn range(expr: Expr) -> Range {
     for node in &nodes {
         let of = |operand: Expr| nodes.binary_search(&operand).ok().and_then(|k| ranges.get(k)).copied();
         let found = of_node(&node.node(), &|operand| of(operand).unwrap_or(ALL));
-        let sound = found.iter().all(|bound| !bound.is_nan());
-        ranges.push(if sound { found } else { ALL });
+        let is_number = found.iter().all(|bound| !bound.is_nan());
+        ranges.push(if is_number { found } else { ALL });
     }
     ranges.last().copied().unwrap_or(ALL)
 }

@@ -46,7 +46,7 @@ impl<'a> Resolver<'a> {
         outputs: &mut [Output],
     ) -> Eval<(Vec<Row>, Vec<Row>)> {
         let mut multipliers: SortedMap<usize, Expr> = SortedMap::new();
-        let mut sound = Ok(());
+        let mut all_found = Ok(());
         for instance in 0..self.names.instances.len() {
             if WORDS.iter().all(|word| self.names.word(instance, word).is_none()) {
                 continue;
@@ -55,9 +55,9 @@ impl<'a> Resolver<'a> {
                 |row: &usize| self.names.instance(self.unresolved.rows[*row].scope) == Some(instance);
             let of_instance: OfInstance = (0..rows.len()).filter(within).collect_vec();
             let found = self.multipliers(instance, &rows, of_instance);
-            sound = sound.and(found.map(|found| multipliers.extend(found)));
+            all_found = all_found.and(found.map(|found| multipliers.extend(found)));
         }
-        sound?;
+        all_found?;
         let mut stands_for = Vec::new();
         for (&row, &lambda) in &multipliers {
             let Row { part, phi, lambda: symbol, .. } = rows[row];
