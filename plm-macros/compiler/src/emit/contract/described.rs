@@ -9,14 +9,14 @@ use super::super::item::{state::whole_pose, tables};
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, compact, number, quoted};
 use crate::model::Step;
-use crate::tables::{Figure, Figures};
+use crate::tables::{Entry, NumericTable};
 
 /// `Described`.
 pub(crate) fn described(emission: &Emission) -> TokenStream {
     let Emission { name, fields, .. } = emission;
-    let figures = Figures::new(emission.model);
-    let tables = tables::tables(emission, &figures);
-    let (figure, parameters) = (figure(emission, &figures), &fields.params);
+    let numbers = NumericTable::new(emission.model);
+    let tables = tables::tables(emission, &numbers);
+    let (function, parameters) = (entries(emission, &numbers), &fields.params);
     let numbers: Vec<_> = (0..parameters.len()).map(number).collect_vec();
     let (instant, whole) = (instant_name(emission), whole_pose(emission, &quote!(state)));
     let declaration = emission.text(format!("{:?}", emission.model.text));
@@ -31,7 +31,7 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
             const FILES: &'static [(&'static str, &'static str)] = &[#files];
             #steps
 
-            #figure
+            #function
 
             fn parameter(&self, index: usize) -> Option<S> {
                 match index {
@@ -71,7 +71,7 @@ fn steps(emission: &Emission) -> Option<TokenStream> {
 }
 
 /// The numbers of the tables: constants, and those that are worked out, in blocks as everything that is long.
-fn figure(emission: &Emission, figures: &Figures) -> TokenStream {
+fn entries(emission: &Emission, numbers: &NumericTable) -> TokenStream {
     const BLOCK: usize = 200;
     let Emission { model, fields, name, .. } = emission;
     let params = model.params.iter().zip(&fields.params);
@@ -79,10 +79,10 @@ fn figure(emission: &Emission, figures: &Figures) -> TokenStream {
         params.map(|(param, field)| (param.symbol, format!("mechanism.{field}"))).collect();
     bindings.insert(model.time, "t".to_owned());
     let (mut constants, mut varying) = (Vec::new(), Vec::new());
-    for (index, figure) in figures.all.iter().enumerate() {
-        constants.push(match figure {
-            Figure::Constant(value) => tables::literal(*value),
-            Figure::Varying(expr) => {
+    for (index, entry) in numbers.all.iter().enumerate() {
+        constants.push(match entry {
+            Entry::Constant(value) => tables::literal(*value),
+            Entry::Varying(expr) => {
                 varying.push(format!("{index} => {}", inline(*expr, &bindings)));
                 tables::literal(f64::NAN)
             }
