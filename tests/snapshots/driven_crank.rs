@@ -11,7 +11,7 @@ mod plm_driven_crank_ {
     ///
     /// 3 bodies, 5 parts: 9 coordinates, 9 constraint rows, F = 3 N - M = 0.
     /// Formulation 1: kinematics; no freedom is left, and the motion follows from the time alone.
-    /// Chart 0: none; then given crank.angle; RRP rod.angle, guide.displacement.
+    /// Chart 0: none; then explicit crank.angle; RRP rod.angle, guide.displacement.
     /// State: 0 numbers, 0 bytes in f64.
     /// A solution by rank, where one is needed: 1296 bytes of stack in f64.
     /// One right-hand side: 3 add, 6 mul, 2 sin_cos.

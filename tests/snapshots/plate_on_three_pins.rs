@@ -11,7 +11,7 @@ mod plm_plate_on_three_pins_ {
     ///
     /// 4 bodies, 9 parts: 12 coordinates, 12 constraint rows, F = 3 N - M = 0.
     /// Formulation 1: kinematics; no freedom is left, and the motion follows from the time alone.
-    /// Chart 0: none; then given crank[0].angle; given crank[1].angle; given crank[2].angle; Newton of 4 unknowns in 3 steps: plate.angle, slot[0].displacement, slot[1].displacement, slot[2].displacement.
+    /// Chart 0: none; then explicit crank[0].angle; explicit crank[1].angle; explicit crank[2].angle; Newton of 4 unknowns in 3 steps: plate.angle, slot[0].displacement, slot[1].displacement, slot[2].displacement.
     /// State: 0 numbers, 0 bytes in f64.
     /// A solution by rank, where one is needed: 2304 bytes of stack in f64.
     /// One right-hand side: 182 add, 271 mul, 7 div, 18 neg, 6 sin_cos, 2 select.
