@@ -34,7 +34,7 @@ impl Graph {
         let mut pending = vec![Pending::Node(e)];
         while let Some(next) = pending.pop() {
             match next {
-                Pending::Text(piece) => text.push_str(&piece),
+                Pending::Text(token) => text.push_str(&token),
                 Pending::Node(e) => {
                     let start = pending.len();
                     self.push_list(e, &mut pending);
@@ -185,9 +185,9 @@ fn error(what: &str, why: &str) -> ParseError {
     ParseError(format!("`{what}` {why}"))
 }
 
-fn item(piece: Pending, out: &mut Vec<Pending>) {
+fn item(pending: Pending, out: &mut Vec<Pending>) {
     out.push(Pending::Text(" ".to_owned()));
-    out.push(piece);
+    out.push(pending);
 }
 
 fn scaled(coefficient: Number, term: Expr, out: &mut Vec<Pending>) {

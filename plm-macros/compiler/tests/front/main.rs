@@ -9,11 +9,11 @@ mod nodes;
 mod observe;
 mod parts;
 mod pictures;
-mod pieces;
 #[path = "../../../../tests/support/random.rs"]
 mod random;
 mod requirements;
 mod soup;
 mod states;
 mod support;
+mod token_texts;
 mod work;

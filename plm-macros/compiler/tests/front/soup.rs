@@ -4,8 +4,8 @@ use plm_compiler::diag::Diagnostics;
 use plm_compiler::front::parse_and_resolve;
 use plm_compiler::token::Sources;
 
-use crate::pieces::pieces;
 use crate::random::Random;
+use crate::token_texts::token_texts;
 
 /// Declarations that use every rule of the grammar.
 const SEEDS: [&str; 2] = [
@@ -60,9 +60,9 @@ fn disturb(tokens: &mut Vec<String>, random: &mut Random) {
         5 if random.below(8) == 0 => tokens.truncate(at),
         _ => {
             let (first, last) = (at.min(other), at.max(other).min(at.min(other) + 12));
-            let piece: Vec<String> = tokens[first..last].to_vec();
+            let moved: Vec<String> = tokens[first..last].to_vec();
             let to = random.below(tokens.len());
-            tokens.splice(to..to, piece);
+            tokens.splice(to..to, moved);
         }
     }
 }
@@ -72,7 +72,7 @@ fn disturbed_declarations_never_panic() {
     for seed in 0..1500 {
         let mut random = Random(seed);
         let mut sink = Diagnostics::new();
-        let mut tokens = pieces(SEEDS[random.below(SEEDS.len())]);
+        let mut tokens = token_texts(SEEDS[random.below(SEEDS.len())]);
         for _ in 0..=random.below(12) {
             disturb(&mut tokens, &mut random);
         }

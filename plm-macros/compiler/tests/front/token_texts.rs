@@ -3,13 +3,13 @@
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 
 /// The tokens of a text, brackets among them. A blank stands behind each, but for marks that touch the next one.
-pub(crate) fn pieces(text: &str) -> Vec<String> {
-    let mut pieces = Vec::new();
-    flatten(text.parse().unwrap(), &mut pieces);
-    pieces
+pub(crate) fn token_texts(text: &str) -> Vec<String> {
+    let mut token_texts = Vec::new();
+    flatten(text.parse().unwrap(), &mut token_texts);
+    token_texts
 }
 
-fn flatten(stream: TokenStream, pieces: &mut Vec<String>) {
+fn flatten(stream: TokenStream, token_texts: &mut Vec<String>) {
     for tree in stream {
         match tree {
             TokenTree::Group(group) => {
@@ -19,14 +19,14 @@ fn flatten(stream: TokenStream, pieces: &mut Vec<String>) {
                     Delimiter::Brace => ("{ ", "} "),
                     Delimiter::None => ("", ""),
                 };
-                pieces.push(open.to_owned());
-                flatten(group.stream(), pieces);
-                pieces.push(close.to_owned());
+                token_texts.push(open.to_owned());
+                flatten(group.stream(), token_texts);
+                token_texts.push(close.to_owned());
             }
             TokenTree::Punct(mark) if mark.spacing() == Spacing::Joint => {
-                pieces.push(mark.as_char().to_string());
+                token_texts.push(mark.as_char().to_string());
             }
-            leaf => pieces.push(format!("{leaf} ")),
+            leaf => token_texts.push(format!("{leaf} ")),
         }
     }
 }

@@ -14,9 +14,9 @@ use crate::tables::{Entry, NumericTable};
 /// `Described`.
 pub(crate) fn described(emission: &Emission) -> TokenStream {
     let Emission { name, fields, .. } = emission;
-    let numbers = NumericTable::new(emission.model);
-    let tables = tables::tables(emission, &numbers);
-    let (function, parameters) = (entries(emission, &numbers), &fields.params);
+    let table = NumericTable::new(emission.model);
+    let tables = tables::tables(emission, &table);
+    let (function, parameters) = (entries(emission, &table), &fields.params);
     let numbers: Vec<_> = (0..parameters.len()).map(number).collect_vec();
     let (instant, whole) = (instant_name(emission), whole_pose(emission, &quote!(state)));
     let declaration = emission.text(format!("{:?}", emission.model.text));
@@ -70,8 +70,8 @@ fn steps(emission: &Emission) -> Option<TokenStream> {
     (!steps.is_empty()).then(|| quote!(const STEPS: &'static [&'static str] = &[#names];))
 }
 
-/// The numbers of the tables: constants, and those that are worked out, in blocks as everything that is long.
-fn entries(emission: &Emission, numbers: &NumericTable) -> TokenStream {
+/// The entries of the numeric table: constants, and those that are worked out, in blocks as everything that is long.
+fn entries(emission: &Emission, table: &NumericTable) -> TokenStream {
     const BLOCK: usize = 200;
     let Emission { model, fields, name, .. } = emission;
     let params = model.params.iter().zip(&fields.params);
@@ -79,7 +79,7 @@ fn entries(emission: &Emission, numbers: &NumericTable) -> TokenStream {
         params.map(|(param, field)| (param.symbol, format!("mechanism.{field}"))).collect();
     bindings.insert(model.time, "t".to_owned());
     let (mut constants, mut varying) = (Vec::new(), Vec::new());
-    for (index, entry) in numbers.all.iter().enumerate() {
+    for (index, entry) in table.all.iter().enumerate() {
         constants.push(match entry {
             Entry::Constant(value) => tables::literal(*value),
             Entry::Varying(expr) => {

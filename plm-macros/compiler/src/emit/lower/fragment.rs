@@ -1,10 +1,10 @@
-//! Text of a value that stands where it is used.
+//! Code fragments: the text of a value that is written where it is used.
 
 use crate::collect::CollectVec;
 
 /// Text of a value while it has no name.
 #[derive(Clone, Default)]
-pub(super) struct Piece {
+pub(super) struct Fragment {
     /// Rust source.
     pub(super) text: String,
     /// How strongly its outermost operation binds: 1 sum, 2 product, 3 negation, 4 atom.
@@ -26,9 +26,9 @@ pub(super) fn literal(value: f64) -> String {
     }
 }
 
-impl Piece {
-    pub(super) fn atom(text: String) -> Piece {
-        Piece { text, strength: 4, terms: 1, reads: Vec::new() }
+impl Fragment {
+    pub(super) fn atom(text: String) -> Fragment {
+        Fragment { text, strength: 4, terms: 1, reads: Vec::new() }
     }
 
     /// In brackets, unless it binds at least this strongly.
@@ -37,41 +37,41 @@ impl Piece {
     }
 
     /// `-self`.
-    pub(super) fn negated(&self) -> Piece {
-        Piece { text: format!("-{}", self.within(3)), strength: 3, ..self.clone() }
+    pub(super) fn negated(&self) -> Fragment {
+        Fragment { text: format!("-{}", self.within(3)), strength: 3, ..self.clone() }
     }
 
     /// `self operator right`; equal strength on the right needs brackets, or the order would change.
-    pub(super) fn joined(&self, operator: &str, right: &Piece, strength: u8) -> Piece {
+    pub(super) fn joined(&self, operator: &str, right: &Fragment, strength: u8) -> Fragment {
         let text = format!("{}{operator}{}", self.within(strength), right.within(strength + 1));
-        Piece { text, strength, terms: self.terms + right.terms, reads: merged(&[self, right]) }
+        Fragment { text, strength, terms: self.terms + right.terms, reads: merged(&[self, right]) }
     }
 
     /// `self.function(arguments)`.
-    pub(super) fn called(&self, function: &str, arguments: &[&Piece]) -> Piece {
-        let listed: Vec<&str> = arguments.iter().map(|piece| piece.text.as_str()).collect_vec();
+    pub(super) fn called(&self, function: &str, arguments: &[&Fragment]) -> Fragment {
+        let listed: Vec<&str> = arguments.iter().map(|fragment| fragment.text.as_str()).collect_vec();
         let mut all = vec![self];
         all.extend(arguments);
-        Piece {
+        Fragment {
             text: format!("{}.{function}({})", self.within(4), listed.join(", ")),
             strength: 4,
-            terms: all.iter().map(|piece| piece.terms).sum(),
+            terms: all.iter().map(|fragment| fragment.terms).sum(),
             reads: merged(&all),
         }
     }
 
     /// `function(arguments)`.
-    pub(super) fn call(function: &str, arguments: &[&Piece]) -> Piece {
-        let listed: Vec<&str> = arguments.iter().map(|piece| piece.text.as_str()).collect_vec();
-        Piece {
+    pub(super) fn call(function: &str, arguments: &[&Fragment]) -> Fragment {
+        let listed: Vec<&str> = arguments.iter().map(|fragment| fragment.text.as_str()).collect_vec();
+        Fragment {
             text: format!("{function}({})", listed.join(", ")),
             strength: 4,
-            terms: arguments.iter().map(|piece| piece.terms).sum(),
+            terms: arguments.iter().map(|fragment| fragment.terms).sum(),
             reads: merged(arguments),
         }
     }
 }
 
-fn merged(pieces: &[&Piece]) -> Vec<usize> {
-    pieces.iter().flat_map(|piece| piece.reads.iter().copied()).collect_vec()
+fn merged(fragments: &[&Fragment]) -> Vec<usize> {
+    fragments.iter().flat_map(|fragment| fragment.reads.iter().copied()).collect_vec()
 }

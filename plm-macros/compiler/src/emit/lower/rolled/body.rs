@@ -5,7 +5,7 @@ use crate::sorted::SortedMap;
 use plm_cas::{Expr, Instr, Op, Ref, Tape};
 
 use super::super::super::compact;
-use super::super::piece::{Piece, literal};
+use super::super::fragment::{Fragment, literal};
 use super::super::statement::Statement;
 use super::super::{Around, Bindings, Lowering, blocks};
 use super::items::Source;
@@ -50,7 +50,7 @@ impl Writer<'_> {
         self.block(text, pattern.reads);
         for item in the_loop.region.start..the_loop.region.end() {
             if let (Some(value), Some((of, place))) = (self.items.value(item), self.plan.place(item)) {
-                self.lowering.pieces[value] = Piece::atom(format!("{}[{place}]", self.arrays[&of]));
+                self.lowering.fragments[value] = Fragment::atom(format!("{}[{place}]", self.arrays[&of]));
             }
         }
     }
@@ -100,9 +100,9 @@ impl Writer<'_> {
     fn outside(&self, pattern: &mut Pattern, source: Source) -> String {
         let Source::Item(item) = source else { return self.leaf(source) };
         let Some(value) = self.items.value(item) else { return String::new() };
-        let piece = &self.lowering.pieces[value];
-        pattern.reads.extend_from_slice(&piece.reads);
-        piece.text.clone()
+        let fragment = &self.lowering.fragments[value];
+        pattern.reads.extend_from_slice(&fragment.reads);
+        fragment.text.clone()
     }
 
     /// The name of a value of a repetition before, with what it is in the first.

@@ -15,7 +15,7 @@ use plm_cas::Op;
 
 use self::items::{COSINES, Items, SINES, Source, named};
 use self::plan::{Plan, Slot};
-use super::piece::{Piece, literal};
+use super::fragment::{Fragment, literal};
 use super::statement::{Lines, Statement};
 use super::{Around, Bindings, Lowering, uses};
 
@@ -41,7 +41,7 @@ pub(super) fn lower(function: &Function, bindings: &Bindings, around: &Around) -
     }
     lowering.known_names = Some(&named);
     lowering.groups.clear();
-    lowering.pieces = vec![Piece::default(); tape.ops.len()];
+    lowering.fragments = vec![Fragment::default(); tape.ops.len()];
     let index = lowering.names.unique("i");
     let mut writer = Writer { items: &items, plan: &plan, lowering, arrays: SortedMap::new(), index };
     writer.declare(sines);
@@ -146,7 +146,7 @@ impl Writer<'_> {
     fn leaves(&mut self) {
         for index in 0..self.items.tape.ops.len() {
             if let Some(leaf) = self.items.leaf(index) {
-                self.lowering.pieces[index] = Piece::atom(self.leaf(leaf));
+                self.lowering.fragments[index] = Fragment::atom(self.leaf(leaf));
             }
         }
     }
@@ -195,8 +195,8 @@ impl Writer<'_> {
     fn item(&mut self, at: usize) {
         let item = &self.items.all[at];
         for &op in &self.items.ops[item.ops.clone()] {
-            if self.lowering.pieces[op].text.is_empty() {
-                self.lowering.pieces[op] = self.lowering.lower(op);
+            if self.lowering.fragments[op].text.is_empty() {
+                self.lowering.fragments[op] = self.lowering.lower(op);
             }
         }
         if let Some(result) = item.stores {
@@ -207,7 +207,7 @@ impl Writer<'_> {
     /// Puts a value in its place among those of a loop.
     fn enter(&mut self, item: usize, of: Slot, place: usize) {
         let Some(value) = self.items.value(item) else { return };
-        let Piece { text, reads, .. } = self.lowering.pieces[value].clone();
+        let Fragment { text, reads, .. } = self.lowering.fragments[value].clone();
         let place = format!("{}[{place}]", self.arrays[&of]);
         self.lowering.lines.statements.push(Statement::Store { place, value: text, reads });
     }
