@@ -42,8 +42,8 @@ pub(super) fn body(
         Origin::Rate(chart) => Some(direct_angles(chart).map(|(_, angle)| angle).collect_vec()),
         _ => None,
     };
-    let (direct, rolled) = (direct.as_deref(), emission.rolled);
-    let around = lower::Around { reserved: &reserved, by_reference: true, scalar: "S", direct, rolled };
+    let (direct, rerolled) = (direct.as_deref(), emission.rerolled);
+    let around = lower::Around { reserved: &reserved, by_reference: true, scalar: "S", direct, rerolled };
     let (body, count) = lower::statements(function, &emission.bindings(origin), &around);
     let count = if count.total() > 0 { format!("\n\n{count}.") } else { String::new() };
     (docs::docs(emission, &format!("{docs}{count}")), emission.text(body))

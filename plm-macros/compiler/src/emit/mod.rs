@@ -5,15 +5,15 @@
 
 mod bindings;
 mod code;
-mod compact;
 mod contract;
 mod docs;
-mod families;
 mod fields;
 mod function;
+mod indexed_accessors;
 mod item;
 mod lower;
 mod print;
+mod table_compression;
 mod template;
 
 use crate::collect::{CollectVec, MapEach};
@@ -52,7 +52,7 @@ pub(crate) struct Emission<'a> {
     /// May the constraints come to depend on each other?
     may_be_singular: bool,
     /// Is what repeats itself written as loops?
-    rolled: bool,
+    rerolled: bool,
     texts: Texts,
 }
 
@@ -109,7 +109,7 @@ pub(crate) fn emit(
         fields: Fields::new(model, place),
         sizes: Sizes::new(equations, reduced),
         may_be_singular: contract::singular::may_be_singular(model, equations, form),
-        rolled: report.is_rolled(),
+        rerolled: report.is_rolled(),
         texts: Texts::default(),
     };
     let structure = module(&emission);

@@ -7,7 +7,7 @@ use quote::format_ident;
 
 use super::super::item::{state::whole_pose, tables};
 use super::super::lower::{Bindings, inline};
-use super::super::{Emission, compact, number, quoted};
+use super::super::{Emission, number, quoted, table_compression};
 use crate::model::Step;
 use crate::tables::{Entry, NumericTable};
 
@@ -88,7 +88,7 @@ fn entries(emission: &Emission, table: &NumericTable) -> TokenStream {
             }
         });
     }
-    let constants = emission.text(compact::constants(&constants));
+    let constants = emission.text(table_compression::constants(&constants));
     let blocks = varying.chunks(BLOCK).enumerate();
     let (blocks, arms): (Vec<Ident>, Vec<_>) =
         blocks.map(|(k, arms)| (format_ident!("block_{k}"), emission.values(arms.to_vec()))).unzip();

@@ -32,7 +32,7 @@ const FEW: usize = 2;
 /// The two parts of the rate in the first chart, if it pays to have them.
 fn of_rate(emission: &Emission) -> Option<Parts> {
     let Emission { equations, program, .. } = emission;
-    if emission.rolled {
+    if emission.rerolled {
         return None;
     }
     let (rate, origin, velocities): (&Function, Origin, &[Expr]) = match emission.form {
@@ -47,7 +47,7 @@ fn of_rate(emission: &Emission) -> Option<Parts> {
     let of_two = bindings.iter().map(|(&symbol, text)| (symbol, in_both(text))).collect();
     let reserved = ["t", "u", "m", "x", "dx", "shared", "lit"];
     let around =
-        |scalar| Around { reserved: &reserved, by_reference: true, scalar, direct: None, rolled: false };
+        |scalar| Around { reserved: &reserved, by_reference: true, scalar, direct: None, rerolled: false };
     let parts =
         parts(&rate, (&moving, ".of::<SECOND>()"), (&of_two, &around("Two::<S>")), (&bindings, &around("S")));
     let pays = parts.still.count.total() > CALL + LEAST * parts.shared;

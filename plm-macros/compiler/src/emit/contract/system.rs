@@ -6,7 +6,7 @@ use plm_cas::{Expr, algebra};
 use proc_macro2::TokenStream;
 
 use super::super::lower::inline;
-use super::super::{Emission, Form, Sizes, compact, number, quoted};
+use super::super::{Emission, Form, Sizes, number, quoted, table_compression};
 use super::{rate, switches, turns};
 use crate::formulate::{Chart, coordinate_name};
 use crate::model::Stabilisation;
@@ -39,7 +39,7 @@ pub(crate) fn system(emission: &Emission) -> TokenStream {
     });
     let typical = typical(emission);
     let part_of_state = part_of_state(emission);
-    let names = compact::names(emission, &names_of_state(emission));
+    let names = table_compression::names(emission, &names_of_state(emission));
     let names_in_charts = names_in_charts(emission);
     quote! {
         impl<S: Real> rt::System for #name<S> {
@@ -106,7 +106,7 @@ fn names_in_charts(emission: &Emission) -> TokenStream {
         all.extend(chart.names.iter().cloned());
         all.extend(chart.names.iter().map(|name| rate_of(name)));
     }
-    let (names, in_chart) = (compact::names(emission, &all), number(2 * count));
+    let (names, in_chart) = (table_compression::names(emission, &all), number(2 * count));
     quote! {
         fn name_in_chart(&self, u: &Self::U, index: usize) -> &'static str {
             let names: &[&str] = const { &#names };
@@ -248,7 +248,7 @@ fn part_of_state(emission: &Emission) -> TokenStream {
     };
     if let Some(chart) = first(emission) {
         let parts = chart.parts.iter().chain(&chart.parts).chain(states).cloned().collect_vec();
-        let parts = compact::names(emission, &parts);
+        let parts = table_compression::names(emission, &parts);
         let part = named(quote!(parts.get(index)));
         return quote!(let parts: &[&str] = const { &#parts }; #part);
     }

@@ -4,7 +4,7 @@ use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
-use super::super::{Emission, Form, Sizes, compact, number};
+use super::super::{Emission, Form, Sizes, number, table_compression};
 use crate::formulate::Reduced;
 
 /// Is anything counted?
@@ -25,7 +25,7 @@ fn places<'a>(emission: &'a Emission, bodies: &'a [Option<usize>]) -> impl Itera
 /// By count, the places in a list of what belongs to its `bodies`: a reference to an array.
 fn all_places(emission: &Emission, bodies: &[Option<usize>]) -> TokenStream {
     let turns = &emission.model.turns;
-    let all = compact::is_long(turns.len()).then(|| in_short(emission, bodies)).flatten();
+    let all = table_compression::is_long(turns.len()).then(|| in_short(emission, bodies)).flatten();
     all.unwrap_or_else(|| {
         let places = emission.list(places(emission, bodies));
         quote!(&[#places])

@@ -6,7 +6,7 @@ use crate::emit::template::quote;
 use plm_cas::Expr;
 use proc_macro2::{Literal, TokenStream};
 
-use super::super::{Emission, compact, docs, number, quoted};
+use super::super::{Emission, docs, number, quoted, table_compression};
 use crate::model::{Instance, Name, Pair};
 use crate::numeric::value;
 use crate::reads::{Reads, reads};
@@ -68,7 +68,7 @@ fn bodies(emission: &Emission, numbers: &NumericTable) -> TokenStream {
         let list = numbered(&mut lists, &mut known, format!("&[{ports}]"));
         rows.push([list, body.contour.len() as u32, *first as u32]);
     }
-    if !compact::is_long(bodies.len()) {
+    if !table_compression::is_long(bodies.len()) {
         let bodies = bodies.iter().zip(rows).map(|(body, [list, points, first])| {
             let (name, ports) = (&body.name.text, &lists[list as usize]);
             format!("described::Body {{ name: {name:?}, ports: {ports}, contour: {points}, first: {first} }}")
@@ -77,8 +77,9 @@ fn bodies(emission: &Emission, numbers: &NumericTable) -> TokenStream {
         return quote!(&[#bodies]);
     }
     let names = bodies.iter().map(|body| body.name.text.clone()).collect_vec();
-    let (count, names, lists) = (number(names.len()), compact::names(emission, &names), emission.list(lists));
-    let rows = compact::numbers(emission, &rows.concat());
+    let (count, names, lists) =
+        (number(names.len()), table_compression::names(emission, &names), emission.list(lists));
+    let rows = table_compression::numbers(emission, &rows.concat());
     quote!(const { &rt::compact::bodies::<#count>(#names, &[#lists], &#rows) })
 }
 
@@ -101,7 +102,7 @@ fn ground(emission: &Emission, numbers: &NumericTable) -> TokenStream {
 
 fn parts(emission: &Emission, numbers: &NumericTable) -> TokenStream {
     let instances = &emission.model.instances;
-    if !compact::is_long(instances.len()) {
+    if !table_compression::is_long(instances.len()) {
         let parts = instances.iter().zip(&numbers.parts).map(|(instance, first)| {
             let frames = instance.frames.iter().map(|(argument, frame)| {
                 let (body, port) = (frame.body, frame.port);
@@ -126,8 +127,8 @@ fn parts(emission: &Emission, numbers: &NumericTable) -> TokenStream {
         }
     }
     let [count, of_frames] = [names.len(), frames.len() / 3].map_each(number);
-    let [rows, frames] = [rows, frames].map_each(|numbers| compact::numbers(emission, &numbers));
-    let (names, kinds) = (compact::names(emission, &names), emission.list(kinds));
+    let [rows, frames] = [rows, frames].map_each(|numbers| table_compression::numbers(emission, &numbers));
+    let (names, kinds) = (table_compression::names(emission, &names), emission.list(kinds));
     let arguments = emission.list(arguments);
     quote! {
         const {

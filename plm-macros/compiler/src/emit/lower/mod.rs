@@ -11,7 +11,7 @@ mod blocks;
 mod fragment;
 pub(crate) mod names;
 mod parts;
-mod rolled;
+mod rerolling;
 mod sines;
 mod statement;
 
@@ -40,13 +40,13 @@ pub(super) struct Around<'a> {
     /// Where it has an argument `DIRECT`: angles that this tells of, whether their sines and cosines need no branch.
     pub(super) direct: Option<&'a [Expr]>,
     /// Is what repeats itself written as loops?
-    pub(super) rolled: bool,
+    pub(super) rerolled: bool,
 }
 
 /// The statements of a function and its operations.
 pub(super) fn statements(function: &Function, bindings: &Bindings, around: &Around) -> (String, Count) {
-    let rolled = around.rolled.then(|| rolled::lower(function, bindings, around)).flatten();
-    let lines = rolled.unwrap_or_else(|| lower(function, bindings, around));
+    let rerolled = around.rerolled.then(|| rerolling::lower(function, bindings, around)).flatten();
+    let lines = rerolled.unwrap_or_else(|| lower(function, bindings, around));
     let count = lines.count;
     (blocks::with_literals(lines, around), count)
 }
@@ -58,7 +58,8 @@ pub(super) fn inline(expr: Expr, bindings: &Bindings) -> String {
     }
     let function = Function::of_results(vec![(Place::Value, expr)]);
     let reserved: Vec<&str> = bindings.values().map(String::as_str).chain(["lit"]).collect_vec();
-    let around = Around { reserved: &reserved, by_reference: true, scalar: "S", direct: None, rolled: false };
+    let around =
+        Around { reserved: &reserved, by_reference: true, scalar: "S", direct: None, rerolled: false };
     let lines = lower(&function, bindings, &around);
     match (&lines.value, lines.statements.is_empty()) {
         (Some((value, _)), true) => value.clone(),

@@ -4,7 +4,7 @@ use crate::collect::{CollectVec, PushAll};
 use crate::sorted::SortedMap;
 use plm_cas::{Expr, Instr, Op, Ref, Tape};
 
-use super::super::super::compact;
+use super::super::super::table_compression;
 use super::super::fragment::{Fragment, literal};
 use super::super::statement::Statement;
 use super::super::{Around, Bindings, Lowering, blocks};
@@ -64,7 +64,7 @@ impl Writer<'_> {
             Role::Same(source) => (self.outside(pattern, *source), Some(*source)),
             Role::Constants(numbers) => {
                 let numbers = numbers.iter().map(|number| constant(*number)).collect_vec();
-                let numbers = compact::constants(&numbers);
+                let numbers = table_compression::constants(&numbers);
                 (pattern.table(self, &format!("let #: &[f64; {count}] = const {{ &{numbers} }};"), &i), None)
             }
             Role::Gathered(all) => {
@@ -170,7 +170,7 @@ impl Writer<'_> {
         let now = now.filter_map(|((offset, _), _)| pattern.values[*offset]);
         let results = pattern.stored.iter().map(|(_, value)| *value).chain(now).collect_vec();
         let (scalar, bindings) = (self.lowering.scalar, Bindings::new());
-        let around = Around { reserved: &[], by_reference: true, scalar, direct: None, rolled: false };
+        let around = Around { reserved: &[], by_reference: true, scalar, direct: None, rerolled: false };
         let mut body = Lowering::new(&pattern.tape, &results, &bindings, &around);
         let named = pattern.named(&body.uses, &body.is_result);
         body.known_names = Some(&named);

@@ -1,4 +1,4 @@
-//! Bodies and outputs of repetitions by their indices: `sim.bar(3)` beside `sim.bar_3()`.
+//! Indexed accessors, for bodies and outputs of repetitions: `sim.bar(3)` beside `sim.bar_3()`.
 
 use crate::collect::{CollectVec, PushAll};
 use crate::emit::template::{joined, quote};
@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 
 use super::item::{outputs::kind, state::whole_pose};
 use super::names::{Names, token};
-use super::{Emission, compact, docs, number};
+use super::{Emission, docs, number, table_compression};
 use crate::model::{Model, Output};
 
 /// Names of the indices; what has more of them is read by its own name alone.
@@ -14,8 +14,8 @@ const INDICES: [&str; 6] = ["i", "j", "k", "l", "m", "n"];
 
 /// Bodies, or outputs of one shape, whose names differ in their indices alone.
 #[derive(Clone)]
-pub(super) struct Family {
-    /// Its accessor.
+pub(super) struct IndexedAccessor {
+    /// Name of the accessor.
     name: String,
     /// The path with names of indices in it, `bar[i].angle`.
     path: String,
@@ -24,31 +24,31 @@ pub(super) struct Family {
     are_bodies: bool,
 }
 
-/// The families of a model that have a name of their own.
-pub(super) fn find(model: &Model, accessors: &mut Names) -> Vec<Family> {
+/// The indexed accessors of a model whose names are free.
+pub(super) fn find(model: &Model, accessors: &mut Names) -> Vec<IndexedAccessor> {
     let bodies = model.bodies.iter().map(|body| body.name.text.as_str()).enumerate();
     let outputs = model.outputs.iter().enumerate().filter(|(_, output)| output.declared);
     let outputs = outputs.map(|(k, output)| (k, output.name.text.as_str()));
-    let mut families = gathered(bodies, true);
-    families.push_all(gathered(outputs, false).into_iter().filter(|family| is_of_one_shape(model, family)));
-    families.retain_mut(|family| {
-        let name = accessors.free(&family.name);
-        name.map(|name| family.name = name).is_some()
+    let mut found = grouped(bodies, true);
+    found.push_all(grouped(outputs, false).into_iter().filter(|accessor| is_of_one_shape(model, accessor)));
+    found.retain_mut(|accessor| {
+        let name = accessors.free(&accessor.name);
+        name.map(|name| accessor.name = name).is_some()
     });
-    families
+    found
 }
 
-/// Families of paths, in the order of their first members.
-fn gathered<'a>(paths: impl Iterator<Item = (usize, &'a str)>, are_bodies: bool) -> Vec<Family> {
-    let mut families: Vec<Family> = Vec::new();
+/// Paths that differ in their indices alone, in the order of their first members.
+fn grouped<'a>(paths: impl Iterator<Item = (usize, &'a str)>, are_bodies: bool) -> Vec<IndexedAccessor> {
+    let mut found: Vec<IndexedAccessor> = Vec::new();
     for (member, path) in paths {
         let Some((name, path, indices)) = split(path) else { continue };
-        match families.iter_mut().find(|family| family.path == path) {
-            Some(family) => family.members.push((indices, member)),
-            None => families.push(Family { name, path, members: vec![(indices, member)], are_bodies }),
+        match found.iter_mut().find(|accessor| accessor.path == path) {
+            Some(accessor) => accessor.members.push((indices, member)),
+            None => found.push(IndexedAccessor { name, path, members: vec![(indices, member)], are_bodies }),
         }
     }
-    families
+    found
 }
 
 /// A path without its indices, with names for them, and the indices; none if it has none, or negative ones.
@@ -67,27 +67,28 @@ fn split(path: &str) -> Option<(String, String, Vec<usize>)> {
     (!indices.is_empty()).then_some((name, named, indices))
 }
 
-fn is_of_one_shape(model: &Model, family: &Family) -> bool {
+fn is_of_one_shape(model: &Model, accessor: &IndexedAccessor) -> bool {
     let shape = |member: usize| {
         let Output { components, unit, .. } = &model.outputs[member];
         (components.len(), unit.dimension)
     };
-    let mut shapes = family.members.iter().map(|(_, member)| shape(*member));
+    let mut shapes = accessor.members.iter().map(|(_, member)| shape(*member));
     let first = shapes.next();
     shapes.all(|shape| Some(shape) == first)
 }
 
 /// Their accessors.
 pub(super) fn accessors(emission: &Emission) -> TokenStream {
-    let families = emission.fields.families.iter();
-    let accessors = families
-        .map(|family| if family.are_bodies { bodies(emission, family) } else { outputs(emission, family) });
+    let indexed = emission.fields.indexed_accessors.iter();
+    let accessors = indexed.map(|accessor| {
+        if accessor.are_bodies { bodies(emission, accessor) } else { outputs(emission, accessor) }
+    });
     joined(accessors.collect_vec())
 }
 
-impl Family {
-    /// Its accessor, as a token.
-    fn accessor(&self) -> Ident {
+impl IndexedAccessor {
+    /// Its name as an identifier.
+    fn ident(&self) -> Ident {
         token(&self.name, Span::call_site())
     }
 
@@ -103,7 +104,7 @@ impl Family {
             indices.as_slice() == [k] && *member == first + k
         };
         let in_a_row = self.members.iter().enumerate().all(is_next);
-        (self.are_bodies && compact::is_long(self.members.len()) && in_a_row).then_some(*first)
+        (self.are_bodies && table_compression::is_long(self.members.len()) && in_a_row).then_some(*first)
     }
 
     /// `match (i, j) { (0, 1) => …, _ => return None }`
@@ -128,16 +129,16 @@ impl Family {
     }
 }
 
-fn bodies(emission: &Emission, family: &Family) -> TokenStream {
-    let (name, indices) = (family.accessor(), family.indices());
+fn bodies(emission: &Emission, accessor: &IndexedAccessor) -> TokenStream {
+    let (name, indices) = (accessor.ident(), accessor.indices());
     let nq = &emission.sizes.nq;
     let pose = whole_pose(emission, &quote!(self));
-    let body = family.chosen(emission, |body| body.to_string());
+    let body = accessor.chosen(emission, |body| body.to_string());
     let docs = docs::docs(
         emission,
         &format!(
             "Pose and velocity of G of body `{}`, m, m, rad; m/s, m/s, rad/s; none if there is no such body.",
-            family.path
+            accessor.path
         ),
     );
     quote! {
@@ -150,14 +151,16 @@ fn bodies(emission: &Emission, family: &Family) -> TokenStream {
     }
 }
 
-fn outputs(emission: &Emission, family: &Family) -> TokenStream {
-    let first = family.members.first().and_then(|(_, member)| emission.model.outputs.get(*member));
+fn outputs(emission: &Emission, accessor: &IndexedAccessor) -> TokenStream {
+    let first = accessor.members.first().and_then(|(_, member)| emission.model.outputs.get(*member));
     let Some(first) = first else { return TokenStream::new() };
-    let (name, indices, kind) = (family.accessor(), family.indices(), kind(first));
-    let output = family.chosen(emission, |output| format!("self.{}()", emission.fields.outputs[output]));
+    let (name, indices, kind) = (accessor.ident(), accessor.indices(), kind(first));
+    let output = accessor.chosen(emission, |output| format!("self.{}()", emission.fields.outputs[output]));
     let unit = docs::si(&first.unit);
-    let docs =
-        docs::docs(emission, &format!("Output `{}`, {unit}; none if there is no such output.", family.path));
+    let docs = docs::docs(
+        emission,
+        &format!("Output `{}`, {unit}; none if there is no such output.", accessor.path),
+    );
     quote! {
         #docs
         pub fn #name(&self, #(#indices: usize),*) -> Option<#kind> {

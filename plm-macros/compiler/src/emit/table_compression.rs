@@ -1,4 +1,4 @@
-//! Long tables in short: what the runtime's `compact` makes tables of.
+//! Compression of long tables: the short forms from which the runtime's `compact` makes them.
 
 use proc_macro2::TokenStream;
 
