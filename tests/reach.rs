@@ -113,7 +113,7 @@ fn judge(
                 pose.iter().enumerate().map(nearest).collect::<Vec<f64>>()
             });
             let best: Vec<Vec<f64>> = best.collect();
-            // It is one of them, to rounding near the border of what can be reached.
+            // It is one of them, to rounding near the boundary of the workspace.
             let off = |pose: &Vec<f64>| {
                 found.iter().zip(pose).enumerate().fold(0.0_f64, |off, (k, (a, b))| {
                     let by = if k % 3 == 2 { 2.0 * ((a - b) / 2.0).sin() } else { a - b };
@@ -175,7 +175,7 @@ fn angle(random: &mut Random) -> f64 {
     3.1 * random.unit()
 }
 
-/// Where a case is not nearer to the border of what can be reached than numbers are told.
+/// Where a case is not nearer to the boundary of the workspace than numbers are told.
 fn is_clear(closed: &Result<[[f64; 2]; 2], f64>, a: [f64; 2], b: [f64; 2], p: f64, q: f64) -> bool {
     let far = (b[0] - a[0]).hypot(b[1] - a[1]);
     closed.as_ref().map_or_else(|lack| *lack > 1e-6, |_| (p + q - far).min(far - (p - q).abs()) > 1e-6)

@@ -2,7 +2,7 @@
 
 use plm_runtime::{StartValues, System, Vector};
 
-use crate::{Foreign, Status, Trouble};
+use crate::{Error, Foreign, Status};
 
 /// What a number belongs to. The numbers of each kind count from 0 in the order of the declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,7 +44,7 @@ impl Kind {
     ///
     /// # Errors
     /// [`Status::NoSuch`]
-    pub fn of(number: i32) -> Result<Self, Trouble> {
+    pub fn of(number: i32) -> Result<Self, Error> {
         Self::ALL.into_iter().find(|kind| *kind as i32 == number).ok_or(Status::NoSuch.into())
     }
 
@@ -93,7 +93,7 @@ impl Kind {
     ///
     /// # Errors
     /// [`Status::NoSuch`]
-    pub fn name<M: Foreign>(self, declared: &M, index: usize) -> Result<&'static str, Trouble> {
+    pub fn name<M: Foreign>(self, declared: &M, index: usize) -> Result<&'static str, Error> {
         let (mut at, mut found) = (0, None);
         self.names(declared, &mut |name| {
             if at == index {
@@ -108,7 +108,7 @@ impl Kind {
     ///
     /// # Errors
     /// [`Status::NoSuch`]
-    pub fn find<M: Foreign>(self, declared: &M, name: &[u8]) -> Result<usize, Trouble> {
+    pub fn find<M: Foreign>(self, declared: &M, name: &[u8]) -> Result<usize, Error> {
         let (mut at, mut found) = (0, None);
         self.names(declared, &mut |own| {
             if found.is_none() && own.as_bytes() == name {

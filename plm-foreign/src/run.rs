@@ -4,8 +4,8 @@ use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
 use plm_runtime::words::{InWords, Words};
 use plm_runtime::{Adams, Dop853, Dopri5, Fault, Method, Rk4, Scalar, SemiImplicitEuler, Sim, Vern9};
 
-use crate::border::BlockBy;
-use crate::{Foreign, Status, Trouble};
+use crate::ffi::BlockBy;
+use crate::{Error, Foreign, Status};
 
 /// A method of integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -119,7 +119,7 @@ impl By {
     ///
     /// # Errors
     /// [`Status::Choice`]
-    pub fn of(number: i32) -> Result<Self, Trouble> {
+    pub fn of(number: i32) -> Result<Self, Error> {
         Self::ALL.into_iter().find(|by| *by as i32 == number).ok_or(Status::Choice.into())
     }
 }

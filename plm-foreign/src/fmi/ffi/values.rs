@@ -6,7 +6,7 @@ use plm_runtime::{Moment, System, Vector};
 
 use super::{Handle, Outcome, fill, opened, put, read, with};
 use crate::fmi::{Call, Exchanged, Instance, Variable, follow};
-use crate::{Status, Trouble};
+use crate::{Error, Status};
 
 /// The variables of value references.
 ///
@@ -15,7 +15,7 @@ use crate::{Status, Trouble};
 unsafe fn variables<M: Exchanged>(
     of: &Instance<M>,
     (at, count): (*const u32, usize),
-) -> Result<Vec<Variable>, Trouble> {
+) -> Result<Vec<Variable>, Error> {
     // SAFETY: the caller's part.
     let references = unsafe { read(at, count)? };
     let found = references.iter().map(|reference| Variable::of(of.declared(), *reference));
@@ -118,7 +118,7 @@ impl Given {
         }
     }
 
-    fn of<M: Exchanged>(self, instance: &mut Instance<M>) -> Result<Vec<f64>, Trouble> {
+    fn of<M: Exchanged>(self, instance: &mut Instance<M>) -> Result<Vec<f64>, Error> {
         instance.renew()?;
         Ok(match self {
             Self::States => numbers(instance.state()?.x()),

@@ -3,7 +3,7 @@
 use plm_runtime::{System, Vector};
 
 use super::{BlockBy, put, with};
-use crate::{Foreign, Matrix, ObjectBy, Run, Status, Trouble};
+use crate::{Error, Foreign, Matrix, ObjectBy, Run, Status};
 
 /// [`ObjectBy::rates`], just as many as there are.
 ///
@@ -68,7 +68,7 @@ unsafe fn fill<S>(
     (place, count): (*mut S, usize),
     length: usize,
     number: impl Fn(usize) -> S,
-) -> Result<(), Trouble> {
+) -> Result<(), Error> {
     if place.is_null() {
         return Err(Status::Null.into());
     }

@@ -5,7 +5,7 @@ use core::ffi::{CStr, c_char, c_int, c_void};
 use super::listener::Log2;
 use super::{Handle, Listener, OK, Outcome, complete, do_step, instantiate, put, update, with};
 use crate::fmi::{Call, Exchanged, Instance, Interface, Steps, Variable};
-use crate::{Status, Trouble};
+use crate::{Error, Status};
 
 /// `fmi2Boolean`
 pub type Flag = c_int;
@@ -127,6 +127,6 @@ pub unsafe fn flag_status<M: Exchanged>(handle: *mut Handle<M>, kind: c_int, val
     unsafe { with(handle, Call::GetStatus, work) }
 }
 
-fn none() -> Result<(), Trouble> {
+fn none() -> Result<(), Error> {
     Err(Status::NoSuch.into())
 }

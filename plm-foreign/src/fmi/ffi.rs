@@ -20,12 +20,12 @@ pub use self::listener::{Listener, Log, Log2};
 pub use self::states::{deserialize, forget, restore, save, serialize, serialized_size};
 pub use self::steps::{complete, do_step, update};
 pub use self::values::{Given, count, get, get_integers, give, set, set_integers, set_states, tangents};
-pub use crate::border::put;
+pub use crate::ffi::put;
 
 use super::method::NoMethod;
 use super::mode::NotAllowed;
 use super::{Call, Exchanged, Instance, Interface, Mode, Steps, Version, token};
-use crate::{Status, Trouble};
+use crate::{Error, Status};
 
 use self::listener::Severity;
 
@@ -90,7 +90,7 @@ trait Reason: fmt::Display {
     }
 }
 
-impl Reason for Trouble {
+impl Reason for Error {
     /// Not where the mechanism has no coordinates, or no memory.
     fn is_of_state(&self) -> bool {
         let Self::Fault(fault) = self else { return false };
@@ -115,7 +115,7 @@ fn severity(reason: &impl Reason, version: Version, call: Option<Call>, mode: Mo
 pub unsafe fn with<M: Exchanged>(
     handle: *mut Handle<M>,
     call: impl Into<Option<Call>>,
-    work: impl FnOnce(&mut Instance<M>) -> Result<(), Trouble>,
+    work: impl FnOnce(&mut Instance<M>) -> Result<(), Error>,
 ) -> Outcome {
     // SAFETY: as this function's.
     unsafe { opened(handle, call.into(), |handle| work(&mut handle.instance)) }
@@ -165,7 +165,7 @@ pub unsafe fn absent<M: Exchanged>(handle: *mut Handle<M>, name: &str) -> Outcom
         let words = format_args!("{name}: this FMU has nothing of that kind");
         // SAFETY: the simulator gave the listener.
         unsafe { handle.listener.tell(Severity::Error, words) };
-        Ok::<_, Trouble>(())
+        Ok::<_, Error>(())
     };
     // SAFETY: the caller's part.
     unsafe { opened(handle, None, work) };
@@ -191,7 +191,7 @@ pub unsafe fn hear<M: Exchanged>(
             all.push(own.ok_or(Status::NoSuch)?);
         }
         handle.listener.hear(is_heard, if all.is_empty() { &Severity::ALL } else { &all });
-        Ok::<_, Trouble>(())
+        Ok::<_, Error>(())
     };
     // SAFETY: the caller's part.
     unsafe { opened(handle, None, work) }
@@ -201,7 +201,7 @@ pub unsafe fn hear<M: Exchanged>(
 ///
 /// # Safety
 /// `at` is null or at as many of the caller.
-unsafe fn read<'a, T>(at: *const T, count: usize) -> Result<&'a [T], Trouble> {
+unsafe fn read<'a, T>(at: *const T, count: usize) -> Result<&'a [T], Error> {
     match count {
         0 => Ok(&[]),
         _ if at.is_null() => Err(Status::Null.into()),
@@ -215,7 +215,7 @@ unsafe fn read<'a, T>(at: *const T, count: usize) -> Result<&'a [T], Trouble> {
 ///
 /// # Safety
 /// `at` is null or at room of the caller for `count` numbers.
-unsafe fn fill<T: Copy>((at, count): (*mut T, usize), values: &[T]) -> Result<(), Trouble> {
+unsafe fn fill<T: Copy>((at, count): (*mut T, usize), values: &[T]) -> Result<(), Error> {
     if count != values.len() {
         return Err(Status::NoSuch.into());
     }

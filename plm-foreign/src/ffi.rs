@@ -1,4 +1,4 @@
-//! Objects behind pointers: what C calls.
+//! Foreign function interface: objects behind pointers, for C.
 //!
 //! Every function looks at what it is given: pointers that are null or not aligned, memory that is no object of this
 //! mechanism, kinds and numbers that do not exist, and values that are no numbers give a [`Status`], and nothing is done.
@@ -18,7 +18,7 @@ use core::slice;
 use crate::saved::fnv;
 use plm_runtime::{Fault, Sim};
 
-use crate::{By, Foreign, Kind, ObjectBy, Run, Status, Text, Trouble};
+use crate::{By, Error, Foreign, Kind, ObjectBy, Run, Status, Text};
 
 /// An object in memory of the caller, with runs by the methods of `R`. Its bytes may be copied: the copy goes on as the original
 /// does.
@@ -67,15 +67,15 @@ pub unsafe fn init<M: Foreign, R: Run<M>>(memory: *mut BlockBy<M, R>, size: usiz
 /// `block` is null, or at memory of the caller as large as an object, that nobody else uses meanwhile.
 unsafe fn with<M: Foreign, R: Run<M>>(
     block: *mut BlockBy<M, R>,
-    work: impl FnOnce(&mut ObjectBy<M, R>) -> Result<(), Trouble>,
+    work: impl FnOnce(&mut ObjectBy<M, R>) -> Result<(), Error>,
 ) -> i32 {
     // SAFETY: as this function's.
     let Some(block) = (unsafe { found(block) }) else { return missing(block) as i32 };
     match work(&mut block.object) {
         Ok(()) => Status::Ok as i32,
-        Err(trouble) => {
-            block.text = Text::of(trouble);
-            trouble.status() as i32
+        Err(error) => {
+            block.text = Text::of(error);
+            error.status() as i32
         }
     }
 }
@@ -292,7 +292,7 @@ pub unsafe fn text<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>) -> *const c
 ///
 /// # Safety
 /// `place` is null or at room of the caller for such a value.
-pub unsafe fn put<T>(place: *mut T, value: T) -> Result<(), Trouble> {
+pub unsafe fn put<T>(place: *mut T, value: T) -> Result<(), Error> {
     if place.is_null() {
         return Err(Status::Null.into());
     }

@@ -2,7 +2,7 @@
 
 use super::{Handle, Outcome, opened, put, with};
 use crate::fmi::{Call, Exchanged, Instance, Update, Variable};
-use crate::{Status, Trouble};
+use crate::{Error, Status};
 
 /// `fmi3UpdateDiscreteStates`; `flags`: more updates are needed, the simulation ends, nominals changed, states changed, a time
 /// is known.
@@ -39,7 +39,7 @@ pub unsafe fn do_step<M: Exchanged>(
 ) -> Outcome {
     let work = |handle: &mut Handle<M>| {
         if flags.contains(&core::ptr::null_mut()) || last.is_null() {
-            return Err(Trouble::from(Status::Null));
+            return Err(Error::from(Status::Null));
         }
         let instance = &mut handle.instance;
         let now = instance.get(Variable::Time)?;

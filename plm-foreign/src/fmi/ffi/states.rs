@@ -5,7 +5,7 @@ use alloc::vec;
 
 use super::{Handle, OK, Outcome, put, read, with};
 use crate::fmi::{Exchanged, Instance};
-use crate::{Status, Trouble};
+use crate::{Error, Status};
 
 /// `fmi3GetFMUState`: a copy, which is a new one or one that was made before.
 ///
@@ -97,7 +97,7 @@ pub unsafe fn deserialize<M: Exchanged>(
 ///
 /// # Safety
 /// `copy` is null or the caller's, and holds null or one of [`save`].
-unsafe fn hand_out<M: Exchanged>(instance: Instance<M>, copy: *mut *mut Instance<M>) -> Result<(), Trouble> {
+unsafe fn hand_out<M: Exchanged>(instance: Instance<M>, copy: *mut *mut Instance<M>) -> Result<(), Error> {
     // SAFETY: the caller's part.
     match unsafe { copy.as_mut() } {
         None => return Err(Status::Null.into()),

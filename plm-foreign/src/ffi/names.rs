@@ -28,7 +28,7 @@ pub unsafe fn name<M: Foreign>(
 ) -> i32 {
     let own = match Kind::of(kind).and_then(|kind| kind.name(declared, index)) {
         Ok(own) => own,
-        Err(trouble) => return trouble.status() as i32,
+        Err(error) => return error.status() as i32,
     };
     if name.is_null() {
         return Status::Null as i32;
@@ -56,5 +56,5 @@ pub unsafe fn find<M: Foreign>(declared: &M, kind: i32, name: *const c_char, ind
     let found = Kind::of(kind).and_then(|kind| kind.find(declared, name.to_bytes()));
     // SAFETY: the caller's part.
     let written = found.and_then(|found| unsafe { put(index, found) });
-    written.map_or_else(|trouble| trouble.status() as i32, |()| Status::Ok as i32)
+    written.map_or_else(|error| error.status() as i32, |()| Status::Ok as i32)
 }

@@ -1,4 +1,4 @@
-//! What C does with pointers, in Rust, so that Miri can look at it: `cargo +nightly miri test -p plm-foreign --test border`.
+//! What C does with pointers, in Rust, so that Miri can look at it: `cargo +nightly miri test -p plm-foreign --test ffi`.
 #![allow(
     unsafe_code,
     clippy::undocumented_unsafe_blocks,
@@ -11,7 +11,7 @@ use std::ffi::{CStr, c_char};
 use std::mem::MaybeUninit;
 use std::ptr::null_mut;
 
-use plm_foreign::{Foreign, Kind, Status, border, border::Block};
+use plm_foreign::{Foreign, Kind, Status, ffi, ffi::Block};
 
 plm::mechanism! {
     Pendulum {
@@ -33,15 +33,15 @@ fn memory() -> Vec<MaybeUninit<Block<Pendulum>>> {
 fn started(memory: &mut [MaybeUninit<Block<Pendulum>>]) -> *mut Block<Pendulum> {
     let object = memory.as_mut_ptr().cast();
     unsafe {
-        assert_eq!(border::init(object, Block::<Pendulum>::SIZE, Pendulum::new()), 0);
-        assert_eq!(border::start(object), 0);
+        assert_eq!(ffi::init(object, Block::<Pendulum>::SIZE, Pendulum::new()), 0);
+        assert_eq!(ffi::start(object), 0);
     }
     object
 }
 
 fn get(object: *mut Block<Pendulum>, kind: Kind, index: usize) -> f64 {
     let mut value = f64::NAN;
-    assert_eq!(unsafe { border::get(object, kind as i32, index, &raw mut value) }, 0);
+    assert_eq!(unsafe { ffi::get(object, kind as i32, index, &raw mut value) }, 0);
     value
 }
 
@@ -51,11 +51,11 @@ fn a_copy_of_the_bytes_goes_on_to_the_bit() {
     let object = started(&mut first);
     let copy: *mut Block<Pendulum> = second.as_mut_ptr().cast();
     unsafe {
-        assert_eq!(border::set(object, Kind::Input as i32, 0, 0.5), 0);
-        assert_eq!(border::step(object, 0.01), 0);
+        assert_eq!(ffi::set(object, Kind::Input as i32, 0, 0.5), 0);
+        assert_eq!(ffi::step(object, 0.01), 0);
         copy.cast::<u8>().copy_from_nonoverlapping(object.cast(), Block::<Pendulum>::SIZE);
         for each in [object, copy] {
-            assert_eq!(border::step_to(each, 0.03), 0);
+            assert_eq!(ffi::step_to(each, 0.03), 0);
         }
     }
     for index in 0..2 {
@@ -63,7 +63,7 @@ fn a_copy_of_the_bytes_goes_on_to_the_bit() {
         assert_eq!(ours, copied);
     }
     let mut pose = [f64::NAN; 6];
-    assert_eq!(unsafe { border::pose(copy, 0, &raw mut pose) }, 0);
+    assert_eq!(unsafe { ffi::pose(copy, 0, &raw mut pose) }, 0);
     assert_eq!(pose[2].to_bits(), get(copy, Kind::Output, 0).to_bits());
 }
 
@@ -73,20 +73,20 @@ fn a_saved_run_goes_on_in_another_object() {
     let (object, other) = (started(&mut first), second.as_mut_ptr().cast::<Block<Pendulum>>());
     let mut size = 0;
     unsafe {
-        assert_eq!(border::step(object, 0.01), 0);
-        assert_eq!(border::saved_size(object, &raw mut size), 0);
+        assert_eq!(ffi::step(object, 0.01), 0);
+        assert_eq!(ffi::saved_size(object, &raw mut size), 0);
         let mut bytes: Vec<MaybeUninit<u8>> = vec![MaybeUninit::uninit(); size];
         let room: *mut u8 = bytes.as_mut_ptr().cast();
-        assert_eq!(border::save(object, (room, size - 1)), Status::Memory as i32);
-        assert_eq!(border::save(object, (null_mut(), size)), Status::Null as i32);
-        assert_eq!(border::save(object, (room, size)), 0);
-        assert_eq!(border::init(other, Block::<Pendulum>::SIZE, Pendulum::new()), 0);
-        let restore = |size| border::restore(other, Pendulum::new(), (room, size));
+        assert_eq!(ffi::save(object, (room, size - 1)), Status::Memory as i32);
+        assert_eq!(ffi::save(object, (null_mut(), size)), Status::Null as i32);
+        assert_eq!(ffi::save(object, (room, size)), 0);
+        assert_eq!(ffi::init(other, Block::<Pendulum>::SIZE, Pendulum::new()), 0);
+        let restore = |size| ffi::restore(other, Pendulum::new(), (room, size));
         assert_eq!(restore(size - 1), Status::Damaged as i32);
-        assert_eq!(border::step(other, 0.01), Status::NotStarted as i32);
+        assert_eq!(ffi::step(other, 0.01), Status::NotStarted as i32);
         assert_eq!(restore(size), 0);
         for each in [object, other] {
-            assert_eq!(border::step(each, 0.01), 0);
+            assert_eq!(ffi::step(each, 0.01), 0);
         }
     }
     assert_eq!(get(object, Kind::Output, 0).to_bits(), get(other, Kind::Output, 0).to_bits());
@@ -101,33 +101,33 @@ fn wrong_pointers_are_told() {
     let askew = object.cast::<u8>().wrapping_add(4).cast::<Block<Pendulum>>();
     let code = |status: Status| status as i32;
     unsafe {
-        assert_eq!(border::step(object, 0.1), code(Status::NoObject));
-        assert_eq!(border::step(askew, 0.1), code(Status::NoObject));
-        assert_eq!(border::step(null, 0.1), code(Status::Null));
-        assert_eq!(border::init(null, size, Pendulum::new()), code(Status::Null));
-        assert_eq!(border::init(askew, size, Pendulum::new()), code(Status::Memory));
-        assert_eq!(border::init(object, size - 1, Pendulum::new()), code(Status::Memory));
-        assert_eq!(border::init(object, size, Pendulum::new()), 0);
-        assert_eq!(border::get(object, Kind::Parameter as i32, 0, null_mut()), code(Status::Null));
-        assert_eq!(border::step(object, 0.1), code(Status::NotStarted));
-        assert_eq!(CStr::from_ptr(border::text(object)), c"the mechanism has not been started");
-        assert_eq!(CStr::from_ptr(border::text(null)), c"");
+        assert_eq!(ffi::step(object, 0.1), code(Status::NoObject));
+        assert_eq!(ffi::step(askew, 0.1), code(Status::NoObject));
+        assert_eq!(ffi::step(null, 0.1), code(Status::Null));
+        assert_eq!(ffi::init(null, size, Pendulum::new()), code(Status::Null));
+        assert_eq!(ffi::init(askew, size, Pendulum::new()), code(Status::Memory));
+        assert_eq!(ffi::init(object, size - 1, Pendulum::new()), code(Status::Memory));
+        assert_eq!(ffi::init(object, size, Pendulum::new()), 0);
+        assert_eq!(ffi::get(object, Kind::Parameter as i32, 0, null_mut()), code(Status::Null));
+        assert_eq!(ffi::step(object, 0.1), code(Status::NotStarted));
+        assert_eq!(CStr::from_ptr(ffi::text(object)), c"the mechanism has not been started");
+        assert_eq!(CStr::from_ptr(ffi::text(null)), c"");
     }
 }
 
 #[test]
 fn names_are_written_and_found() {
     let pendulum = Pendulum::new();
-    assert_eq!(border::count(&pendulum, Kind::Start as i32), 6);
+    assert_eq!(ffi::count(&pendulum, Kind::Start as i32), 6);
     let (mut name, mut index): ([c_char; 12], usize) = ([1; 12], 0);
     let kind = Kind::Start as i32;
     unsafe {
-        assert_eq!(border::name(&pendulum, kind, 5, (name.as_mut_ptr(), name.len())), 0);
+        assert_eq!(ffi::name(&pendulum, kind, 5, (name.as_mut_ptr(), name.len())), 0);
         assert_eq!(CStr::from_ptr(name.as_ptr()), c"bob.omega");
-        assert_eq!(border::name(&pendulum, kind, 5, (name.as_mut_ptr(), 4)), Status::Memory as i32);
+        assert_eq!(ffi::name(&pendulum, kind, 5, (name.as_mut_ptr(), 4)), Status::Memory as i32);
         assert_eq!(CStr::from_ptr(name.as_ptr()), c"bob");
-        assert_eq!(border::find(&pendulum, kind, c"bob.omega".as_ptr(), &raw mut index), 0);
-        assert_eq!(border::find(&pendulum, 9, c"bob.omega".as_ptr(), &raw mut index), Status::NoSuch as i32);
+        assert_eq!(ffi::find(&pendulum, kind, c"bob.omega".as_ptr(), &raw mut index), 0);
+        assert_eq!(ffi::find(&pendulum, 9, c"bob.omega".as_ptr(), &raw mut index), Status::NoSuch as i32);
     }
     assert_eq!(index, 5);
 }
