@@ -7,7 +7,7 @@ use plm_runtime::{Dop853, Fault, Method, Sim, Statics};
 
 use super::Stabilise;
 use super::report::{Change, Freedom, Residual, Unbalanced};
-use super::rest::Setting;
+use super::residuals::Setting;
 
 /// What a search for an equilibrium has found.
 #[derive(Clone)]

@@ -1,4 +1,4 @@
-//! One look at a point: how far it is from rest, and the step that is said to lead there.
+//! Evaluation of a point: its distance from equilibrium, and the step of the iteration towards it.
 //!
 //! Three things are wanted, each as far as those before it allow: the joints stay closed; forces balance, with what locks
 //! have to give, and states that are free come to rest; locks need no force, and states that are locked, or that nothing
@@ -9,14 +9,14 @@ use std::vec::Vec;
 use nalgebra::{DMatrix, DVector};
 
 use super::Stabilise;
-use super::invariant::{following, rates_along, unread};
+use super::dependent_states::{following, rates_along, unread};
 use super::rank::{Ranked, null_space};
-use super::rest::{Point, Rest, Rows};
+use super::residuals::{Point, Residuals, Rows};
 use super::scales::{Locks, Scales};
 
-/// The mechanism, and what does not change on the way.
+/// The equations of a search, and what is constant during it.
 pub(super) struct Task<M: Stabilise> {
-    pub(super) rest: Rest<M>,
+    pub(super) residuals: Residuals<M>,
     pub(super) scales: Scales,
     pub(super) locks: Locks,
     /// States that follow the coordinates, by index.
@@ -24,33 +24,34 @@ pub(super) struct Task<M: Stabilise> {
     /// States that are moved, by index.
     pub(super) free: Vec<usize>,
     /// States that stay, by index: locked ones, and integrals that nothing reads.
-    pub(super) kept: Vec<usize>,
+    pub(super) fixed: Vec<usize>,
 }
 
 impl<M: Stabilise> Task<M> {
-    pub(super) fn new(rest: Rest<M>, start: &Point) -> Option<Self> {
-        let scales = Scales::of(&rest, start);
-        let locks = Locks::of(*rest.mechanism());
-        let mut task = Self { rest, scales, locks, follows: Vec::new(), free: Vec::new(), kept: Vec::new() };
+    pub(super) fn new(residuals: Residuals<M>, start: &Point) -> Option<Self> {
+        let scales = Scales::of(&residuals, start);
+        let locks = Locks::of(*residuals.mechanism());
+        let mut task =
+            Self { residuals, scales, locks, follows: Vec::new(), free: Vec::new(), fixed: Vec::new() };
         task.follows = task.following(start)?;
-        let unread = unread(&task.rest, start, &task.scales);
-        let others = (0..Rest::<M>::NX).filter(|i| !task.follows[*i]);
-        (task.kept, task.free) = others.partition(|i| task.locks.x[*i] || unread[*i]);
+        let unread = unread(&task.residuals, start, &task.scales);
+        let others = (0..Residuals::<M>::NX).filter(|i| !task.follows[*i]);
+        (task.fixed, task.free) = others.partition(|i| task.locks.x[*i] || unread[*i]);
         Some(task)
     }
 
     /// States that follow coordinates which can move.
     fn following(&self, start: &Point) -> Option<Vec<bool>> {
-        let follows = following(&self.rest, start, &self.scales);
-        let all = rates_along(&self.rest, start, &DMatrix::from_diagonal(&self.scales.q));
-        let left = rates_along(&self.rest, start, &self.ways(&self.rest.by_q(start))?);
+        let follows = following(&self.residuals, start, &self.scales);
+        let all = rates_along(&self.residuals, start, &DMatrix::from_diagonal(&self.scales.q));
+        let left = rates_along(&self.residuals, start, &self.ways(&self.residuals.by_q(start))?);
         let moves = |i: usize| left.row(i).norm() > 1e-9 * all.row(i).norm();
         Some((0..follows.len()).map(|i| follows[i] && !self.locks.x[i] && moves(i)).collect())
     }
 
     /// Directions that joints and locks leave, in columns: m and rad.
     fn ways(&self, by_q: &Rows<DMatrix<f64>>) -> Option<DMatrix<f64>> {
-        let size = Rest::<M>::NQ;
+        let size = Residuals::<M>::NQ;
         let mut rows = scaled(&by_q.phi, |_| 1.0 / self.scales.length, |j| self.scales.q[j]);
         let locked: Vec<usize> = (0..size).filter(|k| self.locks.q[*k]).collect();
         let first = rows.nrows();
@@ -64,30 +65,30 @@ impl<M: Stabilise> Task<M> {
 
     /// Locked coordinates.
     pub(super) fn locked(&self) -> Vec<usize> {
-        (0..Rest::<M>::NQ).filter(|k| self.locks.q[*k]).collect()
+        (0..Residuals::<M>::NQ).filter(|k| self.locks.q[*k]).collect()
     }
 
     /// Closes the joints by the shortest way that leaves locks alone; false if they stay open.
     pub(super) fn close(&self, point: &mut Point) -> Option<bool> {
         let closed = 1e-13 * self.scales.length.max(1.0);
-        let (mut gap, mut phi) = (f64::INFINITY, self.rest.rows(point).phi);
+        let (mut gap, mut phi) = (f64::INFINITY, self.residuals.rows(point).phi);
         for _ in 0..30 {
             if phi.amax() <= closed || phi.is_empty() || phi.amax() >= gap {
                 break;
             }
             gap = phi.amax();
             let column = |j: usize| if self.locks.q[j] { 0.0 } else { self.scales.q[j] };
-            let rows = scaled(&self.rest.by_q(point).phi, |_| 1.0, column);
+            let rows = scaled(&self.residuals.by_q(point).phi, |_| 1.0, column);
             let step = Ranked::new(&rows)?.solve(&phi);
             let before = point.q.clone();
             for j in 0..step.len() {
                 point.q[j] -= column(j) * step[j];
             }
-            phi = self.rest.rows(point).phi;
+            phi = self.residuals.rows(point).phi;
             // At rounding the last step may have made it worse.
             if phi.amax() > gap {
                 point.q = before;
-                phi = self.rest.rows(point).phi;
+                phi = self.residuals.rows(point).phi;
                 break;
             }
         }
@@ -95,8 +96,8 @@ impl<M: Stabilise> Task<M> {
     }
 }
 
-/// What is seen at a point.
-pub(super) struct Look {
+/// Residuals, forces and the next step at a point.
+pub(super) struct Evaluation {
     /// The point, with the multipliers that balance best.
     pub(super) point: Point,
     /// Forces that nothing balances, N and N m by coordinate.
@@ -121,15 +122,15 @@ pub(super) struct Look {
     pub(super) free: DMatrix<f64>,
 }
 
-impl Look {
+impl Evaluation {
     /// At a point with closed joints.
     pub(super) fn at<M: Stabilise>(task: &Task<M>, mut point: Point) -> Option<Self> {
-        let Task { rest, scales, .. } = task;
+        let Task { residuals, scales, .. } = task;
         let balance = Balance::at(task, &mut point)?;
-        let by_q = rest.by_q(&point);
+        let by_q = residuals.by_q(&point);
         let moves = Moves::new(task, &point, task.ways(&by_q)?);
-        let rate = rest.rows(&point).rate;
-        let (levels, rate_scale) = balance.levels(task, &moves, (&by_q, &rest.by_x(&point)), &rate);
+        let rate = residuals.rows(&point).rate;
+        let (levels, rate_scale) = balance.levels(task, &moves, (&by_q, &residuals.by_x(&point)), &rate);
         let (unknowns, room) = levels.solve()?;
         let step = (&moves.q * &unknowns, &moves.x * &unknowns);
         let unbalanced = balance.left.component_mul(&scales.force);
@@ -168,15 +169,15 @@ struct Balance {
 impl Balance {
     /// Gives the point the multipliers that balance best: they, and the forces of locks, enter linearly.
     fn at<M: Stabilise>(task: &Task<M>, point: &mut Point) -> Option<Self> {
-        let (nq, nc, locked) = (Rest::<M>::NQ, Rest::<M>::NC, task.locked());
-        let by_lambda = task.rest.by_lambda(point);
+        let (nq, nc, locked) = (Residuals::<M>::NQ, Residuals::<M>::NC, task.locked());
+        let by_lambda = task.residuals.by_lambda(point);
         let force = scaled(&by_lambda.force, |i| 1.0 / task.scales.force[i], |_| 1.0);
         let sizes = DVector::from_fn(nc, |j, _| match force.column(j).amax() {
             0.0 => 1.0,
             largest => 1.0 / largest,
         });
         let mut carries = DMatrix::zeros(nq, nc + locked.len());
-        let mut rates = DMatrix::zeros(Rest::<M>::NX, nc + locked.len());
+        let mut rates = DMatrix::zeros(Residuals::<M>::NX, nc + locked.len());
         for j in 0..nc {
             carries.set_column(j, &(force.column(j) * sizes[j]));
             rates.set_column(j, &(by_lambda.rate.column(j) * sizes[j]));
@@ -185,7 +186,7 @@ impl Balance {
             carries[(*coordinate, nc + k)] = 1.0;
         }
         let inverse = Ranked::new(&carries)?;
-        let forces = task.rest.rows(point).force.component_div(&task.scales.force);
+        let forces = task.residuals.rows(point).force.component_div(&task.scales.force);
         let reactions = -inverse.solve(&forces);
         point.lambda += reactions.rows(0, nc).component_mul(&sizes);
         let left = forces + &carries * &reactions;
@@ -200,7 +201,7 @@ impl Balance {
         (by_q, by_x): (&Rows<DMatrix<f64>>, &Rows<DMatrix<f64>>),
         rate: &DVector<f64>,
     ) -> (Levels, DVector<f64>) {
-        let Task { scales, free, kept, .. } = task;
+        let Task { scales, free, fixed, .. } = task;
         let force = &by_q.force * &moves.q + &by_x.force * &moves.x;
         let force = scaled(&force, |i| 1.0 / scales.force[i], |_| 1.0);
         let reaction = -self.inverse.solve_all(&force);
@@ -210,11 +211,11 @@ impl Balance {
         let left = rate.component_div(&sizes);
         // What joints and locks do not carry of a change of the forces.
         let uncarried = &force + &self.carries * &reaction;
-        let of_locks = reaction.rows(Rest::<M>::NC, self.of_locks.len()).into_owned();
+        let of_locks = reaction.rows(Residuals::<M>::NC, self.of_locks.len()).into_owned();
         let first =
             Level::new([&uncarried, &change.select_rows(free)], [&self.left, &left.select_rows(free)]);
         let second =
-            Level::new([&of_locks, &change.select_rows(kept)], [&self.of_locks, &left.select_rows(kept)]);
+            Level::new([&of_locks, &change.select_rows(fixed)], [&self.of_locks, &left.select_rows(fixed)]);
         (Levels([first, second]), sizes)
     }
 }
@@ -228,7 +229,7 @@ struct Moves {
 impl Moves {
     fn new<M: Stabilise>(task: &Task<M>, point: &Point, ways: DMatrix<f64>) -> Self {
         let (count, states) = (ways.ncols(), task.free.len());
-        let mut x = rates_along(&task.rest, point, &ways).resize_horizontally(count + states, 0.0);
+        let mut x = rates_along(&task.residuals, point, &ways).resize_horizontally(count + states, 0.0);
         for i in (0..x.nrows()).filter(|i| !task.follows[*i]) {
             x.row_mut(i).fill(0.0);
         }

@@ -1,4 +1,4 @@
-//! What is special about a state: whether it follows the coordinates, whether anything reads it.
+//! Dependent states: first-order states that follow the coordinates, and those that nothing reads.
 //!
 //! States that follow the coordinates: their rate is a multiple of the rate of coordinates, so that at every pose they
 //! have the value to which the way there brings them.
@@ -11,31 +11,31 @@ use std::vec::Vec;
 use nalgebra::{DMatrix, DVector};
 
 use super::Stabilise;
-use super::rest::{Point, Rest};
+use super::residuals::{Point, Residuals};
 use super::scales::Scales;
 
 /// Steps of Runge and Kutta's method along a straight way.
 const STEPS: u32 = 32;
 /// Departure from proportionality that rounding explains.
 const ROUNDING: f64 = 1e-9;
-/// Points at which the rates are looked at: the start, and some beside it.
+/// Points at which the rates are evaluated: the start, and some beside it.
 const PROBES: usize = 3;
 /// How far they are apart, in scaled units: 0.1 m, 0.1 rad, 100 bar.
 const REACH: f64 = 100.0;
 
 /// Which states follow the coordinates: their rate vanishes at rest whatever coordinates, states and multipliers are, and is
 /// linear in the velocities.
-pub(super) fn following<M: Stabilise>(rest: &Rest<M>, start: &Point, scales: &Scales) -> Vec<bool> {
-    let mut follows = std::vec![true; Rest::<M>::NX];
-    let mut moves = std::vec![false; Rest::<M>::NX];
+pub(super) fn following<M: Stabilise>(residuals: &Residuals<M>, start: &Point, scales: &Scales) -> Vec<bool> {
+    let mut follows = std::vec![true; Residuals::<M>::NX];
+    let mut moves = std::vec![false; Residuals::<M>::NX];
     let mut fractions = Fractions(0.0);
     for probe in 0..PROBES {
         let reach = if probe == 0 { 0.0 } else { REACH };
         let point = beside(start, scales, reach, &mut fractions);
-        let a = DVector::from_fn(Rest::<M>::NQ, |_, _| fractions.next());
-        let b = DVector::from_fn(Rest::<M>::NQ, |_, _| fractions.next());
-        let still = rest.rows(&point).rate;
-        let rate = |v: &dyn Fn(usize) -> f64| rest.moving(&point, v).rate;
+        let a = DVector::from_fn(Residuals::<M>::NQ, |_, _| fractions.next());
+        let b = DVector::from_fn(Residuals::<M>::NQ, |_, _| fractions.next());
+        let still = residuals.rows(&point).rate;
+        let rate = |v: &dyn Fn(usize) -> f64| residuals.moving(&point, v).rate;
         let (of_a, of_b) = (rate(&|i| a[i]), rate(&|i| b[i]));
         let (of_sum, of_back) = (rate(&|i| a[i] + b[i]), rate(&|i| -a[i]));
         for i in 0..follows.len() {
@@ -50,12 +50,12 @@ pub(super) fn following<M: Stabilise>(rest: &Rest<M>, start: &Point, scales: &Sc
 }
 
 /// Which states nothing reads, neither forces nor rates: integrals that somebody wants to see.
-pub(super) fn unread<M: Stabilise>(rest: &Rest<M>, start: &Point, scales: &Scales) -> Vec<bool> {
-    let mut unread = std::vec![true; Rest::<M>::NX];
+pub(super) fn unread<M: Stabilise>(residuals: &Residuals<M>, start: &Point, scales: &Scales) -> Vec<bool> {
+    let mut unread = std::vec![true; Residuals::<M>::NX];
     let mut fractions = Fractions(0.0);
     for probe in 0..PROBES {
         let reach = if probe == 0 { 0.0 } else { REACH };
-        let by_x = rest.by_x(&beside(start, scales, reach, &mut fractions));
+        let by_x = residuals.by_x(&beside(start, scales, reach, &mut fractions));
         for (i, unread) in unread.iter_mut().enumerate() {
             *unread &= by_x.force.column(i).iter().chain(by_x.rate.column(i).iter()).all(|of| *of == 0.0);
         }
@@ -65,27 +65,32 @@ pub(super) fn unread<M: Stabilise>(rest: &Rest<M>, start: &Point, scales: &Scale
 
 /// The rates of all states by the velocities along `directions`, in columns.
 pub(super) fn rates_along<M: Stabilise>(
-    rest: &Rest<M>,
+    residuals: &Residuals<M>,
     point: &Point,
     directions: &DMatrix<f64>,
 ) -> DMatrix<f64> {
-    let mut rates = DMatrix::zeros(Rest::<M>::NX, directions.ncols());
+    let mut rates = DMatrix::zeros(Residuals::<M>::NX, directions.ncols());
     for k in 0..directions.ncols() {
-        rates.set_column(k, &rest.moving(point, |i| directions[(i, k)]).rate);
+        rates.set_column(k, &residuals.moving(point, |i| directions[(i, k)]).rate);
     }
     rates
 }
 
 /// Brings the states that follow the coordinates along a straight way from one point to the coordinates of another, by
 /// Runge and Kutta's method of order 4; exact but for rounding where the rate is a constant multiple.
-pub(super) fn carry<M: Stabilise>(rest: &Rest<M>, follows: &[bool], from: &Point, to: &mut Point) {
+pub(super) fn integrate_dependent<M: Stabilise>(
+    residuals: &Residuals<M>,
+    follows: &[bool],
+    from: &Point,
+    to: &mut Point,
+) {
     if !follows.contains(&true) {
         return;
     }
     let way = &to.q - &from.q;
     let slope = |s: f64, x: &DVector<f64>| {
         let here = Point { q: &from.q + s * &way, x: x.clone(), lambda: from.lambda.clone() };
-        let rate = rest.moving(&here, |i| way[i]).rate;
+        let rate = residuals.moving(&here, |i| way[i]).rate;
         DVector::from_fn(rate.len(), |i, _| if follows[i] { rate[i] } else { 0.0 })
     };
     let h = 1.0 / f64::from(STEPS);

@@ -1,4 +1,4 @@
-//! A mechanism at rest as vectors and matrices: values and exact derivatives of what must vanish.
+//! Residuals of static equilibrium as vectors and matrices, with their exact derivatives.
 
 use std::vec::Vec;
 
@@ -18,7 +18,7 @@ pub(super) struct Point {
     pub(super) lambda: DVector<f64>,
 }
 
-/// What must vanish, or its derivatives.
+/// Residuals, or their derivatives.
 #[derive(Clone, Debug)]
 pub(super) struct Rows<T> {
     /// phi_q^T lambda - Q, by coordinate.
@@ -51,8 +51,8 @@ impl<M: Statics<S = f64>> Setting<M> {
     }
 }
 
-/// A mechanism at a time, with what it holds.
-pub(super) struct Rest<M: Stabilise> {
+/// The residuals of a mechanism at a time, with its discrete state.
+pub(super) struct Residuals<M: Stabilise> {
     mechanism: M,
     time: f64,
     held: M::U,
@@ -60,7 +60,7 @@ pub(super) struct Rest<M: Stabilise> {
 
 type Lifted<M> = <M as Linear>::Lifted<1>;
 
-impl<M: Stabilise> Rest<M> {
+impl<M: Stabilise> Residuals<M> {
     pub(super) const NQ: usize = M::COORDINATES.len();
     pub(super) const NC: usize = M::ROWS.len();
     pub(super) const NX: usize = M::STATES.len();
@@ -71,8 +71,8 @@ impl<M: Stabilise> Rest<M> {
         let full = M::full(&start);
         let q = DVector::from_fn(Self::NQ, |i, _| full.at(i));
         let x = DVector::from_fn(Self::NX, |i, _| full.at(2 * Self::NQ + i));
-        let rest = Self { mechanism, time: setting.time, held: start.held() };
-        Ok((rest, Point { q, x, lambda: DVector::zeros(Self::NC) }))
+        let residuals = Self { mechanism, time: setting.time, held: start.held() };
+        Ok((residuals, Point { q, x, lambda: DVector::zeros(Self::NC) }))
     }
 
     pub(super) fn mechanism(&self) -> &M {
@@ -87,12 +87,12 @@ impl<M: Stabilise> Rest<M> {
         mechanism
     }
 
-    /// What must vanish, at rest.
+    /// The residuals at rest.
     pub(super) fn rows(&self, point: &Point) -> Rows<DVector<f64>> {
         self.moving(point, |_| 0.0)
     }
 
-    /// The same with velocities.
+    /// The residuals with velocities.
     pub(super) fn moving(&self, point: &Point, v: impl Fn(usize) -> f64) -> Rows<DVector<f64>> {
         let full = Vector::from_fn(|i| Self::entry(point, i, &v));
         let lambda = Vector::from_fn(|i| entry(&point.lambda, i));
