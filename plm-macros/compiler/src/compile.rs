@@ -89,7 +89,7 @@ fn back_end(mut model: Model, observed: Observed, place: Place, sink: &mut Diagn
 
 /// The passes behind the model; nothing where there are errors that leave nothing to go on with.
 fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnostics) -> Option<Expansion> {
-    check::check_reach(&model, sink);
+    check::check_connectivity(&model, sink);
     require_no_errors(sink)?;
 
     let held = hold_switches(&mut model);

@@ -5,15 +5,15 @@
 //! was expected.
 
 mod code;
-mod near;
 mod render;
+mod suggestions;
 
 use crate::collect::CollectVec;
 use crate::sorted::sort_by_key;
 use crate::sorted::{SortedMap, SortedSet};
 
 pub use code::Code;
-pub use near::{help_similar, list, nearest};
+pub use suggestions::{help_similar, list, nearest};
 
 use crate::span::Span;
 

@@ -5,6 +5,7 @@
 mod bodies;
 mod declarations;
 mod expressions;
+mod malformed_input;
 mod nodes;
 mod observe;
 mod parts;
@@ -12,7 +13,6 @@ mod pictures;
 #[path = "../../../../tests/support/random.rs"]
 mod random;
 mod requirements;
-mod soup;
 mod states;
 mod support;
 mod token_texts;

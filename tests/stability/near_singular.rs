@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use plm::{Mechanism, Method, Moment, Sim};
 
-use crate::scenes::near::{
+use crate::scenes::near_singular::{
     NearlyParallel, NearlyParallelAbsolute, Pair, Passed, folding, parallel, swinging,
 };
 use crate::scenes::theory::{G, bisect, pendulum_angle};

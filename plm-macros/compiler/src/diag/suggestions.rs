@@ -1,4 +1,4 @@
-//! "Did you mean": the name that is nearest to what was written.
+//! Suggestions: the known name that is nearest to the one that was written.
 
 use crate::collect::CollectVec;
 use std::fmt::Write;

@@ -2,7 +2,7 @@
 
 use plm::{Dop853, Dopri5, RadauIia5, Rk4};
 
-use crate::scenes::brief::{braked, cleared};
+use crate::scenes::short_events::{braked, cleared};
 
 #[test]
 fn a_brush_is_found_whatever_interval_is_asked_for() {

@@ -4,7 +4,7 @@ use plm::{Dop853, Fault, Rk4};
 use plm_view::{Axis, Chart, Rule, Series};
 
 use super::{Figure, Row};
-use crate::scenes::brief::{braked, cleared};
+use crate::scenes::short_events::{braked, cleared};
 
 pub fn conditions() -> Result<Figure, Fault> {
     let parts: Vec<f64> = (2..=12).map(|half| 10_f64.powf(-0.5 * f64::from(half))).collect();

@@ -4,7 +4,7 @@ use plm::Fault;
 use plm_view::{Axis, Chart, Series};
 
 use super::{Figure, Row, so_far};
-use crate::scenes::near::{NearlyParallel, Passed, folding, parallel, swinging};
+use crate::scenes::near_singular::{NearlyParallel, Passed, folding, parallel, swinging};
 
 /// Length of a run, s: it passes three poses that are flat or nearly so.
 const RUN: f64 = 3.0;

@@ -1,4 +1,4 @@
-//! Bad input never panics: declarations with tokens removed, doubled, swapped, replaced, or cut off.
+//! Malformed input never panics: declarations with tokens removed, doubled, swapped, replaced, or cut off.
 
 use plm_compiler::diag::Diagnostics;
 use plm_compiler::front::parse_and_resolve;

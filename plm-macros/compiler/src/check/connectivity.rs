@@ -1,4 +1,4 @@
-//! Is there a mechanism at all, and is every body part of it?
+//! Connectivity: there is a mechanism, and every body is part of it.
 
 use crate::collect::CollectVec;
 use crate::sorted::SortedSet;
@@ -9,7 +9,7 @@ use crate::diag::{Code, Diagnostics};
 use crate::model::{Model, Port};
 
 /// Reports a mechanism without bodies, and bodies that nothing holds or acts on.
-pub(crate) fn check_reach(model: &Model, diagnostics: &mut Diagnostics) {
+pub(crate) fn check_connectivity(model: &Model, diagnostics: &mut Diagnostics) {
     if model.bodies.is_empty() {
         diagnostics
             .error(Code::NoBody, model.name.span, format!("`{}` has no body", model.name.text))
