@@ -2,8 +2,8 @@
 //!
 //! Every function looks at what it is given: pointers that are null or not aligned, memory that is no object of this
 //! mechanism, kinds and numbers that do not exist, and values that are no numbers give a [`Status`], and nothing is done.
-//! Whether a pointer is at memory of the caller, and whether another thread uses it, nobody can look at: that is the caller's
-//! part of every function here, and the reason why they are unsafe.
+//! No function can check that a pointer is at memory of the caller, or that no other thread uses it: the caller guarantees both,
+//! which is the reason why the functions are unsafe.
 
 mod linear;
 mod names;
@@ -37,10 +37,10 @@ pub type Block<M> = BlockBy<M, Sim<M>>;
 impl<M: Foreign, R: Run<M>> BlockBy<M, R> {
     /// Bytes that it takes.
     pub const SIZE: usize = size_of::<Self>();
-    /// What its address must be a multiple of.
+    /// Alignment of its address.
     pub const ALIGN: usize = align_of::<Self>();
 
-    /// What the first bytes of an object hold: a number of the declaration and of the size.
+    /// Mark in the first bytes of an object: a number of the declaration and of the size.
     pub(crate) const MARK: u64 = fnv(M::DECLARATION.as_bytes()) ^ (Self::SIZE as u64).rotate_left(32);
 }
 

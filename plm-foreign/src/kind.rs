@@ -1,10 +1,10 @@
-//! What an object has by number.
+//! Kinds of numbers of an object.
 
 use plm_runtime::{StartValues, System, Vector};
 
 use crate::{Error, Foreign, Status};
 
-/// What a number belongs to. The numbers of each kind count from 0 in the order of the declaration.
+/// Kind of a number. The numbers of each kind count from 0 in the order of the declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Kind {
@@ -20,7 +20,7 @@ pub enum Kind {
     Start = 4,
     /// A body: has a name and a pose.
     Body = 5,
-    /// What is integrated, SI: coordinates, their velocities, first-order states; can be read. Of a loop it is another
+    /// Integrated state, SI: coordinates, their velocities, first-order states; can be read. Of a loop it is another
     /// coordinate now and then.
     Integrated = 6,
     /// The rate of each of these, SI; can be read.

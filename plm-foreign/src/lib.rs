@@ -44,7 +44,7 @@ use plm_runtime::Statics;
 use plm_runtime::linearised::Linearisable;
 use plm_runtime::words::InWords;
 
-/// What can be handed to other languages: every mechanism in `f64` or `f32`.
+/// Mechanisms that can be handed to other languages: every one in `f64` or `f32`.
 pub trait Foreign: Linearisable<S: Number, U: InWords> + Statics {}
 
 impl<M: Linearisable<S: Number, U: InWords> + Statics> Foreign for M {}

@@ -87,7 +87,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
         self.start_at(M::S::ZERO)
     }
 
-    /// The same at a time, s.
+    /// Starts at a time, s.
     ///
     /// # Errors
     /// As [`start`](Self::start); [`Status::NotFinite`]

@@ -33,7 +33,7 @@ pub enum By {
     Ros34Pw2 = 9,
 }
 
-/// What a method is called.
+/// Names of a method.
 pub struct Called {
     /// In Rust, and by `--method`.
     pub rust: &'static str,
@@ -41,7 +41,7 @@ pub struct Called {
     pub c: &'static str,
     /// Its type, for numbers `REAL` of a mechanism `OWN`.
     pub(crate) kind: &'static str,
-    /// What it is.
+    /// Description in words.
     pub(crate) words: &'static str,
 }
 
@@ -60,7 +60,7 @@ impl By {
         Self::Ros34Pw2,
     ];
 
-    /// What it is called.
+    /// Its names.
     pub fn called(self) -> Called {
         let (rust, c, kind, words) = match self {
             Self::Dop853 => ("Dop853", "DOP853", "Dop853<OWN>", "order 8, steps by their error"),
@@ -221,7 +221,7 @@ pub trait Run<M: Foreign>: Copy + InWords {
     /// The mechanism at the current moment.
     fn state(&self) -> &M::State;
 
-    /// The same, to be changed; the next step looks at what was.
+    /// The state, to be changed; the next step checks what was changed.
     fn state_mut(&mut self) -> &mut M::State;
 
     /// Takes other options of its method.
@@ -285,7 +285,7 @@ pub enum Either<A, B> {
     That(B),
 }
 
-/// The same of whichever it is.
+/// Evaluates an expression on the run, whichever method it has.
 macro_rules! whichever {
     ($either:expr, $run:ident => $value:expr) => {
         match $either {

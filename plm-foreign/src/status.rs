@@ -5,7 +5,7 @@ use core::fmt;
 
 use plm_runtime::{Cause, Fault};
 
-/// What came of a call; 0 is good.
+/// Result of a call; 0 is success.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Status {

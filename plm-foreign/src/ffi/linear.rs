@@ -1,4 +1,4 @@
-//! What is near a moment: rates, and matrices of a linear system.
+//! Linearisation at a moment: rates, and matrices of a linear system.
 
 use plm_runtime::{System, Vector};
 

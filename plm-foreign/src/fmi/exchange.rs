@@ -10,7 +10,7 @@ use super::instance::differs;
 use super::{Exchanged, Instance, Interface};
 use crate::{Error, Status};
 
-/// What an event has led to.
+/// Result of an event.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Update {
     /// Continuous states have other values, and may mean other coordinates.
@@ -127,7 +127,7 @@ impl<M: Exchanged> Instance<M> {
         Ok(())
     }
 
-    /// What is held where the solver is, and the state, with charts and branches of loops as they are to be behind a step; whether
+    /// Discrete state where the solver is, and the state, with charts and branches of loops as they are to be behind a step; whether
     /// they have changed.
     fn arrived(&self) -> Result<(M::U, M::X, bool), Error> {
         let state = self.state()?;

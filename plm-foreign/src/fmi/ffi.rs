@@ -35,7 +35,7 @@ const OK: Outcome = 0;
 const DISCARD: Outcome = 2;
 const ERROR: Outcome = 3;
 
-/// What a simulator is given as an instance.
+/// The instance as a simulator holds it.
 #[repr(C)]
 pub struct Handle<M: Exchanged> {
     /// Tells instances from other memory.

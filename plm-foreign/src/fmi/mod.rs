@@ -32,7 +32,7 @@ use plm_runtime::System;
 
 use crate::Foreign;
 
-/// What can be an FMU: every mechanism in `f64`.
+/// Mechanisms that can be an FMU: every one in `f64`.
 pub trait Exchanged: Foreign + System<S = f64> {}
 
 impl<M: Foreign + System<S = f64>> Exchanged for M {}

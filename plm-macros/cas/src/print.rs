@@ -20,7 +20,7 @@ enum Place {
     Base,
 }
 
-/// What is still to be written; the last one comes first.
+/// Text that is still to be written; the last one comes first.
 enum Pending {
     Text(String),
     Node(Expr, Place),

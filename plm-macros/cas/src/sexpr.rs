@@ -1,7 +1,6 @@
 //! Expressions as lists in prefix form, `(+ (* 2 x) (sin y))`: the notation of the table of rules and of tests.
 //!
-//! What is printed reads back to the same node. Reading makes what a name stands for: the first atom of that name,
-//! or a new symbol.
+//! Printed text reads back to the same node. A name reads as the first atom of that name, or as a new symbol.
 
 use core::fmt;
 
@@ -9,7 +8,7 @@ use crate::graph::Graph;
 use crate::node::{Expr, Function, Node};
 use crate::number::Number;
 
-/// What is wrong with a text in prefix form.
+/// Error of a text in prefix form.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ParseError(String);
 
@@ -21,7 +20,7 @@ impl fmt::Display for ParseError {
 
 impl core::error::Error for ParseError {}
 
-/// What is still to be written.
+/// Text and nodes that are still to be written.
 enum Pending {
     Text(String),
     Node(Expr),

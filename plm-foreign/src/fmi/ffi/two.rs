@@ -1,4 +1,4 @@
-//! What FMI 2.0 writes otherwise: flags are whole numbers, and what has come of an event stands in one structure.
+//! Differences of FMI 2.0: flags are whole numbers, and the result of an event is one structure.
 
 use core::ffi::{CStr, c_char, c_int, c_void};
 

@@ -280,7 +280,7 @@ fn gcd(a: i64, b: i64) -> i64 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// What makes two operations equal: kind, operands, the bits of a constant.
+/// Key by which operations are equal: kind, operands, the bits of a constant.
 fn key(op: Op) -> (u64, u64, u64) {
     let two = |a: Ref, b: Ref| u64::from(a.0) << 32 | u64::from(b.0);
     let (operands, _) = op.operand_array();
