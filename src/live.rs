@@ -11,7 +11,7 @@ use std::{borrow::ToOwned, format};
 
 use plm_runtime::{Cause, Described, Fault, Mechanism, Moment, Sim, Start, StartValues};
 
-/// What a part and an input are called through which a body is pulled; its number goes behind.
+/// Prefix of the parts and inputs through which bodies are pulled; the number of the body follows.
 const PULL: &str = "plm_pull_";
 
 /// The error for which a live run stands still.
@@ -163,7 +163,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         self.numbers.resize(1 + bodies + ground + M::OBSERVED.len(), f64::NAN);
     }
 
-    /// What parameters change of a picture, SI: of each body mass, moment of inertia, depth, place and angle of each port, the
+    /// Numbers of a picture that parameters change, SI: of each body mass, moment of inertia, depth, place and angle of each port, the
     /// number of points of its contour, and these; of each port of the ground x, y and angle at time 0, and depth; the sizes of
     /// [`size_names`](Self::size_names), 0 where none was given.
     pub fn shape(&mut self) -> &[f64] {
@@ -272,7 +272,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         if self.sim.is_none() { Vec::new() } else { (0..M::INPUTS.len()).map(|k| self.input(k)).collect() }
     }
 
-    /// What came out, or why nothing did.
+    /// Keeps the result, or the error.
     fn keep<T>(&mut self, outcome: Result<T, Fault>) -> Option<T> {
         match outcome {
             Ok(value) => {

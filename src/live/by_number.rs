@@ -1,4 +1,4 @@
-//! What is read of a mechanism and set in it by number, whatever it is called.
+//! Numbers of a mechanism, read and set by index.
 
 use std::format;
 use std::string::String;
@@ -7,7 +7,7 @@ use std::vec::Vec;
 use plm_runtime::described::{Place, Quantity};
 use plm_runtime::{Described, Method, Moment, Sim, StartValues, Statics};
 
-/// What each observed quantity is shown in: the declared output of its name in its unit, or SI where there is none.
+/// Display unit of each observed quantity: the declared output of its name in its unit, or SI where there is none.
 pub(crate) fn shown<M: Described>() -> impl Iterator<Item = Option<(usize, &'static Quantity)>> {
     // Both lists are in the order of the declaration.
     let mut declared = M::TABLES.outputs.iter().enumerate().peekable();

@@ -106,7 +106,7 @@ pub(super) struct Evaluation {
     pub(super) of_locks: Vec<f64>,
     /// Rates of all first-order states.
     pub(super) rate: DVector<f64>,
-    /// What a scaled unit of an unknown does to each rate at most.
+    /// Largest change of each rate by a scaled unit of an unknown.
     pub(super) rate_scale: DVector<f64>,
     /// Unbalanced forces and rates of free states, scaled.
     pub(super) first: f64,
@@ -154,9 +154,9 @@ impl Evaluation {
 
 /// Forces and what joints and locks carry of them, scaled.
 struct Balance {
-    /// What a multiplier, or the force of a lock, does to the forces on the coordinates, in columns.
+    /// Derivatives of the forces on the coordinates by the multipliers and the forces of locks, in columns.
     carries: DMatrix<f64>,
-    /// What it does to rates.
+    /// Derivatives of the rates by them.
     rates: DMatrix<f64>,
     /// The inverse of the first.
     inverse: Ranked,
@@ -220,7 +220,7 @@ impl Balance {
     }
 }
 
-/// What the unknowns move, in columns: first ways of the coordinates with the states that follow, then free states.
+/// Directions of the unknowns, in columns: first ways of the coordinates with the states that follow, then free states.
 struct Moves {
     q: DMatrix<f64>,
     x: DMatrix<f64>,

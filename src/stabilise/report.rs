@@ -1,4 +1,4 @@
-//! What was found, in words that name it.
+//! Report of a search: residuals, freedoms and changes by name.
 
 use std::fmt;
 use std::string::{String, ToString};
@@ -16,7 +16,7 @@ use super::{BALANCED, Equilibrium, Stabilise};
 pub struct Residual {
     /// The coordinate (`arm.y`), the state, or the constraint row.
     pub name: String,
-    /// What it is.
+    /// Kind of the residual.
     pub what: What,
     /// How much, in `unit`.
     pub value: f64,
@@ -175,7 +175,7 @@ impl<M: Stabilise> Found<'_, M> {
         Equilibrium { mechanism, residuals, free, values, size, iterations, setting }
     }
 
-    /// What is made to move, wherever it is.
+    /// Prescribed motions, which no pose brings to rest.
     fn motions(&self) -> Vec<Residual> {
         let residual = |name: &str, value, unit: &str| Residual {
             name: name.into(),
@@ -231,7 +231,7 @@ impl<M: Stabilise> Found<'_, M> {
         moving.map(residual).collect()
     }
 
-    /// What could be elsewhere: groups that move independently of each other.
+    /// Freedoms of the equilibrium: groups that move independently of each other.
     fn free(&self) -> Vec<Freedom> {
         let directions = &self.evaluation.free;
         let projector = directions * directions.transpose();

@@ -57,7 +57,7 @@ fn size_of(unit: &str, force: f64, length: f64) -> f64 {
     }
 }
 
-/// What may not be moved.
+/// Locked coordinates and states.
 pub(super) struct Locks {
     /// Coordinates.
     pub(super) q: Vec<bool>,

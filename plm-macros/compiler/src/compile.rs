@@ -18,7 +18,7 @@ use crate::oracle::Oracle;
 use crate::report::Report;
 use crate::token::Sources;
 
-/// What the compiler makes of a declaration.
+/// Result of a compilation.
 #[derive(Debug, Default)]
 pub struct Expansion {
     /// Rust source: the mechanism, or after errors one with its names so that nothing cascades; `None` if not even its
@@ -26,7 +26,7 @@ pub struct Expansion {
     pub code: Option<Code>,
     /// Everything that is wrong.
     pub diagnostics: Diagnostics,
-    /// What was found and chosen; `None` after errors.
+    /// Report of what was found and chosen; `None` after errors.
     pub report: Option<Report>,
     /// The mechanism for the interpreter; `None` after errors.
     pub oracle: Option<Oracle>,
@@ -64,7 +64,7 @@ pub fn names_only(sources: &mut Sources) -> Option<Code> {
     placeholder_code(&reading, &|span| sources.place_in_rust(span))
 }
 
-/// What is observed, and its graph.
+/// Observed outputs, and their graph.
 type Observed = Option<(Vec<Output>, Graph)>;
 
 /// Splits what is observed from the model until all else is done, so that the step keeps its bits.

@@ -87,16 +87,16 @@ pub struct Model {
     pub comparisons: Vec<Comparison>,
     /// When conditions of the state and kinks matter; derivation finds it.
     pub decisions: Decisions,
-    /// What forces and rates bend at where it passes zero: kinks, at which nothing is switched.
+    /// Expressions at whose zeros forces and rates bend: kinks, at which nothing is switched.
     pub kinks: Vec<Expr>,
     /// Angles whose whole turns are counted; derivation finds them.
     pub turns: Vec<Counted>,
     /// Where rows jump or may jump; derivation finds them.
     pub jumps: Vec<Jump>,
-    /// What stands in rows for conditions whose sides are held, and these conditions. Where nothing is held, as in assembly
+    /// Symbols in rows for conditions whose sides are held, and these conditions. Where nothing is held, as in assembly
     /// and projection, the conditions themselves decide: on the boundary both sides agree.
     pub released: Vec<(Expr, Expr)>,
-    /// What the user asked to see: first what is declared as an output, then what is observed.
+    /// Outputs: first those that are declared, then those that are observed.
     pub outputs: Vec<Output>,
     /// The parts of the declaration; of those inside of them, what joins frames or has sizes.
     pub instances: Vec<Instance>,
@@ -174,7 +174,7 @@ impl Repetitions {
     pub const NAMES: [(&'static str, Repetitions); 2] =
         [("rolled", Repetitions::Rolled), ("unrolled", Repetitions::Unrolled)];
 
-    /// What a name stands for.
+    /// The value of that name.
     pub fn named(name: &str) -> Option<Repetitions> {
         Repetitions::NAMES.iter().find(|known| known.0 == name).map(|known| known.1)
     }
@@ -305,7 +305,7 @@ impl Row {
 pub struct Limit {
     /// The joint.
     pub part: String,
-    /// What it is, as written: `compliance`.
+    /// Its name as written: `compliance`.
     pub what: String,
     /// Its value, SI.
     pub value: Expr,
@@ -377,6 +377,6 @@ pub struct Output {
     pub unit: DisplayUnit,
     /// Is it declared as an output, so that it stands in recordings? Else it is observed.
     pub declared: bool,
-    /// What it is and where it points, in a sentence; empty where the name says all.
+    /// Its documentation in a sentence, with the place where it points; empty where the name says all.
     pub docs: String,
 }

@@ -1,4 +1,4 @@
-//! What the compiler found and chose, in words and numbers.
+//! Report of the compiler: its findings and choices, in words and numbers.
 
 use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Count, Expr, algebra};
@@ -37,7 +37,7 @@ pub struct Report {
     pub rank: Option<(usize, usize)>,
     /// The formulation that was taken, and why.
     pub taken: Taken,
-    /// The same in lines of text, with coordinates and method.
+    /// The formulation in lines of text, with coordinates and method.
     pub formulation: Vec<String>,
     /// Numbers in the state.
     pub state: usize,
@@ -49,7 +49,7 @@ pub struct Report {
     pub ordered: Option<Repetitions>,
     /// Operations of the other functions, by name.
     pub functions: Vec<(&'static str, Count)>,
-    /// What assembly did: lines of text.
+    /// Report of assembly: lines of text.
     pub assembly: Vec<String>,
 }
 
@@ -58,7 +58,7 @@ pub struct Report {
 pub struct Taken {
     /// Its number, from 1 (kinematics) to 5 (absolute coordinates).
     pub number: u8,
-    /// What the unknowns are: `joint coordinates`.
+    /// Kind of the unknowns: `joint coordinates`.
     pub formulation: String,
     /// Why, in words that go on after it: `the joints make a tree, …`.
     pub reason: String,
@@ -198,7 +198,7 @@ impl Report {
     }
 
     /// Does the code have loops for what repeats itself?
-    pub(crate) fn is_rolled(&self) -> bool {
+    pub(crate) fn rerolls(&self) -> bool {
         match self.ordered {
             Some(ordered) => ordered == Repetitions::Rolled,
             None => self.rate.total() > self.most_unrolled(),
@@ -213,12 +213,12 @@ impl Report {
     fn repetitions(&self) -> Option<String> {
         let why = match self.ordered {
             Some(_) => "as the declaration orders".to_owned(),
-            None if self.is_rolled() => {
+            None if self.rerolls() => {
                 format!("since more than {} operations in a row are slower than loops", self.most_unrolled())
             }
             None => return None,
         };
-        let code = if self.is_rolled() { "what repeats itself in loops" } else { "without loops" };
+        let code = if self.rerolls() { "what repeats itself in loops" } else { "without loops" };
         Some(format!("Code: {code}, {why}."))
     }
 }
@@ -281,7 +281,7 @@ fn taken(model: &Model, reduced: Result<&Reduced, &str>) -> Taken {
     Taken { number, formulation: formulation.to_owned(), reason: reason.to_owned() }
 }
 
-/// What joint coordinates there are, chart by chart.
+/// Joint coordinates, chart by chart.
 fn coordinates(reduced: &Reduced) -> Vec<String> {
     let mut lines = Vec::new();
     for (k, chart) in reduced.charts.iter().enumerate() {

@@ -24,7 +24,7 @@ pub(crate) struct NumericTable {
 
 /// A number of the table.
 pub(crate) enum Entry {
-    /// The same in all mechanisms of the type.
+    /// A number that is equal in all mechanisms of the type.
     Constant(f64),
     /// Of parameters; of ports of the ground also of the time.
     Varying(Expr),

@@ -69,7 +69,7 @@ fn comment(text: &str) -> usize {
     at
 }
 
-/// What keeps a text from being a tree of tokens.
+/// An error that keeps a text from being a tree of tokens.
 #[derive(Clone, Debug)]
 pub(crate) struct LexicalError {
     pub(crate) code: Code,
@@ -82,11 +82,11 @@ pub(crate) struct LexicalError {
 pub(crate) struct Recovered {
     /// The text with its brackets closed.
     pub(crate) shown: String,
-    /// The same without what begins no token: blanks stand there.
+    /// The text with blanks for everything that begins no token.
     pub(crate) lexed: String,
     /// Its tokens.
     pub(crate) stream: TokenStream,
-    /// What was wrong with it.
+    /// The errors.
     pub(crate) lexical_errors: Vec<LexicalError>,
     /// Brackets that are open, and where.
     open: Vec<(usize, char)>,
@@ -214,7 +214,7 @@ mod tests {
     use super::{Recovered, recover};
     use crate::token::Sources;
 
-    /// What the text holds where the tokens of a source are.
+    /// Text at the places of the tokens of a source.
     fn located(text: &str) -> Vec<String> {
         let mut sources = Sources::new();
         let id = sources.add_text("text", text);

@@ -85,7 +85,7 @@ fn flatten(stream: TokenStream, tokens: &mut Vec<Token>) {
 pub struct Source {
     /// Its index in [`Sources`]; spans carry it.
     pub id: u32,
-    /// What messages call it: `declaration`, `revolute.plm`.
+    /// Its name in messages: `declaration`, `revolute.plm`.
     pub name: String,
     /// Its tokens as a tree.
     pub(crate) stream: TokenStream,

@@ -42,7 +42,7 @@ struct Joint<'a> {
 /// The rows at a pose of the pair.
 struct Found {
     phi: Vec<f64>,
-    /// What each of `phi` may be by rounding.
+    /// Bounds of the rounding error of each entry of `phi`.
     limits: Vec<f64>,
     rank: usize,
 }

@@ -116,7 +116,7 @@ pub(super) fn turning_rows(model: &Model) -> Vec<(usize, Expr)> {
     turning.map(|(index, row)| (index, row.phi.sin().atan2(row.phi.cos()))).collect_vec()
 }
 
-/// What an expression does at a cut.
+/// Behaviour of an expression at a cut.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Gap {
     None,
@@ -125,7 +125,7 @@ enum Gap {
     Any,
 }
 
-/// What an expression that reads a call does at its cut, by random places on it.
+/// Behaviour of an expression that reads a call at its cut, by random places on it.
 fn gap(model: &Model, root: Expr, call: Expr) -> Gap {
     use std::f64::consts::{PI, TAU};
     if !algebra::reachable(&[root]).contains(&call) {

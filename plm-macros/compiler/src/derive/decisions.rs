@@ -33,7 +33,7 @@ pub(super) fn decisions(model: &Model, held: &[(Expr, Expr)]) -> Decisions {
     diagram.reduced(roots)
 }
 
-/// What is found out, from forces, rates and rows downwards.
+/// Results of the search, from forces, rates and rows downwards.
 struct Matters<'a> {
     model: &'a Model,
     diagram: Diagram,
@@ -108,7 +108,7 @@ impl<'a> Matters<'a> {
         }
     }
 
-    /// What ends a run does so where it is read: what is divided by, and what decides where a function is defined.
+    /// Divisors, and the arguments that decide where a function is defined, end a run where they are read.
     fn ends(&mut self, expr: Expr, node: &Node, read: usize) {
         for (side, switch) in self.model.switches.iter().enumerate() {
             let is_read = match (&switch.end, node) {
@@ -124,7 +124,7 @@ impl<'a> Matters<'a> {
         }
     }
 
-    /// What is compared where nothing is held bends there.
+    /// A comparison that is no switch is a derivative discontinuity.
     fn bends(&mut self, node: &Node, read: usize) {
         let (difference, matters) = match node {
             Node::Select(condition, yes, no) => match condition.node() {

@@ -14,7 +14,7 @@ use crate::model::Model;
 pub(crate) struct Signal {
     /// The symbol of the unknown.
     pub(crate) symbol: Expr,
-    /// What a unit of the unknown adds to `Q`: (coordinate, gain).
+    /// Derivative of `Q` by the unknown: (coordinate, gain).
     pub(crate) gain: SparseRow,
 }
 

@@ -49,7 +49,7 @@ pub(super) fn hold_poles(model: &mut Model, held: &[(Expr, Expr)]) {
     }
 }
 
-/// What an expression divides by, and what decides where its functions are defined, wherever it stands.
+/// Divisors of an expression, and arguments that decide where its functions are defined, wherever they stand.
 fn ends_of(model: &Model, root: Expr, held: &[(Expr, Expr)]) -> Vec<(Expr, End)> {
     let (mut open, mut seen, mut found) = (vec![root], SortedSet::new(), Vec::new());
     while let Some(expr) = open.pop() {

@@ -1,4 +1,4 @@
-//! What an expression can be, whatever its symbols are: by arithmetic of intervals (R. E. Moore, R. B. Kearfott, M. J. Cloud,
+//! Range of an expression for all values of its symbols, by interval arithmetic (R. E. Moore, R. B. Kearfott, M. J. Cloud,
 //! Introduction to Interval Analysis, SIAM 2009, chapter 2). It tells that `2 - cos(angle)` never vanishes.
 
 use plm_cas::{Expr, Function, Node, algebra};

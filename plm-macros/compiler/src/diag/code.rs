@@ -18,7 +18,7 @@ macro_rules! catalogue {
                 match self { $(Code::$name => $id,)* }
             }
 
-            /// What it is about, in a few words.
+            /// Its title, in a few words.
             pub fn title(self) -> &'static str {
                 match self { $(Code::$name => $title,)* }
             }

@@ -56,7 +56,7 @@ pub(crate) struct Emission<'a> {
     texts: Texts,
 }
 
-/// What the numbers of the state are.
+/// Form of the state.
 #[derive(Clone, Copy)]
 enum Form<'a> {
     /// Coordinates of all bodies: formulation 5.
@@ -109,14 +109,14 @@ pub(crate) fn emit(
         fields: Fields::new(model, place),
         sizes: Sizes::new(equations, reduced),
         may_be_singular: contract::singular::may_be_singular(model, equations, form),
-        rerolled: report.is_rolled(),
+        rerolled: report.rerolls(),
         texts: Texts::default(),
     };
     let structure = module(&emission);
     emission.texts.with(structure)
 }
 
-/// What is emitted, item by item.
+/// The emitted code, item by item.
 ///
 /// The one name of the user's own that is a type is that of the mechanism, and it may be any: `Option`, `State`, `S`. So the
 /// type is defined in a module by itself, and the code has it under a name that nothing else in it has. The outer module has
@@ -226,7 +226,7 @@ fn quoted<T: AsRef<str>>(names: impl IntoIterator<Item = T>) -> String {
 }
 
 impl Emission<'_> {
-    /// What stands for a text in the structure.
+    /// Placeholder of a text in the structure.
     fn text(&self, text: impl Into<String>) -> TokenStream {
         self.texts.add(text.into())
     }

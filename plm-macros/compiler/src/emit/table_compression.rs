@@ -51,7 +51,7 @@ pub(super) fn is_long(entries: usize) -> bool {
     entries >= LONG
 }
 
-/// What a table of texts has at an index: the text that all share, or else an element of an array, which is made by the text
+/// Element of a table of texts: the text that all share, or else an element of an array, which is made by the text
 /// before it.
 pub(super) fn element(name: &str, texts: &[String], index: &str) -> (String, String) {
     let Some(first) = texts.first() else { return (String::new(), String::new()) };
@@ -163,7 +163,7 @@ fn repeated(numbers: &[u32], first: usize, length: usize) -> usize {
 mod tests {
     use super::{Run, constants, element, runs_of, steps};
 
-    /// What the runtime makes of runs.
+    /// The runtime's expansion of runs.
     fn unrolled(numbers: &[u32]) -> (Vec<u32>, usize) {
         let (mut all, runs) = (Vec::new(), runs_of(numbers));
         let written = runs.iter().map(|run| run.length).sum();

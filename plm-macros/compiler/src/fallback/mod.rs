@@ -1,4 +1,4 @@
-//! What stands for a declaration with errors: a mechanism with all names that could be read and nothing behind them.
+//! Placeholder for a declaration with errors: a mechanism with all names that could be read and nothing behind them.
 //!
 //! It goes the way of every model through derivation and emission, so that code which uses the mechanism sees the very
 //! types that it would see without the errors, and adds none of its own. Its bodies float, its outputs are zero.
@@ -96,7 +96,7 @@ fn steps(items: &[Item]) -> SortedSet<Step> {
     methods.flatten().filter_map(|method| Step::named(&method.text)).collect()
 }
 
-/// What was found so far.
+/// Names that were found so far.
 #[derive(Default)]
 struct Found {
     params: Vec<Param>,
@@ -115,9 +115,9 @@ struct Names<'a> {
     indices: Vec<(&'a str, i64)>,
     items: usize,
     found: Found,
-    /// What can be observed.
+    /// Items that can be observed.
     observables: Vec<(String, Observable<'a>)>,
-    /// What is, by name.
+    /// Names of the observed ones.
     observed: Vec<Name>,
 }
 

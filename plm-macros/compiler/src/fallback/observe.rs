@@ -10,7 +10,7 @@ use crate::resolve::{Member, Owner};
 use crate::span::Span;
 use crate::syntax::ast::{self, Definition, ExprKind, ItemKind};
 
-/// What can be observed.
+/// An item that can be observed.
 #[derive(Clone, Copy)]
 pub(super) enum Observable<'a> {
     Body(&'a ast::Body),

@@ -12,7 +12,7 @@ use crate::numeric::{Assembly, Reach, Scene, add_switches, assemble, freedom, va
 /// Values of parameters that are tried until the joints close.
 const VARIATIONS: u64 = 8;
 
-/// What is computed, function by function.
+/// All computations, function by function.
 pub(crate) struct Program {
     /// Absolute coordinates and multipliers: assembly, reactions and the fallback need them whatever is taken.
     pub(crate) absolute: Absolute,

@@ -53,7 +53,7 @@ pub(crate) fn resolve(reading: &Reading, observes: bool, sink: &mut Diagnostics)
     resolver.into_model(&reading.declaration, mechanism)
 }
 
-/// What names mean, how expressions change with time, and what is declared.
+/// Names, derivatives with respect to time, and declarations of a mechanism.
 struct Resolver<'a> {
     sink: &'a mut Diagnostics,
     library: &'a Library,

@@ -233,7 +233,7 @@ impl Input<'_> {
 pub(crate) const CONSTANTS: &str = "a declaration cannot see Rust's constants: declare a `param`, and set it in the value of the mechanism; a bound of `repeat` \
      comes by the argument of a `macro_rules!`";
 
-/// What a word that begins no item is here.
+/// Equivalent of a word that begins no item.
 pub(super) fn instead_of_item(word: &str) -> Option<&'static str> {
     Some(match word {
         "const" | "static" | "final" => {
@@ -256,7 +256,7 @@ pub(super) fn instead_of_item(word: &str) -> Option<&'static str> {
     })
 }
 
-/// What a mark behind a value is here.
+/// Equivalent of a mark behind a value.
 pub(super) fn behind_value(text: &str) -> Option<&'static str> {
     Some(match text {
         "?" => "a choice is written `if a < b then c else d`",

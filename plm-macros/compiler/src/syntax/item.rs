@@ -31,7 +31,7 @@ pub struct Item {
     pub span: Span,
 }
 
-/// What may stand in a mechanism, in a part, or in both.
+/// Items of a mechanism, of a part, or of both.
 #[derive(Clone, Debug)]
 pub enum ItemKind {
     /// `gravity: expr;`
@@ -99,7 +99,7 @@ pub struct Repeat {
     pub to: Expr,
     /// Is the bound a value of the index, `0..=n`?
     pub inclusive: bool,
-    /// What to repeat.
+    /// Items to repeat.
     pub items: Vec<Item>,
 }
 
@@ -112,7 +112,7 @@ pub(super) enum Context {
 
 use Context::{Mechanism, Part};
 
-/// What is known of an item before it is read.
+/// Context of an item that is about to be read.
 struct Head {
     context: Context,
     docs: Vec<String>,
@@ -241,7 +241,7 @@ fn instance_or_unknown(input: Input) -> Result<ItemKind> {
     Err(Reported)
 }
 
-/// What many items have in common.
+/// Rules that many items have in common.
 impl Input<'_> {
     /// The end of an item. If it is missing but the next item begins here, that is said and nothing is skipped.
     pub(super) fn semicolon(self) -> Result<()> {
@@ -288,7 +288,7 @@ impl Input<'_> {
         Ok(name)
     }
 
-    /// What a rule reads, between commas, and a semicolon.
+    /// Items of a rule, between commas, and a semicolon.
     pub(super) fn listed<T>(self, rule: impl Fn(Self) -> Result<T>) -> Result<Vec<T>> {
         let list = self.list(rule)?;
         self.semicolon()?;

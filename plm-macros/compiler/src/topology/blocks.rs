@@ -3,7 +3,7 @@
 //! A closure of two rows whose unknowns, but for those that are known or solved before, are two angles is the dyad RRR;
 //! an angle and a displacement make RRP or RPR, two displacements PRP or RPP. Blocks of more are Newton's.
 //!
-//! What structure cannot see; of the first two a numerical rank must judge:
+//! Limits of structure; of the first two a numerical rank must judge:
 //! * dimensions that make rows dependent (the third of parallel cranks is found only because its rows are too many for
 //!   its unknowns; a redundant loop of another kind is not), and poses that do;
 //! * that a group of loops which avoid the ground can turn as a whole: six bars that brace a square twice have as many
@@ -29,7 +29,7 @@ pub(crate) struct Equation {
 pub(crate) struct Block {
     /// Indices of the equations, ascending.
     pub(crate) equations: Vec<usize>,
-    /// What they determine, ascending.
+    /// Unknowns that they determine, ascending.
     pub(crate) unknowns: Vec<usize>,
 }
 
@@ -87,7 +87,7 @@ impl<'a> System<'a> {
         System { equations, holders }
     }
 
-    /// What can be solved when `known` is given, what stays free, and what is too much.
+    /// Splits the unknowns: solvable when `known` is given, free, and overdetermined.
     pub(super) fn split(&self, known: &[usize]) -> Split {
         let matching = Matching::new(self, known);
         let (free, under) = matching.undetermined();

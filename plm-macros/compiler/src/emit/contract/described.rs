@@ -113,7 +113,7 @@ fn entries(emission: &Emission, table: &NumericTable) -> TokenStream {
     }
 }
 
-/// What changes at a time that is known.
+/// Names of the changes at known times.
 fn instant_name(emission: &Emission) -> Option<TokenStream> {
     let model = emission.model;
     let of_time = model.switches.iter().filter(|side| side.instant.is_some());

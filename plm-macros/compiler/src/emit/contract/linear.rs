@@ -241,7 +241,7 @@ fn pattern(emission: &Emission, augmented: &Augmented) -> TokenStream {
     }
 }
 
-/// What stands where, and the order of elimination: numbers in rows, as the runtime's `compact` has them.
+/// Places of the entries and the order of elimination: numbers in rows, as the runtime's `compact` has them.
 #[derive(Default)]
 struct Tables {
     terms: Vec<u32>,

@@ -94,7 +94,7 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
     }
 }
 
-/// What steps of several mechanisms side by side are looked at by.
+/// Checks of steps of several mechanisms side by side.
 struct Lanes {
     watched: bool,
     /// `is_calm` and `are_calm`.

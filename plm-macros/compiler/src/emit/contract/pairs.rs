@@ -58,7 +58,7 @@ fn in_chart(chart: &Chart) -> (&Function, Origin<'_>, &[Expr]) {
     (&chart.rate, Origin::Chart(chart), &chart.y_dot)
 }
 
-/// What is the same in both stages.
+/// Prefixes of the values that both stages share.
 const HELD: [&str; 4] = ["self.", "u.", "m.", "S::"];
 
 /// Text of a symbol in two stages; time and state differ.
@@ -67,7 +67,7 @@ fn in_both(text: &str) -> String {
     if is_held { format!("Two::both({text})") } else { text.to_owned() }
 }
 
-/// What `Rate` says of pairs, and the functions behind that.
+/// The part of `Rate` for pairs of stages, and the functions behind it.
 pub(super) fn pairs(emission: &Emission) -> [TokenStream; 2] {
     let Some(parts) = of_rate(emission) else { return Default::default() };
     [rate_pair(emission, &parts), functions(emission, &parts)]
@@ -128,7 +128,7 @@ fn functions(emission: &Emission, parts: &Parts) -> TokenStream {
     };
     quote! {
         impl<S: Scalar> #name<S> {
-            /// What the rates of two stages need of their poses. Compilers begin to build vectors where results are stored: a
+            /// Values of the poses of two stages that their rates share. Compilers begin to build vectors where results are stored: a
             /// function of its own.
             #[inline(never)]
             fn of_two_poses(#(#declared)* #positions) -> [Two<S>; #shared] {
@@ -147,7 +147,7 @@ fn functions(emission: &Emission, parts: &Parts) -> TokenStream {
     }
 }
 
-/// What the first part reads beside the positions, as declared and as handed over: what nobody reads would be handed over all
+/// Arguments of the first part beside the positions, as declared and as handed over: unread ones would be handed over all
 /// the same, by a function that is not inlined.
 fn reads(emission: &Emission, still: &Part) -> Vec<[TokenStream; 2]> {
     let reads = |start: &str| still.symbols.iter().any(|text| text.contains(start));

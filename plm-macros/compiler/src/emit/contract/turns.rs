@@ -32,7 +32,7 @@ fn all_places(emission: &Emission, bodies: &[Option<usize>]) -> TokenStream {
     })
 }
 
-/// The same where each count has one place, all of them equally far apart.
+/// Places in short form where each count has one place, all of them equally far apart.
 fn in_short(emission: &Emission, bodies: &[Option<usize>]) -> Option<TokenStream> {
     let turns = &emission.model.turns;
     let mut place_of = vec![None; emission.model.bodies.len()];
@@ -86,7 +86,7 @@ pub(super) fn accept(emission: &Emission) -> Option<TokenStream> {
     })
 }
 
-/// Whether no angle is to be brought back at a state, and at several side by side; not of loops.
+/// Conditions that no angle is to be brought back at a state, and at several side by side; not of loops.
 pub(super) fn are_near(emission: &Emission) -> (TokenStream, TokenStream) {
     match in_state(emission) {
         Some(places) if are_counted(emission) => {

@@ -1,4 +1,4 @@
-//! What can be read from a state: poses, the user's outputs, energies.
+//! Readable quantities of a state: poses, the user's outputs, energies.
 
 use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::{joined, quote};

@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use super::super::{Emission, Sizes};
 use crate::derive::feeds_back;
 
-/// What gives them, and which of them redundancy leaves undetermined.
+/// Accelerations and multipliers of a state, and which of them redundancy leaves undetermined.
 pub(crate) fn solved(emission: &Emission) -> TokenStream {
     if emission.reactions().is_some() { of_tree(emission) } else { of_absolute(emission) }
 }

@@ -31,7 +31,7 @@ pub(crate) fn values(emission: &Emission) -> TokenStream {
         }
         #by_number
 
-        /// What assembly found.
+        /// Result of assembly.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
     }
 }
@@ -249,7 +249,7 @@ pub(crate) fn assembled(emission: &Emission) -> TokenStream {
     }
 }
 
-/// What is held with inputs, before anything is known of a state.
+/// Discrete state with inputs, before anything is known of a state.
 fn holding(emission: &Emission) -> TokenStream {
     let of_loops = match emission.form {
         Form::Loops(_) => {

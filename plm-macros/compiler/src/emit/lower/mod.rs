@@ -1,6 +1,6 @@
 //! From a tape to statements that read as if a person had written them.
 //!
-//! What is used once stands where it is used, what is used again gets a `let` with the name that derivation gave it.
+//! A value that is used once stands where it is used, one that is used again gets a `let` with the name from derivation.
 //! The operations and their order are those of the tape, so that the interpreter is the oracle of the emitted code.
 
 use crate::collect::CollectVec;
@@ -29,7 +29,7 @@ const MOST_TERMS: usize = 8;
 /// Source text of every symbol that a function may read, e.g. `x[2]`, `self.damping`.
 pub(super) type Bindings = SortedMap<Expr, String>;
 
-/// What surrounds the statements of a function.
+/// Surroundings of the statements of a function.
 pub(super) struct Around<'a> {
     /// The names of its arguments.
     pub(super) reserved: &'a [&'a str],
@@ -109,7 +109,7 @@ struct Lowering<'a> {
     fragments: Vec<Fragment>,
     /// Has the instruction a name?
     named: Vec<bool>,
-    /// What has a name, where that is known: of a part of a function by the whole.
+    /// True for values with a name, where that is known: of a part of a function by the whole.
     known_names: Option<&'a [bool]>,
     /// Do names hold for every repetition of a loop?
     is_general: bool,
@@ -117,7 +117,7 @@ struct Lowering<'a> {
     known: SortedMap<usize, String>,
     /// Sines (by instruction) whose angles are coordinates, in groups that are computed together.
     groups: Vec<Vec<usize>>,
-    /// What was lowered before its turn.
+    /// Values that were lowered before their turn.
     early: SortedMap<usize, Fragment>,
     lines: Lines,
 }
@@ -209,7 +209,7 @@ impl<'a> Lowering<'a> {
         if is_named { self.bind(index, fragment) } else { fragment }
     }
 
-    /// What the root of `max(0, a)` is the root of, where numbers below zero are refused by `DIRECT`.
+    /// The argument `a` of the root of `max(0, a)`, where numbers below zero are refused by `DIRECT`.
     fn above_zero(&self, root: Ref) -> Option<Ref> {
         let is_zero = |at: Ref| matches!(self.tape.ops[at.index()].op, Op::Number(0.0));
         match self.tape.ops[root.index()].op {

@@ -43,7 +43,7 @@ const COORDINATES: [(&str, Dimension); 6] = [
     ("omega", Dimension::ANGULAR_VELOCITY),
 ];
 
-/// What to write instead of a mass or an inertia that is not positive.
+/// Advice for a mass or an inertia that is not positive.
 pub(crate) fn positive_help(name: &str, dimension: Dimension) -> String {
     let small = if name == "mass" { "1e-3" } else { "1e-6" };
     format!(

@@ -1,4 +1,4 @@
-//! What the use of a part sets: parameters, inputs, choices, starts of states and requirements, also of the parts that it
+//! Fields of the use of a part: parameters, inputs, choices, starts of states and requirements, also of the parts that it
 //! contains.
 
 use crate::collect::{CollectVec, PushAll};
@@ -10,7 +10,7 @@ use crate::resolve::names::{Names, ScopeId};
 use crate::syntax::ast::{Field, Instance, Item, ItemKind};
 
 impl<'a> Names<'a> {
-    /// What the uses around a part set for a name inside it. The outermost has the last word.
+    /// The field that the uses around a part set for a name inside it. The outermost has the last word.
     pub(crate) fn field(&self, part: usize, name: &str) -> Option<(ScopeId, &'a Field)> {
         let mut path = name.to_string();
         let mut found = None;
@@ -23,7 +23,7 @@ impl<'a> Names<'a> {
         found
     }
 
-    /// What the use of a joint sets for a word of the language, unless its definition has a parameter of that name.
+    /// The field that the use of a joint sets for a word of the language, unless its definition has a parameter of that name.
     pub(crate) fn word(&self, joint: usize, word: &str) -> Option<(ScopeId, &'a Field)> {
         let definition = self.instances[joint].definition;
         let is_parameter = definition.items.iter().any(|item| field_name(&item.kind) == Some(word));
@@ -128,7 +128,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("tau", "torque"),
 ];
 
-/// What joints of other programs have, and how it is said here.
+/// Fields of joints in other programs, and how they are written here.
 const INSTEAD: &[(&[&str], &str)] = &[
     (
         &["limits", "limit", "stop", "stops", "range", "min", "max", "lower", "upper"],

@@ -43,7 +43,7 @@ pub(crate) struct FrameGeometry {
     pub(crate) angle: Expr,
     /// By its angle: takes the absolute axes to its own.
     pub(crate) rotation: Rotation,
-    /// What position and angle depend on.
+    /// Reads of position and angle.
     pub(crate) reads: Reads,
 }
 

@@ -11,7 +11,7 @@ use crate::resolve::values::{Eval, Failed, Reads, Value};
 use crate::syntax::ast;
 use crate::units::Dimension;
 
-/// What a part applies to a body or to the ground.
+/// Force or torque of a part on a body or on the ground.
 #[derive(Clone, Copy)]
 pub(crate) struct Action {
     /// Where it was declared.

@@ -28,7 +28,7 @@ use crate::resolve::declarations::state::{UnresolvedRate, UnresolvedState};
 use crate::resolve::names::ScopeId;
 use crate::syntax::ast;
 
-/// What is declared.
+/// The declarations of a mechanism before evaluation.
 #[derive(Default)]
 pub(crate) struct UnresolvedModel<'a> {
     pub(crate) settings: Settings<'a>,
@@ -54,11 +54,11 @@ pub(crate) struct UnresolvedModel<'a> {
     /// Values that must be positive when parameters are known.
     pub(crate) limits: Vec<Limit>,
     pub(crate) loads: Vec<UnresolvedLoad<'a>>,
-    /// What parts apply to bodies and to the ground, for who observes them.
+    /// Actions of parts on bodies and on the ground, for who observes them.
     pub(crate) applied: Vec<Action>,
     /// Outputs of the mechanism, with the documentation of their items.
     pub(crate) outputs: Vec<(ScopeId, &'a ast::Output, &'a [String])>,
-    /// What `observe` names.
+    /// Names of `observe`.
     pub(crate) observed: Vec<(ScopeId, &'a ast::Expr)>,
     /// Sizes of parts for pictures.
     pub(crate) sizes: Vec<UnresolvedSize>,

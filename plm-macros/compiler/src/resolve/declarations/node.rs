@@ -33,11 +33,11 @@ pub(crate) struct Through {
     pub(crate) symbol: Expr,
     /// Stands for its rate.
     pub(crate) rate: Expr,
-    /// What adds up.
+    /// The summands.
     pub(crate) terms: Vec<Expr>,
 }
 
-/// What a sum is taken to read before its terms are known: what lets it stand in forces and rates, but in no constraint.
+/// Reads that are assumed of a sum before its terms are known: they let it stand in forces and rates, but in no constraint.
 const SUM: Reads = Reads::STATE.and(Reads::POSITION).and(Reads::TIME);
 
 impl<'a> Resolver<'a> {
@@ -65,7 +65,7 @@ impl<'a> Resolver<'a> {
         self.bind(scope, &ast.name.ident, key, slot);
     }
 
-    /// What a kind of port wants: `frame`, `body`, or a node of a domain.
+    /// Kind of value that a kind of port wants: `frame`, `body`, or a node of a domain.
     pub(crate) fn wanted_at(&mut self, scope: ScopeId, kind: &Ident) -> Eval<Wanted> {
         match kind.text.as_str() {
             "frame" => return Ok(Wanted::Frame),
@@ -124,7 +124,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// What a node is declared as: another name of a node, or its across quantity.
+    /// Value of a node: another name of a node, or its across quantity.
     pub(crate) fn value_of_node(
         &mut self,
         scope: ScopeId,

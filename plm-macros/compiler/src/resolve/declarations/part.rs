@@ -33,7 +33,7 @@ pub(crate) struct PartInUse<'a> {
     pub(crate) outer: ScopeId,
     /// Its name in the scope that uses it.
     pub(crate) key: String,
-    /// What its use sets, by path.
+    /// Fields of its use, by path.
     pub(crate) fields: Vec<(String, &'a Field)>,
     /// The part of the mechanism that it is, or belongs to.
     pub(crate) part: usize,

@@ -1,4 +1,4 @@
-//! What pictures show of bodies and parts: contours, depths, sizes. Nothing of it enters the equations.
+//! Pictures of bodies and parts: contours, depths, sizes. Nothing of it enters the equations.
 
 use crate::collect::{CollectVec, MapEach};
 use plm_cas::Expr;
@@ -45,7 +45,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// What tables tell of the parts: of all in the declaration, and inside of them of those that join frames or have sizes.
+    /// Parts in the tables: all of the declaration, and inside of them those that join frames or have sizes.
     pub(crate) fn evaluate_instances(&mut self) -> Eval<Vec<Instance>> {
         let mut sizes: Vec<Vec<Size>> = self.names.instances.iter().map(|_| Vec::new()).collect_vec();
         let drafts = std::mem::take(&mut self.unresolved.sizes).into_iter();

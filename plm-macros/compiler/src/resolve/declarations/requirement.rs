@@ -102,7 +102,7 @@ impl<'a> Resolver<'a> {
         switches
     }
 
-    /// What is positive as long as a condition holds.
+    /// Expressions that are positive as long as a condition holds.
     fn requirement(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Vec<Expr>> {
         let (condition, reads) = self.condition(scope, expr)?;
         let beyond = reads.beyond(Reads::KNOWN);

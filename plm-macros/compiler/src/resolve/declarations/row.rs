@@ -25,7 +25,7 @@ pub(crate) struct UnresolvedRow<'a> {
     value: Lazy<RowValue>,
 }
 
-/// What a row says.
+/// Value of a row.
 #[derive(Clone, Copy)]
 pub(crate) struct RowValue {
     pub(crate) phi: Expr,

@@ -1,4 +1,4 @@
-//! What is said once of the whole mechanism: gravity, the formulation, how constraints are kept, which warnings are allowed.
+//! Settings of the whole mechanism: gravity, the formulation, how constraints are kept, which warnings are allowed.
 
 use crate::collect::MapEach;
 use crate::sorted::SortedMap;
@@ -16,7 +16,7 @@ use crate::span::Span;
 use crate::syntax::ast::{self, Ident, Item};
 use crate::units::Dimension;
 
-/// What has been said so far.
+/// Settings that have been declared so far.
 #[derive(Default)]
 pub(crate) struct Settings<'a> {
     gravity: Option<SlotId>,

@@ -108,7 +108,7 @@ impl<'a> Resolver<'a> {
         Ok(given)
     }
 
-    /// What a word says of each row of its kind.
+    /// Compliances that a word sets, by row of its kind.
     fn compliances(
         &mut self,
         instance: usize,

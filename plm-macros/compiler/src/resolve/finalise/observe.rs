@@ -1,6 +1,6 @@
-//! What is observed: every quantity of a body, a port, a node or a part, by name.
+//! Observed quantities: every one of a body, a port, a node or a part, by name.
 //!
-//! What a part does to the bodies of its ports is found from its loads and constraint rows, so that it holds for every
+//! Actions of a part on the bodies of its ports are found from its loads and constraint rows, so that they hold for every
 //! part: `Q - phi_q^T lambda`, summed over all that the part contains, carried to the point of the port. What it does to
 //! the ground keeps the balance: constraints hold when everything is moved together, ground included.
 
@@ -21,7 +21,7 @@ use crate::span::Span;
 use crate::syntax::ast::{Expr as Written, ExprKind};
 use crate::units::{Dimension, DisplayUnit};
 
-/// What the parts do, and to whom.
+/// Actions of the parts, and on whom.
 struct Actions {
     /// Rows of each part, with those of the parts that it contains.
     rows: Vec<Vec<usize>>,
@@ -76,7 +76,7 @@ impl<'a> Resolver<'a> {
         *outputs = shown.outputs;
     }
 
-    /// What an `observe` names; `all` is every body, the ground, every node and every part, those inside of parts too.
+    /// Targets of an `observe`; `all` is every body, the ground, every node and every part, those inside of parts too.
     fn targets(&mut self, scope: ScopeId, expr: &'a Written, targets: &mut Vec<(Value, Span)>) -> Eval<()> {
         let is_all = matches!(&expr.kind, ExprKind::Name(name) if name.ident.text == "all");
         if is_all && self.names.find(scope, "all").is_none() {
@@ -137,7 +137,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// What the definition of a part shows, in its order; then what it does to each of its frames. Its nodes are shown by
+    /// Outputs of the definition of a part, in its order; then its actions on each of its frames. Its nodes are shown by
     /// themselves.
     fn show_part(&mut self, id: usize, actions: &Actions, shown: &mut Shown) -> Eval<()> {
         let (inside, name) = (self.names.instances[id].scope, self.names.instances[id].name.clone());

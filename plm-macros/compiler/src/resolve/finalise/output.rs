@@ -45,7 +45,7 @@ impl<'a> Resolver<'a> {
         Ok(Output { name, components, unit, declared: true, docs })
     }
 
-    /// What the definition of a part says of its output, where a path shows that.
+    /// Documentation of an output in the definition of its part, where a path shows that.
     fn docs_of_path(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> String {
         let ExprKind::Path(base, members) = &expr.kind else { return String::new() };
         match (self.eval(scope, base), members.first()) {
@@ -54,7 +54,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// What the definition of a part says of an output, of the bodies that its arguments belong to.
+    /// Documentation of an output in the definition of its part, with the bodies that its arguments belong to.
     pub(crate) fn docs_of_output(&mut self, part: usize, key: &str) -> String {
         let shows = |output: &ast::Output| match (&output.name, &output.value.kind) {
             (Some(name), _) | (None, ExprKind::Name(name)) => name.ident.text == key,

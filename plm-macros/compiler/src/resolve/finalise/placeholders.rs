@@ -16,7 +16,7 @@ use crate::span::Span;
 struct Placeholder {
     symbol: Expr,
     value: Expr,
-    /// What it is, for messages.
+    /// Its name in messages.
     what: String,
     span: Span,
 }

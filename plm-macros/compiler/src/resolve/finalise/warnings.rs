@@ -1,4 +1,4 @@
-//! What is right and yet hardly meant: gravity upwards, parts that do nothing, names that nothing reads.
+//! Warnings of declarations that are right and yet hardly meant: gravity upwards, parts that do nothing, names that nothing reads.
 
 use crate::collect::CollectVec;
 use crate::sorted::SortedMap;

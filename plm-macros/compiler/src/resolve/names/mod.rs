@@ -29,7 +29,7 @@ pub(crate) struct Names<'a> {
     pub(crate) slots: Vec<Slot<'a>>,
     /// Parts in use, those inside of others too.
     pub(crate) instances: Vec<PartInUse<'a>>,
-    /// What is chosen, and between what.
+    /// Chosen option of each choice, and all of them.
     pub(crate) choices: Vec<(&'a str, Vec<&'a str>)>,
     /// Slots to evaluate even if nothing reads them: their mistakes count.
     pub(crate) checks: Vec<SlotId>,
@@ -60,7 +60,7 @@ pub(crate) struct Slot<'a> {
     pub(crate) span: Span,
     /// Has an expression named it?
     pub(crate) is_read: bool,
-    /// What its value is worked out from.
+    /// The expression that gives its value.
     pub(crate) thunk: Option<Thunk<'a>>,
     pub(crate) value: Lazy<Value>,
 }

@@ -16,13 +16,13 @@ use crate::resolve::values::{Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::syntax::ast::IndexedName;
 use crate::units::Dimension;
 
-/// What the members of a body, at its G, or of a frame are read from.
+/// Pose from which the members of a body, at its G, or of a frame are read.
 struct Pose {
     body: Option<usize>,
     position: Vec2,
     angle: Expr,
     rotation: Rotation,
-    /// What it reads, what its rate reads, and what the rate of that reads.
+    /// Reads of it, of its rate, and of the rate of that.
     reads: [Reads; 3],
 }
 
@@ -168,12 +168,12 @@ impl<'a> Resolver<'a> {
     }
 }
 
-/// What the rate of a place reads: a place that depends on the time alone has a rate that does so too.
+/// Reads of the rate of a place: a place that depends on the time alone has a rate that does so too.
 fn moving(reads: Reads) -> Reads {
     if reads.has(Reads::POSITION) { reads.and(Reads::VELOCITY) } else { reads }
 }
 
-/// What the rate of its rate reads.
+/// Reads of the rate of its rate.
 fn accelerating(reads: Reads) -> Reads {
     if reads.has(Reads::POSITION) { moving(reads).and(Reads::ACCELERATION) } else { reads }
 }

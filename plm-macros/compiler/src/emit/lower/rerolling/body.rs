@@ -33,7 +33,7 @@ struct Pattern {
     reads: Vec<usize>,
     /// Names of carried values: by offset and by how many repetitions ago.
     carried: SortedMap<(usize, usize), String>,
-    /// What is stored in a repetition: the place and the instruction.
+    /// Stores of a repetition: the place and the instruction.
     stored: Vec<(String, usize)>,
 }
 

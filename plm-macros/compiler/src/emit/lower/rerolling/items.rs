@@ -27,7 +27,7 @@ pub(super) enum Source {
     Item(usize),
 }
 
-/// What is held against others.
+/// An item that is compared with others.
 pub(super) struct Item {
     /// Items of the same number have the same operations between sources of the same kinds.
     pub(super) shape: usize,
@@ -39,7 +39,7 @@ pub(super) struct Item {
     pub(super) stores: Option<usize>,
 }
 
-/// What stands before and behind the index of an array's element.
+/// Text before and behind the index of an array's element.
 type Around = (String, String);
 
 /// All of a function.
@@ -283,7 +283,7 @@ impl<'a> Items<'a> {
     }
 }
 
-/// What stands before the last index in brackets that is a number, that number, and what stands behind it.
+/// Text before the last index in brackets that is a number, that number, and the text behind it.
 fn at_index(text: &str) -> Option<(&str, usize, &str)> {
     for (open, _) in text.rmatch_indices('[') {
         let (before, rest) = text.split_at(open + 1);

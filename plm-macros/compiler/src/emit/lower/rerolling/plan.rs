@@ -1,4 +1,4 @@
-//! What becomes a loop, and where its operands are found.
+//! Plan of the loops, and where their operands are found.
 
 use crate::collect::{CollectVec, PushAll};
 use crate::formulate::Place;
@@ -13,7 +13,7 @@ const DEEPEST: usize = 4;
 /// An operand of a pattern, in all repetitions.
 #[derive(Clone)]
 pub(super) enum Role {
-    /// The same leaf, or the same value from before the loop.
+    /// One leaf, or one value from before the loop, in all repetitions.
     Same(Source),
     /// A constant for each repetition.
     Constants(Vec<f64>),
@@ -23,7 +23,7 @@ pub(super) enum Role {
     Element { array: usize, index: usize, step: isize },
     /// The value of an item of the pattern, in this repetition.
     Inner(usize),
-    /// The same, so many repetitions ago.
+    /// An item of the loop, so many repetitions ago.
     Carried(usize, usize),
     /// The value of an item of the pattern of a loop before.
     Kept { of: Slot, first: isize, step: isize },
@@ -85,7 +85,7 @@ impl Plan {
         }
     }
 
-    /// What an operand is in all repetitions, if it follows a rule.
+    /// Role of an operand in all repetitions, if it follows a rule.
     fn role(&self, items: &Items, region: &Region, column: &[Source]) -> Option<Role> {
         let by = step(column[0], column[1])?;
         if column.windows(2).any(|two| step(two[0], two[1]) != Some(by)) {
@@ -232,7 +232,7 @@ impl Plan {
         self.inside[item]
     }
 
-    /// What an item's value is kept as: the slot and the place in its array.
+    /// Place of an item's value: the slot and the index in its array.
     pub(super) fn place(&self, item: usize) -> Option<(Slot, usize)> {
         let region = self.inside[item]?;
         let Region { start, period, .. } = self.loops[region].region;

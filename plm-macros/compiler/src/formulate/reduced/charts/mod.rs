@@ -15,7 +15,7 @@ use crate::topology::{Block, Choice, Equation, independent_sets};
 
 /// Charts beyond the degrees of freedom; more would be code that hardly ever runs.
 const ALTERNATIVE_CHARTS: usize = 3;
-/// The same where blocks are solved by Newton's iteration, whose code is long.
+/// Charts beyond the degrees of freedom where blocks are solved by Newton's iteration, whose code is long.
 const ALTERNATIVE_LONG_CHARTS: usize = 1;
 
 /// Choices that are looked at until those are found.

@@ -35,7 +35,7 @@ pub(crate) struct Assembled {
     pub(crate) values: Vec<(Expr, f64)>,
 }
 
-/// What is known of dimensions and the start.
+/// Knowledge of dimensions and the start.
 #[derive(Clone, Copy)]
 pub(crate) struct Known<'a> {
     /// The size of the scene, m.

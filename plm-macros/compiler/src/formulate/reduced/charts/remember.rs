@@ -1,4 +1,4 @@
-//! What is remembered of a state, and how near its loops are to a pose where a chart ends.
+//! Memory of a state, and how near its loops are to a pose where a chart ends.
 
 use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Expr, Number, algebra};
@@ -78,7 +78,7 @@ impl Layout<'_> {
         Expr::from(part) / Expr::from(whole * coordinates) / fastest
     }
 
-    /// The same of a pose and velocity, but for how far the coordinates may move.
+    /// Memory of a pose and velocity, without how far the coordinates may move.
     pub(crate) fn remember_pose(&mut self, scheme: &Scheme) -> Function {
         let mut motion = Motion::of_pose(self.model, self.coordinates, self.length);
         let solutions = scheme.loops().filter_map(|group| group.at_pose(&motion));

@@ -34,7 +34,7 @@ pub(crate) struct Dyad {
     pub(crate) kind: Kind,
 }
 
-/// What is unknown.
+/// Kinds of the unknowns.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// Two angles, of these orientations.

@@ -68,7 +68,7 @@ impl ExplicitRow {
     }
 }
 
-/// What stands for the symbols of unknowns that are known.
+/// Values for the symbols of unknowns that are known.
 fn known(motion: &Motion, others: &[(usize, Expr)]) -> Vec<(Expr, Expr)> {
     let mut pairs = Vec::new();
     for &(unknown, symbol) in others {

@@ -1,4 +1,4 @@
-//! What determines the unknowns that are no coordinates, group by group (L. V. Assur's groups: as many rows as unknowns,
+//! Groups of unknowns that are no coordinates, in the order of their solution (L. V. Assur's groups: as many rows as unknowns,
 //! and none smaller inside).
 
 pub(crate) mod crank;
@@ -121,7 +121,7 @@ impl Group {
         }
     }
 
-    /// What is known of a loop where all unknowns are.
+    /// Solution of a loop where all unknowns are known.
     pub(crate) fn at_pose(&self, motion: &Motion) -> Option<Solution> {
         match self {
             Group::ExplicitRow(_) => None,

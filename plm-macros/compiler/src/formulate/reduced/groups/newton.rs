@@ -226,7 +226,7 @@ impl Newton {
         self.closures.iter().map(of_loop).collect_vec()
     }
 
-    /// What the vectors of each loop sum to: zero at the solution.
+    /// Sums of the vectors of each loop: zero at the solution.
     fn gap(&self, known: &[Vec2], arms: &[Arms], tag: &str) -> Vec<Vec2> {
         let of_loop = |((closure, known), arms): ((&usize, &Vec2), &Arms)| {
             let sum = arms.iter().fold(*known, |sum, (_, arm)| sum + *arm);

@@ -13,7 +13,7 @@ use crate::formulate::reduced::joints::explicit::{Explicit, explicit};
 use crate::model::{FrameRef, Model, Pair, Port};
 use crate::topology::{Forest, shortest_cycle_basis, spanning_forest};
 
-/// What a coordinate is.
+/// Kinds of coordinates.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Unknown {
     /// The angle of an orientation, that of the body `body`.
@@ -86,7 +86,7 @@ pub(crate) struct Coordinates {
     pub(crate) chords: Vec<usize>,
 }
 
-/// What holds a body on the way from the ground.
+/// Edge of the spanning tree: the joint that holds a body on the way from the ground.
 #[derive(Clone, Copy)]
 pub(crate) struct TreeEdge {
     pub(crate) body: usize,

@@ -53,7 +53,7 @@ pub(crate) fn explicit(model: &Model, coordinates: &Coordinates, phi: Expr) -> O
     (!coefficients.is_empty()).then_some(Explicit { phi, held, coefficients })
 }
 
-/// What stands for the poses of the bodies that an expression holds.
+/// Values for the poses of the bodies that an expression holds.
 fn poses(model: &Model, coordinates: &Coordinates, phi: Expr, symbols: &[Expr]) -> Vec<(Expr, Expr)> {
     let held = algebra::symbols(&[phi]);
     let mut pairs = Vec::new();

@@ -72,7 +72,7 @@ impl Neg for Products {
     }
 }
 
-/// What is known of the orientations' bases.
+/// Bases of the orientations.
 #[derive(Clone, Default)]
 pub(crate) struct Bases {
     /// By orientation; of the others the unit vector is the base.

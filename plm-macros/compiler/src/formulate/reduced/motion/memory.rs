@@ -1,4 +1,4 @@
-//! What a formulation with loops remembers from the last state that was looked at.
+//! Memory of a formulation with loops: values of the last accepted state.
 
 use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Expr, Rotation};
@@ -19,10 +19,10 @@ pub(crate) struct Memory {
     followed: Vec<Option<[Expr; 3]>>,
 }
 
-/// What is kept of an unknown that is followed.
+/// Values that are kept of an unknown that is followed.
 const FOLLOWED: [&str; 3] = ["value", "rate", "bend"];
 
-/// What is to be remembered of one state.
+/// Values of one state that are to be remembered.
 pub(crate) struct Memorable<'a> {
     /// By coordinate, then for the time: value, and how far it may move until the next look.
     pub(crate) boxes: Vec<[Expr; 2]>,

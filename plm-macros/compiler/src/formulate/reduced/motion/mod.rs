@@ -55,7 +55,7 @@ pub(crate) struct Motion<'a> {
     pub(crate) velocity: Vec<Vec2>,
     /// The loops, in the order of solution.
     pub(crate) solutions: Vec<Solution>,
-    /// What stands for the symbols of the model: angles and their sines, positions, rates.
+    /// Values for the symbols of the model: angles and their sines, positions, rates.
     pub(crate) substitution: Vec<(Expr, Expr)>,
 }
 

@@ -1,8 +1,8 @@
-//! What the solution of a loop leaves for those who come after.
+//! Solution of a loop, for the functions that follow.
 
 use plm_cas::{Expr, Vec2};
 
-/// What a dyad's solution leaves for velocities and for the choice of charts.
+/// Values of a dyad's solution that velocities and the choice of charts need.
 #[derive(Clone)]
 pub(crate) struct Solution {
     /// `D`, m^2, m or 1; of a group without mirror images its measure.

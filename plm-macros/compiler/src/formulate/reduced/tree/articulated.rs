@@ -10,7 +10,7 @@
 //! I <- I - g (I s)^T,   p <- p - g (s . p)
 //! ```
 //!
-//! What is left, carried to the reference point of the parent, adds to the parent's own. Absolute angles leave no Coriolis
+//! The remainder, carried to the reference point of the parent, adds to the parent's own. Absolute angles leave no Coriolis
 //! terms in a revolute; gravity is an acceleration of the ground against it.
 
 use crate::collect::{CollectVec, MapEach, PushAll};
@@ -42,7 +42,7 @@ struct Link {
     freedoms: Vec<(usize, Spatial)>,
 }
 
-/// What the way back needs of a freedom that was eliminated.
+/// Values of an eliminated freedom that the way back needs.
 struct Eliminated {
     unknown: usize,
     /// `s`
@@ -219,7 +219,7 @@ impl Elimination<'_> {
         (answer, eliminated)
     }
 
-    /// What a body asks of its joint, as a wrench at the reference point of its parent; `whole` is its answer before
+    /// Wrench of a body on its joint, at the reference point of its parent; `whole` is its answer before
     /// elimination.
     fn carry(
         &mut self,
@@ -292,7 +292,7 @@ impl Elimination<'_> {
         reached
     }
 
-    /// What bodies weigh with all that hangs on them. In the entries of the plane each body adds terms to those behind it, which
+    /// Inertia of bodies with all that hangs on them. In the entries of the plane each body adds terms to those behind it, which
     /// makes a row of n bodies n^2 terms to sort and to share.
     fn summed(&mut self, inertia: Inertia) -> Inertia {
         if self.model.bodies.len() <= FEW_BODIES {

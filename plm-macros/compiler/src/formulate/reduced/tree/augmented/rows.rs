@@ -116,7 +116,7 @@ impl Rows<'_> {
         }
     }
 
-    /// What a body passes on to its joint.
+    /// Forces that a body passes on to its joint.
     fn forces(&mut self) {
         let one = Expr::ONE;
         let minus = -one;

@@ -1,4 +1,4 @@
-//! What the linearised equations are solved for, and in which order.
+//! Unknowns of the linearised equations, and the order of their elimination.
 
 use crate::collect::CollectVec;
 use crate::sorted::sort_by_key;
@@ -18,7 +18,7 @@ pub(crate) struct Unknowns {
     pub(crate) accelerations: Vec<Expr>,
     /// Force through the joint of each body.
     pub(crate) forces: Vec<Vec2>,
-    /// What a symbol stands for: unknown and part of it.
+    /// Column of a symbol: unknown and part of it.
     pub(crate) column: SortedMap<Expr, (usize, Part)>,
     /// By body: acceleration and force, then place and velocity where they are wanted.
     pub(crate) of_body: Vec<SortedMap<Kind, [usize; 2]>>,
@@ -26,7 +26,7 @@ pub(crate) struct Unknowns {
     count: usize,
 }
 
-/// What is unknown of a body, in the order of elimination.
+/// Unknowns of a body, in the order of elimination.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Kind {
     Force,
