@@ -1,8 +1,8 @@
 //! An axis as it is asked for, and the ruler that it becomes once the values along it are known.
 
+use super::decimation::drawable;
 use super::label::with_unit;
-use super::thin::drawable;
-use super::{decades, nice};
+use super::{linear_scale, log_scale};
 
 /// What is measured along an axis, and how it is divided.
 ///
@@ -78,9 +78,9 @@ impl Axis {
         }
         let values = values.chain(self.extra.iter().copied());
         let (low, high) = match self.scale {
-            Scale::Linear => nice::extent(values.filter(|&value| drawable(value))),
+            Scale::Linear => linear_scale::extent(values.filter(|&value| drawable(value))),
             Scale::Log => {
-                decades::extent(values.filter(|&value| drawable(value) && value > 0.0).map(f64::log10))
+                log_scale::extent(values.filter(|&value| drawable(value) && value > 0.0).map(f64::log10))
             }
         };
         // A little room, so that no curve runs along the frame.
@@ -151,8 +151,8 @@ impl Ruler {
     /// The ticks in the range, in rising order.
     pub(super) fn ticks(&self) -> Vec<Tick> {
         match self.scale {
-            Scale::Linear => nice::ticks(self.low, self.high),
-            Scale::Log => decades::ticks(self.low, self.high),
+            Scale::Linear => linear_scale::ticks(self.low, self.high),
+            Scale::Log => log_scale::ticks(self.low, self.high),
         }
     }
 

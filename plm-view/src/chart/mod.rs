@@ -4,14 +4,14 @@
 //! them ([`Chart::over_time`]); how panels are drawn is the same for all.
 
 mod axis;
-mod decades;
+mod decimation;
 mod draw;
 mod label;
-mod nice;
+mod linear_scale;
+mod log_scale;
 mod series;
 #[cfg(test)]
 mod table;
-mod thin;
 
 use std::io;
 use std::path::Path;

@@ -6,7 +6,7 @@ import { Scene } from "./scene.js";
 /** @import {ArrowField} from "./arrows.js" */
 /** @import {Run} from "./run.js" */
 
-/** @typedef {{run: Run, scene: Scene, forces: ArrowField, velocities: ArrowField, isShown: boolean}} Shown */
+/** @typedef {{run: Run, scene: Scene, forces: ArrowField, velocities: ArrowField, isShown: boolean}} RunView */
 
 /** What is drawn of a run. @param {Run} run */
 export function sceneOf(run) {
@@ -24,7 +24,7 @@ export function usualCurves(run) {
   return quantities.filter(({ unit }) => unit === first.unit).slice(0, 3).map(({ name }) => name);
 }
 
-/** Arrows keep the scale of the largest that was ever seen. @param {Shown} shown */
+/** Arrows keep the scale of the largest that was ever seen. @param {RunView} shown */
 export function growArrows(shown) {
   const moment = { row: Math.max(0, shown.run.rows - 1), share: 0 };
   if (shown.run.rows === 0) return;

@@ -14,7 +14,7 @@ export const address = skip
   : writePage("live", makeNpz([runOfRows(fourBarHead(), nativeRows().slice(0, 1))], { how: "deflated" }), "Four-bar", modulePath());
 
 /** The page when it runs, or when it stands at its start. */
-export async function alive({ isRunning = true, ...how } = {}) {
+export async function livePage({ isRunning = true, ...how } = {}) {
   const { page, requests, errors } = await open(address, how);
   await page.waitForFunction(() => window.plmPage.app.live.run.rows > 3);
   if (!isRunning) {

@@ -1,4 +1,4 @@
-// Bodies of a live mechanism are pulled and placed, by mouse and by keys.
+// Drag tool: pulls and places bodies of a live mechanism, by mouse and by keys.
 
 import { belongsTo, keyName } from "./keys.js";
 
@@ -24,12 +24,12 @@ const KEY_STEP = 0.01;
  * @param {number} py
  */
 function grab(app, kind, body, projection, px, py) {
-  const shown = app.shown.find(({ run }) => run.isLive);
+  const shown = app.runViews.find(({ run }) => run.isLive);
   const target = shown === undefined ? null : projection.onPlane(px, py, shown.scene.levels.bodies[body]);
   if (shown === undefined || target === null) return false;
   const [x, y, angle] = shown.scene.at(Math.min(app.player.time, shown.run.end)).poses.subarray(3 * body, 3 * body + 3);
   const [dx, dy, cos, sin] = [target[0] - x, target[1] - y, Math.cos(angle), Math.sin(angle)];
-  app.hand = { kind, body, point: [cos * dx + sin * dy, cos * dy - sin * dx], target, reach: null };
+  app.drag = { kind, body, point: [cos * dx + sin * dy, cos * dy - sin * dx], target, reach: null };
   app.player.isFollowing = true;
   app.select({ kind: "body", index: body });
   return true;
@@ -41,29 +41,29 @@ function grab(app, kind, body, projection, px, py) {
  * @param {number} px
  * @param {number} py
  */
-function moveHand(app, projection, px, py) {
-  const { hand, live, scene } = app;
-  if (hand === null || live === null || scene === null) return;
-  const target = projection.onPlane(px, py, scene.levels.bodies[hand.body]);
+function moveDrag(app, projection, px, py) {
+  const { drag, live, scene } = app;
+  if (drag === null || live === null || scene === null) return;
+  const target = projection.onPlane(px, py, scene.levels.bodies[drag.body]);
   if (target === null) return;
-  hand.target = target;
-  const { body, point } = hand;
-  if (hand.kind === "place") live.place(body, point, target);
+  drag.target = target;
+  const { body, point } = drag;
+  if (drag.kind === "place") live.place(body, point, target);
   else live.pull({ body, point, target, ...live.stiffness(body, point), force: null });
 }
 
 /** @param {App} app */
-function letGoOfHand(app) {
-  if (app.hand?.kind === "pull") app.live?.pull(null);
-  app.hand = null;
+function endDrag(app) {
+  if (app.drag?.kind === "pull") app.live?.pull(null);
+  app.drag = null;
 }
 
 /** @param {App} app @returns {Grip} */
-export function handGrip(app) {
+export function dragTool(app) {
   return {
     grab: (kind, body, projection, x, y) => grab(app, kind, body, projection, x, y),
-    move: (projection, x, y) => moveHand(app, projection, x, y),
-    letGo: () => letGoOfHand(app),
+    move: (projection, x, y) => moveDrag(app, projection, x, y),
+    letGo: () => endDrag(app),
   };
 }
 
@@ -71,13 +71,13 @@ export function handGrip(app) {
  * Arrow keys pull the selected body while they are down, or move it; page keys turn it.
  * @param {App} app
  */
-export function listenToHandKeys(app) {
+export function listenToDragKeys(app) {
   /** @type {Set<string>} */
   const down = new Set();
   document.addEventListener("keydown", (event) => {
     const { live, selected, mode } = app;
-    const isHand = mode === "place" || (mode === "pull" && event.key in ARROW_KEYS);
-    if (live === null || app.run !== live.run || selected?.kind !== "body" || !isHand) return;
+    const isDragged = mode === "place" || (mode === "pull" && event.key in ARROW_KEYS);
+    if (live === null || app.run !== live.run || selected?.kind !== "body" || !isDragged) return;
     if (keyName(event) !== event.key || !(event.key in ARROW_KEYS || event.key in TURN_KEYS)) return;
     const target = event.target instanceof HTMLElement ? event.target : document.body;
     if (document.querySelector("dialog[open]") !== null || target.id === "time" || belongsTo(target, event.key)) return;
@@ -90,8 +90,8 @@ export function listenToHandKeys(app) {
   });
   const release = (/** @type {string[]} */ keys) => {
     if (!keys.some((key) => down.delete(key)) || app.live === null) return;
-    if (app.hand?.kind === "pull" && down.size > 0) pullByKeys(app, app.live, app.hand.body, down);
-    else letGoOfHand(app);
+    if (app.drag?.kind === "pull" && down.size > 0) pullByKeys(app, app.live, app.drag.body, down);
+    else endDrag(app);
     app.touch();
   };
   document.addEventListener("keyup", (event) => release([event.key]));
@@ -125,7 +125,7 @@ function pullByKeys(app, live, body, down) {
   const reach = along.map((part) => KEY_PULL * live.size() * part);
   const hold = { body, point: [0, 0], target: [0, 0] };
   app.player.isFollowing = true;
-  app.hand = { kind: "pull", ...hold, reach };
+  app.drag = { kind: "pull", ...hold, reach };
   live.pull({ ...hold, stiffness, damping: 0, force: reach.map((part) => stiffness * part) });
 }
 

@@ -1,4 +1,4 @@
-// Fewer points, the same picture: the rules of chart/thin.rs.
+// Decimation of curves: fewer points, the same picture, by the rules of chart/decimation.rs.
 
 import { drawable } from "./numbers.js";
 
@@ -11,7 +11,7 @@ import { drawable } from "./numbers.js";
  * @param {(row: number) => number} heightOf
  * @returns {number[][]} rows
  */
-export function thinPieces(count, columnOf, heightOf) {
+export function decimate(count, columnOf, heightOf) {
   /** @type {number[][]} */
   const pieces = [];
   /** @type {number[]} */

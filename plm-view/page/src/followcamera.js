@@ -1,4 +1,4 @@
-// A live mechanism stays in view, as long as nobody has chosen another view.
+// Follow camera: keeps a live mechanism in view, as long as nobody has chosen another view.
 
 import { outlineAt } from "./solid.js";
 import { View } from "./view.js";
@@ -8,7 +8,7 @@ import { View } from "./view.js";
 /** So often, ms, it is looked at. */
 const LOOK_EVERY = 250;
 
-export class KeptInView {
+export class FollowCamera {
   /** @param {App} app */
   constructor(app) {
     this.app = app;
@@ -17,7 +17,7 @@ export class KeptInView {
     this.lookedAt = 0;
   }
 
-  /** At a start the view is chosen anew, but not under the hand that places a body. */
+  /** At a start the view is chosen anew, but not while a body is placed. */
   begin() {
     if (this.chosen !== null && this.isOwn() && this.app.mode !== "place") this.choose();
   }
@@ -38,7 +38,7 @@ export class KeptInView {
     if (this.chosen === null || now - this.lookedAt < LOOK_EVERY) return;
     this.lookedAt = now;
     if (!this.isOwn()) this.chosen = null;
-    else if (this.app.hand === null && this.isOutside()) this.choose();
+    else if (this.app.drag === null && this.isOutside()) this.choose();
   }
 
   /** Whether something of the last moment is cut off. */

@@ -1,7 +1,7 @@
-// Starts a page that holds the mechanism itself.
+// Live entry: starts a page that holds the mechanism itself.
 
 import { embeddedModule } from "./files.js";
-import { handGrip, listenToHandKeys } from "./hand.js";
+import { dragTool, listenToDragKeys } from "./drag.js";
 import { Live } from "./live.js";
 import { LivePanel } from "./livepanel.js";
 import { startPage } from "./main.js";
@@ -22,15 +22,15 @@ async function wake(app) {
     return () => {};
   }
   // A file without rows only describes the mechanism.
-  if (app.run?.rows === 0) app.shown = [];
+  if (app.run?.rows === 0) app.runViews = [];
   const live = new Live(app, head, wasm);
   app.live = live;
-  app.grip = handGrip(app);
+  app.grip = dragTool(app);
   app.tab = "live";
   app.mode = "pull";
   live.show();
   // Before the other keys: while a body is held, arrows move it.
-  listenToHandKeys(app);
+  listenToDragKeys(app);
   // Who asked for less motion begins it.
   if (!matchMedia("(prefers-reduced-motion: reduce)").matches) live.start();
   return (panel) => panel.add("live", "Live", (sheet) => new LivePanel(app, live, sheet));

@@ -1,13 +1,13 @@
-// The mechanism alive in the page: bodies are pulled and placed, by mouse and by keys.
+// A live mechanism in the page: bodies are pulled and placed, by mouse and by keys.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { nativeRows } from "../tests/support/live.js";
-import { alive, FORCE, onScreen, pose, setting, skip } from "./support/alive.js";
+import { livePage, FORCE, onScreen, pose, setting, skip } from "./support/livepage.js";
 import { drawn, settle, shot, state } from "./support/browser.js";
 
 test("a body is pulled by the mouse", { skip }, async () => {
-  const { page, errors } = await alive({ isRunning: false });
+  const { page, errors } = await livePage({ isRunning: false });
   // What it does by itself in the same time.
   const [x, y] = await onScreen(page, 1, [0.1, 0]);
   await page.mouse.move(x, y);
@@ -28,13 +28,13 @@ test("a body is pulled by the mouse", { skip }, async () => {
   await settle(page);
   assert.equal((await drawn(page, "#picture", { force: FORCE })).force, 0, "and let go");
   // The force is gone: from the same state the same as without.
-  assert.equal(await state(page, "app.hand"), null);
+  assert.equal(await state(page, "app.drag"), null);
   assert.deepEqual(errors, []);
 });
 
 test("a body is pulled by keys", { skip }, async () => {
-  const { page } = await alive({ isRunning: false });
-  await page.click("#hand-pull");
+  const { page } = await livePage({ isRunning: false });
+  await page.click("#drag-pull");
   await page.click("#live-state");
   await page.keyboard.press(".");
   assert.deepEqual(await state(page, "app.selected"), { kind: "body", index: 0 });
@@ -52,7 +52,7 @@ test("a body is pulled by keys", { skip }, async () => {
 });
 
 test("where there is no body, dragging moves the view", { skip }, async () => {
-  const { page } = await alive({ isRunning: false });
+  const { page } = await livePage({ isRunning: false });
   const before = await state(page, "app.view.target");
   await page.mouse.move(60, 120);
   await page.mouse.down();
@@ -62,11 +62,11 @@ test("where there is no body, dragging moves the view", { skip }, async () => {
 });
 
 test("a body is placed by mouse and by keys, and the joints close", { skip }, async () => {
-  const { page } = await alive();
+  const { page } = await livePage();
   await page.focus("#picture");
   await page.keyboard.press("Shift+H");
   await settle(page);
-  assert.ok(await page.isChecked("#hand-place"));
+  assert.ok(await page.isChecked("#drag-place"));
   assert.ok(!(await state(page, "app.live.isRunning")), "it pauses");
   await page.keyboard.press("Shift+D");
   await page.waitForFunction(() => window.plmPage.app.live.run.rows === 1);

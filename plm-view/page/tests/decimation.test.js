@@ -1,15 +1,15 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { thinPieces } from "../src/thin.js";
+import { decimate } from "../src/decimation.js";
 
 test("few points are all kept", () => {
   const heights = [3, 1, 2];
-  assert.deepEqual(thinPieces(3, (row) => row, (row) => heights[row]), [[0, 1, 2]]);
+  assert.deepEqual(decimate(3, (row) => row, (row) => heights[row]), [[0, 1, 2]]);
 });
 
 test("a curve breaks where it cannot be drawn", () => {
   const heights = [1, NaN, 2, 3, 1e305, 0, Infinity];
-  assert.deepEqual(thinPieces(7, (row) => row, (row) => heights[row]), [[0], [2, 3], [5]]);
+  assert.deepEqual(decimate(7, (row) => row, (row) => heights[row]), [[0], [2, 3], [5]]);
 });
 
 test("a million rows become at most four a column and keep a single spike", () => {
@@ -18,7 +18,7 @@ test("a million rows become at most four a column and keep a single spike", () =
   heights[500_500] = 99;
   heights[500_501] = -99;
   const started = performance.now();
-  const pieces = thinPieces(count, (row) => Math.floor(row / 1000), (row) => heights[row]);
+  const pieces = decimate(count, (row) => Math.floor(row / 1000), (row) => heights[row]);
   const took = performance.now() - started;
   assert.equal(pieces.length, 1);
   const rows = pieces[0];
@@ -33,7 +33,7 @@ test("every column keeps its extremes", () => {
   let seed = 12345;
   const random = () => (seed = (seed * 1103515245 + 12345) % 2147483648) / 2147483648;
   const heights = Array.from({ length: 5000 }, () => random() ** 3);
-  const [rows] = thinPieces(5000, (row) => Math.floor(row / 50), (row) => heights[row]);
+  const [rows] = decimate(5000, (row) => Math.floor(row / 50), (row) => heights[row]);
   for (let column = 0; column < 100; column++) {
     const all = heights.slice(50 * column, 50 * column + 50);
     const kept = rows.filter((row) => Math.floor(row / 50) === column).map((row) => heights[row]);
@@ -44,5 +44,5 @@ test("every column keeps its extremes", () => {
 
 test("a gap ends a column", () => {
   const heights = [1, 5, NaN, 2, 0];
-  assert.deepEqual(thinPieces(5, () => 0, (row) => heights[row]), [[0, 1], [3, 4]]);
+  assert.deepEqual(decimate(5, () => 0, (row) => heights[row]), [[0, 1], [3, 4]]);
 });
