@@ -20,7 +20,8 @@ use std::fs;
 use std::path::PathBuf;
 
 use figures::{
-    Figure, Page, brief, dead, dyads, extremes, flat, indices, long, near, stiff, theory, waiting,
+    Figure, Page, dead, dyads, extremes, flat, indices, long, near_singular, short_events, stiff, theory,
+    waiting,
 };
 use plm::Fault;
 use plm::view::{Arguments, Known};
