@@ -21,14 +21,14 @@ pub(crate) enum AnySim<M: Mechanism + Linear + System<S = f64>> {
     Ros34Pw2(Sim<M, Ros34Pw2<f64>>),
 }
 
-/// What is done with a run, whatever its method.
+/// Work on a run, whatever its method.
 pub(crate) trait OnSim<M: Mechanism> {
     type Output;
 
     fn on<I: Method<M>>(self, sim: &mut Sim<M, I>) -> Self::Output;
 }
 
-/// The same of whichever it is.
+/// Evaluates an expression on the run, whichever method it has.
 macro_rules! each {
     ($any:expr, $sim:ident => $value:expr) => {
         match $any {

@@ -1,6 +1,6 @@
 //! Decimation of curves: fewer points, the same picture.
 
-/// Whether a number can stand on an axis. The bound keeps differences of such numbers finite.
+/// True if a number can stand on an axis. The bound keeps differences of such numbers finite.
 pub(super) fn drawable(number: f64) -> bool {
     number.abs() < 1e300
 }

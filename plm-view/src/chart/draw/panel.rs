@@ -40,7 +40,7 @@ impl<'a> Plot<'a> {
         self.y.place(y, self.frame.bottom, self.frame.top)
     }
 
-    /// Whether a line of reference has a place in the frame.
+    /// True if a line of reference has a place in the frame.
     pub(super) fn shows(&self, at: At) -> bool {
         match at {
             At::X(x) => self.x.holds(x),
