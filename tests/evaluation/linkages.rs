@@ -1,4 +1,4 @@
-//! Random four-bars and slider-cranks in formulation 3 and in formulation 5: no chart, no sign may take another motion.
+//! Random four-bars and slider-cranks in joint and in absolute coordinates: no chart, no sign may take another motion.
 
 use plm::Dop853;
 

@@ -4,7 +4,7 @@ use plm::runtime::charts::{Charted, OfLoops};
 use plm::runtime::{Absolute, Vector};
 use plm::{BodyState, Dop853, Mechanism, Moment, System};
 
-/// A mechanism in the formulation that is taken, and in formulation 5.
+/// A mechanism in the formulation that is taken, and in absolute coordinates.
 macro_rules! on_both {
     ($test:ident, [$($body:ident),+], [$($output:ident),*], { $($item:tt)* }) => {
         mod $test {
@@ -29,7 +29,7 @@ macro_rules! on_both {
                 let q: Vec<f64> = [$(state.$body()),+].iter().flat_map(|body| [body.x, body.y, body.angle]).collect();
                 let phi = absolute.phi(state.time(), q.as_slice().try_into().unwrap());
                 assert!(phi.iter().all(|gap| gap.abs() < 64.0 * f64::EPSILON * 4.0), "{step}: {phi:?}");
-                // At one state, accelerations by a difference quotient against those of formulation 5.
+                // At one state, accelerations by a difference quotient against those in absolute coordinates.
                 let x: Vec<f64> = absolute_state(&[$(state.$body()),+]);
                 let at = x.as_slice().try_into().unwrap();
                 let mut expected = *reference.x();
@@ -64,7 +64,7 @@ macro_rules! on_both {
 
 pub(crate) use on_both;
 
-/// `[q, v]` of the bodies: the state in formulation 5 of a scene without first-order states.
+/// `[q, v]` of the bodies: the state in absolute coordinates of a scene without first-order states.
 pub(crate) fn absolute_state(bodies: &[BodyState<f64>]) -> Vec<f64> {
     let poses = bodies.iter().flat_map(|body| [body.x, body.y, body.angle]);
     let speeds = bodies.iter().flat_map(|body| [body.vx, body.vy, body.omega]);
@@ -266,7 +266,7 @@ on_both!(a_driven_four_bar_with_a_flail, [crank, coupler, rocker, flail], [drive
     output drive.force;
 });
 
-/// Formulation 1: nothing is left to integrate, and loops are followed through the time alone.
+/// Kinematics: nothing is left to integrate, and loops are followed through the time alone.
 mod driven {
     plm::mechanism! {
         pub CrankRocker {
@@ -308,8 +308,8 @@ fn what_is_driven_altogether_has_no_state() {
     close("rocker", values(fixed.rocker()), values(sim.rocker()), 1e-14);
 }
 
-/// The largest difference of the second derivatives of a chart's coordinates in formulation 3 from those that follow from formulation 5 at
-/// the same pose, over the largest of them; along a run.
+/// Largest difference of the second derivatives of a chart's coordinates from those by absolute coordinates at the same pose,
+/// over the largest of them; along a run.
 ///
 /// With `y' = P(q) v` of the chart, `y'' = P a + P' v`; the second term, which angles do not have, by a difference quotient.
 fn accelerations_apart<L, A, const N: usize>(least: L, absolute: A) -> f64

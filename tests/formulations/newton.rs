@@ -1,4 +1,4 @@
-//! Loops that do not split, by Newton's iteration: against formulation 5, and where the iteration could fail.
+//! Loops that do not split, by Newton's iteration: against absolute coordinates, and where the iteration could fail.
 
 use plm::runtime::Absolute;
 use plm::{Dop853, Moment, Rk4, System};
@@ -48,7 +48,7 @@ on_both!(plate_on_three_pins, [crank_0, crank_1, crank_2, plate], [slot_2_force]
     output slot[2].force;
 });
 
-// The same in formulation 1: nothing is left to integrate.
+// Without freedom: nothing is left to integrate.
 on_both!(plate_on_driven_pins, [crank_0, crank_1, crank_2, plate], [slot_1_force], {
     gravity: 9.81 m/s^2;
     ground { port a: (0, 0) m; port b: (1, 0) m; port c: (0.5, 0.9) m; }

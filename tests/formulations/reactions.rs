@@ -1,4 +1,4 @@
-//! Reactions of trees by the backward pass, against those that formulation 5 finds with all equations at once.
+//! Reactions of trees by the backward pass, against those that absolute coordinates find with all equations at once.
 
 use plm::{Mechanism, Moment};
 use plm_compiler::compile;
@@ -7,8 +7,8 @@ use plm_compiler::token::Sources;
 use super::formulations::absolute_state;
 use crate::random::Random;
 
-/// A tree in formulation 2 and in formulation 5: the outputs agree to 1e-12 of the largest one in random states of formulation 2. The code of
-/// formulation 2 holds the backward pass, and not the equations of formulation 5.
+/// A tree in joint and in absolute coordinates: the outputs agree to 1e-12 of the largest one in random states. The code of
+/// joint coordinates holds the backward pass, and not the equations of absolute ones.
 macro_rules! like_absolute_coordinates {
     ($test:ident, [$($body:ident),+], { $($item:tt)* }) => {
         mod $test {

@@ -5,7 +5,7 @@ use plm::{Dop853, Moment, System};
 
 use super::formulations::{absolute_state, close, on_both, values};
 
-/// A mechanism with redundant rows in the formulation that is taken, with so many numbers in its state, and in formulation 5.
+/// A mechanism with redundant rows in the formulation that is taken, with so many numbers in its state, and in absolute coordinates.
 macro_rules! moves_alike {
     ($test:ident, $states:literal, [$($body:ident),+], { $($item:tt)* }) => {
         mod $test {

@@ -66,7 +66,7 @@ fn arguments(signature: &TokenStream) -> Vec<String> {
     named.collect_vec()
 }
 
-/// The equations of motion of formulation 5, and what the rank-revealing fallback needs.
+/// The equations of motion in absolute coordinates, and what the rank-revealing fallback needs.
 pub(super) fn dynamics(emission: &Emission) -> TokenStream {
     let Emission { name, program, sizes: Sizes { nq, nc, nx, full, .. }, .. } = emission;
     if emission.reactions().is_some() {

@@ -59,7 +59,7 @@ pub(crate) struct Emission<'a> {
 /// Form of the state.
 #[derive(Clone, Copy)]
 enum Form<'a> {
-    /// Coordinates of all bodies: formulation 5.
+    /// Absolute coordinates of all bodies.
     Absolute,
     /// Joint coordinates of a tree.
     Tree(&'a Chart),
@@ -266,7 +266,7 @@ impl Emission<'_> {
         [declared.map(|memory| quote!(m: &#memory,)), self.loops().map(|_| quote!(m,))]
     }
 
-    /// Accelerations and multipliers of a tree; where there are none, formulation 5 gives them.
+    /// Accelerations and multipliers of a tree; where there are none, absolute coordinates give them.
     fn reactions(&self) -> Option<&Function> {
         match self.form {
             Form::Tree(chart) => chart.reactions.as_ref(),

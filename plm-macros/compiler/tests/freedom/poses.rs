@@ -41,7 +41,7 @@ fn a_parallelogram_has_one_freedom_wherever_it_starts() {
     }
 }
 
-/// A third crank of the same length says nothing new: its loop has one unknown and two rows. Formulation 5 is not needed for that.
+/// A third crank of the same length says nothing new: its loop has one unknown and two rows. Absolute coordinates are not needed for that.
 #[test]
 fn a_third_parallel_crank_takes_no_freedom() {
     let (sin, cos) = 40_f64.to_radians().sin_cos();

@@ -115,7 +115,7 @@ fn names_in_charts(emission: &Emission) -> TokenStream {
     }
 }
 
-/// The rate of formulation 5 where elimination is unhealthy.
+/// The rate in absolute coordinates where elimination is unhealthy.
 fn by_rank(emission: &Emission) -> TokenStream {
     let Sizes { nq, nx, length, .. } = &emission.sizes;
     let first_order = (!emission.equations.x.is_empty()).then(|| {
@@ -166,7 +166,7 @@ fn in_charts(emission: &Emission) -> TokenStream {
     }
 }
 
-/// How the constraints of formulation 5 are kept.
+/// Stabilisation of the constraints in absolute coordinates.
 fn stabilisation(emission: &Emission) -> TokenStream {
     let Sizes { length, .. } = &emission.sizes;
     match emission.model.stabilisation {

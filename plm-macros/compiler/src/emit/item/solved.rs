@@ -36,7 +36,7 @@ fn of_tree(emission: &Emission) -> TokenStream {
     }
 }
 
-/// By formulation 5, and by rank where elimination is unhealthy.
+/// By absolute coordinates, and by rank where elimination is unhealthy.
 fn of_absolute(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { nq, nc, full, .. }, .. } = emission;
     // Forces that read the unknowns are known for independent constraints alone.

@@ -59,7 +59,7 @@ pub(crate) fn whole_state(emission: &Emission, state: &TokenStream) -> TokenStre
     }}
 }
 
-/// The state in coordinates of all bodies, which formulation 5 gives the reactions of loops at, and equilibria and starts are told in.
+/// The state in absolute coordinates, where reactions of loops, equilibria and starts are computed.
 pub(crate) fn pose(emission: &Emission) -> TokenStream {
     let Sizes { nq, nx, full, second_order, .. } = &emission.sizes;
     let pose = match emission.form {

@@ -1,4 +1,4 @@
-//! Formulations 2 to 4: joint coordinates. A tree needs nothing else; the loops of other mechanisms are solved in closed form,
+//! Joint coordinates: formulations 1 to 4. A tree needs nothing else; the loops of other mechanisms are solved in closed form,
 //! dyad by dyad, or by Newton's iteration where they do not split, so that no constraint is left that could drift.
 
 mod bodies;
@@ -65,7 +65,7 @@ impl Reduced {
         self.charts.first().map_or(0, |chart| chart.y.len())
     }
 
-    /// Is it formulation 3 or 4?
+    /// True for joint coordinates with loops.
     pub(crate) fn has_loops(&self) -> bool {
         !self.memory.is_empty()
     }
@@ -80,7 +80,7 @@ impl Reduced {
         self.charts.iter().all(|chart| chart.jacobian.is_some())
     }
 
-    /// Is it formulation 4?
+    /// True if loops are solved by Newton's iteration.
     pub(crate) fn iterates(&self) -> bool {
         !self.followed.is_empty()
     }
@@ -143,10 +143,10 @@ struct Form {
     rate: Function,
 }
 
-/// Lays out formulation 1, 2 or 3.
+/// Lays out a formulation in joint coordinates.
 ///
 /// # Errors
-/// Why the mechanism has neither: words that go on "formulation 5 because …".
+/// Why the mechanism has neither: words that go on "absolute coordinates because …".
 pub(crate) fn formulate(model: &Model, equations: &Equations, known: Known) -> Result<Reduced, String> {
     let coordinates = Coordinates::new(model)?;
     let schemes = schemes(model, equations, &coordinates, known)?;

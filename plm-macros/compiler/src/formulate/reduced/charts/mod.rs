@@ -46,7 +46,7 @@ impl Scheme {
 /// The charts of a mechanism, the best first; a tree has one, of all its unknowns.
 ///
 /// # Errors
-/// Why there is none: words that go on "formulation 5 because …".
+/// Why there is none: words that go on "absolute coordinates because …".
 pub(crate) fn schemes(model: &Model, coordinates: &Coordinates) -> Result<Vec<Scheme>, String> {
     let n = coordinates.unknowns.len();
     if let (Some((Formulation::Tree, _)), Some(&chord)) = (model.formulation, coordinates.chords.first()) {

@@ -123,7 +123,7 @@ impl Coordinates {
     /// The coordinates of a mechanism that is made of pairs.
     ///
     /// # Errors
-    /// Why this mechanism has none: words that go on "formulation 5 because …".
+    /// Why this mechanism has none: words that go on "absolute coordinates because …".
     pub(crate) fn new(model: &Model) -> Result<Coordinates, String> {
         let joints = joints(model)?;
         let node = |frame: FrameRef| frame.body.map_or(0, |body| body + 1);
@@ -287,8 +287,8 @@ impl Coordinates {
     }
 }
 
-/// Sets of bodies that never turn against each other, each with one orientation, numbered in the order of `order`, and each body's angle in its
-/// orientation: zero for the first one. Orientation 0 is the ground.
+/// Absolute angles of all bodies. Bodies that never turn against each other share an orientation; orientations are numbered in
+/// the order of `order`, 0 being the ground. The offset of the first body of each is zero.
 ///
 /// # Errors
 /// When joints fix an angle twice and nothing says that they agree.
