@@ -150,7 +150,7 @@ mod tests {
     use super::*;
 
     fn all() -> Vec<(&'static str, &'static str)> {
-        [MODULES, LIVE, ALIVE, SERVED, RESULTS].concat()
+        [MODULES, LIVE, LIVE_ENTRY, SERVED, RESULTS].concat()
     }
 
     #[test]
