@@ -57,7 +57,7 @@ mod plm_bouncer_ {
             pub clock: BodyStart<S>,
         }
 
-        /// What assembly found.
+        /// Result of assembly.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
@@ -67,7 +67,7 @@ mod plm_bouncer_ {
             pub push: S,
         }
 
-        /// What is held over a step.
+        /// Discrete state: constant during a step.
         type Held<S> = rt::Held<Input<S>, [S; 4], [<S as Scalar>::Turns; 0], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.

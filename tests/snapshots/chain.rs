@@ -65,7 +65,7 @@ mod plm_chain_ {
             pub bar_4: BodyStart<S>,
         }
 
-        /// What assembly found.
+        /// Result of assembly.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
@@ -75,7 +75,7 @@ mod plm_chain_ {
             pub none: core::marker::PhantomData<S>,
         }
 
-        /// What is held over a step.
+        /// Discrete state: constant during a step.
         type Held<S> = rt::Held<Input<S>, [S; 0], [<S as Scalar>::Turns; 5], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
@@ -539,7 +539,7 @@ mod plm_chain_ {
                 (q, v)
             }
 
-            /// The same with all turns of the angles.
+            /// Poses and velocities with all revolutions of the angles.
             fn whole_(&self) -> ([S; 15], [S; 15]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[2], &[5], &[8], &[11], &[14]]);

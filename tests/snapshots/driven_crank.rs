@@ -61,7 +61,7 @@ mod plm_driven_crank_ {
             pub slider: BodyStart<S>,
         }
 
-        /// What assembly found.
+        /// Result of assembly.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
@@ -71,7 +71,7 @@ mod plm_driven_crank_ {
             pub none: core::marker::PhantomData<S>,
         }
 
-        /// What is held over a step.
+        /// Discrete state: constant during a step.
         type Held<S> = rt::Held<
             Input<S>,
             [S; 0],
@@ -536,7 +536,7 @@ mod plm_driven_crank_ {
                 rt::charts::pose(&self.mechanism, self.time, &self.held, &self.x)
             }
 
-            /// The same with all turns of the angles.
+            /// Poses and velocities with all revolutions of the angles.
             fn whole_(&self) -> ([S; 9], [S; 9]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[5]]);

@@ -64,7 +64,7 @@ mod plm_plate_on_three_pins_ {
             pub plate: BodyStart<S>,
         }
 
-        /// What assembly found.
+        /// Result of assembly.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
@@ -74,7 +74,7 @@ mod plm_plate_on_three_pins_ {
             pub none: core::marker::PhantomData<S>,
         }
 
-        /// What is held over a step.
+        /// Discrete state: constant during a step.
         type Held<S> = rt::Held<
             Input<S>,
             [S; 0],
@@ -536,7 +536,7 @@ mod plm_plate_on_three_pins_ {
         }
 
         impl<S: Scalar> PlateOnThreePins<S> {
-            /// What the rates of two stages need of their poses. Compilers begin to build vectors where results are stored: a
+            /// Values of the poses of two stages that their rates share. Compilers begin to build vectors where results are stored: a
             /// function of its own.
             #[inline(never)]
             fn of_two_poses(m: &rt::charts::Memory<S, 0, 4, 1, 4>, t: Two<S>) -> [Two<S>; 1] {
@@ -947,7 +947,7 @@ mod plm_plate_on_three_pins_ {
                 rt::charts::pose(&self.mechanism, self.time, &self.held, &self.x)
             }
 
-            /// The same with all turns of the angles.
+            /// Poses and velocities with all revolutions of the angles.
             fn whole_(&self) -> ([S; 12], [S; 12]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[11]]);

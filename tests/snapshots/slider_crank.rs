@@ -57,7 +57,7 @@ mod plm_slider_crank_ {
             pub slider: BodyStart<S>,
         }
 
-        /// What assembly found.
+        /// Result of assembly.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
@@ -67,7 +67,7 @@ mod plm_slider_crank_ {
             pub none: core::marker::PhantomData<S>,
         }
 
-        /// What is held over a step.
+        /// Discrete state: constant during a step.
         type Held<S> = rt::Held<Input<S>, [S; 0], [<S as Scalar>::Turns; 2], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
@@ -491,7 +491,7 @@ mod plm_slider_crank_ {
                 absolute::split(&self.x)
             }
 
-            /// The same with all turns of the angles.
+            /// Poses and velocities with all revolutions of the angles.
             fn whole_(&self) -> ([S; 9], [S; 9]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[2], &[5]]);
