@@ -41,7 +41,7 @@ function grab(app, kind, body, projection, px, py) {
  * @param {number} px
  * @param {number} py
  */
-function moveDrag(app, projection, px, py) {
+function moveBody(app, projection, px, py) {
   const { drag, live, scene } = app;
   if (drag === null || live === null || scene === null) return;
   const target = projection.onPlane(px, py, scene.levels.bodies[drag.body]);
@@ -53,7 +53,7 @@ function moveDrag(app, projection, px, py) {
 }
 
 /** @param {App} app */
-function endDrag(app) {
+function releaseBody(app) {
   if (app.drag?.kind === "pull") app.live?.pull(null);
   app.drag = null;
 }
@@ -62,8 +62,8 @@ function endDrag(app) {
 export function dragTool(app) {
   return {
     grab: (kind, body, projection, x, y) => grab(app, kind, body, projection, x, y),
-    move: (projection, x, y) => moveDrag(app, projection, x, y),
-    letGo: () => endDrag(app),
+    move: (projection, x, y) => moveBody(app, projection, x, y),
+    letGo: () => releaseBody(app),
   };
 }
 
@@ -91,7 +91,7 @@ export function listenToDragKeys(app) {
   const release = (/** @type {string[]} */ keys) => {
     if (!keys.some((key) => down.delete(key)) || app.live === null) return;
     if (app.drag?.kind === "pull" && down.size > 0) pullByKeys(app, app.live, app.drag.body, down);
-    else endDrag(app);
+    else releaseBody(app);
     app.touch();
   };
   document.addEventListener("keyup", (event) => release([event.key]));
