@@ -64,7 +64,7 @@ impl Neg for F64x8 {
     }
 }
 
-/// What `f64` has no vector instruction for is computed lane by lane.
+/// Functions for which `f64` has no vector instruction are computed lane by lane.
 macro_rules! one_by_one {
     ($($name:ident),+) => {
         $(fn $name(self) -> Self {

@@ -9,9 +9,9 @@ use plm_runtime::described::by_number::{self, SizeNames};
 use plm_runtime::described::pulls::{WithPulls, pull_input};
 use plm_runtime::{Cause, Described, Fault, Mechanism, Moment, Sim, Start, StartValues, Statics};
 
-/// Why nothing moves.
+/// The error for which a live run stands still.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Trouble {
+pub struct Error {
     /// The time, s.
     pub time: f64,
     /// The part that is to blame; empty where no single one is.
@@ -30,7 +30,7 @@ pub struct Live<M: Mechanism> {
     declared: M,
     mechanism: M,
     sim: Option<Sim<M>>,
-    trouble: Option<Trouble>,
+    error: Option<Error>,
     numbers: Vec<f64>,
     shape: Vec<f64>,
 }
@@ -48,7 +48,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
             declared: mechanism,
             mechanism,
             sim: None,
-            trouble: None,
+            error: None,
             numbers: Vec::new(),
             shape: Vec::new(),
         };
@@ -114,8 +114,8 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     }
 
     /// Why nothing moves, if something is wrong.
-    pub fn trouble(&self) -> Option<&Trouble> {
-        self.trouble.as_ref()
+    pub fn error(&self) -> Option<&Error> {
+        self.error.as_ref()
     }
 
     /// The time (s), the poses and velocities of the bodies (x, y, angle, vx, vy, omega), the ports of the ground (x, y, angle)
@@ -142,7 +142,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         self.numbers.resize(1 + bodies + ground + M::OBSERVED.len(), f64::NAN);
     }
 
-    /// What parameters change of a picture, SI: of each body mass, moment of inertia, depth, place and angle of each port, the
+    /// Numbers of a picture that parameters change, SI: of each body mass, moment of inertia, depth, place and angle of each port, the
     /// number of points of its contour, and these; of each port of the ground x, y and angle at time 0, and depth; the sizes of
     /// [`size_names`](Self::size_names), 0 where none was given.
     pub fn shape(&mut self) -> &[f64] {
@@ -162,7 +162,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     }
 
     /// Sets a parameter, SI, and the starts that are made of it. The next step of a run goes on with it; whether it can be
-    /// assembled so where it is, [`trouble`](Self::trouble) says at once.
+    /// assembled so where it is, [`error`](Self::error) says at once.
     pub fn set_parameter(&mut self, index: usize, value: f64) {
         by_number::set_parameter(&mut self.mechanism, index, value);
         let Some(before) = self.sim else { return };
@@ -202,7 +202,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     }
 
     /// Begins again with a body near a pose of its centre of gravity (m, m, rad), all others near where they are, at rest, and
-    /// the joints closed by the shortest way. Where they do not close nothing changes, and [`trouble`](Self::trouble) says
+    /// the joints closed by the shortest way. Where they do not close nothing changes, and [`error`](Self::error) says
     /// which stays open.
     pub fn place(&mut self, body: usize, [x, y, angle]: [f64; 3]) -> bool {
         let before = self.mechanism;
@@ -250,17 +250,17 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         if self.sim.is_none() { Vec::new() } else { (0..M::INPUTS.len()).map(|k| self.input(k)).collect() }
     }
 
-    /// What came out, or why nothing did.
+    /// Keeps the result, or the error.
     fn keep<T>(&mut self, outcome: Result<T, Fault>) -> Option<T> {
         match outcome {
             Ok(value) => {
-                self.trouble = None;
+                self.error = None;
                 Some(value)
             }
             Err(fault) => {
                 let gap = if let Cause::Open { gap } = fault.cause { gap } else { f64::NAN };
                 let (time, part, text) = (fault.time, fault.part.to_owned(), fault.cause.to_string());
-                self.trouble = Some(Trouble { time, part, gap, text });
+                self.error = Some(Error { time, part, gap, text });
                 None
             }
         }

@@ -6,7 +6,7 @@ use std::vec::Vec;
 
 use plm_runtime::{Scalar, Start, StartValues};
 
-/// What is wrong with a text of start values.
+/// Error of a text of start values.
 ///
 /// Its `Debug` reads like its `Display`, since a `main` that returns it shows that one.
 #[derive(Clone, PartialEq, Eq)]
@@ -23,7 +23,7 @@ pub enum StartProblem {
     Line {
         /// The line, from 1.
         line: usize,
-        /// What it says.
+        /// The message.
         text: String,
     },
     /// The mechanism has no start value of this name.

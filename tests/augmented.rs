@@ -48,7 +48,7 @@ mod mill {
     plm::mechanism! {
         pub Mill {
             gravity: 9.81 m/s^2;
-            rung: absolute;
+            formulation: absolute;
             ground { port o: (0, 0) m; port p: (1.5 m, 0.02 m*sin(5 rad/s*t)); port rail: (2, 0.4) m, angle: 10 deg; }
             body crank { mass: 1 kg; inertia: 0.02 kg*m^2; port a: (-0.2, 0) m; port b: (0.2, 0) m; start angle: 60 deg, locked; start omega: 4 rad/s, locked; }
             body rod { mass: 2 kg; inertia: 0.2 kg*m^2; port a: (-0.6, 0) m; port b: (0.6, 0) m; port c: (0.1, 0.3) m; }

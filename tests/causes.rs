@@ -7,11 +7,11 @@ use plm::{Cause, Fault};
 
 /// Three parallel cranks of 0.5 m with a bar of 2 m, the third longer by `off`.
 macro_rules! cranks {
-    ($module:ident, { $($rung:tt)* }) => {
+    ($module:ident, { $($formulation:tt)* }) => {
         mod $module {
             plm::mechanism! {
                 pub Cranks {
-                    $($rung)*
+                    $($formulation)*
                     gravity: 9.81 m/s^2;
                     param off: m = 0 m;
                     ground { port a: (0, 0) m; port b: (1, 0) m; port c: (2, 0) m; }
@@ -31,7 +31,7 @@ macro_rules! cranks {
     };
 }
 cranks!(in_joints, {});
-cranks!(absolute, { rung: absolute; });
+cranks!(absolute, { formulation: absolute; });
 
 /// The third crank is longer by so much: at the start where that opens the joints by more than closes them, else on the way.
 #[test]

@@ -171,11 +171,11 @@ found!(choices_within_choices_are_found, nested, 20_261_106);
 
 /// A ball that must stay above the ground, and one that is blown back while it is below.
 macro_rules! ball {
-    ($module:ident, $($rung:tt)*) => {
+    ($module:ident, $($formulation:tt)*) => {
         mod $module {
             plm::mechanism! {
                 pub Ball {
-                    $($rung)*
+                    $($formulation)*
                     allow(W0002);
                     param drag: N*s/m = 0.1 N*s/m;
                     param level: m = 0;
@@ -189,7 +189,7 @@ macro_rules! ball {
     };
 }
 ball!(ball,);
-ball!(ball_absolute, rung: absolute;);
+ball!(ball_absolute, formulation: absolute;);
 
 /// What a requirement has ended begins again where it ended, in any direction, and says at once what is wrong with it.
 macro_rules! begins_again {

@@ -21,11 +21,11 @@ impl Random {
 
 /// A wheel that follows a drive which turns freely, by a row of the drive's angle.
 macro_rules! follower {
-    ($module:ident, { $($rung:tt)* }, { $($row:tt)* }) => {
+    ($module:ident, { $($formulation:tt)* }, { $($row:tt)* }) => {
         mod $module {
             plm::mechanism! {
                 pub Follower {
-                    $($rung)*
+                    $($formulation)*
                     allow(W0007);
                     param gain: 1 = 0.5;
                     param from: rad = 0;
@@ -41,9 +41,9 @@ macro_rules! follower {
     };
 }
 follower!(geared, {}, { wheel.angle = gain * atan2(sin(drive.angle - from), cos(drive.angle - from)) });
-follower!(geared_absolute, { rung: absolute; }, { wheel.angle = gain*atan2(sin(drive.angle - from), cos(drive.angle - from)) });
+follower!(geared_absolute, { formulation: absolute; }, { wheel.angle = gain*atan2(sin(drive.angle - from), cos(drive.angle - from)) });
 follower!(turned, {}, { wheel.angle = atan2(sin(drive.angle - from), cos(drive.angle - from)) });
-follower!(turned_absolute, { rung: absolute; }, { wheel.angle = atan2(sin(drive.angle - from), cos(drive.angle - from)) });
+follower!(turned_absolute, { formulation: absolute; }, { wheel.angle = atan2(sin(drive.angle - from), cos(drive.angle - from)) });
 follower!(seen, {}, { wheel.angle = gain*1 rad*sin(2*atan2(sin(drive.angle - from), cos(drive.angle - from))) });
 
 macro_rules! start {

@@ -22,7 +22,7 @@ stepped!(welded, {
     weld foot(ground.o, arm.o);
 });
 stepped!(welded_absolute, {
-    rung: absolute;
+    formulation: absolute;
     ground { port o: (0, 0) m; }
     body arm { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (-1, 0) m; }
     weld foot(ground.o, arm.o);
@@ -57,7 +57,7 @@ stepped!(one_state, {
     output lag;
 });
 stepped!(nothing_at_all, {
-    rung: absolute;
+    formulation: absolute;
     body stone { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; }
 });
 

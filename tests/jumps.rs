@@ -26,7 +26,7 @@ macro_rules! cart {
         mod $absolute {
             plm::mechanism! {
                 pub Cart {
-                    rung: absolute;
+                    formulation: absolute;
                     allow(W0007);
                     param from: s = 1 s;
                     param speed: m/s = 0;
@@ -182,11 +182,11 @@ fn two_points_are_joined_by_the_motion_of_least_jerk() {
 
 /// A Geneva wheel: locked, then led by the pin in its slot, then locked; the crank turns freely.
 macro_rules! geneva {
-    ($module:ident, { $($rung:tt)* }, { $($index:tt)* }) => {
+    ($module:ident, { $($formulation:tt)* }, { $($index:tt)* }) => {
         mod $module {
             plm::mechanism! {
                 pub Geneva {
-                    $($rung)*
+                    $($formulation)*
                     allow(W0007);
                     param c: m = 0.1 m;
                     let r = c*sin(45 deg);
@@ -203,13 +203,13 @@ macro_rules! geneva {
 }
 
 geneva!(geneva_free, {}, { if crank.angle < -45 deg then 45 deg else if crank.angle > 45 deg then -45 deg else -atan2(r*sin(crank.angle), c - r*cos(crank.angle)) });
-geneva!(geneva_absolute, { rung: absolute; }, { if crank.angle < -45 deg then 45 deg else if crank.angle > 45 deg then -45 deg else -atan2(r*sin(crank.angle), c - r*cos(crank.angle)) });
+geneva!(geneva_absolute, { formulation: absolute; }, { if crank.angle < -45 deg then 45 deg else if crank.angle > 45 deg then -45 deg else -atan2(r*sin(crank.angle), c - r*cos(crank.angle)) });
 geneva!(clamped, {}, { -max(crank.angle, 0)*max(crank.angle, 0)/1 rad });
-geneva!(clamped_absolute, { rung: absolute; }, { -max(crank.angle, 0)*max(crank.angle, 0)/1 rad });
+geneva!(clamped_absolute, { formulation: absolute; }, { -max(crank.angle, 0)*max(crank.angle, 0)/1 rad });
 geneva!(broken, {}, { if crank.angle < 0.5 rad then 0 deg else crank.angle });
-geneva!(broken_absolute, { rung: absolute; }, { if crank.angle < 0.5 rad then 0 deg else crank.angle });
+geneva!(broken_absolute, { formulation: absolute; }, { if crank.angle < 0.5 rad then 0 deg else crank.angle });
 geneva!(folded, {}, { abs(crank.angle) });
-geneva!(folded_absolute, { rung: absolute; }, { abs(crank.angle) });
+geneva!(folded_absolute, { formulation: absolute; }, { abs(crank.angle) });
 
 macro_rules! keeps_energy {
     ($name:ident, $module:ident, $switches:expr) => {
@@ -296,7 +296,7 @@ mod linkage {
 mod linkage_absolute {
     plm::mechanism! {
         pub Led {
-            rung: absolute;
+            formulation: absolute;
             gravity: 9.81 m/s^2;
             ground { port a: (0, 0) m; port d: (1.5, 0) m; }
             body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5, 0) m; start angle: 60 deg; }

@@ -110,12 +110,12 @@ fn what_cannot_be_assembled_says_which_joint_stays_open_and_is_mended() {
     let mut live = Live::new(FourBar::new());
     live.set_parameter(0, 3.0);
     assert!(!live.restart());
-    let trouble = live.trouble().unwrap().clone();
-    assert!(!trouble.part.is_empty() && !trouble.text.is_empty(), "{trouble:?}");
+    let error = live.error().unwrap().clone();
+    assert!(!error.part.is_empty() && !error.text.is_empty(), "{error:?}");
     assert!(!live.step(0.1));
     assert_eq!(live.read().len(), 1 + 18 + 6 + <FourBar>::OBSERVED.len());
     live.set_parameter(0, 0.8);
-    assert!(live.restart() && live.trouble().is_none());
+    assert!(live.restart() && live.error().is_none());
     assert!(live.step(0.1));
     assert_eq!(live.parameter(0), 0.8);
     assert!(live.reset());
@@ -128,7 +128,7 @@ fn a_parameter_is_turned_while_it_runs() {
     let mut live = Live::new(FourBar::new());
     assert!(live.step(0.2));
     live.set_parameter(0, 0.85);
-    assert!(live.step(0.01), "{:?}", live.trouble());
+    assert!(live.step(0.01), "{:?}", live.error());
     let n = live.read().to_vec();
     let (cx, cy, ca) = (n[7], n[8], n[9]);
     // From G of the coupler, (0.4, 0.1) from its first pivot, to the second, and from the rocker's G.
@@ -153,7 +153,7 @@ fn a_body_is_placed_by_hand_and_the_joints_close() {
     let gap = n[1..19].iter().zip(&live.read()[1..19]).fold(0.0_f64, |gap, (a, b)| gap.max((a - b).abs()));
     assert!(gap < 1e-9, "{gap:e}");
     // Far out nothing closes; all stays as it was.
-    assert!(!live.place(1, [1e3, 1e3, 0.0]) || live.trouble().is_none());
+    assert!(!live.place(1, [1e3, 1e3, 0.0]) || live.error().is_none());
 }
 
 #[test]

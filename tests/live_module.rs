@@ -76,8 +76,8 @@ fn native() -> String {
     }
     live.set_parameter(0, 9.0);
     assert!(!live.restart());
-    let trouble = live.trouble().unwrap();
-    text + &format!("{}\n{}\n{}\n{}\n", trouble.time, trouble.part, trouble.gap, trouble.text)
+    let error = live.error().unwrap();
+    text + &format!("{}\n{}\n{}\n{}\n", error.time, error.part, error.gap, error.text)
 }
 
 /// What a results file would say of the mechanism, and the native run, for the tests of the live page

@@ -102,10 +102,10 @@ macro_rules! goes_on {
                 steps += 1;
             }
             if steps == 0 {
-                let trouble = live.trouble().unwrap().clone();
+                let error = live.error().unwrap().clone();
                 assert!(
-                    trouble.gap > 1e-3 || trouble.gap.is_nan() && !trouble.text.contains("not a number"),
-                    "{trouble:?}"
+                    error.gap > 1e-3 || error.gap.is_nan() && !error.text.contains("not a number"),
+                    "{error:?}"
                 );
                 assert_eq!(live.read(), now, "nothing has changed");
             }
@@ -115,10 +115,10 @@ macro_rules! goes_on {
                     live.step(0.01),
                     "{}, {tries}: {steps} steps, {step} steps after: {:?}",
                     stringify!($name),
-                    live.trouble()
+                    live.error()
                 );
             }
-            assert!(live.trouble().is_none() && live.read().iter().all(|number| number.is_finite()));
+            assert!(live.error().is_none() && live.read().iter().all(|number| number.is_finite()));
         }
     };
 }
@@ -147,16 +147,16 @@ fn a_rod_that_is_too_short_is_told_at_its_joint() {
     let now = live.read().to_vec();
     live.set_parameter(0, 0.08);
     // At once, before any step.
-    assert_eq!(live.trouble().unwrap().part, "small_end");
+    assert_eq!(live.error().unwrap().part, "small_end");
     for _ in 0..3 {
         assert!(!live.step(0.01));
-        let trouble = live.trouble().unwrap();
-        assert_eq!(trouble.part, "small_end");
-        assert!((trouble.gap - 0.02).abs() < 1e-6, "{trouble:?}");
+        let error = live.error().unwrap();
+        assert_eq!(error.part, "small_end");
+        assert!((error.gap - 0.02).abs() < 1e-6, "{error:?}");
         assert_eq!(live.read(), now);
     }
     live.set_parameter(0, 0.35);
-    assert!(live.trouble().is_none());
+    assert!(live.error().is_none());
     for _ in 0..20 {
         assert!(live.step(0.01) && undisturbed.step(0.01));
         assert_eq!(live.read(), undisturbed.read());

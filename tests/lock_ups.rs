@@ -45,11 +45,11 @@ where
 }
 
 macro_rules! linkages {
-    ($module:ident, $rung:ident) => {
+    ($module:ident, $formulation:ident) => {
         mod $module {
             plm::mechanism! {
                 pub FourBar {
-                    rung: $rung;
+                    formulation: $formulation;
                     param rate: rad/s = 1 rad/s;
                     ground { port a: (0, 0) m; port d: (0.4, 0) m; }
                     body crank { mass: 1 kg; inertia: 1 kg*m^2; port a: (0, 0) m; port b: (0.12, 0) m; start angle: 90 deg; }
@@ -65,7 +65,7 @@ macro_rules! linkages {
             plm::mechanism! {
                 /// The same with a pendulum on its coupler: one freedom is left.
                 pub WithPendulum {
-                    rung: $rung;
+                    formulation: $formulation;
                     gravity: 9.81 m/s^2;
                     ground { port a: (0, 0) m; port d: (0.4, 0) m; }
                     body crank { mass: 1 kg; inertia: 1 kg*m^2; port a: (0, 0) m; port b: (0.12, 0) m; start angle: 90 deg; }
@@ -83,7 +83,7 @@ macro_rules! linkages {
             plm::mechanism! {
                 /// A plate on three cranks, two of which are driven.
                 pub FiveBar {
-                    rung: $rung;
+                    formulation: $formulation;
                     ground { port a: (-0.1, 0) m; port b: (0.1, 0) m; }
                     body left { mass: 1 kg; inertia: 1 kg*m^2; port a: (0, 0) m; port c: (0.2, 0) m; start x: -0.1 m; start angle: 120 deg; }
                     body right { mass: 1 kg; inertia: 1 kg*m^2; port b: (0, 0) m; port d: (0.2, 0) m; start x: 0.1 m; start angle: 60 deg; }

@@ -36,10 +36,10 @@ plm::mechanism! {
     }
 }
 macro_rules! four_bar {
-    ($name:ident, $rung:ident) => {
+    ($name:ident, $formulation:ident) => {
         plm::mechanism! {
             pub $name {
-                rung: $rung;
+                formulation: $formulation;
                 gravity: 9.81 m/s^2;
                 param span: m = 1 m;
                 param l1: m = 0.3 m;

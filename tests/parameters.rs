@@ -59,7 +59,7 @@ mod hung {
 mod hung_absolute {
     plm::mechanism! {
         pub HungAbsolute {
-            rung: absolute;
+            formulation: absolute;
             param m2: kg = 1 kg;
             ground { port o: (0, 0) m; }
             body one { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 10 deg, locked; }
@@ -90,7 +90,7 @@ mod loop_of {
 mod loop_absolute {
     plm::mechanism! {
         pub LoopAbsolute {
-            rung: absolute;
+            formulation: absolute;
             param span: m = 2 m;
             param coupler: m = 2 m;
             ground { port a: (0, 0) m; port d: (span, 0 m); }

@@ -45,7 +45,7 @@ plm::mechanism! {
 plm::mechanism! {
     /// Absolute coordinates, which drift.
     Swing {
-        rung: absolute;
+        formulation: absolute;
         gravity: 9.81 m/s^2;
         param load: kg = 2 kg;
         input drive: N*m = 0;

@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use accuracy::{errors, reference, run};
-use clock::{Beat, measured, troubles};
+use clock::{Beat, failed_periods, measured};
 use plants::Made;
 
 /// The lever goes up and down once.
@@ -65,7 +65,7 @@ fn a_jump_that_a_step_cannot_take_is_made_in_parts() {
     // A step is refused where its error is 5 % of a state.
     let range =
         angles.iter().copied().fold(f64::MIN, f64::max) - angles.iter().copied().fold(f64::MAX, f64::min);
-    let told = troubles(period, &beats);
+    let told = failed_periods(period, &beats);
     println!("{}\n{largest:e} rad of {range:e}", told.join("\n"));
     assert!(largest < 0.05 * range, "{largest} rad of {range}");
     assert!(told[0].contains("ms late, input ") && told[0].contains("shorter steps ("), "{told:?}");

@@ -5,7 +5,7 @@
 macro_rules! chain {
     ($module:ident, $bars:expr, $length:expr, $($more:tt)*) => {
         mod $module {
-            #[allow(dead_code)] // of the scene on rung 5
+            #[allow(dead_code)] // of the scene in absolute coordinates
             pub const BARS: usize = $bars;
 
             plm::mechanism! {
@@ -34,7 +34,7 @@ macro_rules! chain {
 
 chain!(four, 4, 1.0,);
 chain!(five, 2 + 3, 0.5 + 1.5,);
-chain!(absolute, 3, 1.5, rung: absolute;);
+chain!(absolute, 3, 1.5, formulation: absolute;);
 
 #[test]
 fn bodies_and_outputs_are_read_by_index() {
@@ -54,7 +54,7 @@ fn bodies_and_outputs_are_read_by_index() {
     for wrong in [four::BARS, usize::MAX] {
         assert!(sim.bar(wrong).is_none() && sim.bar_angle(wrong).is_none() && sim.tip(wrong).is_none());
     }
-    // On rung 5 the bodies stand in the state itself.
+    // In absolute coordinates the bodies stand in the state itself.
     let mut sim = absolute::Chain::new().start().unwrap();
     sim.step(0.3).unwrap();
     assert_eq!(

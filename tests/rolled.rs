@@ -78,7 +78,7 @@ both! { a_chain_of_bars, {
 } }
 
 both! { a_chain_in_absolute_coordinates, {
-    rung: absolute;
+    formulation: absolute;
     gravity: 9.81 m/s^2;
     ground { port o: (0, 0) m; }
     repeat i in 0..12 {

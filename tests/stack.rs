@@ -15,7 +15,7 @@ chain::chain!(Chain32, 32);
 plm::mechanism! {
     /// A parallelogram with a third crank, which says what the others say.
     pub ThreeCranks {
-        rung: absolute;
+        formulation: absolute;
         allow(W0001);
         gravity: 9.81 m/s^2;
         ground { port o1: (0, 0) m; port o2: (1, 0) m; port o3: (2, 0) m; }

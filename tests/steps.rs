@@ -40,7 +40,7 @@ plm::mechanism! {
     /// The same loop in absolute coordinates.
     Absolute {
         gravity: 9.81 m/s^2;
-        rung: absolute;
+        formulation: absolute;
         emit: step(rk4, semi_implicit_euler, linearly_implicit);
         ground { port o: (0, 0) m; port p: (1, 0) m; }
         body crank { mass: 1 kg; inertia: 0.02 kg*m^2; port a: (-0.15, 0) m; port b: (0.15, 0) m; start angle: 60 deg, locked; start omega: 5 rad/s, locked; }

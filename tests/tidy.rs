@@ -7,6 +7,9 @@ use std::path::{Path, PathBuf};
 
 use plm_compiler::diag::Code;
 
+#[path = "support/words.rs"]
+mod words;
+
 /// A file above this is shown (`cargo test --test tidy -- --nocapture`): it may be two rooms.
 const LONG_FILE: usize = 400;
 /// A file above this fails.
@@ -156,12 +159,12 @@ fn unsafe_code_stands_in_few_files() {
         // Assembly for square roots, built where a feature asks for it.
         "plm-runtime/math/processor/src/lib.rs",
         // Pointers of other languages, and the tests by which Miri looks at them; nothing else that is shipped has a reason.
-        "plm-foreign/src/border.rs",
-        "plm-foreign/src/border/linear.rs",
-        "plm-foreign/src/border/names.rs",
-        "plm-foreign/src/fmi/border.rs",
-        "plm-foreign/src/fmi/border/",
-        "plm-foreign/tests/border.rs",
+        "plm-foreign/src/ffi.rs",
+        "plm-foreign/src/ffi/linear.rs",
+        "plm-foreign/src/ffi/names.rs",
+        "plm-foreign/src/fmi/ffi.rs",
+        "plm-foreign/src/fmi/ffi/",
+        "plm-foreign/tests/ffi.rs",
         "plm-foreign/tests/fmi.rs",
     ];
     let wrong: Vec<String> = lines(files(&["rs"]))
@@ -245,20 +248,6 @@ const OLD_WORDS: [(&str, &str, &str); 23] = [
     ("plm-runtime/src/events/", "quiet", "satisfied"),
     ("plm-runtime/src/events/", "kept", "history"),
 ];
-
-#[test]
-fn names_are_those_of_the_vocabulary() {
-    let mut wrong = Vec::new();
-    for (file, place, line) in lines(files(&["rs"])) {
-        let code = line.split("//").next().unwrap_or("");
-        let names = code.split(|letter: char| !letter.is_ascii_alphanumeric()).map(str::to_lowercase);
-        let names: BTreeSet<String> = names.collect();
-        let old =
-            OLD_WORDS.iter().filter(|(folder, word, _)| file.starts_with(folder) && names.contains(*word));
-        wrong.extend(old.map(|(_, word, now)| format!("{place}: `{word}` is called {now}")));
-    }
-    fail_with("words that are not those of docs/src/theory/vocabulary.md", &wrong);
-}
 
 #[test]
 fn every_package_takes_the_lints_of_the_workspace() {

@@ -22,10 +22,10 @@ plm::mechanism! {
 
 /// A crank that turns round, a rocker, and a wheel beside them that touches no loop.
 macro_rules! cranked {
-    ($name:ident, $rung:ident) => {
+    ($name:ident, $formulation:ident) => {
         plm::mechanism! {
             $name {
-                rung: $rung;
+                formulation: $formulation;
                 gravity: 9.81 m/s^2;
                 ground { port a: (0, 0) m; port b: (4, 0) m; port c: (0, 5) m; }
                 body crank { mass: 1 kg; inertia: 0.2 kg*m^2; port o: (-0.5, 0) m; port p: (0.5, 0) m; start angle: 60 deg, locked; start omega: 20 rad/s, locked; }
@@ -88,7 +88,7 @@ plm::mechanism! {
 plm::mechanism! {
     /// The same with the joint of the library, whose row reads the angles, in absolute coordinates.
     SlidAbsolute {
-        rung: absolute;
+        formulation: absolute;
         ground { port o: (0, 0) m; }
         body arm { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; port p: (0.1, 0) m; start omega: 10 rad/s, locked; }
         body rider { mass: 1 kg; inertia: 0.1 kg*m^2; port q: (0, 0) m; start x: 0.2 m; }
@@ -101,7 +101,7 @@ plm::mechanism! {
 plm::mechanism! {
     /// A tool that a motor turns on an arm, which turns freely.
     Apart {
-        rung: absolute;
+        formulation: absolute;
         ground { port o: (0, 0) m; }
         body arm { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; port p: (1, 0) m; start omega: 7 rad/s, locked; }
         body tool { mass: 1 kg; inertia: 0.01 kg*m^2; port q: (0, 0) m; start x: 1 m; }
@@ -113,10 +113,10 @@ plm::mechanism! {
 
 /// A plate on the pins of three cranks, which turn as one and wind up a spring: an angle and three slides at once.
 macro_rules! plate_on_cranks {
-    ($name:ident, $($rung:tt)*) => {
+    ($name:ident, $($formulation:tt)*) => {
         plm::mechanism! {
             $name {
-                $($rung)*
+                $($formulation)*
                 gravity: 9.81 m/s^2;
                 ground { port a: (0, 0) m; port b: (1, 0) m; port c: (0.5, 0.9) m; }
                 body crank[0] { mass: 0.3 kg; inertia: 0.01 kg*m^2; port o: (-0.1, 0) m; port p: (0.1, 0) m; start x: 0.1 m; start angle: 20 deg, locked; start omega: 12 rad/s, locked; }
@@ -136,7 +136,7 @@ macro_rules! plate_on_cranks {
     };
 }
 plate_on_cranks!(Plate,);
-plate_on_cranks!(PlateAbsolute, rung: absolute;);
+plate_on_cranks!(PlateAbsolute, formulation: absolute;);
 
 /// 200 s at 1000 revolutions a minute, in single precision and in steps of a millisecond.
 #[test]

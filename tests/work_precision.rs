@@ -27,12 +27,12 @@ static SCENE: Scene = Scene {
 };
 static RELATIVE: Scene = Scene { relative: true, ..SCENE };
 
-/// A line on a rung whose runs end with these errors; the longest takes so many seconds.
-fn line(rung: &'static str, errors: &[f64], seconds: f64) -> Line {
+/// A line in a formulation whose runs end with these errors; the longest takes so many seconds.
+fn line(formulation: &'static str, errors: &[f64], seconds: f64) -> Line {
     let outcome =
         |&error: &f64| Point { setting: 1e-3, outcome: Ok(Outcome { error, seconds, evaluations: 1 }) };
     let points = errors.iter().map(outcome).collect();
-    Line { method: "RK4".to_owned(), rung, look: Look::Peer(0), facts: String::new(), points }
+    Line { method: "RK4".to_owned(), formulation, look: Look::Peer(0), facts: String::new(), points }
 }
 
 #[test]

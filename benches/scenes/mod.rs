@@ -20,10 +20,10 @@ use steps::steps;
 mod absolute {
     use super::declared::{andrews, double_pendulum, four_bar, slider_crank};
 
-    double_pendulum!(s1: rung: absolute; output shoulder.force, elbow.force;);
-    four_bar!(s2: rung: absolute; output drive.force;);
-    slider_crank!(s6: rung: absolute; output drive.force;);
-    andrews!(s5: rung: absolute; output r1.force, r2.force, r4.force;);
+    double_pendulum!(s1: formulation: absolute; output shoulder.force, elbow.force;);
+    four_bar!(s2: formulation: absolute; output drive.force;);
+    slider_crank!(s6: formulation: absolute; output drive.force;);
+    andrews!(s5: formulation: absolute; output r1.force, r2.force, r4.force;);
 }
 
 pub(crate) use steps::{Level, Steps};

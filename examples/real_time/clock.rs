@@ -128,8 +128,8 @@ fn memory(count: usize) -> Vec<Beat> {
 const MOST_TOLD: usize = 3;
 
 /// The periods that were not made by one step, in words, at most a few of them: when, how late, and what the input did.
-pub fn troubles(period: f64, beats: &[Beat]) -> Vec<String> {
-    let troubled = |at: usize| {
+pub fn failed_periods(period: f64, beats: &[Beat]) -> Vec<String> {
+    let failure = |at: usize| {
         let Beat { input, late, made, .. } = beats[at];
         let before = at.checked_sub(1).map_or(0.0, |before| beats[before].input);
         let (fault, outcome) = match made {
@@ -143,7 +143,7 @@ pub fn troubles(period: f64, beats: &[Beat]) -> Vec<String> {
             fault.cause
         ))
     };
-    let mut lines: Vec<String> = (0..beats.len()).filter_map(troubled).collect();
+    let mut lines: Vec<String> = (0..beats.len()).filter_map(failure).collect();
     let more = lines.len().saturating_sub(MOST_TOLD);
     lines.truncate(MOST_TOLD);
     if more > 0 {

@@ -21,7 +21,7 @@ mod plants;
 
 use std::error::Error;
 
-use clock::{Beat, distribution, measured, troubles};
+use clock::{Beat, distribution, failed_periods, measured};
 use plm::view::{Arguments, Known};
 
 const KNOWN: [Known; 2] = [
@@ -62,7 +62,7 @@ fn report(name: &str, rate: u32, beats: &[Beat]) {
         print!("{time:>9.2}");
     }
     println!("{missed:>8}{:>16.2} %", 100.0 * 1e-6 * took[0] / period);
-    for line in troubles(period, beats) {
+    for line in failed_periods(period, beats) {
         println!("{:>18} {line}", "");
     }
 }

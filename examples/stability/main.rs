@@ -20,7 +20,8 @@ use std::fs;
 use std::path::PathBuf;
 
 use figures::{
-    Figure, Page, brief, dead, dyads, extremes, flat, indices, long, near, stiff, theory, waiting,
+    Figure, Page, dead, dyads, extremes, flat, indices, long, near_singular, short_events, stiff, theory,
+    waiting,
 };
 use plm::Fault;
 use plm::view::{Arguments, Known};
@@ -58,14 +59,14 @@ fn all(shorter: u32) -> Vec<Box<dyn Fn() -> Result<Figure, Fault>>> {
         Box::new(flat::ladders),
         Box::new(flat::folded),
         Box::new(flat::parallelogram),
-        Box::new(near::turns),
-        Box::new(near::errors),
+        Box::new(near_singular::turns),
+        Box::new(near_singular::errors),
         Box::new(dead::triple_rocker),
         Box::new(dead::crank_rocker),
         Box::new(dead::quadrorhomb),
         Box::new(dyads::six_bar),
         Box::new(waiting::pushed),
-        Box::new(brief::conditions),
+        Box::new(short_events::conditions),
         Box::new(move || long::drift_of_the_four_bar(steps)),
         Box::new(move || long::drift_of_the_quadrorhomb(steps)),
         Box::new(move || long::a01(seconds)),

@@ -11,11 +11,11 @@ use plm::{Cause, Dop853, Fault, Mechanism, Method, RadauIia5, Rk4, Sim};
 use crate::random::Random;
 
 macro_rules! linkages {
-    ($module:ident, $rung:ident) => {
+    ($module:ident, $formulation:ident) => {
         pub mod $module {
             plm::mechanism! {
                 pub FourBar {
-                    rung: $rung;
+                    formulation: $formulation;
                     allow(W0001);
                     param r1: m = 0.1 m;
                     param r2: m = 0.3 m;
@@ -36,7 +36,7 @@ macro_rules! linkages {
             }
             plm::mechanism! {
                 pub SliderCrank {
-                    rung: $rung;
+                    formulation: $formulation;
                     allow(W0001);
                     param r1: m = 0.1 m;
                     param r2: m = 0.3 m;
@@ -56,7 +56,7 @@ macro_rules! linkages {
             }
             plm::mechanism! {
                 pub Pushed {
-                    rung: $rung;
+                    formulation: $formulation;
                     allow(W0001);
                     param r1: m = 0.1 m;
                     param r2: m = 0.3 m;

@@ -30,9 +30,9 @@ const SLIGHT: f64 = 1e-13;
 /// How a case is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// The rung that the compiler takes.
+    /// The formulation that the compiler takes.
     Default,
-    /// `rung: absolute;`
+    /// `formulation: absolute;`
     Absolute,
     /// The default in f32.
     Single,

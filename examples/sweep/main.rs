@@ -11,7 +11,7 @@
 //! With the feature `sweep` instead, trees of three bodies, four-bars, slider-cranks and third cranks alone are compiled, in a
 //! quarter of the time.
 //!
-//! Every case is run on the rung that the compiler takes, in absolute coordinates (`rung: absolute;`), and in f32; the latter two
+//! Every case is run in the formulation that the compiler takes, in absolute coordinates (`formulation: absolute;`), and in f32; the latter two
 //! by the usual method or one of fixed steps. `--by rk4` takes this method wherever a mechanism is compiled with it. Poses,
 //! velocities and energies of all samples are compared: a thousand times the tolerance is allowed, 1e-6 of the size with the
 //! usual method (1e-3 in f32), more where the motion multiplies a change of 1e-9 at its start by more than a thousand. Steps

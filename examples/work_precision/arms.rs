@@ -4,7 +4,7 @@
 
 /// A servo-hydraulic jack with its valve and lines.
 macro_rules! arms {
-    ($module:ident: $($rung:tt)*) => {
+    ($module:ident: $($formulation:tt)*) => {
         pub mod $module {
             plm::parts! {
                 pub(crate) hydraulics {
@@ -41,7 +41,7 @@ macro_rules! arms {
                 use hydraulics;
                 /// One arm, section 3.2.1.
                 pub Arm {
-                    $($rung)*
+                    $($formulation)*
                     gravity: 9.81 m/s^2;
                     ground { port o0: (0, 0) m; port foot: (0, -0.25) m; }
                     body arm {
@@ -68,7 +68,7 @@ macro_rules! arms {
                 use hydraulics;
                 /// Two arms, section 3.3.
                 pub Arms {
-                    $($rung)*
+                    $($formulation)*
                     gravity: 9.81 m/s^2;
                     ground { port o0: (0, 0) m; port foot: (0, -0.25) m; }
                     body arm {
@@ -110,5 +110,5 @@ macro_rules! arms {
         }
     };
 }
-arms!(arms_tree: rung: tree;);
-arms!(arms_absolute: rung: absolute;);
+arms!(arms_tree: formulation: tree;);
+arms!(arms_absolute: formulation: absolute;);

@@ -33,7 +33,7 @@ pub fn read(path: &Path, look: usize) -> Result<Vec<Beside>, Box<dyn Error>> {
                 let look = Look::Peer(look);
                 let line = Line {
                     method: method.to_owned(),
-                    rung: "",
+                    formulation: "",
                     look,
                     facts: String::new(),
                     points: vec![point],

@@ -1,10 +1,10 @@
-//! The scenes in their order, and the rungs of each.
+//! The scenes in their order, and the formulations of each.
 
 use plm::Rate;
 use plm::runtime::{Ports, Vector};
 
 use crate::arms::{arms_absolute, arms_tree};
-use crate::measure::{Line, Rung, Scene};
+use crate::measure::{Formulation, Line, Scene};
 use crate::methods::every;
 use crate::references;
 use crate::scenes::{
@@ -12,8 +12,8 @@ use crate::scenes::{
     s3_tree, s4_absolute, s4_loops, s5_absolute, s5_loops, s6_absolute, s6_loops,
 };
 
-/// All methods on the rungs of a scene, the least one first: the name of the rung, and the mechanism that was declared for it.
-macro_rules! rungs {
+/// All methods in the formulations of a scene, the least one first: the name of the formulation, and the mechanism that was declared for it.
+macro_rules! formulations {
     ($($name:literal: $scene:ident::$module:ident::$mechanism:ident),+) => {
         |bench| {
             let mut lines: Vec<Line> = Vec::new();
@@ -22,7 +22,7 @@ macro_rules! rungs {
                 type Scene = $scene::$mechanism<f64>;
                 check_names(bench.scene.id, <Scene as Ports>::OUTPUTS);
                 let states = <<Scene as Rate>::X as Vector<f64>>::LEN;
-                lines.extend(every(&Rung {
+                lines.extend(every(&Formulation {
                     bench,
                     mechanism: Scene::new(),
                     name: $name,
@@ -35,8 +35,8 @@ macro_rules! rungs {
     };
 }
 
-fn facts(rung: &str, states: usize, operations: u32) -> String {
-    format!("rung {rung}: {states} states, {operations} operations")
+fn facts(formulation: &str, states: usize, operations: u32) -> String {
+    format!("{formulation} {operations} ({states} states)")
 }
 
 /// What a scene measures has to be what its reference holds.
@@ -62,7 +62,7 @@ pub const SCENES: &[Scene] = &[
             "S1",
             "double pendulum over 1 s",
             1.0,
-            rungs!("tree": s1_tree::double_pendulum::DoublePendulum, "absolute": s1_absolute::double_pendulum::DoublePendulum),
+            formulations!("tree": s1_tree::double_pendulum::DoublePendulum, "absolute": s1_absolute::double_pendulum::DoublePendulum),
         )
     },
     Scene {
@@ -71,7 +71,7 @@ pub const SCENES: &[Scene] = &[
             "S2",
             "four-bar linkage over 1 s",
             1.0,
-            rungs!("loops": s2_loops::four_bar::FourBar, "absolute": s2_absolute::four_bar::FourBar),
+            formulations!("loops": s2_loops::four_bar::FourBar, "absolute": s2_absolute::four_bar::FourBar),
         )
     },
     Scene {
@@ -81,7 +81,7 @@ pub const SCENES: &[Scene] = &[
             "S3",
             "chain of 16 bars over 1 s",
             1.0,
-            rungs!("tree": s3_tree::chain::Chain, "absolute": s3_absolute::chain::Chain),
+            formulations!("tree": s3_tree::chain::Chain, "absolute": s3_absolute::chain::Chain),
         )
     },
     Scene {
@@ -90,7 +90,7 @@ pub const SCENES: &[Scene] = &[
             "S4",
             "ladder of two four-bars over 0.6 s",
             0.6,
-            rungs!("loops": s4_loops::ladder::Ladder, "absolute": s4_absolute::ladder::Ladder),
+            formulations!("loops": s4_loops::ladder::Ladder, "absolute": s4_absolute::ladder::Ladder),
         )
     },
     Scene {
@@ -101,7 +101,7 @@ pub const SCENES: &[Scene] = &[
             "S5",
             "Andrews' squeezing mechanism over 0.03 s",
             0.03,
-            rungs!("loops": s5_loops::andrews::Andrews, "absolute": s5_absolute::andrews::Andrews),
+            formulations!("loops": s5_loops::andrews::Andrews, "absolute": s5_absolute::andrews::Andrews),
         )
     },
     Scene {
@@ -111,7 +111,7 @@ pub const SCENES: &[Scene] = &[
             "S6",
             "slider-crank over 1 s",
             1.0,
-            rungs!("loops": s6_loops::slider_crank::SliderCrank, "absolute": s6_absolute::slider_crank::SliderCrank),
+            formulations!("loops": s6_loops::slider_crank::SliderCrank, "absolute": s6_absolute::slider_crank::SliderCrank),
         )
     },
     Scene {
@@ -121,7 +121,7 @@ pub const SCENES: &[Scene] = &[
             "A01",
             "simple pendulum over 10 s",
             10.0,
-            rungs!("tree": a01_tree::pendulum::Pendulum, "absolute": a01_absolute::pendulum::Pendulum),
+            formulations!("tree": a01_tree::pendulum::Pendulum, "absolute": a01_absolute::pendulum::Pendulum),
         )
     },
     Scene {
@@ -131,7 +131,7 @@ pub const SCENES: &[Scene] = &[
             "car axis",
             "bumpy road over 3 s",
             3.0,
-            rungs!("absolute": car_axis_absolute::car_axis::CarAxis),
+            formulations!("absolute": car_axis_absolute::car_axis::CarAxis),
         )
     },
     Scene {
@@ -142,7 +142,7 @@ pub const SCENES: &[Scene] = &[
             "arm",
             "arm on a hydraulic jack over 4 s",
             4.0,
-            rungs!("tree": arms_tree::arm::Arm, "absolute": arms_absolute::arm::Arm),
+            formulations!("tree": arms_tree::arm::Arm, "absolute": arms_absolute::arm::Arm),
         )
     },
     Scene {
@@ -153,7 +153,7 @@ pub const SCENES: &[Scene] = &[
             "arms",
             "two arms on hydraulic jacks over 4 s",
             4.0,
-            rungs!("tree": arms_tree::arms::Arms, "absolute": arms_absolute::arms::Arms),
+            formulations!("tree": arms_tree::arms::Arms, "absolute": arms_absolute::arms::Arms),
         )
     },
 ];

@@ -1,4 +1,4 @@
-//! Accuracy against speed: every benchmark scene on every rung with every method, against its reference.
+//! Accuracy against speed: every benchmark scene in every formulation with every method, against its reference.
 //!
 //! ```sh
 //! cargo run --release --example work_precision                            # plm alone
@@ -81,7 +81,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
 
-    let mut csv = "scene,rung,method,setting,error,seconds,evaluations,fault\n".to_owned();
+    let mut csv = "scene,formulation,method,setting,error,seconds,evaluations,fault\n".to_owned();
     let mut page = String::new();
     let mut far = Vec::new();
     for measured in all {

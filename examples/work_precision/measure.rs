@@ -45,12 +45,12 @@ pub struct Bench<'a> {
     pub effort: &'a Effort,
 }
 
-/// A mechanism on one rung, ready for every method.
-pub struct Rung<'a, M> {
+/// A mechanism in one formulation, ready for every method.
+pub struct Formulation<'a, M> {
     pub bench: &'a Bench<'a>,
     pub mechanism: M,
     pub name: &'static str,
-    /// Number of the rung in its scene.
+    /// Number of the formulation in its scene.
     pub variant: usize,
     /// Size and cost, for the note of the chart.
     pub facts: String,
@@ -60,7 +60,7 @@ pub struct Rung<'a, M> {
 #[derive(Clone)]
 pub struct Line {
     pub method: String,
-    pub rung: &'static str,
+    pub formulation: &'static str,
     pub look: Look,
     pub facts: String,
     pub points: Vec<Point>,
@@ -87,7 +87,7 @@ pub struct Outcome {
     pub evaluations: u64,
 }
 
-impl<M: Mechanism<S = f64> + Ports> Rung<'_, M> {
+impl<M: Mechanism<S = f64> + Ports> Formulation<'_, M> {
     /// The line of a method; `with` makes it from a relative tolerance or a step in s.
     pub fn line<I: Method<M>>(
         &self,
@@ -102,7 +102,7 @@ impl<M: Mechanism<S = f64> + Ports> Rung<'_, M> {
             self.bench.best(|| one_run(&sim, until).map_err(told))
         });
         let look = Look::Ours { family, variant: self.variant };
-        Line { method: method.to_owned(), rung: self.name, look, facts: self.facts.clone(), points }
+        Line { method: method.to_owned(), formulation: self.name, look, facts: self.facts.clone(), points }
     }
 }
 
@@ -129,7 +129,7 @@ impl Bench<'_> {
             self.sweep(peer.setting, |setting| self.best(|| (peer.run)(setting).ok_or_else(gave_up)));
         Line {
             method: peer.name.to_owned(),
-            rung: "",
+            formulation: "",
             look: Look::Peer(number),
             facts: String::new(),
             points,

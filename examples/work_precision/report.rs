@@ -21,10 +21,14 @@ pub struct Result {
 impl Line {
     /// `DOP853, tree`; the name alone for another program.
     fn name(&self) -> String {
-        if self.rung.is_empty() { self.method.clone() } else { format!("{}, {}", self.method, self.rung) }
+        if self.formulation.is_empty() {
+            self.method.clone()
+        } else {
+            format!("{}, {}", self.method, self.formulation)
+        }
     }
 
-    /// A picture with every line of the table could not be read: of the higher rungs it shows the best method alone.
+    /// A picture with every line of the table could not be read: of the higher formulations it shows the best method alone.
     fn is_drawn(&self) -> bool {
         !matches!(self.look, Look::Ours { family: 1.., variant: 1.. })
     }
@@ -84,7 +88,8 @@ impl Result {
         let mut text = String::new();
         for line in &self.lines {
             for point in &line.points {
-                let head = format!("{},{},{},{:.3e}", self.scene.id, line.rung, line.method, point.setting);
+                let head =
+                    format!("{},{},{},{:.3e}", self.scene.id, line.formulation, line.method, point.setting);
                 let _ = match &point.outcome {
                     Ok(o) => writeln!(text, "{head},{:.3e},{:.3e},{},", o.error, o.seconds, o.evaluations),
                     Err(fault) => writeln!(text, "{head},,,,\"{}\"", fault.replace('"', "'")),
@@ -113,7 +118,8 @@ impl Result {
     /// Which of plm's lines stay away from the reference, although their finest settings were run: none of their runs is longer
     /// than `longest_run`, in s.
     pub fn far(&self, longest_run: f64) -> Vec<String> {
-        let ours = self.lines.iter().filter(|line| !line.rung.is_empty() && line.slowest() <= longest_run);
+        let ours =
+            self.lines.iter().filter(|line| !line.formulation.is_empty() && line.slowest() <= longest_run);
         // An error that is not a number is none that is near.
         let is_near = |line: &&Line| line.smallest_error() <= NEAR * self.scene.hopeless;
         let far = ours.filter(|line| !is_near(line));
@@ -144,7 +150,7 @@ impl Result {
         let mut facts: Vec<&str> = self.lines.iter().map(|line| line.facts.as_str()).collect();
         facts.retain(|fact| !fact.is_empty());
         facts.dedup();
-        format!("{}\nAn evaluation on {}.", self.scene.facts, facts.join("; on "))
+        format!("{}\nOperations of an evaluation: {}.", self.scene.facts, facts.join(", "))
     }
 }
 

@@ -1,4 +1,4 @@
-//! The scenes. Each is a macro, so that it can be declared once for every rung: what is handed over behind the name of
+//! The scenes. Each is a macro, so that it can be declared once for every formulation: what is handed over behind the name of
 //! the module stands among the items of the mechanism.
 //!
 //! SI units; uniform bars have J = m L^2 / 12. The outputs are what is measured, in the order of the references.
@@ -9,21 +9,21 @@ mod shared;
 use shared::{andrews, double_pendulum, four_bar, slider_crank};
 
 // S1: two bars, released at 45 and 0 deg.
-double_pendulum!(s1_tree: rung: tree; output arm.position, forearm.position;);
-double_pendulum!(s1_absolute: rung: absolute; output arm.position, forearm.position;);
+double_pendulum!(s1_tree: formulation: tree; output arm.position, forearm.position;);
+double_pendulum!(s1_absolute: formulation: absolute; output arm.position, forearm.position;);
 
 // S2: crank at 60 deg, elbow up, at rest.
-four_bar!(s2_loops: rung: loops; output crank.position, coupler.position, rocker.position;);
-four_bar!(s2_absolute: rung: absolute; output crank.position, coupler.position, rocker.position;);
+four_bar!(s2_loops: formulation: loops; output crank.position, coupler.position, rocker.position;);
+four_bar!(s2_absolute: formulation: absolute; output crank.position, coupler.position, rocker.position;);
 
 /// S3: sixteen bars of 1/16 m and 1/16 kg in a row, horizontal at rest.
 macro_rules! chain {
-    ($module:ident: $($rung:tt)*) => {
+    ($module:ident: $($formulation:tt)*) => {
         pub mod $module {
             plm::mechanism! {
                 /// Chain of sixteen uniform bars.
                 pub Chain {
-                    $($rung)*
+                    $($formulation)*
                     gravity: 9.81 m/s^2;
                     ground { port o: (0, 0) m; }
                     repeat i in 0..16 {
@@ -45,17 +45,17 @@ macro_rules! chain {
         }
     };
 }
-chain!(s3_tree: rung: tree;);
-chain!(s3_absolute: rung: absolute;);
+chain!(s3_tree: formulation: tree;);
+chain!(s3_absolute: formulation: absolute;);
 
 /// S4: two windows of uprights and tops of 1 m and 1 kg; the tops start at 1 m/s (problem A02 of the IFToMM benchmarks).
 macro_rules! ladder {
-    ($module:ident: $($rung:tt)*) => {
+    ($module:ident: $($formulation:tt)*) => {
         pub mod $module {
             plm::mechanism! {
                 /// Ladder of two four-bars.
                 pub Ladder {
-                    $($rung)*
+                    $($formulation)*
                     gravity: 9.81 m/s^2;
                     ground { port f0: (0, 0) m; port f1: (1, 0) m; port f2: (2, 0) m; }
                     repeat i in 0..=2 {
@@ -93,22 +93,22 @@ macro_rules! ladder {
         }
     };
 }
-ladder!(s4_loops: rung: loops;);
-ladder!(s4_absolute: rung: absolute;);
+ladder!(s4_loops: formulation: loops;);
+ladder!(s4_absolute: formulation: absolute;);
 
 // S6: crank at 60 deg at rest, 1 N m on it.
-slider_crank!(s6_loops: rung: loops; output crank.position, rod.position, slider.position;);
-slider_crank!(s6_absolute: rung: absolute; output crank.position, rod.position, slider.position;);
+slider_crank!(s6_loops: formulation: loops; output crank.position, rod.position, slider.position;);
+slider_crank!(s6_absolute: formulation: absolute; output crank.position, rod.position, slider.position;);
 
 /// A01 of the IFToMM benchmarks: 1 kg at 1 m, released horizontally on the left. An equal mass at the pivot, which does not
 /// move, makes it a body with an inertia.
 macro_rules! pendulum {
-    ($module:ident: $($rung:tt)*) => {
+    ($module:ident: $($formulation:tt)*) => {
         pub mod $module {
             plm::mechanism! {
                 /// Simple pendulum of 1 m.
                 pub Pendulum {
-                    $($rung)*
+                    $($formulation)*
                     gravity: 9.81 m/s^2;
                     ground { port o: (0, 0) m; }
                     body bob {
@@ -125,15 +125,15 @@ macro_rules! pendulum {
         }
     };
 }
-pendulum!(a01_tree: rung: tree;);
-pendulum!(a01_absolute: rung: absolute;);
+pendulum!(a01_tree: formulation: tree;);
+pendulum!(a01_absolute: formulation: absolute;);
 
 /// S5: Andrews' squeezing mechanism (W. Schiehlen, Multibody Systems Handbook, Springer 1990; F. Mazzia, C. Magherini, Test
 /// Set for Initial Value Problem Solvers).
 macro_rules! squeezing {
-    ($module:ident: $($rung:tt)*) => {
+    ($module:ident: $($formulation:tt)*) => {
         andrews! {
-            $module: $($rung)*
+            $module: $($formulation)*
             output beta = k1.angle;
             output Theta = k2.angle - k1.angle;
             output gamma = k3.angle;
@@ -144,18 +144,18 @@ macro_rules! squeezing {
         }
     };
 }
-squeezing!(s5_loops: rung: loops;);
-squeezing!(s5_absolute: rung: absolute;);
+squeezing!(s5_loops: formulation: loops;);
+squeezing!(s5_absolute: formulation: absolute;);
 /// The car axis of the IVP test set, with K = M eps^2 / 2 = 5e-4 kg at both ends of a rod of 1 m, springs of 1 N/m and
 /// gravity 1 m/s^2. The left wheel stands at the origin, the right one moves on a circle of 1 m about it, and the left end
 /// of the rod keeps to the normal of the line through the wheels.
 macro_rules! car_axis {
-    ($module:ident: $($rung:tt)*) => {
+    ($module:ident: $($formulation:tt)*) => {
         pub mod $module {
             plm::mechanism! {
                 /// Car axis on a bumpy road.
                 pub CarAxis {
-                    $($rung)*
+                    $($formulation)*
                     gravity: 1 m/s^2;
                     let bump = 0.1*sin(10 rad/s * t);
                     ground {
@@ -183,4 +183,4 @@ macro_rules! car_axis {
         }
     };
 }
-car_axis!(car_axis_absolute: rung: absolute;);
+car_axis!(car_axis_absolute: formulation: absolute;);

@@ -30,7 +30,7 @@ const MULTISTEP_FROM: usize = 100;
 
 /// Damping ratio from which on a motion dies out rather than swings.
 const DIES_OUT: f64 = 0.5;
-/// What is slower than this, 1/s, stands still.
+/// Rates below this, 1/s, count as zero.
 const STANDS: f64 = 1e-3;
 
 /// Starts that choose their method.
@@ -44,7 +44,7 @@ pub trait StartAuto: Linearisable {
         self.start_auto_with(1e-8)
     }
 
-    /// The same with a relative tolerance of choice.
+    /// Starts with a relative tolerance of choice.
     ///
     /// # Errors
     /// As those of `start`.
@@ -217,7 +217,7 @@ impl<M: Linear<S = f64>> Auto<M> {
     }
 }
 
-/// The same of whichever method it is.
+/// Evaluates an expression on the run, whichever method it has.
 macro_rules! whichever {
     ($auto:ident, $method:ident => $value:expr) => {
         match $auto.method {

@@ -61,7 +61,7 @@ impl fmt::Display for Steps<'_> {
     }
 }
 
-/// What is read and set by the enumerations that there are.
+/// Quantities that are read and set by enumerations.
 struct Kinds<'a> {
     name: &'a str,
     counts: [usize; Kind::ALL.len()],

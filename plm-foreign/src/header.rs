@@ -82,7 +82,7 @@ impl fmt::Display for Methods<'_> {
     }
 }
 
-/// What the headers of all mechanisms have in common. What came later has a guard of its own, so that headers of two versions
+/// Common part of the headers of all mechanisms. Later additions have guards of their own, so that headers of two versions
 /// fit into one file.
 fn common(to: &mut impl Write) -> fmt::Result {
     writeln!(
@@ -126,7 +126,7 @@ fn constants(
     writeln!(to, "}};")
 }
 
-/// What stands behind a name.
+/// Unit behind a name.
 enum Unit {
     None,
     Named(&'static str),

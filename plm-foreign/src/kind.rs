@@ -1,10 +1,10 @@
-//! What an object has by number.
+//! Kinds of numbers of an object.
 
 use plm_runtime::{Rate, StartValues, Vector};
 
-use crate::{Foreign, Status, Trouble};
+use crate::{Error, Foreign, Status};
 
-/// What a number belongs to. The numbers of each kind count from 0 in the order of the declaration.
+/// Kind of a number. The numbers of each kind count from 0 in the order of the declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Kind {
@@ -20,7 +20,7 @@ pub enum Kind {
     Start = 4,
     /// A body: has a name and a pose.
     Body = 5,
-    /// What is integrated, SI: coordinates, their velocities, first-order states; can be read. Of a loop it is another
+    /// Integrated state, SI: coordinates, their velocities, first-order states; can be read. Of a loop it is another
     /// coordinate now and then.
     Integrated = 6,
     /// The rate of each of these, SI; can be read.
@@ -44,7 +44,7 @@ impl Kind {
     ///
     /// # Errors
     /// [`Status::NoSuch`]
-    pub fn of(number: i32) -> Result<Self, Trouble> {
+    pub fn of(number: i32) -> Result<Self, Error> {
         Self::ALL.into_iter().find(|kind| *kind as i32 == number).ok_or(Status::NoSuch.into())
     }
 
@@ -93,7 +93,7 @@ impl Kind {
     ///
     /// # Errors
     /// [`Status::NoSuch`]
-    pub fn name<M: Foreign>(self, declared: &M, index: usize) -> Result<&'static str, Trouble> {
+    pub fn name<M: Foreign>(self, declared: &M, index: usize) -> Result<&'static str, Error> {
         let (mut at, mut found) = (0, None);
         self.names(declared, &mut |name| {
             if at == index {
@@ -108,7 +108,7 @@ impl Kind {
     ///
     /// # Errors
     /// [`Status::NoSuch`]
-    pub fn find<M: Foreign>(self, declared: &M, name: &[u8]) -> Result<usize, Trouble> {
+    pub fn find<M: Foreign>(self, declared: &M, name: &[u8]) -> Result<usize, Error> {
         let (mut at, mut found) = (0, None);
         self.names(declared, &mut |own| {
             if found.is_none() && own.as_bytes() == name {

@@ -1,6 +1,6 @@
 //! Mechanisms for other languages: objects in memory of the caller, numbers by kind and index, errors as codes with a text.
 //!
-//! [`Object`] is a mechanism with a run of it, and is safe; [`border`] has the same behind pointers. Text of a source file
+//! [`Object`] is a mechanism with a run of it, and is safe; [`ffi`] has the same behind pointers. Text of a source file
 //! ([`source`]) gives the functions the names of a mechanism, and [`header()`] tells C of them. All of it is made of
 //! `Described::TABLES`, nothing by hand for each mechanism. `plm::view::library` builds a
 //! library of any mechanism.
@@ -11,10 +11,10 @@
 #[cfg(feature = "fmi")]
 extern crate alloc;
 
-#[allow(unsafe_code, reason = "pointers of other languages")]
-pub mod border;
 mod cpp;
 mod declared;
+#[allow(unsafe_code, reason = "pointers of other languages")]
+pub mod ffi;
 #[cfg(feature = "fmi")]
 pub mod fmi;
 pub mod header;
@@ -36,14 +36,17 @@ pub use object::{Object, ObjectBy};
 pub use plm_runtime::linearised::{Linearised, Matrix};
 pub use run::{By, Called, Choice, Chosen, Either, Run};
 pub use source::{Entry, Names, Si, source};
-pub use status::{Status, Trouble};
+// The former name, which the Python run and its wheel still import.
+#[doc(hidden)]
+pub use status::Error as Trouble;
+pub use status::{Error, Status};
 pub use text::Text;
 
 use plm_runtime::Statics;
 use plm_runtime::linearised::Linearisable;
 use plm_runtime::words::InWords;
 
-/// What can be handed to other languages: every mechanism in `f64` or `f32`.
+/// Mechanisms that can be handed to other languages: every one in `f64` or `f32`.
 pub trait Foreign: Linearisable<S: Number, U: InWords> + Statics {}
 
 impl<M: Linearisable<S: Number, U: InWords> + Statics> Foreign for M {}

@@ -5,7 +5,7 @@ use plm_runtime::linearised::Linearised;
 use plm_runtime::words::{InWords, Words};
 use plm_runtime::{Cause, Fault, Moment, Rate, Scalar, Sim, StartValues, Vector};
 
-use crate::{By, Choice, Foreign, Kind, Run, Status, Trouble, saved};
+use crate::{By, Choice, Error, Foreign, Kind, Run, Status, saved};
 
 /// A mechanism as it is set up, and a run of it once it is started, by one of the methods of `R`.
 ///
@@ -34,7 +34,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     ///
     /// # Errors
     /// [`Status::Choice`]: the library does not have it.
-    pub fn set_method(&mut self, by: By) -> Result<(), Trouble> {
+    pub fn set_method(&mut self, by: By) -> Result<(), Error> {
         self.choose(Choice { by, ..self.choice }, R::has(by))
     }
 
@@ -43,7 +43,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     ///
     /// # Errors
     /// [`Status::Choice`]: it is not above 0, or above 0.1.
-    pub fn set_tolerance(&mut self, rtol: M::S) -> Result<(), Trouble> {
+    pub fn set_tolerance(&mut self, rtol: M::S) -> Result<(), Error> {
         let rtol = rtol.to_f64();
         self.choose(Choice { rtol, ..self.choice }, rtol > 0.0 && rtol <= 0.1)
     }
@@ -53,12 +53,12 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     ///
     /// # Errors
     /// [`Status::Choice`]: it is not above 0.
-    pub fn set_longest_step(&mut self, step: M::S) -> Result<(), Trouble> {
+    pub fn set_longest_step(&mut self, step: M::S) -> Result<(), Error> {
         let longest_step = step.to_f64();
         self.choose(Choice { longest_step, ..self.choice }, longest_step > 0.0)
     }
 
-    fn choose(&mut self, choice: Choice, is_good: bool) -> Result<(), Trouble> {
+    fn choose(&mut self, choice: Choice, is_good: bool) -> Result<(), Error> {
         if !is_good {
             return Err(Status::Choice.into());
         }
@@ -84,15 +84,15 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     ///
     /// # Errors
     /// As [`start_state`](plm_runtime::Mechanism::start_state); a run before stays.
-    pub fn start(&mut self) -> Result<(), Trouble> {
+    pub fn start(&mut self) -> Result<(), Error> {
         self.start_at(M::S::ZERO)
     }
 
-    /// The same at a time, s.
+    /// Starts at a time, s.
     ///
     /// # Errors
     /// As [`start`](Self::start); [`Status::NotFinite`]
-    pub fn start_at(&mut self, time: M::S) -> Result<(), Trouble> {
+    pub fn start_at(&mut self, time: M::S) -> Result<(), Error> {
         if !time.is_finite() {
             return Err(Status::NotFinite.into());
         }
@@ -109,7 +109,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     ///
     /// # Errors
     /// As [`Sim::step`]; the run is then as it was before the call.
-    pub fn step(&mut self, dt: M::S) -> Result<(), Trouble> {
+    pub fn step(&mut self, dt: M::S) -> Result<(), Error> {
         self.advance(|run| run.step(dt))
     }
 
@@ -117,11 +117,11 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     ///
     /// # Errors
     /// As [`Sim::step_to`]; the run is then as it was before the call.
-    pub fn step_to(&mut self, until: M::S) -> Result<(), Trouble> {
+    pub fn step_to(&mut self, until: M::S) -> Result<(), Error> {
         self.advance(|run| run.step_to(until))
     }
 
-    fn advance(&mut self, step: impl FnOnce(&mut R) -> Result<(), Fault>) -> Result<(), Trouble> {
+    fn advance(&mut self, step: impl FnOnce(&mut R) -> Result<(), Fault>) -> Result<(), Error> {
         let run = self.run.as_mut().ok_or(Status::NotStarted)?;
         let before = *run;
         if let Err(fault) = step(run) {
@@ -137,10 +137,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     ///
     /// # Errors
     /// As the step; the run is then as it was before the call.
-    pub fn step_alone(
-        &mut self,
-        step: impl FnOnce(&mut M::State) -> Result<(), Fault>,
-    ) -> Result<(), Trouble> {
+    pub fn step_alone(&mut self, step: impl FnOnce(&mut M::State) -> Result<(), Fault>) -> Result<(), Error> {
         if self.is_changed {
             return self.advance(|run| {
                 run.step_to(run.state().time())?;
@@ -155,7 +152,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     ///
     /// # Errors
     /// [`Status::NotStarted`]
-    pub fn time(&self) -> Result<M::S, Trouble> {
+    pub fn time(&self) -> Result<M::S, Error> {
         Ok(self.state()?.time())
     }
 
@@ -163,7 +160,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     ///
     /// # Errors
     /// [`Status::NoSuch`]; [`Status::NotStarted`] of inputs, states and outputs.
-    pub fn get(&self, kind: Kind, index: usize) -> Result<M::S, Trouble> {
+    pub fn get(&self, kind: Kind, index: usize) -> Result<M::S, Error> {
         let found = match kind {
             Kind::Parameter => self.mechanism.parameter(index),
             Kind::Input => {
@@ -194,7 +191,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     ///
     /// # Errors
     /// [`Status::NotFinite`]; [`Status::ReadOnly`] of states and outputs; [`Status::NoSuch`]; [`Status::NotStarted`] of inputs.
-    pub fn set(&mut self, kind: Kind, index: usize, value: M::S) -> Result<(), Trouble> {
+    pub fn set(&mut self, kind: Kind, index: usize, value: M::S) -> Result<(), Error> {
         if !value.is_finite() {
             return Err(Status::NotFinite.into());
         }
@@ -227,7 +224,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     ///
     /// # Errors
     /// [`Status::NotStarted`], [`Status::NoSuch`]
-    pub fn pose(&self, body: usize) -> Result<[M::S; 6], Trouble> {
+    pub fn pose(&self, body: usize) -> Result<[M::S; 6], Error> {
         let pose = M::pose(self.state()?, body).ok_or(Status::NoSuch)?;
         Ok([pose.x, pose.y, pose.angle, pose.vx, pose.vy, pose.omega])
     }
@@ -236,7 +233,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     ///
     /// # Errors
     /// [`Status::NotStarted`]; when they are not determined.
-    pub fn rates(&self) -> Result<M::X, Trouble> {
+    pub fn rates(&self) -> Result<M::X, Error> {
         let state = self.state()?;
         let (mechanism, held) = (state.mechanism(), state.held());
         let mut rates = *state.x();
@@ -253,7 +250,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     ///
     /// # Errors
     /// [`Status::NotStarted`]; as [`Linearised::new`].
-    pub fn linearised(&self) -> Result<Linearised<'_, M>, Trouble> {
+    pub fn linearised(&self) -> Result<Linearised<'_, M>, Error> {
         Ok(Linearised::new(self.state()?)?)
     }
 
@@ -267,7 +264,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     ///
     /// # Errors
     /// [`Status::Memory`]: they are not.
-    pub fn save(&self, bytes: &mut [u8]) -> Result<(), Trouble> {
+    pub fn save(&self, bytes: &mut [u8]) -> Result<(), Error> {
         saved::write::<M, _>(self, bytes)
     }
 
@@ -276,7 +273,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     /// # Errors
     /// [`Status::Damaged`], [`Status::OtherVersion`], [`Status::OtherMechanism`], the last too where it is by a method that is
     /// not among those of `R`.
-    pub fn saved(declared: M, bytes: &[u8]) -> Result<Self, Trouble> {
+    pub fn saved(declared: M, bytes: &[u8]) -> Result<Self, Error> {
         let mut object = Self::to_be_read(declared);
         let outcome = saved::read::<M>(&mut object, bytes);
         if R::has(object.choice.by) { outcome.map(|()| object) } else { Err(Status::OtherMechanism.into()) }
@@ -303,7 +300,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
     ///
     /// # Errors
     /// [`Status::NotStarted`]
-    pub fn state(&self) -> Result<&M::State, Trouble> {
+    pub fn state(&self) -> Result<&M::State, Error> {
         Ok(self.run.as_ref().ok_or(Status::NotStarted)?.state())
     }
 }
@@ -313,13 +310,13 @@ impl<M: Foreign> Object<M> {
     ///
     /// # Errors
     /// [`Status::NotStarted`]
-    pub fn sim(&self) -> Result<&Sim<M>, Trouble> {
+    pub fn sim(&self) -> Result<&Sim<M>, Error> {
         self.run.as_ref().ok_or(Status::NotStarted.into())
     }
 
     /// The run, to be changed.
     #[cfg(feature = "fmi")]
-    pub(crate) fn sim_mut(&mut self) -> Result<&mut Sim<M>, Trouble> {
+    pub(crate) fn sim_mut(&mut self) -> Result<&mut Sim<M>, Error> {
         self.run.as_mut().ok_or(Status::NotStarted.into())
     }
 }

@@ -3,8 +3,8 @@
 use plm_runtime::words::{InWords, Words};
 use plm_runtime::{Fault, Method, Scalar, Sim};
 
-use crate::border::BlockBy;
-use crate::{Foreign, Status, Trouble};
+use crate::ffi::BlockBy;
+use crate::{Error, Foreign, Status};
 
 /// Makes the enumeration and what belongs to each method of the catalogue.
 macro_rules! methods {
@@ -22,7 +22,7 @@ macro_rules! methods {
             /// All of them.
             pub const ALL: [Self; [$($i,)* $($j,)*].len()] = [$(Self::$a,)* $(Self::$b,)*];
 
-            /// What it is called.
+            /// Its names.
             pub fn called(self) -> Called {
                 let (rust, c, kind, words) = match self {
                     $(Self::$a => (stringify!($a), $c, $t, $w),)*
@@ -75,7 +75,7 @@ macro_rules! methods {
 
 plm_runtime::methods!(methods);
 
-/// What a method is called.
+/// Names of a method.
 pub struct Called {
     /// In Rust, and by `--method`.
     pub rust: &'static str,
@@ -83,7 +83,7 @@ pub struct Called {
     pub c: &'static str,
     /// Its type, for numbers `REAL` of a mechanism `OWN`.
     pub(crate) kind: &'static str,
-    /// What it is.
+    /// Description in words.
     pub(crate) words: &'static str,
 }
 
@@ -92,7 +92,7 @@ impl By {
     ///
     /// # Errors
     /// [`Status::Choice`]
-    pub fn of(number: i32) -> Result<Self, Trouble> {
+    pub fn of(number: i32) -> Result<Self, Error> {
         Self::ALL.into_iter().find(|by| *by as i32 == number).ok_or(Status::Choice.into())
     }
 }
@@ -147,7 +147,7 @@ pub trait Run<M: Foreign>: Copy + InWords {
     /// The mechanism at the current moment.
     fn state(&self) -> &M::State;
 
-    /// The same, to be changed; the next step looks at what was.
+    /// The state, to be changed; the next step checks what was changed.
     fn state_mut(&mut self) -> &mut M::State;
 
     /// Takes other options of its method.
@@ -211,7 +211,7 @@ pub enum Either<A, B> {
     That(B),
 }
 
-/// The same of whichever it is.
+/// Evaluates an expression on the run, whichever method it has.
 macro_rules! whichever {
     ($either:expr, $run:ident => $value:expr) => {
         match $either {

@@ -6,7 +6,7 @@
 
 use plm_runtime::words::{InWords, Words};
 
-use crate::{Foreign, Status, Trouble};
+use crate::{Error, Foreign, Status};
 
 const NAME: u64 = u64::from_le_bytes(*b"plm run\0");
 const VERSION: u64 = 2;
@@ -42,7 +42,7 @@ pub fn size<T: InWords>(mut run: T) -> usize {
 ///
 /// # Errors
 /// [`Status::Memory`]
-pub fn write<M: Foreign, T: InWords + Clone>(run: &T, bytes: &mut [u8]) -> Result<(), Trouble> {
+pub fn write<M: Foreign, T: InWords + Clone>(run: &T, bytes: &mut [u8]) -> Result<(), Error> {
     if bytes.len() != size(run.clone()) {
         return Err(Status::Memory.into());
     }
@@ -61,7 +61,7 @@ pub fn write<M: Foreign, T: InWords + Clone>(run: &T, bytes: &mut [u8]) -> Resul
 ///
 /// # Errors
 /// [`Status::Damaged`], [`Status::OtherVersion`], [`Status::OtherMechanism`]
-pub fn read<M: Foreign>(run: &mut impl InWords, bytes: &[u8]) -> Result<(), Trouble> {
+pub fn read<M: Foreign>(run: &mut impl InWords, bytes: &[u8]) -> Result<(), Error> {
     let (front, sum) = bytes.split_last_chunk::<WORD>().ok_or(Status::Damaged)?;
     let mut reader = Reader { rest: front, missing: 0 };
     let [name, version, own, count] = core::array::from_fn(|_| reader.next());

@@ -1,4 +1,4 @@
-//! What a mechanism is called in other languages, and the source of its functions.
+//! Names of a mechanism in other languages, and the source of its functions.
 
 use core::fmt;
 
@@ -93,10 +93,10 @@ const C: &str = include_str!("c.rs.txt");
 /// One of a step by itself.
 const STEP: &str = include_str!("c_step.rs.txt");
 
-/// What a mechanism is called in a library, and by which methods it runs there.
+/// A mechanism in a library: its name, and the methods by which it runs.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry<'a> {
-    /// What its functions begin with: `press`.
+    /// Prefix of its functions: `press`.
     pub name: &'a str,
     /// The methods, the usual one first.
     pub methods: &'a [By],

@@ -5,7 +5,7 @@ use core::fmt;
 
 use plm_runtime::{Cause, Fault};
 
-/// What came of a call; 0 is good.
+/// Result of a call; 0 is success.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Status {
@@ -144,16 +144,16 @@ impl From<&Fault> for Status {
     }
 }
 
-/// Why a call did nothing.
+/// The error of a call that did nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Trouble {
+pub enum Error {
     /// The call was wrong.
     Call(Status),
     /// The mechanism could not do it.
     Fault(Fault),
 }
 
-impl Trouble {
+impl Error {
     /// Its number.
     pub fn status(&self) -> Status {
         match self {
@@ -164,7 +164,7 @@ impl Trouble {
 }
 
 /// A fault with its time and its part.
-impl fmt::Display for Trouble {
+impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Call(status) => f.write_str(status.words().1.to_str().unwrap_or_default()),
@@ -173,15 +173,15 @@ impl fmt::Display for Trouble {
     }
 }
 
-impl core::error::Error for Trouble {}
+impl core::error::Error for Error {}
 
-impl From<Status> for Trouble {
+impl From<Status> for Error {
     fn from(status: Status) -> Self {
         Self::Call(status)
     }
 }
 
-impl From<Fault> for Trouble {
+impl From<Fault> for Error {
     fn from(fault: Fault) -> Self {
         Self::Fault(fault)
     }

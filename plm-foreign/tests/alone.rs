@@ -23,7 +23,7 @@ plm::mechanism! {
     /// The same in absolute coordinates.
     Absolute {
         gravity: 9.81 m/s^2;
-        rung: absolute;
+        formulation: absolute;
         param load: kg = 2 kg;
         input drive: N*m = 0;
         state heat: J = 0;

@@ -13,7 +13,7 @@ use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 
 use plm::Moment;
-use plm_foreign::fmi::{Call, Instance, Interface, Steps, Variable, Version, border, token};
+use plm_foreign::fmi::{Call, Instance, Interface, Steps, Variable, Version, ffi, token};
 
 plm::mechanism! {
     /// A shaft on a spring, which a torque turns round.
@@ -56,45 +56,42 @@ fn references(wanted: impl Fn(Variable) -> bool) -> Vec<u32> {
 fn rooms_need_no_values_and_wrong_calls_change_nothing() {
     let own = CString::new(token::<Shaft>().as_str()).unwrap();
     let handle = unsafe {
-        let listener = border::Listener::three(None, null_mut());
-        border::instantiate((Shaft::new(), Steps::none()), own.as_ptr(), (CO_SIMULATION, false), listener)
+        let listener = ffi::Listener::three(None, null_mut());
+        ffi::instantiate((Shaft::new(), Steps::none()), own.as_ptr(), (CO_SIMULATION, false), listener)
     };
     let angle = references(|variable| variable == Variable::Output(0));
     let mut room = [MaybeUninit::<f64>::uninit(); 1];
     let get = |room: &mut [MaybeUninit<f64>; 1]| unsafe {
-        assert_eq!(border::get(handle, (angle.as_ptr(), 1), (room.as_mut_ptr().cast(), 1)), OK);
+        assert_eq!(ffi::get(handle, (angle.as_ptr(), 1), (room.as_mut_ptr().cast(), 1)), OK);
         room[0].assume_init()
     };
     let (mut flag, mut last) = (true, f64::NAN);
     let flags = [&raw mut flag; 3];
     unsafe {
-        assert_eq!(border::with(handle, None, |instance| instance.begin_at(f64::NAN, None)), ERROR);
-        assert_eq!(border::with(handle, Call::EnterInitializationMode, |_| Ok(())), OK);
-        assert_eq!(border::with(handle, Call::ExitInitializationMode, Instance::renew), OK);
+        assert_eq!(ffi::with(handle, None, |instance| instance.begin_at(f64::NAN, None)), ERROR);
+        assert_eq!(ffi::with(handle, Call::EnterInitializationMode, |_| Ok(())), OK);
+        assert_eq!(ffi::with(handle, Call::ExitInitializationMode, Instance::renew), OK);
         let before = get(&mut room);
-        assert_eq!(
-            border::do_step(handle, (0.0, 0.5), [flags[0], null_mut(), flags[2]], &raw mut last),
-            ERROR
-        );
-        assert_eq!(border::do_step(handle, (0.0, 0.5), flags, null_mut()), ERROR);
-        assert_eq!(border::get(handle, (angle.as_ptr(), 1), (null_mut(), 1)), ERROR);
+        assert_eq!(ffi::do_step(handle, (0.0, 0.5), [flags[0], null_mut(), flags[2]], &raw mut last), ERROR);
+        assert_eq!(ffi::do_step(handle, (0.0, 0.5), flags, null_mut()), ERROR);
+        assert_eq!(ffi::get(handle, (angle.as_ptr(), 1), (null_mut(), 1)), ERROR);
         assert_eq!(get(&mut room).to_bits(), before.to_bits());
-        assert_eq!(border::do_step(handle, (0.0, 0.5), flags, &raw mut last), OK);
+        assert_eq!(ffi::do_step(handle, (0.0, 0.5), flags, &raw mut last), OK);
         assert!(get(&mut room) > before && last == 0.5 && !flag);
-        border::free(handle);
+        ffi::free(handle);
     }
 }
 
 /// Memory that is no instance, whatever is in it.
 #[test]
 fn other_memory_is_no_instance() {
-    let mut memory = MaybeUninit::<border::Handle<Shaft>>::uninit();
+    let mut memory = MaybeUninit::<ffi::Handle<Shaft>>::uninit();
     let (mut flag, mut last) = (true, f64::NAN);
     unsafe {
         memory.as_mut_ptr().cast::<u8>().write_bytes(0xff, size_of_val(&memory));
         let flags = [&raw mut flag; 3];
-        assert_eq!(border::with(memory.as_mut_ptr(), None, |_| Ok(())), ERROR);
-        assert_eq!(border::do_step(memory.as_mut_ptr(), (0.0, 0.5), flags, &raw mut last), ERROR);
+        assert_eq!(ffi::with(memory.as_mut_ptr(), None, |_| Ok(())), ERROR);
+        assert_eq!(ffi::do_step(memory.as_mut_ptr(), (0.0, 0.5), flags, &raw mut last), ERROR);
     }
 }
 
@@ -135,24 +132,20 @@ fn a_simulator_sets_a_method_by_its_number() {
     let (method, step) = ((method.as_ptr(), 1), (step.as_ptr(), 1));
     let (mut number, mut real) = (0_i32, 0.0);
     unsafe {
-        let listener = border::Listener::three(None, null_mut());
-        let handle = border::instantiate(
-            (Shaft::new(), Steps::none()),
-            own.as_ptr(),
-            (CO_SIMULATION, false),
-            listener,
-        );
-        assert_eq!(border::set_integers(handle, method, ([3_i32].as_ptr(), 1)), OK);
+        let listener = ffi::Listener::three(None, null_mut());
+        let handle =
+            ffi::instantiate((Shaft::new(), Steps::none()), own.as_ptr(), (CO_SIMULATION, false), listener);
+        assert_eq!(ffi::set_integers(handle, method, ([3_i32].as_ptr(), 1)), OK);
         // A step that is not emitted.
-        assert_eq!(border::set_integers(handle, method, ([6_i64].as_ptr(), 1)), ERROR);
-        assert_eq!(border::set_integers(handle, step, ([3_i32].as_ptr(), 1)), ERROR);
-        assert_eq!(border::set_integers::<Shaft, i64>(handle, method, (null(), 1)), ERROR);
-        assert_eq!(border::set_integers::<Shaft, i64>(handle, method, (null(), 0)), ERROR);
-        assert_eq!(border::get_integers(handle, method, (&raw mut number, 1)), OK);
-        assert_eq!(border::get_integers::<Shaft, i64>(handle, method, (null_mut(), 1)), ERROR);
-        assert_eq!(border::get(handle, method, (&raw mut real, 1)), ERROR);
-        assert_eq!(border::get(handle, step, (&raw mut real, 1)), OK);
-        border::free(handle);
+        assert_eq!(ffi::set_integers(handle, method, ([6_i64].as_ptr(), 1)), ERROR);
+        assert_eq!(ffi::set_integers(handle, step, ([3_i32].as_ptr(), 1)), ERROR);
+        assert_eq!(ffi::set_integers::<Shaft, i64>(handle, method, (null(), 1)), ERROR);
+        assert_eq!(ffi::set_integers::<Shaft, i64>(handle, method, (null(), 0)), ERROR);
+        assert_eq!(ffi::get_integers(handle, method, (&raw mut number, 1)), OK);
+        assert_eq!(ffi::get_integers::<Shaft, i64>(handle, method, (null_mut(), 1)), ERROR);
+        assert_eq!(ffi::get(handle, method, (&raw mut real, 1)), ERROR);
+        assert_eq!(ffi::get(handle, step, (&raw mut real, 1)), OK);
+        ffi::free(handle);
     }
     assert_eq!((number, real), (3, 1e-3));
 }
@@ -173,50 +166,46 @@ fn a_step_that_is_too_long_is_discarded_and_a_shorter_one_goes_on() {
     for version in [Version::Two, Version::Three] {
         let mut heard = Heard::new();
         let listener = match version {
-            Version::Two => border::Listener::two(None, null_mut(), c"rockers"),
-            Version::Three => border::Listener::three(Some(hear), (&raw mut heard).cast()),
+            Version::Two => ffi::Listener::two(None, null_mut(), c"rockers"),
+            Version::Three => ffi::Listener::three(Some(hear), (&raw mut heard).cast()),
         };
         let (mut x, mut rates, mut again) = ([0.0; 2], [0.0; 2], [0.0; 2]);
         let (mut event, mut ends) = (true, true);
         unsafe {
             let exchange = (Interface::ModelExchange, false);
-            let handle =
-                border::instantiate((Rockers::new(), Steps::none()), own.as_ptr(), exchange, listener);
+            let handle = ffi::instantiate((Rockers::new(), Steps::none()), own.as_ptr(), exchange, listener);
             for call in
                 [Call::EnterInitializationMode, Call::ExitInitializationMode, Call::EnterContinuousTimeMode]
             {
-                assert_eq!(border::with(handle, call, Instance::renew), OK);
+                assert_eq!(ffi::with(handle, call, Instance::renew), OK);
             }
-            let given = |what, room: &mut [f64; 2]| border::give(handle, what, (room.as_mut_ptr(), 2));
-            let set = |x: [f64; 2]| border::set_states(handle, (x.as_ptr(), 2));
-            let complete = |event, ends| border::complete(handle, [event, ends]);
-            assert_eq!(
-                (given(border::Given::States, &mut x), given(border::Given::Rates, &mut rates)),
-                (OK, OK)
-            );
+            let given = |what, room: &mut [f64; 2]| ffi::give(handle, what, (room.as_mut_ptr(), 2));
+            let set = |x: [f64; 2]| ffi::set_states(handle, (x.as_ptr(), 2));
+            let complete = |event, ends| ffi::complete(handle, [event, ends]);
+            assert_eq!((given(ffi::Given::States, &mut x), given(ffi::Given::Rates, &mut rates)), (OK, OK));
             // No bar of a linkage without Grashof's condition turns round beside another.
             let mut angles = (1..12).map(|k| x[0] + 0.5 * f64::from(k));
             let outcome = angles.find(|angle| {
                 assert_eq!(set([*angle, x[1]]), OK);
-                given(border::Given::Rates, &mut again) != OK
+                given(ffi::Given::Rates, &mut again) != OK
             });
             assert!(outcome.is_some());
-            assert_eq!(given(border::Given::Rates, &mut again), DISCARD);
+            assert_eq!(given(ffi::Given::Rates, &mut again), DISCARD);
             let mut indicators = [0.0];
-            assert_eq!(border::give(handle, border::Given::Indicators, (indicators.as_mut_ptr(), 1)), OK);
+            assert_eq!(ffi::give(handle, ffi::Given::Indicators, (indicators.as_mut_ptr(), 1)), OK);
             assert_eq!(indicators, [-1.0]);
             // In 2.0 a completed step is not among what can be discarded.
             let outcome = if version == Version::Two { ERROR } else { DISCARD };
             assert_eq!(complete(&raw mut event, &raw mut ends), outcome);
             assert_eq!(set(x), OK);
-            assert_eq!(given(border::Given::Rates, &mut again), OK);
+            assert_eq!(given(ffi::Given::Rates, &mut again), OK);
             assert_eq!(again.map(f64::to_bits), rates.map(f64::to_bits));
             assert_eq!(set([x[0] + 1e-3, x[1]]), OK);
             assert_eq!(complete(&raw mut event, &raw mut ends), OK);
             assert!(!event && !ends);
             // A wrong call is no matter of the step.
             assert_eq!(complete(null_mut(), &raw mut ends), ERROR);
-            border::free(handle);
+            ffi::free(handle);
         }
         let (wrong, discarded): (Heard, Heard) = heard.into_iter().partition(|(status, ..)| *status == ERROR);
         assert_eq!((wrong.len(), discarded.len()), if version == Version::Two { (0, 0) } else { (1, 3) });

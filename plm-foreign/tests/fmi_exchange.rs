@@ -13,7 +13,7 @@ mod random;
 
 use plm::Moment;
 use plm::runtime::Vector;
-use plm_foreign::Trouble;
+use plm_foreign::Error;
 use plm_foreign::fmi::{Call, Exchanged, Instance, Interface, Mode, Variable};
 use random::Random;
 
@@ -82,7 +82,7 @@ struct Importer<M: Exchanged> {
 }
 
 impl<M: Exchanged> Importer<M> {
-    fn new(mut instance: Instance<M>, h: f64, shown: u32) -> Result<Self, Trouble> {
+    fn new(mut instance: Instance<M>, h: f64, shown: u32) -> Result<Self, Error> {
         instance.renew()?;
         instance.pass(Call::ExitInitializationMode);
         instance.update()?;
@@ -94,13 +94,13 @@ impl<M: Exchanged> Importer<M> {
         self.instance.get(Variable::Time).unwrap()
     }
 
-    fn rates(&mut self, time: f64, x: M::X) -> Result<M::X, Trouble> {
+    fn rates(&mut self, time: f64, x: M::X) -> Result<M::X, Error> {
         self.instance.place(Some(time), Some(x))?;
         self.instance.rates()
     }
 
     /// Leads the instance on by `h` from a time and a state.
-    fn lead(&mut self, (time, x): (f64, M::X), h: f64) -> Result<bool, Trouble> {
+    fn lead(&mut self, (time, x): (f64, M::X), h: f64) -> Result<bool, Error> {
         let along = |k: &M::X, part: f64| x.map2(k, |x, k| x + part * h * k);
         let first = self.rates(time, x)?;
         let second = self.rates(time + 0.5 * h, along(&first, 0.5))?;
@@ -112,7 +112,7 @@ impl<M: Exchanged> Importer<M> {
         Ok(self.instance.indicators()?.iter().any(|indicator| *indicator < 0.0))
     }
 
-    fn step(&mut self) -> Result<(), Trouble> {
+    fn step(&mut self) -> Result<(), Error> {
         let from = (self.time(), *self.instance.state()?.x());
         if !self.lead(from, self.h)? {
             return Ok(());
@@ -128,7 +128,7 @@ impl<M: Exchanged> Importer<M> {
         self.event()
     }
 
-    fn event(&mut self) -> Result<(), Trouble> {
+    fn event(&mut self) -> Result<(), Error> {
         self.events += 1;
         self.instance.catch_up()?;
         self.instance.pass(Call::EnterEventMode);
@@ -139,7 +139,7 @@ impl<M: Exchanged> Importer<M> {
     }
 
     /// Up to a time at least; a fault is that of the instance.
-    fn run(&mut self, until: f64) -> Result<(), Trouble> {
+    fn run(&mut self, until: f64) -> Result<(), Error> {
         while self.time() < until {
             for _ in 0..self.shown {
                 self.step()?;
@@ -187,8 +187,8 @@ fn random_four_bars_are_followed_however_seldom_they_are_shown() {
                 assert!(off < 1e-4, "case {case}, {lengths:?}, shown every {shown}: off by {off:.1e}");
                 (right, worst) = (right + 1, f64::max(worst, off));
             }
-            Err(trouble) => {
-                println!("case {case}, {lengths:?}, shown every {shown}: {trouble}");
+            Err(error) => {
+                println!("case {case}, {lengths:?}, shown every {shown}: {error}");
                 poor += 1;
             }
         }

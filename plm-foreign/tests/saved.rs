@@ -161,7 +161,7 @@ fn a_saved_run_of_single_precision_goes_on_to_the_bit() {
     goes_on_by::<_, Sim<TripleRocker<f32>, Dop853<_>>>(TripleRocker::<f32>::of(), -2.0, 0.01);
     let mut object = Object::new(Hopper::<f32>::of());
     object.start().unwrap();
-    let other = Object::saved(Hopper::new(), &saved(&object)).err().map(|trouble| trouble.status());
+    let other = Object::saved(Hopper::new(), &saved(&object)).err().map(|error| error.status());
     assert_eq!(other, Some(Status::OtherMechanism));
 }
 
@@ -216,7 +216,7 @@ fn a_run_is_restored_by_its_method_where_there_is_one() {
     object.start().unwrap();
     object.step(0.2).unwrap();
     let mut again = ObjectBy::<Hopper, Two>::saved(Hopper::new(), &saved(&object)).unwrap();
-    let other = Object::saved(Hopper::new(), &saved(&object)).err().map(|trouble| trouble.status());
+    let other = Object::saved(Hopper::new(), &saved(&object)).err().map(|error| error.status());
     assert_eq!(other, Some(Status::OtherMechanism));
     for each in [&mut object, &mut again] {
         each.step(0.05).unwrap();
@@ -247,7 +247,7 @@ fn bytes_that_were_changed_are_refused() {
     object.start().unwrap();
     object.step(0.2).unwrap();
     let bytes = saved(&object);
-    let status = |bytes: &[u8]| Object::saved(Hopper::new(), bytes).err().map(|trouble| trouble.status());
+    let status = |bytes: &[u8]| Object::saved(Hopper::new(), bytes).err().map(|error| error.status());
     assert_eq!(status(&bytes), None);
     for place in 0..bytes.len() {
         let mut other = bytes.clone();
@@ -256,7 +256,7 @@ fn bytes_that_were_changed_are_refused() {
         assert_eq!(status(&bytes[..place]), Some(Status::Damaged), "{place} bytes");
     }
     assert_eq!(status(&[bytes.clone(), vec![0; 8]].concat()), Some(Status::Damaged));
-    let other = Object::saved(TripleRocker::new(), &bytes).err().map(|trouble| trouble.status());
+    let other = Object::saved(TripleRocker::new(), &bytes).err().map(|error| error.status());
     assert_eq!(other, Some(Status::OtherMechanism));
     let (mut version, end) = (bytes.clone(), bytes.len() - 8);
     version[8] += 1;

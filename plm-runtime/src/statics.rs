@@ -1,4 +1,4 @@
-//! A mechanism at rest: what must vanish at an equilibrium, in absolute coordinates on every rung.
+//! A mechanism at rest: what must vanish at an equilibrium, in absolute coordinates for every formulation.
 
 use crate::fault::Fault;
 use crate::mechanism::Mechanism;

@@ -13,7 +13,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use plm_runtime::Fault;
 use rayon::prelude::*;
 
-/// What is to be run: one point for each run.
+/// Points of a batch, one for each run.
 #[derive(Clone, Debug)]
 pub struct Points<P> {
     list: Vec<P>,
@@ -103,12 +103,12 @@ pub(crate) fn progress_bar(length: usize) -> ProgressBar {
     }
 }
 
-/// What a run gives, or the words of its panic.
+/// Result of a run, or the words of its panic.
 pub(crate) fn caught<T>(run: impl FnOnce() -> T) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(run)).map_err(|payload| text_of(payload.as_ref()))
 }
 
-/// What a panic said.
+/// Message of a panic.
 fn text_of(payload: &(dyn Any + Send)) -> String {
     let text = payload.downcast_ref::<&str>().map(ToString::to_string);
     text.or_else(|| payload.downcast_ref::<String>().cloned()).unwrap_or_default()
@@ -121,7 +121,7 @@ pub struct Run<P, T> {
     pub index: usize,
     /// The point.
     pub parameters: P,
-    /// What the run gave.
+    /// Result of the run.
     pub result: Result<T, Failure>,
 }
 

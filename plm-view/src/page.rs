@@ -44,7 +44,7 @@ impl Page {
         Self { results: results.to_vec(), title: title.into(), module: Vec::new() }
     }
 
-    /// The same page with the mechanism alive: the bytes of a module of WebAssembly, as [`Module::build`] gives them.
+    /// The same page with a live mechanism: the bytes of a module of WebAssembly, as [`Module::build`] gives them.
     ///
     /// The first run of the results tells what the module computes: its mechanism, and as its columns all observed
     /// quantities in SI. The bytes are not looked at; a module that is none, or another mechanism's, the page tells of.
@@ -61,7 +61,7 @@ impl Page {
         if self.module.is_empty() {
             return self.filled(&bundle::script(Kind::Results), "");
         }
-        let script = element("packed", bundle::script(Kind::Alive).as_bytes());
+        let script = element("packed", bundle::script(Kind::Live).as_bytes());
         self.filled(&bundle::without_noise(UNPACK), &(script + &element("module", &self.module)))
     }
 
@@ -173,7 +173,7 @@ mod tests {
     fn nothing_is_asked_of_a_network() {
         // The script of a live page stands packed in it.
         let html = Page::new(&[], "x").with_module(&[0]).to_html()
-            + &[Kind::Results, Kind::Alive].map(bundle::script).concat();
+            + &[Kind::Results, Kind::Live].map(bundle::script).concat();
         let addresses: Vec<&str> = html.split("http").skip(1).collect();
         // The name of a vocabulary, which nobody fetches.
         assert!(addresses.iter().all(|text| text.starts_with("://www.w3.org/2000/svg")), "{addresses:?}");

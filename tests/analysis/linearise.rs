@@ -1,22 +1,22 @@
-//! Declared mechanisms against their known frequencies and dampings, on every rung that holds them.
+//! Declared mechanisms against their known frequencies and dampings, in every formulation that holds them.
 
 use plm::{Linearisation, linearise};
 
-/// Declares the same mechanism on the rung that the compiler takes, and in absolute coordinates.
-macro_rules! on_both_rungs {
+/// Declares the same mechanism in the formulation that the compiler takes, and in absolute coordinates.
+macro_rules! in_both_formulations {
     ($module:ident { $($item:tt)* }) => {
         mod $module {
             pub(super) mod least {
                 plm::mechanism! { pub Scene { $($item)* } }
             }
             pub(super) mod absolute {
-                plm::mechanism! { pub Scene { rung: absolute; $($item)* } }
+                plm::mechanism! { pub Scene { formulation: absolute; $($item)* } }
             }
         }
     };
 }
 
-/// Linearises a declared mechanism at its start on both rungs.
+/// Linearises a declared mechanism at its start in both formulations.
 macro_rules! at_start {
     ($module:ident) => {
         [
@@ -38,7 +38,7 @@ fn a_simulation_is_linearised_where_it_is() {
     assert_ne!(linearise(&sim).unwrap(), start);
 }
 
-on_both_rungs!(pendulum {
+in_both_formulations!(pendulum {
     gravity: 9.81 m/s^2;
     ground { port o: (0, 0) m; }
     body bob {
@@ -51,7 +51,7 @@ on_both_rungs!(pendulum {
     output bob.angle in deg, hinge.force;
 });
 
-on_both_rungs!(oscillator {
+in_both_formulations!(oscillator {
     input push: N = 0 N;
     ground { port rail: (0, 0) m; }
     body mass {
@@ -63,7 +63,7 @@ on_both_rungs!(oscillator {
     output mass.x in mm, mass.ax;
 });
 
-on_both_rungs!(double_pendulum {
+in_both_formulations!(double_pendulum {
     gravity: 9.81 m/s^2;
     ground { port o: (0, 0) m; }
     body arm {
@@ -83,7 +83,7 @@ on_both_rungs!(double_pendulum {
     revolute elbow(arm.elbow, forearm.elbow);
 });
 
-on_both_rungs!(parallelogram {
+in_both_formulations!(parallelogram {
     gravity: 9.81 m/s^2;
     ground { port a: (0, 0) m; port d: (1, 0) m; }
     body left {

@@ -5,13 +5,13 @@ use plm::{Equilibrium, Stabilise, What};
 use super::stabilise::{assert_close, assert_needs, value};
 
 #[test]
-fn a_loop_with_a_spring_rests_on_every_rung() {
+fn a_loop_with_a_spring_rests_in_every_formulation() {
     macro_rules! four_bar {
-        ($module:ident, { $($rung:tt)* }) => {
+        ($module:ident, { $($formulation:tt)* }) => {
             mod $module {
                 plm::mechanism! {
                     pub FourBar {
-                        $($rung)*
+                        $($formulation)*
                         gravity: 9.81 m/s^2;
                         ground { port a: (0, 0) m; port d: (1, 0) m; }
                         body crank { mass: 1 kg; inertia: 0.02 kg*m^2; port a: (-0.2, 0) m; port b: (0.2, 0) m; start angle: 70 deg, locked; }
@@ -28,7 +28,7 @@ fn a_loop_with_a_spring_rests_on_every_rung() {
         };
     }
     four_bar!(least, {});
-    four_bar!(absolute, { rung: absolute; });
+    four_bar!(absolute, { formulation: absolute; });
     let (mut one, mut other) = (least::FourBar::new(), absolute::FourBar::new());
     one.start.crank.angle.locked = false;
     other.start.crank.angle.locked = false;

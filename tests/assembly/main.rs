@@ -3,7 +3,7 @@
 #![allow(clippy::excessive_precision, reason = "references are written as they were published")]
 
 mod assembly;
-mod reach;
 mod robust;
 mod scenes;
 mod starts;
+mod workspace_limits;

@@ -8,7 +8,7 @@ mod flat {
     plm::mechanism! {
         /// A parallelogram: at the flat pose the rank of phi_q falls from 8 to 7.
         pub Parallelogram {
-            rung: absolute;
+            formulation: absolute;
             ground { port a: (0, 0) m; port d: (1, 0) m; }
             body left  { mass: 1 kg; inertia: 1 kg*m^2/12; port low: (-0.5, 0) m; port high: (0.5, 0) m; start angle: 90 deg, locked; start omega: 1 rad/s, locked; }
             body top   { mass: 1 kg; inertia: 1 kg*m^2/12; port a: (-0.5, 0) m; port b: (0.5, 0) m; start x: 0.5 m; start y: 1 m; }

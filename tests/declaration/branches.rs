@@ -4,11 +4,11 @@ use plm::Cause;
 
 /// A four-bar whose start is nearer to the image in which the rocker turns left from the coupler.
 macro_rules! four_bar {
-    ($module:ident, { $($rung:tt)* }, { $($branch:tt)* }) => {
+    ($module:ident, { $($formulation:tt)* }, { $($branch:tt)* }) => {
         mod $module {
             plm::mechanism! {
                 pub FourBar {
-                    $($rung)*
+                    $($formulation)*
                     param reach: m = 0.9 m;
                     ground { port a: (0, 0) m; port d: (1, 0) m; }
                     body crank { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.15, 0) m; port b: (0.15, 0) m; start angle: 60 deg, locked; }
@@ -28,7 +28,7 @@ four_bar!(free, {}, { revolute pin(crank.b, coupler.b); revolute wrist(coupler.c
 four_bar!(left, {}, { revolute pin(crank.b, coupler.b); revolute wrist(coupler.c, rocker.c) { branch: left; } });
 four_bar!(right, {}, { revolute pin(crank.b, coupler.b); revolute wrist(coupler.c, rocker.c) { branch: right; } });
 four_bar!(other_order, {}, { revolute pin(crank.b, coupler.b); revolute wrist(rocker.c, coupler.c) { branch: right; } });
-four_bar!(absolute, { rung: absolute; }, { revolute pin(crank.b, coupler.b); revolute wrist(coupler.c, rocker.c) { branch: right; } });
+four_bar!(absolute, { formulation: absolute; }, { revolute pin(crank.b, coupler.b); revolute wrist(coupler.c, rocker.c) { branch: right; } });
 four_bar!(none, {}, { revolute pin(crank.b, coupler.b) { branch: left; } revolute wrist(coupler.c, rocker.c); });
 
 /// Where the circle of the coupler about the crank's pin and that of the rocker about (1, 0) m meet: above, and below.

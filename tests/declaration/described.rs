@@ -4,15 +4,15 @@ use plm::Described;
 use plm::runtime::Ports;
 use plm::{Dop853, Rk4};
 
-/// A driven slider-crank on a ground that moves, with lengths and masses that parameters make; on the rung of `$rung`.
+/// A driven slider-crank on a ground that moves, with lengths and masses that parameters make; in the formulation of `$formulation`.
 macro_rules! press {
-    ($module:ident, { $($rung:tt)* }) => {
+    ($module:ident, { $($formulation:tt)* }) => {
         mod $module {
             plm::mechanism! {
                 /// A press.
                 pub Press {
                     gravity: 9.81 m/s^2;
-                    $($rung)*
+                    $($formulation)*
                     /// Length of the rod.
                     param length: cm = 80 cm;
                     param density: kg/m = 2 kg/m;
@@ -61,7 +61,7 @@ macro_rules! press {
 }
 
 press!(loops, {});
-press!(absolute, { rung: absolute; });
+press!(absolute, { formulation: absolute; });
 
 fn near(found: f64, expected: f64, what: &str) {
     assert!((found - expected).abs() <= 1e-12 * (1.0 + expected.abs()), "{what}: {found}, {expected}");

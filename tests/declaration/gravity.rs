@@ -119,7 +119,7 @@ turned!(a_four_bar_turns_with_its_gravity, [crank, coupler, rocker], drive_force
 });
 
 turned!(absolute_coordinates_turn_with_their_gravity, [arm, forearm], shoulder_force, {
-    rung: absolute;
+    formulation: absolute;
     ground { port o: (0, 0) m; }
     body arm { mass: 2 kg; inertia: 0.1 kg*m^2; port o: (-0.5, 0.1) m; port p: (0.4, -0.2) m; start angle: 20 deg + tilt, locked; }
     body forearm { mass: 1 kg; inertia: 0.05 kg*m^2; port p: (-0.3, 0.05) m; start angle: -50 deg + tilt, locked; }

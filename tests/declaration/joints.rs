@@ -2,13 +2,13 @@
 
 use plm::{Dop853, Mechanism, Sim};
 
-/// All joints, on the rung that is taken and in absolute coordinates.
+/// All joints, in the formulation that is taken and in absolute coordinates.
 macro_rules! machine {
-    ($module:ident, { $($rung:tt)* }) => {
+    ($module:ident, { $($formulation:tt)* }) => {
         mod $module {
             plm::mechanism! {
                 pub Machine {
-                    $($rung)*
+                    $($formulation)*
                     gravity: 9.81 m/s^2;
                     ground {
                         port o: (0, 0) m;
@@ -40,7 +40,7 @@ macro_rules! machine {
 }
 
 machine!(joint_coordinates, {});
-machine!(absolute, { rung: absolute; });
+machine!(absolute, { formulation: absolute; });
 
 /// Central differences over 2 h leave h^2/6 of the third derivative: 1e-8 s^2 times some 1e3 of it.
 const H: f64 = 1e-4;

@@ -37,7 +37,7 @@ macro_rules! press {
 
 press!(plain, {});
 press!(seen, { observe all; });
-press!(absolute, { rung: absolute; observe all; });
+press!(absolute, { formulation: absolute; observe all; });
 
 /// `m a = m g + sum F` and `I alpha = sum (M + r x F)` of each body, from what is observed alone.
 macro_rules! assert_newton_euler {

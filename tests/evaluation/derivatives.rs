@@ -47,7 +47,7 @@ mod apart {
     plm::mechanism! {
         pub Apart {
             gravity: 9.81 m/s^2;
-            rung: absolute;
+            formulation: absolute;
             ground { port o: (0, 0) m; port p: (1 m, 0.1 m*sin(3 rad/s*t)); port q: (2, 0) m; }
             body left { mass: 2 kg; inertia: 0.1 kg*m^2; port pin: (0, 0.4) m; start angle: 40 deg, locked; start omega: 2 rad/s, locked; }
             body right { mass: 1 kg; inertia: 0.2 kg*m^2; port pin: (0.1, 0.3) m; start angle: -30 deg, locked; start omega: -1 rad/s, locked; }

@@ -1,15 +1,15 @@
-//! Random four-bars and slider-cranks on rung 3 and on rung 5: no chart, no sign may take another motion.
+//! Random four-bars and slider-cranks in joint and in absolute coordinates: no chart, no sign may take another motion.
 
 use plm::Dop853;
 
 use crate::random::Random;
 
 macro_rules! linkage {
-    ($module:ident, $rung:ident) => {
+    ($module:ident, $formulation:ident) => {
         pub(crate) mod $module {
             plm::mechanism! {
                 pub FourBar {
-                    rung: $rung;
+                    formulation: $formulation;
                     gravity: 9.81 m/s^2;
                     param crank: m = 0.3 m;
                     param coupler: m = 0.9 m;
@@ -32,7 +32,7 @@ linkage!(loops, loops);
 linkage!(absolute, absolute);
 
 #[test]
-fn random_four_bars_move_alike_on_both_rungs() {
+fn random_four_bars_move_alike_in_both_formulations() {
     let mut random = Random(2026);
     let (mut assembled, mut charts, mut rocked) = (0, 0, 0);
     for case in 0..120 {

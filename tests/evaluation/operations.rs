@@ -76,5 +76,5 @@ fn grows_linearly(setting: &str, function: &str) {
 #[test]
 fn operations_grow_linearly_along_a_chain() {
     grows_linearly("", "reactions");
-    grows_linearly("rung: absolute;", "closing step");
+    grows_linearly("formulation: absolute;", "closing step");
 }

@@ -7,7 +7,7 @@ use plm::{Moment, Scalar};
 mod loops {
     plm::mechanism! {
         pub FourBar {
-            rung: loops;
+            formulation: loops;
             gravity: 9.81 m/s^2;
             param crank: m = 0.3 m;
             param coupler: m = 0.9 m;

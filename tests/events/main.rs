@@ -2,9 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 #![allow(clippy::excessive_precision, reason = "references are written as they were published")]
 
-mod brief;
 mod kinks;
-mod near;
+mod near_singular;
 #[path = "../support/random.rs"]
 mod random;
+mod short_events;
 mod sides;

@@ -110,13 +110,13 @@ fn what_was_held_stiffly_starts_at_the_known_time() {
     assert!((sim.block().x - known).abs() < 1e-9, "{:e}", sim.block().x - known);
 }
 
-/// On every rung: a crank that is braked in one direction of its speed only, a jump in the torque.
+/// In every formulation: a crank that is braked in one direction of its speed only, a jump in the torque.
 macro_rules! braked {
-    ($rung:ident) => {
-        mod $rung {
+    ($formulation:ident) => {
+        mod $formulation {
             plm::mechanism! {
                 pub Braked {
-                    rung: $rung;
+                    formulation: $formulation;
                     gravity: 9.81 m/s^2;
                     ground { port a: (0, 0) m; port d: (1, 0) m; }
                     body crank { mass: 0.3 kg; inertia: 0.00225 kg*m^2; port a: (-0.15, 0) m; port b: (0.15, 0) m; start angle: 60 deg, locked; }
@@ -138,7 +138,7 @@ braked!(loops);
 braked!(absolute);
 
 #[test]
-fn both_rungs_switch_at_the_same_times() {
+fn both_formulations_switch_at_the_same_times() {
     let mut least = loops::Braked::new().start_with(Dop853::new(1e-12)).unwrap();
     let mut other = absolute::Braked::new().start_with(Dop853::new(1e-12)).unwrap();
     for _ in 0..10 {
@@ -153,11 +153,11 @@ fn both_rungs_switch_at_the_same_times() {
 
 /// A stone that must not fall below -1 m, nor faster than a limit.
 macro_rules! falling {
-    ($name:ident, $rung:ident) => {
+    ($name:ident, $formulation:ident) => {
         mod $name {
             plm::mechanism! {
                 pub Falling {
-                    rung: $rung;
+                    formulation: $formulation;
                     param limit: m/s = 100 m/s;
                     gravity: 2 m/s^2;
                     ground { port o: (0, 0) m, axis: 90 deg; }

@@ -1,10 +1,10 @@
-//! Dyads that come to their own limits, at which no bar of the loops before them can drive them: against rung 5.
+//! Dyads that come to their own limits, at which no bar of the loops before them can drive them: against absolute coordinates.
 
 use plm::Dop853;
 
-use super::rungs::{close, values};
+use super::formulations::{close, values};
 
-/// A mechanism on the rung that is taken, and on rung 5, over so many intervals of 50 ms; coordinates must change so often.
+/// A mechanism in the formulation that is taken, and in absolute coordinates, over so many intervals of 50 ms; coordinates must change so often.
 macro_rules! passes_limits {
     ($test:ident, $intervals:literal, $charts:literal, [$($body:ident),+], { $($item:tt)* }) => {
         mod $test {
@@ -12,7 +12,7 @@ macro_rules! passes_limits {
                 plm::mechanism! { pub Scene { $($item)* } }
             }
             pub(super) mod absolute {
-                plm::mechanism! { pub Scene { rung: absolute; $($item)* } }
+                plm::mechanism! { pub Scene { formulation: absolute; $($item)* } }
             }
         }
 

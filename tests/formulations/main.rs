@@ -2,11 +2,11 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 #![allow(clippy::excessive_precision, reason = "references are written as they were published")]
 
-mod carried;
+mod formulations;
 mod limits;
+mod loops_on_moving_bodies;
 mod newton;
 #[path = "../support/random.rs"]
 mod random;
 mod reactions;
 mod redundant;
-mod rungs;

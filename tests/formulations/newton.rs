@@ -1,9 +1,9 @@
-//! Loops that do not split, by Newton's iteration: against rung 5, and where the iteration could fail.
+//! Loops that do not split, by Newton's iteration: against absolute coordinates, and where the iteration could fail.
 
 use plm::runtime::Absolute;
 use plm::{Dop853, Moment, Rk4};
 
-use super::rungs::{close, on_both, on_rung_5, values};
+use super::formulations::{absolute_state, close, on_both, values};
 
 // 8 bars and three loops (K. J. Waldron, S. V. Sreenivasan, J. Mech. Design 118, 1996): 6 angles at once.
 on_both!(double_butterfly, [base, left, right, strut_0, strut_1, strut_2, strut_3], [p1_force, p9_force], {
@@ -48,7 +48,7 @@ on_both!(plate_on_three_pins, [crank_0, crank_1, crank_2, plate], [slot_2_force]
     output slot[2].force;
 });
 
-// The same on rung 1: nothing is left to integrate.
+// Without freedom: nothing is left to integrate.
 on_both!(plate_on_driven_pins, [crank_0, crank_1, crank_2, plate], [slot_1_force], {
     gravity: 9.81 m/s^2;
     ground { port a: (0, 0) m; port b: (1, 0) m; port c: (0.5, 0.9) m; }

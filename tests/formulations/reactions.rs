@@ -1,28 +1,28 @@
-//! Reactions of trees by the backward pass, against those that rung 5 finds with all equations at once.
+//! Reactions of trees by the backward pass, against those that absolute coordinates find with all equations at once.
 
 use plm::{Mechanism, Moment};
 use plm_compiler::compile;
 use plm_compiler::token::Sources;
 
-use super::rungs::on_rung_5;
+use super::formulations::absolute_state;
 use crate::random::Random;
 
-/// A tree on rung 2 and on rung 5: the outputs agree to 1e-12 of the largest one in random states of rung 2. The code of
-/// rung 2 holds the backward pass, and not the equations of rung 5.
-macro_rules! like_rung_5 {
+/// A tree in joint and in absolute coordinates: the outputs agree to 1e-12 of the largest one in random states. The code of
+/// joint coordinates holds the backward pass, and not the equations of absolute ones.
+macro_rules! like_absolute_coordinates {
     ($test:ident, [$($body:ident),+], { $($item:tt)* }) => {
         mod $test {
             pub(super) mod tree {
-                plm::mechanism! { pub Scene { rung: tree; $($item)* } }
+                plm::mechanism! { pub Scene { formulation: tree; $($item)* } }
             }
             pub(super) mod absolute {
-                plm::mechanism! { pub Scene { rung: absolute; $($item)* } }
+                plm::mechanism! { pub Scene { formulation: absolute; $($item)* } }
             }
         }
 
         #[test]
         fn $test() {
-            let code = emitted(concat!("pub Scene { rung: tree; ", stringify!($($item)*), "}"));
+            let code = emitted(concat!("pub Scene { formulation: tree; ", stringify!($($item)*), "}"));
             assert!(code.contains("fn reactions(") && !code.contains("fn dynamics("));
             let (tree, absolute) = ($test::tree::Scene::new(), $test::absolute::Scene::new());
             let (one, other) = (tree.start().unwrap(), absolute.start().unwrap());
@@ -34,7 +34,7 @@ macro_rules! like_rung_5 {
                 }
                 let time = random.unit();
                 let state = <$test::tree::Scene as Mechanism>::State::new(tree, one.state().held(), time, x);
-                let q: Vec<f64> = on_rung_5(&[$(state.$body()),+]);
+                let q: Vec<f64> = absolute_state(&[$(state.$body()),+]);
                 let (held, at) = (other.state().held(), q.as_slice().try_into().unwrap());
                 let reference = <$test::absolute::Scene as Mechanism>::State::new(absolute, held, time, at);
                 let (found, wanted) = (state.outputs(), reference.outputs());
@@ -109,7 +109,7 @@ fn emitted(declaration: &str) -> String {
     compile(&mut sources).code.unwrap().text()
 }
 
-like_rung_5!(double_pendulum, [arm, forearm], {
+like_absolute_coordinates!(double_pendulum, [arm, forearm], {
     gravity: 9.81 m/s^2;
     ground { port o: (0.1, -0.2) m; }
     body arm { mass: 2 kg; inertia: 0.1 kg*m^2; port o: (-0.5, 0.1) m; port p: (0.4, -0.2) m; start angle: 20 deg, locked; }
@@ -119,7 +119,7 @@ like_rung_5!(double_pendulum, [arm, forearm], {
     output shoulder.force, elbow.force, forearm.ax, forearm.alpha;
 });
 
-like_rung_5!(chain_of_eight, [b0, b1, b2, b3, b4, b5, b6, b7], {
+like_absolute_coordinates!(chain_of_eight, [b0, b1, b2, b3, b4, b5, b6, b7], {
     gravity: 9.81 m/s^2;
     ground { port o: (0, 0) m; }
     body b0 { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start x: 0.5 m; }
@@ -141,7 +141,7 @@ like_rung_5!(chain_of_eight, [b0, b1, b2, b3, b4, b5, b6, b7], {
     output p0.force, p3.force, p7.force, b7.ay;
 });
 
-like_rung_5!(slides, [arm, shoe, tip], {
+like_absolute_coordinates!(slides, [arm, shoe, tip], {
     gravity: 9.81 m/s^2;
     input push: N = 4 N;
     ground { port o: (0, 0) m; }
@@ -154,7 +154,7 @@ like_rung_5!(slides, [arm, shoe, tip], {
     output hinge.force, rail.force, rail.torque, slot.force, tip.alpha;
 });
 
-like_rung_5!(slides_from_the_child_to_the_ground, [shoe, arm], {
+like_absolute_coordinates!(slides_from_the_child_to_the_ground, [shoe, arm], {
     gravity: 9.81 m/s^2;
     ground { port a: (0.2, 0.1) m; }
     body shoe { mass: 1 kg; inertia: 0.02 kg*m^2; port rail: (0.05, 0.02) m, angle: 30 deg; port p: (0.2, 0) m; start angle: -30 deg; start x: 0.5 m; }
@@ -164,7 +164,7 @@ like_rung_5!(slides_from_the_child_to_the_ground, [shoe, arm], {
     output rail.force, rail.torque, slot.force;
 });
 
-like_rung_5!(welded_and_free_bodies, [plate, block, bird, bell], {
+like_absolute_coordinates!(welded_and_free_bodies, [plate, block, bird, bell], {
     gravity: 1.5 m/s^2;
     ground { port o: (0, 0) m; }
     body plate { mass: 2 kg; inertia: 0.1 kg*m^2; port o: (-0.5, 0) m; port w: (0.2, 0.1) m, angle: 15 deg; start angle: 10 deg, locked; }
@@ -178,7 +178,7 @@ like_rung_5!(welded_and_free_bodies, [plate, block, bird, bell], {
     output hinge.force, seam.force, seam.torque, chime.force, bird.ay;
 });
 
-like_rung_5!(on_a_moving_pivot, [rod], {
+like_absolute_coordinates!(on_a_moving_pivot, [rod], {
     gravity: 9.81 m/s^2;
     ground { port p: (0.1 m * sin(7 rad/s * t), 0.05 m * cos(11 rad/s * t)); }
     body rod { mass: 1 kg; inertia: 0.02 kg*m^2; port p: (0, 0.4) m; start angle: 35 deg, locked; }
@@ -186,7 +186,7 @@ like_rung_5!(on_a_moving_pivot, [rod], {
     output pin.force, rod.ax, rod.ay;
 });
 
-like_rung_5!(with_a_prescribed_angle, [rotor, arm], {
+like_absolute_coordinates!(with_a_prescribed_angle, [rotor, arm], {
     gravity: 9.81 m/s^2;
     ground { port o: (0, 0) m; }
     body rotor { mass: 2 kg; inertia: 0.1 kg*m^2; port o: (-0.1, 0) m; port p: (0.4, 0.1) m; }

@@ -1,11 +1,11 @@
-//! Rows that say what others say, and rows on bodies that no joint holds: every rung moves alike.
+//! Rows that say what others say, and rows on bodies that no joint holds: every formulation moves alike.
 
 use plm::runtime::Absolute;
 use plm::{Dop853, Moment};
 
-use super::rungs::{close, on_both, on_rung_5, values};
+use super::formulations::{absolute_state, close, on_both, values};
 
-/// A mechanism with redundant rows on the rung that is taken, with so many numbers in its state, and on rung 5.
+/// A mechanism with redundant rows in the formulation that is taken, with so many numbers in its state, and in absolute coordinates.
 macro_rules! moves_alike {
     ($test:ident, $states:literal, [$($body:ident),+], { $($item:tt)* }) => {
         mod $test {
@@ -13,7 +13,7 @@ macro_rules! moves_alike {
                 plm::mechanism! { pub Scene { allow(W0001); $($item)* } }
             }
             pub(super) mod absolute {
-                plm::mechanism! { pub Scene { rung: absolute; allow(W0001); $($item)* } }
+                plm::mechanism! { pub Scene { formulation: absolute; allow(W0001); $($item)* } }
             }
         }
 

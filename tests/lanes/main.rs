@@ -2,7 +2,6 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 #![allow(clippy::excessive_precision, reason = "the scenes' numbers are written as they were published")]
 
-mod looks;
 mod numbers;
 #[path = "../support/random.rs"]
 mod random;
@@ -10,6 +9,7 @@ mod scenes;
 #[path = "../support/standard.rs"]
 #[allow(dead_code, unused_imports)] // Other tests use more of it.
 mod standard;
+mod step_checks;
 
 use plm::runtime::lanes::Pack;
 use plm::runtime::method::{FixedStep, Formula, Rk4Formula};

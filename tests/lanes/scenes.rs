@@ -31,11 +31,11 @@ plm::mechanism! {
 
 /// Four bars without gravity; the crank starts at 60 deg with 1 rad/s.
 macro_rules! four_bars {
-    ($module:ident, $rung:ident, $crank:literal, $coupler:literal, $rocker:literal) => {
+    ($module:ident, $formulation:ident, $crank:literal, $coupler:literal, $rocker:literal) => {
         pub mod $module {
             plm::mechanism! {
                 pub FourBars {
-                    rung: $rung;
+                    formulation: $formulation;
                     ground { port a: (0, 0) m; port d: (1, 0) m; }
                     body crank {
                         mass: 1 kg;
@@ -102,11 +102,11 @@ plm::mechanism! {
 
 /// Four bars with a torque between two angles of the crank, in joint and in absolute coordinates.
 macro_rules! struck_bars {
-    ($module:ident, $rung:ident) => {
+    ($module:ident, $formulation:ident) => {
         pub mod $module {
             plm::mechanism! {
                 pub FourBars {
-                    rung: $rung;
+                    formulation: $formulation;
                     param at: rad = 1 rad;
                     ground { port a: (0, 0) m; port d: (1, 0) m; }
                     body crank {

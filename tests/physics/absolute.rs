@@ -1,4 +1,4 @@
-//! The benchmark scenes in absolute coordinates, the rung that holds every mechanism: where they end, how well the joints stay
+//! The benchmark scenes in absolute coordinates, the formulation that holds every mechanism: where they end, how well the joints stay
 //! closed, what a right-hand side costs, and how Baumgarte's stabilisation closes what is open.
 
 use plm::runtime::Absolute;
@@ -7,10 +7,10 @@ use plm::{Dop853, Dopri5, Mechanism, Moment, Sim};
 use crate::references::{S1_1, S2_1, S2_10, S5_003, S6_1, difference, run};
 use crate::scenes::{andrews, double_pendulum, four_bar, slider_crank};
 
-double_pendulum!(s1: rung: absolute; output shoulder.force, elbow.force;);
-four_bar!(s2: rung: absolute; output drive.force;);
-slider_crank!(s6: rung: absolute; output drive.force;);
-andrews!(s5: rung: absolute; output r1.force, r2.force, r4.force;);
+double_pendulum!(s1: formulation: absolute; output shoulder.force, elbow.force;);
+four_bar!(s2: formulation: absolute; output drive.force;);
+slider_crank!(s6: formulation: absolute; output drive.force;);
+andrews!(s5: formulation: absolute; output r1.force, r2.force, r4.force;);
 
 #[test]
 fn scenes_meet_their_references() {

@@ -75,7 +75,7 @@ macro_rules! four_bar {
 four_bar!(sensed, { 0.1 m*ab.force.x }, { -0.4 kg*coupler.ay + 0.2*od.force.y }, {});
 four_bar!(given, { twisting }, { pushing }, { input twisting: N*m = 0; input pushing: N = 0; });
 
-/// The same by an iteration from outside, of a mechanism without feedback on another rung.
+/// The same by an iteration from outside, of a mechanism without feedback in another formulation.
 #[test]
 fn sensors_in_a_loop_agree_with_an_iteration_from_outside() {
     let sensed = sensed::FourBar::new().start().unwrap();

@@ -10,7 +10,7 @@ mod plm_arm_on_jack_ {
     /// The arm of the manual, section 3.2.1.
     ///
     /// 1 bodies, 9 parts: 3 coordinates, 2 constraint rows, F = 3 N - M = 1.
-    /// Rung 2: joint coordinates; the joints make a tree, so that no constraint is left.
+    /// Formulation 2: joint coordinates; the joints make a tree, so that no constraint is left.
     /// Coordinates: arm.angle.
     /// Accelerations by a dense mass matrix.
     /// State: 10 numbers, 80 bytes in f64.
@@ -77,7 +77,7 @@ mod plm_arm_on_jack_ {
             pub valve_servo_swing: Start<S>,
         }
 
-        /// What assembly found.
+        /// Result of assembly.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
@@ -87,7 +87,7 @@ mod plm_arm_on_jack_ {
             pub none: core::marker::PhantomData<S>,
         }
 
-        /// What is held over a step.
+        /// Discrete state: constant during a step.
         type Held<S> = rt::Held<Input<S>, [S; 8], [<S as Scalar>::Turns; 1], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
@@ -528,7 +528,7 @@ mod plm_arm_on_jack_ {
                 (q, v)
             }
 
-            /// The same with all turns of the angles.
+            /// Poses and velocities with all revolutions of the angles.
             fn whole_(&self) -> ([S; 3], [S; 3]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[2]]);

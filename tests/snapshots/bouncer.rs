@@ -10,7 +10,7 @@ mod plm_bouncer_ {
     /// A block that is pushed back to the middle, a spring that does not pull, and a clock: conditions of the state and of the time.
     ///
     /// 2 bodies, 5 parts: 6 coordinates, 4 constraint rows, F = 3 N - M = 2.
-    /// Rung 2: joint coordinates; the joints make a tree, so that no constraint is left.
+    /// Formulation 2: joint coordinates; the joints make a tree, so that no constraint is left.
     /// Coordinates: rail.displacement, other.displacement.
     /// Accelerations by a dense mass matrix.
     /// State: 4 numbers, 32 bytes in f64.
@@ -57,7 +57,7 @@ mod plm_bouncer_ {
             pub clock: BodyStart<S>,
         }
 
-        /// What assembly found.
+        /// Result of assembly.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
@@ -67,7 +67,7 @@ mod plm_bouncer_ {
             pub push: S,
         }
 
-        /// What is held over a step.
+        /// Discrete state: constant during a step.
         type Held<S> = rt::Held<Input<S>, [S; 4], [<S as Scalar>::Turns; 0], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.

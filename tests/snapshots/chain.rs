@@ -10,7 +10,7 @@ mod plm_chain_ {
     /// A chain of five bars: elimination body by body.
     ///
     /// 5 bodies, 5 parts: 15 coordinates, 10 constraint rows, F = 3 N - M = 5.
-    /// Rung 2: joint coordinates; the joints make a tree, so that no constraint is left.
+    /// Formulation 2: joint coordinates; the joints make a tree, so that no constraint is left.
     /// Coordinates: bar[0].angle, bar[1].angle, bar[2].angle, bar[3].angle, bar[4].angle.
     /// Accelerations by a dense mass matrix.
     /// State: 10 numbers, 80 bytes in f64.
@@ -65,7 +65,7 @@ mod plm_chain_ {
             pub bar_4: BodyStart<S>,
         }
 
-        /// What assembly found.
+        /// Result of assembly.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
@@ -75,7 +75,7 @@ mod plm_chain_ {
             pub none: core::marker::PhantomData<S>,
         }
 
-        /// What is held over a step.
+        /// Discrete state: constant during a step.
         type Held<S> = rt::Held<Input<S>, [S; 0], [<S as Scalar>::Turns; 5], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
@@ -523,7 +523,7 @@ mod plm_chain_ {
                 (q, v)
             }
 
-            /// The same with all turns of the angles.
+            /// Poses and velocities with all revolutions of the angles.
             fn whole_(&self) -> ([S; 15], [S; 15]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[2], &[5], &[8], &[11], &[14]]);

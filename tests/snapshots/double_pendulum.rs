@@ -10,7 +10,7 @@ mod plm_double_pendulum_ {
     /// The double pendulum of the manual, section 2.2.
     ///
     /// 2 bodies, 2 parts: 6 coordinates, 4 constraint rows, F = 3 N - M = 2.
-    /// Rung 2: joint coordinates; the joints make a tree, so that no constraint is left.
+    /// Formulation 2: joint coordinates; the joints make a tree, so that no constraint is left.
     /// Coordinates: arm.angle, forearm.angle.
     /// Accelerations by a dense mass matrix.
     /// State: 4 numbers, 32 bytes in f64.
@@ -53,7 +53,7 @@ mod plm_double_pendulum_ {
             pub forearm: BodyStart<S>,
         }
 
-        /// What assembly found.
+        /// Result of assembly.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
@@ -63,7 +63,7 @@ mod plm_double_pendulum_ {
             pub none: core::marker::PhantomData<S>,
         }
 
-        /// What is held over a step.
+        /// Discrete state: constant during a step.
         type Held<S> = rt::Held<Input<S>, [S; 0], [<S as Scalar>::Turns; 2], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
@@ -404,7 +404,7 @@ mod plm_double_pendulum_ {
                 (q, v)
             }
 
-            /// The same with all turns of the angles.
+            /// Poses and velocities with all revolutions of the angles.
             fn whole_(&self) -> ([S; 6], [S; 6]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[2], &[5]]);

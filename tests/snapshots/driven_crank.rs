@@ -10,8 +10,8 @@ mod plm_driven_crank_ {
     /// A crank that turns as it is told, on a ground that shakes: nothing is left to integrate.
     ///
     /// 3 bodies, 5 parts: 9 coordinates, 9 constraint rows, F = 3 N - M = 0.
-    /// Rung 1: kinematics; no freedom is left, and the motion follows from the time alone.
-    /// Chart 0: none; then given crank.angle; RRP rod.angle, guide.displacement.
+    /// Formulation 1: kinematics; no freedom is left, and the motion follows from the time alone.
+    /// Chart 0: none; then explicit crank.angle; RRP rod.angle, guide.displacement.
     /// State: 0 numbers, 0 bytes in f64.
     /// A solution by rank, where one is needed: 1296 bytes of stack in f64.
     /// One right-hand side: 3 add, 6 mul, 2 sin_cos.
@@ -61,7 +61,7 @@ mod plm_driven_crank_ {
             pub slider: BodyStart<S>,
         }
 
-        /// What assembly found.
+        /// Result of assembly.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
@@ -71,7 +71,7 @@ mod plm_driven_crank_ {
             pub none: core::marker::PhantomData<S>,
         }
 
-        /// What is held over a step.
+        /// Discrete state: constant during a step.
         type Held<S> = rt::Held<
             Input<S>,
             [S; 0],
@@ -520,7 +520,7 @@ mod plm_driven_crank_ {
                 rt::charts::pose(&self.mechanism, self.time, &self.held, &self.x)
             }
 
-            /// The same with all turns of the angles.
+            /// Poses and velocities with all revolutions of the angles.
             fn whole_(&self) -> ([S; 9], [S; 9]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[5]]);

@@ -10,7 +10,7 @@ mod plm_four_bar_ {
     /// Four-bar linkage: its loop is a dyad, solved in closed form in several charts.
     ///
     /// 3 bodies, 4 parts: 9 coordinates, 8 constraint rows, F = 3 N - M = 1.
-    /// Rung 3: joint coordinates; the loops are solved in closed form, so that no constraint is left.
+    /// Formulation 3: joint coordinates; the loops are solved in closed form, so that no constraint is left.
     /// Chart 0: crank.angle; then RRR rocker.angle, coupler.angle.
     /// Chart 1: rocker.angle; then RRR crank.angle, coupler.angle.
     /// Chart 2: coupler.angle; then RRR crank.angle, rocker.angle.
@@ -61,7 +61,7 @@ mod plm_four_bar_ {
             pub rocker: BodyStart<S>,
         }
 
-        /// What assembly found.
+        /// Result of assembly.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
@@ -71,7 +71,7 @@ mod plm_four_bar_ {
             pub none: core::marker::PhantomData<S>,
         }
 
-        /// What is held over a step.
+        /// Discrete state: constant during a step.
         type Held<S> = rt::Held<
             Input<S>,
             [S; 0],
@@ -490,7 +490,7 @@ mod plm_four_bar_ {
         }
 
         impl<S: Scalar> FourBar<S> {
-            /// What the rates of two stages need of their poses. Compilers begin to build vectors where results are stored: a
+            /// Values of the poses of two stages that their rates share. Compilers begin to build vectors where results are stored: a
             /// function of its own.
             #[inline(never)]
             fn of_two_poses(m: &rt::charts::Memory<S, 1, 3, 1, 0>, first_0: S, second_0: S) -> [Two<S>; 4] {
@@ -692,7 +692,7 @@ mod plm_four_bar_ {
                 rt::charts::pose(&self.mechanism, self.time, &self.held, &self.x)
             }
 
-            /// The same with all turns of the angles.
+            /// Poses and velocities with all revolutions of the angles.
             fn whole_(&self) -> ([S; 9], [S; 9]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[2], &[5], &[8]]);

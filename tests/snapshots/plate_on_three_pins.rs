@@ -10,8 +10,8 @@ mod plm_plate_on_three_pins_ {
     /// A plate on the pins of three driven cranks: an angle and three slides that only Newton's iteration finds.
     ///
     /// 4 bodies, 9 parts: 12 coordinates, 12 constraint rows, F = 3 N - M = 0.
-    /// Rung 1: kinematics; no freedom is left, and the motion follows from the time alone.
-    /// Chart 0: none; then given crank[0].angle; given crank[1].angle; given crank[2].angle; Newton of 4 unknowns in 3 steps: plate.angle, slot[0].displacement, slot[1].displacement, slot[2].displacement.
+    /// Formulation 1: kinematics; no freedom is left, and the motion follows from the time alone.
+    /// Chart 0: none; then explicit crank[0].angle; explicit crank[1].angle; explicit crank[2].angle; Newton of 4 unknowns in 3 steps: plate.angle, slot[0].displacement, slot[1].displacement, slot[2].displacement.
     /// State: 0 numbers, 0 bytes in f64.
     /// A solution by rank, where one is needed: 2304 bytes of stack in f64.
     /// One right-hand side: 182 add, 271 mul, 7 div, 18 neg, 6 sin_cos, 2 select.
@@ -64,7 +64,7 @@ mod plm_plate_on_three_pins_ {
             pub plate: BodyStart<S>,
         }
 
-        /// What assembly found.
+        /// Result of assembly.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
@@ -74,7 +74,7 @@ mod plm_plate_on_three_pins_ {
             pub none: core::marker::PhantomData<S>,
         }
 
-        /// What is held over a step.
+        /// Discrete state: constant during a step.
         type Held<S> = rt::Held<
             Input<S>,
             [S; 0],
@@ -540,7 +540,7 @@ mod plm_plate_on_three_pins_ {
         }
 
         impl<S: Scalar> PlateOnThreePins<S> {
-            /// What the rates of two stages need of their poses. Compilers begin to build vectors where results are stored: a
+            /// Values of the poses of two stages that their rates share. Compilers begin to build vectors where results are stored: a
             /// function of its own.
             #[inline(never)]
             fn of_two_poses(m: &rt::charts::Memory<S, 0, 4, 1, 4>, t: Two<S>) -> [Two<S>; 1] {
@@ -929,7 +929,7 @@ mod plm_plate_on_three_pins_ {
                 rt::charts::pose(&self.mechanism, self.time, &self.held, &self.x)
             }
 
-            /// The same with all turns of the angles.
+            /// Poses and velocities with all revolutions of the angles.
             fn whole_(&self) -> ([S; 12], [S; 12]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[11]]);

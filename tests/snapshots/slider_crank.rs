@@ -10,7 +10,7 @@ mod plm_slider_crank_ {
     /// Slider-crank in absolute coordinates.
     ///
     /// 3 bodies, 4 parts: 9 coordinates, 8 constraint rows, F = 3 N - M = 1.
-    /// Rung 5: absolute coordinates and multipliers, kept on the constraints by projection, because it is ordered.
+    /// Formulation 5: absolute coordinates and multipliers, kept on the constraints by projection, because it is ordered.
     /// State: 18 numbers, 144 bytes in f64.
     /// A solution by rank, where one is needed: 1088 bytes of stack in f64.
     /// One right-hand side: 74 add, 99 mul, 7 div, 1 neg, 2 sin_cos, 24 select.
@@ -57,7 +57,7 @@ mod plm_slider_crank_ {
             pub slider: BodyStart<S>,
         }
 
-        /// What assembly found.
+        /// Result of assembly.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
 
         /// Inputs, held over a step, SI units.
@@ -67,7 +67,7 @@ mod plm_slider_crank_ {
             pub none: core::marker::PhantomData<S>,
         }
 
-        /// What is held over a step.
+        /// Discrete state: constant during a step.
         type Held<S> = rt::Held<Input<S>, [S; 0], [<S as Scalar>::Turns; 2], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
@@ -475,7 +475,7 @@ mod plm_slider_crank_ {
                 absolute::split(&self.x)
             }
 
-            /// The same with all turns of the angles.
+            /// Poses and velocities with all revolutions of the angles.
             fn whole_(&self) -> ([S; 9], [S; 9]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[2], &[5]]);
@@ -1143,7 +1143,7 @@ mod plm_slider_crank_ {
                 reads: &[None, None],
             };
             const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
-            const DECLARATION: &'static str = "/// Slider-crank in absolute coordinates.\npub SliderCrank {\n    gravity: 9.81 m/s^2;\n    rung: absolute;\n    ground { port o: (0, 0) m; }\n    body crank {\n        mass: 0.2 kg;\n        inertia: 0.2 kg * (0.2 m)^2 / 12;\n        port o: (-0.1, 0) m;\n        port pin: (0.1, 0) m;\n        start angle: 60 deg, locked;\n    }\n    body rod {\n        mass: 0.6 kg;\n        inertia: 0.018 kg*m^2;\n        port pin: (-0.3, 0) m;\n        port wrist: (0.3, 0) m;\n        start angle: -17 deg;\n    }\n    body slider {\n        mass: 0.5 kg;\n        inertia: 0.001 kg*m^2;\n        port wrist: (0, 0) m;\n        start x: 0.67 m;\n    }\n    revolute drive(ground.o, crank.o) { drive: 1 N*m; }\n    revolute crank_pin(crank.pin, rod.pin);\n    revolute wrist_pin(rod.wrist, slider.wrist);\n    prismatic guide(ground.o, slider.wrist);\n    output drive.force;\n}\n";
+            const DECLARATION: &'static str = "/// Slider-crank in absolute coordinates.\npub SliderCrank {\n    gravity: 9.81 m/s^2;\n    formulation: absolute;\n    ground { port o: (0, 0) m; }\n    body crank {\n        mass: 0.2 kg;\n        inertia: 0.2 kg * (0.2 m)^2 / 12;\n        port o: (-0.1, 0) m;\n        port pin: (0.1, 0) m;\n        start angle: 60 deg, locked;\n    }\n    body rod {\n        mass: 0.6 kg;\n        inertia: 0.018 kg*m^2;\n        port pin: (-0.3, 0) m;\n        port wrist: (0.3, 0) m;\n        start angle: -17 deg;\n    }\n    body slider {\n        mass: 0.5 kg;\n        inertia: 0.001 kg*m^2;\n        port wrist: (0, 0) m;\n        start x: 0.67 m;\n    }\n    revolute drive(ground.o, crank.o) { drive: 1 N*m; }\n    revolute crank_pin(crank.pin, rod.pin);\n    revolute wrist_pin(rod.wrist, slider.wrist);\n    prismatic guide(ground.o, slider.wrist);\n    output drive.force;\n}\n";
             const FILES: &'static [(&'static str, &'static str)] = &[];
             fn figure(&self, t: S, index: usize) -> Option<S> {
                 let constants: &[f64] = const {

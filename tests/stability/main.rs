@@ -8,14 +8,14 @@ mod figures;
 #[path = "../../examples/stability/scenes/mod.rs"]
 mod scenes;
 
-mod brief;
 mod dead;
 mod dyads;
 mod extremes;
 mod flat;
 mod long;
-mod near;
+mod near_singular;
 mod page;
+mod short_events;
 mod stiff;
 mod theory;
 mod waiting;

@@ -1,7 +1,7 @@
 //! Benchmark scenes, declared as a user would.
 //!
 //! SI units, angles absolute from +x, uniform bars have `J = m L^2 / 12`. What is handed over behind the name of the module
-//! stands among the items of the mechanism: its outputs, and settings such as `rung: absolute;`.
+//! stands among the items of the mechanism: its outputs, and settings such as `formulation: absolute;`.
 
 /// S1: double pendulum of two bars, released at 45 and 0 deg.
 macro_rules! double_pendulum {

@@ -36,7 +36,7 @@ pub fn ladders() -> Result<Figure, Fault> {
         Axis::log("largest relative change of energy so far", ""),
     )
     .titled("S4, ladders of N four-bars, through their flat poses")
-    .noted("Default method and rung but where something else is said. At a flat pose N + 1 branches cross.");
+    .noted("Default method and formulation unless stated otherwise. At a flat pose N + 1 branches cross.");
     let mut rows = Vec::new();
     for (name, trace, turns) in traces {
         let behind = trace.last()[3] + f64::from(turns) * TAU;

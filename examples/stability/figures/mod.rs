@@ -1,13 +1,13 @@
 //! The pictures, and the known value beside what came out.
 
-pub mod brief;
 pub mod dead;
 pub mod dyads;
 pub mod extremes;
 pub mod flat;
 pub mod indices;
 pub mod long;
-pub mod near;
+pub mod near_singular;
+pub mod short_events;
 pub mod stiff;
 pub mod theory;
 pub mod waiting;

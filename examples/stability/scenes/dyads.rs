@@ -76,7 +76,7 @@ stephenson!(
 );
 stephenson!(
     /// In absolute coordinates.
-    StephensonAbsolute, stephenson_absolute { rung: absolute; }
+    StephensonAbsolute, stephenson_absolute { formulation: absolute; }
 );
 
 /// Energy (relative change), angles of crank and arm (rad), and the sine between link and arm, which changes sign

@@ -123,7 +123,7 @@ ladder!(
 );
 ladder!(
     /// Two windows in absolute coordinates, with Baumgarte's stabilisation so slow that there is none.
-    Adrift, adrift { rung: absolute; stabilisation: baumgarte(1e9 s); }, 2, up_2, top_2, 0 f0 1 f1 2 f2
+    Adrift, adrift { formulation: absolute; stabilisation: baumgarte(1e9 s); }, 2, up_2, top_2, 0 f0 1 f1 2 f2
 );
 ladder!(
     /// Forty windows.

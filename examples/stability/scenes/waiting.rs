@@ -55,7 +55,7 @@ swing!(
 );
 swing!(
     /// In absolute coordinates.
-    SwingAbsolute, swing_absolute { rung: absolute; }
+    SwingAbsolute, swing_absolute { formulation: absolute; }
 );
 
 plm::mechanism! {

@@ -1,6 +1,6 @@
 //! One text for a mechanism: its shape for the reference, and its declarations for `plm`.
 
-/// Declares a mechanism on its default rung and in absolute coordinates, with all its numbers as parameters.
+/// Declares a mechanism in its default formulation and in absolute coordinates, with all its numbers as parameters.
 ///
 /// Ports have x, y and the angle of their axis; joints have a spring, a damper and the place at which the spring is free.
 /// The first joint, a revolute, carries the load.
@@ -9,10 +9,10 @@ macro_rules! declare {
         pub mod $module {
             declare!(@shape $module $($all)*);
             pub mod loops {
-                declare!(@rung loops $($all)*);
+                declare!(@formulation loops $($all)*);
             }
             pub mod absolute {
-                declare!(@rung absolute $($all)*);
+                declare!(@formulation absolute $($all)*);
             }
         }
     };
@@ -22,11 +22,11 @@ macro_rules! declare {
             declare!(@shape $module $($all)*);
             #[cfg(feature = "sweep-all")]
             pub mod loops {
-                declare!(@rung loops $($all)*);
+                declare!(@formulation loops $($all)*);
             }
             #[cfg(feature = "sweep-all")]
             pub mod absolute {
-                declare!(@rung absolute $($all)*);
+                declare!(@formulation absolute $($all)*);
             }
         }
     };
@@ -58,7 +58,7 @@ macro_rules! declare {
             ],
         };
     };
-    (@rung $rung:ident
+    (@formulation $formulation:ident
         ground { $($g:ident($gx:ident $gy:ident $gw:ident)),* }
         $(body $body:ident($m:ident $i:ident) { $($p:ident($x:ident $y:ident $w:ident)),* })*
         drive $j0:ident($a0:ident.$pa0:ident, $b0:ident.$pb0:ident) $k0:ident $d0:ident $r0:ident;
@@ -68,7 +68,7 @@ macro_rules! declare {
     ) => {
         plm::mechanism! {
             pub Linkage {
-                rung: $rung;
+                formulation: $formulation;
                 allow(W0001);
                 param weight: m/s^2 = 9.81 m/s^2;
                 gravity: weight;

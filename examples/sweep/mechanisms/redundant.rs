@@ -16,12 +16,12 @@ pub mod third_crank {
         revolute jg(ground.g, three.g) k d r;
     );
 
-    macro_rules! on_rung {
-        ($rung:ident) => {
-            pub mod $rung {
+    macro_rules! in_formulation {
+        ($formulation:ident) => {
+            pub mod $formulation {
                 plm::mechanism! {
                     pub Linkage {
-                        rung: $rung;
+                        formulation: $formulation;
                         allow(W0001, W0007);
                         param weight: m/s^2 = 9.81 m/s^2;
                         gravity: weight;
@@ -96,6 +96,6 @@ pub mod third_crank {
             }
         };
     }
-    on_rung!(loops);
-    on_rung!(absolute);
+    in_formulation!(loops);
+    in_formulation!(absolute);
 }

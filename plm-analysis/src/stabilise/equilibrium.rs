@@ -6,16 +6,16 @@ use plm_runtime::{Dop853, Fault, Method, Sim, Statics};
 
 use super::Stabilise;
 use super::report::{Change, Freedom, Residual, Unbalanced};
-use super::rest::Setting;
+use super::residuals::Setting;
 
-/// What a search for an equilibrium has found.
+/// Result of a search for static equilibrium.
 #[derive(Clone)]
 pub struct Equilibrium<M: Statics> {
     /// The mechanism with the equilibrium as its start; locks are those that it had.
     pub mechanism: M,
-    /// What is not at rest, and what it would need.
+    /// Residuals that do not vanish: forces, rates and motions that equilibrium lacks.
     pub residuals: Vec<Residual>,
-    /// What could be elsewhere and would rest as well; it was left as near to its start as it could be.
+    /// Directions in which the equilibrium is not unique; along them the start was left as it was as far as possible.
     pub free: Vec<Freedom>,
     /// Coordinates and states, and how far they are from where they started.
     pub values: Vec<Change>,
@@ -47,7 +47,7 @@ impl<M: Stabilise> Equilibrium<M> {
     /// Itself, if everything is at rest.
     ///
     /// # Errors
-    /// What is not.
+    /// The residuals that do not vanish.
     pub fn balanced(self) -> Result<Self, Unbalanced> {
         if self.residuals.is_empty() { Ok(self) } else { Err(Unbalanced { residuals: self.residuals }) }
     }
@@ -63,7 +63,7 @@ impl<M: Statics> Equilibrium<M> {
     }
 }
 
-/// What was found, without when and with which inputs it was looked for.
+/// The result without the time and the inputs of the search.
 impl<M: Statics + fmt::Debug> fmt::Debug for Equilibrium<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { mechanism, residuals, free, values, size, iterations, setting: _ } = self;
@@ -74,7 +74,7 @@ impl<M: Statics + fmt::Debug> fmt::Debug for Equilibrium<M> {
     }
 }
 
-/// What was found is the same, whenever and with whichever inputs it was looked for.
+/// Results are equal whatever the time and the inputs of the search.
 impl<M: Statics + PartialEq> PartialEq for Equilibrium<M> {
     fn eq(&self, other: &Self) -> bool {
         let Self { mechanism, residuals, free, values, size, iterations, setting: _ } = other;

@@ -1,4 +1,4 @@
-//! Stabilising: a start at which the mechanism is in equilibrium.
+//! Search for static equilibrium, which the manual calls stabilising.
 //!
 //! Unknown are the coordinates of all bodies, the multipliers of all constraint rows and the first-order states; wanted is
 //! that forces balance, phi_q^T lambda = Q, that joints are closed, phi = 0, and that first-order states rest, x' = 0, all
@@ -6,22 +6,22 @@
 //! linearised equations best, the shortest (A. Bjorck, Numerical Methods for Least Squares Problems, SIAM 1996, 9.2);
 //! the order of importance among equations is kept by solving the later ones in the null space of those before.
 
+mod dependent_states;
 mod equilibrium;
-mod invariant;
-mod look;
+mod evaluation;
 mod rank;
 mod report;
-mod rest;
+mod residuals;
 mod scales;
 
 use plm_runtime::{AsMoment, Cause, Fault, Linear, Mechanism, Moment, Statics, System, Vector};
 
+use self::dependent_states::integrate_dependent;
 pub use self::equilibrium::Equilibrium;
-use self::invariant::carry;
-use self::look::{Look, Task};
+use self::evaluation::{Evaluation, Task};
 use self::report::Found;
 pub use self::report::{Change, Freedom, Residual, Unbalanced, What};
-use self::rest::{Point, Rest, Setting};
+use self::residuals::{Point, Residuals, Setting};
 
 /// Steps after which no equilibrium is to be expected any more.
 const MOST_STEPS: u32 = 150;
@@ -78,67 +78,67 @@ where
 }
 
 fn search<M: Stabilise>(of: M, setting: Setting<M>) -> Result<Equilibrium<M>, Fault> {
-    let singular = Fault::new(setting.time, Cause::Singular { rows: Rest::<M>::NC });
-    let (_, before) = Rest::at_start(of, &setting)?;
+    let singular = Fault::new(setting.time, Cause::Singular { rows: Residuals::<M>::NC });
+    let (_, before) = Residuals::at_start(of, &setting)?;
     let (mut mechanism, mut iterations, mut stopped) = (of, 0, None);
     for round in 1..=MOST_ROUNDS {
-        let (rest, start) = Rest::at_start(mechanism, &setting)?;
-        let task = Task::new(rest, &start).ok_or(singular)?;
-        // The last round only looks.
+        let (residuals, start) = Residuals::at_start(mechanism, &setting)?;
+        let task = Task::new(residuals, &start).ok_or(singular)?;
+        // The last round only evaluates.
         let most = if round < MOST_ROUNDS { MOST_STEPS.saturating_sub(iterations) } else { 0 };
-        let (look, steps) = descend(&task, start, most).ok_or(singular)?;
+        let (evaluation, steps) = descend(&task, start, most).ok_or(singular)?;
         iterations += steps;
-        mechanism = task.rest.started_at(&look.point);
+        mechanism = task.residuals.started_at(&evaluation.point);
         // Conditions are on the sides that the start had; where it ended they may be on others.
         if steps > 0 && <M::G as Vector<f64>>::LEN > 0 {
             continue;
         }
-        let found = Found { task: &task, look: &look, before: &before };
+        let found = Found { task: &task, evaluation: &evaluation, before: &before };
         let found = found.equilibrium((mechanism, setting), iterations);
-        if look.first <= BALANCED {
+        if evaluation.first <= BALANCED {
             return Ok(found);
         }
         // No step helps where forces have a maximum, as on a pendulum held level. They still show a way.
         stopped.get_or_insert(found);
-        let Some(point) = pushed(&task, &look) else { break };
-        mechanism = task.rest.started_at(&point);
+        let Some(point) = pushed(&task, &evaluation) else { break };
+        mechanism = task.residuals.started_at(&point);
     }
     stopped.ok_or(singular)
 }
 
 /// Steps from a start as long as they lead nearer to rest, and their number. None if something is not finite.
-fn descend<M: Stabilise>(task: &Task<M>, mut start: Point, most: u32) -> Option<(Look, u32)> {
+fn descend<M: Stabilise>(task: &Task<M>, mut start: Point, most: u32) -> Option<(Evaluation, u32)> {
     task.close(&mut start)?;
-    let (mut look, mut steps) = (Look::at(task, start)?, 0);
-    while steps < most && look.length > RESTS {
-        let Some(next) = improve(task, &look) else { break };
-        look = next;
+    let (mut evaluation, mut steps) = (Evaluation::at(task, start)?, 0);
+    while steps < most && evaluation.length > RESTS {
+        let Some(next) = improve(task, &evaluation) else { break };
+        evaluation = next;
         steps += 1;
     }
-    Some((look, steps))
+    Some((evaluation, steps))
 }
 
 /// The point moved on along the forces that nothing balances; none if they move nothing.
-fn pushed<M: Stabilise>(task: &Task<M>, look: &Look) -> Option<Point> {
-    let reach = Some(reach(task, &look.pushed)).filter(|reach| *reach > 0.0)?;
-    let mut to = look.point.clone();
-    to.q += PUSH / reach * &look.pushed;
+fn pushed<M: Stabilise>(task: &Task<M>, evaluation: &Evaluation) -> Option<Point> {
+    let reach = Some(reach(task, &evaluation.pushed)).filter(|reach| *reach > 0.0)?;
+    let mut to = evaluation.point.clone();
+    to.q += PUSH / reach * &evaluation.pushed;
     let closed = task.close(&mut to)?;
-    carry(&task.rest, &task.follows, &look.point, &mut to);
+    integrate_dependent(&task.residuals, &task.follows, &evaluation.point, &mut to);
     closed.then_some(to)
 }
 
 /// The step, or as much of it as is an improvement.
-fn improve<M: Stabilise>(task: &Task<M>, look: &Look) -> Option<Look> {
-    let reach = reach(task, &look.step.0);
+fn improve<M: Stabilise>(task: &Task<M>, evaluation: &Evaluation) -> Option<Evaluation> {
+    let reach = reach(task, &evaluation.step.0);
     let mut part = if reach > FARTHEST { FARTHEST / reach } else { 1.0 };
     for _ in 0..HALVINGS {
-        let mut to = look.point.clone();
-        to.q += part * &look.step.0;
-        to.x += part * &look.step.1;
+        let mut to = evaluation.point.clone();
+        to.q += part * &evaluation.step.0;
+        to.x += part * &evaluation.step.1;
         if task.close(&mut to) == Some(true) {
-            carry(&task.rest, &task.follows, &look.point, &mut to);
-            if let Some(next) = Look::at(task, to).filter(|next| is_better(next, look, part)) {
+            integrate_dependent(&task.residuals, &task.follows, &evaluation.point, &mut to);
+            if let Some(next) = Evaluation::at(task, to).filter(|next| is_better(next, evaluation, part)) {
                 return Some(next);
             }
         }
@@ -148,13 +148,14 @@ fn improve<M: Stabilise>(task: &Task<M>, look: &Look) -> Option<Look> {
 }
 
 /// Is the more important part nearer to rest, or the other one if that rests already?
-fn is_better(next: &Look, look: &Look, part: f64) -> bool {
+fn is_better(next: &Evaluation, evaluation: &Evaluation, part: f64) -> bool {
     let enough = 1.0 - 1e-4 * part;
-    let at_rest = |look: &Look| look.first <= 1e-3 * BALANCED;
-    if at_rest(look) {
-        return at_rest(next) && (next.second <= enough * look.second || next.length < look.length);
+    let at_rest = |evaluation: &Evaluation| evaluation.first <= 1e-3 * BALANCED;
+    if at_rest(evaluation) {
+        return at_rest(next)
+            && (next.second <= enough * evaluation.second || next.length < evaluation.length);
     }
-    next.first <= enough * look.first
+    next.first <= enough * evaluation.first
 }
 
 /// The largest turn, rad, or displacement over the size of the mechanism.

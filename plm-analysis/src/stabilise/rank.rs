@@ -47,7 +47,7 @@ impl Ranked {
         x
     }
 
-    /// The same for several right-hand sides in columns.
+    /// Solves for several right-hand sides in columns.
     pub(super) fn solve_all(&self, b: &DMatrix<f64>) -> DMatrix<f64> {
         let mut x = DMatrix::zeros(self.v.nrows(), b.ncols());
         for k in 0..b.ncols() {

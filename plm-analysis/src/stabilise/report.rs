@@ -1,12 +1,12 @@
-//! What was found, in words that name it.
+//! Report of a search: residuals, freedoms and changes by name.
 
 use std::fmt;
 
 use nalgebra::{DMatrix, DVector};
 use plm_runtime::Statics;
 
-use super::look::{Look, Task};
-use super::rest::{Point, Setting};
+use super::evaluation::{Evaluation, Task};
+use super::residuals::{Point, Setting};
 use super::{BALANCED, Equilibrium, Stabilise};
 
 /// Something that is not at rest, or would not be without its lock.
@@ -14,7 +14,7 @@ use super::{BALANCED, Equilibrium, Stabilise};
 pub struct Residual {
     /// The coordinate (`arm.y`), the state, or the constraint row.
     pub name: String,
-    /// What it is.
+    /// Kind of the residual.
     pub what: What,
     /// How much, in `unit`.
     pub value: f64,
@@ -93,7 +93,7 @@ impl fmt::Display for Residual {
             What::Lock => write!(f, "{name} is locked and needs {value} {unit} to stay"),
             What::Force => write!(f, "{name} moves: nothing balances {value} {unit}"),
             What::LockedState => write!(f, "{name} is locked and would change by {value} {unit}"),
-            What::State => write!(f, "{name} does not come to rest: it changes by {value} {unit}"),
+            What::State => write!(f, "{name} does not come to residuals: it changes by {value} {unit}"),
             What::Motion => write!(f, "{name} is made to move by {value} {unit}"),
         }
     }
@@ -151,10 +151,10 @@ impl fmt::Display for Short {
     }
 }
 
-/// The last look of a search.
+/// The last evaluation of a search.
 pub(super) struct Found<'a, M: Stabilise> {
     pub(super) task: &'a Task<M>,
-    pub(super) look: &'a Look,
+    pub(super) evaluation: &'a Evaluation,
     pub(super) before: &'a Point,
 }
 
@@ -173,7 +173,7 @@ impl<M: Stabilise> Found<'_, M> {
         Equilibrium { mechanism, residuals, free, values, size, iterations, setting }
     }
 
-    /// What is made to move, wherever it is.
+    /// Prescribed motions, which no pose brings to rest.
     fn motions(&self) -> Vec<Residual> {
         let residual = |name: &str, value, unit: &str| Residual {
             name: name.into(),
@@ -181,7 +181,7 @@ impl<M: Stabilise> Found<'_, M> {
             value,
             unit: unit.into(),
         };
-        let rates = self.task.rest.rows(&self.look.point).phi_dot;
+        let rates = self.task.residuals.rows(&self.evaluation.point).phi_dot;
         let size = 1e-9 * self.task.scales.length.max(1.0);
         let rows = M::ROWS.iter().zip(rates.iter()).filter(|(_, rate)| rate.abs() > size);
         let rows = rows.map(|(name, rate)| residual(name, -rate, "m/s or rad/s"));
@@ -192,7 +192,7 @@ impl<M: Stabilise> Found<'_, M> {
     /// Locks that need a force.
     fn locks(&self) -> Vec<Residual> {
         let locked = self.task.locked();
-        let forces = locked.iter().zip(self.look.of_locks.iter());
+        let forces = locked.iter().zip(self.evaluation.of_locks.iter());
         let forces = forces.filter(|(k, force)| force.abs() > BALANCED * self.task.scales.force[**k]);
         let residual = |(k, force): (&usize, &f64)| Self::force(What::Lock, *k, *force);
         forces.map(residual).collect()
@@ -201,7 +201,7 @@ impl<M: Stabilise> Found<'_, M> {
     /// Forces that nothing balances, as one along the coordinate that they move most.
     fn forces(&self) -> Option<Residual> {
         let scales = &self.task.scales;
-        let scaled = self.look.unbalanced.component_div(&scales.force);
+        let scaled = self.evaluation.unbalanced.component_div(&scales.force);
         // What joints and locks cannot carry is orthogonal to what they can: it is itself a motion that they allow.
         let motion = scaled.component_div(&scales.force);
         let moves = motion.component_div(&scales.q);
@@ -218,7 +218,7 @@ impl<M: Stabilise> Found<'_, M> {
 
     /// States that change.
     fn states(&self) -> Vec<Residual> {
-        let Look { rate, rate_scale, .. } = self.look;
+        let Evaluation { rate, rate_scale, .. } = self.evaluation;
         let moving = (0..rate.len()).filter(|i| rate[*i].abs() > BALANCED * rate_scale[*i]);
         let residual = |i: usize| {
             let (name, unit) = M::STATES.get(i).copied().unwrap_or_default();
@@ -229,9 +229,9 @@ impl<M: Stabilise> Found<'_, M> {
         moving.map(residual).collect()
     }
 
-    /// What could be elsewhere: groups that move independently of each other.
+    /// Freedoms of the equilibrium: groups that move independently of each other.
     fn free(&self) -> Vec<Freedom> {
-        let directions = &self.look.free;
+        let directions = &self.evaluation.free;
         let projector = directions * directions.transpose();
         let names: Vec<&'static str> =
             M::COORDINATES.iter().copied().chain(M::STATES.iter().map(|(name, _)| *name)).collect();
@@ -247,7 +247,7 @@ impl<M: Stabilise> Found<'_, M> {
     }
 
     fn values(&self) -> Vec<Change> {
-        let (point, before) = (&self.look.point, self.before);
+        let (point, before) = (&self.evaluation.point, self.before);
         let coordinates = M::COORDINATES.iter().enumerate().map(|(k, name)| {
             let unit = if k % 3 == 2 { "rad" } else { "m" };
             change(name, unit, (&point.q, &before.q), k)

@@ -4,7 +4,7 @@ use nalgebra::DVector;
 use plm_runtime::{Start, StartValues, Statics};
 
 use super::Stabilise;
-use super::rest::{Point, Rest};
+use super::residuals::{Point, Residuals};
 
 /// The size of one scaled unit of each quantity.
 pub(super) struct Scales {
@@ -20,10 +20,11 @@ pub(super) struct Scales {
 
 impl Scales {
     /// Of a mechanism by what acts on it at its start: all forces, what a micrometre does to them, and each state.
-    pub(super) fn of<M: Stabilise>(rest: &Rest<M>, start: &Point) -> Self {
-        let length = rest.mechanism().size();
+    pub(super) fn of<M: Stabilise>(residuals: &Residuals<M>, start: &Point) -> Self {
+        let length = residuals.mechanism().size();
         let lever = |k: usize| if k % 3 == 2 { length } else { 1.0 };
-        let (force, by_q, by_x) = (rest.rows(start).force, rest.by_q(start).force, rest.by_x(start).force);
+        let (force, by_q, by_x) =
+            (residuals.rows(start).force, residuals.by_q(start).force, residuals.by_x(start).force);
         let acts = |k: usize| {
             let springs = 1e-6 * by_q.row(k).amax();
             let states = (0..start.x.len()).map(|i| (by_x[(k, i)] * start.x[i]).abs());
@@ -54,7 +55,7 @@ fn size_of(unit: &str, force: f64, length: f64) -> f64 {
     }
 }
 
-/// What may not be moved.
+/// Locked coordinates and states.
 pub(super) struct Locks {
     /// Coordinates.
     pub(super) q: Vec<bool>,

@@ -15,7 +15,7 @@ use super::method::{Choice, Settings};
 use super::names::names;
 use super::structure::structure;
 use super::{Exchanged, Variable, Version};
-use crate::border::Block;
+use crate::ffi::Block;
 use crate::{Names, Text};
 
 /// The type of the method's parameter; no name of a declaration has words in brackets.

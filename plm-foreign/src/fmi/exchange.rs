@@ -8,9 +8,9 @@ use plm_runtime::{Cause, Events, Fault, Method, Moment, Vector};
 use super::follow::{Way, has_loops};
 use super::instance::differs;
 use super::{Exchanged, Instance, Interface};
-use crate::{Status, Trouble};
+use crate::{Error, Status};
 
-/// What an event has led to.
+/// Result of an event.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Update {
     /// Continuous states have other values, and may mean other coordinates.
@@ -44,7 +44,7 @@ impl<M: Exchanged> Instance<M> {
     ///
     /// # Errors
     /// When they are not determined.
-    pub fn rates(&mut self) -> Result<M::X, Trouble> {
+    pub fn rates(&mut self) -> Result<M::X, Error> {
         self.catch_up()?;
         let state = self.state()?;
         let (mechanism, held) = (state.mechanism(), state.held());
@@ -63,7 +63,7 @@ impl<M: Exchanged> Instance<M> {
     ///
     /// # Errors
     /// [`Status::NotStarted`]; where a loop cannot be followed at all.
-    pub fn indicators(&mut self) -> Result<Vec<f64>, Trouble> {
+    pub fn indicators(&mut self) -> Result<Vec<f64>, Error> {
         self.catch_up()?;
         let state = self.state()?;
         let guards = self.left_over.indicators(state.mechanism(), state.time(), &state.held(), state.x());
@@ -79,7 +79,7 @@ impl<M: Exchanged> Instance<M> {
     ///
     /// # Errors
     /// [`Status::NotFinite`]
-    pub fn place(&mut self, time: Option<f64>, x: Option<M::X>) -> Result<(), Trouble> {
+    pub fn place(&mut self, time: Option<f64>, x: Option<M::X>) -> Result<(), Error> {
         if !(time.is_none_or(f64::is_finite) && x.is_none_or(|x| x.is_finite())) {
             return Err(Status::NotFinite.into());
         }
@@ -88,7 +88,7 @@ impl<M: Exchanged> Instance<M> {
         self.hold(held, time, x.unwrap_or(*state.x()))
     }
 
-    pub(super) fn hold(&mut self, held: M::U, time: f64, x: M::X) -> Result<(), Trouble> {
+    pub(super) fn hold(&mut self, held: M::U, time: f64, x: M::X) -> Result<(), Error> {
         let sim = self.object.sim_mut()?;
         let mechanism = *sim.state().mechanism();
         **sim = M::State::new(mechanism, held, time, x);
@@ -96,7 +96,7 @@ impl<M: Exchanged> Instance<M> {
     }
 
     /// The way from the last look to where the solver is; none where it is there, or nothing is to be looked at.
-    fn way(&self) -> Result<Option<Way<'_, M>>, Trouble> {
+    fn way(&self) -> Result<Option<Way<'_, M>>, Error> {
         let state = self.state()?;
         let to = (state.time(), *state.x());
         let Some(Look { time, x, .. }) = self.look.filter(|_| self.follows_loops()) else { return Ok(None) };
@@ -112,7 +112,7 @@ impl<M: Exchanged> Instance<M> {
     ///
     /// # Errors
     /// Where a loop cannot be followed.
-    pub fn catch_up(&mut self) -> Result<(), Trouble> {
+    pub fn catch_up(&mut self) -> Result<(), Error> {
         let Some(way) = self.way()? else { return Ok(()) };
         let (time, x) = way.to;
         let reached = way.follow(self.state()?.held())?;
@@ -121,15 +121,15 @@ impl<M: Exchanged> Instance<M> {
     }
 
     /// The loops have been looked at where the mechanism is.
-    pub(super) fn looked(&mut self) -> Result<(), Trouble> {
+    pub(super) fn looked(&mut self) -> Result<(), Error> {
         let state = self.state()?;
         self.look = Some(Look { time: state.time(), x: *state.x(), leaves: false });
         Ok(())
     }
 
-    /// What is held where the solver is, and the state, with charts and branches of loops as they are to be behind a step; whether
+    /// Discrete state where the solver is, and the state, with charts and branches of loops as they are to be behind a step; whether
     /// they have changed.
-    fn arrived(&self) -> Result<(M::U, M::X, bool), Trouble> {
+    fn arrived(&self) -> Result<(M::U, M::X, bool), Error> {
         let state = self.state()?;
         if let Some(way) = self.way()? {
             let reached = way.arrive(state.held())?;
@@ -145,7 +145,7 @@ impl<M: Exchanged> Instance<M> {
     ///
     /// # Errors
     /// When the state cannot be the continuation of the one before.
-    pub fn accept(&mut self) -> Result<bool, Trouble> {
+    pub fn accept(&mut self) -> Result<bool, Error> {
         self.catch_up()?;
         let (held, x, moved) = self.arrived()?;
         let sim = self.object.sim()?;
@@ -171,7 +171,7 @@ impl<M: Exchanged> Instance<M> {
     ///
     /// # Errors
     /// A requirement that does not hold, a jump, or parameters that cannot be.
-    pub fn update(&mut self) -> Result<Update, Trouble> {
+    pub fn update(&mut self) -> Result<Update, Error> {
         if self.interface != Interface::ModelExchange {
             return Ok(Update { states_changed: false, next: None });
         }

@@ -10,7 +10,7 @@ use super::exchange::Look;
 use super::method::{Choice, NoMethod, Settings, Steps, Way, emitted, first_event, run};
 use super::sides::LeftOver;
 use super::{Call, Exchanged, Interface, Mode, Variable, tangent};
-use crate::{Kind, Object, Status, Trouble, saved};
+use crate::{Error, Kind, Object, Status, saved};
 
 /// A mechanism that is set up, then run: by steps of its own method (co-simulation), or by a solver outside, to which it
 /// gives rates and conditions (model exchange).
@@ -68,7 +68,7 @@ impl<M: Exchanged> Instance<M> {
     ///
     /// # Errors
     /// [`Status::NotFinite`]; [`Status::Choice`]: the tolerance is not above 0, or above 0.1.
-    pub fn begin_at(&mut self, time: f64, tolerance: Option<f64>) -> Result<(), Trouble> {
+    pub fn begin_at(&mut self, time: f64, tolerance: Option<f64>) -> Result<(), Error> {
         if !time.is_finite() {
             return Err(Status::NotFinite.into());
         }
@@ -99,7 +99,7 @@ impl<M: Exchanged> Instance<M> {
     ///
     /// # Errors
     /// When it cannot be assembled.
-    pub fn renew(&mut self) -> Result<(), Trouble> {
+    pub fn renew(&mut self) -> Result<(), Error> {
         if self.is_running() || !self.is_stale {
             return Ok(());
         }
@@ -120,7 +120,7 @@ impl<M: Exchanged> Instance<M> {
     /// # Errors
     /// [`Status::ReadOnly`]: it is computed, or it cannot be set in this mode: a start value of a mechanism that runs, a
     /// parameter in Continuous-Time Mode, a state in another one; as [`Object::set`].
-    pub fn set(&mut self, variable: Variable, value: f64) -> Result<(), Trouble> {
+    pub fn set(&mut self, variable: Variable, value: f64) -> Result<(), Error> {
         let (is_running, is_continuous) = (self.is_running(), self.mode == Mode::ContinuousTime);
         self.is_stale |= !is_running;
         match variable {
@@ -151,7 +151,7 @@ impl<M: Exchanged> Instance<M> {
     ///
     /// # Errors
     /// When the mechanism cannot be assembled, or its rate cannot be computed.
-    pub fn get(&mut self, variable: Variable) -> Result<f64, Trouble> {
+    pub fn get(&mut self, variable: Variable) -> Result<f64, Error> {
         match variable {
             Variable::Parameter(index) => return self.object.get(Kind::Parameter, index),
             Variable::Start(index) => return self.object.get(Kind::Start, index),
@@ -176,7 +176,7 @@ impl<M: Exchanged> Instance<M> {
     ///
     /// # Errors
     /// [`Status::NotStarted`]
-    pub fn state(&self) -> Result<&M::State, Trouble> {
+    pub fn state(&self) -> Result<&M::State, Error> {
         Ok(self.object.sim()?.state())
     }
 
@@ -184,11 +184,7 @@ impl<M: Exchanged> Instance<M> {
     ///
     /// # Errors
     /// [`Status::NoSuch`] where a variable is not the time, a state, an input or a parameter, or not a rate or an output.
-    pub fn tangents(
-        &mut self,
-        knowns: &[(Variable, f64)],
-        unknowns: &[Variable],
-    ) -> Result<Vec<f64>, Trouble> {
+    pub fn tangents(&mut self, knowns: &[(Variable, f64)], unknowns: &[Variable]) -> Result<Vec<f64>, Error> {
         self.renew()?;
         self.catch_up()?;
         tangent::along::<M>(self.state()?, knowns, unknowns)
@@ -215,7 +211,7 @@ impl<M: Exchanged> Instance<M> {
     ///
     /// # Errors
     /// As [`Object::step_to`]; the run is then as it was.
-    pub fn step_to(&mut self, until: f64, to_event: bool) -> Result<bool, Trouble> {
+    pub fn step_to(&mut self, until: f64, to_event: bool) -> Result<bool, Error> {
         let now = self.object.time()?;
         let goes = until > now && until.is_finite();
         let way = self.steps.way(self.settings.choice).filter(|_| goes);
@@ -247,7 +243,7 @@ impl<M: Exchanged> Instance<M> {
     ///
     /// # Errors
     /// [`Status::Memory`]: they are not.
-    pub fn save(&self, bytes: &mut [u8]) -> Result<(), Trouble> {
+    pub fn save(&self, bytes: &mut [u8]) -> Result<(), Error> {
         saved::write::<M, _>(self, bytes)
     }
 
@@ -255,7 +251,7 @@ impl<M: Exchanged> Instance<M> {
     ///
     /// # Errors
     /// As [`Object::saved`].
-    pub fn saved(&self, bytes: &[u8]) -> Result<Self, Trouble> {
+    pub fn saved(&self, bytes: &[u8]) -> Result<Self, Error> {
         let mut saved = Self::with_steps(self.declared, self.steps, self.interface);
         saved.object = Object::to_be_read(self.declared);
         saved::read::<M>(&mut saved, bytes)?;
@@ -266,7 +262,7 @@ impl<M: Exchanged> Instance<M> {
     ///
     /// # Errors
     /// [`Status::OtherMechanism`]
-    pub fn is_like(&self, other: &Self) -> Result<(), Trouble> {
+    pub fn is_like(&self, other: &Self) -> Result<(), Error> {
         if self.interface == other.interface { Ok(()) } else { Err(Status::OtherMechanism.into()) }
     }
 

@@ -109,7 +109,7 @@ pub type Step<M> = Function<<M as Mechanism>::State, Result<(), Fault>>;
 /// A function that makes a step of some state.
 pub type Function<S, R> = fn(&mut S, f64) -> R;
 
-/// What a step gives: a declaration's own a result, one that it has not emitted [`Absent`].
+/// Return of a step: a result of an emitted one, [`Absent`] of one that is not emitted.
 pub trait Made: Sized {
     /// The step, where there is one.
     fn step<S>(step: Function<S, Self>) -> Option<Function<S, Result<(), Fault>>>;
@@ -190,7 +190,7 @@ pub(super) enum Way<M: Exchanged> {
     Emitted(Step<M>),
 }
 
-/// What a method is told.
+/// Settings of a method.
 #[derive(Clone, Copy)]
 pub(super) struct Settings {
     pub(super) choice: Choice,

@@ -1,12 +1,12 @@
 //! A mechanism as an FMU of FMI 2.0 or 3.0 (Modelica Association, Functional Mock-up Interface Specification 2.0.5 and 3.0.2):
 //! model exchange and co-simulation.
 //!
-//! [`Instance`] is safe; [`border`] has the functions of FMI; [`description`] writes `modelDescription.xml`.
+//! [`Instance`] is safe; [`ffi`] has the functions of FMI; [`description`] writes `modelDescription.xml`.
 
-#[allow(unsafe_code, reason = "pointers of other languages")]
-pub mod border;
 mod description;
 mod exchange;
+#[allow(unsafe_code, reason = "pointers of other languages")]
+pub mod ffi;
 mod follow;
 mod instance;
 mod method;
@@ -32,7 +32,7 @@ use plm_runtime::System;
 
 use crate::Foreign;
 
-/// What can be an FMU: every mechanism in `f64`.
+/// Mechanisms that can be an FMU: every one in `f64`.
 pub trait Exchanged: Foreign + System<S = f64> {}
 
 impl<M: Foreign + System<S = f64>> Exchanged for M {}

@@ -11,7 +11,7 @@ use super::Version;
 use super::version::Function;
 use Mode::{ContinuousTime, Event, Initialization, Instantiated, Step, Terminated};
 
-/// What an FMU is instantiated for.
+/// Purpose of an instance of an FMU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Interface {
     /// Model exchange.

@@ -67,7 +67,7 @@ fn known<M: Exchanged>(version: Version, unknown: Variable, all: &[Variable]) ->
     Some(known.map(|(reference, _)| reference).collect())
 }
 
-/// What an output or the rate of a first-order state reads.
+/// Reads of an output or of the rate of a first-order state.
 fn row<M: Exchanged>(unknown: Variable) -> Option<&'static Reads> {
     let outputs = M::TABLES.outputs;
     let row = match unknown {

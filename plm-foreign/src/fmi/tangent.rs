@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use plm_runtime::{Cause, Described, Dual, Fault, Linear, Moment, Ports, Rate, Vector};
 
 use super::{Exchanged, Variable};
-use crate::{Status, Trouble};
+use crate::{Error, Status};
 
 /// Derivatives of `unknowns` (rates and outputs) along `seeds` of `knowns` (time, states, inputs, parameters), exact but for rounding.
 ///
@@ -15,7 +15,7 @@ pub(super) fn along<M: Exchanged>(
     state: &M::State,
     knowns: &[(Variable, f64)],
     unknowns: &[Variable],
-) -> Result<Vec<f64>, Trouble> {
+) -> Result<Vec<f64>, Error> {
     type Lifted<M> = <M as Linear>::Lifted<1>;
     let (mut lifted, mut held) = state.mechanism().lift::<1>(&state.held());
     let mut x =

@@ -1,4 +1,4 @@
-//! What stands in the arena.
+//! Nodes of the arena.
 
 use core::fmt;
 

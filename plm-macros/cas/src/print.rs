@@ -7,7 +7,7 @@ use crate::graph::Graph;
 use crate::node::{Expr, Node};
 use crate::number::Number;
 
-/// How tightly the place binds for which a piece of text is made.
+/// How tightly the place binds for which a fragment of text is made.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Place {
     /// Whole line, function argument.
@@ -20,7 +20,7 @@ enum Place {
     Base,
 }
 
-/// What is still to be written; the last one comes first.
+/// Text that is still to be written; the last one comes first.
 enum Pending {
     Text(String),
     Node(Expr, Place),
@@ -192,14 +192,14 @@ fn number(number: Number, place: Place, pending: &mut Vec<Pending>) {
 
 /// Terms in order, the first positive one at the front, the constant at the end. In reading order.
 fn signed_terms(sign: Number, constant: Number, terms: &[(Number, Expr)], pending: &mut Vec<Pending>) {
-    let mut pieces: Vec<(Number, Option<Expr>)> = terms.iter().map(|&(c, e)| (sign * c, Some(e))).collect();
+    let mut summands: Vec<(Number, Option<Expr>)> = terms.iter().map(|&(c, e)| (sign * c, Some(e))).collect();
     if !constant.is_zero() {
-        pieces.push((sign * constant, None));
+        summands.push((sign * constant, None));
     }
-    if let Some(first) = pieces.iter().position(|piece| !piece.0.is_negative()) {
-        pieces[..=first].rotate_right(1);
+    if let Some(first) = summands.iter().position(|summand| !summand.0.is_negative()) {
+        summands[..=first].rotate_right(1);
     }
-    for (i, (coefficient, term)) in pieces.into_iter().enumerate() {
+    for (i, (coefficient, term)) in summands.into_iter().enumerate() {
         let text = match (i, coefficient.is_negative()) {
             (0, false) => "",
             (0, true) => "-",

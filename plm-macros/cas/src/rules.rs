@@ -1,4 +1,4 @@
-//! What the constructors do, as data: the list that the documentation shows and that the tests apply.
+//! Rules of the constructors, as data: the list that the documentation shows and that the tests apply.
 //!
 //! The algebra is that of the real numbers. A rule that is wrong somewhere in f64 says where it is right. Two
 //! conventions follow from the conditions: a zero coefficient removes its term even if the rest could become
@@ -41,11 +41,11 @@ impl Condition {
 /// One step of simplification, in the notation of [`parse_sexpr`](crate::Graph::parse_sexpr).
 #[derive(Clone, Copy, Debug)]
 pub struct Rule {
-    /// What it is called.
+    /// Its name.
     pub name: &'static str,
-    /// What goes in.
+    /// The expression before.
     pub pattern: &'static str,
-    /// What comes out.
+    /// The expression after.
     pub result: &'static str,
     /// Where both have the same value.
     pub condition: Condition,

@@ -1,7 +1,6 @@
 //! Expressions as lists in prefix form, `(+ (* 2 x) (sin y))`: the notation of the table of rules and of tests.
 //!
-//! What is printed reads back to the same node. Reading makes what a name stands for: the first atom of that name,
-//! or a new symbol.
+//! Printed text reads back to the same node. A name reads as the first atom of that name, or as a new symbol.
 
 use core::fmt;
 
@@ -9,7 +8,7 @@ use crate::graph::Graph;
 use crate::node::{Expr, Function, Node};
 use crate::number::Number;
 
-/// What is wrong with a text in prefix form.
+/// Error of a text in prefix form.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ParseError(String);
 
@@ -21,7 +20,7 @@ impl fmt::Display for ParseError {
 
 impl core::error::Error for ParseError {}
 
-/// What is still to be written.
+/// Text and nodes that are still to be written.
 enum Pending {
     Text(String),
     Node(Expr),
@@ -34,7 +33,7 @@ impl Graph {
         let mut pending = vec![Pending::Node(e)];
         while let Some(next) = pending.pop() {
             match next {
-                Pending::Text(piece) => text.push_str(&piece),
+                Pending::Text(token) => text.push_str(&token),
                 Pending::Node(e) => {
                     let start = pending.len();
                     self.push_list(e, &mut pending);
@@ -185,9 +184,9 @@ fn error(what: &str, why: &str) -> ParseError {
     ParseError(format!("`{what}` {why}"))
 }
 
-fn item(piece: Pending, out: &mut Vec<Pending>) {
+fn item(pending: Pending, out: &mut Vec<Pending>) {
     out.push(Pending::Text(" ".to_owned()));
-    out.push(piece);
+    out.push(pending);
 }
 
 fn scaled(coefficient: Number, term: Expr, out: &mut Vec<Pending>) {

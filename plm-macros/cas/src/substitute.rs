@@ -59,7 +59,7 @@ impl Graph {
         found
     }
 
-    /// The same where that is a handful of nodes, in work that does not grow with the graph.
+    /// Reachable nodes if they are a handful, in work that does not grow with the graph.
     fn few_reachable(&self, roots: &[Expr]) -> Option<Vec<Expr>> {
         const MOST: usize = 48;
         let mut open = roots.to_vec();

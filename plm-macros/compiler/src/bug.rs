@@ -2,7 +2,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// What `run` gives, or the text that it panicked with.
+/// Result of `run`, or the text that it panicked with.
 ///
 /// # Errors
 /// It panicked.

@@ -18,7 +18,7 @@ use crate::oracle::Oracle;
 use crate::report::Report;
 use crate::token::Sources;
 
-/// What the compiler makes of a declaration.
+/// Result of a compilation.
 #[derive(Debug, Default)]
 pub struct Expansion {
     /// Rust source: the mechanism, or after errors one with its names so that nothing cascades; `None` if not even its
@@ -26,7 +26,7 @@ pub struct Expansion {
     pub code: Option<Code>,
     /// Everything that is wrong.
     pub diagnostics: Diagnostics,
-    /// What was found and chosen; `None` after errors.
+    /// Report of what was found and chosen; `None` after errors.
     pub report: Option<Report>,
     /// The mechanism for the interpreter; `None` after errors.
     pub oracle: Option<Oracle>,
@@ -42,14 +42,14 @@ pub fn compile(sources: &mut Sources) -> Expansion {
     let model = reading.model(&mut sink);
     let expansion = model.and_then(|model| {
         check::check_names(&model, &mut sink);
-        let (model, observed) = apart(&reading, model);
+        let (model, observed) = split_observed(&reading, model);
         back_end(model, observed, &place, &mut sink)
     });
     let mut expansion = expansion.unwrap_or_default();
     if sink.has_errors() {
         sink.drop_hints();
         // A mechanism that is complete but for its start is emitted as it is; else one with its names has to do.
-        let code = expansion.code.or_else(|| stand_in(&reading, &place));
+        let code = expansion.code.or_else(|| placeholder_code(&reading, &place));
         expansion = Expansion { code, ..Expansion::default() };
     }
     sink.count_unshown();
@@ -61,14 +61,14 @@ pub fn compile(sources: &mut Sources) -> Expansion {
 /// none; `None` if it has no name itself.
 pub fn names_only(sources: &mut Sources) -> Option<Code> {
     let reading = front::read(sources, &mut Diagnostics::new());
-    stand_in(&reading, &|span| sources.place_in_rust(span))
+    placeholder_code(&reading, &|span| sources.place_in_rust(span))
 }
 
-/// What is observed, and its graph.
+/// Observed outputs, and their graph.
 type Observed = Option<(Vec<Output>, Graph)>;
 
-/// What is observed is kept apart from the model until all else is done: it leaves the step as it is, to the bit.
-fn apart(reading: &Reading, model: Model) -> (Model, Observed) {
+/// Splits what is observed from the model until all else is done, so that the step keeps its bits.
+fn split_observed(reading: &Reading, model: Model) -> (Model, Observed) {
     if model.outputs.iter().all(|output| output.declared) {
         return (model, None);
     }
@@ -89,14 +89,14 @@ fn back_end(mut model: Model, observed: Observed, place: Place, sink: &mut Diagn
 
 /// The passes behind the model; nothing where there are errors that leave nothing to go on with.
 fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnostics) -> Option<Expansion> {
-    check::check_reach(&model, sink);
-    sound(sink)?;
+    check::check_connectivity(&model, sink);
+    require_no_errors(sink)?;
 
     let held = hold_switches(&mut model);
-    let whole = count_turns(&mut model);
+    let revolutions = count_turns(&mut model);
     let equations = derive(&model);
     check::check_size(&model, &equations, sink);
-    sound(sink)?;
+    require_no_errors(sink)?;
 
     let absolute = formulate(&model, &equations).optimise();
     let scene = Scene::declared(&model, &equations, &absolute);
@@ -104,18 +104,18 @@ fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnos
     let reduced = reduce(&scene, Some(&start));
     let mut program = Program::new(&model, &equations, absolute, reduced);
     if let Some((outputs, from)) = observed {
-        let outputs = fetched(outputs, &from, (&held, &whole));
+        let outputs = import(outputs, &from, (&held, &revolutions));
         program.observe(&outputs, &equations);
         model.outputs.extend(outputs);
     }
     check::check_feedback(&model, sink);
     check::check_branches(&model, &equations, sink);
     check::check_jumps(&model, sink);
-    sound(sink)?;
+    require_no_errors(sink)?;
 
     let scene = Scene::declared(&model, &equations, &program.absolute);
     check::check_pairs(&scene, sink);
-    check::check_rung(&model, &program, sink);
+    check::check_formulation(&model, &program, sink);
     check::check_start(&scene, &start, sink);
     sink.allow(&model.allowed);
     let mut report = Report::new(&scene, &program);
@@ -126,26 +126,26 @@ fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnos
     Some(Expansion { code: Some(code), report: Some(report), oracle: Some(oracle), ..Expansion::default() })
 }
 
-/// Nothing if there are errors.
-fn sound(sink: &Diagnostics) -> Option<()> {
+/// `None` if there are errors.
+fn require_no_errors(sink: &Diagnostics) -> Option<()> {
     (!sink.has_errors()).then_some(())
 }
 
 /// Expressions, and what stands for them.
 type Pairs = [(Expr, Expr)];
 
-/// Outputs from a graph of their own in the present one; `held` are conditions, `whole` angles, and what stands for them.
-fn fetched(mut outputs: Vec<Output>, from: &Graph, (held, whole): (&Pairs, &Pairs)) -> Vec<Output> {
+/// Imports outputs from their own graph into the present one, with the modes of `held` conditions and the counts of `revolutions`.
+fn import(mut outputs: Vec<Output>, from: &Graph, (held, revolutions): (&Pairs, &Pairs)) -> Vec<Output> {
     let roots: Vec<Expr> = outputs.iter().flat_map(|output| &output.components).copied().collect_vec();
     let components = algebra::substitute(&algebra::import(from, &roots), held);
-    let components = with_turns(&components, whole);
+    let components = with_turns(&components, revolutions);
     let places = outputs.iter_mut().flat_map(|output| &mut output.components);
     places.zip(components).for_each(|(place, component)| *place = component);
     outputs
 }
 
-/// The source of a model that stands for one with errors; nothing about it is checked, and its start is not assembled.
-fn stand_in(reading: &Reading, place: Place) -> Option<Code> {
+/// The source of a placeholder for a model with errors; nothing about it is checked, and its start is not assembled.
+fn placeholder_code(reading: &Reading, place: Place) -> Option<Code> {
     let unchecked = || {
         let model = fallback::model(reading)?;
         let equations = derive(&model);

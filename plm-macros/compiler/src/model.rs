@@ -52,8 +52,8 @@ pub struct Model {
     pub precision: Expr,
     /// Acceleration of gravity, absolute axes, m/s^2.
     pub gravity: Vec2,
-    /// The rung that the user ordered, and where.
-    pub rung: Option<(Rung, Span)>,
+    /// The formulation that the user ordered, and where.
+    pub formulation: Option<(Formulation, Span)>,
     /// How the user ordered that repetitions are written.
     pub repetitions: Option<Repetitions>,
     /// How constraints are kept.
@@ -87,16 +87,16 @@ pub struct Model {
     pub comparisons: Vec<Comparison>,
     /// When conditions of the state and kinks matter; derivation finds it.
     pub decisions: Decisions,
-    /// What forces and rates bend at where it passes zero: kinks, at which nothing is switched.
+    /// Expressions at whose zeros forces and rates bend: kinks, at which nothing is switched.
     pub kinks: Vec<Expr>,
     /// Angles whose whole turns are counted; derivation finds them.
     pub turns: Vec<Counted>,
     /// Where rows jump or may jump; derivation finds them.
     pub jumps: Vec<Jump>,
-    /// What stands in rows for conditions whose sides are held, and these conditions. Where nothing is held, as in assembly
+    /// Symbols in rows for conditions whose sides are held, and these conditions. Where nothing is held, as in assembly
     /// and projection, the conditions themselves decide: on the boundary both sides agree.
     pub released: Vec<(Expr, Expr)>,
-    /// What the user asked to see: first what is declared as an output, then what is observed.
+    /// Outputs: first those that are declared, then those that are observed.
     pub outputs: Vec<Output>,
     /// The parts of the declaration; of those inside of them, what joins frames or has sizes.
     pub instances: Vec<Instance>,
@@ -133,30 +133,30 @@ pub enum Stabilisation {
     Baumgarte(Expr),
 }
 
-/// Rungs of the ladder of formulations that can be ordered.
+/// Formulations that a declaration can order. The numbers are those of the report, from 1 (kinematics) to 5.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rung {
-    /// Rung 2: joint coordinates of a tree.
+pub enum Formulation {
+    /// Joint coordinates of a tree: formulation 2.
     Tree,
-    /// Rung 3: loops in closed form; rung 4 where they have none, rung 2 where there are none.
+    /// Joint coordinates with loops in closed form, 3, or by Newton's iteration, 4; without loops formulation 2.
     Loops,
-    /// Rung 5: absolute coordinates and multipliers.
+    /// Absolute coordinates and multipliers: formulation 5.
     Absolute,
 }
 
-impl Rung {
-    /// The rungs as the language names them.
-    pub const NAMES: [(&'static str, Rung); 3] =
-        [("tree", Rung::Tree), ("loops", Rung::Loops), ("absolute", Rung::Absolute)];
+impl Formulation {
+    /// Names in the language.
+    pub const NAMES: [(&'static str, Formulation); 3] =
+        [("tree", Formulation::Tree), ("loops", Formulation::Loops), ("absolute", Formulation::Absolute)];
 
     /// Its name in the language.
     pub fn name(self) -> &'static str {
-        Rung::NAMES.iter().find(|known| known.1 == self).map_or("", |known| known.0)
+        Formulation::NAMES.iter().find(|known| known.1 == self).map_or("", |known| known.0)
     }
 
-    /// The rung of a name.
-    pub fn named(name: &str) -> Option<Rung> {
-        Rung::NAMES.iter().find(|known| known.0 == name).map(|known| known.1)
+    /// The formulation of that name.
+    pub fn named(name: &str) -> Option<Formulation> {
+        Formulation::NAMES.iter().find(|known| known.0 == name).map(|known| known.1)
     }
 }
 
@@ -174,7 +174,7 @@ impl Repetitions {
     pub const NAMES: [(&'static str, Repetitions); 2] =
         [("rolled", Repetitions::Rolled), ("unrolled", Repetitions::Unrolled)];
 
-    /// What a name stands for.
+    /// The value of that name.
     pub fn named(name: &str) -> Option<Repetitions> {
         Repetitions::NAMES.iter().find(|known| known.0 == name).map(|known| known.1)
     }
@@ -305,7 +305,7 @@ impl Row {
 pub struct Limit {
     /// The joint.
     pub part: String,
-    /// What it is, as written: `compliance`.
+    /// Its name as written: `compliance`.
     pub what: String,
     /// Its value, SI.
     pub value: Expr,
@@ -377,6 +377,6 @@ pub struct Output {
     pub unit: DisplayUnit,
     /// Is it declared as an output, so that it stands in recordings? Else it is observed.
     pub declared: bool,
-    /// What it is and where it points, in a sentence; empty where the name says all.
+    /// Its documentation in a sentence, with the place where it points; empty where the name says all.
     pub docs: String,
 }

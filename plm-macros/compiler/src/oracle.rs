@@ -58,7 +58,7 @@ impl Oracle {
         Some(self.run(&chart.rate, time, &self.state_in(chart, &reduced.memory), x))
     }
 
-    /// What each chart of joint coordinates makes of a state in absolute ones, `x` as in [`Oracle::dynamics`]; nothing where
+    /// The state in each chart of joint coordinates, from one in absolute ones, `x` as in [`Oracle::dynamics`]; nothing where
     /// absolute ones are taken.
     pub fn charts(&self, time: f64, x: &[f64]) -> Vec<InChart> {
         let Some(reduced) = self.program.reduced() else { return Vec::new() };

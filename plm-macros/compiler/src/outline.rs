@@ -7,7 +7,7 @@ use plm_cas::Number;
 
 use crate::units::{Dimension, unit};
 
-/// What is wrong with a file, and where: line and column from 1.
+/// Error of a file, and where: line and column from 1.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Problem {
     pub(crate) line: usize,
@@ -78,7 +78,7 @@ fn number(word: &str) -> Option<Number> {
     }
 }
 
-/// What stands between separators, with its column.
+/// Words between separators, with their columns.
 fn words(line: &str, separates: impl Fn(char) -> bool) -> Vec<Word<'_>> {
     let mut words = Vec::new();
     let mut start = None;

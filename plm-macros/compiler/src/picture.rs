@@ -7,7 +7,7 @@ use crate::model::{Body, FrameRef, Instance, Pair, Port};
 use crate::numeric::{Reach, Scene, add_switches, assemble, value};
 use crate::oracle::Oracle;
 
-/// What there is to be drawn, with parameters as declared, at the assembled start.
+/// Data of a picture, with parameters as declared, at the assembled start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     /// Name of the mechanism.
@@ -53,7 +53,7 @@ pub struct PicturePart {
     pub kind: String,
     /// Its kinematic pair, if it states one.
     pub pair: Option<&'static str>,
-    /// What the part calls each frame that it joins, and which one it is.
+    /// Frames that it joins, by the names of the part.
     pub frames: Vec<(String, FrameRef)>,
 }
 

@@ -1,4 +1,4 @@
-//! What outputs and rates of first-order states read at a moment, for whoever couples mechanisms: what is not among it has no
+//! Reads of outputs and of rates of first-order states at a moment, for whoever couples mechanisms: nothing else has
 //! influence on them.
 
 use crate::collect::CollectVec;
@@ -6,7 +6,7 @@ use plm_cas::{Expr, algebra};
 
 use crate::model::Model;
 
-/// What a quantity reads, beside parameters.
+/// Reads of a quantity, beside parameters.
 pub(crate) struct Reads {
     pub(crate) motion: Motion,
     pub(crate) time: bool,
@@ -16,7 +16,7 @@ pub(crate) struct Reads {
     pub(crate) inputs: Vec<usize>,
 }
 
-/// What is read of bodies; called as in the runtime.
+/// Quantities of bodies that are read; called as in the runtime.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Motion {
     Nothing,
@@ -24,7 +24,7 @@ pub(crate) enum Motion {
     Velocities,
 }
 
-/// What each component of the declared outputs reads, then the rate of each first-order state; `None` where an acceleration, a
+/// Reads of each component of the declared outputs, then of the rate of each first-order state; `None` where an acceleration, a
 /// reaction or an unknown of another kind is read, which may depend on all.
 pub(crate) fn reads(model: &Model) -> Vec<Option<Reads>> {
     let phi: Vec<Expr> = model.rows.iter().map(|row| row.phi).collect_vec();
@@ -35,7 +35,7 @@ pub(crate) fn reads(model: &Model) -> Vec<Option<Reads>> {
     outputs.chain(rates).map(|value| of(model, value, prescribed)).collect_vec()
 }
 
-/// What an expression reads; poses read the time where it is prescribed how something moves.
+/// Reads of an expression; poses read the time where it is prescribed how something moves.
 fn of(model: &Model, value: Expr, prescribed: bool) -> Option<Reads> {
     let mut reads = Reads { motion: Motion::Nothing, time: false, states: Vec::new(), inputs: Vec::new() };
     for symbol in algebra::symbols(&[value]) {

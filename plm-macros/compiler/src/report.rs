@@ -1,4 +1,4 @@
-//! What the compiler found and chose, in words and numbers.
+//! Report of the compiler: its findings and choices, in words and numbers.
 
 use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Count, Expr, algebra};
@@ -37,7 +37,7 @@ pub struct Report {
     pub rank: Option<(usize, usize)>,
     /// The formulation that was taken, and why.
     pub taken: Taken,
-    /// The same in lines of text, with coordinates and method.
+    /// The formulation in lines of text, with coordinates and method.
     pub formulation: Vec<String>,
     /// Numbers in the state.
     pub state: usize,
@@ -49,16 +49,16 @@ pub struct Report {
     pub ordered: Option<Repetitions>,
     /// Operations of the other functions, by name.
     pub functions: Vec<(&'static str, Count)>,
-    /// What assembly did: lines of text.
+    /// Report of assembly: lines of text.
     pub assembly: Vec<String>,
 }
 
 /// The formulation that was taken.
 #[derive(Clone, Debug)]
 pub struct Taken {
-    /// Its rung, 1 to 5.
-    pub rung: u8,
-    /// What the unknowns are: `joint coordinates`.
+    /// Its number, from 1 (kinematics) to 5 (absolute coordinates).
+    pub number: u8,
+    /// Kind of the unknowns: `joint coordinates`.
     pub formulation: String,
     /// Why, in words that go on after it: `the joints make a tree, …`.
     pub reason: String,
@@ -198,7 +198,7 @@ impl Report {
     }
 
     /// Does the code have loops for what repeats itself?
-    pub(crate) fn is_rolled(&self) -> bool {
+    pub(crate) fn rerolls(&self) -> bool {
         match self.ordered {
             Some(ordered) => ordered == Repetitions::Rolled,
             None => self.rate.total() > self.most_unrolled(),
@@ -207,18 +207,18 @@ impl Report {
 
     fn most_unrolled(&self) -> usize {
         let [of_a_tree, of_all_else] = MOST_UNROLLED;
-        if self.taken.rung <= 2 { of_a_tree } else { of_all_else }
+        if self.taken.number <= 2 { of_a_tree } else { of_all_else }
     }
 
     fn repetitions(&self) -> Option<String> {
         let why = match self.ordered {
             Some(_) => "as the declaration orders".to_owned(),
-            None if self.is_rolled() => {
+            None if self.rerolls() => {
                 format!("since more than {} operations in a row are slower than loops", self.most_unrolled())
             }
             None => return None,
         };
-        let code = if self.is_rolled() { "what repeats itself in loops" } else { "without loops" };
+        let code = if self.rerolls() { "what repeats itself in loops" } else { "without loops" };
         Some(format!("Code: {code}, {why}."))
     }
 }
@@ -238,13 +238,13 @@ impl std::fmt::Display for Report {
 
 /// The formulation, why it was taken, and which joints are compliant.
 fn formulation(model: &Model, reduced: Option<&Reduced>, taken: &Taken) -> Vec<String> {
-    let Taken { rung, formulation, reason } = taken;
+    let Taken { number, formulation, reason } = taken;
     let mut lines = match reduced {
         Some(reduced) => {
-            let title = format!("Rung {rung}: {formulation}; {reason}.");
+            let title = format!("Formulation {number}: {formulation}; {reason}.");
             [title].into_iter().chain(coordinates(reduced)).collect_vec()
         }
-        None => vec![format!("Rung {rung}: {formulation}, because {reason}.")],
+        None => vec![format!("Formulation {number}: {formulation}, because {reason}.")],
     };
     let mut giving: Vec<&str> =
         model.compliant.iter().map(|row| model.parts[row.part].name.text.as_str()).collect_vec();
@@ -255,7 +255,7 @@ fn formulation(model: &Model, reduced: Option<&Reduced>, taken: &Taken) -> Vec<S
     lines
 }
 
-/// Which rung it is, what the unknowns are, and why.
+/// Number of the formulation, what the unknowns are, and why.
 fn taken(model: &Model, reduced: Result<&Reduced, &str>) -> Taken {
     let joint_coordinates = "joint coordinates";
     let kept = match model.stabilisation {
@@ -263,7 +263,7 @@ fn taken(model: &Model, reduced: Result<&Reduced, &str>) -> Taken {
         Stabilisation::Baumgarte(_) => "Baumgarte's method",
     };
     let absolute = format!("absolute coordinates and multipliers, kept on the constraints by {kept}");
-    let (rung, formulation, reason) = match reduced {
+    let (number, formulation, reason) = match reduced {
         Err(reason) => (5, absolute.as_str(), reason),
         Ok(reduced) => match (reduced.has_loops(), reduced.freedom()) {
             (_, 0) => (1, "kinematics", "no freedom is left, and the motion follows from the time alone"),
@@ -278,10 +278,10 @@ fn taken(model: &Model, reduced: Result<&Reduced, &str>) -> Taken {
             }
         },
     };
-    Taken { rung, formulation: formulation.to_owned(), reason: reason.to_owned() }
+    Taken { number, formulation: formulation.to_owned(), reason: reason.to_owned() }
 }
 
-/// What joint coordinates there are, chart by chart.
+/// Joint coordinates, chart by chart.
 fn coordinates(reduced: &Reduced) -> Vec<String> {
     let mut lines = Vec::new();
     for (k, chart) in reduced.charts.iter().enumerate() {

@@ -121,7 +121,7 @@ impl<K: Ord, V> SortedMap<K, V> {
         Some(&mut self.0[k].1)
     }
 
-    /// Whether the key has a value.
+    /// True if the key has a value.
     pub fn contains_key<Q: Ord + ?Sized>(&self, key: &Q) -> bool
     where
         K: Borrow<Q>,
@@ -168,7 +168,7 @@ impl<K: Ord, V> SortedMap<K, V> {
         self.0.len()
     }
 
-    /// Whether there are no entries.
+    /// True if there are no entries.
     pub const fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -196,7 +196,7 @@ impl<T: Ord> SortedSet<T> {
         place.is_err()
     }
 
-    /// Whether the value is among them.
+    /// True if the value is among them.
     pub fn contains<Q: Ord + ?Sized>(&self, value: &Q) -> bool
     where
         T: Borrow<Q>,
@@ -231,7 +231,7 @@ impl<T: Ord> SortedSet<T> {
         self.0.len()
     }
 
-    /// Whether there are no values.
+    /// True if there are no values.
     pub const fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

@@ -1,7 +1,7 @@
-//! What a mechanism tells of itself in numbers: masses, places, contours, sizes.
+//! The numeric table of a mechanism: masses, places, contours, sizes.
 //!
-//! They stand in one row, in the order of the declaration, so that most of them can be a table of constants; those that
-//! read parameters or the time are expressions. Rows of names say where the numbers of each thing begin.
+//! All numbers are entries of one list, in the order of the declaration. Most are constants; those that read parameters or
+//! the time are expressions. The rows of names hold the index at which the numbers of each item begin.
 
 use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Expr, algebra};
@@ -10,10 +10,10 @@ use crate::model::{Model, Port};
 use crate::numeric::value;
 use crate::units::DisplayUnit;
 
-/// The numbers, and where those of each thing begin.
-pub(crate) struct Figures {
+/// The numbers, and the index at which those of each item begin.
+pub(crate) struct NumericTable {
     /// All numbers, SI.
-    pub(crate) all: Vec<Figure>,
+    pub(crate) all: Vec<Entry>,
     /// Of each body: mass, inertia, depth; x, y, angle of each port; x, y of each point of the contour.
     pub(crate) bodies: Vec<usize>,
     /// Of each port of the ground: x, y, angle, depth.
@@ -22,9 +22,9 @@ pub(crate) struct Figures {
     pub(crate) parts: Vec<usize>,
 }
 
-/// A number of the tables.
-pub(crate) enum Figure {
-    /// The same in all mechanisms of the type.
+/// A number of the table.
+pub(crate) enum Entry {
+    /// A number that is equal in all mechanisms of the type.
     Constant(f64),
     /// Of parameters; of ports of the ground also of the time.
     Varying(Expr),
@@ -38,39 +38,39 @@ pub(crate) struct Ground {
     pub(crate) moves: bool,
 }
 
-impl Figures {
-    pub(crate) fn new(model: &Model) -> Figures {
-        let mut figures =
-            Figures { all: Vec::new(), bodies: Vec::new(), ground: Vec::new(), parts: Vec::new() };
+impl NumericTable {
+    pub(crate) fn new(model: &Model) -> NumericTable {
+        let mut table =
+            NumericTable { all: Vec::new(), bodies: Vec::new(), ground: Vec::new(), parts: Vec::new() };
         for body in &model.bodies {
-            let first = figures.push([body.mass, body.inertia, body.depth.unwrap_or(Expr::ZERO)]);
+            let first = table.push([body.mass, body.inertia, body.depth.unwrap_or(Expr::ZERO)]);
             body.ports.iter().for_each(|port| {
-                figures.push(place(port));
+                table.push(place(port));
             });
             body.contour.iter().for_each(|point| {
-                figures.push(point.components());
+                table.push(point.components());
             });
-            figures.bodies.push(first);
+            table.bodies.push(first);
         }
         for port in &model.ground {
             let [x, y, angle] = at_its_side(model, place(port));
             let moves = algebra::symbols(&[x, y, angle]).contains(&model.time);
-            let first = figures.push([x, y, angle, port.depth.unwrap_or(Expr::ZERO)]);
-            figures.ground.push(Ground { first, moves });
+            let first = table.push([x, y, angle, port.depth.unwrap_or(Expr::ZERO)]);
+            table.ground.push(Ground { first, moves });
         }
         for instance in &model.instances {
-            let first = figures.push(instance.sizes.iter().map(|size| size.value));
-            figures.parts.push(first);
+            let first = table.push(instance.sizes.iter().map(|size| size.value));
+            table.parts.push(first);
         }
-        figures
+        table
     }
 
-    /// Adds numbers; where they begin.
+    /// Adds numbers and returns the index of the first.
     fn push(&mut self, exprs: impl IntoIterator<Item = Expr>) -> usize {
         let first = self.all.len();
         self.all.push_all(exprs.into_iter().map(|expr| {
             let is_constant = algebra::symbols(&[expr]).is_empty();
-            if is_constant { Figure::Constant(value(expr, &[])) } else { Figure::Varying(expr) }
+            if is_constant { Entry::Constant(value(expr, &[])) } else { Entry::Varying(expr) }
         }));
         first
     }

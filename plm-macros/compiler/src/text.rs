@@ -69,35 +69,35 @@ fn comment(text: &str) -> usize {
     at
 }
 
-/// What keeps a text from being a tree of tokens.
+/// An error that keeps a text from being a tree of tokens.
 #[derive(Clone, Debug)]
-pub(crate) struct Flaw {
+pub(crate) struct LexicalError {
     pub(crate) code: Code,
     pub(crate) message: String,
     /// Where, in bytes of the text with its brackets closed.
     pub(crate) at: usize,
 }
 
-/// A text that proc-macro2 cannot read, mended.
-pub(crate) struct Mended {
+/// A text that proc-macro2 cannot read, with what lexical recovery made of it.
+pub(crate) struct Recovered {
     /// The text with its brackets closed.
     pub(crate) shown: String,
-    /// The same without what begins no token: blanks stand there.
+    /// The text with blanks for everything that begins no token.
     pub(crate) lexed: String,
     /// Its tokens.
     pub(crate) stream: TokenStream,
-    /// What was wrong with it.
-    pub(crate) flaws: Vec<Flaw>,
+    /// The errors.
+    pub(crate) lexical_errors: Vec<LexicalError>,
     /// Brackets that are open, and where.
     open: Vec<(usize, char)>,
 }
 
-pub(crate) fn mended(text: &str) -> Mended {
-    let mut mended = Mended {
+pub(crate) fn recover(text: &str) -> Recovered {
+    let mut recovered = Recovered {
         shown: String::new(),
         lexed: String::new(),
         stream: TokenStream::new(),
-        flaws: Vec::new(),
+        lexical_errors: Vec::new(),
         open: Vec::new(),
     };
     let mut rest = text;
@@ -108,24 +108,24 @@ pub(crate) fn mended(text: &str) -> Mended {
             blank => blank,
         };
         let length = if whole > 0 {
-            mended.push(&rest[..whole]);
+            recovered.push(&rest[..whole]);
             whole
         } else if first.is_ascii_digit() {
-            mended.number(rest)
+            recovered.number(rest)
         } else {
-            mended.take(first);
+            recovered.take(first);
             first.len_utf8()
         };
         rest = &rest[length..];
     }
-    mended.close(0);
-    if let Ok(stream) = mended.lexed.parse() {
-        mended.stream = stream;
+    recovered.close(0);
+    if let Ok(stream) = recovered.lexed.parse() {
+        recovered.stream = stream;
     } else {
         let message = "a comment is not closed".to_owned();
-        mended.flaws.push(Flaw { code: Code::UnexpectedToken, message, at: 0 });
+        recovered.lexical_errors.push(LexicalError { code: Code::UnexpectedToken, message, at: 0 });
     }
-    mended
+    recovered
 }
 
 /// Length of the string that a text begins with, 0 if it is not closed.
@@ -140,7 +140,7 @@ fn string(text: &str) -> usize {
     0
 }
 
-impl Mended {
+impl Recovered {
     /// Takes the number that a text begins with, as far as it looks like a word; gives its length.
     fn number(&mut self, text: &str) -> usize {
         let length = text.find(|c: char| c != '_' && !c.is_alphanumeric()).unwrap_or(text.len());
@@ -182,11 +182,11 @@ impl Mended {
     }
 
     fn leave_out(&mut self, word: &str, code: Code, message: String) {
-        self.flaws.push(Flaw { code, message, at: self.shown.len() });
+        self.lexical_errors.push(LexicalError { code, message, at: self.shown.len() });
         self.shown.push_str(word);
         // A zero for a number, which needs no unit: nothing else is said of it.
-        let stand_in = if code == Code::BadNumber { "0" } else { " " };
-        self.lexed.push_str(stand_in);
+        let placeholder = if code == Code::BadNumber { "0" } else { " " };
+        self.lexed.push_str(placeholder);
         self.lexed.push_str(&" ".repeat(word.len() - 1));
     }
 
@@ -194,7 +194,7 @@ impl Mended {
     fn close(&mut self, but: usize) {
         for (at, open) in self.open.split_off(but).into_iter().rev() {
             let message = format!("`{open}` is not closed");
-            self.flaws.push(Flaw { code: Code::UnclosedDelimiter, message, at });
+            self.lexical_errors.push(LexicalError { code: Code::UnclosedDelimiter, message, at });
             self.push(closing(open).encode_utf8(&mut [0; 4]));
         }
     }
@@ -211,10 +211,10 @@ fn closing(open: char) -> char {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::{Mended, mended};
+    use super::{Recovered, recover};
     use crate::token::Sources;
 
-    /// What the text holds where the tokens of a source are.
+    /// Text at the places of the tokens of a source.
     fn located(text: &str) -> Vec<String> {
         let mut sources = Sources::new();
         let id = sources.add_text("text", text);
@@ -236,17 +236,17 @@ mod tests {
 
     #[test]
     fn brackets_are_closed_where_the_enclosing_one_is() {
-        let Mended { shown, lexed, stream, flaws, .. } = mended("a { (1; } ] b[");
+        let Recovered { shown, lexed, stream, lexical_errors, .. } = recover("a { (1; } ] b[");
         assert_eq!((shown.as_str(), lexed.as_str()), ("a { (1; )} ] b[]", "a { (1; )}   b[]"));
         assert_eq!(stream.into_iter().count(), 4);
-        let found: Vec<_> = flaws.iter().map(|flaw| (flaw.at, flaw.message.as_str())).collect();
+        let found: Vec<_> = lexical_errors.iter().map(|error| (error.at, error.message.as_str())).collect();
         assert_eq!(found, [(4, "`(` is not closed"), (11, "`]` closes nothing"), (14, "`[` is not closed")]);
     }
 
     #[test]
     fn what_is_no_token_is_left_out() {
-        assert_eq!(mended("30 ° \\ 'a \"b").lexed, "30       a  b");
-        assert_eq!(mended("a = 0bar;").lexed, "a = 0   ;");
-        assert_eq!(mended("a /* b").flaws.len(), 1);
+        assert_eq!(recover("30 ° \\ 'a \"b").lexed, "30       a  b");
+        assert_eq!(recover("a = 0bar;").lexed, "a = 0   ;");
+        assert_eq!(recover("a /* b").lexical_errors.len(), 1);
     }
 }

@@ -12,7 +12,7 @@ use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use syn::LitStr;
 
 use crate::span::Span;
-use crate::text::{Flaw, Mended, locate, mended};
+use crate::text::{LexicalError, Recovered, locate, recover};
 
 /// Brackets within brackets that are read: more than the grammar ever enters.
 const DEEPEST: u32 = 128;
@@ -85,12 +85,12 @@ fn flatten(stream: TokenStream, tokens: &mut Vec<Token>) {
 pub struct Source {
     /// Its index in [`Sources`]; spans carry it.
     pub id: u32,
-    /// What messages call it: `declaration`, `revolute.plm`.
+    /// Its name in messages: `declaration`, `revolute.plm`.
     pub name: String,
     /// Its tokens as a tree.
     pub(crate) stream: TokenStream,
-    /// What is wrong with its text, whose tokens are those of the mended text.
-    pub(crate) flaws: Vec<Flaw>,
+    /// Lexical errors of its text; the tokens are those after recovery.
+    pub(crate) lexical_errors: Vec<LexicalError>,
     tokens: Vec<Token>,
     text: Option<String>,
     ranges: OnceCell<Vec<Range<usize>>>,
@@ -200,12 +200,12 @@ impl Sources {
         if let Ok(stream) = text.parse() {
             return self.add(name, stream, Some(text.to_owned()));
         }
-        let Mended { shown, lexed, stream, flaws, .. } = mended(text);
+        let Recovered { shown, lexed, stream, lexical_errors, .. } = recover(text);
         let id = self.add(name, stream, Some(shown));
         if let Some(source) = self.list.last_mut() {
             source.ranges =
                 OnceCell::from(locate(&lexed, source.tokens.iter().map(|token| token.text.as_str())));
-            source.flaws = flaws;
+            source.lexical_errors = lexical_errors;
         }
         id
     }
@@ -224,8 +224,8 @@ impl Sources {
     fn add(&mut self, name: &str, stream: TokenStream, text: Option<String>) -> u32 {
         let (id, stream, mut tokens) = (self.list.len() as u32, shallow(stream), Vec::new());
         flatten(stream.clone(), &mut tokens);
-        let (name, flaws, ranges) = (name.to_owned(), Vec::new(), OnceCell::new());
-        self.list.push(Source { id, name, stream, flaws, tokens, text, ranges });
+        let (name, lexical_errors, ranges) = (name.to_owned(), Vec::new(), OnceCell::new());
+        self.list.push(Source { id, name, stream, lexical_errors, tokens, text, ranges });
         id
     }
 

@@ -59,9 +59,11 @@ fn parameters_and_inputs_say_what_they_are_by_default() {
 #[test]
 fn implementations_with_constant_arguments_are_hidden() {
     let mut seen = 0;
-    for rung in ["loops", "absolute"] {
+    for formulation in ["loops", "absolute"] {
         let code = emitted(
-            &CRANK.replacen("param", &format!("rung: {rung}; param"), 1).replace("/// Stiffness", "// "),
+            &CRANK
+                .replacen("param", &format!("formulation: {formulation}; param"), 1)
+                .replace("/// Stiffness", "// "),
         );
         let lines: Vec<&str> = code.lines().map(str::trim).collect();
         for (above, line) in lines.iter().zip(&lines[1..]).filter(|(_, line)| line.starts_with("impl")) {
@@ -130,13 +132,13 @@ fn forces_that_jump_have_guards_and_those_that_bend_have_kinks() {
     }
 }
 
-/// Positions, velocities, states of first order: on both rungs each entry of the rate is written once.
+/// Positions, velocities, states of first order: in both formulations each entry of the rate is written once.
 #[test]
 fn rates_are_written_in_the_order_of_the_state() {
-    for (rung, length) in [("tree", 4), ("absolute", 8)] {
+    for (formulation, length) in [("tree", 4), ("absolute", 8)] {
         let code = emitted(&format!(
             "pub Tank {{
-                rung: {rung};
+                formulation: {formulation};
                 state level: m = 1 m; rate level = -level/1 s;
                 state heat: K = 300 K; rate heat = 1 K/s*level/1 m;
                 ground {{ port o: (0, 0) m; }}
@@ -149,7 +151,7 @@ fn rates_are_written_in_the_order_of_the_state() {
             .filter_map(|line| line.trim().strip_prefix("dx[")?.split_once("] = ")?.0.parse().ok())
             .collect();
         written.sort_unstable();
-        assert_eq!(written, (0..length).collect::<Vec<_>>(), "{rung}");
+        assert_eq!(written, (0..length).collect::<Vec<_>>(), "{formulation}");
     }
 }
 
@@ -172,8 +174,8 @@ fn flat(stream: TokenStream, words: &mut Vec<String>) {
 
 #[test]
 fn people_read_what_rustc_gets() {
-    for rung in ["loops", "absolute"] {
-        let code = code(&CRANK.replacen("param", &format!("rung: {rung}; param"), 1));
+    for formulation in ["loops", "absolute"] {
+        let code = code(&CRANK.replacen("param", &format!("formulation: {formulation}; param"), 1));
         let [mut shown, mut given] = [Vec::new(), Vec::new()];
         flat(code.text().parse().unwrap(), &mut shown);
         flat(code.tokens(str::parse).unwrap(), &mut given);
@@ -188,8 +190,8 @@ fn people_read_what_rustc_gets() {
 #[test]
 fn code_names_nothing_else_as_the_mechanism() {
     let mut seen = 0;
-    for rung in ["loops", "absolute"] {
-        let text = CRANK.replacen("param", &format!("rung: {rung}; param"), 1);
+    for formulation in ["loops", "absolute"] {
+        let text = CRANK.replacen("param", &format!("formulation: {formulation}; param"), 1);
         let mut words = Vec::new();
         flat(code(&text).tokens(str::parse).unwrap(), &mut words);
         let mut defined: Vec<&str> = words

@@ -2,21 +2,21 @@
 //! doubled and mixed at random. The seed of a case is in every message.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
-#[path = "front/pieces.rs"]
-mod pieces;
 #[path = "../../../tests/support/random.rs"]
 mod random;
+#[path = "front/token_texts.rs"]
+mod token_texts;
 
 use std::fs;
 use std::path::Path;
 
-use pieces::pieces;
 use plm_compiler::diag::Diagnostics;
 use plm_compiler::syntax::parse;
 use plm_compiler::token::Sources;
 use plm_compiler::{Expansion, compile, names_only, without_panic};
 use proc_macro2::TokenStream;
 use random::Random;
+use token_texts::token_texts;
 
 /// Disturbed declarations of one run.
 const CASES: u64 = 3000;
@@ -80,7 +80,7 @@ fn corpus() -> Vec<Vec<String>> {
     let all = right.chain(texts).collect::<Vec<_>>();
     // Brackets without partners come by chance.
     let is_tree = |text: &&String| text.parse::<TokenStream>().is_ok();
-    all.iter().filter(is_tree).map(|text| pieces(text)).collect()
+    all.iter().filter(is_tree).map(|text| token_texts(text)).collect()
 }
 
 const NUMBERS: &[&str] =
@@ -170,8 +170,8 @@ fn disturb(tokens: &mut Vec<String>, corpus: &[Vec<String>], random: &mut Random
         _ => {
             let foreign = random.one_of(corpus);
             let from = random.below(foreign.len());
-            let piece = foreign[from..(from + random.below(20)).min(foreign.len())].to_vec();
-            tokens.splice(at..at, piece);
+            let tokens_in = foreign[from..(from + random.below(20)).min(foreign.len())].to_vec();
+            tokens.splice(at..at, tokens_in);
         }
     }
 }
@@ -189,7 +189,7 @@ fn examine(text: &str) -> Expansion {
     assert_eq!(expansion.code.is_some(), declaration.mechanism.is_some(), "what has a name has code");
     if let Some(code) = &expansion.code {
         // proc-macro2 reads it, or this panics.
-        let emitted = pieces(&code.text());
+        let emitted = token_texts(&code.text());
         let no_number = emitted.iter().find(|token| ["inf", "NaN"].contains(&token.trim_end()));
         assert!(no_number.is_none(), "`{}` is no literal of Rust", no_number.unwrap());
     }

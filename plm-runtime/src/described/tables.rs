@@ -57,7 +57,7 @@ pub enum Motion {
 /// The formulation that was taken, why, and what it costs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Report {
-    /// Its rung, from 1 (kinematics) to 5 (absolute coordinates).
+    /// Its number, from 1 (kinematics) to 5 (absolute coordinates).
     pub rung: u8,
     /// What the unknowns are: `joint coordinates`.
     pub formulation: &'static str,

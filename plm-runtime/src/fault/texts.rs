@@ -58,7 +58,7 @@ impl fmt::Display for Cause {
             }
             Self::Flat => write!(
                 f,
-                "its loop lies in one line at rest and can go on in several ways; `rung: absolute` takes the least motion"
+                "its loop lies in one line at rest and can go on in several ways; `formulation: absolute` takes the least motion"
             ),
             Self::ChangePoint => write!(f, "its loop lies in one line and could go on in several ways"),
             Self::Undecided { gap } => write!(
@@ -116,7 +116,7 @@ fn repeats(f: &mut fmt::Formatter<'_>, joints: &Names) -> fmt::Result {
         f,
         "with these parameters {joints} hold what others hold already: pins of a loop coincide, or lengths repeat each \
                  other, so that something is free to turn that has no coordinate here; other lengths or angles, or \
-                 `rung: absolute`, or such parameters as defaults"
+                 `formulation: absolute`, or such parameters as defaults"
     )
 }
 

@@ -1,9 +1,8 @@
 //! What happens within runs: conditions, charts, steps that are refused, faults.
 #![allow(clippy::unwrap_used, clippy::panic, unreachable_pub, missing_docs, reason = "tests")]
 
-mod bead;
-mod brief;
 mod change_points;
+mod chart_changes;
 mod charts;
 mod events;
 mod followed;
@@ -14,3 +13,4 @@ mod mechanisms;
 #[path = "../../../tests/support/random.rs"]
 mod random;
 mod resets;
+mod short_events;

@@ -102,7 +102,7 @@ test("clear, reload, open, exit", { skip }, async () => {
     await act();
     const npz = addresses.batch.replace("file://", "").replace(".html", ".npz");
     await (await chooser).setFiles(npz);
-    await page.waitForFunction(() => window.plmPage.app.shown.length === 3);
+    await page.waitForFunction(() => window.plmPage.app.runViews.length === 3);
     await settle(page);
     assert.ok((await drawn(page)).ink > 3000, message);
   });

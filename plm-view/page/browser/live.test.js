@@ -1,4 +1,4 @@
-// The mechanism alive in the page, with a real module; everything by mouse and by key.
+// A live mechanism in the page, with a real module; everything by mouse and by key.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -7,7 +7,7 @@ import { test } from "node:test";
 import { LIVE_COMMANDS } from "../src/commands.js";
 import { readResults } from "../src/results.js";
 import { modulePath, nativeRows } from "../tests/support/live.js";
-import { address, alive, answered, now, onScreen, pose, RED, setting, skip } from "./support/alive.js";
+import { address, livePage, answered, now, onScreen, pose, RED, setting, skip } from "./support/livepage.js";
 import { drawn, frames, openedIn, pieces, settle, shot, state, until } from "./support/browser.js";
 
 /** The bits of all rows of the live run. */
@@ -24,7 +24,7 @@ const rowBits = (page) =>
 const nativeBits = () => nativeRows().map((row) => [...new BigUint64Array(row.buffer, row.byteOffset, row.length)].map((word) => word.toString(16)).join(" "));
 
 test("it opens with no request of a network, and moves by itself", { skip }, async () => {
-  const { page, requests, errors } = await alive();
+  const { page, requests, errors } = await livePage();
   assert.deepEqual(requests.filter((each) => each !== address && !each.startsWith("blob:")), []);
   const before = await drawn(page);
   const time = await now(page);
@@ -47,12 +47,12 @@ test("the page is small, and its first frame comes in a second", { skip }, async
 test("the numbers are those of the native run, to the bit", { skip }, async () => {
   const native = nativeBits();
   // As it runs by itself.
-  const { page } = await alive();
+  const { page } = await livePage();
   await page.waitForFunction(() => window.plmPage.app.live.run.rows > 60);
   const free = (await rowBits(page)).slice(1, 60);
   assert.deepEqual(free, native.slice(0, 59));
   // Step by step, with a parameter that is turned.
-  const { page: still } = await alive({ isRunning: false });
+  const { page: still } = await livePage({ isRunning: false });
   await still.evaluate(() => {
     const { live } = window.plmPage.app;
     live.step(0.01, 150);
@@ -73,7 +73,7 @@ async function standing(page) {
 }
 
 test("pause and run, by mouse and by key", { skip }, async () => {
-  const { page } = await alive();
+  const { page } = await livePage();
   const ways = { button: () => page.click("#live-go"), Space: () => page.keyboard.press("Space"), "transport buttons": null };
   for (const [how, use] of Object.entries(ways)) {
     await (use?.() ?? page.click("#do-stop"));
@@ -90,7 +90,7 @@ test("pause and run, by mouse and by key", { skip }, async () => {
 });
 
 test("a step, and what was: the time line shows it, the end goes on", { skip }, async () => {
-  const { page } = await alive({ isRunning: false });
+  const { page } = await livePage({ isRunning: false });
   await page.focus("#picture");
   await page.keyboard.press("f");
   await page.click("#do-forward-step");
@@ -106,7 +106,7 @@ test("a step, and what was: the time line shows it, the end goes on", { skip }, 
 });
 
 test("it stays in view, until another view is chosen", { skip }, async () => {
-  const { page } = await alive({ isRunning: false });
+  const { page } = await livePage({ isRunning: false });
   const { scale } = await state(page, "app.view");
   const isWhole = () =>
     page.evaluate(() => {
@@ -125,17 +125,17 @@ test("it stays in view, until another view is chosen", { skip }, async () => {
   const view = await state(page, "JSON.stringify(app.view)");
   await page.evaluate(() => window.plmPage.app.live.step(0.01, 100));
   await page.waitForFunction(() => window.plmPage.app.live.run.rows === 501);
-  const looked = await state(page, "app.live.inView.lookedAt");
+  const looked = await state(page, "app.live.followCamera.lookedAt");
   await until(page, async () => {
     await page.evaluate(() => window.plmPage.app.touch());
-    return (await state(page, "app.live.inView.chosen")) === null || (await state(page, "app.live.inView.lookedAt")) > looked;
+    return (await state(page, "app.live.followCamera.chosen")) === null || (await state(page, "app.live.followCamera.lookedAt")) > looked;
   }, "it has looked whether all is in sight");
   assert.equal(await state(page, "JSON.stringify(app.view)"), view);
   assert.ok(scale > 0);
 });
 
 test("speed", { skip }, async () => {
-  const { page } = await alive({ isRunning: false });
+  const { page } = await livePage({ isRunning: false });
   await page.selectOption("#speed", "0.1");
   const began = await page.evaluate(() => performance.now());
   await page.click("#live-go");
@@ -148,7 +148,7 @@ test("speed", { skip }, async () => {
 });
 
 test("a parameter is turned by slider, by key and by number, in its unit", { skip }, async () => {
-  const { page } = await alive({ isRunning: false });
+  const { page } = await livePage({ isRunning: false });
   const slider = page.locator("#parameter-0-slider");
   assert.deepEqual([await page.inputValue("#parameter-0"), await slider.inputValue()], ["400", "400"]);
   const before = await drawn(page);
@@ -195,7 +195,7 @@ test("a parameter is turned by slider, by key and by number, in its unit", { ski
 
 test("what cannot be assembled is told with its part, and mended", { skip }, async () => {
   for (const how of ["field", "key"]) {
-    const { page, errors } = await alive();
+    const { page, errors } = await livePage();
     assert.equal((await drawn(page, "#picture", { fault: RED })).fault, 0);
     await page.fill("#parameter-0", "9000");
     await page.keyboard.press("Enter");
@@ -227,7 +227,7 @@ test("what cannot be assembled is told with its part, and mended", { skip }, asy
 });
 
 test("contour and pin follow a parameter that is turned", { skip }, async () => {
-  const { page } = await alive({ isRunning: false });
+  const { page } = await livePage({ isRunning: false });
   await page.focus("#picture");
   for (const key of [".", "."]) await page.keyboard.press(key);
   const slider = page.locator("#parameter-0-slider");
@@ -254,7 +254,7 @@ test("contour and pin follow a parameter that is turned", { skip }, async () => 
 const distance = ({ x, y }, [u, v], box) => Math.hypot(x + box.x - u, y + box.y - v);
 
 test("record, and export what was recorded", { skip }, async () => {
-  const { page } = await alive();
+  const { page } = await livePage();
   await page.click("#live-record");
   const from = await state(page, "app.live.recordsFrom");
   await page.waitForFunction((at) => window.plmPage.app.live.run.end > at + 0.3, from);
@@ -286,7 +286,7 @@ test("record, and export what was recorded", { skip }, async () => {
 });
 
 test("toolbar and keys of the live page", { skip }, async () => {
-  const { page } = await alive();
+  const { page } = await livePage();
   for (const mode of ["place", "pull"]) {
     await page.click(`#do-${mode}`);
     assert.equal(await state(page, "app.mode"), mode);
@@ -323,7 +323,7 @@ test("toolbar and keys of the live page", { skip }, async () => {
 });
 
 test("another file takes its place, and it comes back", { skip }, async () => {
-  const { page, errors } = await alive();
+  const { page, errors } = await livePage();
   await page.focus("#picture");
   await page.keyboard.press("n");
   await page.waitForFunction(() => !window.plmPage.app.live.isRunning);
@@ -335,7 +335,7 @@ test("another file takes its place, and it comes back", { skip }, async () => {
 });
 
 test("who wants less motion begins it", { skip }, async () => {
-  const { page } = await alive();
+  const { page } = await livePage();
   await page.emulateMedia({ reducedMotion: "reduce" });
   await page.reload();
   await page.waitForFunction(() => window.plmPage?.app.live.run.rows === 1);
@@ -344,7 +344,7 @@ test("who wants less motion begins it", { skip }, async () => {
 });
 
 test("curves grow, and are not painted in every frame", { skip }, async () => {
-  const { page } = await alive({ hash: "#tab=curves" });
+  const { page } = await livePage({ hash: "#tab=curves" });
   await page.waitForFunction(() => window.plmPage.app.live.run.end > 0.3);
   const before = await drawn(page, "figure > canvas");
   await until(page, async () => (await drawn(page, "figure > canvas")).hash !== before.hash, "the curves have grown");
@@ -355,7 +355,7 @@ test("curves grow, and are not painted in every frame", { skip }, async () => {
 test("wide and narrow, light and dark, everything has its place", { skip }, async () => {
   for (const [width, height] of [[1200, 800], [400, 800]]) {
     for (const theme of ["light", "dark"]) {
-      const { page, errors } = await alive({ width, height, theme });
+      const { page, errors } = await livePage({ width, height, theme });
       const where = `${width} ${theme}`;
       assert.ok((await drawn(page)).ink > 1500, where);
       const outside = await page.evaluate(() => {

@@ -23,9 +23,9 @@ export function addressOf(app) {
   put("view", [view.azimuth, view.elevation, view.scale, ...view.target].map(rounded).join(","), "");
   put("mode", app.mode, app.live === null ? "pan" : "pull");
   put("wire", Number(app.isWire), 0);
-  put("run", app.run?.name ?? "", app.shown[0]?.run.name ?? "");
+  put("run", app.run?.name ?? "", app.runViews[0]?.run.name ?? "");
   put("layout", app.layout, "one");
-  put("hidden", app.shown.filter((shown) => !shown.isShown).map(({ run }) => run.name).join("|"), "");
+  put("hidden", app.runViews.filter((shown) => !shown.isShown).map(({ run }) => run.name).join("|"), "");
   put("select", app.selected === null ? "" : `${app.selected.kind}:${app.selected.index}`, "");
   parts.set("curves", app.curves.join("|"));
   put("against", app.across ?? "", "");
@@ -53,12 +53,12 @@ export function addressOf(app) {
 export function showAddress(app, hash) {
   const parts = new URLSearchParams(hash.replace(/^#/, ""));
   const { player } = app;
-  const run = app.shown.findIndex((shown) => shown.run.name === parts.get("run"));
+  const run = app.runViews.findIndex((shown) => shown.run.name === parts.get("run"));
   if (run >= 0) app.activate(run);
   const layout = parts.get("layout");
   if (layout !== null && layout in LAYOUTS) app.layout = /** @type {Layout} */ (layout);
   const hidden = names(parts.get("hidden"));
-  for (const shown of app.shown) shown.isShown = !hidden.includes(shown.run.name);
+  for (const shown of app.runViews) shown.isShown = !hidden.includes(shown.run.name);
   app.updateBounds();
   showSwitches(app, parts);
   app.isViewGiven = parts.has("view");

@@ -3,12 +3,12 @@
 import { onBackground, DARK, LIGHT } from "./palette.js";
 import { Player } from "./player.js";
 import { readResults } from "./results.js";
-import { growArrows, sceneOf, usualCurves } from "./shown.js";
+import { growArrows, sceneOf, usualCurves } from "./runview.js";
 import { timeText, withShortNumbers } from "./text.js";
 import { View } from "./view.js";
 
 /** @import {Run} from "./run.js" */
-/** @import {Shown} from "./shown.js" */
+/** @import {RunView} from "./runview.js" */
 /** @import {Item} from "./solid.js" */
 /** @import {Area, PresetName, Projection} from "./view.js" */
 
@@ -17,19 +17,19 @@ import { View } from "./view.js";
 /**
  * A body that is pulled or placed: a point of it in its axes, and where it is to go, in absolute axes; or how far it is
  * pulled, wherever it is.
- * @typedef {{kind: "pull" | "place", body: number, point: number[], target: number[], reach: number[] | null}} Hand
+ * @typedef {{kind: "pull" | "place", body: number, point: number[], target: number[], reach: number[] | null}} Drag
  */
 /**
  * How a body is held by the mouse: taken at a place of the screen (whether it can be), moved, let go.
- * @typedef {{grab: (kind: Hand["kind"], body: number, projection: Projection, x: number, y: number) => boolean,
+ * @typedef {{grab: (kind: Drag["kind"], body: number, projection: Projection, x: number, y: number) => boolean,
  *   move: (projection: Projection, x: number, y: number) => void, letGo: () => void}} Grip
  */
 /** @typedef {{kind: "error" | "fault" | "warning" | "note", text: string}} Message */
 
 export class App {
   constructor() {
-    /** @type {Shown[]} */
-    this.shown = [];
+    /** @type {RunView[]} */
+    this.runViews = [];
     this.active = 0;
     /** @type {Layout} */
     this.layout = "one";
@@ -69,8 +69,8 @@ export class App {
     this.messages = [];
     /** The mechanism itself, if the page holds it. @type {import("./live.js").Live | null} */
     this.live = null;
-    /** @type {Hand | null} */
-    this.hand = null;
+    /** @type {Drag | null} */
+    this.drag = null;
     /** @type {Grip | null} */
     this.grip = null;
     /** Whether the address told where to look from. */
@@ -87,11 +87,11 @@ export class App {
   }
 
   get run() {
-    return this.shown[this.active]?.run ?? null;
+    return this.runViews[this.active]?.run ?? null;
   }
 
   get scene() {
-    return this.shown[this.active]?.scene ?? null;
+    return this.runViews[this.active]?.scene ?? null;
   }
 
   get isDark() {
@@ -141,7 +141,7 @@ export class App {
 
   /** @param {Run[]} runs */
   showRuns(runs) {
-    this.shown = [];
+    this.runViews = [];
     for (const run of runs) this.addRun(run);
     this.active = 0;
     this.layout = "one";
@@ -164,14 +164,14 @@ export class App {
    * @param {Run} run
    */
   addRun(run) {
-    this.shown.push({ run, ...sceneOf(run), isShown: true });
+    this.runViews.push({ run, ...sceneOf(run), isShown: true });
     this.updateBounds();
     this.change();
   }
 
   /** A source has changed the bodies of a run. @param {Run} run */
   shapeChanged(run) {
-    const shown = this.shown.find((candidate) => candidate.run === run);
+    const shown = this.runViews.find((candidate) => candidate.run === run);
     if (shown === undefined) return;
     const { forces, velocities } = shown;
     Object.assign(shown, sceneOf(run));
@@ -182,7 +182,7 @@ export class App {
 
   /** A source has appended rows to a run, or has cleared it. @param {Run} run */
   rowsAppended(run) {
-    const shown = this.shown.find((candidate) => candidate.run === run);
+    const shown = this.runViews.find((candidate) => candidate.run === run);
     if (shown !== undefined) growArrows(shown);
     this.updateBounds();
     this.touch();
@@ -211,11 +211,11 @@ export class App {
 
   /** The runs that are drawn, the active one last, so that it lies over the others. */
   visible() {
-    const active = this.shown[this.active];
+    const active = this.runViews[this.active];
     if (active === undefined) return [];
     if (this.layout === "one") return [active];
-    const others = this.shown.filter((shown) => shown.isShown && shown !== active);
-    return this.layout === "overlay" ? [...others, active] : this.shown.filter((shown) => shown.isShown || shown === active);
+    const others = this.runViews.filter((shown) => shown.isShown && shown !== active);
+    return this.layout === "overlay" ? [...others, active] : this.runViews.filter((shown) => shown.isShown || shown === active);
   }
 
   /**
@@ -237,7 +237,7 @@ export class App {
   }
 
   clear() {
-    this.shown = [];
+    this.runViews = [];
     this.active = 0;
     this.selected = null;
     this.messages = [];
@@ -283,7 +283,7 @@ export class App {
   zoomToExtents() {
     const drawn = this.visible().filter(({ run }) => run.rows > 0);
     // A run that is about to begin will be where the others are.
-    const known = drawn.length > 0 ? drawn : this.shown.filter(({ run }) => run.rows > 0);
+    const known = drawn.length > 0 ? drawn : this.runViews.filter(({ run }) => run.rows > 0);
     const boxes = known.map(({ scene }) => scene.extents());
     if (boxes.length > 0) {
       const low = [0, 1, 2].map((axis) => Math.min(...boxes.map((box) => box.low[axis])));
@@ -326,9 +326,9 @@ export class App {
 
   /** @param {number} index */
   activate(index) {
-    if (this.shown[index] === undefined) return;
+    if (this.runViews[index] === undefined) return;
     this.active = index;
-    this.shown[index].isShown = true;
+    this.runViews[index].isShown = true;
     if (this.selected !== null && this.items().every((item) => item.kind !== this.selected?.kind || item.index !== this.selected.index)) {
       this.selected = null;
     }

@@ -3,7 +3,7 @@
 import { axisTicks, labelRoom, levelOf } from "./axes.js";
 import { lastNotAbove } from "./numbers.js";
 import { commonQuantity, withUnit } from "./text.js";
-import { thinPieces } from "./thin.js";
+import { decimate } from "./decimation.js";
 import { linearTicks } from "./ticks.js";
 
 /** @import {Chart, Series, ValueAxis} from "./axes.js" */
@@ -65,7 +65,7 @@ export function drawChart(pen, chart, at, palette) {
       const across = acrossOf(series);
       const column = (/** @type {number} */ row) => Math.round(pixelAcross(at, across(row)));
       const level = (/** @type {number} */ row) => levelOf(at, series.quantity.read(row));
-      for (const piece of thinPieces(series.run.rows, column, level)) {
+      for (const piece of decimate(series.run.rows, column, level)) {
         const points = piece.flatMap((row) => [pixelAcross(at, across(row)), pixelUp(at, level(row))]);
         // A single row between gaps is a dot.
         if (points.length === 2) points.push(points[0] + 0.01, points[1]);

@@ -6,7 +6,7 @@ import { circleOutline } from "./outline.js";
 import { framePose } from "./solid.js";
 import { quantityText } from "./text.js";
 
-/** @import {Hand} from "./app.js" */
+/** @import {Drag} from "./app.js" */
 /** @import {Palette} from "./palette.js" */
 /** @import {Pen} from "./pen.js" */
 /** @import {Scene} from "./scene.js" */
@@ -112,12 +112,12 @@ function drawName(pen, x, y, name, palette) {
  * The line from the point that is held to where it is to go.
  * @param {Pen} pen
  * @param {Scene} scene
- * @param {Hand} hand
+ * @param {Drag} drag
  * @param {Places} places
  * @param {Projection} projection
  * @param {Palette} palette
  */
-export function drawHand(pen, scene, { kind, body, point: [u, v], target, reach }, places, projection, palette) {
+export function drawDrag(pen, scene, { kind, body, point: [u, v], target, reach }, places, projection, palette) {
   const [x, y, angle] = places.poses.subarray(3 * body, 3 * body + 3);
   const z = scene.levels.bodies[body];
   const [px, py] = [x + Math.cos(angle) * u - Math.sin(angle) * v, y + Math.sin(angle) * u + Math.cos(angle) * v];

@@ -1,6 +1,6 @@
 // The mechanism itself in the page: it runs in a worker, and what it computes becomes the rows of a run.
 
-import { KeptInView } from "./inview.js";
+import { FollowCamera } from "./followcamera.js";
 import { Run } from "./run.js";
 import { BAR } from "./scene.js";
 import { readShape } from "./shape.js";
@@ -42,7 +42,7 @@ export class Live {
     /** As set, SI. @type {{parameter: number[], input: number[]}} */
     this.settings = { parameter: [], input: [] };
     this.speed = 1;
-    this.inView = new KeptInView(app);
+    this.followCamera = new FollowCamera(app);
     /** The parameter that was turned last, and its value: what is open then is due to it. */
     this.turned = "";
     /** What it has opened, in words. */
@@ -68,13 +68,13 @@ export class Live {
 
   /** Whether it is on the screen. */
   get isShown() {
-    return this.app.shown.some(({ run }) => run === this.run);
+    return this.app.runViews.some(({ run }) => run === this.run);
   }
 
   /** Its run among the others, and on the screen. */
   show() {
     if (!this.isShown) this.app.addRun(this.run);
-    this.app.activate(this.app.shown.findIndex(({ run }) => run === this.run));
+    this.app.activate(this.app.runViews.findIndex(({ run }) => run === this.run));
   }
 
   /** Brought up to date in every frame. */
@@ -85,7 +85,7 @@ export class Live {
       this.send({ kind: "speed", speed: this.speed });
     }
     if (this.isRunning && !this.isShown) this.unseen();
-    if (this.app.run === this.run) this.inView.update();
+    if (this.app.run === this.run) this.followCamera.update();
     player.pace = this.isRunning && this.app.run === this.run && this.run.fault === null ? this.speed : null;
   }
 
@@ -193,7 +193,7 @@ export class Live {
 
   /** The usual size of its bodies, m. */
   size() {
-    const shown = this.app.shown.find(({ run }) => run === this.run);
+    const shown = this.app.runViews.find(({ run }) => run === this.run);
     return shown === undefined ? 1 : shown.scene.radius / BAR;
   }
 
@@ -292,9 +292,9 @@ export class Live {
     }
     if (app.run === run) app.player.isFollowing = true;
     app.rowsAppended(run);
-    if (isAssembled && !isFirst) this.inView.begin();
+    if (isAssembled && !isFirst) this.followCamera.begin();
     // Where a recorded run told how large it is, the view is chosen already.
-    if (isFirst && app.shown.every((shown) => shown.run.isLive) && !app.isViewGiven) this.inView.choose();
+    if (isFirst && app.runViews.every((shown) => shown.run.isLive) && !app.isViewGiven) this.followCamera.choose();
   }
 
   /** @param {Extract<FromWorker, {kind: "settings"}>} settings */

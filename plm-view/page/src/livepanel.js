@@ -65,12 +65,12 @@ export class LivePanel {
       element(
         "label",
         {},
-        element("input", { type: "radio", name: "hand", id: `hand-${mode}`, value: mode, onchange: () => this.choose(mode) }),
+        element("input", { type: "radio", name: "drag", id: `drag-${mode}`, value: mode, onchange: () => this.choose(mode) }),
         name,
       ),
     );
     this.hint = element("p", { class: "hint" });
-    return element("fieldset", { class: "row hand" }, element("legend", {}, "By mouse and arrow keys"), ...this.modes, this.hint);
+    return element("fieldset", { class: "row drag" }, element("legend", {}, "By mouse and arrow keys"), ...this.modes, this.hint);
   }
 
   /** @param {"pull" | "place" | "pan"} mode */

@@ -121,7 +121,7 @@ export async function startPage(wake) {
   window.addEventListener("hashchange", () => showAddress(app, location.hash));
   stage.measure();
   app.zoomToExtents();
-  app.live?.inView.choose();
+  app.live?.followCamera.choose();
   if (address.length > 1) showAddress(app, address);
   const frames = runFrames(app, draw);
   // For tests, and for who wants more.

@@ -1,7 +1,7 @@
 // The picture of the scene, on the canvas or in a file.
 
 import { drawArrowKey, drawArrows } from "./arrows.js";
-import { drawAxes, drawFault, drawHand, drawScaleBar, drawSelection } from "./decor.js";
+import { drawAxes, drawFault, drawDrag, drawScaleBar, drawSelection } from "./decor.js";
 import { saveBlob } from "./dom.js";
 import { drawScene } from "./draw.js";
 import { CanvasPen, SvgPen } from "./pen.js";
@@ -9,7 +9,7 @@ import { pickItem } from "./pick.js";
 import { drawTrace, tracePath, tracePoints } from "./traces.js";
 
 /** @import {App} from "./app.js" */
-/** @import {Shown} from "./shown.js" */
+/** @import {RunView} from "./runview.js" */
 /** @import {Palette} from "./palette.js" */
 /** @import {Pen} from "./pen.js" */
 /** @import {Run} from "./run.js" */
@@ -45,7 +45,7 @@ export function drawPicture(pen, app) {
 /**
  * @param {Pen} pen
  * @param {App} app
- * @param {Shown} shown
+ * @param {RunView} shown
  * @param {Area} area
  */
 function drawRun(pen, app, { run, scene, forces, velocities }, area) {
@@ -69,7 +69,7 @@ function drawRun(pen, app, { run, scene, forces, velocities }, area) {
   const how = { places, moment, projection, factor: app.arrowFactor };
   if (app.showsVelocities) drawArrows(pen, scene, velocities, { ...how, colour: palette.velocity });
   if (app.showsForces) drawArrows(pen, scene, forces, { ...how, colour: palette.force });
-  if (app.hand !== null && run.isLive) drawHand(pen, scene, app.hand, places, projection, palette);
+  if (app.drag !== null && run.isLive) drawDrag(pen, scene, app.drag, places, projection, palette);
   if (selected !== null) drawSelection(pen, scene, selected, places, projection, palette);
   if (run.fault !== null && time >= run.fault.time) drawFault(pen, scene, run.fault.part, places, projection, palette);
   drawKeys(pen, app, { scene, forces, velocities }, area);
@@ -78,7 +78,7 @@ function drawRun(pen, app, { run, scene, forces, velocities }, area) {
 /**
  * @param {Pen} pen
  * @param {App} app
- * @param {Pick<Shown, "scene" | "forces" | "velocities">} shown
+ * @param {Pick<RunView, "scene" | "forces" | "velocities">} shown
  * @param {Area} area
  */
 function drawKeys(pen, app, { scene, forces, velocities }, area) {
@@ -107,13 +107,13 @@ function pathOf(run, name) {
 /** @param {App} app @param {Run} run */
 export function ghostColour(app, run) {
   const { ghosts } = app.palette;
-  return ghosts[app.shown.findIndex((shown) => shown.run === run) % ghosts.length];
+  return ghosts[app.runViews.findIndex((shown) => shown.run === run) % ghosts.length];
 }
 
 /**
  * @param {Pen} pen
  * @param {App} app
- * @param {Shown} shown
+ * @param {RunView} shown
  * @param {Area} area
  * @param {number} line
  */
@@ -154,7 +154,7 @@ export function pickAt(app, x, y) {
     if (run.rows === 0) continue;
     const places = scene.at(Math.min(app.player.time, run.end));
     const item = pickItem(scene, places, app.view.projection(area), x, y);
-    if (item !== null || app.layout !== "overlay") return { index: app.shown.indexOf(shown[at]), item };
+    if (item !== null || app.layout !== "overlay") return { index: app.runViews.indexOf(shown[at]), item };
   }
   return { index: app.active, item: null };
 }

@@ -109,7 +109,7 @@ function areaAt(app, { x, y }) {
 function startHand(app, drag) {
   const { x, y } = drag.from;
   const { index, item } = pickAt(app, x, y);
-  const isHeld = item?.kind === "body" && app.shown[index].run.isLive;
+  const isHeld = item?.kind === "body" && app.runViews[index].run.isLive;
   const kind = drag.mode === "place" ? "place" : "pull";
   if (!isHeld || !app.grip?.grab(kind, item.index, app.view.projection(areaAt(app, drag.from)), x, y)) drag.mode = "pan";
 }

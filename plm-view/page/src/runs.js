@@ -28,7 +28,7 @@ export class Runs {
     // What has the focus is found again by its id.
     const focus = document.activeElement?.id ?? "";
     this.root.replaceChildren(
-      ...(this.app.shown.length > 1 ? [this.layouts(), this.list()] : []),
+      ...(this.app.runViews.length > 1 ? [this.layouts(), this.list()] : []),
       ...(run?.fault ? [this.fault(run.fault)] : []),
       element("h2", {}, "Events"),
       this.events(),
@@ -57,7 +57,7 @@ export class Runs {
 
   list() {
     const { app } = this;
-    const rows = app.shown.map((shown, index) => {
+    const rows = app.runViews.map((shown, index) => {
       const { run } = shown;
       const swatch = element("span", { class: "dot", "aria-hidden": "true" });
       const rgb = index === app.active ? app.palette.tones.body : ghostColour(app, run);

@@ -1,6 +1,6 @@
 // Starts a page that a running program serves.
 
-import { handGrip, listenToHandKeys } from "./hand.js";
+import { dragTool, listenToDragKeys } from "./drag.js";
 import { LivePanel } from "./livepanel.js";
 import { startPage } from "./main.js";
 import { Program } from "./program.js";
@@ -25,14 +25,14 @@ async function listen(app) {
     (body) => fetch("message", { method: "POST", body }),
   );
   const hello = await program.open();
-  app.shown = [];
+  app.runViews = [];
   const live = new ServedLive(app, head, program, hello?.pulls ?? false);
   app.live = live;
-  app.grip = handGrip(app);
+  app.grip = dragTool(app);
   app.tab = "live";
   if (live.modes.includes("pull")) app.mode = "pull";
   live.show();
-  listenToHandKeys(app);
+  listenToDragKeys(app);
   return (panel) => panel.add("live", "Live", (sheet) => new LivePanel(app, live, sheet));
 }
 

@@ -1,4 +1,4 @@
-// Ranges and ticks of axes: the rules of chart/nice.rs and chart/decades.rs. tests/ticks.json holds both to them.
+// Ranges and ticks of axes: the rules of chart/linear_scale.rs and chart/log_scale.rs. tests/ticks.json holds both to them.
 //
 // Ticks stand at the multiples of 1, 2 or 5 times a power of ten: P. S. Heckbert, "Nice numbers for graph labels",
 // Graphics Gems, Academic Press 1990, page 61.

@@ -120,7 +120,7 @@ test("a recording keeps everything, and becomes a run", () => {
   live.hear(rows(3, 25, 50));
   live.record();
   assert.deepEqual([...live.recordings[0].time.data], [2, 3, 25, 50]);
-  assert.deepEqual(app.shown.map(({ run }) => run.name), ["live", "recording 1"]);
+  assert.deepEqual(app.runViews.map(({ run }) => run.name), ["live", "recording 1"]);
   // A start ends a recording and begins the next.
   live.record();
   live.hear(rows(51, 52));

@@ -143,7 +143,7 @@ test("a live run is followed as it grows", async () => {
   run.append(1.5, last, [0, 0, 0, 5000]);
   app.rowsAppended(run);
   assert.deepEqual([app.player.end, app.player.time], [1.5, 1.5]);
-  assert.equal(app.shown[0].forces.largest, 5000);
+  assert.equal(app.runViews[0].forces.largest, 5000);
 });
 
 test("what cannot be read is told, and what was shown stays", async () => {

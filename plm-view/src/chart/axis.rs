@@ -1,10 +1,10 @@
 //! An axis as it is asked for, and the ruler that it becomes once the values along it are known.
 
+use super::decimation::drawable;
 use super::label::with_unit;
-use super::thin::drawable;
-use super::{decades, nice};
+use super::{linear_scale, log_scale};
 
-/// What is measured along an axis, and how it is divided.
+/// Quantity and scale of an axis.
 ///
 /// The range comes from what is drawn, the curves and the reference lines, unless it is given.
 #[derive(Clone, Debug)]
@@ -43,26 +43,26 @@ impl Axis {
         Self { scale: Scale::Log, ..Self::linear(quantity, unit) }
     }
 
-    /// The same axis with its large values on the left, or at the bottom.
+    /// Reverses the axis: large values on the left, or at the bottom.
     #[must_use]
     pub fn falling(self) -> Self {
         Self { falling: true, ..self }
     }
 
-    /// The same axis without room beyond the smallest and the largest value.
+    /// Takes away the room beyond the smallest and the largest value.
     #[must_use]
     pub fn tight(self) -> Self {
         Self { tight: true, ..self }
     }
 
-    /// The same axis, reaching to `value` at least.
+    /// Extends the axis to `value` at least.
     #[must_use]
     pub fn including(mut self, value: f64) -> Self {
         self.extra.push(value);
         self
     }
 
-    /// The same axis from `low` to `high`, whatever is drawn; what lies beyond is left out. A range that is empty, or has no
+    /// Sets the range from `low` to `high`, whatever is drawn; values beyond are left out. A range that is empty, or has no
     /// place on the axis, is not taken.
     #[must_use]
     pub fn range(self, low: f64, high: f64) -> Self {
@@ -78,9 +78,9 @@ impl Axis {
         }
         let values = values.chain(self.extra.iter().copied());
         let (low, high) = match self.scale {
-            Scale::Linear => nice::extent(values.filter(|&value| drawable(value))),
+            Scale::Linear => linear_scale::extent(values.filter(|&value| drawable(value))),
             Scale::Log => {
-                decades::extent(values.filter(|&value| drawable(value) && value > 0.0).map(f64::log10))
+                log_scale::extent(values.filter(|&value| drawable(value) && value > 0.0).map(f64::log10))
             }
         };
         // A little room, so that no curve runs along the frame.
@@ -125,12 +125,12 @@ pub(super) struct Tick {
 }
 
 impl Ruler {
-    /// Whether a value has a place.
+    /// True if a value has a place.
     pub(super) fn holds(&self, value: f64) -> bool {
         drawable(value) && (self.scale == Scale::Linear || value > 0.0) && self.reaches(value)
     }
 
-    /// Whether a value lies in the range, as far as the range was given; with a hair, so that rounding cuts off no end.
+    /// True if a value lies in the range, as far as the range was given; with a hair, so that rounding cuts off no end.
     fn reaches(&self, value: f64) -> bool {
         let hair = 1e-9 * (self.high - self.low);
         let at = self.along(value);
@@ -151,12 +151,12 @@ impl Ruler {
     /// The ticks in the range, in rising order.
     pub(super) fn ticks(&self) -> Vec<Tick> {
         match self.scale {
-            Scale::Linear => nice::ticks(self.low, self.high),
-            Scale::Log => decades::ticks(self.low, self.high),
+            Scale::Linear => linear_scale::ticks(self.low, self.high),
+            Scale::Log => log_scale::ticks(self.low, self.high),
         }
     }
 
-    /// Whether the tick at zero deserves a stronger line.
+    /// True if the tick at zero deserves a stronger line.
     pub(super) fn has_zero_line(&self) -> bool {
         self.scale == Scale::Linear
     }

@@ -1,4 +1,4 @@
-//! What stands on axes: quantities, units, powers of ten.
+//! Labels of axes: quantities, units, powers of ten.
 
 /// `angle (deg)`; the quantity alone for a pure number, the unit alone where the curves have no common name.
 pub(super) fn with_unit(quantity: &str, unit: &str) -> String {

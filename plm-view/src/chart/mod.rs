@@ -4,14 +4,14 @@
 //! them ([`Chart::over_time`]); how panels are drawn is the same for all.
 
 mod axis;
-mod decades;
+mod decimation;
 mod draw;
 mod label;
-mod nice;
+mod linear_scale;
+mod log_scale;
 mod series;
 #[cfg(test)]
 mod table;
-mod thin;
 
 use std::io;
 use std::path::Path;
@@ -85,26 +85,26 @@ impl Chart {
         }
     }
 
-    /// The same chart under a title.
+    /// Adds a title.
     #[must_use]
     pub fn titled(self, title: impl Into<String>) -> Self {
         Self { title: title.into(), ..self }
     }
 
-    /// The same chart with a smaller text between title and curves; `\n` begins a new line.
+    /// Adds a smaller text between title and curves; `\n` begins a new line.
     #[must_use]
     pub fn noted(self, note: impl Into<String>) -> Self {
         Self { note: note.into(), ..self }
     }
 
-    /// The same chart with a further panel under the others; what is added from now on stands there.
+    /// Adds a panel below the others; curves and lines that are added from now on go there.
     #[must_use]
     pub fn below(mut self, y: Axis) -> Self {
         self.panels.push(Panel::new(y, STRIP));
         self
     }
 
-    /// The same chart with a curve in its last panel.
+    /// Adds a curve to the last panel.
     #[must_use]
     pub fn with(mut self, series: Series) -> Self {
         if let Some(panel) = self.panels.last_mut() {
@@ -113,7 +113,7 @@ impl Chart {
         self
     }
 
-    /// The same chart with a line of reference in its last panel.
+    /// Adds a line of reference to the last panel.
     #[must_use]
     pub fn with_rule(mut self, rule: Rule) -> Self {
         if let Some(panel) = self.panels.last_mut() {

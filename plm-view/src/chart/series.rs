@@ -1,4 +1,4 @@
-//! What is drawn in a panel: named curves, and lines of reference.
+//! Contents of a panel: named curves, and lines of reference.
 
 /// A named line through points, in their order. A point that has no place on the axes (NaN, infinite, not positive on
 /// a logarithmic scale) interrupts it.
@@ -25,20 +25,20 @@ impl Series {
         Self { name: name.into(), points: points.into_iter().collect(), look: None, marked: false }
     }
 
-    /// The same with a marker at every point.
+    /// Adds a marker at every point.
     #[must_use]
     pub fn marked(self) -> Self {
         Self { marked: true, ..self }
     }
 
-    /// The same in the colour and with the markers of family number `family`, dashed and filled as its variant number
+    /// Sets the colour and the markers of family number `family`, dashed and filled as its variant number
     /// `variant` (the first one, 0, has a full line).
     #[must_use]
     pub fn of_family(self, family: usize, variant: usize) -> Self {
         Self { look: Some(Look::Family { family, variant }), ..self }
     }
 
-    /// The same in grey, for what is there to compare with; `number` decides the markers and the dashes.
+    /// Makes the curve grey, for comparison with others; `number` decides the markers and the dashes.
     #[must_use]
     pub fn muted(self, number: usize) -> Self {
         Self { look: Some(Look::Muted(number)), ..self }

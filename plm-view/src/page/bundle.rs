@@ -8,7 +8,7 @@ const MODULES: &[(&str, &str)] = &[
     ("numbers", include_str!("../../page/src/numbers.js")),
     ("text", include_str!("../../page/src/text.js")),
     ("ticks", include_str!("../../page/src/ticks.js")),
-    ("thin", include_str!("../../page/src/thin.js")),
+    ("decimation", include_str!("../../page/src/decimation.js")),
     ("zip", include_str!("../../page/src/zip.js")),
     ("npy", include_str!("../../page/src/npy.js")),
     ("format", include_str!("../../page/src/format.js")),
@@ -29,7 +29,7 @@ const MODULES: &[(&str, &str)] = &[
     ("traces", include_str!("../../page/src/traces.js")),
     ("decor", include_str!("../../page/src/decor.js")),
     ("player", include_str!("../../page/src/player.js")),
-    ("shown", include_str!("../../page/src/shown.js")),
+    ("runview", include_str!("../../page/src/runview.js")),
     ("app", include_str!("../../page/src/app.js")),
     ("dom", include_str!("../../page/src/dom.js")),
     ("picture", include_str!("../../page/src/picture.js")),
@@ -62,14 +62,14 @@ const LIVE: &[(&str, &str)] = &[
     ("shape", include_str!("../../page/src/shape.js")),
     ("write", include_str!("../../page/src/write.js")),
     ("worker", include_str!("../../page/src/worker.js")),
-    ("inview", include_str!("../../page/src/inview.js")),
+    ("followcamera", include_str!("../../page/src/followcamera.js")),
     ("live", include_str!("../../page/src/live.js")),
     ("livepanel", include_str!("../../page/src/livepanel.js")),
-    ("hand", include_str!("../../page/src/hand.js")),
+    ("drag", include_str!("../../page/src/drag.js")),
 ];
 
 /// Behind these, in a page that holds the mechanism itself.
-const ALIVE: &[(&str, &str)] = &[("alive", include_str!("../../page/src/alive.js"))];
+const LIVE_ENTRY: &[(&str, &str)] = &[("liveentry", include_str!("../../page/src/liveentry.js"))];
 
 /// Behind these, in a page that a running program serves.
 const SERVED: &[(&str, &str)] = &[
@@ -84,7 +84,7 @@ pub(super) enum Kind {
     /// Results alone.
     Results,
     /// The mechanism in it.
-    Alive,
+    Live,
     /// A program that serves it.
     Served,
 }
@@ -93,7 +93,7 @@ pub(super) enum Kind {
 pub(super) fn script(kind: Kind) -> String {
     let ends: [&[(&str, &str)]; 2] = match kind {
         Kind::Results => [RESULTS, &[]],
-        Kind::Alive => [LIVE, ALIVE],
+        Kind::Live => [LIVE, LIVE_ENTRY],
         Kind::Served => [LIVE, SERVED],
     };
     MODULES.iter().chain(ends.into_iter().flatten()).map(|(_, text)| without_noise(text)).collect()
@@ -150,7 +150,7 @@ mod tests {
     use super::*;
 
     fn all() -> Vec<(&'static str, &'static str)> {
-        [MODULES, LIVE, ALIVE, SERVED, RESULTS].concat()
+        [MODULES, LIVE, LIVE_ENTRY, SERVED, RESULTS].concat()
     }
 
     #[test]
@@ -220,16 +220,16 @@ mod tests {
 
     #[test]
     fn the_script_is_code_alone() {
-        let [plain, alive, served] = [Kind::Results, Kind::Alive, Kind::Served].map(script);
-        for line in [&plain, &alive, &served].into_iter().flat_map(|script| script.lines()) {
+        let [plain, live, served] = [Kind::Results, Kind::Live, Kind::Served].map(script);
+        for line in [&plain, &live, &served].into_iter().flat_map(|script| script.lines()) {
             assert!(!line.starts_with("import ") && !line.starts_with("export "), "{line}");
             assert!(!line.starts_with("//") && !line.starts_with('*') && !line.contains("/**"), "{line}");
         }
         // Either would end or hide the script in the page.
-        for script in [&plain, &alive, &served] {
+        for script in [&plain, &live, &served] {
             assert!(!script.contains("</script") && !script.contains("<!--"));
         }
-        assert!(plain.ends_with("startPage(null);\n") && alive.ends_with("startPage(wake);\n"));
+        assert!(plain.ends_with("startPage(null);\n") && live.ends_with("startPage(wake);\n"));
         assert!(served.ends_with("startPage(listen);\n"));
         // What a page has no use for is not in it.
         assert!(!plain.contains("WebAssembly"));

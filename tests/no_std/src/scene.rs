@@ -97,7 +97,7 @@ plm::mechanism! {
 plm::mechanism! {
     /// A plate on the pins of three cranks that are geared: an angle and three slides by one iteration.
     pub Plate {
-        rung: loops;
+        formulation: loops;
         gravity: 9.81 m/s^2;
         ground { port a: (0, 0) m; port b: (1, 0) m; port c: (0.5, 0.9) m; }
         body crank[0] { mass: 0.3 kg; inertia: 0.01 kg*m^2; port o: (-0.1, 0) m; port p: (0.1, 0) m; start x: 0.1 m; start angle: 20 deg, locked; start omega: 2 rad/s, locked; }

@@ -97,6 +97,6 @@ pub(super) fn miri(place: &Place) -> Result {
     if !place.command("cargo +nightly miri --version").works() && !place.command(install).works() {
         return place.say("NOT CHECKED: Miri cannot be had on this machine");
     }
-    let test = place.command("cargo +nightly miri test -p plm-foreign --test border --target-dir");
+    let test = place.command("cargo +nightly miri test -p plm-foreign --test ffi --target-dir");
     test.arg(place.target.join("miri")).args(AS_PLAIN_PACKAGES).run()
 }

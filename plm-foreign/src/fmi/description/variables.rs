@@ -1,4 +1,4 @@
-//! What is told of each variable, and how each version writes it.
+//! Variables of the model description, and how each version writes them.
 
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -12,7 +12,7 @@ use super::{METHODS, Xml, output};
 use crate::fmi::method::Settings;
 use crate::fmi::{Exchanged, Variable, Version};
 
-/// What is told of a variable; what is not told is empty.
+/// Attributes of a variable; those that it lacks are empty.
 #[derive(Default)]
 pub(super) struct Row {
     reference: usize,
@@ -51,7 +51,7 @@ impl Row {
         Self { reference, name, unit, of_state, docs, ..row }
     }
 
-    /// What belongs to its kind, and the quantity that was declared.
+    /// Attributes of its kind, and the quantity that was declared.
     fn of<M: Exchanged>(declared: &M, variable: Variable) -> (Self, Option<&'static Quantity>) {
         let tables = M::TABLES;
         let number = |number: f64| Some(format!("{number:?}"));

@@ -59,7 +59,7 @@ impl Vec2 {
         self.map(|component| component.diff(wrt))
     }
 
-    /// The same of each component.
+    /// Applies a function to each component.
     #[must_use]
     pub fn map(self, mut of: impl FnMut(Expr) -> Expr) -> Vec2 {
         let x = of(self.x);

@@ -1,4 +1,4 @@
-//! What is asked of several expressions of the present graph at once.
+//! Operations on several expressions of the present graph at once.
 
 use super::with;
 use crate::graph::Graph;
@@ -51,7 +51,7 @@ pub fn import(from: &Graph, roots: &[Expr]) -> Vec<Expr> {
     with(|graph| graph.import(from, roots))
 }
 
-/// The same values with what they have in common found; see [`share`](crate::share()).
+/// Equal values with their common subexpressions shared; see [`share`](crate::share()).
 pub fn shared(roots: &[Expr]) -> Vec<Expr> {
     with(|graph| share(graph, roots))
 }

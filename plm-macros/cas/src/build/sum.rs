@@ -104,7 +104,7 @@ impl Graph {
     }
 }
 
-/// What stands before the canonical sum: the sign of the first term, and the magnitude that all coefficients (and
+/// Factor before the canonical sum: the sign of the first term, and the magnitude that all coefficients (and
 /// the constant, unless it is 0) have in common.
 fn common_scale(constant: Number, terms: &[Term]) -> Number {
     let first = terms[0].0;

@@ -1,6 +1,6 @@
 //! Exact numbers: a rational times an integer power of pi, in checked 128-bit integers.
 //!
-//! What a drawing says (9.80665, 45 deg, 1/3) stays exact through sums, products and derivatives, so that terms
+//! Numbers of a drawing (9.80665, 45 deg, 1/3) stay exact through sums, products and derivatives, so that terms
 //! cancel when they should. A result that has no such form (1 + pi, sin 1, or more than 128 bits) is a `Float`.
 
 mod decimal;

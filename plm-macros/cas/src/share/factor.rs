@@ -51,7 +51,7 @@ struct Terms {
     largest: BinaryHeap<(u32, Reverse<Factor>)>,
 }
 
-/// What taking out a factor would save, operations.
+/// Operations that taking out a factor would save.
 struct Saving {
     factor: Factor,
     saves: u32,

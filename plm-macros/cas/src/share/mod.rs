@@ -1,4 +1,4 @@
-//! What several expressions have in common, computed once.
+//! Common subexpressions of several expressions, computed once.
 //!
 //! Hash-consing shares equal nodes; flat sums and products hide what they share inside: `x + a - b` and `a - b`.
 //! The pass works on flat rows of items (see `rows`) in steps, each of which lowers the count of operations:

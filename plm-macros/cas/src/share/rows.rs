@@ -8,7 +8,7 @@ use crate::number::{Number, gcd};
 /// The row that stands for the number 1, so that the constant of a sum is an item like the others.
 pub(super) const UNIT: usize = 0;
 
-/// What the items of a row mean.
+/// Meaning of the items of a row.
 #[derive(Copy, Clone, PartialEq, Eq)]
 pub(super) enum Kind {
     /// `id` is a row, `coefficient` the index of a number.

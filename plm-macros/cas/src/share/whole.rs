@@ -1,6 +1,6 @@
 //! Long sums that begin with another sum: `a + b + ... + y + z` reads `a + b + ... + y`.
 //!
-//! What is summed up step by step arrives flattened: n sums of up to n terms, whose pairs are of the order of n^3. Each
+//! Sums that grow step by step arrive flattened: n sums of up to n terms, whose pairs are of the order of n^3. Each
 //! becomes its predecessor and what is new in it.
 
 use super::rows::{Item, Kind, Rows, UNIT};

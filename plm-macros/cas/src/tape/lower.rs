@@ -97,7 +97,7 @@ impl Lowering<'_> {
 
     /// Left to right, beginning with a term that needs no sign.
     fn sum(&mut self, constant: Number, terms: &[(Number, Expr)], turned: bool) -> Ref {
-        let first = first_piece(constant, terms, turned);
+        let first = first_summand(constant, terms, turned);
         let mut total = match terms.get(first) {
             Some(&(coefficient, term)) => self.scaled(if turned { -coefficient } else { coefficient }, term),
             None => self.number(if turned { -constant } else { constant }),
@@ -264,7 +264,7 @@ impl Lowering<'_> {
 
 /// Where a sum begins: with its first positive term, else with the constant (the index behind the terms), else
 /// with a term that can carry the sign in its coefficient.
-fn first_piece(constant: Number, terms: &[(Number, Expr)], turned: bool) -> usize {
+fn first_summand(constant: Number, terms: &[(Number, Expr)], turned: bool) -> usize {
     for i in 0..terms.len() {
         if terms[i].0.is_negative() == turned {
             return i;
@@ -280,7 +280,7 @@ fn gcd(a: i64, b: i64) -> i64 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// What makes two operations equal: kind, operands, the bits of a constant.
+/// Key by which operations are equal: kind, operands, the bits of a constant.
 fn key(op: Op) -> (u64, u64, u64) {
     let two = |a: Ref, b: Ref| u64::from(a.0) << 32 | u64::from(b.0);
     let (operands, _) = op.operand_array();

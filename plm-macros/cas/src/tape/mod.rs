@@ -109,7 +109,7 @@ impl Op {
         operands.into_iter().take(count)
     }
 
-    /// The same operation on other operands, which are asked for in order.
+    /// This operation on other operands, which are asked for in order.
     #[must_use]
     pub fn with_operands(self, mut other: impl FnMut(Ref) -> Ref) -> Op {
         match self {
@@ -166,7 +166,7 @@ impl Op {
 /// One line of a tape.
 #[derive(Copy, Clone, PartialEq, Debug)]
 pub struct Instr {
-    /// What it computes from what.
+    /// The operation and its operands.
     pub op: Op,
     /// The expression whose value it is (for names: `graph.name(expr)`); `None` for a step on the way to one. If a
     /// defined atom and its value share the instruction, this is the atom.

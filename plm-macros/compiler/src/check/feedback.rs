@@ -3,7 +3,7 @@
 use crate::collect::{CollectVec, MapEach};
 use plm_cas::{Expr, algebra};
 
-use crate::derive::causes;
+use crate::derive::forcing_terms;
 use crate::diag::{Code, Diagnostics};
 use crate::model::{Model, Name};
 
@@ -34,17 +34,17 @@ pub(crate) fn check_feedback(model: &Model, diagnostics: &mut Diagnostics) {
 /// Whose forces are not affine in unknowns, and in which.
 fn cycles<'a>(model: &'a Model, unknowns: &'a [(Expr, String)]) -> Vec<(&'a Name, Vec<&'a str>)> {
     let mut cycles: Vec<(&Name, Vec<&str>)> = Vec::new();
-    for cause in causes(model).filter(|cause| cause.is_force) {
-        let held = algebra::symbols(&[cause.value]);
+    for term in forcing_terms(model).filter(|term| term.is_force) {
+        let held = algebra::symbols(&[term.value]);
         for (symbol, name) in unknowns.iter().filter(|(symbol, _)| held.contains(symbol)) {
-            let left = algebra::symbols(&[cause.value.diff(*symbol)]);
+            let left = algebra::symbols(&[term.value.diff(*symbol)]);
             if !unknowns.iter().any(|(of, _)| left.contains(of)) {
                 continue;
             }
-            match cycles.iter_mut().find(|(of, _)| *of == cause.name) {
+            match cycles.iter_mut().find(|(of, _)| *of == term.name) {
                 Some((_, read)) if read.contains(&name.as_str()) => {}
                 Some((_, read)) => read.push(name),
-                None => cycles.push((cause.name, vec![name])),
+                None => cycles.push((term.name, vec![name])),
             }
         }
     }

@@ -3,7 +3,7 @@
 use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Node, algebra};
 
-use crate::derive::{causes, feeds_back};
+use crate::derive::{feeds_back, forcing_terms};
 use crate::diag::{Code, Diagnostics};
 use crate::formulate::Place;
 use crate::numeric::{self, Assembly, Scene, add_switches, value};
@@ -26,12 +26,12 @@ pub(super) fn check_forces(scene: &Scene, found: &Assembly, diagnostics: &mut Di
     if feeds_back(scene.model) {
         add_unknowns(scene, &mut values);
     }
-    let causes: Vec<_> =
-        causes(scene.model).filter(|cause| !scene.model.reads_required(cause.value)).collect_vec();
-    let found: Vec<Expr> = causes.iter().map(|cause| cause.value).collect_vec();
+    let forcing: Vec<_> =
+        forcing_terms(scene.model).filter(|term| !scene.model.reads_required(term.value)).collect_vec();
+    let found: Vec<Expr> = forcing.iter().map(|term| term.value).collect_vec();
     let found = numeric::values(&found, &values);
-    for (cause, _) in causes.iter().zip(found).filter(|(_, found)| !found.is_finite()) {
-        report(&values, &cause.name.text, cause.name.span, cause.value, diagnostics);
+    for (term, _) in forcing.iter().zip(found).filter(|(_, found)| !found.is_finite()) {
+        report(&values, &term.name.text, term.name.span, term.value, diagnostics);
     }
 }
 

@@ -3,24 +3,24 @@
 //! Each check looks at what a pass has made of it, the model, the equations or the assembled start, and changes nothing.
 
 mod branch;
+mod connectivity;
 mod feedback;
 mod finite;
+mod formulation;
 mod jumps;
 mod names;
 mod pairs;
 mod positive;
-mod reach;
-mod rung;
 mod size;
 mod start;
 mod verdict;
 
 pub(crate) use branch::check_branches;
+pub(crate) use connectivity::check_connectivity;
 pub(crate) use feedback::check_feedback;
+pub(crate) use formulation::check_formulation;
 pub(crate) use jumps::check_jumps;
 pub(crate) use names::check_names;
 pub(crate) use pairs::check_pairs;
-pub(crate) use reach::check_reach;
-pub(crate) use rung::check_rung;
 pub(crate) use size::check_size;
 pub(crate) use start::check_start;

@@ -14,7 +14,7 @@ use crate::model::{Model, Name};
 
 /// Where names must differ.
 struct Scope<'a> {
-    /// What the user would have read there.
+    /// Kind of name that the user would have read there.
     what: &'static str,
     /// Names that are taken.
     taken: &'a [&'static str],

@@ -42,7 +42,7 @@ struct Joint<'a> {
 /// The rows at a pose of the pair.
 struct Found {
     phi: Vec<f64>,
-    /// What each of `phi` may be by rounding.
+    /// Bounds of the rounding error of each entry of `phi`.
     limits: Vec<f64>,
     rank: usize,
 }
@@ -110,7 +110,7 @@ impl<'a> Joint<'a> {
         let [a, b] = self.frames;
         let turn = if self.pair.turns() { random.unit() } else { 0.0 };
         let length = self.scene.length;
-        let slide = if self.pair.slides() { length * random.unit() } else { 0.0 };
+        let displacement = if self.pair.slides() { length * random.unit() } else { 0.0 };
         // The ground stays where it is.
         let forward = b.body.is_some();
         let (held, free) = if forward { (a, b) } else { (b, a) };
@@ -122,12 +122,12 @@ impl<'a> Joint<'a> {
         }
         let (at, angle) = self.port(held, fixed);
         let [x, y] = carried(pose, at, 1.0);
-        let heading = pose[2] + angle;
+        let absolute = pose[2] + angle;
         let sign = if forward { 1.0 } else { -1.0 };
-        let (sin, cos) = plm_math::f64::sin_cos(if forward { heading } else { heading - turn });
-        let (x, y) = (x + sign * slide * cos, y + sign * slide * sin);
+        let (sin, cos) = plm_math::f64::sin_cos(if forward { absolute } else { absolute - turn });
+        let (x, y) = (x + sign * displacement * cos, y + sign * displacement * sin);
         let (back, own) = self.port(free, fixed);
-        let theta = heading + sign * turn - own;
+        let theta = absolute + sign * turn - own;
         let [x, y] = carried([x, y, theta], back, -1.0);
         if let Some(body) = free.body {
             q.push_all([x, y, theta].into_iter().enumerate().map(|(k, value)| (3 * body + k, value)));

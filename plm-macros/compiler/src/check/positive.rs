@@ -1,4 +1,4 @@
-//! What must be positive: masses, inertias, compliances.
+//! Values that must be positive: masses, inertias, compliances.
 
 use crate::diag::{Code, Diagnostics};
 use crate::numeric::{Scene, value};

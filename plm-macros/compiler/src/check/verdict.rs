@@ -1,4 +1,4 @@
-//! What assembly found, in words: which locks are too many, which joint stays open, which says nothing new.
+//! Result of assembly in words: which locks are too many, which joint stays open, which is redundant.
 
 use crate::collect::CollectVec;
 use crate::diag::{Code, Diagnostics};
@@ -23,7 +23,7 @@ type Dependent<'a> = [&'a (usize, Vec<usize>)];
 /// Locks of positions or of velocities.
 pub(super) struct Locks<'a> {
     pub(super) locked: &'a [bool],
-    /// What is locked: `position` or `velocity`.
+    /// The locked quantity: `position` or `velocity`.
     pub(super) what: &'static str,
 }
 

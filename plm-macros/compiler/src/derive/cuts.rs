@@ -7,7 +7,7 @@
 use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Function, Node, Number, algebra};
 
-use super::causes;
+use super::forcing_terms;
 use super::kinks::derivatives;
 use super::range::range;
 use crate::model::{Jump, Model, Switch};
@@ -26,7 +26,7 @@ pub(super) fn hold_cuts(model: &mut Model, pairs: &mut Vec<(Expr, Expr)>) -> Vec
         let Node::Call(_, arguments) = call.node() else { continue };
         let &[y, x] = &*arguments else { continue };
         let of_rows = jumps_of(model, call, [y, x]);
-        let forces: Vec<Expr> = causes(model).map(|cause| cause.value).collect_vec();
+        let forces: Vec<Expr> = forcing_terms(model).map(|term| term.value).collect_vec();
         if of_rows.is_empty() && forces.iter().all(|&force| gap(model, force, call) == Gap::None) {
             continue;
         }
@@ -53,9 +53,9 @@ pub(super) fn hold_cuts(model: &mut Model, pairs: &mut Vec<(Expr, Expr)>) -> Vec
 /// The calls that move and may come to their cuts, operands first, and whose they are.
 fn calls(model: &Model) -> Vec<(Expr, String)> {
     let rows = model.rows.iter().map(|row| (row.phi, row.name.clone()));
-    let causes = causes(model).map(|cause| (cause.value, cause.name.text.clone()));
+    let forcing = forcing_terms(model).map(|term| (term.value, term.name.text.clone()));
     let mut found: Vec<(Expr, String)> = Vec::new();
-    for (root, name) in rows.chain(causes) {
+    for (root, name) in rows.chain(forcing) {
         for expr in algebra::reachable(&[root]) {
             let Node::Call(Function::Atan2, arguments) = expr.node() else { continue };
             let &[y, x] = &*arguments else { continue };
@@ -116,7 +116,7 @@ pub(super) fn turning_rows(model: &Model) -> Vec<(usize, Expr)> {
     turning.map(|(index, row)| (index, row.phi.sin().atan2(row.phi.cos()))).collect_vec()
 }
 
-/// What an expression does at a cut.
+/// Behaviour of an expression at a cut.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Gap {
     None,
@@ -125,7 +125,7 @@ enum Gap {
     Any,
 }
 
-/// What an expression that reads a call does at its cut, by random places on it.
+/// Behaviour of an expression that reads a call at its cut, by random places on it.
 fn gap(model: &Model, root: Expr, call: Expr) -> Gap {
     use std::f64::consts::{PI, TAU};
     if !algebra::reachable(&[root]).contains(&call) {

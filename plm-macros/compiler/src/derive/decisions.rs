@@ -12,7 +12,7 @@ use crate::sorted::SortedMap;
 use plm_cas::{Expr, Function, Node, algebra};
 
 use self::diagram::{Diagram, FALSE, TRUE};
-use super::causes;
+use super::forcing_terms;
 use crate::model::{Decisions, End, Model};
 
 /// Above so many conditions each of them matters always: diagrams may grow with the power of their number.
@@ -33,7 +33,7 @@ pub(super) fn decisions(model: &Model, held: &[(Expr, Expr)]) -> Decisions {
     diagram.reduced(roots)
 }
 
-/// What is found out, from forces, rates and rows downwards.
+/// Results of the search, from forces, rates and rows downwards.
 struct Matters<'a> {
     model: &'a Model,
     diagram: Diagram,
@@ -52,7 +52,7 @@ struct Matters<'a> {
 
 impl<'a> Matters<'a> {
     fn new(model: &'a Model, held: &[(Expr, Expr)]) -> Self {
-        let moving = causes(model).map(|cause| cause.value);
+        let moving = forcing_terms(model).map(|term| term.value);
         let starts: Vec<Expr> = moving.chain(model.rows.iter().map(|row| row.phi)).collect_vec();
         let nodes = algebra::reachable(&starts);
         let mut read = vec![FALSE; nodes.len()];
@@ -108,7 +108,7 @@ impl<'a> Matters<'a> {
         }
     }
 
-    /// What ends a run does so where it is read: what is divided by, and what decides where a function is defined.
+    /// Divisors, and the arguments that decide where a function is defined, end a run where they are read.
     fn ends(&mut self, expr: Expr, node: &Node, read: usize) {
         for (side, switch) in self.model.switches.iter().enumerate() {
             let is_read = match (&switch.end, node) {
@@ -124,7 +124,7 @@ impl<'a> Matters<'a> {
         }
     }
 
-    /// What is compared where nothing is held bends there.
+    /// A comparison that is no switch is a derivative discontinuity.
     fn bends(&mut self, node: &Node, read: usize) {
         let (difference, matters) = match node {
             Node::Select(condition, yes, no) => match condition.node() {

@@ -6,7 +6,7 @@
 use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
 
-use super::{SparseRow, causes};
+use super::{SparseRow, forcing_terms};
 use crate::model::Model;
 
 /// An unknown that forces read.
@@ -14,7 +14,7 @@ use crate::model::Model;
 pub(crate) struct Signal {
     /// The symbol of the unknown.
     pub(crate) symbol: Expr,
-    /// What a unit of the unknown adds to `Q`: (coordinate, gain).
+    /// Derivative of `Q` by the unknown: (coordinate, gain).
     pub(crate) gain: SparseRow,
 }
 
@@ -36,7 +36,7 @@ pub(super) fn signals(model: &Model, force: &mut [Expr]) -> Vec<Signal> {
 
 /// Does a force or a rate read an acceleration or a reaction?
 pub(crate) fn feeds_back(model: &Model) -> bool {
-    let roots: Vec<Expr> = causes(model).map(|cause| cause.value).collect_vec();
+    let roots: Vec<Expr> = forcing_terms(model).map(|term| term.value).collect_vec();
     let held = algebra::symbols(&roots);
     unknowns(model).any(|symbol| held.contains(&symbol))
 }

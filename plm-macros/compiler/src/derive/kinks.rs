@@ -23,7 +23,7 @@ pub(super) struct Kink {
     pub(super) difference: Expr,
     /// The row that it stands in, the first of several.
     pub(super) row: usize,
-    /// What may jump there, row by row; smooth rows and those in which only accelerations jump are not among them.
+    /// Jumps there, row by row; smooth rows and those in which only accelerations jump are not among them.
     pub(super) jumps: Vec<Jump>,
     /// Does anything jump, be it an acceleration? A condition of the time alone is one anyway.
     pub(super) bends: bool,
@@ -69,7 +69,7 @@ pub(super) fn substitute(model: &mut Model, pairs: &[(Expr, Expr)]) {
     }
 }
 
-/// What changes while it runs and may stand in a row.
+/// Symbols that change during a run and may stand in a row.
 fn moving(model: &Model) -> Vec<Expr> {
     let coordinates = model.bodies.iter().flat_map(|body| body.q);
     coordinates.chain([model.time]).collect_vec()

@@ -14,10 +14,10 @@
 //! derivative of `phi`, and the bracket of (3) is the second.
 
 mod branch;
-mod causes;
 mod cuts;
 mod decisions;
 mod feedback;
+mod forcing;
 mod kinks;
 mod poles;
 mod range;
@@ -28,8 +28,8 @@ use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
 
 pub(crate) use branch::Branch;
-pub(crate) use causes::causes;
 pub(crate) use feedback::{Signal, feeds_back};
+pub(crate) use forcing::forcing_terms;
 pub(crate) use switches::hold_switches;
 pub(crate) use turns::{count_turns, with_turns};
 

@@ -8,8 +8,8 @@ use crate::collect::{CollectVec, PushAll};
 use crate::sorted::SortedSet;
 use plm_cas::{Expr, Function, Node};
 
-use super::causes;
 use super::cuts::{has_both_signs, moves};
+use super::forcing_terms;
 use super::kinks::Boundary;
 use super::range::range;
 use crate::model::{End, Model, Switch};
@@ -17,8 +17,8 @@ use crate::model::{End, Model, Switch};
 /// Adds the poles of rows and forces to the switches, those of rates of states are left to error control; `held` are conditions whose sides are held.
 pub(super) fn hold_poles(model: &mut Model, held: &[(Expr, Expr)]) {
     let rows = model.rows.iter().map(|row| (row.phi, row.name.clone()));
-    let forces = causes(model).filter(|cause| cause.is_force);
-    let forces = forces.map(|cause| (cause.value, cause.name.text.clone()));
+    let forces = forcing_terms(model).filter(|term| term.is_force);
+    let forces = forces.map(|term| (term.value, term.name.text.clone()));
     let roots: Vec<(Expr, String)> = rows.chain(forces).collect_vec();
     let mut found: Vec<(Expr, End, String)> = Vec::new();
     for (root, name) in roots {
@@ -49,7 +49,7 @@ pub(super) fn hold_poles(model: &mut Model, held: &[(Expr, Expr)]) {
     }
 }
 
-/// What an expression divides by, and what decides where its functions are defined, wherever it stands.
+/// Divisors of an expression, and arguments that decide where its functions are defined, wherever they stand.
 fn ends_of(model: &Model, root: Expr, held: &[(Expr, Expr)]) -> Vec<(Expr, End)> {
     let (mut open, mut seen, mut found) = (vec![root], SortedSet::new(), Vec::new());
     while let Some(expr) = open.pop() {

@@ -1,4 +1,4 @@
-//! What an expression can be, whatever its symbols are: by arithmetic of intervals (R. E. Moore, R. B. Kearfott, M. J. Cloud,
+//! Range of an expression for all values of its symbols, by interval arithmetic (R. E. Moore, R. B. Kearfott, M. J. Cloud,
 //! Introduction to Interval Analysis, SIAM 2009, chapter 2). It tells that `2 - cos(angle)` never vanishes.
 
 use plm_cas::{Expr, Function, Node, algebra};
@@ -15,8 +15,8 @@ pub(super) fn range(expr: Expr) -> Range {
     for node in &nodes {
         let of = |operand: Expr| nodes.binary_search(&operand).ok().and_then(|k| ranges.get(k)).copied();
         let found = of_node(&node.node(), &|operand| of(operand).unwrap_or(ALL));
-        let sound = found.iter().all(|bound| !bound.is_nan());
-        ranges.push(if sound { found } else { ALL });
+        let is_number = found.iter().all(|bound| !bound.is_nan());
+        ranges.push(if is_number { found } else { ALL });
     }
     ranges.last().copied().unwrap_or(ALL)
 }

@@ -9,9 +9,9 @@ use crate::collect::{CollectVec, MapEach, PushAll};
 use crate::sorted::sort_by_key;
 use plm_cas::{Expr, Function, Node, algebra};
 
-use super::causes;
 use super::cuts::{self, hold_cuts};
 use super::decisions::decisions;
+use super::forcing_terms;
 use super::kinks::{self, Kink, root};
 use super::poles::hold_poles;
 use crate::model::{Jump, Model, Switch};
@@ -21,7 +21,7 @@ use crate::model::{Jump, Model, Switch};
 pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
     kinks::unfold(model);
     let kinks = kinks::kinks(model);
-    let roots: Vec<Expr> = causes(model).map(|cause| cause.value).collect_vec();
+    let roots: Vec<Expr> = forcing_terms(model).map(|term| term.value).collect_vec();
     let mut pairs = Vec::new();
     for (condition, name) in conditions(model) {
         let Node::Less(a, b) = condition.node() else { continue };
@@ -55,11 +55,11 @@ pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
 /// The conditions that forces and rates hold, each once, and whose they are.
 fn conditions(model: &Model) -> Vec<(Expr, String)> {
     let mut conditions: Vec<(Expr, String)> = Vec::new();
-    for cause in causes(model) {
-        for expr in algebra::reachable(&[cause.value]) {
+    for term in forcing_terms(model) {
+        for expr in algebra::reachable(&[term.value]) {
             let seen = conditions.iter().any(|(condition, _)| *condition == expr);
             if matches!(expr.node(), Node::Less(..)) && !seen {
-                conditions.push((expr, cause.name.text.clone()));
+                conditions.push((expr, term.name.text.clone()));
             }
         }
     }

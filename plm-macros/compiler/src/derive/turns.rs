@@ -58,8 +58,8 @@ fn counted(model: &Model) -> Vec<Counted> {
         let joined: Vec<Option<usize>> = bodies.iter().map(|&body| leader[body]).collect_vec();
         // None is less than any.
         let first = joined.iter().copied().min().flatten().filter(|_| turn_as_one);
-        for class in leader.iter_mut().filter(|class| class.is_some() && joined.contains(class)) {
-            *class = first;
+        for own in leader.iter_mut().filter(|own| own.is_some() && joined.contains(own)) {
+            *own = first;
         }
     };
     // A pair may say by a sine that nothing turns; joint coordinates have one angle for both bodies all the same.

@@ -21,7 +21,7 @@ macro_rules! catalogue {
                 match self { $(Code::$name => $id,)* }
             }
 
-            /// What it is about, in a few words.
+            /// Its title, in a few words.
             pub fn title(self) -> &'static str {
                 match self { $(Code::$name => $title,)* }
             }
@@ -93,7 +93,7 @@ catalogue! {
     TooManyLocks = "E0502", "there are more locks than degrees of freedom";
     NotAssembled = "E0503", "the mechanism cannot be assembled";
     NoBody = "E0504", "the mechanism has no body";
-    NoRung = "E0505", "a formulation that does not hold the mechanism";
+    NoFormulation = "E0505", "a formulation that does not hold the mechanism";
     PairDisagrees = "E0506", "a joint's constraints are not those of its pair";
     OtherBranch = "E0507", "the mirror image that a joint asks for was not found";
 
@@ -105,6 +105,7 @@ catalogue! {
     Upwards = "W0005", "gravity pulls upwards", hint;
     Idle = "W0006", "a part does nothing", hint;
     Unread = "W0007", "nothing reads a name", hint;
+    Renamed = "W0008", "the former name of an item";
 }
 
 impl core::fmt::Display for Code {

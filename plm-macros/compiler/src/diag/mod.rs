@@ -5,15 +5,15 @@
 //! was expected.
 
 mod code;
-mod near;
 mod render;
+mod suggestions;
 
 use crate::collect::CollectVec;
 use crate::sorted::sort_by_key;
 use crate::sorted::{SortedMap, SortedSet};
 
 pub use code::Code;
-pub use near::{help_similar, list, nearest};
+pub use suggestions::{help_similar, list, nearest};
 
 use crate::span::Span;
 
@@ -26,12 +26,12 @@ pub enum Severity {
     Warning,
 }
 
-/// What a line below the message is.
+/// Kind of a line below the message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoteKind {
-    /// What to do.
+    /// Advice.
     Help,
-    /// What to know.
+    /// Explanation.
     Note,
 }
 
@@ -55,7 +55,7 @@ pub struct Diagnostic {
     pub severity: Severity,
     /// The smallest range of tokens that is to blame.
     pub span: Span,
-    /// What is wrong.
+    /// The message.
     pub message: String,
     /// Help and notes, in order.
     pub notes: Vec<Note>,

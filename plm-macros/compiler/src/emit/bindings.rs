@@ -7,7 +7,7 @@ use super::lower::Bindings;
 use crate::collect::PushAll;
 use crate::formulate::{Chart, Resolvent};
 
-/// What the arguments of a function are.
+/// Origin of the arguments of a function.
 #[derive(Clone, Copy)]
 pub(super) enum Origin<'a> {
     /// `self` is the mechanism; time, inputs and state are arguments `t`, `u`, `x`.
@@ -18,11 +18,11 @@ pub(super) enum Origin<'a> {
     State,
     /// `self` is the mechanism; `x` is the state in this chart, `m` what is remembered.
     Chart(&'a Chart),
-    /// The same; the argument `DIRECT` tells of angles among it.
+    /// A chart's rate; the argument `DIRECT` tells of angles among it.
     Rate(&'a Chart),
     /// Absolute coordinates, with their rate `dx` and the multipliers `lambda`.
     Linearised,
-    /// What linear algebra works on: `c`, `e`, `r`, `lambda`, `inverse`.
+    /// Operands of linear algebra: `c`, `e`, `r`, `lambda`, `inverse`.
     Resolvent(&'a Resolvent),
 }
 

@@ -1,4 +1,4 @@
-//! What emission gives: one description, as tokens for rustc and as text for people.
+//! Emitted code: one description, as tokens for rustc and as text for people.
 
 use std::cell::RefCell;
 

@@ -40,7 +40,7 @@ pub(super) fn trimmed(own: &[String]) -> String {
     own.iter().map(|line| line.trim()).collect_vec().join("\n")
 }
 
-/// What a value is unless it is set: a number in the unit that it was declared in, else its expression.
+/// Default of a value in words: a number in the unit that it was declared in, else its expression.
 pub(super) fn by_default(value: Expr, unit: &DisplayUnit) -> String {
     let in_unit = value.as_number().and_then(|number| number.div(unit.factor));
     let Some(number) = in_unit.map(Number::to_f64) else {

@@ -4,7 +4,7 @@ use crate::collect::CollectVec;
 use proc_macro2::{Ident, Span};
 
 use super::Place;
-use super::families::{self, Family};
+use super::indexed_accessors::{self, IndexedAccessor};
 use super::names::{Names, token};
 use crate::model::{Model, Name};
 
@@ -17,7 +17,7 @@ pub(super) struct Fields {
     /// Accessors of the outputs, beside those of the bodies.
     pub(super) outputs: Vec<Ident>,
     /// Accessors of both by their indices.
-    pub(super) families: Vec<Family>,
+    pub(super) indexed_accessors: Vec<IndexedAccessor>,
 }
 
 /// Methods of the emitted state that no body or output may take, then those of a run, which would hide them, and those that
@@ -81,7 +81,7 @@ impl Fields {
             params: model.params.iter().map(|param| named(&mut params, &param.name)).collect_vec(),
             inputs: model.inputs.iter().map(|input| named(&mut inputs, &input.name)).collect_vec(),
             states: model.states.iter().map(|state| named(&mut starts, &state.name)).collect_vec(),
-            families: families::find(model, &mut accessors),
+            indexed_accessors: indexed_accessors::find(model, &mut accessors),
             bodies,
         }
     }

@@ -42,8 +42,8 @@ pub(super) fn body(
         Origin::Rate(chart) => Some(direct_angles(chart).map(|(_, angle)| angle).collect_vec()),
         _ => None,
     };
-    let (direct, rolled) = (direct.as_deref(), emission.rolled);
-    let around = lower::Around { reserved: &reserved, by_reference: true, scalar: "S", direct, rolled };
+    let (direct, rerolled) = (direct.as_deref(), emission.rerolled);
+    let around = lower::Around { reserved: &reserved, by_reference: true, scalar: "S", direct, rerolled };
     let (body, count) = lower::statements(function, &emission.bindings(origin), &around);
     let count = if count.total() > 0 { format!("\n\n{count}.") } else { String::new() };
     (docs::docs(emission, &format!("{docs}{count}")), emission.text(body))
@@ -66,7 +66,7 @@ fn arguments(signature: &TokenStream) -> Vec<String> {
     named.collect_vec()
 }
 
-/// The equations of motion of rung 5, and what the rank-revealing fallback needs.
+/// The equations of motion in absolute coordinates, and what the rank-revealing fallback needs.
 pub(super) fn dynamics(emission: &Emission) -> TokenStream {
     let Emission { name, program, sizes: Sizes { nq, nc, nx, full, .. }, .. } = emission;
     if emission.reactions().is_some() {

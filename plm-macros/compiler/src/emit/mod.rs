@@ -5,15 +5,15 @@
 
 mod bindings;
 mod code;
-mod compact;
 mod contract;
 mod docs;
-mod families;
 mod fields;
 mod function;
+mod indexed_accessors;
 mod item;
 mod lower;
 mod print;
+mod table_compression;
 mod template;
 
 use crate::collect::{CollectVec, MapEach};
@@ -52,14 +52,14 @@ pub(crate) struct Emission<'a> {
     /// May the constraints come to depend on each other?
     may_be_singular: bool,
     /// Is what repeats itself written as loops?
-    rolled: bool,
+    rerolled: bool,
     texts: Texts,
 }
 
-/// What the numbers of the state are.
+/// Form of the state.
 #[derive(Clone, Copy)]
 enum Form<'a> {
-    /// Coordinates of all bodies: rung 5.
+    /// Absolute coordinates of all bodies.
     Absolute,
     /// Joint coordinates of a tree.
     Tree(&'a Chart),
@@ -109,14 +109,14 @@ pub(crate) fn emit(
         fields: Fields::new(model, place),
         sizes: Sizes::new(equations, reduced),
         may_be_singular: contract::singular::may_be_singular(model, equations, form),
-        rolled: report.is_rolled(),
+        rerolled: report.rerolls(),
         texts: Texts::default(),
     };
     let structure = module(&emission);
     emission.texts.with(structure)
 }
 
-/// What is emitted, item by item.
+/// The emitted code, item by item.
 ///
 /// The one name of the user's own that is a type is that of the mechanism, and it may be any: `Option`, `State`, `S`. So the
 /// type is defined in a module by itself, and the code has it under a name that nothing else in it has. The outer module has
@@ -226,7 +226,7 @@ fn quoted<T: AsRef<str>>(names: impl IntoIterator<Item = T>) -> String {
 }
 
 impl Emission<'_> {
-    /// What stands for a text in the structure.
+    /// Placeholder of a text in the structure.
     fn text(&self, text: impl Into<String>) -> TokenStream {
         self.texts.add(text.into())
     }
@@ -266,7 +266,7 @@ impl Emission<'_> {
         [declared.map(|memory| quote!(m: &#memory,)), self.loops().map(|_| quote!(m,))]
     }
 
-    /// Accelerations and multipliers of a tree; where there are none, rung 5 gives them.
+    /// Accelerations and multipliers of a tree; where there are none, absolute coordinates give them.
     fn reactions(&self) -> Option<&Function> {
         match self.form {
             Form::Tree(chart) => chart.reactions.as_ref(),

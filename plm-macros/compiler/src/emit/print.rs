@@ -23,7 +23,7 @@ struct Printer<'a> {
     texts: &'a [String],
     text: String,
     indent: usize,
-    /// What the last token was.
+    /// Kind of the last token.
     last: Last,
     /// Angle brackets of types that are open.
     angles: usize,
@@ -33,7 +33,7 @@ struct Printer<'a> {
     is_flat: bool,
 }
 
-/// What the next token may touch.
+/// Kinds of tokens, by what the next one may touch.
 #[derive(Clone, Copy, Default, PartialEq)]
 enum Last {
     /// Nothing of this line, or what the next token touches: `.`, `&`, `::`, an opening bracket.
@@ -152,7 +152,7 @@ impl Printer<'_> {
         self.last = Last::Operand;
     }
 
-    /// What stands in brackets, on lines of its own.
+    /// Contents of brackets, on lines of their own.
     fn indented(&mut self, group: &Group) {
         self.line();
         self.indent += 1;

@@ -7,7 +7,7 @@
 use proc_macro2::{Delimiter, Group, Punct, Spacing, TokenStream, TokenTree};
 use quote::ToTokens;
 
-/// What stands for the `#` of a template, in their order.
+/// Values for the `#` of a template, in their order.
 #[derive(Default)]
 pub(crate) struct Holes(Vec<TokenStream>);
 
@@ -142,7 +142,7 @@ mod tests {
         tokens.collect()
     }
 
-    /// The same template by both macros.
+    /// Expands a template by both macros.
     macro_rules! both {
         ($($tokens:tt)*) => {
             assert_eq!(shown(quote!($($tokens)*)), shown(::quote::quote!($($tokens)*)))

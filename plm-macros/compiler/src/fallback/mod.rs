@@ -1,4 +1,4 @@
-//! What stands for a declaration with errors: a mechanism with all names that could be read and nothing behind them.
+//! Placeholder for a declaration with errors: a mechanism with all names that could be read and nothing behind them.
 //!
 //! It goes the way of every model through derivation and emission, so that code which uses the mechanism sees the very
 //! types that it would see without the errors, and adds none of its own. Its bodies float, its outputs are zero.
@@ -18,7 +18,7 @@ use crate::model::{Body, Decisions, Input, Model, Name, Output, Param, Stabilisa
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, IndexedName, Item, ItemKind, Operator};
 use crate::units::{Dimension, DisplayUnit};
-use observe::Thing;
+use observe::Observable;
 use shape::Shapes;
 
 /// Parts within parts that are looked into.
@@ -37,7 +37,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         indices: Vec::new(),
         items: 0,
         found: Found::default(),
-        things: Vec::new(),
+        observables: Vec::new(),
         observed: Vec::new(),
     };
     names.walk(&mechanism.items, "", 0);
@@ -59,7 +59,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         agreement: Expr::symbol("agreement"),
         precision: Expr::symbol("precision"),
         gravity: Vec2::ZERO,
-        rung: None,
+        formulation: None,
         repetitions: None,
         steps: steps(&mechanism.items),
         stabilisation: Stabilisation::Projection,
@@ -96,7 +96,7 @@ fn steps(items: &[Item]) -> SortedSet<Step> {
     methods.flatten().filter_map(|method| Step::named(&method.text)).collect()
 }
 
-/// What was found so far.
+/// Names that were found so far.
 #[derive(Default)]
 struct Found {
     params: Vec<Param>,
@@ -115,9 +115,9 @@ struct Names<'a> {
     indices: Vec<(&'a str, i64)>,
     items: usize,
     found: Found,
-    /// What can be observed.
-    things: Vec<(String, Thing<'a>)>,
-    /// What is, by name.
+    /// Items that can be observed.
+    observables: Vec<(String, Observable<'a>)>,
+    /// Names of the observed ones.
     observed: Vec<Name>,
 }
 
@@ -133,10 +133,11 @@ impl<'a> Names<'a> {
                 ItemKind::Body(of) => {
                     if let Some(name) = self.name(prefix, &of.name) {
                         let ports = of.ports.iter().filter_map(|port| self.key(&port.name));
-                        let ports =
-                            ports.map(|port| (format!("{}.{port}", name.text), Thing::Port)).collect_vec();
-                        self.things.extend(ports);
-                        self.things.push((name.text.clone(), Thing::Body(of)));
+                        let ports = ports
+                            .map(|port| (format!("{}.{port}", name.text), Observable::Port))
+                            .collect_vec();
+                        self.observables.extend(ports);
+                        self.observables.push((name.text.clone(), Observable::Body(of)));
                         self.found.bodies.push(body(name));
                     }
                 }
@@ -152,14 +153,14 @@ impl<'a> Names<'a> {
                 }
                 ItemKind::Node(node) => {
                     if let Some(name) = self.name(prefix, &node.name) {
-                        self.things.push((name.text, Thing::Node(node)));
+                        self.observables.push((name.text, Observable::Node(node)));
                     }
                 }
                 ItemKind::Ground(ports) => {
                     let names = ports.iter().filter_map(|port| self.name(prefix, &port.name));
                     let ports: Vec<_> =
-                        names.map(|name| (format!("ground.{}", name.text), Thing::Port)).collect_vec();
-                    self.things.extend(ports);
+                        names.map(|name| (format!("ground.{}", name.text), Observable::Port)).collect_vec();
+                    self.observables.extend(ports);
                 }
                 _ => {}
             }
@@ -186,7 +187,7 @@ impl<'a> Names<'a> {
         else {
             return;
         };
-        self.things.push((format!("{prefix}{name}"), Thing::Part(definition)));
+        self.observables.push((format!("{prefix}{name}"), Observable::Part(definition)));
         if depth < MAX_DEPTH {
             let outside = std::mem::take(&mut self.indices);
             self.walk(&definition.items, &format!("{prefix}{name}."), depth + 1);

@@ -10,9 +10,9 @@ use crate::resolve::{Member, Owner};
 use crate::span::Span;
 use crate::syntax::ast::{self, Definition, ExprKind, ItemKind};
 
-/// What can be observed.
+/// An item that can be observed.
 #[derive(Clone, Copy)]
-pub(super) enum Thing<'a> {
+pub(super) enum Observable<'a> {
     Body(&'a ast::Body),
     /// A port of a body or of the ground.
     Port,
@@ -20,14 +20,14 @@ pub(super) enum Thing<'a> {
     Node(&'a ast::Node),
 }
 
-impl Thing<'_> {
+impl Observable<'_> {
     /// Where `all` has it: bodies with their ports, the ground, nodes, parts.
     fn place(self) -> usize {
         match self {
-            Thing::Body(_) => 0,
-            Thing::Port => 1,
-            Thing::Node(_) => 2,
-            Thing::Part(_) => 3,
+            Observable::Body(_) => 0,
+            Observable::Port => 1,
+            Observable::Node(_) => 2,
+            Observable::Part(_) => 3,
         }
     }
 }
@@ -35,29 +35,29 @@ impl Thing<'_> {
 impl<'a> Names<'a> {
     /// Adds the outputs of all that is observed.
     pub(super) fn show_observed(&mut self) {
-        let mut things = std::mem::take(&mut self.things);
-        sort_by_key(&mut things, |(_, thing)| thing.place());
+        let mut observables = std::mem::take(&mut self.observables);
+        sort_by_key(&mut observables, |(_, observable)| observable.place());
         for Name { text, span } in std::mem::take(&mut self.observed) {
-            for (name, thing) in &things {
+            for (name, observable) in &observables {
                 let is_of_ground = text == "ground" && name.starts_with("ground.");
                 if text == "all" || text == *name || is_of_ground {
-                    self.show(name, *thing, span);
+                    self.show(name, *observable, span);
                 }
             }
         }
     }
 
-    fn show(&mut self, of: &str, thing: Thing<'a>, span: Span) {
-        match thing {
-            Thing::Body(body) => {
+    fn show(&mut self, of: &str, observable: Observable<'a>, span: Span) {
+        match observable {
+            Observable::Body(body) => {
                 self.show_members(of, Owner::Body, span);
                 for port in &body.ports {
                     self.show_members(&format!("{of}.{}", port.name.ident.text), Owner::Frame, span);
                 }
             }
-            Thing::Port => self.show_members(of, Owner::Frame, span),
-            Thing::Node(node) => self.show_node(of, node, span),
-            Thing::Part(definition) => self.show_part(of, definition, span),
+            Observable::Port => self.show_members(of, Owner::Frame, span),
+            Observable::Node(node) => self.show_node(of, node, span),
+            Observable::Part(definition) => self.show_part(of, definition, span),
         }
     }
 

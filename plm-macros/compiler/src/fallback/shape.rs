@@ -26,7 +26,7 @@ impl<'a> Shapes<'a> {
         Shapes { library, items, named: Named::of(items), steps: Cell::new(0), depth: Cell::new(0) }
     }
 
-    /// What is declared by a name among items.
+    /// The declaration of a name among items.
     fn declared(&self, items: &'a [Item], name: &str) -> (Option<&'a Expr>, Option<&'a Instance>) {
         if std::ptr::eq(items, self.items) { self.named.get(name) } else { Named::of(items).get(name) }
     }

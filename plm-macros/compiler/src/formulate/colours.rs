@@ -38,7 +38,7 @@ pub(crate) struct Colours {
 }
 
 impl Reads {
-    /// What `dx` reads of coordinates, their rates and first-order states; everything, where these are many: the full matrix is
+    /// Reads of `dx` among coordinates, their rates and first-order states; everything, where these are many: the full matrix is
     /// small wherever a method takes it.
     pub(crate) fn of(rate: &Function, state: [&[Expr]; 3]) -> Reads {
         let (freedom, state) = (state[0].len(), &state.concat());
@@ -64,7 +64,7 @@ impl Reads {
         rate.tape().count().total() * self.colours().count.max(1) * 7 / 10
     }
 
-    /// What either reads.
+    /// Union of both.
     pub(crate) fn joined(mut self, other: &Reads) -> Reads {
         self.rows.iter_mut().zip(&other.rows).for_each(|(row, other)| *row |= other);
         self
@@ -121,7 +121,7 @@ fn holds(set: u128, column: usize) -> bool {
     (set >> column) & 1 == 1
 }
 
-/// What each instruction of a tape reads of `state`.
+/// Symbols of `state` that each instruction of a tape reads.
 fn sets(tape: &Tape, state: &[Expr]) -> Vec<u128> {
     let mut sets: Vec<u128> = Vec::new();
     for instruction in &tape.ops {

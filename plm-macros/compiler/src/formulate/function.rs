@@ -19,7 +19,7 @@ pub(crate) enum Place {
 /// A group of expressions that belong together under a title.
 #[derive(Clone)]
 pub(crate) struct Section {
-    /// What is computed here, for readers.
+    /// Title of the computation, for readers.
     pub(crate) title: String,
     /// The expressions, in the order in which they should be computed.
     pub(crate) roots: Vec<Expr>,

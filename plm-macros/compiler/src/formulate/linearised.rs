@@ -9,7 +9,7 @@ use super::pattern::Pattern;
 use super::resolvent::Resolvent;
 use crate::model::{Model, Step};
 
-/// What a coefficient multiplies; the words are those of the runtime.
+/// Factor of a coefficient; the words are those of the runtime.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Part {
     Value,

@@ -16,7 +16,7 @@ pub(crate) fn minimum_degree(neighbours: Vec<SortedSet<usize>>) -> impl Iterator
     minimum_degree_behind(neighbours, behind)
 }
 
-/// The same where row `i` has to wait until those of `behind[i]` are eliminated, all of which are its neighbours and wait for
+/// Minimum degree where row `i` has to wait until those of `behind[i]` are eliminated, all of which are its neighbours and wait for
 /// nothing.
 fn minimum_degree_behind(
     mut neighbours: Vec<SortedSet<usize>>,

@@ -1,4 +1,4 @@
-//! What can be read from a state: the user's outputs, energies and power.
+//! Readable quantities of a state: the user's outputs, energies and power.
 
 use crate::collect::{CollectVec, MapEach};
 use plm_cas::{Expr, Vec2, algebra};

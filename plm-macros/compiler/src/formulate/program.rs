@@ -6,13 +6,13 @@ use super::outputs;
 use super::reduced::{self, Assembled, Known, Reduced};
 use crate::collect::MapEach;
 use crate::derive::{Equations, feeds_back};
-use crate::model::{Model, Output, Rung, Stabilisation};
+use crate::model::{Formulation, Model, Output, Stabilisation};
 use crate::numeric::{Assembly, Reach, Scene, add_switches, assemble, freedom, varied};
 
 /// Values of parameters that are tried until the joints close.
 const VARIATIONS: u64 = 8;
 
-/// What is computed, function by function.
+/// All computations, function by function.
 pub(crate) struct Program {
     /// Absolute coordinates and multipliers: assembly, reactions and the fallback need them whatever is taken.
     pub(crate) absolute: Absolute,
@@ -57,7 +57,7 @@ impl Program {
 /// Why absolute coordinates are taken instead.
 pub(crate) fn reduce(scene: &Scene, start: Option<&Assembly>) -> Result<Reduced, String> {
     let &Scene { model, equations, absolute, length, .. } = scene;
-    if let Some((Rung::Absolute, _)) = model.rung {
+    if let Some((Formulation::Absolute, _)) = model.formulation {
         return Err("it is ordered".to_owned());
     }
     if let Stabilisation::Baumgarte(_) = model.stabilisation {
@@ -82,7 +82,7 @@ pub(crate) fn reduce(scene: &Scene, start: Option<&Assembly>) -> Result<Reduced,
     };
     let known = Known { length, assembled: &assembled, freedom_elsewhere: &freedom_elsewhere };
     let reduced = reduced::formulate(model, equations, known)?;
-    if model.rung.is_some() { Ok(reduced) } else { cheaper(reduced, absolute) }
+    if model.formulation.is_some() { Ok(reduced) } else { cheaper(reduced, absolute) }
 }
 
 /// Joint coordinates, but for those whose loops are iterated only if they have fewer operations than absolute coordinates:

@@ -1,4 +1,4 @@
-//! What is held over a step: sides of conditions, with what jumps where they change, and whole turns.
+//! Discrete state: sides of conditions, with the jumps where they change, and whole revolutions.
 
 use plm_cas::Expr;
 
@@ -7,7 +7,7 @@ use plm_cas::Expr;
 pub struct Switch {
     /// Stands for the side: -1 where the condition holds, else 1.
     pub symbol: Expr,
-    /// What changes its sign.
+    /// The expression that changes its sign.
     pub difference: Expr,
     /// Its side does not change as long as this is positive either.
     pub beyond: Option<Expr>,
@@ -42,7 +42,7 @@ impl End {
 /// A comparison as it was written.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// What is compared, left and right.
+    /// The two sides of the comparison, left and right.
     pub of: [Expr; 2],
     /// `bend > limit`
     pub text: String,
@@ -78,7 +78,7 @@ pub struct Jump {
     /// The row's phi on one side less that on the other, its first and second derivative along the motion; what
     /// changes its sign at the boundary, and its derivative.
     pub terms: [Expr; 5],
-    /// What is known of it already.
+    /// The side that it always has, if that is known.
     pub steady: Option<Steady>,
 }
 

@@ -15,7 +15,7 @@ pub struct Instance {
     pub pair: Option<Pair>,
     /// Its arguments that are frames, by name.
     pub frames: Vec<(String, FrameRef)>,
-    /// What pictures show of it.
+    /// Sizes that pictures show.
     pub sizes: Vec<Size>,
 }
 

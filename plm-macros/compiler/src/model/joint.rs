@@ -45,7 +45,7 @@ impl Turn {
     }
 }
 
-/// Kinematic pairs that upper rungs know how to walk through.
+/// Kinematic pairs that formulations in joint coordinates can walk through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pair {
     /// Points coincide.

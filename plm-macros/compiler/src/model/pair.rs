@@ -2,7 +2,7 @@
 
 use super::Pair;
 
-/// What is known of a pair.
+/// Properties of a pair.
 struct Kind {
     pair: Pair,
     name: &'static str,

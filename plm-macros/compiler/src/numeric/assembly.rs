@@ -20,7 +20,7 @@ const CLOSED: f64 = 1e-10;
 /// A joint of two bars whose angles are rounded is open by so many units in the last place of the angles, times the lengths.
 const ROUNDINGS: f64 = 4.0;
 
-/// What assembly found.
+/// Result of assembly.
 pub(crate) struct Assembly {
     /// The pose that the user declared, at G: m, m, rad per body.
     pub(crate) start: Vec<f64>,
@@ -44,7 +44,7 @@ pub(crate) struct Assembly {
     pub(crate) closed: Vec<f64>,
     /// Newton steps taken.
     pub(crate) steps: usize,
-    /// What was tried where Newton's steps from the declared start closed nothing.
+    /// The search that followed where Newton's steps from the declared start closed nothing.
     pub(crate) searched: Option<Searched>,
 }
 
@@ -133,7 +133,7 @@ pub(crate) fn assemble(scene: &Scene, reach: Reach) -> Assembly {
     }
 }
 
-/// What `phi` of each row may be in a scene of a size that reaches as far as the bodies stand, and as far as the rounding of angles
+/// Bounds of `phi` of each row in a scene of a size that reaches as far as the bodies stand, and as far as the rounding of angles
 /// moves the ends of its bars.
 fn limits(model: &Model, length: f64, q: &[f64]) -> Vec<f64> {
     let rounding = ROUNDINGS * f64::EPSILON / CLOSED * length;

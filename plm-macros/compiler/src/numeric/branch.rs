@@ -23,7 +23,7 @@ pub(crate) struct Asked {
     turn: Turn,
 }
 
-/// What the joints of a scene ask for, in their order.
+/// Branches that the joints of a scene ask for, in their order.
 pub(crate) fn asked(scene: &Scene) -> Vec<Asked> {
     let branches = scene.equations.branches.iter().filter_map(|branch| {
         let (turn, _) = scene.model.parts[branch.part].branch?;

@@ -1,4 +1,4 @@
-//! What a mechanism lacks that no pose closes, the compiler's twin of the runtime's `absolute/lack.rs`: how far it stays open at
+//! Gap of a mechanism that no pose closes, the compiler's twin of the runtime's `absolute/lack.rs`: how far it stays open at
 //! one joint where all others are closed.
 
 use crate::collect::CollectVec;

@@ -1,4 +1,4 @@
-//! What is found in numbers while a mechanism is compiled: values of expressions, assembly of the start, ranks, freedoms.
+//! Numerical results while a mechanism is compiled: values of expressions, assembly of the start, ranks, freedoms.
 //!
 //! All of it runs on the interpreter of the tape, and nothing here knows what is right or wrong: `check` judges.
 

@@ -8,7 +8,7 @@ pub(crate) type Row = Vec<(usize, f64)>;
 /// A row whose entries fall below this share of what they were made from is taken as zero.
 const TOLERANCE: f64 = 1e-9;
 
-/// What elimination found.
+/// Result of elimination.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Rank {
     /// For every dependent row, the rows (itself included, ascending) whose combination vanishes.

@@ -23,7 +23,7 @@ const DISAGREE: f64 = 1e-4;
 /// Steps back towards the start values.
 const LEANS: usize = 8;
 
-/// What a search tried.
+/// Attempts of a search.
 #[derive(Clone, Copy)]
 pub(crate) struct Searched {
     /// How many starts.

@@ -1,4 +1,4 @@
-//! What the expressions of every mechanism hold, and their total derivatives with respect to time.
+//! Symbols that the expressions of every mechanism hold, and their total derivatives with respect to time.
 
 use crate::collect::CollectVec;
 use crate::sorted::SortedMap;

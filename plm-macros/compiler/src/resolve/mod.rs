@@ -8,14 +8,14 @@
 //!
 //! * `names`: scopes, what is bound in them, what is said of a name that there is not.
 //! * `values`: what an expression means; members and functions, as tables.
-//! * `things`: what items declare (bodies, frames, parts, rows, loads, nodes, states), kept in the draft of the model.
-//! * `settle`: the model from the draft; stand-ins, compliances, outputs, what is observed, warnings.
+//! * `declarations`: items of the declaration (bodies, frames, parts, rows, loads, nodes, states), kept in the unresolved model.
+//! * `finalise`: makes the model of the unresolved one: placeholders, compliances, outputs, what is observed, warnings.
 //! * `calculus`: symbols that change with time, and total derivatives.
 
 mod calculus;
+mod declarations;
+mod finalise;
 mod names;
-mod settle;
-mod things;
 mod values;
 
 use crate::diag::{Code, Diagnostic, Diagnostics};
@@ -26,8 +26,8 @@ use crate::span::Span;
 use crate::syntax::ast::Mechanism;
 use crate::token::Files;
 use calculus::Calculus;
+use declarations::UnresolvedModel;
 use names::{Names, ScopeId};
-use things::Draft;
 use values::Value;
 pub(crate) use values::function_table::{CallShape, Function};
 pub(crate) use values::member_table::{Member, Owner};
@@ -42,18 +42,18 @@ pub(crate) fn resolve(reading: &Reading, observes: bool, sink: &mut Diagnostics)
         files: &reading.files,
         names: Names::default(),
         calculus: Calculus::new(),
-        draft: Draft::default(),
+        unresolved: UnresolvedModel::default(),
         depth: 0,
     };
     resolver.begin(mechanism);
     resolver.evaluate();
     if !observes {
-        resolver.draft.observed.clear();
+        resolver.unresolved.observed.clear();
     }
     resolver.into_model(&reading.declaration, mechanism)
 }
 
-/// What names mean, how expressions change with time, and what is declared.
+/// Names, derivatives with respect to time, and declarations of a mechanism.
 struct Resolver<'a> {
     sink: &'a mut Diagnostics,
     library: &'a Library,
@@ -61,7 +61,7 @@ struct Resolver<'a> {
     files: &'a Files,
     names: Names<'a>,
     calculus: Calculus,
-    draft: Draft<'a>,
+    unresolved: UnresolvedModel<'a>,
     /// How many expressions are being evaluated, one inside the other.
     depth: u32,
 }
@@ -81,13 +81,13 @@ impl<'a> Resolver<'a> {
             let span = self.names.slots[slot].span;
             let _ = self.slot_value(slot, 0, span);
         }
-        for body in 0..self.draft.bodies.len() {
+        for body in 0..self.unresolved.bodies.len() {
             self.check_body(body);
         }
         for instance in 0..self.names.instances.len() {
             self.connect(instance);
         }
-        for row in 0..self.draft.rows.len() {
+        for row in 0..self.unresolved.rows.len() {
             let _ = self.row(row);
         }
     }

@@ -134,7 +134,7 @@ impl Body {
         input.end_of(&value)
     }
 
-    /// What could not be read may have been the mass or the inertia: that they are missing would be no second mistake.
+    /// Notes that unreadable text may have been the mass or the inertia: that they are missing would be no second mistake.
     fn may_have_had(&mut self, span: Span) {
         for field in ["mass", "inertia"] {
             if !self.fields.iter().any(|(name, _)| name.text == field) {

@@ -1,4 +1,4 @@
-//! What `mechanism!` holds: headers, then the mechanism.
+//! Contents of `mechanism!`: headers, then the mechanism.
 
 use proc_macro2::Delimiter;
 use syn::ext::IdentExt;
@@ -15,7 +15,7 @@ use crate::collect::PushAll;
 use crate::diag::Code;
 use crate::span::Span;
 
-/// What `mechanism!` holds.
+/// Contents of `mechanism!`.
 #[derive(Clone, Debug, Default)]
 pub struct Declaration {
     /// `crate = path;`: the path of the runtime crate in emitted code.

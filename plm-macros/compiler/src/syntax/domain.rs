@@ -17,9 +17,9 @@ pub struct Domain {
     pub docs: Vec<String>,
     /// Its name.
     pub name: Ident,
-    /// What all that meets at a node has in common.
+    /// The quantity that is equal for all that meets at a node.
     pub across: Quantity,
-    /// What adds up at a node.
+    /// Quantities that add up at a node.
     pub through: Vec<Quantity>,
 }
 

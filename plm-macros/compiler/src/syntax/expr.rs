@@ -9,7 +9,7 @@
 //! index    := { "[" expr "]" }
 //! ```
 //!
-//! What a `macro_rules!` has captured is a primary too, and takes a unit as a number does.
+//! A capture of a `macro_rules!` is a primary too, and takes a unit as a number does.
 
 use plm_cas::Number;
 use proc_macro2::{Delimiter, TokenTree};
@@ -29,7 +29,7 @@ use crate::units::DisplayUnit;
 /// An expression.
 #[derive(Clone, Debug)]
 pub struct Expr {
-    /// What it is.
+    /// Its kind.
     pub kind: ExprKind,
     /// Its place.
     pub span: Span,
@@ -38,7 +38,7 @@ pub struct Expr {
 /// Forms of expressions.
 #[derive(Clone, Debug)]
 pub enum ExprKind {
-    /// What could not be read. The mistake is reported; the item keeps its name, so that its uses are no mistakes.
+    /// An unreadable expression. The mistake is reported; the item keeps its name, so that its uses are no mistakes.
     Unknown,
     /// A bare number.
     Number(Number),

@@ -17,20 +17,20 @@ use crate::token::Source;
 #[derive(Clone, Copy)]
 pub(super) struct Reported;
 
-/// What a rule of the grammar gives.
+/// Result of a rule of the grammar.
 pub(super) type Result<T> = std::result::Result<T, Reported>;
 
 /// Expressions and items may nest this deeply: recursion must end before the stack does.
 const MAX_DEPTH: u32 = 64;
 
-/// What stands in one pair of brackets, or all of a source.
+/// Contents of one pair of brackets, or all of a source.
 #[derive(Clone, Copy)]
 pub(super) struct Input<'a> {
     stream: ParseStream<'a>,
     reading: &'a Reading<'a>,
 }
 
-/// What all streams of one source share.
+/// State that all streams of one source share.
 struct Reading<'a> {
     source: &'a Source,
     /// Where each token of the source stands, in order.
@@ -49,8 +49,8 @@ impl<'a> Deref for Input<'a> {
 
 /// Reads a source by a rule of the grammar. Mistakes go to the sink.
 pub(super) fn read<T: Default>(source: &Source, sink: &mut Diagnostics, rule: impl FnOnce(Input) -> T) -> T {
-    for flaw in &source.flaws {
-        sink.error(flaw.code, source.token_at(flaw.at), &flaw.message);
+    for error in &source.lexical_errors {
+        sink.error(error.code, source.token_at(error.at), &error.message);
     }
     let mut tree = T::default();
     let parse = |stream: ParseStream| {
@@ -105,7 +105,7 @@ impl<'a> Input<'a> {
         Span { source: self.reading.source.id, first: first as u32, last }
     }
 
-    /// What was written there, in one line.
+    /// Text of a span, in one line.
     pub(super) fn text_of(self, span: Span) -> String {
         self.reading.source.written(span)
     }
@@ -204,7 +204,7 @@ impl<'a> Input<'a> {
         result
     }
 
-    /// What a rule reads, between commas; one at least.
+    /// Items of a rule, between commas; one at least.
     pub(super) fn list<T>(self, rule: impl Fn(Input<'a>) -> Result<T>) -> Result<Vec<T>> {
         let mut list = vec![rule(self)?];
         while self.eat(Token![,]) {
@@ -213,7 +213,7 @@ impl<'a> Input<'a> {
         Ok(list)
     }
 
-    /// What a rule reads, between commas, one behind the last among them; may be nothing.
+    /// Items of a rule, between commas, one behind the last among them; may be nothing.
     pub(super) fn terminated<T>(self, rule: impl Fn(Input<'a>) -> Result<T>) -> Result<Vec<T>> {
         let mut list = Vec::new();
         while !self.is_empty() {
@@ -255,6 +255,15 @@ impl<'a> Input<'a> {
 impl<'a> Input<'a> {
     pub(super) fn error(self, code: Code, span: Span, message: impl Into<String>) -> RefMut<'a, Diagnostic> {
         RefMut::map(self.reading.sink.borrow_mut(), |sink| sink.error(code, span, message))
+    }
+
+    pub(super) fn warning(
+        self,
+        code: Code,
+        span: Span,
+        message: impl Into<String>,
+    ) -> RefMut<'a, Diagnostic> {
+        RefMut::map(self.reading.sink.borrow_mut(), |sink| sink.warning(code, span, message))
     }
 
     pub(super) fn has_errors(self) -> bool {

@@ -15,7 +15,7 @@ pub struct Instance {
     pub kind: Ident,
     /// Its own name.
     pub name: IndexedName,
-    /// What it is connected to.
+    /// Ports that it is connected to.
     pub arguments: Vec<Expr>,
     /// Its parameters, and starts of its states.
     pub fields: Vec<Field>,
@@ -24,7 +24,7 @@ pub struct Instance {
 /// `name: expr, locked;` in the use of a part; `part.name: expr;` reaches into the parts that it contains.
 #[derive(Clone, Debug)]
 pub struct Field {
-    /// What is set, segment by segment.
+    /// Path of the value that is set, segment by segment.
     pub path: Vec<IndexedName>,
     /// To what.
     pub value: Expr,

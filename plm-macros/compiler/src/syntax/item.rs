@@ -7,7 +7,7 @@ use syn::{Token, token};
 use super::body::{Body, Port};
 use super::domain::{Domain, Node};
 use super::expr::{Expr, ExprKind};
-use super::habits::{behind_value, instead_of_item};
+use super::foreign_syntax::{behind_value, instead_of_item};
 use super::input::{Input, Reported, Result};
 use super::instance::Instance;
 use super::keyword as kw;
@@ -31,13 +31,13 @@ pub struct Item {
     pub span: Span,
 }
 
-/// What may stand in a mechanism, in a part, or in both.
+/// Items of a mechanism, of a part, or of both.
 #[derive(Clone, Debug)]
 pub enum ItemKind {
     /// `gravity: expr;`
     Gravity(Expr),
-    /// `rung: tree;`
-    Rung(Ident),
+    /// `formulation: tree;`
+    Formulation(Ident),
     /// `code: rolled;`
     Code(Ident),
     /// `emit: step(rk4, linearly_implicit);`
@@ -99,7 +99,7 @@ pub struct Repeat {
     pub to: Expr,
     /// Is the bound a value of the index, `0..=n`?
     pub inclusive: bool,
-    /// What to repeat.
+    /// Items to repeat.
     pub items: Vec<Item>,
 }
 
@@ -112,7 +112,7 @@ pub(super) enum Context {
 
 use Context::{Mechanism, Part};
 
-/// What is known of an item before it is read.
+/// Context of an item that is about to be read.
 struct Head {
     context: Context,
     docs: Vec<String>,
@@ -125,8 +125,8 @@ type Reader = fn(Input, &Head) -> Result<ItemKind>;
 const WORDS: &[(&str, Option<Context>, Reader)] = &[
     ("gravity", Some(Mechanism), |input, _| input.field_value("gravity").map(ItemKind::Gravity)),
     ("stabilisation", Some(Mechanism), |input, _| stabilisation(input)),
-    ("rung", Some(Mechanism), |input, _| {
-        input.field_name("`tree`, `loops` or `absolute`").map(ItemKind::Rung)
+    ("formulation", Some(Mechanism), |input, _| {
+        input.field_name("`tree`, `loops` or `absolute`").map(ItemKind::Formulation)
     }),
     ("code", Some(Mechanism), |input, _| input.field_name("`rolled` or `unrolled`").map(ItemKind::Code)),
     ("emit", Some(Mechanism), |input, _| steps(input)),
@@ -160,6 +160,9 @@ const WORDS: &[(&str, Option<Context>, Reader)] = &[
     ("repeat", None, |input, Head { context, .. }| Repeat::parse(input, *context).map(ItemKind::Repeat)),
 ];
 
+/// Former names of items, which are still accepted, and the present ones.
+const RENAMED: [(&str, &str); 1] = [("rung", "formulation")];
+
 impl Item {
     /// `{ items }`
     pub(super) fn block(input: Input, context: Context) -> Result<Vec<Item>> {
@@ -184,7 +187,8 @@ impl ItemKind {
         if !input.peek(syn::Ident::peek_any) {
             return Err(input.expected("an item"));
         }
-        let Some((word, place, read)) = WORDS.iter().find(|(word, ..)| *word == input.next()) else {
+        let name = renamed(input).unwrap_or(input.next());
+        let Some((word, place, read)) = WORDS.iter().find(|(word, ..)| *word == name) else {
             return instance_or_unknown(input);
         };
         if let Some(place) = place {
@@ -193,6 +197,16 @@ impl ItemKind {
         input.advance();
         read(input, head)
     }
+}
+
+/// The present name of an item that is written by its former one, which is warned of.
+fn renamed(input: Input) -> Option<&'static str> {
+    let (old, now) = RENAMED.iter().find(|(old, _)| *old == input.next())?;
+    let message = format!("`{old}` is now called `{now}`");
+    input
+        .warning(Code::Renamed, input.here(), message)
+        .help(format!("write `{now}`; the former name is still accepted"));
+    Some(now)
 }
 
 fn only_in(place: Context, context: Context, what: &str, input: Input) -> Result<()> {
@@ -227,7 +241,7 @@ fn instance_or_unknown(input: Input) -> Result<ItemKind> {
     Err(Reported)
 }
 
-/// What many items have in common.
+/// Rules that many items have in common.
 impl Input<'_> {
     /// The end of an item. If it is missing but the next item begins here, that is said and nothing is skipped.
     pub(super) fn semicolon(self) -> Result<()> {
@@ -274,7 +288,7 @@ impl Input<'_> {
         Ok(name)
     }
 
-    /// What a rule reads, between commas, and a semicolon.
+    /// Items of a rule, between commas, and a semicolon.
     pub(super) fn listed<T>(self, rule: impl Fn(Self) -> Result<T>) -> Result<Vec<T>> {
         let list = self.list(rule)?;
         self.semicolon()?;

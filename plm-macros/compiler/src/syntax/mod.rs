@@ -7,7 +7,7 @@
 //!              | docs "domain" NAME "{" "across" NAME ":" unit ";" { "through" NAME ":" unit ";" } "}"
 //!
 //! item := "gravity" ":" expr ";"                                    in a mechanism
-//!       | "rung" ":" ("tree" | "loops" | "absolute") ";"
+//!       | "formulation" ":" ("tree" | "loops" | "absolute") ";"
 //!       | "stabilisation" ":" ("projection" | "baumgarte" ["(" expr ")"]) ";"
 //!       | "code" ":" ("rolled" | "unrolled") ";"
 //!       | "emit" ":" "step" "(" NAME { "," NAME } ")" ";"
@@ -47,7 +47,7 @@ mod body;
 mod declaration;
 mod domain;
 mod expr;
-mod habits;
+mod foreign_syntax;
 mod input;
 mod instance;
 mod item;
@@ -78,7 +78,7 @@ pub mod ast {
     pub use super::value::Value;
 }
 
-pub(crate) use habits::CONSTANTS;
+pub(crate) use foreign_syntax::CONSTANTS;
 pub(crate) use unit::unit_help;
 
 use crate::diag::Diagnostics;

@@ -16,7 +16,7 @@ use crate::units::DisplayUnit;
 pub struct Output {
     /// Its name, if it is written; else the path is its name.
     pub name: Option<IndexedName>,
-    /// What to show.
+    /// The expression to show.
     pub value: Expr,
     /// In which unit.
     pub unit: Option<(DisplayUnit, Span)>,
@@ -50,7 +50,7 @@ fn begins_with_name(input: Input) -> bool {
     behind.and_then(equals).is_some_and(|next| equals(next).is_none())
 }
 
-/// What stands behind a `=`.
+/// The cursor behind a `=`.
 fn equals(cursor: Cursor) -> Option<Cursor> {
     cursor.punct().filter(|(mark, _)| mark.as_char() == '=').map(|(_, behind)| behind)
 }

@@ -16,7 +16,7 @@ pub struct Definition {
     pub is_joint: bool,
     /// Its name.
     pub name: Ident,
-    /// What it is connected to.
+    /// Ports that it is connected to.
     pub arguments: Vec<Argument>,
     /// Its items.
     pub items: Vec<Item>,
@@ -36,9 +36,9 @@ pub struct Argument {
 pub struct Choice {
     /// Its name.
     pub name: Ident,
-    /// What can be chosen.
+    /// The options.
     pub options: Vec<Ident>,
-    /// What is chosen unless the use says otherwise.
+    /// The option that is chosen unless the use says otherwise.
     pub default: Option<Ident>,
 }
 

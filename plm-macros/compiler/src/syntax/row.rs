@@ -10,10 +10,10 @@ use super::keyword as kw;
 use super::name::{Ident, IndexedName};
 use crate::span::Span;
 
-/// What flows into a port: `force` or `torque` on a frame, a through quantity of its domain on a node.
+/// A load on a port: `force` or `torque` on a frame, a through quantity of its domain on a node.
 #[derive(Clone, Debug)]
 pub struct Load {
-    /// What it is: `force`, `torque`, `flow`.
+    /// Its quantity: `force`, `torque`, `flow`.
     pub quantity: Ident,
     /// On what.
     pub on: Expr,

@@ -1,4 +1,4 @@
-//! What a declaration has of Rust itself: paths, visibilities and attributes, as their tokens.
+//! Syntax of Rust in a declaration: paths, visibilities and attributes, as their tokens.
 //!
 //! syn has them too, among the types of all that `derive` macros read, which take longer to build than the rest of it.
 
@@ -35,7 +35,7 @@ fn segment(input: ParseStream) -> Result<Ident> {
 /// `pub`, `pub(crate)`, `pub(in path)`; empty where none stands.
 ///
 /// # Errors
-/// What stands behind `in` is no path.
+/// No path stands behind `in`.
 pub fn visibility(input: ParseStream) -> Result<TokenStream> {
     let mut visibility = TokenStream::new();
     // What `$visible:vis` of a macro leaves where it has found none.
@@ -85,7 +85,7 @@ mod tests {
     use proc_macro2::TokenStream;
     use syn::parse::{ParseStream, Parser, Result};
 
-    /// What a rule takes of a text, and what it leaves.
+    /// Text that a rule takes of a text, and what it leaves.
     fn taken(rule: fn(ParseStream) -> Result<TokenStream>, text: &str) -> Option<(String, String)> {
         let both = |input: ParseStream| Ok((rule(input)?, input.parse::<TokenStream>()?));
         let compact = |tokens: TokenStream| tokens.to_string().replace(' ', "");

@@ -60,7 +60,7 @@ pub(super) fn unit(input: Input) -> Result<DisplayUnit> {
     Ok(DisplayUnit::product(unit.text, &unit.factors))
 }
 
-/// What was read of a unit.
+/// Text of a unit as far as it was read.
 #[derive(Default)]
 struct UnitText {
     text: String,
@@ -136,7 +136,7 @@ fn goes_on(input: Input) -> bool {
     factor.is_some_and(|(_, behind)| behind_unit_name(behind).is_some() || is_unit_group(behind))
 }
 
-/// What stands behind the name of a unit, if that is not the name of a function, of a body or of an array.
+/// The cursor behind the name of a unit, if that is not the name of a function, of a body or of an array.
 fn behind_unit_name(cursor: Cursor) -> Option<Cursor> {
     let (name, behind) = cursor.ident()?;
     let holds_on = behind.group(Delimiter::Parenthesis).is_some()
@@ -172,7 +172,7 @@ fn units_in(mut cursor: Cursor) -> Option<usize> {
     Some(count)
 }
 
-/// What is written for a unit that goes by another name elsewhere.
+/// Spelling of a unit that goes by another name elsewhere.
 pub(crate) fn unit_help(name: &str) -> Option<String> {
     let word = if name.len() > 2 { name.to_lowercase() } else { name.to_string() };
     let known = match word.as_str() {

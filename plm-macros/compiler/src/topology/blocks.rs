@@ -1,9 +1,9 @@
 //! The order in which closures can be solved, and which of them must be solved together.
 //!
 //! A closure of two rows whose unknowns, but for those that are known or solved before, are two angles is the dyad RRR;
-//! an angle and a slide make RRP or RPR, two slides PRP or RPP. Blocks of more are Newton's.
+//! an angle and a displacement make RRP or RPR, two displacements PRP or RPP. Blocks of more are Newton's.
 //!
-//! What structure cannot see; of the first two a numerical rank must judge:
+//! Limits of structure; of the first two a numerical rank must judge:
 //! * dimensions that make rows dependent (the third of parallel cranks is found only because its rows are too many for
 //!   its unknowns; a redundant loop of another kind is not), and poses that do;
 //! * that a group of loops which avoid the ground can turn as a whole: six bars that brace a square twice have as many
@@ -29,7 +29,7 @@ pub(crate) struct Equation {
 pub(crate) struct Block {
     /// Indices of the equations, ascending.
     pub(crate) equations: Vec<usize>,
-    /// What they determine, ascending.
+    /// Unknowns that they determine, ascending.
     pub(crate) unknowns: Vec<usize>,
 }
 
@@ -87,7 +87,7 @@ impl<'a> System<'a> {
         System { equations, holders }
     }
 
-    /// What can be solved when `known` is given, what stays free, and what is too much.
+    /// Splits the unknowns: solvable when `known` is given, free, and overdetermined.
     pub(super) fn split(&self, known: &[usize]) -> Split {
         let matching = Matching::new(self, known);
         let (free, under) = matching.undetermined();
@@ -136,9 +136,9 @@ mod tests {
         }
     }
 
-    /// Angles of crank and rod, and the slide.
+    /// Angles of crank and rod, and the displacement.
     #[test]
-    fn slider_crank_from_crank_or_slide() {
+    fn slider_crank_from_crank_or_displacement() {
         let closure = [pair(&[0, 1, 2])];
         assert_eq!(solved_in_turn(3, &closure, &[0]), [[1, 2]]);
         assert_eq!(solved_in_turn(3, &closure, &[2]), [[0, 1]]);

@@ -53,7 +53,7 @@ pub(crate) fn independent_sets(
     ranked.into_iter().map(|(_, choice)| choice).collect_vec()
 }
 
-/// What decides between sets, the lesser being the better: how they solve, then their places in the preference.
+/// Rank of a set, the lesser being the better: how it solves, then its places in the preference.
 type Rank = (Score, Vec<usize>);
 
 /// How well a set of independent coordinates solves, the lesser the better: is a block not closed, the unknowns of the largest block,

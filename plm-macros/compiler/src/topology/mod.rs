@@ -1,4 +1,4 @@
-//! What can be known of a mechanism before any algebra: its loops, the order in which they can be solved, and from
+//! Structure of a mechanism before any algebra: its loops, the order in which they can be solved, and from
 //! which coordinates.
 //!
 //! Plain indices in, plain indices out. Everything here is structure, that is, true for almost all dimensions: whether

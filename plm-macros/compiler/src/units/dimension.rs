@@ -91,7 +91,7 @@ impl Dimension {
         }
     }
 
-    /// The same apart from the radian?
+    /// True if both are equal, apart from the radian.
     pub fn same(self, other: Dimension) -> bool {
         self.plain() == other.plain()
     }

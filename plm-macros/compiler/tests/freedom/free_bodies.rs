@@ -31,7 +31,7 @@ const SCENES: [(&str, usize, &str); 3] = [
 
 /// In joint coordinates and in absolute ones, from the same pose: the same accelerations.
 #[test]
-fn rows_hold_free_bodies_on_every_rung() {
+fn rows_hold_free_bodies_in_every_formulation() {
     for (name, freedom, items) in SCENES {
         let mut sources = Sources::new();
         let ground = "gravity: 9.81 m/s^2; ground { port o: (0, 0) m; }";

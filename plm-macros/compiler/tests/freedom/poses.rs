@@ -22,7 +22,7 @@ fn parallelogram(degrees: f64) -> Oracle {
     // At the flat pose itself the report says that a row is redundant there.
     let flat = if degrees == 0.0 { "allow(W0001);" } else { "" };
     compiled(&format!(
-        "rung: loops; {flat}
+        "formulation: loops; {flat}
         ground {{ port a: (0, 0) m; port d: (2, 0) m; }}
         body left {{ {crank}; {} start angle: {degrees:?} deg, locked; }}
         body top {{ mass: 1 kg; inertia: 0.1 kg*m^2; port l: (0, 0) m; port r: (2, 0) m; {} }}
@@ -41,7 +41,7 @@ fn a_parallelogram_has_one_freedom_wherever_it_starts() {
     }
 }
 
-/// A third crank of the same length says nothing new: its loop has one unknown and two rows. Rung 5 is not needed for that.
+/// A third crank of the same length says nothing new: its loop has one unknown and two rows. Absolute coordinates are not needed for that.
 #[test]
 fn a_third_parallel_crank_takes_no_freedom() {
     let (sin, cos) = 40_f64.to_radians().sin_cos();
@@ -55,7 +55,7 @@ fn a_third_parallel_crank_takes_no_freedom() {
     };
     let ports = [0, 1, 2].map(|k| format!("port p{k}: ({k}, 0) m;")).concat();
     let oracle = compiled(&format!(
-        "allow(W0001); rung: loops; ground {{ {ports} }}
+        "allow(W0001); formulation: loops; ground {{ {ports} }}
         body top {{ mass: 1 kg; inertia: 0.1 kg*m^2; {ports} start x: {cos:?} m; start y: {sin:?} m; }}
         {} {} {}",
         crank(0),
@@ -81,7 +81,7 @@ fn a_third_parallel_crank_takes_no_freedom() {
 #[test]
 fn slides_on_parallel_rails_do_not_determine_each_other() {
     let oracle = compiled(
-        "rung: loops;
+        "formulation: loops;
         gravity: 9.81 m/s^2;
         ground { port low: (0, 0) m, axis: 20 deg; port high: (-0.3*sin(20 deg)*1 m, 0.3*cos(20 deg)*1 m), axis: 20 deg; }
         body first { mass: 1 kg; inertia: 0.1 kg*m^2; port p: (0, 0) m; start angle: 20 deg; }

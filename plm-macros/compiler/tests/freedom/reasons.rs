@@ -26,7 +26,7 @@ fn ring(bodies: usize, across: &[[usize; 2]]) -> String {
         0 => format!("ground {{ {ports} }}\n"),
         _ => format!("body b{body} {{ mass: 1 kg; inertia: 0.1 kg*m^2; {ports} }}\n"),
     });
-    format!("pub Ring {{ rung: loops;\n{}{text} }}", bodies.collect::<String>())
+    format!("pub Ring {{ formulation: loops;\n{}{text} }}", bodies.collect::<String>())
 }
 
 fn told(text: &str) -> String {

@@ -5,15 +5,15 @@
 mod bodies;
 mod declarations;
 mod expressions;
+mod malformed_input;
 mod nodes;
 mod observe;
 mod parts;
 mod pictures;
-mod pieces;
 #[path = "../../../../tests/support/random.rs"]
 mod random;
 mod requirements;
-mod soup;
 mod states;
 mod support;
+mod token_texts;
 mod work;

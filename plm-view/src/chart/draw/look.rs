@@ -10,7 +10,7 @@ pub const INK: &str = "#1d2430";
 pub(super) const FAINT: &str = "#5c6675";
 /// Frames, and lines at the other ticks.
 pub(super) const GRID: &str = "#dfe3ea";
-/// What is there to compare with.
+/// Colour of curves for comparison.
 pub(super) const MUTED: &str = "#808080";
 
 /// Distinct for colour-blind readers too: M. Okabe, K. Ito, "Color universal design", 2008; darkened where they would be faint

@@ -6,8 +6,8 @@ use super::pen::{Pen, TEXT, axis_lettering};
 use super::{Frame, MARGIN, rule};
 use crate::chart::Panel;
 use crate::chart::axis::Ruler;
+use crate::chart::decimation::{decimate, segments};
 use crate::chart::series::{At, Series};
-use crate::chart::thin::{pieces, thin};
 
 /// Length of the ticks between the labelled ones of a logarithmic axis.
 const SMALL_TICK: f64 = 4.0;
@@ -40,7 +40,7 @@ impl<'a> Plot<'a> {
         self.y.place(y, self.frame.bottom, self.frame.top)
     }
 
-    /// Whether a line of reference has a place in the frame.
+    /// True if a line of reference has a place in the frame.
     pub(super) fn shows(&self, at: At) -> bool {
         match at {
             At::X(x) => self.x.holds(x),
@@ -50,9 +50,10 @@ impl<'a> Plot<'a> {
 
     /// The visible lines of a series.
     pub(super) fn lines(&self, series: &Series) -> Vec<Vec<Point>> {
-        let seen = |piece| thin(piece, |x| self.column(x) as i32);
-        let placed = |piece| seen(piece).into_iter().map(|(x, y)| (self.column(x), self.row(y))).collect();
-        pieces(&series.points, |(x, y)| self.x.holds(x) && self.y.holds(y)).map(placed).collect()
+        let seen = |segment| decimate(segment, |x| self.column(x) as i32);
+        let placed =
+            |segment| seen(segment).into_iter().map(|(x, y)| (self.column(x), self.row(y))).collect();
+        segments(&series.points, |(x, y)| self.x.holds(x) && self.y.holds(y)).map(placed).collect()
     }
 
     pub(super) fn draw(&self, canvas: &mut Canvas) {

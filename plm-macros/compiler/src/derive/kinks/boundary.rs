@@ -24,7 +24,7 @@ const NEAR: f64 = 1e-8;
 /// It grows if it does so by a part of that.
 const GROWTH: f64 = 30.0;
 
-/// What jumps at a boundary.
+/// The lowest derivative that jumps at a boundary.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Order {
     /// The position.

@@ -9,7 +9,7 @@ use super::super::bindings::Origin;
 use super::super::function::{body, function};
 use super::super::item::start;
 use super::super::lower::inline;
-use super::super::{Emission, Sizes, compact, number, quoted};
+use super::super::{Emission, Sizes, number, quoted, table_compression};
 use crate::formulate::coordinate_name;
 use crate::model::{Row, Turn};
 
@@ -20,12 +20,12 @@ pub(crate) fn absolute(emission: &Emission) -> TokenStream {
     let parts = model.rows.iter().map(|row| model.parts[row.part].name.text.clone()).collect_vec();
     let coordinates = (0..equations.q.len()).map(|k| coordinate_name(model, k)).collect_vec();
     let [rows, parts, coordinates] =
-        [rows, parts, coordinates].map_each(|names| compact::names(emission, &names));
+        [rows, parts, coordinates].map_each(|names| table_compression::names(emission, &names));
     let angular = angular(emission);
     let places = equations.phi_q.iter().enumerate();
     let places = places.flat_map(|(i, row)| row.iter().flat_map(move |(j, _)| [i as u32, *j as u32]));
     let places: Vec<u32> = places.collect_vec();
-    let (entries, places) = (number(places.len() / 2), compact::numbers(emission, &places));
+    let (entries, places) = (number(places.len() / 2), table_compression::numbers(emission, &places));
     let length = Literal::f64_unsuffixed(report.length);
     let [(literals, positions), (_, velocities)] = starts(emission);
     let (branch, refine) = (branch(emission), super::singular::refine(emission));
@@ -148,7 +148,7 @@ fn starts(emission: &Emission) -> [(Option<TokenStream>, TokenStream); 2] {
         .bodies
         .iter()
         .map(|body| body.centre.components().map_each(|component| inline(component, &bindings)));
-    if emission.rolled {
+    if emission.rerolled {
         let nq = &emission.sizes.nq;
         let (tables, centre) = start::centre(&centres.collect_vec());
         let (tables, centre) = (emission.text(tables), emission.text(centre));

@@ -7,16 +7,16 @@ use quote::format_ident;
 
 use super::super::item::{state::whole_pose, tables};
 use super::super::lower::{Bindings, inline};
-use super::super::{Emission, compact, number, quoted};
+use super::super::{Emission, number, quoted, table_compression};
 use crate::model::Step;
-use crate::tables::{Figure, Figures};
+use crate::tables::{Entry, NumericTable};
 
 /// `Described`.
 pub(crate) fn described(emission: &Emission) -> TokenStream {
     let Emission { name, fields, .. } = emission;
-    let figures = Figures::new(emission.model);
-    let tables = tables::tables(emission, &figures);
-    let (figure, parameters) = (figure(emission, &figures), &fields.params);
+    let table = NumericTable::new(emission.model);
+    let tables = tables::tables(emission, &table);
+    let (function, parameters) = (entries(emission, &table), &fields.params);
     let numbers: Vec<_> = (0..parameters.len()).map(number).collect_vec();
     let (instant, whole) = (instant_name(emission), whole_pose(emission, &quote!(state)));
     let declaration = emission.text(format!("{:?}", emission.model.text));
@@ -31,7 +31,7 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
             const FILES: &'static [(&'static str, &'static str)] = &[#files];
             #steps
 
-            #figure
+            #function
 
             fn parameter(&self, index: usize) -> Option<S> {
                 match index {
@@ -70,8 +70,8 @@ fn steps(emission: &Emission) -> Option<TokenStream> {
     (!steps.is_empty()).then(|| quote!(const STEPS: &'static [&'static str] = &[#names];))
 }
 
-/// The numbers of the tables: constants, and those that are worked out, in blocks as everything that is long.
-fn figure(emission: &Emission, figures: &Figures) -> TokenStream {
+/// The entries of the numeric table: constants, and those that are worked out, in blocks as everything that is long.
+fn entries(emission: &Emission, table: &NumericTable) -> TokenStream {
     const BLOCK: usize = 200;
     let Emission { model, fields, name, .. } = emission;
     let params = model.params.iter().zip(&fields.params);
@@ -79,16 +79,16 @@ fn figure(emission: &Emission, figures: &Figures) -> TokenStream {
         params.map(|(param, field)| (param.symbol, format!("mechanism.{field}"))).collect();
     bindings.insert(model.time, "t".to_owned());
     let (mut constants, mut varying) = (Vec::new(), Vec::new());
-    for (index, figure) in figures.all.iter().enumerate() {
-        constants.push(match figure {
-            Figure::Constant(value) => tables::literal(*value),
-            Figure::Varying(expr) => {
+    for (index, entry) in table.all.iter().enumerate() {
+        constants.push(match entry {
+            Entry::Constant(value) => tables::literal(*value),
+            Entry::Varying(expr) => {
                 varying.push(format!("{index} => {}", inline(*expr, &bindings)));
                 tables::literal(f64::NAN)
             }
         });
     }
-    let constants = emission.text(compact::constants(&constants));
+    let constants = emission.text(table_compression::constants(&constants));
     let blocks = varying.chunks(BLOCK).enumerate();
     let (blocks, arms): (Vec<Ident>, Vec<_>) =
         blocks.map(|(k, arms)| (format_ident!("block_{k}"), emission.values(arms.to_vec()))).unzip();
@@ -113,7 +113,7 @@ fn figure(emission: &Emission, figures: &Figures) -> TokenStream {
     }
 }
 
-/// What changes at a time that is known.
+/// Names of the changes at known times.
 fn instant_name(emission: &Emission) -> Option<TokenStream> {
     let model = emission.model;
     let of_time = model.switches.iter().filter(|side| side.instant.is_some());

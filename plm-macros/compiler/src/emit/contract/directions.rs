@@ -50,7 +50,7 @@ pub(super) fn directions(emission: &Emission) -> Option<TokenStream> {
     })
 }
 
-/// What the rate reads, in all charts together.
+/// Reads of the rate, in all charts together.
 fn reads(emission: &Emission) -> Option<Reads> {
     let first_order = &emission.equations.x;
     let of_chart = |chart: &Chart| Reads::of(&chart.rate, [&chart.y, &chart.y_dot, first_order]);

@@ -7,7 +7,7 @@ use quote::format_ident;
 
 use super::super::bindings::Origin;
 use super::super::function::function;
-use super::super::{Emission, Form, Sizes, compact, number};
+use super::super::{Emission, Form, Sizes, number, table_compression};
 use super::charted::call;
 use super::directions::directions;
 use crate::formulate::{Augmented, Chart, Linearised, Part, Term};
@@ -214,12 +214,12 @@ fn pattern(emission: &Emission, augmented: &Augmented) -> TokenStream {
     let Tables { terms, pivots, below, right, targets } = Tables::of(augmented);
     let table = |name: &str, numbers: &[u32], width: usize| {
         let (name, count) = (format_ident!("{name}"), number(numbers.len() / width));
-        let numbers = compact::numbers(emission, numbers);
+        let numbers = table_compression::numbers(emission, numbers);
         quote!(const { &rt::compact::#name::<#count>(&#numbers) })
     };
     let [terms, pivots] = [table("terms", &terms, 5), table("pivots", &pivots, 7)];
     let [below, right] = [table("below", &below, 3), table("pairs", &right, 2)];
-    let targets = compact::numbers(emission, &targets);
+    let targets = table_compression::numbers(emission, &targets);
     quote! {
         /// Where the coefficients of the linearised equations stand, and how those are eliminated.
         #[doc(hidden)]
@@ -241,7 +241,7 @@ fn pattern(emission: &Emission, augmented: &Augmented) -> TokenStream {
     }
 }
 
-/// What stands where, and the order of elimination: numbers in rows, as the runtime's `compact` has them.
+/// Places of the entries and the order of elimination: numbers in rows, as the runtime's `compact` has them.
 #[derive(Default)]
 struct Tables {
     terms: Vec<u32>,

@@ -1,4 +1,4 @@
-//! What the runtime asks for: its traits, implemented for the mechanism.
+//! Implementations of the runtime's traits for the mechanism.
 
 pub(super) mod absolute;
 pub(super) mod charted;

@@ -94,7 +94,7 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
     }
 }
 
-/// What steps of several mechanisms side by side are looked at by.
+/// Checks of steps of several mechanisms side by side.
 struct Lanes {
     watched: bool,
     /// `is_calm` and `are_calm`.
@@ -132,7 +132,7 @@ fn lanes(emission: &Emission) -> Lanes {
 /// Start values in the other numbers, of many bodies in a loop.
 fn starts(emission: &Emission) -> TokenStream {
     let fields = &emission.fields;
-    if !emission.rolled {
+    if !emission.rerolled {
         let starts = fields.bodies.iter().chain(&fields.states);
         let starts = starts.map(|field| format!("{field}: self.start.{field}.map(|s| number([s; N]))"));
         let starts = emission.lines(starts);

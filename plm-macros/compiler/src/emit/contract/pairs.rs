@@ -32,7 +32,7 @@ const FEW: usize = 2;
 /// The two parts of the rate in the first chart, if it pays to have them.
 fn of_rate(emission: &Emission) -> Option<Parts> {
     let Emission { equations, program, .. } = emission;
-    if emission.rolled {
+    if emission.rerolled {
         return None;
     }
     let (rate, origin, velocities): (&Function, Origin, &[Expr]) = match emission.form {
@@ -47,7 +47,7 @@ fn of_rate(emission: &Emission) -> Option<Parts> {
     let of_two = bindings.iter().map(|(&symbol, text)| (symbol, in_both(text))).collect();
     let reserved = ["t", "u", "m", "x", "dx", "shared", "lit"];
     let around =
-        |scalar| Around { reserved: &reserved, by_reference: true, scalar, direct: None, rolled: false };
+        |scalar| Around { reserved: &reserved, by_reference: true, scalar, direct: None, rerolled: false };
     let parts =
         parts(&rate, (&moving, ".of::<SECOND>()"), (&of_two, &around("Two::<S>")), (&bindings, &around("S")));
     let pays = parts.still.count.total() > CALL + LEAST * parts.shared;
@@ -58,7 +58,7 @@ fn in_chart(chart: &Chart) -> (&Function, Origin<'_>, &[Expr]) {
     (&chart.rate, Origin::Chart(chart), &chart.y_dot)
 }
 
-/// What is the same in both stages.
+/// Prefixes of the values that both stages share.
 const HELD: [&str; 4] = ["self.", "u.", "m.", "S::"];
 
 /// Text of a symbol in two stages; time and state differ.
@@ -67,7 +67,7 @@ fn in_both(text: &str) -> String {
     if is_held { format!("Two::both({text})") } else { text.to_owned() }
 }
 
-/// What `Rate` says of pairs, and the functions behind that.
+/// The part of `Rate` for pairs of stages, and the functions behind it.
 pub(super) fn pairs(emission: &Emission) -> [TokenStream; 2] {
     let Some(parts) = of_rate(emission) else { return Default::default() };
     [rate_pair(emission, &parts), functions(emission, &parts)]
@@ -127,7 +127,7 @@ fn functions(emission: &Emission, parts: &Parts) -> TokenStream {
     };
     quote! {
         impl<S: Scalar> #name<S> {
-            /// What the rates of two stages need of their poses. Compilers begin to build vectors where results are stored: a
+            /// Values of the poses of two stages that their rates share. Compilers begin to build vectors where results are stored: a
             /// function of its own.
             #[inline(never)]
             fn of_two_poses(#(#declared)* #positions) -> [Two<S>; #shared] {
@@ -146,7 +146,7 @@ fn functions(emission: &Emission, parts: &Parts) -> TokenStream {
     }
 }
 
-/// What the first part reads beside the positions, as declared and as handed over: what nobody reads would be handed over all
+/// Arguments of the first part beside the positions, as declared and as handed over: unread ones would be handed over all
 /// the same, by a function that is not inlined.
 fn reads(emission: &Emission, still: &Part) -> Vec<[TokenStream; 2]> {
     let reads = |start: &str| still.symbols.iter().any(|text| text.contains(start));

@@ -79,7 +79,7 @@ pub(crate) fn refine(emission: &Emission) -> Option<TokenStream> {
     })
 }
 
-/// What `Fine` asks of a mechanism that is in absolute coordinates anyway.
+/// Implementation of `Fine` for a mechanism that is in absolute coordinates anyway.
 fn alone() -> TokenStream {
     quote! {
         const CHARTED: bool = false;
@@ -101,7 +101,7 @@ fn alone() -> TokenStream {
     }
 }
 
-/// The same of one that has charts.
+/// Implementation of `Fine` for a mechanism with charts.
 fn charted(emission: &Emission) -> TokenStream {
     let Sizes { nq, full, .. } = &emission.sizes;
     quote! {

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use super::super::bindings::Origin;
 use super::super::function::body;
 use super::super::item::{start, state::whole_state};
-use super::super::{Emission, Sizes, compact, docs};
+use super::super::{Emission, Sizes, docs, table_compression};
 use crate::model::Body;
 
 /// Statements of a block; rustc recurses over longer ones.
@@ -17,8 +17,8 @@ pub(crate) const MOST_LINES: usize = 200;
 pub(crate) fn start_values(emission: &Emission) -> TokenStream {
     let Emission { model, fields, .. } = emission;
     let names = |body: &Body| start::OF_BODY.map_each(|value| format!("{}.{value}", body.name.text));
-    let in_a_loop = emission.rolled.then(|| {
-        let names = compact::names(emission, &model.bodies.iter().flat_map(names).collect_vec());
+    let in_a_loop = emission.rerolled.then(|| {
+        let names = table_compression::names(emission, &model.bodies.iter().flat_map(names).collect_vec());
         quote! {
             let names: &[&str] = const { &#names };
             let names = names.as_chunks::<6>().0;

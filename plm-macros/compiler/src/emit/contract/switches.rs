@@ -11,7 +11,7 @@ use super::super::{Emission, Sizes, number, pose_at, quoted};
 use super::charted::in_held;
 use crate::model::{Decisions, End, Model, Switch};
 
-/// What is looked at in every step, guards and kinks, at a time and over an interval.
+/// Guards and kinks, which every step evaluates, at a time and over an interval.
 pub(super) fn watched(emission: &Emission) -> TokenStream {
     let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
     let [guards, kinks, all] = [model.guards(), model.kinks.len(), model.watched()].map_each(number);
@@ -80,7 +80,7 @@ fn switching(emission: &Emission, mechanism: &TokenStream, free: &TokenStream) -
     })
 }
 
-/// What happens at the switches that depend on the state. One that must hold does not change: it ends the run.
+/// Events of the switches that depend on the state. One that must hold does not change: it ends the run.
 pub(super) fn switch(emission: &Emission) -> TokenStream {
     let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
     let of_state = model.switches.iter().filter(|switch| switch.instant.is_none());

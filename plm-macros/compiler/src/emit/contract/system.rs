@@ -6,12 +6,12 @@ use plm_cas::{Expr, algebra};
 use proc_macro2::TokenStream;
 
 use super::super::lower::inline;
-use super::super::{Emission, Form, Sizes, compact, number, quoted};
+use super::super::{Emission, Form, Sizes, number, quoted, table_compression};
 use super::{switches, turns};
 use crate::formulate::{Chart, coordinate_name};
 use crate::model::Stabilisation;
 
-/// What `System` is made of beside the rate.
+/// Traits of `System` beside the rate.
 pub(crate) fn system(emission: &Emission) -> TokenStream {
     let (constraints, events, labels) = (constraints(emission), events(emission), labels(emission));
     quote! {
@@ -75,7 +75,7 @@ fn events(emission: &Emission) -> TokenStream {
 fn labels(emission: &Emission) -> TokenStream {
     let Emission { model, name, .. } = emission;
     let part_of_state = part_of_state(emission);
-    let names = compact::names(emission, &names_of_state(emission));
+    let names = table_compression::names(emission, &names_of_state(emission));
     let names_in_charts = names_in_charts(emission);
     let conditions = (model.guards() > 0).then(|| switches::names(emission));
     quote! {
@@ -110,7 +110,7 @@ fn names_in_charts(emission: &Emission) -> TokenStream {
         all.extend(chart.names.iter().cloned());
         all.extend(chart.names.iter().map(|name| rate_of(name)));
     }
-    let (names, in_chart) = (compact::names(emission, &all), number(2 * count));
+    let (names, in_chart) = (table_compression::names(emission, &all), number(2 * count));
     quote! {
         fn name_in_chart(&self, u: &Self::U, index: usize) -> &'static str {
             let names: &[&str] = const { &#names };
@@ -119,7 +119,7 @@ fn names_in_charts(emission: &Emission) -> TokenStream {
     }
 }
 
-/// The rate of rung 5 where elimination is unhealthy.
+/// The rate in absolute coordinates where elimination is unhealthy.
 fn by_rank(emission: &Emission) -> TokenStream {
     let Sizes { nq, nx, length, .. } = &emission.sizes;
     let first_order = (!emission.equations.x.is_empty()).then(|| {
@@ -170,7 +170,7 @@ fn in_charts(emission: &Emission) -> TokenStream {
     }
 }
 
-/// How the constraints of rung 5 are kept.
+/// Stabilisation of the constraints in absolute coordinates.
 fn stabilisation(emission: &Emission) -> TokenStream {
     let Sizes { length, .. } = &emission.sizes;
     match emission.model.stabilisation {
@@ -206,7 +206,7 @@ fn knows_time(emission: &Emission) -> bool {
     algebra::symbols(&roots).contains(&model.time)
 }
 
-/// The chart that is taken first, on a rung above 5.
+/// The chart that is taken first, in joint coordinates.
 pub(super) fn first<'a>(emission: &'a Emission) -> Option<&'a Chart> {
     match emission.form {
         Form::Absolute => None,
@@ -229,7 +229,7 @@ fn part_of_state(emission: &Emission) -> TokenStream {
     };
     if let Some(chart) = first(emission) {
         let parts = chart.parts.iter().chain(&chart.parts).chain(states).cloned().collect_vec();
-        let parts = compact::names(emission, &parts);
+        let parts = table_compression::names(emission, &parts);
         let part = named(quote!(parts.get(index)));
         return quote!(let parts: &[&str] = const { &#parts }; #part);
     }

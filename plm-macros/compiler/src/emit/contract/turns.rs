@@ -4,7 +4,7 @@ use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
-use super::super::{Emission, Form, Sizes, compact, number};
+use super::super::{Emission, Form, Sizes, number, table_compression};
 use crate::formulate::Reduced;
 
 /// Is anything counted?
@@ -25,14 +25,14 @@ fn places<'a>(emission: &'a Emission, bodies: &'a [Option<usize>]) -> impl Itera
 /// By count, the places in a list of what belongs to its `bodies`: a reference to an array.
 fn all_places(emission: &Emission, bodies: &[Option<usize>]) -> TokenStream {
     let turns = &emission.model.turns;
-    let all = compact::is_long(turns.len()).then(|| in_short(emission, bodies)).flatten();
+    let all = table_compression::is_long(turns.len()).then(|| in_short(emission, bodies)).flatten();
     all.unwrap_or_else(|| {
         let places = emission.list(places(emission, bodies));
         quote!(&[#places])
     })
 }
 
-/// The same where each count has one place, all of them equally far apart.
+/// Places in short form where each count has one place, all of them equally far apart.
 fn in_short(emission: &Emission, bodies: &[Option<usize>]) -> Option<TokenStream> {
     let turns = &emission.model.turns;
     let mut place_of = vec![None; emission.model.bodies.len()];
@@ -86,7 +86,7 @@ pub(super) fn update(emission: &Emission) -> Option<TokenStream> {
     })
 }
 
-/// Whether no angle is to be brought back at a state, and at several side by side; not of loops.
+/// Conditions that no angle is to be brought back at a state, and at several side by side; not of loops.
 pub(super) fn are_near(emission: &Emission) -> (TokenStream, TokenStream) {
     match in_state(emission) {
         Some(places) if are_counted(emission) => {
@@ -114,13 +114,13 @@ pub(super) fn of_charts(emission: &Emission, reduced: &Reduced) -> TokenStream {
     });
     let counted = emission.lines(counted);
     let is_counted = |body: usize| emission.model.turns.iter().any(|counted| counted.bodies.contains(&body));
-    let loose = reduced.charts.iter().any(|chart| {
-        chart.turning.iter().zip(&chart.loose).any(|(body, loose)| *loose && body.is_some_and(is_counted))
+    let any_free = reduced.charts.iter().any(|chart| {
+        chart.turning.iter().zip(&chart.free).any(|(body, free)| *free && body.is_some_and(is_counted))
     });
     let count = number(emission.model.turns.len());
     quote! {
         type Turns = [i32; #count];
         const COUNTED: &'static [rt::charts::Counted] = &[#counted];
-        const LOOSE: bool = #loose;
+        const LOOSE: bool = #any_free;
     }
 }

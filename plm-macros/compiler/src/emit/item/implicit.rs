@@ -132,7 +132,7 @@ fn linear_algebra(
     quote!(#eliminated #solved)
 }
 
-/// The same with the full matrix of derivatives, where the equations are not linearised: forces that read reactions.
+/// The step with the full matrix of derivatives, where the equations are not linearised: forces that read reactions.
 fn by_matrix(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
     quote! {

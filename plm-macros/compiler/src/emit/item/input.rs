@@ -42,7 +42,7 @@ pub(crate) fn held(emission: &Emission) -> TokenStream {
     let of_loops = of_loops(emission);
     let [switches, turns] = [emission.model.switches.len(), emission.model.turns.len()].map_each(number);
     quote! {
-        /// What is held over a step.
+        /// Discrete state: constant during a step.
         type Held<S> = rt::Held<Input<S>, [S; #switches], [<S as Scalar>::Turns; #turns], #of_loops>;
     }
 }

@@ -1,4 +1,4 @@
-//! What users see: the mechanism, its start values and inputs, a state that can be read.
+//! Public items: the mechanism, its start values and inputs, a state that can be read.
 
 pub(super) mod constants;
 pub(super) mod implicit;

@@ -1,4 +1,4 @@
-//! What can be read from a state: poses, the user's outputs, energies.
+//! Readable quantities of a state: poses, the user's outputs, energies.
 
 use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::{joined, quote};
@@ -7,7 +7,7 @@ use quote::format_ident;
 
 use super::super::bindings::Origin;
 use super::super::lower::{Around, Bindings, statements};
-use super::super::{Emission, compact, docs, families, number};
+use super::super::{Emission, docs, indexed_accessors, number, table_compression};
 use super::state::whole_pose;
 use crate::formulate::Function;
 use crate::model::Output;
@@ -21,7 +21,7 @@ pub(crate) fn outputs(emission: &Emission) -> TokenStream {
     let [kinetic, gravity, power] =
         [&functions.kinetic_energy, &functions.gravity_energy, &functions.load_power]
             .map_each(|function| body(emission, &bindings, function));
-    let families = families::accessors(emission);
+    let indexed_accessors = indexed_accessors::accessors(emission);
     let branches = branches(emission, &bindings);
     let table = table(emission);
     let observed = observed(emission);
@@ -48,7 +48,7 @@ pub(crate) fn outputs(emission: &Emission) -> TokenStream {
             pub fn load_power(&self) -> S {
                 #power
             }
-            #families
+            #indexed_accessors
             #branches
             #table
             #observed
@@ -64,7 +64,7 @@ fn poses(emission: &Emission) -> TokenStream {
         let docs =
             format!("Pose and velocity of G of body `{}`: m, m, rad; m/s, m/s, rad/s.", body.name.text);
         let docs = docs::docs(emission, &docs);
-        if emission.rolled {
+        if emission.rerolled {
             let k = number(k);
             return quote! {
                 #docs
@@ -94,7 +94,7 @@ fn poses(emission: &Emission) -> TokenStream {
     let bodies = joined(model.bodies.iter().zip(&fields.bodies).enumerate().map(pose).collect_vec());
     let whole = whole_pose(emission, &quote!(self));
     let nq = number(nq);
-    let by_number = emission.rolled.then(|| {
+    let by_number = emission.rerolled.then(|| {
         quote! {
             /// The body with this number.
             fn body_(&self, body: usize) -> BodyState<S> {
@@ -158,8 +158,8 @@ fn user_output(emission: &Emission, bindings: &Bindings, index: usize) -> TokenS
 
 fn body(emission: &Emission, bindings: &Bindings, function: &Function) -> TokenStream {
     let reserved = ["lit", "value", "a", "lambda", "q", "v"];
-    let rolled = emission.rolled;
-    let around = Around { reserved: &reserved, by_reference: false, scalar: "S", direct: None, rolled };
+    let rerolled = emission.rerolled;
+    let around = Around { reserved: &reserved, by_reference: false, scalar: "S", direct: None, rerolled };
     let (text, _) = statements(function, bindings, &around);
     let solved = arrays(&text, ["a", "lambda"], "self.solved_()");
     let pose = arrays(&text, ["q", "v"], "self.pose_()");
@@ -172,8 +172,8 @@ fn branches(emission: &Emission, bindings: &Bindings) -> TokenStream {
     let count = number(equations.branches.len());
     let joints = equations.branches.iter().map(|branch| model.parts[branch.part].name.text.clone());
     let joints = joints.collect_vec();
-    let joints = if compact::is_long(joints.len()) {
-        let names = compact::names(emission, &joints);
+    let joints = if table_compression::is_long(joints.len()) {
+        let names = table_compression::names(emission, &joints);
         quote!({
             let names: &[&str; #count] = const { &#names };
             core::array::from_fn(|k| (names[k], value[k]))

@@ -48,7 +48,7 @@ pub(super) fn rk4(emission: &Emission) -> TokenStream {
     }
 }
 
-/// The same in the first chart, with angles whose sines and cosines need no branch.
+/// The step in the first chart, with angles whose sines and cosines need no branch.
 fn straight(emission: &Emission) -> TokenStream {
     let length = &emission.sizes.length;
     let (chart, rate) = match emission.form {
@@ -76,7 +76,7 @@ fn straight(emission: &Emission) -> TokenStream {
     let all = emission.list(STAGES.map_each(|[_, _, _, name]| of_stage(name)));
     let direct = (!looks_each && !angles.is_empty()).then(|| quote!(&& S::are_direct([#all])));
     quote! {
-        /// The same as a straight line; none where it is no such line.
+        /// The step without branches; none where it needs one.
         #[inline(always)]
         fn straight_rk4(
             &self, t: S, u: &Held<S>, x: &[S; #length], h: S

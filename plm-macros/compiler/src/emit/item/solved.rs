@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use super::super::{Emission, Sizes};
 use crate::derive::feeds_back;
 
-/// What gives them, and which of them redundancy leaves undetermined.
+/// Accelerations and multipliers of a state, and which of them redundancy leaves undetermined.
 pub(crate) fn solved(emission: &Emission) -> TokenStream {
     if emission.reactions().is_some() { of_tree(emission) } else { of_absolute(emission) }
 }
@@ -36,7 +36,7 @@ fn of_tree(emission: &Emission) -> TokenStream {
     }
 }
 
-/// By rung 5, and by rank where elimination is unhealthy.
+/// By absolute coordinates, and by rank where elimination is unhealthy.
 fn of_absolute(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { nq, nc, full, .. }, .. } = emission;
     // Forces that read the unknowns are known for independent constraints alone.

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 
 use super::super::contract::{limits, statics::MOST_LINES};
 use super::super::lower::{Bindings, inline};
-use super::super::{Emission, Form, Sizes, compact, docs, number};
+use super::super::{Emission, Form, Sizes, docs, number, table_compression};
 use crate::model::{Body, Start, State};
 
 /// `Starts`, and what assembly finds for them.
@@ -21,7 +21,7 @@ pub(crate) fn values(emission: &Emission) -> TokenStream {
         let docs = emission.text(docs::field(&[], &format!("State `{}`", state.name.text), &state.unit, ""));
         quote!(#docs pub #field: Start<S>,)
     });
-    let by_number = emission.rolled.then(|| by_number(emission));
+    let by_number = emission.rerolled.then(|| by_number(emission));
     quote! {
         /// Start values, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +31,7 @@ pub(crate) fn values(emission: &Emission) -> TokenStream {
         }
         #by_number
 
-        /// What assembly found.
+        /// Result of assembly.
         pub type Assembly<S = f64> = rt::Assembly<S, NQ, NC>;
     }
 }
@@ -67,7 +67,7 @@ fn by_number(emission: &Emission) -> TokenStream {
 pub(super) fn declared_values(emission: &Emission, bindings: &Bindings) -> TokenStream {
     let Emission { model, fields, .. } = emission;
     let states = model.states.iter().zip(&fields.states);
-    if !emission.rolled {
+    if !emission.rerolled {
         let bodies = model.bodies.iter().zip(&fields.bodies);
         let bodies = bodies.map(|(body, field)| format!("{field}: {}", body_start(body, bindings)));
         let states = states.map(|(state, field)| format!("{field}: {}", state_start(state, bindings)));
@@ -79,7 +79,7 @@ pub(super) fn declared_values(emission: &Emission, bindings: &Bindings) -> Token
         let start = |body: &Body| body.start.iter().chain(&body.start_velocity).nth(k).copied();
         let starts = model.bodies.iter().filter_map(start).collect_vec();
         let values = starts.iter().map(|start| inline(start.value, bindings)).collect_vec();
-        let (table, value) = compact::element(name, &values, "k");
+        let (table, value) = table_compression::element(name, &values, "k");
         let locked = starts.iter().map(|start| start.locked).collect_vec();
         let locked = match locked.first() {
             Some(first) if locked.iter().all(|locked| locked == first) => first.to_string(),
@@ -151,7 +151,7 @@ pub(crate) fn placed(emission: &Emission) -> TokenStream {
         .iter()
         .map(|body| body.centre.components().map_each(|component| inline(component, &bindings)));
     let states = fields.states.iter().zip(2 * nq..);
-    let (literals, starts) = if emission.rolled {
+    let (literals, starts) = if emission.rerolled {
         let states = states.map(|(field, k)| format!("start.{field}.value = x[{k}];\n")).collect_vec();
         let (tables, centre) = centre(&centres.collect_vec());
         let (tables, centre) = (emission.text(tables), emission.text(centre));
@@ -203,7 +203,7 @@ pub(crate) fn placed(emission: &Emission) -> TokenStream {
 pub(crate) fn centre(centres: &[[String; 2]]) -> (String, String) {
     let of_axis = |axis: usize, name| {
         let texts = centres.iter().map(|centre| centre[axis].clone()).collect_vec();
-        compact::element(name, &texts, "k")
+        table_compression::element(name, &texts, "k")
     };
     let [(x_table, x), (y_table, y)] = [of_axis(0, "centre_x"), of_axis(1, "centre_y")];
     (x_table + &y_table, format!("[{x}, {y}]"))
@@ -249,7 +249,7 @@ pub(crate) fn assembled(emission: &Emission) -> TokenStream {
     }
 }
 
-/// What is held with inputs, before anything is known of a state.
+/// Discrete state with inputs, before anything is known of a state.
 fn holding(emission: &Emission) -> TokenStream {
     let of_loops = match emission.form {
         Form::Loops(_) => {

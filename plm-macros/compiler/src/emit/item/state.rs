@@ -46,7 +46,7 @@ pub(crate) fn whole_pose(emission: &Emission, state: &TokenStream) -> TokenStrea
     if turns::are_counted(emission) { quote!(#state.whole_()) } else { quote!(#state.pose_()) }
 }
 
-/// The same with first-order states, in one row.
+/// Poses, velocities and first-order states, in one row.
 pub(crate) fn whole_state(emission: &Emission, state: &TokenStream) -> TokenStream {
     if !turns::are_counted(emission) {
         return quote!(#state.absolute_());
@@ -59,7 +59,7 @@ pub(crate) fn whole_state(emission: &Emission, state: &TokenStream) -> TokenStre
     }}
 }
 
-/// The state in coordinates of all bodies, which rung 5 gives the reactions of loops at, and equilibria and starts are told in.
+/// The state in absolute coordinates, where reactions of loops, equilibria and starts are computed.
 pub(crate) fn pose(emission: &Emission) -> TokenStream {
     let Sizes { nq, nx, full, second_order, .. } = &emission.sizes;
     let pose = match emission.form {
@@ -84,7 +84,7 @@ pub(crate) fn pose(emission: &Emission) -> TokenStream {
     let whole = turns::are_counted(emission).then(|| {
         let places = turns::in_pose(emission);
         quote! {
-            /// The same with all turns of the angles.
+            /// Poses and velocities with all revolutions of the angles.
             fn whole_(&self) -> ([S; #nq], [S; #nq]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, #places);

@@ -15,7 +15,7 @@ pub(crate) fn steps(emission: &Emission) -> TokenStream {
     joined(emission.model.steps.iter().map(|&step| one(emission, step)).collect_vec())
 }
 
-/// What a step says of itself, and its formula.
+/// A step: its documentation and its formula.
 fn one(emission: &Emission, step: Step) -> TokenStream {
     let (method, source, formula) = match step {
         Step::Rk4 => ("step_rk4", "the classical Runge-Kutta method of order 4", rk4::rk4(emission)),

@@ -6,16 +6,16 @@ use crate::emit::template::quote;
 use plm_cas::Expr;
 use proc_macro2::{Literal, TokenStream};
 
-use super::super::{Emission, compact, docs, number, quoted};
+use super::super::{Emission, docs, number, quoted, table_compression};
 use crate::model::{Instance, Name, Pair};
 use crate::numeric::value;
 use crate::reads::{Reads, reads};
 use crate::sorted::SortedMap;
-use crate::tables::{Figures, declared_values, exponents};
+use crate::tables::{NumericTable, declared_values, exponents};
 use crate::units::DisplayUnit;
 
 /// A value of the type `Tables`.
-pub(crate) fn tables(emission: &Emission, figures: &Figures) -> TokenStream {
+pub(crate) fn tables(emission: &Emission, numbers: &NumericTable) -> TokenStream {
     let Emission { model, shown, report, .. } = emission;
     let (name, docs) = (shown.to_string(), docs::trimmed(&model.docs));
     let known = declared_values(model);
@@ -32,17 +32,17 @@ pub(crate) fn tables(emission: &Emission, figures: &Figures) -> TokenStream {
         model.states.iter().map(|state| quantity(&state.name, &[], &state.unit, declared(state.start)));
     let [parameters, inputs, states] = [parameters.collect_vec(), inputs.collect_vec(), states.collect_vec()]
         .map_each(|rows| emission.lines(rows));
-    let (bodies, ground) = (bodies(emission, figures), ground(emission, figures));
-    let (parts, outputs) = (parts(emission, figures), emission.lines(outputs(emission)));
+    let (bodies, ground) = (bodies(emission, numbers), ground(emission, numbers));
+    let (parts, outputs) = (parts(emission, numbers), emission.lines(outputs(emission)));
     let reads = emission.lines(reads(model).iter().map(|row| reads_row(row.as_ref())));
-    let (rung, formulation, reason) =
-        (Literal::u8_unsuffixed(report.taken.rung), &report.taken.formulation, &report.taken.reason);
+    let (number, formulation, reason) =
+        (Literal::u8_unsuffixed(report.taken.number), &report.taken.formulation, &report.taken.reason);
     quote! {
         described::Tables {
             name: #name,
             docs: #docs,
             report: described::Report {
-                rung: #rung,
+                rung: #number,
                 formulation: #formulation,
                 reason: #reason,
                 operations: OPERATIONS,
@@ -60,15 +60,15 @@ pub(crate) fn tables(emission: &Emission, figures: &Figures) -> TokenStream {
     }
 }
 
-fn bodies(emission: &Emission, figures: &Figures) -> TokenStream {
+fn bodies(emission: &Emission, numbers: &NumericTable) -> TokenStream {
     let (bodies, mut rows) = (&emission.model.bodies, Vec::new());
     let (mut lists, mut known) = (Vec::new(), SortedMap::new());
-    for (body, first) in bodies.iter().zip(&figures.bodies) {
+    for (body, first) in bodies.iter().zip(&numbers.bodies) {
         let ports = quoted(body.ports.iter().map(|port| &port.name.text));
         let list = numbered(&mut lists, &mut known, format!("&[{ports}]"));
         rows.push([list, body.contour.len() as u32, *first as u32]);
     }
-    if !compact::is_long(bodies.len()) {
+    if !table_compression::is_long(bodies.len()) {
         let bodies = bodies.iter().zip(rows).map(|(body, [list, points, first])| {
             let (name, ports) = (&body.name.text, &lists[list as usize]);
             format!("described::Body {{ name: {name:?}, ports: {ports}, contour: {points}, first: {first} }}")
@@ -77,8 +77,9 @@ fn bodies(emission: &Emission, figures: &Figures) -> TokenStream {
         return quote!(&[#bodies]);
     }
     let names = bodies.iter().map(|body| body.name.text.clone()).collect_vec();
-    let (count, names, lists) = (number(names.len()), compact::names(emission, &names), emission.list(lists));
-    let rows = compact::numbers(emission, &rows.concat());
+    let (count, names, lists) =
+        (number(names.len()), table_compression::names(emission, &names), emission.list(lists));
+    let rows = table_compression::numbers(emission, &rows.concat());
     quote!(const { &rt::compact::bodies::<#count>(#names, &[#lists], &#rows) })
 }
 
@@ -91,18 +92,18 @@ fn numbered(texts: &mut Vec<String>, known: &mut SortedMap<String, u32>, text: S
     number
 }
 
-fn ground(emission: &Emission, figures: &Figures) -> TokenStream {
-    let ports = emission.model.ground.iter().zip(&figures.ground);
+fn ground(emission: &Emission, numbers: &NumericTable) -> TokenStream {
+    let ports = emission.model.ground.iter().zip(&numbers.ground);
     emission.lines(ports.map(|(port, place)| {
         let (name, moves, first) = (&port.name.text, place.moves, place.first);
         format!("described::GroundPort {{ name: {name:?}, moves: {moves}, first: {first} }}")
     }))
 }
 
-fn parts(emission: &Emission, figures: &Figures) -> TokenStream {
+fn parts(emission: &Emission, numbers: &NumericTable) -> TokenStream {
     let instances = &emission.model.instances;
-    if !compact::is_long(instances.len()) {
-        let parts = instances.iter().zip(&figures.parts).map(|(instance, first)| {
+    if !table_compression::is_long(instances.len()) {
+        let parts = instances.iter().zip(&numbers.parts).map(|(instance, first)| {
             let frames = instance.frames.iter().map(|(argument, frame)| {
                 let (body, port) = (frame.body, frame.port);
                 format!("described::Frame {{ argument: {argument:?}, body: {body:?}, port: {port} }}")
@@ -115,7 +116,7 @@ fn parts(emission: &Emission, figures: &Figures) -> TokenStream {
     let (mut kinds, mut known_kinds) = (Vec::new(), SortedMap::new());
     let (mut arguments, mut known_arguments) = (Vec::new(), SortedMap::new());
     let (mut rows, mut frames, mut names) = (Vec::new(), Vec::new(), Vec::new());
-    for (instance, first) in instances.iter().zip(&figures.parts) {
+    for (instance, first) in instances.iter().zip(&numbers.parts) {
         let kind = numbered(&mut kinds, &mut known_kinds, part(instance, "", "", 0));
         rows.extend_from_slice(&[kind, instance.frames.len() as u32, *first as u32]);
         names.push(instance.name.clone());
@@ -126,8 +127,8 @@ fn parts(emission: &Emission, figures: &Figures) -> TokenStream {
         }
     }
     let [count, of_frames] = [names.len(), frames.len() / 3].map_each(number);
-    let [rows, frames] = [rows, frames].map_each(|numbers| compact::numbers(emission, &numbers));
-    let (names, kinds) = (compact::names(emission, &names), emission.list(kinds));
+    let [rows, frames] = [rows, frames].map_each(|numbers| table_compression::numbers(emission, &numbers));
+    let (names, kinds) = (table_compression::names(emission, &names), emission.list(kinds));
     let arguments = emission.list(arguments);
     quote! {
         const {

@@ -1,6 +1,6 @@
 //! From a tape to statements that read as if a person had written them.
 //!
-//! What is used once stands where it is used, what is used again gets a `let` with the name that derivation gave it.
+//! A value that is used once stands where it is used, one that is used again gets a `let` with the name from derivation.
 //! The operations and their order are those of the tape, so that the interpreter is the oracle of the emitted code.
 
 use crate::collect::CollectVec;
@@ -8,16 +8,16 @@ use crate::sorted::SortedMap;
 use plm_cas::{Count, Expr, Op, Ref, Tape};
 
 mod blocks;
+mod fragment;
 pub(crate) mod names;
 mod parts;
-mod piece;
-mod rolled;
+mod rerolling;
 mod sines;
 mod statement;
 
+use self::fragment::{Fragment, literal};
 use self::names::Names;
 pub(super) use self::parts::{Part, Parts, parts};
-use self::piece::{Piece, literal};
 use self::sines::{angle_groups, is_pair};
 use self::statement::{Lines, Statement};
 use crate::formulate::{Function, Place};
@@ -29,7 +29,7 @@ const MOST_TERMS: usize = 8;
 /// Source text of every symbol that a function may read, e.g. `x[2]`, `self.damping`.
 pub(super) type Bindings = SortedMap<Expr, String>;
 
-/// What surrounds the statements of a function.
+/// Surroundings of the statements of a function.
 pub(super) struct Around<'a> {
     /// The names of its arguments.
     pub(super) reserved: &'a [&'a str],
@@ -40,13 +40,13 @@ pub(super) struct Around<'a> {
     /// Where it has an argument `DIRECT`: angles that this tells of, whether their sines and cosines need no branch.
     pub(super) direct: Option<&'a [Expr]>,
     /// Is what repeats itself written as loops?
-    pub(super) rolled: bool,
+    pub(super) rerolled: bool,
 }
 
 /// The statements of a function and its operations.
 pub(super) fn statements(function: &Function, bindings: &Bindings, around: &Around) -> (String, Count) {
-    let rolled = around.rolled.then(|| rolled::lower(function, bindings, around)).flatten();
-    let lines = rolled.unwrap_or_else(|| lower(function, bindings, around));
+    let rerolled = around.rerolled.then(|| rerolling::lower(function, bindings, around)).flatten();
+    let lines = rerolled.unwrap_or_else(|| lower(function, bindings, around));
     let count = lines.count;
     (blocks::with_literals(lines, around), count)
 }
@@ -58,7 +58,8 @@ pub(super) fn inline(expr: Expr, bindings: &Bindings) -> String {
     }
     let function = Function::of_results(vec![(Place::Value, expr)]);
     let reserved: Vec<&str> = bindings.values().map(String::as_str).chain(["lit"]).collect_vec();
-    let around = Around { reserved: &reserved, by_reference: true, scalar: "S", direct: None, rolled: false };
+    let around =
+        Around { reserved: &reserved, by_reference: true, scalar: "S", direct: None, rerolled: false };
     let lines = lower(&function, bindings, &around);
     match (&lines.value, lines.statements.is_empty()) {
         (Some((value, _)), true) => value.clone(),
@@ -104,11 +105,11 @@ struct Lowering<'a> {
     uses: Vec<u32>,
     /// Is the instruction a result by itself?
     is_result: Vec<bool>,
-    /// Text of the instructions before `pieces.len()`.
-    pieces: Vec<Piece>,
+    /// Text of the instructions before `fragments.len()`.
+    fragments: Vec<Fragment>,
     /// Has the instruction a name?
     named: Vec<bool>,
-    /// What has a name, where that is known: of a part of a function by the whole.
+    /// True for values with a name, where that is known: of a part of a function by the whole.
     known_names: Option<&'a [bool]>,
     /// Do names hold for every repetition of a loop?
     is_general: bool,
@@ -116,8 +117,8 @@ struct Lowering<'a> {
     known: SortedMap<usize, String>,
     /// Sines (by instruction) whose angles are coordinates, in groups that are computed together.
     groups: Vec<Vec<usize>>,
-    /// What was lowered before its turn.
-    early: SortedMap<usize, Piece>,
+    /// Values that were lowered before their turn.
+    early: SortedMap<usize, Fragment>,
     lines: Lines,
 }
 
@@ -141,7 +142,7 @@ impl<'a> Lowering<'a> {
         for &result in results {
             is_result[result] = true;
         }
-        let (pieces, named) = (Vec::with_capacity(tape.ops.len()), vec![false; tape.ops.len()]);
+        let (fragments, named) = (Vec::with_capacity(tape.ops.len()), vec![false; tape.ops.len()]);
         let (early, known_names) = (SortedMap::new(), None);
         Lowering {
             tape,
@@ -151,7 +152,7 @@ impl<'a> Lowering<'a> {
             names,
             uses,
             is_result,
-            pieces,
+            fragments,
             named,
             known_names,
             is_general: false,
@@ -173,20 +174,20 @@ impl<'a> Lowering<'a> {
 
     /// Lowers all instructions before `end`.
     fn lower_until(&mut self, end: usize) {
-        while self.pieces.len() < end {
-            let index = self.pieces.len();
-            let piece = if self.uses[index] == 0 { Piece::default() } else { self.lower(index) };
-            self.pieces.push(piece);
+        while self.fragments.len() < end {
+            let index = self.fragments.len();
+            let fragment = if self.uses[index] == 0 { Fragment::default() } else { self.lower(index) };
+            self.fragments.push(fragment);
         }
     }
 
-    fn lower(&mut self, index: usize) -> Piece {
-        if let Some(piece) = self.early.remove(&index) {
-            return piece;
+    fn lower(&mut self, index: usize) -> Fragment {
+        if let Some(fragment) = self.early.remove(&index) {
+            return fragment;
         }
         if let Some(text) = self.known.get(&index) {
-            let piece = Piece::atom(text.clone());
-            return if self.uses[index] > 1 { self.bind(index, piece) } else { piece };
+            let fragment = Fragment::atom(text.clone());
+            return if self.uses[index] > 1 { self.bind(index, fragment) } else { fragment };
         }
         let op = self.tape.ops[index].op;
         if let Op::Sin(angle) = op
@@ -195,20 +196,20 @@ impl<'a> Lowering<'a> {
             self.bind_sines(index, angle);
             return self.early.remove(&index).unwrap_or_default();
         }
-        let piece = self.piece(op);
-        if matches!(op, Op::Symbol(_)) && is_name(&piece.text) {
-            return piece;
+        let fragment = self.fragment(op);
+        if matches!(op, Op::Symbol(_)) && is_name(&fragment.text) {
+            return fragment;
         }
         let again = self.uses[index] > 1 && !matches!(op, Op::Number(_));
         let reads_symbol = matches!(op, Op::Symbol(_)) && !(self.uses[index] == 1 && self.is_result[index]);
         let is_named = match self.known_names {
             Some(named) => named[index],
-            None => again || reads_symbol || piece.terms > MOST_TERMS,
+            None => again || reads_symbol || fragment.terms > MOST_TERMS,
         };
-        if is_named { self.bind(index, piece) } else { piece }
+        if is_named { self.bind(index, fragment) } else { fragment }
     }
 
-    /// What the root of `max(0, a)` is the root of, where numbers below zero are refused by `DIRECT`.
+    /// The argument `a` of the root of `max(0, a)`, where numbers below zero are refused by `DIRECT`.
     fn above_zero(&self, root: Ref) -> Option<Ref> {
         let is_zero = |at: Ref| matches!(self.tape.ops[at.index()].op, Op::Number(0.0));
         match self.tape.ops[root.index()].op {
@@ -220,7 +221,7 @@ impl<'a> Lowering<'a> {
     }
 
     /// Gives a value a name.
-    fn bind(&mut self, index: usize, piece: Piece) -> Piece {
+    fn bind(&mut self, index: usize, fragment: Fragment) -> Fragment {
         self.named[index] = true;
         let hint = self.tape.ops[index].expr.and_then(Expr::name);
         let name = match hint {
@@ -230,33 +231,38 @@ impl<'a> Lowering<'a> {
         };
         let local = self.named(name);
         let (pattern, makes) = (local.text.clone(), local.reads.clone());
-        if let (Op::Symbol(_), Some((array, element))) = (self.tape.ops[index].op, element(&piece.text)) {
+        if let (Op::Symbol(_), Some((array, element))) = (self.tape.ops[index].op, element(&fragment.text)) {
             let array = array.to_owned();
             self.lines.statements.push(Statement::Read { local: local.reads[0], array, element });
             return local;
         }
-        self.lines.statements.push(Statement::Let { makes, pattern, value: piece.text, reads: piece.reads });
+        self.lines.statements.push(Statement::Let {
+            makes,
+            pattern,
+            value: fragment.text,
+            reads: fragment.reads,
+        });
         local
     }
 
     /// A new local by the name of a path of the model.
-    fn local(&mut self, path: &str) -> Piece {
+    fn local(&mut self, path: &str) -> Fragment {
         let name = self.names.unique(path);
         self.named(name)
     }
 
-    fn named(&mut self, name: String) -> Piece {
+    fn named(&mut self, name: String) -> Fragment {
         self.lines.locals.push(name.clone());
-        Piece { text: name, strength: 4, terms: 1, reads: vec![self.lines.locals.len() - 1] }
+        Fragment { text: name, strength: 4, terms: 1, reads: vec![self.lines.locals.len() - 1] }
     }
 
     /// Text of an operation on the texts of its operands.
-    fn piece(&self, op: Op) -> Piece {
-        let at = |operand: Ref| &self.pieces[operand.index()];
+    fn fragment(&self, op: Op) -> Fragment {
+        let at = |operand: Ref| &self.fragments[operand.index()];
         match op {
-            Op::Number(value) => Piece::atom(literal(value)),
+            Op::Number(value) => Fragment::atom(literal(value)),
             Op::Symbol(symbol) => {
-                Piece::atom(self.bindings.get(&symbol).cloned().unwrap_or_else(|| "()".to_owned()))
+                Fragment::atom(self.bindings.get(&symbol).cloned().unwrap_or_else(|| "()".to_owned()))
             }
             Op::Add(a, b) => match (self.product(a), self.product(b)) {
                 (_, Some([x, y])) => at(x).called("mul_add", &[at(y), at(a)]),
@@ -287,7 +293,9 @@ impl<'a> Lowering<'a> {
             Op::Min(a, b) => at(a).called("min", &[at(b)]),
             Op::Max(a, b) => at(a).called("max", &[at(b)]),
             Op::Less(a, b) => at(a).called("lt", &[at(b)]),
-            Op::Select(c, a, b) => Piece::call(&format!("{}::select", self.scalar), &[at(c), at(a), at(b)]),
+            Op::Select(c, a, b) => {
+                Fragment::call(&format!("{}::select", self.scalar), &[at(c), at(a), at(b)])
+            }
         }
     }
 
@@ -295,37 +303,37 @@ impl<'a> Lowering<'a> {
     /// product and sum, or fewer roundings with the feature `fma`: sums commute, and signs of factors pass through.
     fn product(&self, at: Ref) -> Option<[Ref; 2]> {
         match self.tape.ops[at.index()].op {
-            Op::Mul(x, y) if self.pieces[at.index()].strength == 2 => Some([x, y]),
+            Op::Mul(x, y) if self.fragments[at.index()].strength == 2 => Some([x, y]),
             _ => None,
         }
     }
 
-    fn negative(&self, at: Ref) -> Piece {
+    fn negative(&self, at: Ref) -> Fragment {
         match self.tape.ops[at.index()].op {
-            Op::Number(value) => Piece::atom(literal(-value)),
-            _ => self.pieces[at.index()].negated(),
+            Op::Number(value) => Fragment::atom(literal(-value)),
+            _ => self.fragments[at.index()].negated(),
         }
     }
 
     fn store(&mut self, place: &Place, value: usize) {
-        let piece = self.pieces[value].clone();
+        let fragment = self.fragments[value].clone();
         let place = match place {
             Place::Value => {
-                self.lines.value = Some((piece.text, piece.reads));
+                self.lines.value = Some((fragment.text, fragment.reads));
                 return;
             }
             Place::Element(array, i) => format!("{array}[{i}]"),
             Place::Entry(matrix, i, j) => format!("{matrix}[{i}][{j}]"),
             Place::Path(path) => path.clone(),
         };
-        self.lines.statements.push(Statement::Store { place, value: piece.text, reads: piece.reads });
+        self.lines.statements.push(Statement::Store { place, value: fragment.text, reads: fragment.reads });
     }
 
     /// Some values are what the function returns, as an array.
     fn list(&mut self, values: &[usize]) {
-        let pieces = values.iter().map(|&value| &self.pieces[value]);
+        let fragments = values.iter().map(|&value| &self.fragments[value]);
         let (texts, reads): (Vec<&str>, Vec<&[usize]>) =
-            pieces.map(|piece| (piece.text.as_str(), piece.reads.as_slice())).unzip();
+            fragments.map(|fragment| (fragment.text.as_str(), fragment.reads.as_slice())).unzip();
         self.lines.value = Some((format!("[{}]", texts.join(", ")), reads.concat()));
     }
 

@@ -13,7 +13,7 @@ const SHARED: &str = "shared";
 
 /// A function in two parts.
 pub(in super::super) struct Parts {
-    /// What the moving symbols do not enter; its value is the array `shared`.
+    /// The part that the moving symbols do not enter; its value is the array `shared`.
     pub(in super::super) still: Part,
     /// The rest, which reads `shared`.
     pub(in super::super) moving: Part,
@@ -31,7 +31,7 @@ pub(in super::super) struct Part {
     pub(in super::super) symbols: Vec<String>,
 }
 
-/// What surrounds a part, and where its symbols are found.
+/// Surroundings of a part, and where its symbols are found.
 pub(in super::super) type Surroundings<'a> = (&'a Bindings, &'a Around<'a>);
 
 /// Parts a function. `moving` are the symbols that enter the second part alone, where an element of `shared` is read by
@@ -77,9 +77,9 @@ fn part(lowering: Lowering, (bindings, around): Surroundings) -> Part {
     Part { text: blocks::with_literals(lowering.finish(), around), count, symbols }
 }
 
-/// What the first part gives to the second: values that no moving symbol enters, where the rest reads them.
+/// Values that the first part gives to the second: no moving symbol enters them, and the second part reads them.
 ///
-/// What stands within an operation of the rest at no cost stays there: factors of a product that its sum fuses, negations.
+/// Values within an operation of the second part at no cost stay there: factors of a product that its sum fuses, negations.
 /// So do conditions, which are no numbers.
 fn cuts(tape: &Tape, uses: &[u32], named: &[bool], (results, moving): (&[usize], &[Expr])) -> Vec<usize> {
     let mut is_still: Vec<bool> = Vec::with_capacity(tape.ops.len());

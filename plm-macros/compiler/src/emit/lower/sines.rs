@@ -4,7 +4,7 @@ use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Op, Ref, Tape};
 
 use super::Lowering;
-use super::piece::Piece;
+use super::fragment::Fragment;
 use super::statement::Statement;
 
 /// Numbers of angles whose sines and cosines fill a vector.
@@ -23,7 +23,7 @@ impl Lowering<'_> {
             return;
         }
         let by = if self.is_direct(angle) { "sin_cos_by::<DIRECT>" } else { "sin_cos" };
-        let angle = self.pieces[angle.index()].clone();
+        let angle = self.fragments[angle.index()].clone();
         let (sine, cosine) = self.local_pair(&angle);
         let pattern = format!("({}, {})", sine.text, cosine.text);
         let value = format!("{}.{by}()", angle.within(4));
@@ -48,8 +48,8 @@ impl Lowering<'_> {
             let angle = self.angle(angle.index());
             let (sine, cosine) = self.local_pair(&angle);
             makes.push_all([sine.reads[0], cosine.reads[0]]);
-            for (list, piece) in texts.iter_mut().zip([&sine, &cosine, &angle]) {
-                list.push(piece.text.clone());
+            for (list, fragment) in texts.iter_mut().zip([&sine, &cosine, &angle]) {
+                list.push(fragment.text.clone());
             }
             reads.extend(angle.reads);
             self.early.insert(index, sine);
@@ -68,17 +68,17 @@ impl Lowering<'_> {
     }
 
     /// A coordinate, before its turn if need be.
-    fn angle(&mut self, index: usize) -> Piece {
-        if let Some(piece) = self.pieces.get(index).or_else(|| self.early.get(&index)) {
-            return piece.clone();
+    fn angle(&mut self, index: usize) -> Fragment {
+        if let Some(fragment) = self.fragments.get(index).or_else(|| self.early.get(&index)) {
+            return fragment.clone();
         }
-        let piece = self.piece(self.tape.ops[index].op);
-        let bound = self.bind(index, piece);
+        let fragment = self.fragment(self.tape.ops[index].op);
+        let bound = self.bind(index, fragment);
         self.early.insert(index, bound.clone());
         bound
     }
 
-    fn local_pair(&mut self, angle: &Piece) -> (Piece, Piece) {
+    fn local_pair(&mut self, angle: &Fragment) -> (Fragment, Fragment) {
         let suffix =
             if angle.strength == 4 && angle.reads.len() == 1 { angle.text.as_str() } else { "angle" };
         (self.local(&format!("sin_{suffix}")), self.local(&format!("cos_{suffix}")))

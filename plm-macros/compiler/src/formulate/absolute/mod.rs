@@ -62,7 +62,7 @@ pub(crate) struct Absolute {
     pub(crate) instants: Function,
     /// `jump`: what rows do where conditions change, five terms each.
     pub(crate) jumps: Function,
-    /// What the user reads.
+    /// Outputs.
     pub(crate) outputs: Outputs,
     /// The linearised equations, where they are wanted.
     pub(crate) linearised: Option<Linearised>,

@@ -37,18 +37,18 @@ pub(crate) fn dense(model: &Model, motion: &Motion, force: &[[Expr; 3]]) -> Dens
     let mut momentum = vec![Vec2::ZERO; freedom];
     for (body, declared) in model.bodies.iter().enumerate() {
         let Moves { partial, bias } = &moves[body];
-        let class = motion.coordinates.headings[body].class;
+        let orientation = motion.coordinates.absolute_angles[body].orientation;
         let [x, y, torque] = force[body];
         for k in 0..freedom {
-            let (own, spin) = (declared.mass * partial[k], motion.turning_by(class, k));
+            let (own, spin) = (declared.mass * partial[k], motion.turning_by(orientation, k));
             let turned = declared.inertia * spin;
             for l in 0..=k {
-                let entry = own.dot(partial[l]) + turned * motion.turning_by(class, l);
+                let entry = own.dot(partial[l]) + turned * motion.turning_by(orientation, l);
                 *mass.or_insert((k, l), Expr::ZERO) += entry;
             }
             momentum[k] += own;
             applied[k] += partial[k].dot(Vec2::new(x, y)) + spin * torque;
-            turning[k] += own.dot(*bias) + turned * motion.turning_bias(class);
+            turning[k] += own.dot(*bias) + turned * motion.turning_bias(orientation);
         }
     }
     mass.retain(|&(k, l), entry| k == l || !entry.is_zero());
@@ -75,7 +75,7 @@ fn moves(model: &Model, motion: &Motion) -> Vec<Moves> {
                 beyond(model, motion, before, (edge, joint))
             }
             None => Moves {
-                partial: (0..still.partial.len()).map(|k| free(&motion.gains(k))).collect_vec(),
+                partial: (0..still.partial.len()).map(|k| free(&motion.coefficients(k))).collect_vec(),
                 bias: free(&motion.bias),
             },
         };
@@ -92,24 +92,25 @@ fn moves(model: &Model, motion: &Motion) -> Vec<Moves> {
 /// How G of a body moves beyond a joint.
 fn beyond(model: &Model, motion: &Motion, before: &Moves, (edge, joint): (&TreeEdge, usize)) -> Moves {
     let Moves { mut partial, mut bias } = before.clone();
-    let Way { slide, arms } = motion.way(model, edge, joint);
-    if let Some((slide, class, axis)) = slide {
-        let axis = motion.turned(class, axis);
+    let Way { displacement, arms } = motion.way(model, edge, joint);
+    if let Some((displacement, orientation, axis)) = displacement {
+        let axis = motion.turned(orientation, axis);
         for (k, partial) in partial.iter_mut().enumerate() {
-            *partial += motion.gain[slide][k] * axis;
+            *partial += motion.coefficient[displacement][k] * axis;
         }
         // Coriolis: 2 omega s'.
-        let coriolis = 2 * motion.turning[class] * motion.sliding(slide);
-        bias += motion.bias[slide] * axis + coriolis * axis.left();
+        let coriolis = 2 * motion.turning[orientation] * motion.rate_over_pace(displacement);
+        bias += motion.bias[displacement] * axis + coriolis * axis.left();
     }
-    for Arm { class, vector, at_rest } in arms {
+    for Arm { orientation, vector, at_rest } in arms {
         for (k, partial) in partial.iter_mut().enumerate() {
-            *partial += motion.turning_by(class, k) * vector.left();
+            *partial += motion.turning_by(orientation, k) * vector.left();
         }
-        if class == 0 {
+        if orientation == 0 {
             bias += at_rest.diff(model.time).diff(model.time);
         }
-        bias += motion.turning_bias(class) * vector.left() - motion.turning[class].squared() * vector;
+        bias +=
+            motion.turning_bias(orientation) * vector.left() - motion.turning[orientation].squared() * vector;
     }
     Moves { partial, bias }
 }

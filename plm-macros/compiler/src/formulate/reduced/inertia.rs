@@ -1,8 +1,8 @@
 //! The equations of motion in joint coordinates, as a dense symmetric system.
 //!
 //! `M_ij = sum over bodies of m J_i . J_j + I w_i w_j` with the partial velocities `J` of G (T. R. Kane, D. A. Levinson,
-//! Dynamics: Theory and Applications, 1985, chapter 6). Vectors are constant in the axes of their classes, so the sums
-//! over the bodies are constants, and what is left of a pair of classes is the cosine and the sine of the angle between
+//! Dynamics: Theory and Applications, 1985, chapter 6). Vectors are constant in the axes of their orientations, so the sums
+//! over the bodies are constants, and what is left of a pair of orientations is the cosine and the sine of the angle between
 //! them.
 
 use crate::collect::CollectVec;
@@ -27,14 +27,14 @@ pub(crate) struct Dense {
     pub(crate) turning: Vec<Expr>,
 }
 
-/// `factor R(theta_class) vector`.
+/// `factor R(theta_orientation) vector`.
 struct Term {
-    class: usize,
+    orientation: usize,
     factor: Expr,
     vector: Vec2,
 }
 
-/// Sums of `m u . w` and `m u x w` over the bodies, by (class of u, class of w, factor).
+/// Sums of `m u . w` and `m u x w` over the bodies, by (orientation of u, orientation of w, factor).
 type Sums = SortedMap<(usize, usize, Expr), (Vec<Expr>, Vec<Expr>)>;
 
 /// Sets up the equations; `force` are the applied forces at each G in absolute axes, without gravity.
@@ -60,12 +60,12 @@ pub(crate) fn dense(model: &Model, motion: &Motion, force: &[[Expr; 3]]) -> Dens
             multiply(motion, &mut moving[*i], declared.mass, (left, &bias));
             let [fx, fy, _] = force[body];
             for term in left {
-                let along = motion.turned(term.class, term.vector);
+                let along = motion.turned(term.orientation, term.vector);
                 let work = along.dot(Vec2::new(fx, fy));
                 applied[*i].push(term.factor * work);
             }
         }
-        if let Some(angle) = coordinates.angle_of_class[coordinates.headings[body].class] {
+        if let Some(angle) = coordinates.angle_of_orientation[coordinates.absolute_angles[body].orientation] {
             spin.or_insert((angle, angle), Vec::new()).push(declared.inertia);
             applied[angle].push(force[body][2]);
         }
@@ -118,12 +118,12 @@ pub(crate) fn along_independent(dense: &Dense, motion: &Motion) -> Dense {
     let independent = motion.independent.len();
     let (mut mass, mut force, mut turning) = (SortedMap::new(), Vec::new(), Vec::new());
     for j in 0..independent {
-        let column = motion.gains(j);
+        let column = motion.coefficients(j);
         let moved = times(dense, &column).into_iter().enumerate();
         let moved = moved.map(|(i, entry)| entry.named(format!("momentum_{j}_{i}")));
         let moved: Vec<Expr> = moved.collect_vec();
         for i in j..independent {
-            let entry = dot(&motion.gains(i), &moved);
+            let entry = dot(&motion.coefficients(i), &moved);
             if i == j || !entry.is_zero() {
                 mass.insert((i, j), entry);
             }
@@ -158,7 +158,7 @@ fn against_gravity(model: &Model) -> Term {
         (_, true) => (against.x, Vec2::X),
         _ => (Expr::ONE, against),
     };
-    Term { class: 0, factor, vector }
+    Term { orientation: 0, factor, vector }
 }
 
 /// Over how many pairs of unknowns the sums go, body by body.
@@ -171,13 +171,13 @@ pub(crate) fn pairs(motion: &Motion) -> usize {
 fn partial_velocities(motion: &Motion, place: &Chain) -> Vec<(usize, Vec<Term>)> {
     let coordinates = motion.coordinates;
     let mut columns: SortedMap<usize, Vec<Term>> = SortedMap::new();
-    for (class, slide, vector) in place.terms() {
-        let factor = slide.map_or(Expr::ONE, |slide| motion.value[slide]);
-        if let Some(angle) = coordinates.angle_of_class[class] {
-            columns.or_insert(angle, Vec::new()).push(Term { class, factor, vector: vector.left() });
+    for (orientation, displacement, vector) in place.terms() {
+        let factor = displacement.map_or(Expr::ONE, |displacement| motion.value[displacement]);
+        if let Some(angle) = coordinates.angle_of_orientation[orientation] {
+            columns.or_insert(angle, Vec::new()).push(Term { orientation, factor, vector: vector.left() });
         }
-        if let Some(slide) = slide {
-            columns.or_insert(slide, Vec::new()).push(Term { class, factor: Expr::ONE, vector });
+        if let Some(displacement) = displacement {
+            columns.or_insert(displacement, Vec::new()).push(Term { orientation, factor: Expr::ONE, vector });
         }
     }
     columns.into_iter().collect_vec()
@@ -186,42 +186,46 @@ fn partial_velocities(motion: &Motion, place: &Chain) -> Vec<(usize, Vec<Term>)>
 /// The acceleration of a place while the second derivatives of the coordinates are zero; with a pace, over its square.
 fn bias(model: &Model, motion: &Motion, place: &Chain) -> Vec<Term> {
     let mut terms = Vec::new();
-    for (class, slide, vector) in place.terms() {
-        let omega = motion.turning[class];
+    for (orientation, displacement, vector) in place.terms() {
+        let omega = motion.turning[orientation];
         let squared = omega.squared();
-        let factor = slide.map_or(squared, |slide| squared * motion.value[slide]);
-        terms.push(Term { class, factor, vector: -vector });
-        if let Some(slide) = slide {
+        let factor = displacement.map_or(squared, |displacement| squared * motion.value[displacement]);
+        terms.push(Term { orientation, factor, vector: -vector });
+        if let Some(displacement) = displacement {
             // Coriolis: 2 omega s'.
-            let turning = omega * motion.sliding(slide);
-            terms.push(Term { class, factor: turning + turning, vector: vector.left() });
+            let turning = omega * motion.rate_over_pace(displacement);
+            terms.push(Term { orientation, factor: turning + turning, vector: vector.left() });
         }
-        if class == 0 && slide.is_none() {
+        if orientation == 0 && displacement.is_none() {
             let moved = vector.diff(model.time).diff(model.time);
-            terms.push(Term { class, factor: Expr::ONE, vector: moved });
+            terms.push(Term { orientation, factor: Expr::ONE, vector: moved });
         }
     }
     terms.retain(|term| !term.factor.is_zero() && !term.vector.is_zero());
     terms
 }
 
-/// Adds the products of two sums of vectors, times a mass; those of two classes over the classes' bases.
+/// Adds the products of two sums of vectors, times a mass; those of two orientations over the orientations' bases.
 fn multiply(motion: &Motion, into: &mut Sums, mass: Expr, (left, right): (&[Term], &[Term])) {
     for a in left {
         for b in right {
             let over_base = |term: &Term| {
-                if a.class == b.class { term.vector } else { motion.over_base(term.class, term.vector) }
+                if a.orientation == b.orientation {
+                    term.vector
+                } else {
+                    motion.over_base(term.orientation, term.vector)
+                }
             };
             let products = Products::of(over_base(a), over_base(b));
             let factor = a.factor * b.factor;
-            let (dots, crosses) = into.or_insert((a.class, b.class, factor), Default::default());
+            let (dots, crosses) = into.or_insert((a.orientation, b.orientation, factor), Default::default());
             dots.push(mass * products.dot);
             crosses.push(mass * products.cross);
         }
     }
 }
 
-/// `sum of factor (C sum(m u . w) - S sum(m u x w))` where C, S are scalar and cross product of the bases of the class of
+/// `sum of factor (C sum(m u . w) - S sum(m u x w))` where C, S are scalar and cross product of the bases of the orientation of
 /// `u` and of that of `w`.
 fn collect(motion: &Motion, sums: Sums) -> Expr {
     let terms = sums.into_iter().map(|((a, b, factor), (dots, crosses))| {

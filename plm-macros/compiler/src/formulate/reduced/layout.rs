@@ -1,4 +1,4 @@
-//! What the functions of all charts are laid out from.
+//! Layout of the functions of all charts.
 
 use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
@@ -10,7 +10,7 @@ use crate::formulate::reduced::motion::memory::Memory;
 use crate::formulate::{Function, Reads};
 use crate::model::Model;
 
-/// What all charts share.
+/// Data that all charts share.
 pub(crate) struct Layout<'a> {
     pub(crate) model: &'a Model,
     pub(crate) equations: &'a Equations,
@@ -33,7 +33,7 @@ pub(crate) fn loads(model: &Model, motion: &Motion) -> Vec<[Expr; 3]> {
 }
 
 impl Layout<'_> {
-    /// What a rate reads of the state.
+    /// Reads of a rate among the state.
     pub(super) fn reads(&self, motion: &Motion, rate: &Function) -> Reads {
         let [y, y_dot] = [&motion.value, &motion.rate].map(|of| motion.of_independent(of));
         Reads::of(rate, [&y, &y_dot, &self.equations.x])

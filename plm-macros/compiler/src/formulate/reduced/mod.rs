@@ -1,4 +1,4 @@
-//! Rungs 2 to 4: joint coordinates. A tree needs nothing else; the loops of other mechanisms are solved in closed form,
+//! Joint coordinates: formulations 1 to 4. A tree needs nothing else; the loops of other mechanisms are solved in closed form,
 //! dyad by dyad, or by Newton's iteration where they do not split, so that no constraint is left that could drift.
 
 mod bodies;
@@ -45,7 +45,7 @@ const FEW_PAIRS: usize = 4;
 /// ... and partial velocities where it has more; between them both are tried.
 const MANY_PAIRS: usize = 12;
 
-/// Everything that a rung above 5 computes.
+/// All functions of a formulation in joint coordinates.
 pub(crate) struct Reduced {
     /// Choices of coordinates, the best first; a tree has one.
     pub(crate) charts: Vec<Chart>,
@@ -65,7 +65,7 @@ impl Reduced {
         self.charts.first().map_or(0, |chart| chart.y.len())
     }
 
-    /// Is it rung 3 or 4?
+    /// True for joint coordinates with loops.
     pub(crate) fn has_loops(&self) -> bool {
         !self.memory.is_empty()
     }
@@ -80,7 +80,7 @@ impl Reduced {
         self.charts.iter().all(|chart| chart.jacobian.is_some())
     }
 
-    /// Is it rung 4?
+    /// True if loops are solved by Newton's iteration.
     pub(crate) fn iterates(&self) -> bool {
         !self.followed.is_empty()
     }
@@ -97,8 +97,8 @@ pub(crate) struct Chart {
     pub(crate) names: Vec<String>,
     /// The body whose angle the coordinate is, if it is one.
     pub(crate) turning: Vec<Option<usize>>,
-    /// Which coordinates move no loop.
-    pub(crate) loose: Vec<bool>,
+    /// True for free coordinates: those that move no loop.
+    pub(crate) free: Vec<bool>,
     /// The angles that its loops give: places in [`Reduced::turning`].
     pub(crate) found: Vec<usize>,
     /// The part or body that each coordinate belongs to.
@@ -143,10 +143,10 @@ struct Form {
     rate: Function,
 }
 
-/// Lays out rung 1, 2 or 3.
+/// Lays out a formulation in joint coordinates.
 ///
 /// # Errors
-/// Why the mechanism has neither: words that go on "rung 5 because …".
+/// Why the mechanism has neither: words that go on "absolute coordinates because …".
 pub(crate) fn formulate(model: &Model, equations: &Equations, known: Known) -> Result<Reduced, String> {
     let coordinates = Coordinates::new(model)?;
     let schemes = schemes(model, equations, &coordinates, known)?;
@@ -238,7 +238,7 @@ impl Layout<'_> {
         let parts = names.iter().map(|name| owner(name).to_owned());
         let turning = |&unknown: &usize| coordinates.unknowns[unknown].turning_body();
         let in_loops: Vec<usize> = scheme.loops().flat_map(Group::unknowns).collect_vec();
-        let is_loose = |k: usize| in_loops.iter().all(|&unknown| motion.gain[unknown][k].is_zero());
+        let is_free = |k: usize| in_loops.iter().all(|&unknown| motion.coefficient[unknown][k].is_zero());
         let remember = loops.then(|| self.remember(scheme, &motion));
         // Where a pose is read nothing is held.
         let remember_pose = loops.then(|| self.remember_pose(scheme).substitute(&model.released));
@@ -268,7 +268,7 @@ impl Layout<'_> {
             names,
             turning: motion.independent.iter().map(turning).collect_vec(),
             found: coordinates.places_of_angles(&in_loops),
-            loose: (0..motion.independent.len()).map(is_loose).collect_vec(),
+            free: (0..motion.independent.len()).map(is_free).collect_vec(),
             y: motion.of_independent(&motion.value),
             y_dot: motion.of_independent(&motion.rate),
             method,
@@ -375,11 +375,11 @@ fn pose(model: &Model, motion: &Motion) -> Function {
     let coordinates = motion.coordinates;
     let (mut q, mut v) = (Vec::new(), Vec::new());
     for body in 0..model.bodies.len() {
-        let heading = coordinates.headings[body];
+        let absolute_angle = coordinates.absolute_angles[body];
         q.push_all(motion.position[body].components());
-        q.push(motion.angle(heading));
+        q.push(motion.angle(absolute_angle));
         v.push_all(motion.velocity[body].components());
-        v.push(motion.omega[heading.class]);
+        v.push(motion.omega[absolute_angle.orientation]);
     }
     let mut results = stored("q", q.iter());
     results.extend(stored("v", v.iter()));

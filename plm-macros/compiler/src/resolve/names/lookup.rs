@@ -76,7 +76,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// A name that stands for a number may not be the name of a unit: `10 N/m` could not be told apart.
-    /// What it is to stand for tells which name would do.
+    /// The dimension that it is to stand for tells which name would do.
     pub(crate) fn refuse_unit_name(&mut self, scope: ScopeId, name: &IndexedName, of: Option<Dimension>) {
         let text = &name.ident.text;
         if let Some(unit) = unit(text).filter(|_| name.indices.is_empty()) {

@@ -9,8 +9,8 @@ use crate::sorted::{SortedMap, SortedSet};
 use std::borrow::Cow;
 
 use crate::diag::Use;
-use crate::resolve::settle::warnings::Readable;
-use crate::resolve::things::part::PartInUse;
+use crate::resolve::declarations::part::PartInUse;
+use crate::resolve::finalise::warnings::Readable;
 use crate::resolve::values::Value;
 use crate::resolve::values::expect::Wanted;
 use crate::resolve::values::lazy::Lazy;
@@ -29,7 +29,7 @@ pub(crate) struct Names<'a> {
     pub(crate) slots: Vec<Slot<'a>>,
     /// Parts in use, those inside of others too.
     pub(crate) instances: Vec<PartInUse<'a>>,
-    /// What is chosen, and between what.
+    /// Chosen option of each choice, and all of them.
     pub(crate) choices: Vec<(&'a str, Vec<&'a str>)>,
     /// Slots to evaluate even if nothing reads them: their mistakes count.
     pub(crate) checks: Vec<SlotId>,
@@ -60,7 +60,7 @@ pub(crate) struct Slot<'a> {
     pub(crate) span: Span,
     /// Has an expression named it?
     pub(crate) is_read: bool,
-    /// What its value is worked out from.
+    /// The expression that gives its value.
     pub(crate) thunk: Option<Thunk<'a>>,
     pub(crate) value: Lazy<Value>,
 }

@@ -1,4 +1,4 @@
-//! What is said of a name that there is not.
+//! Help for unknown names.
 
 use crate::collect::CollectVec;
 use crate::diag::{Code, help_similar, nearest};
@@ -113,7 +113,7 @@ impl Resolver<'_> {
     }
 }
 
-/// What functions of other languages are here.
+/// Equivalents of functions of other languages.
 pub(crate) fn function_elsewhere(name: &str, arguments: &[ast::Expr]) -> Option<String> {
     Some(match (name, arguments) {
         ("pow" | "powi" | "powf", [base, exponent]) => match (text_of(base), text_of(exponent)) {

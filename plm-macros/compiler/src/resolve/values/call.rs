@@ -200,6 +200,6 @@ impl<'a> Resolver<'a> {
     fn multiplier(&mut self, scope: ScopeId, row: &'a ast::Expr) -> Eval<Scalar> {
         let row = self.lookup_row(scope, row)?;
         let dimension = Dimension::TORQUE.over(self.row(row)?.dimension).plain();
-        Ok(Quantity::new(self.draft.rows[row].lambda, Nature::derived(dimension, Reads::REACTION)))
+        Ok(Quantity::new(self.unresolved.rows[row].lambda, Nature::derived(dimension, Reads::REACTION)))
     }
 }

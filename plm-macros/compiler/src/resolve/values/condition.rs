@@ -68,7 +68,7 @@ impl<'a> Resolver<'a> {
     ) {
         let [Some(first), Some(second)] = [first, second].map(side_text) else { return };
         let text = format!("{first} {} {second}", operator.text());
-        self.draft.comparisons.push(Comparison { of: [of.0, of.1], text });
+        self.unresolved.comparisons.push(Comparison { of: [of.0, of.1], text });
     }
 
     /// Equality is for choices; that of two computed numbers is an accident.

@@ -1,4 +1,4 @@
-//! What a place expects, and what is said when something else stands there.
+//! Expectations of a place, and the error when something else stands there.
 
 use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Number};
@@ -10,7 +10,7 @@ use crate::resolve::values::{Additive, Eval, Failed, Form, Nature, Quantity, Rea
 use crate::syntax::ast::{self, ExprKind};
 use crate::units::Dimension;
 
-/// What a place expects.
+/// Kind of value that a place expects.
 #[derive(Clone, Copy)]
 pub(crate) enum Wanted {
     /// Anything.
@@ -21,7 +21,7 @@ pub(crate) enum Wanted {
     Body,
     /// A node of a domain: index into the resolver's list.
     Port(usize),
-    /// What a node is declared as: its across quantity, or another node of its domain.
+    /// Value of a node: its across quantity, or another node of its domain.
     Node(usize),
     /// A number of a dimension that reads no more than it may.
     Number(Dimension, Reads),
@@ -168,7 +168,7 @@ impl<'a> Resolver<'a> {
         found: &Value,
     ) -> Failed {
         let ports = match found {
-            Value::Body(body) if wanted == "a frame" => self.draft.port_names(*body),
+            Value::Body(body) if wanted == "a frame" => self.unresolved.port_names(*body),
             _ => Vec::new(),
         };
         let message = format!("expected {wanted}, found {}", found.kind());
@@ -272,7 +272,7 @@ pub(crate) fn text_of(expr: &ast::Expr) -> Option<String> {
     }
 }
 
-/// What to show in an example where there is no literal to repeat.
+/// Text of an example where there is no literal to repeat.
 fn blank(text: &str) -> &str {
     if text.starts_with("a ") { "1" } else { text }
 }

@@ -16,7 +16,7 @@ pub(crate) struct Function {
     pub(crate) meaning: Meaning,
 }
 
-/// What a function does with its arguments.
+/// Meaning of a function.
 pub(crate) enum Meaning {
     OfOne(OfOne),
     /// Of numbers of one dimension, which the result has too.

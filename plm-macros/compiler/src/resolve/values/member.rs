@@ -7,22 +7,22 @@ use plm_cas::algebra::{Rotation, Vec2};
 use crate::diag::{Code, help_similar, nearest};
 use crate::model::FrameRef;
 use crate::resolve::Resolver;
+use crate::resolve::declarations::body::UnresolvedBody;
+use crate::resolve::declarations::frame::FrameGeometry;
+use crate::resolve::declarations::part::PartInUse;
 use crate::resolve::names::ScopeId;
-use crate::resolve::things::body::BodyDraft;
-use crate::resolve::things::frame::FrameGeometry;
-use crate::resolve::things::part::PartInUse;
 use crate::resolve::values::member_table::{Member, Of, Owner};
 use crate::resolve::values::{Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::syntax::ast::IndexedName;
 use crate::units::Dimension;
 
-/// What the members of a body, at its G, or of a frame are read from.
+/// Pose from which the members of a body, at its G, or of a frame are read.
 struct Pose {
     body: Option<usize>,
     position: Vec2,
     angle: Expr,
     rotation: Rotation,
-    /// What it reads, what its rate reads, and what the rate of that reads.
+    /// Reads of it, of its rate, and of the rate of that.
     reads: [Reads; 3],
 }
 
@@ -70,12 +70,12 @@ impl<'a> Resolver<'a> {
 
     /// A port of a body or of the ground, or what its pose gives.
     pub(crate) fn body_member(&mut self, body: Option<usize>, name: &str) -> Option<Value> {
-        if let Some(port) = self.draft.port_index(body, name) {
+        if let Some(port) = self.unresolved.port_index(body, name) {
             return Some(Value::Frame(FrameRef { body, port }));
         }
         let pose = match body {
             Some(index) => {
-                let BodyDraft { q: [x, y, angle], rotation, .. } = self.draft.bodies[index];
+                let UnresolvedBody { q: [x, y, angle], rotation, .. } = self.unresolved.bodies[index];
                 let reads = [Reads::POSITION, Reads::VELOCITY, Reads::ACCELERATION];
                 Pose { body, position: Vec2::new(x, y), angle, rotation, reads }
             }
@@ -124,8 +124,9 @@ impl<'a> Resolver<'a> {
         let is_shown = [Code::UnknownPort, Code::UnknownMember].iter().all(|of| self.sink.shows(*of));
         match value {
             Value::Body(body) => {
-                let ports = if is_shown { self.draft.port_names(*body) } else { Vec::new() };
-                let of = body.map_or("ground".to_string(), |body| self.draft.bodies[body].name.text.clone());
+                let ports = if is_shown { self.unresolved.port_names(*body) } else { Vec::new() };
+                let of =
+                    body.map_or("ground".to_string(), |body| self.unresolved.bodies[body].name.text.clone());
                 let names: Vec<&str> = ports.iter().map(String::as_str).collect_vec();
                 let message = format!("unknown port `{name}` of `{of}`");
                 let diagnostic = self.error(scope, Code::UnknownPort, span, message);
@@ -144,7 +145,7 @@ impl<'a> Resolver<'a> {
             }
             Value::Node(node) => {
                 let names = self.members_of_node(*node);
-                let message = format!("the node `{}` has no `{name}`", self.draft.nodes[*node].name);
+                let message = format!("the node `{}` has no `{name}`", self.unresolved.nodes[*node].name);
                 let diagnostic = self.error(scope, Code::UnknownMember, span, message);
                 help_similar(diagnostic, name, "member", "members of the node", &names);
             }
@@ -167,12 +168,12 @@ impl<'a> Resolver<'a> {
     }
 }
 
-/// What the rate of a place reads: a place that depends on the time alone has a rate that does so too.
+/// Reads of the rate of a place: a place that depends on the time alone has a rate that does so too.
 fn moving(reads: Reads) -> Reads {
     if reads.has(Reads::POSITION) { reads.and(Reads::VELOCITY) } else { reads }
 }
 
-/// What the rate of its rate reads.
+/// Reads of the rate of its rate.
 fn accelerating(reads: Reads) -> Reads {
     if reads.has(Reads::POSITION) { moving(reads).and(Reads::ACCELERATION) } else { reads }
 }

@@ -3,7 +3,7 @@
 use crate::collect::CollectVec;
 use Of::{Angle, Axis, Body, Normal, Position, X, Y};
 
-/// What has members.
+/// Values with members.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Owner {
     Body,
@@ -16,13 +16,13 @@ pub(crate) struct Member {
     pub(crate) of: Of,
     /// How often it is derived with respect to time.
     pub(crate) order: u8,
-    /// What has it.
+    /// Its owners.
     owners: &'static [Owner],
     /// Where it is shown, in this order, when bodies and ports are observed.
     observed: &'static [Owner],
 }
 
-/// What a member, or what it is a derivative of, is in a pose.
+/// Quantity of a pose that a member is, or of which it is a derivative.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Of {
     /// The first component of the position, m.
@@ -84,7 +84,7 @@ impl Member {
         MEMBERS.iter().filter(|member| member.owners.contains(&owner)).map(|member| member.name).collect_vec()
     }
 
-    /// What is shown of a body at its centre of gravity, or of a port.
+    /// Observed members of a body at its centre of gravity, or of a port.
     pub(crate) fn observed(owner: Owner) -> impl Iterator<Item = &'static Member> {
         MEMBERS.iter().filter(move |member| member.observed.contains(&owner))
     }

@@ -1,4 +1,4 @@
-//! What an expression of the language stands for.
+//! Values of expressions of the language.
 
 mod call;
 mod condition;
@@ -38,7 +38,7 @@ pub(crate) enum Value {
     Scalar(Scalar),
     /// A vector in absolute axes, or any pair of one dimension.
     Vector(Vector),
-    /// What `if` asks for.
+    /// Condition of an `if`.
     Condition(Condition, Reads),
     /// A frame of a body or of the ground.
     Frame(FrameRef),
@@ -93,7 +93,7 @@ pub(crate) enum Condition {
 #[derive(Clone, Copy)]
 pub(crate) struct Failed;
 
-/// What evaluation gives.
+/// Result of evaluation.
 pub(crate) type Eval<T> = Result<T, Failed>;
 
 /// All values, or the first failure; every one is worked out, so that the mistakes of all are found.

@@ -9,7 +9,7 @@ use plm_cas::algebra::Vec2;
 use crate::resolve::values::Condition;
 use crate::units::Dimension;
 
-/// What an expression reads, as a set; it decides where the expression may stand.
+/// Reads of an expression, as a set; it decides where the expression may stand.
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Reads(u16);
 
@@ -24,13 +24,13 @@ impl Reads {
     pub(crate) const ACCELERATION: Reads = Reads(64);
     pub(crate) const REACTION: Reads = Reads(128);
 
-    /// What is known before the run: parameters.
+    /// Reads that are known before the run: parameters.
     pub(crate) const FIXED: Reads = Reads::PARAM;
-    /// What a place may depend on: parameters and the time.
+    /// Reads that a place may have: parameters and the time.
     pub(crate) const SCHEDULED: Reads = Reads::PARAM.and(Reads::TIME);
-    /// What a constraint may hold.
+    /// Reads that a constraint may have.
     pub(crate) const GEOMETRY: Reads = Reads::SCHEDULED.and(Reads::POSITION);
-    /// What is known at a state: everything but the unknowns of the equations of motion.
+    /// Reads that are known at a state: everything but the unknowns of the equations of motion.
     pub(crate) const KNOWN: Reads = Reads::GEOMETRY.and(Reads::INPUT).and(Reads::STATE).and(Reads::VELOCITY);
     /// Everything.
     pub(crate) const ALL: Reads = Reads(255);
@@ -54,7 +54,7 @@ impl Reads {
         self.0 & other.0 != 0
     }
 
-    /// What is left without the others.
+    /// The set without the others.
     pub(crate) fn beyond(self, allowed: Reads) -> Reads {
         Reads(self.0 & !allowed.0)
     }
@@ -160,13 +160,13 @@ impl<T> Quantity<T> {
     }
 }
 
-/// What can be added, compared with zero and chosen between: a number or a vector.
+/// Values that can be added, compared with zero and chosen between: a number or a vector.
 pub(crate) trait Additive:
     Copy + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self>
 {
     fn is_zero(self) -> bool;
 
-    /// What `of` makes of each component.
+    /// Applies `of` to each component.
     fn each(self, of: impl FnMut(Expr) -> Expr) -> Self;
 
     /// `yes` where the condition holds, else `no`.

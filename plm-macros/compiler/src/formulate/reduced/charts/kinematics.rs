@@ -9,7 +9,7 @@ use crate::formulate::reduced::motion::memory::Memory;
 use crate::model::Model;
 
 /// Solves the groups of a scheme, one after the other. Coordinates that are angles or centres keep the symbols of their
-/// bodies; slides get their own.
+/// bodies; displacements get their own.
 pub(crate) fn kinematics<'a>(
     model: &Model,
     coordinates: &'a Coordinates,
@@ -23,15 +23,15 @@ pub(crate) fn kinematics<'a>(
         let (value, rate) = symbols(model, coordinates.unknowns[unknown]);
         motion.pace = paced.then_some(rate);
         (motion.value[unknown], motion.rate[unknown]) = (value, rate);
-        for gains in &mut motion.gain {
-            gains.push(Expr::ZERO);
+        for coefficients in &mut motion.coefficient {
+            coefficients.push(Expr::ZERO);
         }
-        motion.gain[unknown][place] = Expr::ONE;
+        motion.coefficient[unknown][place] = Expr::ONE;
         motion.independent.push(unknown);
-        if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-            motion.rotation[class] = Rotation::by(value);
-            motion.omega[class] = rate;
-            motion.turning[class] = if paced { Expr::ONE } else { rate };
+        if let Unknown::Angle { orientation, .. } = coordinates.unknowns[unknown] {
+            motion.rotation[orientation] = Rotation::by(value);
+            motion.omega[orientation] = rate;
+            motion.turning[orientation] = if paced { Expr::ONE } else { rate };
         }
     }
     for group in &scheme.groups {
@@ -39,7 +39,7 @@ pub(crate) fn kinematics<'a>(
         group.solve(&mut motion, (memory, place));
     }
     motion.pose_bodies(model);
-    motion.substitute_headings(model);
+    motion.substitute_absolute_angles(model);
     motion
 }
 
@@ -47,7 +47,7 @@ fn symbols(model: &Model, unknown: Unknown) -> (Expr, Expr) {
     match unknown {
         Unknown::Angle { body, .. } => (model.bodies[body].q[2], model.bodies[body].v[2]),
         Unknown::Centre { body, axis } => (model.bodies[body].q[axis], model.bodies[body].v[axis]),
-        Unknown::Slide { part } => {
+        Unknown::Displacement { part } => {
             let name = &model.parts[part].name.text;
             (Expr::symbol(format!("s_{name}")), Expr::symbol(format!("v_{name}")))
         }

@@ -9,14 +9,14 @@ use crate::collect::{CollectVec, PushAll};
 use crate::formulate::reduced::groups::Group;
 use crate::formulate::reduced::groups::newton::MOST_UNKNOWNS;
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
-use crate::model::{Model, Rung};
+use crate::model::{Formulation, Model};
 use crate::sorted::sort_by_key;
 use crate::topology::{Block, Choice, Equation, independent_sets};
 
 /// Charts beyond the degrees of freedom; more would be code that hardly ever runs.
-const SPARE_CHARTS: usize = 3;
-/// The same where blocks are solved by Newton's iteration, whose code is long.
-const SPARE_LONG_CHARTS: usize = 1;
+const ALTERNATIVE_CHARTS: usize = 3;
+/// Charts beyond the degrees of freedom where blocks are solved by Newton's iteration, whose code is long.
+const ALTERNATIVE_LONG_CHARTS: usize = 1;
 
 /// Choices that are looked at until those are found.
 const MOST_TRIED: usize = 64;
@@ -46,10 +46,10 @@ impl Scheme {
 /// The charts of a mechanism, the best first; a tree has one, of all its unknowns.
 ///
 /// # Errors
-/// Why there is none: words that go on "rung 5 because …".
+/// Why there is none: words that go on "absolute coordinates because …".
 pub(crate) fn schemes(model: &Model, coordinates: &Coordinates) -> Result<Vec<Scheme>, String> {
     let n = coordinates.unknowns.len();
-    if let (Some((Rung::Tree, _)), Some(&chord)) = (model.rung, coordinates.chords.first()) {
+    if let (Some((Formulation::Tree, _)), Some(&chord)) = (model.formulation, coordinates.chords.first()) {
         return Err(format!("`{}` closes a loop", model.parts[coordinates.joints[chord].part].name.text));
     }
     let equations = equations(coordinates);
@@ -83,13 +83,15 @@ pub(crate) fn split(
         return Err("its constraints are redundant".to_owned());
     };
     let blocks = best.blocks.clone();
-    let (closed, spare) = (best.closed, if best.closed { SPARE_CHARTS } else { SPARE_LONG_CHARTS });
+    let (closed, alternatives) =
+        (best.closed, if best.closed { ALTERNATIVE_CHARTS } else { ALTERNATIVE_LONG_CHARTS });
     let scheme = |choice: Choice| {
         let groups: Option<Vec<Group>> = choice.blocks.iter().map(group).collect();
         groups.map(|groups| Scheme { groups, independent: choice.independent })
     };
     let alike = choices.into_iter().take_while(|choice| choice.closed == closed);
-    let schemes: Vec<Scheme> = alike.take(MOST_TRIED).filter_map(scheme).take(freedom + spare).collect_vec();
+    let schemes: Vec<Scheme> =
+        alike.take(MOST_TRIED).filter_map(scheme).take(freedom + alternatives).collect_vec();
     if schemes.is_empty() {
         let unsolved = blocks.iter().find(|block| group(block).is_none());
         return Err(unsolved.map_or_else(String::new, |block| no_form(model, coordinates, block)));
@@ -132,9 +134,9 @@ fn no_form(model: &Model, coordinates: &Coordinates, block: &Block) -> String {
 pub(crate) fn equations(coordinates: &Coordinates) -> Vec<Equation> {
     let loops = coordinates.closures.iter().map(|closure| {
         let mut unknowns = Vec::new();
-        for (class, slide, _) in closure.terms() {
-            unknowns.push_all(coordinates.angle_of_class[class]);
-            unknowns.push_all(slide);
+        for (orientation, displacement, _) in closure.terms() {
+            unknowns.push_all(coordinates.angle_of_orientation[orientation]);
+            unknowns.push_all(displacement);
         }
         unknowns.sort_unstable();
         unknowns.dedup();
@@ -149,13 +151,15 @@ pub(crate) fn equations(coordinates: &Coordinates) -> Vec<Equation> {
 
 /// Coordinates in the order in which a person would choose them: what turns or slides on the ground first.
 fn candidates(model: &Model, coordinates: &Coordinates) -> Vec<usize> {
-    let grounded = |unknown: usize| match coordinates.unknowns[unknown] {
-        Unknown::Angle { class, .. } => coordinates.joints.iter().any(|joint| {
-            let of_class = |body: usize| coordinates.headings[body].class == class;
-            matches!((joint.a.body, joint.b.body), (None, Some(body)) | (Some(body), None) if of_class(body))
+    let grounded = |unknown: usize| {
+        match coordinates.unknowns[unknown] {
+        Unknown::Angle { orientation, .. } => coordinates.joints.iter().any(|joint| {
+            let of_orientation = |body: usize| coordinates.absolute_angles[body].orientation == orientation;
+            matches!((joint.a.body, joint.b.body), (None, Some(body)) | (Some(body), None) if of_orientation(body))
         }),
-        Unknown::Slide { part } => model.parts[part].frames.iter().any(|frame| frame.body.is_none()),
+        Unknown::Displacement { part } => model.parts[part].frames.iter().any(|frame| frame.body.is_none()),
         Unknown::Centre { .. } => false,
+    }
     };
     let mut candidates: Vec<usize> = (0..coordinates.unknowns.len()).collect_vec();
     sort_by_key(&mut candidates, |&unknown| !grounded(unknown));

@@ -1,7 +1,7 @@
 //! Redundant constraints that agree: which loop says what others have said.
 //!
 //! Structure counts too many rows; the rank of `phi_q` at the start tells how many. A loop is taken for one whose second
-//! row is spare if the mechanism that is left closes all its joints not only at the start but in poses away from it.
+//! row is redundant if the mechanism that is left closes all its joints not only at the start but in poses away from it.
 
 use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Vec2, algebra};
@@ -35,7 +35,7 @@ pub(crate) struct Assembled {
     pub(crate) values: Vec<(Expr, f64)>,
 }
 
-/// What is known of dimensions and the start.
+/// Knowledge of dimensions and the start.
 #[derive(Clone, Copy)]
 pub(crate) struct Known<'a> {
     /// The size of the scene, m.
@@ -59,11 +59,11 @@ pub(crate) fn schemes(
     if loops == 0 {
         return None;
     }
-    let spare = (assembled.freedom + rows).checked_sub(coordinates.unknowns.len())?;
-    if spare == 0 || spare > loops {
+    let redundant = (assembled.freedom + rows).checked_sub(coordinates.unknowns.len())?;
+    if redundant == 0 || redundant > loops {
         return None;
     }
-    for set in sets(loops, spare) {
+    for set in sets(loops, redundant) {
         let mut equations_left = all.clone();
         for &closure in &set {
             equations_left[closure].rows = 1;
@@ -116,7 +116,7 @@ fn closes(
     let pose: Vec<Expr> = (0..model.bodies.len())
         .flat_map(|body| {
             let Vec2 { x, y } = motion.position[body];
-            [x, y, motion.angle(coordinates.headings[body])]
+            [x, y, motion.angle(coordinates.absolute_angles[body])]
         })
         .collect_vec();
     let others = assembled.values.iter().filter(|(symbol, _)| !equations.q.contains(symbol));

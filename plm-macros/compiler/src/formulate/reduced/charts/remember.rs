@@ -1,4 +1,4 @@
-//! What is remembered of a state, and how near its loops are to a pose where a chart ends.
+//! Memory of a state, and how near its loops are to a pose where a chart ends.
 
 use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Expr, Number, algebra};
@@ -24,10 +24,13 @@ impl Layout<'_> {
         for coordinate in 0..motion.independent.len() {
             // Where a rate vanishes it does not stay so: the coordinate itself must not go far either.
             let own = motion.independent[coordinate];
-            let slides = !matches!(self.coordinates.unknowns[own], Unknown::Angle { .. });
-            let own_rate = if slides { motion.length.recip() } else { Expr::ONE };
-            let reach =
-                self.reach(scheme, motion, (&|unknown| motion.gain[unknown][coordinate], Some(own_rate)));
+            let is_length = !matches!(self.coordinates.unknowns[own], Unknown::Angle { .. });
+            let own_rate = if is_length { motion.length.recip() } else { Expr::ONE };
+            let reach = self.reach(
+                scheme,
+                motion,
+                (&|unknown| motion.coefficient[unknown][coordinate], Some(own_rate)),
+            );
             boxes.push([motion.value[own], reach]);
         }
         let mut reach = self.reach(scheme, motion, (&|unknown| motion.time_rate[unknown], None));
@@ -75,7 +78,7 @@ impl Layout<'_> {
         Expr::from(part) / Expr::from(whole * coordinates) / fastest
     }
 
-    /// The same of a pose and velocity, but for how far the coordinates may move.
+    /// Memory of a pose and velocity, without how far the coordinates may move.
     pub(crate) fn remember_pose(&mut self, scheme: &Scheme) -> Function {
         let mut motion = Motion::of_pose(self.model, self.coordinates, self.length);
         let solutions = scheme.loops().filter_map(|group| group.at_pose(&motion));

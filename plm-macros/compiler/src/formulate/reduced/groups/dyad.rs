@@ -6,9 +6,9 @@
 //! | unknown | dyad | solution |
 //! |---|---|---|
 //! | two angles | RRR | two circles: `p = (n m + D J m) / m^2`, `n = (r^2 - m^2 - p^2) / 2`, `D^2 = p^2 m^2 - n^2` |
-//! | an angle, a slide along another body | RRP, PRR | a line and a circle: `s = D - m . e`, `D^2 = p^2 - (m x e)^2` |
-//! | an angle, a slide along the same body | RPR | `s = -d . e - D`, `D^2 = m^2 - (d x e)^2` |
-//! | two slides | PRP, RPP | Cramer's rule |
+//! | an angle, a displacement along another body | RRP, PRR | a line and a circle: `s = D - m . e`, `D^2 = p^2 - (m x e)^2` |
+//! | an angle, a displacement along the same body | RPR | `s = -d . e - D`, `D^2 = m^2 - (d x e)^2` |
+//! | two displacements | PRP, RPP | Cramer's rule |
 //!
 //! `J` is a quarter turn to the left. `D` is, in each case, the determinant of the loop's Jacobian by the two unknowns:
 //! its sign tells the two mirror images apart, and where it vanishes they meet.
@@ -16,7 +16,7 @@
 use plm_cas::{Expr, Rotation, Vec2};
 
 use crate::collect::MapEach;
-use crate::formulate::reduced::groups::link::{Link, Own};
+use crate::formulate::reduced::groups::crank::{Crank, DyadVectors};
 use crate::formulate::reduced::groups::loops::{self, Found};
 use crate::formulate::reduced::joints::chain::Chain;
 use crate::formulate::reduced::joints::coordinates::{Coordinates, Unknown};
@@ -29,22 +29,22 @@ use crate::formulate::reduced::motion::solution::Solution;
 pub(crate) struct Dyad {
     /// The loop.
     pub(crate) closure: usize,
-    /// Its two unknowns, an angle before a slide.
+    /// Its two unknowns, an angle before a displacement.
     pub(crate) unknowns: [usize; 2],
     pub(crate) kind: Kind,
 }
 
-/// What is unknown.
+/// Kinds of the unknowns.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
-    /// Two angles, of these classes.
+    /// Two angles, of these orientations.
     Angles([usize; 2]),
-    /// The angle of a class, and a slide along another class.
-    Across { class: usize, along: usize },
-    /// The angle of a class, and a slide along that class.
-    Along { class: usize },
-    /// Two slides, along these classes.
-    Slides([usize; 2]),
+    /// The angle of an orientation, and a displacement along another orientation.
+    Across { orientation: usize, along: usize },
+    /// The angle of an orientation, and a displacement along that orientation.
+    Along { orientation: usize },
+    /// Two displacements, along these orientations.
+    Displacements([usize; 2]),
 }
 
 impl Dyad {
@@ -53,46 +53,46 @@ impl Dyad {
         let chain = &coordinates.closures[closure];
         let [first, second] = unknowns.map_each(|unknown| coordinates.unknowns[unknown]);
         let (unknowns, kind) = match (first, second) {
-            (Unknown::Angle { class: a, .. }, Unknown::Angle { class: b, .. }) => {
+            (Unknown::Angle { orientation: a, .. }, Unknown::Angle { orientation: b, .. }) => {
                 (unknowns, Kind::Angles([a, b]))
             }
-            (Unknown::Angle { class, .. }, Unknown::Slide { .. }) => {
-                (unknowns, angle_and_slide(chain, class, unknowns[1])?)
+            (Unknown::Angle { orientation, .. }, Unknown::Displacement { .. }) => {
+                (unknowns, angle_and_displacement(chain, orientation, unknowns[1])?)
             }
-            (Unknown::Slide { .. }, Unknown::Angle { class, .. }) => {
-                ([unknowns[1], unknowns[0]], angle_and_slide(chain, class, unknowns[0])?)
+            (Unknown::Displacement { .. }, Unknown::Angle { orientation, .. }) => {
+                ([unknowns[1], unknowns[0]], angle_and_displacement(chain, orientation, unknowns[0])?)
             }
-            (Unknown::Slide { .. }, Unknown::Slide { .. }) => {
-                let [a, b] = [chain.slide(unknowns[0])?, chain.slide(unknowns[1])?];
+            (Unknown::Displacement { .. }, Unknown::Displacement { .. }) => {
+                let [a, b] = [chain.displacement(unknowns[0])?, chain.displacement(unknowns[1])?];
                 let across = a.1.cross(b.1);
                 if a.0 == b.0 && across.is_zero() {
                     return None;
                 }
-                (unknowns, Kind::Slides([a.0, b.0]))
+                (unknowns, Kind::Displacements([a.0, b.0]))
             }
             _ => return None,
         };
         let dyad = Dyad { closure, unknowns, kind };
         // Without anything known, two bodies turn as one.
-        let turns = dyad.classes();
-        let known = chain
-            .terms()
-            .any(|(class, slide, _)| !turns.contains(&class) && slide.is_none_or(|s| !unknowns.contains(&s)));
-        (known || matches!(kind, Kind::Slides(_))).then_some(dyad)
+        let turns = dyad.orientations();
+        let known = chain.terms().any(|(orientation, displacement, _)| {
+            !turns.contains(&orientation) && displacement.is_none_or(|s| !unknowns.contains(&s))
+        });
+        (known || matches!(kind, Kind::Displacements(_))).then_some(dyad)
     }
 
-    /// The classes whose angles it determines.
-    pub(crate) fn classes(&self) -> Vec<usize> {
+    /// The orientations whose angles it determines.
+    pub(crate) fn orientations(&self) -> Vec<usize> {
         match self.kind {
-            Kind::Angles(classes) => classes.to_vec(),
-            Kind::Across { class, .. } | Kind::Along { class } => vec![class],
-            Kind::Slides(_) => Vec::new(),
+            Kind::Angles(orientations) => orientations.to_vec(),
+            Kind::Across { orientation, .. } | Kind::Along { orientation } => vec![orientation],
+            Kind::Displacements(_) => Vec::new(),
         }
     }
 
     /// Have its mirror images to be told apart?
     pub(crate) fn is_signed(&self) -> bool {
-        !matches!(self.kind, Kind::Slides(_))
+        !matches!(self.kind, Kind::Displacements(_))
     }
 
     /// Its name in the literature.
@@ -101,7 +101,7 @@ impl Dyad {
             Kind::Angles(_) => "RRR",
             Kind::Across { .. } => "RRP",
             Kind::Along { .. } => "RPR",
-            Kind::Slides(_) => "PRP",
+            Kind::Displacements(_) => "PRP",
         }
     }
 
@@ -110,7 +110,7 @@ impl Dyad {
         match self.kind {
             Kind::Angles(_) => 4,
             Kind::Across { .. } | Kind::Along { .. } => 3,
-            Kind::Slides(_) => 1,
+            Kind::Displacements(_) => 1,
         }
     }
 
@@ -118,25 +118,25 @@ impl Dyad {
     /// determinant; without it the determinant is positive.
     pub(crate) fn solve(&self, motion: &mut Motion, side: Option<Expr>) -> Solution {
         let chain = &motion.coordinates.closures[self.closure];
-        let m = motion.known_sum(chain, &self.classes(), &self.unknowns);
+        let m = motion.known_sum(chain, &self.orientations(), &self.unknowns);
         let m = m.named(format!("loop_{}", self.closure));
-        let link = Link::of(chain, self, motion);
+        let crank = Crank::of(chain, self, motion);
         let mut work = Solving { dyad: self, chain, m, side, motion };
         let (solution, own) = match self.kind {
-            Kind::Angles(classes) => work.circles(classes, link.as_ref()),
-            Kind::Across { class, along } => work.line_and_circle(class, along, link.as_ref()),
-            Kind::Along { class } => (work.line_that_turns(class), None),
-            Kind::Slides(classes) => (work.lines(classes), None),
+            Kind::Angles(orientations) => work.circles(orientations, crank.as_ref()),
+            Kind::Across { orientation, along } => work.line_and_circle(orientation, along, crank.as_ref()),
+            Kind::Along { orientation } => (work.line_that_turns(orientation), None),
+            Kind::Displacements(orientations) => (work.lines(orientations), None),
         };
-        self.differentiate(motion, &solution, link.as_ref().zip(own.as_ref()));
+        self.differentiate(motion, &solution, crank.as_ref().zip(own.as_ref()));
         solution
     }
 
     /// Writes coefficients and rates of the two unknowns into `motion`: by Cramer's rule, if not by one body that moves it.
-    fn differentiate(&self, motion: &mut Motion, solution: &Solution, link: Option<(&Link, &Own)>) {
+    fn differentiate(&self, motion: &mut Motion, solution: &Solution, crank: Option<(&Crank, &DyadVectors)>) {
         let reciprocal = solution.determinant.recip().named(format!("reciprocal_{}", self.closure));
-        if let Some((link, own)) = link {
-            return link.differentiate(motion, (self, own), reciprocal);
+        if let Some((crank, own)) = crank {
+            return crank.differentiate(motion, (self, own), reciprocal);
         }
         let [first, second] = solution.columns;
         let cramer = |sum: Vec2| {
@@ -152,14 +152,14 @@ impl Dyad {
         let chain = &motion.coordinates.closures[self.closure];
         let mut columns = [Vec2::ZERO; 2];
         let mut scale = Expr::ONE;
-        for (k, class) in self.classes().into_iter().enumerate() {
-            let arm = motion.whole_arm(chain, class);
+        for (k, orientation) in self.orientations().into_iter().enumerate() {
+            let arm = motion.whole_arm(chain, orientation);
             columns[k] = arm.left();
             scale *= arm.squared();
         }
         for (k, unknown) in self.unknowns.into_iter().enumerate() {
-            if let Some((class, vector)) = chain.slide(unknown) {
-                columns[k] = motion.turned(class, vector);
+            if let Some((orientation, vector)) = chain.displacement(unknown) {
+                columns[k] = motion.turned(orientation, vector);
             }
         }
         if matches!(self.kind, Kind::Along { .. }) {
@@ -183,9 +183,9 @@ struct Solving<'a, 'm> {
 
 impl Solving<'_, '_> {
     /// RRR.
-    fn circles(&mut self, [a, b]: [usize; 2], link: Option<&Link>) -> (Solution, Option<Own>) {
+    fn circles(&mut self, [a, b]: [usize; 2], crank: Option<&Crank>) -> (Solution, Option<DyadVectors>) {
         let [first, second] = self.dyad.unknowns;
-        let arms = [a, b].map_each(|class| self.motion.arm(self.chain, class, &[]));
+        let arms = [a, b].map_each(|orientation| self.motion.arm(self.chain, orientation, &[]));
         let [pp, rr] = arms.map_each(Vec2::squared);
         let mm = self.named("distance", self.m.squared());
         let n = self.named("along", (rr - (mm + pp)) / 2);
@@ -195,16 +195,16 @@ impl Solving<'_, '_> {
         let ways = Rotation::to(ways);
         let p = self.motion.name_arm(first, ways * self.m);
         let r = self.motion.name_arm(second, -(self.m + p));
-        self.motion.turn_class(first, a, Rotation::between(arms[0], p) / pp);
-        self.motion.turn_class(second, b, Rotation::between(arms[1], r) / rr);
-        for (class, vector, own, square) in [(a, p, arms[0], pp), (b, r, arms[1], rr)] {
-            self.motion.bases.insert_arm(self.chain, class, Base { vector, own, square });
+        self.motion.set_rotation(first, a, Rotation::between(arms[0], p) / pp);
+        self.motion.set_rotation(second, b, Rotation::between(arms[1], r) / rr);
+        for (orientation, vector, own, square) in [(a, p, arms[0], pp), (b, r, arms[1], rr)] {
+            self.motion.bases.insert_arm(self.chain, orientation, Base { vector, own, square });
         }
         let columns = [p.left(), r.left()];
         // From `m p = n`.
-        let own = Own { p: a, r: (b, Vec2::X), pp, pr: -(n + pp), rr: Some(rr) };
-        if let Some(link) = link {
-            link.meet(self.dyad, &own, (ways, determinant), self.motion);
+        let own = DyadVectors { p: a, r: (b, Vec2::X), pp, pr: -(n + pp), rr: Some(rr) };
+        if let Some(crank) = crank {
+            crank.meet(self.dyad, &own, (ways, determinant), self.motion);
         }
         let arms = vec![(a, p), (b, r)];
         (Solution { determinant, square, scale: pp * rr, columns, arms }, Some(own))
@@ -213,57 +213,58 @@ impl Solving<'_, '_> {
     /// RRP and PRR.
     fn line_and_circle(
         &mut self,
-        class: usize,
+        orientation: usize,
         along: usize,
-        link: Option<&Link>,
-    ) -> (Solution, Option<Own>) {
-        let [angle, slide] = self.dyad.unknowns;
-        let arm = self.motion.arm(self.chain, class, &[]);
+        crank: Option<&Crank>,
+    ) -> (Solution, Option<DyadVectors>) {
+        let [angle, displacement] = self.dyad.unknowns;
+        let arm = self.motion.arm(self.chain, orientation, &[]);
         let pp = arm.squared();
-        let e = self.slide_axis(slide, along);
+        let e = self.displacement_axis(displacement, along);
         let (offset, ahead) = (e.cross(self.m), e.dot(self.m));
         let (square, determinant) = self.root(pp - offset.squared());
-        self.motion.set_slide(slide, determinant - ahead);
+        self.motion.set_value(displacement, determinant - ahead);
         // `m + s e = D e + (e x m) J e`.
         let p = -(determinant * e + offset * e.left());
         let p = self.motion.name_arm(angle, p);
-        self.motion.turn_class(angle, class, Rotation::between(arm, p) / pp);
-        self.motion.bases.insert_arm(self.chain, class, Base { vector: p, own: arm, square: pp });
-        let own = Own { p: class, r: (0, -e.left()), pp, pr: offset, rr: None };
-        if let Some(link) = link {
+        self.motion.set_rotation(angle, orientation, Rotation::between(arm, p) / pp);
+        self.motion.bases.insert_arm(self.chain, orientation, Base { vector: p, own: arm, square: pp });
+        let own = DyadVectors { p: orientation, r: (0, -e.left()), pp, pr: offset, rr: None };
+        if let Some(crank) = crank {
             let ways = Rotation::to(-Vec2::new(determinant, offset));
-            link.meet(self.dyad, &own, (ways, determinant), self.motion);
+            crank.meet(self.dyad, &own, (ways, determinant), self.motion);
         }
-        let (columns, arms) = ([p.left(), e], vec![(class, p)]);
+        let (columns, arms) = ([p.left(), e], vec![(orientation, p)]);
         (Solution { determinant, square, scale: pp, columns, arms }, Some(own))
     }
 
     /// RPR.
-    fn line_that_turns(&mut self, class: usize) -> Solution {
-        let [angle, slide] = self.dyad.unknowns;
-        let d = self.motion.arm(self.chain, class, &[slide]);
-        let e = self.chain.slide(slide).map_or(Vec2::ZERO, |slide| slide.1);
+    fn line_that_turns(&mut self, orientation: usize) -> Solution {
+        let [angle, displacement] = self.dyad.unknowns;
+        let d = self.motion.arm(self.chain, orientation, &[displacement]);
+        let e = self.chain.displacement(displacement).map_or(Vec2::ZERO, |displacement| displacement.1);
         let (offset, ahead) = (e.cross(d), e.dot(d));
         let mm = self.named("distance", self.m.squared());
         let (square, determinant) = self.root(mm - offset.squared());
-        self.motion.set_slide(slide, -determinant - ahead);
+        self.motion.set_value(displacement, -determinant - ahead);
         // `d + s e = -D e + (e x d) J e`.
         let arm = -determinant * e + offset * e.left();
         let p = -self.m;
-        self.motion.turn_class(angle, class, Rotation::between(arm, p) / mm);
-        let columns = [p.left(), self.motion.turned(class, e)];
+        self.motion.set_rotation(angle, orientation, Rotation::between(arm, p) / mm);
+        let columns = [p.left(), self.motion.turned(orientation, e)];
         let scale = self.motion.length.squared();
-        Solution { determinant, square, scale, columns, arms: vec![(class, p)] }
+        Solution { determinant, square, scale, columns, arms: vec![(orientation, p)] }
     }
 
     /// PRP and RPP.
-    fn lines(&mut self, classes: [usize; 2]) -> Solution {
+    fn lines(&mut self, orientations: [usize; 2]) -> Solution {
         let [first, second] = self.dyad.unknowns;
-        let columns = [self.slide_axis(first, classes[0]), self.slide_axis(second, classes[1])];
+        let columns =
+            [self.displacement_axis(first, orientations[0]), self.displacement_axis(second, orientations[1])];
         let determinant = self.named("area", columns[0].cross(columns[1]));
         let minors = [columns[1].cross(self.m), self.m.cross(columns[0])];
-        self.motion.set_slide(first, minors[0] / determinant);
-        self.motion.set_slide(second, minors[1] / determinant);
+        self.motion.set_value(first, minors[0] / determinant);
+        self.motion.set_value(second, minors[1] / determinant);
         let square = determinant.squared();
         Solution { determinant, square, scale: Expr::ONE, columns, arms: Vec::new() }
     }
@@ -278,10 +279,10 @@ impl Solving<'_, '_> {
         (square, self.named("area", side * root))
     }
 
-    /// The direction in which a slide moves, in absolute axes.
-    fn slide_axis(&self, slide: usize, class: usize) -> Vec2 {
-        let vector = self.chain.slide(slide).map_or(Vec2::ZERO, |slide| slide.1);
-        self.motion.turned(class, vector)
+    /// The direction in which a displacement moves, in absolute axes.
+    fn displacement_axis(&self, displacement: usize, orientation: usize) -> Vec2 {
+        let vector = self.chain.displacement(displacement).map_or(Vec2::ZERO, |displacement| displacement.1);
+        self.motion.turned(orientation, vector)
     }
 
     fn named(&self, what: &str, value: Expr) -> Expr {
@@ -289,7 +290,7 @@ impl Solving<'_, '_> {
     }
 }
 
-fn angle_and_slide(chain: &Chain, class: usize, slide: usize) -> Option<Kind> {
-    let (along, _) = chain.slide(slide)?;
-    Some(if along == class { Kind::Along { class } } else { Kind::Across { class, along } })
+fn angle_and_displacement(chain: &Chain, orientation: usize, displacement: usize) -> Option<Kind> {
+    let (along, _) = chain.displacement(displacement)?;
+    Some(if along == orientation { Kind::Along { orientation } } else { Kind::Across { orientation, along } })
 }

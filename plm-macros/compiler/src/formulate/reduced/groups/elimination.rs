@@ -100,7 +100,7 @@ fn carried(squares: &[Vec<Column>], chosen: &[(usize, usize)]) -> Option<usize> 
 /// A decomposed Jacobian.
 pub(crate) struct Elimination<'a> {
     plan: &'a Plan,
-    /// What the names of all entries begin with.
+    /// Prefix of the names of all entries.
     name: String,
     stages: Vec<Stage>,
     inverse: Vec<Vec<Expr>>,

@@ -41,9 +41,9 @@ pub(crate) fn differentiate(motion: &mut Motion, found: &Found) {
     let solved = (found.unknowns, &found.solution.arms[..]);
     let flow = Flow::new(motion, found.closure, solved);
     for coordinate in 0..motion.independent.len() {
-        let sum = flow.gain(motion, coordinate);
-        for (unknown, value) in found.named(sum, &format!("gain_{coordinate}")) {
-            motion.gain[unknown][coordinate] = value;
+        let sum = flow.coefficient(motion, coordinate);
+        for (unknown, value) in found.named(sum, &format!("coefficient_{coordinate}")) {
+            motion.coefficient[unknown][coordinate] = value;
         }
     }
     let sum = flow.time_rate(motion);
@@ -62,7 +62,7 @@ pub(crate) fn differentiate(motion: &mut Motion, found: &Found) {
 /// How a closure moves with everything but the unknowns that are sought.
 pub(crate) struct Flow<'a> {
     closure: &'a Chain,
-    /// The vectors that turn with each class.
+    /// The vectors that turn with each orientation.
     arms: Vec<(usize, Vec2)>,
     /// The columns of the unknowns that are known.
     known: Vec<(usize, Vec2)>,
@@ -80,31 +80,34 @@ impl<'a> Flow<'a> {
         let coordinates = motion.coordinates;
         let closure = &coordinates.closures[closure];
         let arms: Vec<(usize, Vec2)> = closure
-            .classes()
+            .orientations()
             .into_iter()
-            .map(|class| {
-                let solved = solved.iter().find(|(own, _)| *own == class);
-                (class, solved.map_or_else(|| motion.whole_arm(closure, class), |arm| arm.1))
+            .map(|orientation| {
+                let solved = solved.iter().find(|(own, _)| *own == orientation);
+                (orientation, solved.map_or_else(|| motion.whole_arm(closure, orientation), |arm| arm.1))
             })
             .collect_vec();
         let mut known: Vec<(usize, Vec2)> = Vec::new();
-        for &(class, arm) in &arms {
-            known.push_all(coordinates.angle_of_class[class].map(|angle| (angle, arm.left())));
+        for &(orientation, arm) in &arms {
+            known.push_all(coordinates.angle_of_orientation[orientation].map(|angle| (angle, arm.left())));
         }
-        for (class, slide, vector) in closure.terms() {
-            if let Some(slide) = slide {
-                known.push((slide, motion.turned(class, vector)));
+        for (orientation, displacement, vector) in closure.terms() {
+            if let Some(displacement) = displacement {
+                known.push((displacement, motion.turned(orientation, vector)));
             }
         }
         known.retain(|(unknown, _)| !sought.contains(unknown));
         // What a port of the ground that moves with the motion.time adds.
-        let ground = closure.of_class(0).find(|(slide, _)| slide.is_none()).map_or(Vec2::ZERO, |(_, d)| d);
+        let ground = closure
+            .of_orientation(0)
+            .find(|(displacement, _)| displacement.is_none())
+            .map_or(Vec2::ZERO, |(_, d)| d);
         Flow { closure, arms, known, ground_rate: ground.diff(motion.time) }
     }
 
     /// The closure's velocity when one coordinate moves at the rate 1.
-    pub(crate) fn gain(&self, motion: &Motion, coordinate: usize) -> Vec2 {
-        weighted(&self.known, |unknown| motion.gain[unknown][coordinate])
+    pub(crate) fn coefficient(&self, motion: &Motion, coordinate: usize) -> Vec2 {
+        weighted(&self.known, |unknown| motion.coefficient[unknown][coordinate])
     }
 
     /// Its velocity when no coordinate moves.
@@ -116,24 +119,26 @@ impl<'a> Flow<'a> {
     /// its square.
     pub(crate) fn bias(&self, motion: &Motion) -> Vec2 {
         let mut sum = weighted(&self.known, |unknown| motion.bias[unknown]);
-        for &(class, arm) in &self.arms {
-            let omega = motion.turning[class];
+        for &(orientation, arm) in &self.arms {
+            let omega = motion.turning[orientation];
             sum -= omega.squared() * arm;
-            let sliding = sliding(self.closure, class, motion);
+            let relative = relative_velocity(self.closure, orientation, motion);
             // Coriolis: 2 omega J v.
-            sum += (omega + omega) * sliding.left();
+            sum += (omega + omega) * relative.left();
         }
         sum + self.ground_rate.diff(motion.time)
     }
 }
 
-/// How fast the vector of a loop changes in the axes of its class, turned into absolute ones: by the rates of its slides.
-fn sliding(closure: &Chain, class: usize, motion: &Motion) -> Vec2 {
-    let slides = closure.of_class(class).filter_map(|(slide, vector)| Some((slide?, vector)));
-    slides
-        .map(|(slide, vector)| {
-            let along = motion.turned(class, vector);
-            motion.sliding(slide) * along
+/// Velocity of the vector of a loop relative to the axes of its orientation, in absolute ones: from the rates of the displacements.
+fn relative_velocity(closure: &Chain, orientation: usize, motion: &Motion) -> Vec2 {
+    let displacements = closure
+        .of_orientation(orientation)
+        .filter_map(|(displacement, vector)| Some((displacement?, vector)));
+    displacements
+        .map(|(displacement, vector)| {
+            let along = motion.turned(orientation, vector);
+            motion.rate_over_pace(displacement) * along
         })
         .sum()
 }

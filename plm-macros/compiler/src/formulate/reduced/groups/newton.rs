@@ -32,7 +32,7 @@ pub(crate) struct Newton {
     plan: Plan,
 }
 
-/// The vectors of a loop that turn with each class.
+/// The vectors of a loop that turn with each orientation.
 type Arms = Vec<(usize, Vec2)>;
 
 impl Newton {
@@ -48,17 +48,17 @@ impl Newton {
         for &closure in closures {
             let chain = &coordinates.closures[closure];
             let square = |&unknown: &usize| match coordinates.unknowns[unknown] {
-                Unknown::Angle { class, .. } => {
-                    let vectors: Vec<(Option<usize>, Vec2)> = chain.of_class(class).collect_vec();
+                Unknown::Angle { orientation, .. } => {
+                    let vectors: Vec<(Option<usize>, Vec2)> = chain.of_orientation(orientation).collect_vec();
                     match vectors.as_slice() {
                         [] => Column::Absent,
                         &[(None, arm)] => Column::Constant(arm.dot(arm)),
                         _ => Column::Varying,
                     }
                 }
-                _ => {
-                    chain.slide(unknown).map_or(Column::Absent, |(_, axis)| Column::Constant(axis.dot(axis)))
-                }
+                _ => chain
+                    .displacement(unknown)
+                    .map_or(Column::Absent, |(_, axis)| Column::Constant(axis.dot(axis))),
             };
             squares.push(unknowns.iter().map(square).collect_vec());
         }
@@ -111,7 +111,7 @@ impl Newton {
         for &unknown in &self.unknowns {
             let Some([value, moved]) = memory.moved(unknown, motion.time) else { continue };
             let name = format!("{}_expected", motion.names[unknown]);
-            let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] else {
+            let Unknown::Angle { orientation, .. } = coordinates.unknowns[unknown] else {
                 motion.value[unknown] = ((value + moved) * motion.length).named(&name);
                 continue;
             };
@@ -120,7 +120,7 @@ impl Newton {
             let [twelfth, half] = [12, 2].map_each(|n| Expr::from(n).recip());
             let bend = moved.squared() * twelfth;
             let tangent = algebra::product(&[half, moved, 1 + bend]);
-            motion.rotation[class] = turned_on(rotation, tangent, &name);
+            motion.rotation[orientation] = turned_on(rotation, tangent, &name);
         }
     }
 
@@ -129,9 +129,9 @@ impl Newton {
         let coordinates = motion.coordinates;
         for (&unknown, &by) in self.unknowns.iter().zip(correction) {
             let name = format!("{}_{step}", motion.names[unknown]);
-            if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
+            if let Unknown::Angle { orientation, .. } = coordinates.unknowns[unknown] {
                 let tangent = Expr::from(-2).recip() * by;
-                motion.rotation[class] = turned_on(motion.rotation[class], tangent, &name);
+                motion.rotation[orientation] = turned_on(motion.rotation[orientation], tangent, &name);
             } else {
                 motion.value[unknown] = (motion.value[unknown] - by).named(&name);
             }
@@ -142,10 +142,10 @@ impl Newton {
     fn name_axes(&self, motion: &mut Motion) {
         let coordinates = motion.coordinates;
         for &unknown in &self.unknowns {
-            if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-                motion.turn_class(unknown, class, motion.rotation[class]);
+            if let Unknown::Angle { orientation, .. } = coordinates.unknowns[unknown] {
+                motion.set_rotation(unknown, orientation, motion.rotation[orientation]);
             } else {
-                motion.set_slide(unknown, motion.value[unknown]);
+                motion.set_value(unknown, motion.value[unknown]);
             }
         }
     }
@@ -163,10 +163,10 @@ impl Newton {
             values.into_iter().map(|value| -value).collect_vec()
         };
         for coordinate in 0..motion.independent.len() {
-            let sums = flows.iter().map(|flow| flow.gain(motion, coordinate)).collect_vec();
-            let values = solve(sums, &format!("gain_{coordinate}"));
+            let sums = flows.iter().map(|flow| flow.coefficient(motion, coordinate)).collect_vec();
+            let values = solve(sums, &format!("coefficient_{coordinate}"));
             for (&unknown, value) in self.unknowns.iter().zip(values) {
-                motion.gain[unknown][coordinate] = value;
+                motion.coefficient[unknown][coordinate] = value;
             }
         }
         let sums = flows.iter().map(|flow| flow.time_rate(motion)).collect_vec();
@@ -180,26 +180,35 @@ impl Newton {
         }
     }
 
-    /// The vectors of each loop that move with the unknowns, by class.
+    /// The vectors of each loop that move with the unknowns, by orientation.
     fn arms(&self, motion: &Motion, tag: &str) -> Vec<Arms> {
         let coordinates = motion.coordinates;
         let of_loop = |&closure: &usize| {
             let chain = &coordinates.closures[closure];
-            let moving = chain.classes().into_iter().filter(|&class| self.moves(coordinates, closure, class));
+            let moving = chain
+                .orientations()
+                .into_iter()
+                .filter(|&orientation| self.moves(coordinates, closure, orientation));
             let moving: Vec<usize> = moving.collect_vec();
-            let arms = moving.into_iter().map(|class| {
-                (class, motion.whole_arm(chain, class).named(format!("arm{tag}_{closure}_{class}")))
+            let arms = moving.into_iter().map(|orientation| {
+                (
+                    orientation,
+                    motion.whole_arm(chain, orientation).named(format!("arm{tag}_{closure}_{orientation}")),
+                )
             });
             arms.collect_vec()
         };
         self.closures.iter().map(of_loop).collect_vec()
     }
 
-    /// Does the vector of a loop that turns with a class depend on the unknowns?
-    fn moves(&self, coordinates: &Coordinates, closure: usize, class: usize) -> bool {
-        let turns = coordinates.angle_of_class[class].is_some_and(|angle| self.unknowns.contains(&angle));
-        let mut slides = coordinates.closures[closure].of_class(class).filter_map(|(slide, _)| slide);
-        turns || slides.any(|slide| self.unknowns.contains(&slide))
+    /// Does the vector of a loop that turns with an orientation depend on the unknowns?
+    fn moves(&self, coordinates: &Coordinates, closure: usize, orientation: usize) -> bool {
+        let turns =
+            coordinates.angle_of_orientation[orientation].is_some_and(|angle| self.unknowns.contains(&angle));
+        let mut displacements = coordinates.closures[closure]
+            .of_orientation(orientation)
+            .filter_map(|(displacement, _)| displacement);
+        turns || displacements.any(|displacement| self.unknowns.contains(&displacement))
     }
 
     /// The sum of all other vectors of each loop.
@@ -207,14 +216,17 @@ impl Newton {
         let coordinates = motion.coordinates;
         let of_loop = |&closure: &usize| {
             let chain = &coordinates.closures[closure];
-            let still = chain.classes().into_iter().filter(|&class| !self.moves(coordinates, closure, class));
-            let sum: Vec2 = still.map(|class| motion.whole_arm(chain, class)).sum();
+            let still = chain
+                .orientations()
+                .into_iter()
+                .filter(|&orientation| !self.moves(coordinates, closure, orientation));
+            let sum: Vec2 = still.map(|orientation| motion.whole_arm(chain, orientation)).sum();
             sum.named(format!("loop_{closure}"))
         };
         self.closures.iter().map(of_loop).collect_vec()
     }
 
-    /// What the vectors of each loop sum to: zero at the solution.
+    /// Sums of the vectors of each loop: zero at the solution.
     fn gap(&self, known: &[Vec2], arms: &[Arms], tag: &str) -> Vec<Vec2> {
         let of_loop = |((closure, known), arms): ((&usize, &Vec2), &Arms)| {
             let sum = arms.iter().fold(*known, |sum, (_, arm)| sum + *arm);
@@ -229,12 +241,12 @@ impl Newton {
         let of_loop = |(&closure, arms): (&usize, &Arms)| {
             let chain = &coordinates.closures[closure];
             let column = |&unknown: &usize| {
-                if let Unknown::Angle { class, .. } = coordinates.unknowns[unknown] {
-                    let arm = arms.iter().find(|(own, _)| *own == class);
+                if let Unknown::Angle { orientation, .. } = coordinates.unknowns[unknown] {
+                    let arm = arms.iter().find(|(own, _)| *own == orientation);
                     return arm.map_or(Vec2::ZERO, |(_, arm)| (*arm).left());
                 }
-                let slide = chain.slide(unknown);
-                slide.map_or(Vec2::ZERO, |(class, vector)| motion.turned(class, vector))
+                let displacement = chain.displacement(unknown);
+                displacement.map_or(Vec2::ZERO, |(orientation, vector)| motion.turned(orientation, vector))
             };
             self.unknowns.iter().map(column).collect_vec()
         };

@@ -7,19 +7,25 @@ use plm_cas::Vec2;
 
 /// `p = sum over c of R(theta_c) (d_c + sum over j of s_j e_cj)`.
 ///
-/// `theta_c` are the angles of classes of bodies that never turn against each other (class 0 is the ground, with angle
-/// 0), `s_j` slides, `d` and `e` constant vectors. The key of a vector is its class, and the unknown that it is
-/// multiplied with if it is one along a slide.
+/// `theta_c` are the angles of orientations of bodies that never turn against each other (orientation 0 is the ground, with angle
+/// 0), `s_j` displacements, `d` and `e` constant vectors. The key of a vector is its orientation, and the unknown that it is
+/// multiplied with if it is one along a displacement.
 #[derive(Clone, Default)]
 pub(crate) struct Chain {
     terms: SortedMap<(usize, Option<usize>), Vec2>,
 }
 
 impl Chain {
-    /// Adds `sign * R(theta_class) vector`, times a slide if one is given.
-    pub(crate) fn add(&mut self, class: usize, slide: Option<usize>, vector: Vec2, negative: bool) {
+    /// Adds `sign * R(theta_orientation) vector`, times a displacement if one is given.
+    pub(crate) fn add(
+        &mut self,
+        orientation: usize,
+        displacement: Option<usize>,
+        vector: Vec2,
+        negative: bool,
+    ) {
         let signed = if negative { -vector } else { vector };
-        let key = (class, slide);
+        let key = (orientation, displacement);
         let sum = self.terms.get(&key).map_or(signed, |&old| old + signed);
         if sum.is_zero() {
             self.terms.remove(&key);
@@ -28,9 +34,9 @@ impl Chain {
         }
     }
 
-    /// The vectors: class, slide, components in the axes of the class; ascending.
+    /// The vectors: orientation, displacement, components in the axes of the orientation; ascending.
     pub(crate) fn terms(&self) -> impl Iterator<Item = (usize, Option<usize>, Vec2)> {
-        self.terms.iter().map(|(&(class, slide), &vector)| (class, slide, vector))
+        self.terms.iter().map(|(&(orientation, displacement), &vector)| (orientation, displacement, vector))
     }
 
     /// How many of its vectors move.
@@ -38,23 +44,26 @@ impl Chain {
         self.terms.keys().filter(|key| **key != (0, None)).count()
     }
 
-    /// The classes that it holds, ascending.
-    pub(crate) fn classes(&self) -> Vec<usize> {
-        let mut classes: Vec<usize> = self.terms.keys().map(|&(class, _)| class).collect_vec();
-        classes.dedup();
-        classes
+    /// The orientations that it holds, ascending.
+    pub(crate) fn orientations(&self) -> Vec<usize> {
+        let mut orientations: Vec<usize> =
+            self.terms.keys().map(|&(orientation, _)| orientation).collect_vec();
+        orientations.dedup();
+        orientations
     }
 
-    /// The vectors of one class: slide, components.
-    pub(crate) fn of_class(&self, class: usize) -> impl Iterator<Item = (Option<usize>, Vec2)> {
+    /// The vectors of one orientation: displacement, components.
+    pub(crate) fn of_orientation(&self, orientation: usize) -> impl Iterator<Item = (Option<usize>, Vec2)> {
         self.terms
             .iter()
-            .filter(move |((own, _), _)| *own == class)
-            .map(|(&(_, slide), &vector)| (slide, vector))
+            .filter(move |((own, _), _)| *own == orientation)
+            .map(|(&(_, displacement), &vector)| (displacement, vector))
     }
 
-    /// Class and vector of a slide.
-    pub(crate) fn slide(&self, slide: usize) -> Option<(usize, Vec2)> {
-        self.terms().find(|term| term.1 == Some(slide)).map(|(class, _, vector)| (class, vector))
+    /// Orientation and vector of a displacement.
+    pub(crate) fn displacement(&self, displacement: usize) -> Option<(usize, Vec2)> {
+        self.terms()
+            .find(|term| term.1 == Some(displacement))
+            .map(|(orientation, _, vector)| (orientation, vector))
     }
 }

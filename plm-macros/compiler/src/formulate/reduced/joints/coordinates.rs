@@ -2,7 +2,7 @@
 //!
 //! A revolute is left to the absolute angles of its bodies, so that no sine of a sum is needed and velocities have no
 //! Coriolis terms; a prismatic joint or a slot adds its displacement; a body that hangs on nothing adds the position
-//! of its G. Bodies that never turn against each other (prismatic, weld) share one angle: a class. What is left of a
+//! of its G. Bodies that never turn against each other (prismatic, weld) share one angle, which is called an orientation. What is left of a
 //! loop of joints is that its vectors sum to zero.
 
 use crate::collect::{CollectVec, MapEach};
@@ -13,13 +13,13 @@ use crate::formulate::reduced::joints::explicit::{Explicit, explicit};
 use crate::model::{FrameRef, Model, Pair, Port};
 use crate::topology::{Forest, shortest_cycle_basis, spanning_forest};
 
-/// What a coordinate is.
+/// Kinds of coordinates.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Unknown {
-    /// The angle of a class, that of the body `body`.
-    Angle { class: usize, body: usize },
+    /// The angle of an orientation, that of the body `body`.
+    Angle { orientation: usize, body: usize },
     /// The displacement in a prismatic joint or slot: index of the part.
-    Slide { part: usize },
+    Displacement { part: usize },
     /// x (0) or y (1) of G of a body that hangs on nothing.
     Centre { body: usize, axis: usize },
 }
@@ -32,7 +32,7 @@ impl Unknown {
             Unknown::Centre { body, axis } => {
                 format!("{}.{}", model.bodies[body].name.text, ["x", "y"][axis])
             }
-            Unknown::Slide { part } => format!("{}.displacement", model.parts[part].name.text),
+            Unknown::Displacement { part } => format!("{}.displacement", model.parts[part].name.text),
         }
     }
 
@@ -40,7 +40,7 @@ impl Unknown {
     pub(crate) fn turning_body(self) -> Option<usize> {
         match self {
             Unknown::Angle { body, .. } => Some(body),
-            Unknown::Centre { .. } | Unknown::Slide { .. } => None,
+            Unknown::Centre { .. } | Unknown::Displacement { .. } => None,
         }
     }
 }
@@ -54,23 +54,23 @@ pub(crate) struct Joint {
     pub(crate) a: FrameRef,
     pub(crate) b: FrameRef,
     /// The unknown of its displacement.
-    pub(crate) slide: Option<usize>,
+    pub(crate) displacement: Option<usize>,
 }
 
-/// The angle of a body: that of its class, and a constant.
+/// The absolute angle of a body: that of its orientation, plus a constant.
 #[derive(Clone, Copy)]
-pub(crate) struct Heading {
-    pub(crate) class: usize,
+pub(crate) struct AbsoluteAngle {
+    pub(crate) orientation: usize,
     pub(crate) offset: Expr,
 }
 
 /// The joint coordinates of a mechanism.
 pub(crate) struct Coordinates {
     pub(crate) unknowns: Vec<Unknown>,
-    /// By class; the ground has none.
-    pub(crate) angle_of_class: Vec<Option<usize>>,
+    /// By orientation; the ground has none.
+    pub(crate) angle_of_orientation: Vec<Option<usize>>,
     /// By body.
-    pub(crate) headings: Vec<Heading>,
+    pub(crate) absolute_angles: Vec<AbsoluteAngle>,
     /// G of each body.
     pub(crate) centres: Vec<Chain>,
     pub(crate) joints: Vec<Joint>,
@@ -86,7 +86,7 @@ pub(crate) struct Coordinates {
     pub(crate) chords: Vec<usize>,
 }
 
-/// What holds a body on the way from the ground.
+/// Edge of the spanning tree: the joint that holds a body on the way from the ground.
 #[derive(Clone, Copy)]
 pub(crate) struct TreeEdge {
     pub(crate) body: usize,
@@ -123,7 +123,7 @@ impl Coordinates {
     /// The coordinates of a mechanism that is made of pairs.
     ///
     /// # Errors
-    /// Why this mechanism has none: words that go on "rung 5 because …".
+    /// Why this mechanism has none: words that go on "absolute coordinates because …".
     pub(crate) fn new(model: &Model) -> Result<Coordinates, String> {
         let joints = joints(model)?;
         let node = |frame: FrameRef| frame.body.map_or(0, |body| body + 1);
@@ -139,8 +139,8 @@ impl Coordinates {
         let order: Vec<TreeEdge> = order.collect_vec();
         let mut coordinates = Coordinates {
             unknowns: Vec::new(),
-            angle_of_class: vec![None],
-            headings: headings(model, &joints, &edges, &order)?,
+            angle_of_orientation: vec![None],
+            absolute_angles: absolute_angles(model, &joints, &edges, &order)?,
             centres: vec![Chain::default(); model.bodies.len()],
             joints,
             order,
@@ -151,7 +151,7 @@ impl Coordinates {
         };
         coordinates.walk(model);
         for chord in coordinates.chords.clone() {
-            coordinates.add_slide(chord);
+            coordinates.add_displacement(chord);
         }
         for cycle in shortest_cycle_basis(nodes, &edges) {
             coordinates.loops.push(cycle.iter().map(|step| step.0).collect_vec());
@@ -175,10 +175,10 @@ impl Coordinates {
     /// From the ground outwards: a coordinate for every freedom, a place for every body.
     fn walk(&mut self, model: &Model) {
         for edge in self.order.clone() {
-            let class = self.headings[edge.body].class;
-            if class == self.angle_of_class.len() {
-                let unknown = self.new_unknown(Unknown::Angle { class, body: edge.body });
-                self.angle_of_class.push(Some(unknown));
+            let orientation = self.absolute_angles[edge.body].orientation;
+            if orientation == self.angle_of_orientation.len() {
+                let unknown = self.new_unknown(Unknown::Angle { orientation, body: edge.body });
+                self.angle_of_orientation.push(Some(unknown));
             }
             let Some(joint) = edge.joint else {
                 for axis in 0..2 {
@@ -188,7 +188,7 @@ impl Coordinates {
                 }
                 continue;
             };
-            self.add_slide(joint);
+            self.add_displacement(joint);
             let mut centre = edge.parent.map_or(Chain::default(), |parent| self.centres[parent].clone());
             let outward = self.joints[joint].b.body == Some(edge.body);
             self.add_across(&mut centre, model, joint, !outward);
@@ -207,8 +207,8 @@ impl Coordinates {
         // Every change shortens a loop, so there is an end.
         while let Some((i, shorter)) = all.iter().find_map(|&(i, j, negative)| {
             let mut sum = self.closures[i].clone();
-            for (class, slide, vector) in self.closures[j].terms() {
-                sum.add(class, slide, vector, negative);
+            for (orientation, displacement, vector) in self.closures[j].terms() {
+                sum.add(orientation, displacement, vector, negative);
             }
             (sum.moving() < self.closures[i].moving()).then_some((i, sum))
         }) {
@@ -217,10 +217,10 @@ impl Coordinates {
     }
 
     /// A coordinate for the displacement in a joint that has one.
-    fn add_slide(&mut self, joint: usize) {
+    fn add_displacement(&mut self, joint: usize) {
         let Joint { part, pair, .. } = self.joints[joint];
         if pair.slides() {
-            self.joints[joint].slide = Some(self.new_unknown(Unknown::Slide { part }));
+            self.joints[joint].displacement = Some(self.new_unknown(Unknown::Displacement { part }));
         }
     }
 
@@ -231,17 +231,18 @@ impl Coordinates {
 
     /// The joint of a loop that some unknowns close: between their bodies, or the one that slides.
     pub(crate) fn closing(&self, closure: usize, unknowns: &[usize]) -> usize {
-        let class = |&unknown: &usize| match self.unknowns[unknown] {
-            Unknown::Angle { class, .. } => Some(class),
+        let orientation = |&unknown: &usize| match self.unknowns[unknown] {
+            Unknown::Angle { orientation, .. } => Some(orientation),
             _ => None,
         };
-        let solved: Vec<usize> = unknowns.iter().filter_map(class).collect_vec();
-        let within =
-            |frame: FrameRef| frame.body.is_some_and(|body| solved.contains(&self.headings[body].class));
+        let solved: Vec<usize> = unknowns.iter().filter_map(orientation).collect_vec();
+        let within = |frame: FrameRef| {
+            frame.body.is_some_and(|body| solved.contains(&self.absolute_angles[body].orientation))
+        };
         let rank = |&joint: &usize| {
-            let Joint { a, b, slide, .. } = self.joints[joint];
-            let slides = slide.is_some_and(|slide| unknowns.contains(&slide));
-            (slides || (within(a) && within(b)), within(a) || within(b))
+            let Joint { a, b, displacement, .. } = self.joints[joint];
+            let is_sought = displacement.is_some_and(|displacement| unknowns.contains(&displacement));
+            (is_sought || (within(a) && within(b)), within(a) || within(b))
         };
         self.loops[closure].iter().copied().max_by_key(rank).unwrap_or(0)
     }
@@ -252,49 +253,51 @@ impl Coordinates {
         Vec2::from([0, 1].map_each(|axis| of(axis).map_or(Expr::ZERO, |unknown| values[unknown])))
     }
 
-    /// Heading of the body of a frame.
-    pub(crate) fn heading(&self, frame: FrameRef) -> Heading {
-        frame.body.map_or(Heading { class: 0, offset: Expr::ZERO }, |body| self.headings[body])
+    /// Absolute angle of the body of a frame.
+    pub(crate) fn absolute_angle(&self, frame: FrameRef) -> AbsoluteAngle {
+        frame
+            .body
+            .map_or(AbsoluteAngle { orientation: 0, offset: Expr::ZERO }, |body| self.absolute_angles[body])
     }
 
-    /// From G (on the ground: from the origin) to a port, in the axes of the class.
+    /// From G (on the ground: from the origin) to a port, in the axes of the orientation.
     pub(crate) fn arm(&self, model: &Model, frame: FrameRef) -> (usize, Vec2) {
-        let heading = self.heading(frame);
-        (heading.class, Rotation::by(heading.offset) * port(model, frame).at)
+        let absolute_angle = self.absolute_angle(frame);
+        (absolute_angle.orientation, Rotation::by(absolute_angle.offset) * port(model, frame).at)
     }
 
-    /// The x axis of a port, in the axes of the class.
+    /// The x axis of a port, in the axes of the orientation.
     pub(crate) fn axis(&self, model: &Model, frame: FrameRef) -> (usize, Vec2) {
-        let heading = self.heading(frame);
-        let angle = heading.offset + port(model, frame).angle;
-        (heading.class, Rotation::by(angle).axis())
+        let absolute_angle = self.absolute_angle(frame);
+        let angle = absolute_angle.offset + port(model, frame).angle;
+        (absolute_angle.orientation, Rotation::by(angle).axis())
     }
 
     /// Adds the way from G of the body of `a` to G of the body of `b` through a joint, or its negative.
     fn add_across(&self, chain: &mut Chain, model: &Model, joint: usize, negative: bool) {
-        let Joint { a, b, slide, .. } = self.joints[joint];
-        let (class, arm) = self.arm(model, a);
-        chain.add(class, None, arm, negative);
-        if slide.is_some() {
-            let (class, axis) = self.axis(model, a);
-            chain.add(class, slide, axis, negative);
+        let Joint { a, b, displacement, .. } = self.joints[joint];
+        let (orientation, arm) = self.arm(model, a);
+        chain.add(orientation, None, arm, negative);
+        if displacement.is_some() {
+            let (orientation, axis) = self.axis(model, a);
+            chain.add(orientation, displacement, axis, negative);
         }
-        let (class, arm) = self.arm(model, b);
-        chain.add(class, None, arm, !negative);
+        let (orientation, arm) = self.arm(model, b);
+        chain.add(orientation, None, arm, !negative);
     }
 }
 
-/// Classes of bodies that never turn against each other, numbered in the order of `order`, and each body's angle in its
-/// class: zero for the first one. Class 0 is the ground.
+/// Absolute angles of all bodies. Bodies that never turn against each other share an orientation; orientations are numbered in
+/// the order of `order`, 0 being the ground. The offset of the first body of each is zero.
 ///
 /// # Errors
 /// When joints fix an angle twice and nothing says that they agree.
-fn headings(
+fn absolute_angles(
     model: &Model,
     joints: &[Joint],
     edges: &[(usize, usize)],
     order: &[TreeEdge],
-) -> Result<Vec<Heading>, String> {
+) -> Result<Vec<AbsoluteAngle>, String> {
     let fixed = |joint: &&Joint| !joint.pair.turns();
     let (ties, tied): (Vec<&Joint>, Vec<(usize, usize)>) = joints
         .iter()
@@ -329,18 +332,19 @@ fn headings(
         }
     }
     let mut first = vec![Expr::ZERO];
-    let mut class = vec![None; nodes];
-    class[root[0]] = Some(0);
-    let mut headings = vec![Heading { class: 0, offset: Expr::ZERO }; model.bodies.len()];
+    let mut orientation = vec![None; nodes];
+    orientation[root[0]] = Some(0);
+    let mut absolute_angles = vec![AbsoluteAngle { orientation: 0, offset: Expr::ZERO }; model.bodies.len()];
     for edge in order {
         let node = edge.body + 1;
-        let class = *class[root[node]].get_or_insert_with(|| {
+        let orientation = *orientation[root[node]].get_or_insert_with(|| {
             first.push(angle[node]);
             first.len() - 1
         });
-        headings[edge.body] = Heading { class, offset: (angle[node] - first[class]) };
+        absolute_angles[edge.body] =
+            AbsoluteAngle { orientation, offset: (angle[node] - first[orientation]) };
     }
-    Ok(headings)
+    Ok(absolute_angles)
 }
 
 /// The port of a frame.
@@ -372,7 +376,7 @@ fn joints(model: &Model) -> Result<Vec<Joint>, String> {
             return Err(format!("`{name}` stands on a port that turns with the time"));
         }
         if let (Some(pair), &[a, b]) = (declared.pair, declared.frames.as_slice()) {
-            joints.push(Joint { part, pair, a, b, slide: None });
+            joints.push(Joint { part, pair, a, b, displacement: None });
         } else if declared.pair.is_some() {
             return Err(format!("`{name}` does not join two frames"));
         }

@@ -53,7 +53,7 @@ pub(crate) fn explicit(model: &Model, coordinates: &Coordinates, phi: Expr) -> O
     (!coefficients.is_empty()).then_some(Explicit { phi, held, coefficients })
 }
 
-/// What stands for the poses of the bodies that an expression holds.
+/// Values for the poses of the bodies that an expression holds.
 fn poses(model: &Model, coordinates: &Coordinates, phi: Expr, symbols: &[Expr]) -> Vec<(Expr, Expr)> {
     let held = algebra::symbols(&[phi]);
     let mut pairs = Vec::new();
@@ -61,12 +61,13 @@ fn poses(model: &Model, coordinates: &Coordinates, phi: Expr, symbols: &[Expr]) 
         if !declared.q.iter().any(|symbol| held.contains(symbol)) {
             continue;
         }
-        let heading = coordinates.headings[body];
-        let angle = coordinates.angle_of_class[heading.class].map_or(Expr::ZERO, |unknown| symbols[unknown]);
-        let own = Rotation::by(angle) * Rotation::by(heading.offset).axis();
+        let absolute_angle = coordinates.absolute_angles[body];
+        let angle = coordinates.angle_of_orientation[absolute_angle.orientation]
+            .map_or(Expr::ZERO, |unknown| symbols[unknown]);
+        let own = Rotation::by(angle) * Rotation::by(absolute_angle.offset).axis();
         let theta = declared.q[2];
         pairs.push_all([(theta.cos(), own.x), (theta.sin(), own.y)]);
-        pairs.push((theta, angle + heading.offset));
+        pairs.push((theta, angle + absolute_angle.offset));
         let position = position(coordinates, body, symbols);
         pairs.push_all([(declared.q[0], position.x), (declared.q[1], position.y)]);
     }
@@ -75,9 +76,10 @@ fn poses(model: &Model, coordinates: &Coordinates, phi: Expr, symbols: &[Expr]) 
 
 /// G of a body as a function of the unknowns.
 fn position(coordinates: &Coordinates, body: usize, symbols: &[Expr]) -> Vec2 {
-    let terms = coordinates.centres[body].terms().map(|(class, slide, vector)| {
-        let vector = slide.map_or(Expr::ONE, |slide| symbols[slide]) * vector;
-        coordinates.angle_of_class[class].map_or(vector, |angle| Rotation::by(symbols[angle]) * vector)
+    let terms = coordinates.centres[body].terms().map(|(orientation, displacement, vector)| {
+        let vector = displacement.map_or(Expr::ONE, |displacement| symbols[displacement]) * vector;
+        coordinates.angle_of_orientation[orientation]
+            .map_or(vector, |angle| Rotation::by(symbols[angle]) * vector)
     });
     terms.sum()
 }

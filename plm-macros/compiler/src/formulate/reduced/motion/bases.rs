@@ -1,8 +1,8 @@
-//! Classes of bodies by a vector that turns with them, and what such vectors make with each other.
+//! Orientations of bodies by a vector that turns with them, and what such vectors make with each other.
 //!
-//! A dyad finds the vector along a link, not the cosine and the sine of an angle: that vector is as good a base as the unit
+//! A dyad finds the vector along a bar, not the cosine and the sine of an angle: that vector is as good a base as the unit
 //! vector is, and its products with others are those that velocities, accelerations and masses are made of. Complex numbers
-//! tell how: a vector of the class is its base times a constant `v`, and
+//! tell how: a vector of the orientation is its base times a constant `v`, and
 //! `conj(a u) b w = (conj(a) b) (conj(u) w)` holds the scalar product of two vectors and their cross product.
 
 use crate::sorted::SortedMap;
@@ -12,12 +12,12 @@ use plm_cas::{Expr, Rotation, Vec2};
 
 use crate::formulate::reduced::joints::chain::Chain;
 
-/// A vector that turns with a class.
+/// A vector that turns with an orientation.
 #[derive(Clone, Copy)]
 pub(crate) struct Base {
     /// In absolute axes.
     pub(crate) vector: Vec2,
-    /// In the axes of the class; constant.
+    /// In the axes of the orientation; constant.
     pub(crate) own: Vec2,
     /// The square of its length.
     pub(crate) square: Expr,
@@ -72,36 +72,36 @@ impl Neg for Products {
     }
 }
 
-/// What is known of the classes' bases.
+/// Bases of the orientations.
 #[derive(Clone, Default)]
 pub(crate) struct Bases {
-    /// By class; of the others the unit vector is the base.
-    of_class: SortedMap<usize, Base>,
+    /// By orientation; of the others the unit vector is the base.
+    of_orientation: SortedMap<usize, Base>,
     /// Of two bases.
     products: SortedMap<(usize, usize), Products>,
 }
 
 impl Bases {
-    /// Makes the vector of a loop that turns with a class the base, if nothing slides along it.
-    pub(crate) fn insert_arm(&mut self, chain: &Chain, class: usize, base: Base) {
-        if chain.of_class(class).all(|(slide, _)| slide.is_none()) {
-            self.of_class.insert(class, base);
+    /// Makes the vector of a loop that turns with an orientation the base, if nothing slides along it.
+    pub(crate) fn insert_arm(&mut self, chain: &Chain, orientation: usize, base: Base) {
+        if chain.of_orientation(orientation).all(|(displacement, _)| displacement.is_none()) {
+            self.of_orientation.insert(orientation, base);
         }
     }
 
-    /// The products of the bases of two classes are these.
-    pub(crate) fn insert_products(&mut self, classes: (usize, usize), products: Products) {
-        self.products.insert(classes, products);
+    /// The products of the bases of two orientations are these.
+    pub(crate) fn insert_products(&mut self, orientations: (usize, usize), products: Products) {
+        self.products.insert(orientations, products);
     }
 }
 
 impl Bases {
-    /// The base of a class, if it is not the unit vector.
-    pub(crate) fn of_class(&self, class: usize) -> Option<&Base> {
-        self.of_class.get(&class)
+    /// The base of an orientation, if it is not the unit vector.
+    pub(crate) fn of_orientation(&self, orientation: usize) -> Option<&Base> {
+        self.of_orientation.get(&orientation)
     }
 
-    /// The products of the bases of two classes, if they were found otherwise than from the vectors.
+    /// The products of the bases of two orientations, if they were found otherwise than from the vectors.
     pub(crate) fn products(&self, a: usize, b: usize) -> Option<Products> {
         let swapped = self.products.get(&(b, a)).copied().map(Products::swapped);
         swapped.or_else(|| self.products.get(&(a, b)).copied())

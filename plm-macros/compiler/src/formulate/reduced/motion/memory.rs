@@ -1,4 +1,4 @@
-//! What a formulation with loops remembers from the last state that was looked at.
+//! Memory of a formulation with loops: values of the last accepted state.
 
 use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Expr, Rotation};
@@ -14,15 +14,15 @@ pub(crate) struct Memory {
     angles: Vec<Option<[Expr; 3]>>,
     /// By dyad of a chart: its determinant, whose sign tells the mirror images apart.
     areas: Vec<Expr>,
-    /// By unknown, for those that Newton's iteration starts from: value, rate, half the rate of that; of slides, over the
+    /// By unknown, for those that Newton's iteration starts from: value, rate, half the rate of that; of displacements, over the
     /// size of the scene.
     followed: Vec<Option<[Expr; 3]>>,
 }
 
-/// What is kept of an unknown that is followed.
+/// Values that are kept of an unknown that is followed.
 const FOLLOWED: [&str; 3] = ["value", "rate", "bend"];
 
-/// What is to be remembered of one state.
+/// Values of one state that are to be remembered.
 pub(crate) struct Memorable<'a> {
     /// By coordinate, then for the time: value, and how far it may move until the next look.
     pub(crate) boxes: Vec<[Expr; 2]>,
@@ -119,7 +119,7 @@ impl Memory {
         self.areas.get(dyad).copied()
     }
 
-    /// Where an unknown was, and by how much it should have moved until `time`; of slides, over the size of the scene.
+    /// Where an unknown was, and by how much it should have moved until `time`; of displacements, over the size of the scene.
     pub(crate) fn moved(&self, unknown: usize, time: Expr) -> Option<[Expr; 2]> {
         let [value, rate, bend] = (*self.followed.get(unknown)?)?;
         let [last, _] = *self.boxes.last()?;

@@ -8,7 +8,7 @@ use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Rotation, Vec2};
 
 use crate::formulate::reduced::joints::chain::Chain;
-use crate::formulate::reduced::joints::coordinates::{Coordinates, Heading, TreeEdge, Unknown, port};
+use crate::formulate::reduced::joints::coordinates::{AbsoluteAngle, Coordinates, TreeEdge, Unknown, port};
 use crate::formulate::reduced::motion::bases::{Bases, Products};
 use crate::formulate::reduced::motion::solution::Solution;
 use crate::model::{FrameRef, Model};
@@ -31,23 +31,23 @@ pub(crate) struct Motion<'a> {
     pub(crate) value: Vec<Expr>,
     /// Its rate, `K y' + k`.
     pub(crate) rate: Vec<Expr>,
-    /// `K`: by unknown, by coordinate.
-    pub(crate) gain: Vec<Vec<Expr>>,
+    /// Kinematic coefficients `K`, derivatives of the unknowns by the coordinates: by unknown, by coordinate.
+    pub(crate) coefficient: Vec<Vec<Expr>>,
     /// `k`.
     pub(crate) time_rate: Vec<Expr>,
     /// Second derivative of each unknown while those of the coordinates are zero; with a pace, over its square.
     pub(crate) bias: Vec<Expr>,
-    /// The rate of the one coordinate on which everything depends, if there is nothing else that moves: all rates are gains
+    /// The rate of the one coordinate on which everything depends, if there is nothing else that moves: all rates are coefficients
     /// times the pace, all that velocities ask for is a function of the pose times its square. Such a function need not
     /// wait for the velocity.
     pub(crate) pace: Option<Expr>,
-    /// How far each class is turned.
+    /// How far each orientation is turned.
     pub(crate) rotation: Vec<Rotation>,
-    /// Vectors that turn with the classes, and their products.
+    /// Vectors that turn with the orientations, and their products.
     pub(crate) bases: Bases,
-    /// Angular velocity of each class.
+    /// Angular velocity of each orientation.
     pub(crate) omega: Vec<Expr>,
-    /// Angular velocity of each class; with a pace, over it.
+    /// Angular velocity of each orientation; with a pace, over it.
     pub(crate) turning: Vec<Expr>,
     /// G of each body.
     pub(crate) position: Vec<Vec2>,
@@ -55,7 +55,7 @@ pub(crate) struct Motion<'a> {
     pub(crate) velocity: Vec<Vec2>,
     /// The loops, in the order of solution.
     pub(crate) solutions: Vec<Solution>,
-    /// What stands for the symbols of the model: angles and their sines, positions, rates.
+    /// Values for the symbols of the model: angles and their sines, positions, rates.
     pub(crate) substitution: Vec<(Expr, Expr)>,
 }
 
@@ -66,8 +66,8 @@ impl<'a> Motion<'a> {
         for (k, &unknown) in coordinates.unknowns.iter().enumerate() {
             let value = of_pose(model, coordinates, unknown);
             motion.value[k] = value;
-            if let Unknown::Angle { class, .. } = unknown {
-                motion.rotation[class] = Rotation::by(value);
+            if let Unknown::Angle { orientation, .. } = unknown {
+                motion.rotation[orientation] = Rotation::by(value);
             }
         }
         motion
@@ -75,7 +75,7 @@ impl<'a> Motion<'a> {
 
     pub(crate) fn still(model: &Model, coordinates: &'a Coordinates, length: Expr) -> Motion<'a> {
         let zeros = vec![Expr::ZERO; coordinates.unknowns.len()];
-        let classes = coordinates.angle_of_class.len();
+        let orientations = coordinates.angle_of_orientation.len();
         Motion {
             coordinates,
             time: model.time,
@@ -86,14 +86,14 @@ impl<'a> Motion<'a> {
             precision: model.precision,
             value: zeros.clone(),
             rate: zeros.clone(),
-            gain: vec![Vec::new(); coordinates.unknowns.len()],
+            coefficient: vec![Vec::new(); coordinates.unknowns.len()],
             time_rate: zeros.clone(),
             bias: zeros,
             pace: None,
-            rotation: vec![Rotation::IDENTITY; classes],
+            rotation: vec![Rotation::IDENTITY; orientations],
             bases: Bases::default(),
-            omega: vec![Expr::ZERO; classes],
-            turning: vec![Expr::ZERO; classes],
+            omega: vec![Expr::ZERO; orientations],
+            turning: vec![Expr::ZERO; orientations],
             position: Vec::new(),
             velocity: Vec::new(),
             solutions: Vec::new(),
@@ -106,54 +106,62 @@ impl<'a> Motion<'a> {
         self.independent.iter().map(|&unknown| of[unknown]).collect_vec()
     }
 
-    /// A vector in the axes of a class over the class's base.
-    pub(crate) fn over_base(&self, class: usize, vector: Vec2) -> Vec2 {
-        let Some(base) = self.bases.of_class(class) else { return vector };
+    /// A vector in the axes of an orientation over the orientation's base.
+    pub(crate) fn over_base(&self, orientation: usize, vector: Vec2) -> Vec2 {
+        let Some(base) = self.bases.of_orientation(orientation) else { return vector };
         Rotation::between(base.own, vector).axis() / base.square
     }
 
-    /// A vector in the axes of a class, in absolute axes.
-    pub(crate) fn turned(&self, class: usize, vector: Vec2) -> Vec2 {
-        let vector = self.over_base(class, vector);
-        Rotation::to(self.base(class)) * vector
+    /// A vector in the axes of an orientation, in absolute axes.
+    pub(crate) fn turned(&self, orientation: usize, vector: Vec2) -> Vec2 {
+        let vector = self.over_base(orientation, vector);
+        Rotation::to(self.base(orientation)) * vector
     }
 
-    /// The products of two vectors that are given over the bases of their classes.
+    /// The products of two vectors that are given over the bases of their orientations.
     pub(crate) fn products(&self, (a, u): (usize, Vec2), (b, w): (usize, Vec2)) -> Products {
         let constant = Products::of(u, w);
         let bases = self.products_of_bases(a, b);
         constant.turned(Rotation { cos: bases.dot, sin: bases.cross })
     }
 
-    /// The products of the bases of two classes.
+    /// The products of the bases of two orientations.
     pub(crate) fn products_of_bases(&self, a: usize, b: usize) -> Products {
         if a == b {
-            let square = self.bases.of_class(a).map_or(Expr::ONE, |base| base.square);
+            let square = self.bases.of_orientation(a).map_or(Expr::ONE, |base| base.square);
             return Products { dot: square, cross: Expr::ZERO };
         }
         self.bases.products(a, b).unwrap_or_else(|| Products::of(self.base(a), self.base(b)))
     }
 
-    fn base(&self, class: usize) -> Vec2 {
-        self.bases.of_class(class).map_or(self.rotation[class].axis(), |base| base.vector)
+    fn base(&self, orientation: usize) -> Vec2 {
+        self.bases.of_orientation(orientation).map_or(self.rotation[orientation].axis(), |base| base.vector)
     }
 
-    /// Sum of the vectors of a loop that turn with none of some classes, without some slides.
-    pub(crate) fn known_sum(&self, chain: &Chain, turns: &[usize], slides: &[usize]) -> Vec2 {
-        let classes = chain.classes().into_iter().filter(|class| !turns.contains(class));
-        classes.map(|class| self.turned(class, self.arm(chain, class, slides))).sum()
+    /// Sum of the vectors of a loop that turn with none of some orientations, without some displacements.
+    pub(crate) fn known_sum(&self, chain: &Chain, turns: &[usize], displacements: &[usize]) -> Vec2 {
+        let orientations =
+            chain.orientations().into_iter().filter(|orientation| !turns.contains(orientation));
+        orientations
+            .map(|orientation| self.turned(orientation, self.arm(chain, orientation, displacements)))
+            .sum()
     }
 
-    /// The vector of a loop in the axes of a class, without some slides.
-    pub(crate) fn arm(&self, chain: &Chain, class: usize, without: &[usize]) -> Vec2 {
-        let vectors =
-            chain.of_class(class).filter(|(slide, _)| slide.is_none_or(|slide| !without.contains(&slide)));
-        vectors.map(|(slide, vector)| slide.map_or(vector, |slide| self.value[slide] * vector)).sum()
+    /// The vector of a loop in the axes of an orientation, without some displacements.
+    pub(crate) fn arm(&self, chain: &Chain, orientation: usize, without: &[usize]) -> Vec2 {
+        let vectors = chain.of_orientation(orientation).filter(|(displacement, _)| {
+            displacement.is_none_or(|displacement| !without.contains(&displacement))
+        });
+        vectors
+            .map(|(displacement, vector)| {
+                displacement.map_or(vector, |displacement| self.value[displacement] * vector)
+            })
+            .sum()
     }
 
-    /// The vector of a loop that turns with a class, in absolute axes.
-    pub(crate) fn whole_arm(&self, chain: &Chain, class: usize) -> Vec2 {
-        self.turned(class, self.arm(chain, class, &[]))
+    /// The vector of a loop that turns with an orientation, in absolute axes.
+    pub(crate) fn whole_arm(&self, chain: &Chain, orientation: usize) -> Vec2 {
+        self.turned(orientation, self.arm(chain, orientation, &[]))
     }
 
     /// Names the vector of a loop that turns with an unknown angle.
@@ -162,14 +170,14 @@ impl<'a> Motion<'a> {
         arm.named(format!("{name}.arm"))
     }
 
-    /// Writes how far a class is turned.
-    pub(crate) fn turn_class(&mut self, unknown: usize, class: usize, rotation: Rotation) {
+    /// Writes how far an orientation is turned.
+    pub(crate) fn set_rotation(&mut self, unknown: usize, orientation: usize, rotation: Rotation) {
         let name = self.names[unknown].trim_end_matches(".angle");
-        self.rotation[class] = rotation.named(format!("{name}.cos"), format!("{name}.sin"));
+        self.rotation[orientation] = rotation.named(format!("{name}.cos"), format!("{name}.sin"));
     }
 
-    /// Writes the value of a slide.
-    pub(crate) fn set_slide(&mut self, unknown: usize, value: Expr) -> Expr {
+    /// Writes the value of an unknown.
+    pub(crate) fn set_value(&mut self, unknown: usize, value: Expr) -> Expr {
         let value = value.named(&self.names[unknown]);
         self.value[unknown] = value;
         value
@@ -178,37 +186,38 @@ impl<'a> Motion<'a> {
     /// Writes the rate of an unknown whose coefficients are known.
     pub(crate) fn set_rate(&mut self, unknown: usize) {
         let driven = self.independent.iter().enumerate();
-        let driven = driven.map(|(k, &coordinate)| self.gain[unknown][k] * self.rate[coordinate]);
+        let driven = driven.map(|(k, &coordinate)| self.coefficient[unknown][k] * self.rate[coordinate]);
         let rate: Expr = [self.time_rate[unknown]].into_iter().chain(driven).sum();
         let rate = rate.named(format!("{}.rate", self.names[unknown]));
         self.rate[unknown] = rate;
-        if let Unknown::Angle { class, .. } = self.coordinates.unknowns[unknown] {
-            self.omega[class] = rate;
-            self.turning[class] = self.sliding(unknown);
+        if let Unknown::Angle { orientation, .. } = self.coordinates.unknowns[unknown] {
+            self.omega[orientation] = rate;
+            self.turning[orientation] = self.rate_over_pace(unknown);
         }
     }
 
     /// Rate of an unknown; with a pace, over it.
-    pub(crate) fn sliding(&self, unknown: usize) -> Expr {
-        match (self.pace, self.gain[unknown].first()) {
-            (Some(_), Some(&gain)) => gain,
+    pub(crate) fn rate_over_pace(&self, unknown: usize) -> Expr {
+        match (self.pace, self.coefficient[unknown].first()) {
+            (Some(_), Some(&coefficient)) => coefficient,
             _ => self.rate[unknown],
         }
     }
 
-    /// Angular velocity of a class over the rate of a coordinate.
-    pub(crate) fn turning_by(&self, class: usize, coordinate: usize) -> Expr {
-        self.coordinates.angle_of_class[class].map_or(Expr::ZERO, |angle| self.gain[angle][coordinate])
+    /// Angular velocity of an orientation over the rate of a coordinate.
+    pub(crate) fn turning_by(&self, orientation: usize, coordinate: usize) -> Expr {
+        self.coordinates.angle_of_orientation[orientation]
+            .map_or(Expr::ZERO, |angle| self.coefficient[angle][coordinate])
     }
 
-    /// Angular acceleration of a class while the second derivatives of the coordinates are zero; with a pace, over its square.
-    pub(crate) fn turning_bias(&self, class: usize) -> Expr {
-        self.coordinates.angle_of_class[class].map_or(Expr::ZERO, |angle| self.bias[angle])
+    /// Angular acceleration of an orientation while the second derivatives of the coordinates are zero; with a pace, over its square.
+    pub(crate) fn turning_bias(&self, orientation: usize) -> Expr {
+        self.coordinates.angle_of_orientation[orientation].map_or(Expr::ZERO, |angle| self.bias[angle])
     }
 
     /// A column of `K`.
-    pub(crate) fn gains(&self, coordinate: usize) -> Vec<Expr> {
-        self.gain.iter().map(|gains| gains[coordinate]).collect_vec()
+    pub(crate) fn coefficients(&self, coordinate: usize) -> Vec<Expr> {
+        self.coefficient.iter().map(|coefficients| coefficients[coordinate]).collect_vec()
     }
 
     /// Positions and velocities from the ground outwards, each from the one before.
@@ -235,16 +244,16 @@ impl<'a> Motion<'a> {
         let mut position = edge.parent.map_or(Vec2::ZERO, |parent| self.position[parent]);
         let mut velocity = edge.parent.map_or(Vec2::ZERO, |parent| self.velocity[parent]);
         let way = self.way(model, edge, joint);
-        if let Some((slide, class, axis)) = way.slide {
-            velocity += self.turned(class, self.rate[slide] * axis);
+        if let Some((displacement, orientation, axis)) = way.displacement {
+            velocity += self.turned(orientation, self.rate[displacement] * axis);
         }
-        for Arm { class, vector, at_rest } in way.arms {
+        for Arm { orientation, vector, at_rest } in way.arms {
             position += vector;
             // A port of the ground may move with the time.
-            if class == 0 {
+            if orientation == 0 {
                 velocity += at_rest.diff(model.time);
             }
-            velocity += self.omega[class] * vector.left();
+            velocity += self.omega[orientation] * vector.left();
         }
         (position, velocity)
     }
@@ -255,29 +264,29 @@ impl<'a> Motion<'a> {
         let joint = coordinates.joints[joint];
         let outward = joint.b.body == Some(edge.body);
         let signed = |vector: Vec2, positive: bool| if positive { vector } else { -vector };
-        let (class, start) = coordinates.arm(model, joint.a);
-        let (mut out, mut slide) = (start, None);
-        if let Some(unknown) = joint.slide {
+        let (orientation, start) = coordinates.arm(model, joint.a);
+        let (mut out, mut displacement) = (start, None);
+        if let Some(unknown) = joint.displacement {
             let (_, axis) = coordinates.axis(model, joint.a);
             out += self.value[unknown] * axis;
-            slide = Some((unknown, class, signed(axis, outward)));
+            displacement = Some((unknown, orientation, signed(axis, outward)));
         }
         let (other, back) = coordinates.arm(model, joint.b);
-        let arm = |class: usize, arm: Vec2, at_rest: Vec2, positive: bool| Arm {
-            class,
-            vector: signed(self.turned(class, arm), positive),
+        let arm = |orientation: usize, arm: Vec2, at_rest: Vec2, positive: bool| Arm {
+            orientation,
+            vector: signed(self.turned(orientation, arm), positive),
             at_rest: signed(at_rest, positive),
         };
-        Way { slide, arms: [arm(class, out, start, outward), arm(other, back, back, !outward)] }
+        Way { displacement, arms: [arm(orientation, out, start, outward), arm(other, back, back, !outward)] }
     }
 
-    pub(crate) fn substitute_headings(&mut self, model: &Model) {
+    pub(crate) fn substitute_absolute_angles(&mut self, model: &Model) {
         let mut pairs = Vec::new();
         for (body, declared) in model.bodies.iter().enumerate() {
-            let heading = self.coordinates.headings[body];
-            let angle = self.angle(heading);
-            let omega = self.omega[heading.class];
-            let axis = self.turned(heading.class, Rotation::by(heading.offset).axis());
+            let absolute_angle = self.coordinates.absolute_angles[body];
+            let angle = self.angle(absolute_angle);
+            let omega = self.omega[absolute_angle.orientation];
+            let axis = self.turned(absolute_angle.orientation, Rotation::by(absolute_angle.offset).axis());
             let [x, y, theta] = declared.q;
             let [vx, vy, spin] = declared.v;
             pairs.push_all([(theta.cos(), axis.x), (theta.sin(), axis.y), (theta, angle), (spin, omega)]);
@@ -288,43 +297,43 @@ impl<'a> Motion<'a> {
         self.substitution = pairs;
     }
 
-    /// The angle of a heading.
-    pub(crate) fn angle(&self, heading: Heading) -> Expr {
-        let unknown = self.coordinates.angle_of_class[heading.class];
-        let of_class = unknown.map_or(Expr::ZERO, |unknown| self.value[unknown]);
-        of_class + heading.offset
+    /// The absolute angle of a body.
+    pub(crate) fn angle(&self, absolute_angle: AbsoluteAngle) -> Expr {
+        let unknown = self.coordinates.angle_of_orientation[absolute_angle.orientation];
+        let of_orientation = unknown.map_or(Expr::ZERO, |unknown| self.value[unknown]);
+        of_orientation + absolute_angle.offset
     }
 }
 
 /// How one gets from a body to the next.
 pub(crate) struct Way {
-    /// The slide of the joint, the class with which its axis turns, and the axis in that class's axes.
-    pub(crate) slide: Option<(usize, usize, Vec2)>,
+    /// The displacement of the joint, the orientation with which its axis turns, and the axis in that orientation's axes.
+    pub(crate) displacement: Option<(usize, usize, Vec2)>,
     /// To the joint and on from it.
     pub(crate) arms: [Arm; 2],
 }
 
-/// A vector that turns with a class.
+/// A vector that turns with an orientation.
 pub(crate) struct Arm {
-    pub(crate) class: usize,
+    pub(crate) orientation: usize,
     /// In absolute axes.
     pub(crate) vector: Vec2,
-    /// Without the slide, in the axes of the class.
+    /// Without the displacement, in the axes of the orientation.
     pub(crate) at_rest: Vec2,
 }
 
-/// The coordinate as a function of the absolute pose: what a state on rung 5 becomes here.
+/// The coordinate as a function of the absolute pose: the inverse of the pose.
 pub(crate) fn of_pose(model: &Model, coordinates: &Coordinates, unknown: Unknown) -> Expr {
     match unknown {
         Unknown::Angle { body, .. } => model.bodies[body].q[2],
         Unknown::Centre { body, axis } => model.bodies[body].q[axis],
-        Unknown::Slide { part } => {
+        Unknown::Displacement { part } => {
             let frames = &model.parts[part].frames;
             let (a, b) = (frames[0], frames[1]);
             let (start, end) = (point(model, a), point(model, b));
             let between = end - start;
-            let heading = coordinates.heading(a);
-            let own = a.body.map_or(heading.offset, |body| model.bodies[body].q[2]);
+            let absolute_angle = coordinates.absolute_angle(a);
+            let own = a.body.map_or(absolute_angle.offset, |body| model.bodies[body].q[2]);
             let angle = own + port(model, a).angle;
             between.dot(Rotation::by(angle).axis())
         }

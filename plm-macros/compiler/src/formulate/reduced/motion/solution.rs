@@ -1,8 +1,8 @@
-//! What the solution of a loop leaves for those who come after.
+//! Solution of a loop, for the functions that follow.
 
 use plm_cas::{Expr, Vec2};
 
-/// What a dyad's solution leaves for velocities and for the choice of charts.
+/// Values of a dyad's solution that velocities and the choice of charts need.
 #[derive(Clone)]
 pub(crate) struct Solution {
     /// `D`, m^2, m or 1; of a group without mirror images its measure.
@@ -13,7 +13,7 @@ pub(crate) struct Solution {
     pub(crate) scale: Expr,
     /// The loop's Jacobian by the two unknowns.
     pub(crate) columns: [Vec2; 2],
-    /// The vectors of the loop that turn with the unknown classes.
+    /// The vectors of the loop that turn with the unknown orientations.
     pub(crate) arms: Vec<(usize, Vec2)>,
 }
 

@@ -10,7 +10,7 @@
 //! I <- I - g (I s)^T,   p <- p - g (s . p)
 //! ```
 //!
-//! What is left, carried to the reference point of the parent, adds to the parent's own. Absolute angles leave no Coriolis
+//! The remainder, carried to the reference point of the parent, adds to the parent's own. Absolute angles leave no Coriolis
 //! terms in a revolute; gravity is an acceleration of the ground against it.
 
 use crate::collect::{CollectVec, MapEach, PushAll};
@@ -42,7 +42,7 @@ struct Link {
     freedoms: Vec<(usize, Spatial)>,
 }
 
-/// What the way back needs of a freedom that was eliminated.
+/// Values of an eliminated freedom that the way back needs.
 struct Eliminated {
     unknown: usize,
     /// `s`
@@ -99,7 +99,7 @@ struct Elimination<'a> {
     model: &'a Model,
     coordinates: &'a Coordinates,
     motion: &'a Motion<'a>,
-    /// Squares of the angular velocities of the classes.
+    /// Squares of the angular velocities of the orientations.
     squares: Vec<Expr>,
     trace: Vec<Expr>,
 }
@@ -108,20 +108,20 @@ impl Elimination<'_> {
     /// A body by itself: `m a_G - f` and `J alpha - torque`, about the reference point.
     fn alone(&mut self, body: usize, applied: Spatial) -> Answer {
         let Model { bodies, .. } = self.model;
-        let (mass, class) = (bodies[body].mass, self.coordinates.headings[body].class);
+        let (mass, orientation) = (bodies[body].mass, self.coordinates.absolute_angles[body].orientation);
         let arm = self.reference(body);
         let steiner = mass * arm.squared();
-        let to_centre = -self.motion.turned(class, arm);
+        let to_centre = -self.motion.turned(orientation, arm);
         let coupling = mass * to_centre.left();
         let inertia = Inertia::new([mass, Expr::ZERO, mass], coupling, bodies[body].inertia + steiner);
         let force = applied.plane();
-        let centrifugal = (mass * self.squares[class]) * to_centre;
+        let centrifugal = (mass * self.squares[orientation]) * to_centre;
         let moment = to_centre.cross(force);
         let against = Spatial::new(centrifugal + force, applied.about() + moment);
         Answer { inertia, force: -against }
     }
 
-    /// From G of a body to its reference point, in the axes of its class.
+    /// From G of a body to its reference point, in the axes of its orientation.
     fn reference(&self, body: usize) -> Vec2 {
         let joint = self.coordinates.order.iter().find(|edge| edge.body == body).and_then(|edge| edge.joint);
         let Some(joint) = joint else { return Vec2::ZERO };
@@ -149,13 +149,15 @@ impl Elimination<'_> {
             let time = self.model.time;
             link.bias += arm.diff(time).diff(time);
         }
-        let class = self.coordinates.headings[edge.body].class;
-        if let (Some(angle), true) = (self.coordinates.angle_of_class[class], class != parent) {
+        let orientation = self.coordinates.absolute_angles[edge.body].orientation;
+        if let (Some(angle), true) =
+            (self.coordinates.angle_of_orientation[orientation], orientation != parent)
+        {
             link.turns_along = false;
             link.freedoms.push((angle, Spatial::ABOUT));
         }
-        if let Some(slide) = joint.slide {
-            self.slide(&mut link, &joint, slide, near == joint.a);
+        if let Some(displacement) = joint.displacement {
+            self.displacement(&mut link, &joint, displacement, near == joint.a);
         }
         link
     }
@@ -176,26 +178,26 @@ impl Elimination<'_> {
     }
 
     /// Adds the displacement along the x axis of the port `a`, which the parent carries or the body itself.
-    fn slide(&mut self, link: &mut Link, joint: &Joint, slide: usize, on_parent: bool) {
-        let (class, axis) = self.coordinates.axis(self.model, joint.a);
+    fn displacement(&mut self, link: &mut Link, joint: &Joint, displacement: usize, on_parent: bool) {
+        let (orientation, axis) = self.coordinates.axis(self.model, joint.a);
         let motion = self.motion;
-        let along = motion.turned(class, axis);
+        let along = motion.turned(orientation, axis);
         let along = if on_parent { along } else { -along };
-        let way = motion.value[slide] * along;
+        let way = motion.value[displacement] * along;
         match link.freedoms.first_mut() {
             Some((_, spin)) if !on_parent => *spin = Spatial::new(way.left(), spin.about()),
             _ => link.lever += way.left(),
         }
         // Coriolis: 2 omega s'.
-        let turning = motion.omega[class] * motion.rate[slide];
+        let turning = motion.omega[orientation] * motion.rate[displacement];
         link.bias += (turning + turning) * along.left();
-        link.freedoms.push((slide, Spatial::new(along, Expr::ZERO)));
-        link.bias += self.inward(class, way);
+        link.freedoms.push((displacement, Spatial::new(along, Expr::ZERO)));
+        link.bias += self.inward(orientation, way);
     }
 
     /// `-omega^2 arm`.
-    fn inward(&self, class: usize, arm: Vec2) -> Vec2 {
-        -self.squares[class] * arm
+    fn inward(&self, orientation: usize, arm: Vec2) -> Vec2 {
+        -self.squares[orientation] * arm
     }
 
     /// Removes the freedoms of a joint, one after the other.
@@ -217,7 +219,7 @@ impl Elimination<'_> {
         (answer, eliminated)
     }
 
-    /// What a body asks of its joint, as a wrench at the reference point of its parent; `whole` is its answer before
+    /// Wrench of a body on its joint, at the reference point of its parent; `whole` is its answer before
     /// elimination.
     fn carry(
         &mut self,
@@ -290,7 +292,7 @@ impl Elimination<'_> {
         reached
     }
 
-    /// What bodies weigh with all that hangs on them. In the entries of the plane each body adds terms to those behind it, which
+    /// Inertia of bodies with all that hangs on them. In the entries of the plane each body adds terms to those behind it, which
     /// makes a row of n bodies n^2 terms to sort and to share.
     fn summed(&mut self, inertia: Inertia) -> Inertia {
         if self.model.bodies.len() <= FEW_BODIES {

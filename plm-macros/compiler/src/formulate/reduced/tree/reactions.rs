@@ -92,7 +92,8 @@ impl Layout<'_> {
             };
             let name = &model.bodies[body].name.text;
             let a = a.named_by([format!("{name}.ax"), format!("{name}.ay")]);
-            reached[body] = Spatial::new(a, self.alpha(second, coordinates.headings[body].class));
+            reached[body] =
+                Spatial::new(a, self.alpha(second, coordinates.absolute_angles[body].orientation));
         }
         reached
     }
@@ -104,13 +105,13 @@ impl Layout<'_> {
         let (far, back) = coordinates.arm(model, joint.b);
         let mut out = start;
         let mut sum = self.drifting(near, start);
-        if let Some(slide) = joint.slide {
+        if let Some(displacement) = joint.displacement {
             let (_, axis) = coordinates.axis(model, joint.a);
-            out += motion.value[slide] * axis;
+            out += motion.value[displacement] * axis;
             let along = motion.turned(near, axis);
-            sum += second[slide] * along;
+            sum += second[displacement] * along;
             // Coriolis: 2 omega s'.
-            let turning = motion.omega[near] * motion.rate[slide];
+            let turning = motion.omega[near] * motion.rate[displacement];
             sum += (turning + turning) * along.left();
         }
         sum += self.turning(motion, second, near, out);
@@ -118,20 +119,20 @@ impl Layout<'_> {
         sum - self.turning(motion, second, far, back)
     }
 
-    /// `alpha J arm - omega^2 arm` of an arm in the axes of its class.
-    fn turning(&self, motion: &Motion, second: &[Expr], class: usize, arm: Vec2) -> Vec2 {
-        let alpha = self.alpha(second, class);
-        let arm = motion.turned(class, arm);
-        alpha * arm.left() + -motion.omega[class].squared() * arm
+    /// `alpha J arm - omega^2 arm` of an arm in the axes of its orientation.
+    fn turning(&self, motion: &Motion, second: &[Expr], orientation: usize, arm: Vec2) -> Vec2 {
+        let alpha = self.alpha(second, orientation);
+        let arm = motion.turned(orientation, arm);
+        alpha * arm.left() + -motion.omega[orientation].squared() * arm
     }
 
     /// The acceleration of a port of the ground, which may move with the time.
-    fn drifting(&self, class: usize, at: Vec2) -> Vec2 {
-        if class > 0 { Vec2::ZERO } else { at.diff(self.model.time).diff(self.model.time) }
+    fn drifting(&self, orientation: usize, at: Vec2) -> Vec2 {
+        if orientation > 0 { Vec2::ZERO } else { at.diff(self.model.time).diff(self.model.time) }
     }
 
-    fn alpha(&self, second: &[Expr], class: usize) -> Expr {
-        let unknown = self.coordinates.angle_of_class[class];
+    fn alpha(&self, second: &[Expr], orientation: usize) -> Expr {
+        let unknown = self.coordinates.angle_of_orientation[orientation];
         unknown.map_or(Expr::ZERO, |unknown| second[unknown])
     }
 
@@ -197,11 +198,12 @@ fn solve(columns: &[Spatial], asked: Spatial, pairs: bool) -> Option<Vec<Expr>> 
 fn second_derivatives(motion: &Motion, of_independent: &[Expr]) -> Vec<Expr> {
     // With a pace, what the velocities ask for is over its square.
     let square = motion.pace.map_or(Expr::ONE, Expr::squared);
-    let gains = motion.gain.iter().zip(&motion.bias);
-    let values = gains.map(|(gains, &bias)| {
+    let coefficients = motion.coefficient.iter().zip(&motion.bias);
+    let values = coefficients.map(|(coefficients, &bias)| {
         let mut terms = vec![square * bias];
-        let moving = gains.iter().zip(of_independent).filter(|(gain, _)| !gain.is_zero());
-        terms.push_all(moving.map(|(&gain, &value)| gain * value));
+        let moving =
+            coefficients.iter().zip(of_independent).filter(|(coefficient, _)| !coefficient.is_zero());
+        terms.push_all(moving.map(|(&coefficient, &value)| coefficient * value));
         algebra::sum(&terms)
     });
     values.collect_vec()

@@ -40,7 +40,7 @@ pub(crate) fn augmented(model: &Model, equations: &Equations, motion: &Motion) -
     Some(laid_out(model, equations, motion))
 }
 
-/// The same for any number of states.
+/// The augmented equations for any number of states.
 pub(crate) fn laid_out(model: &Model, equations: &Equations, motion: &Motion) -> Augmented {
     let coordinates = motion.coordinates;
     let unknowns = Unknowns::new(model, equations, motion);
@@ -56,7 +56,7 @@ pub(crate) fn laid_out(model: &Model, equations: &Equations, motion: &Motion) ->
     Augmented::new(terms, (accelerations, equations.x.len()), &order, |_| sections)
 }
 
-/// What stands for the symbols of accelerations of bodies, outwards, and forces in joints, inwards.
+/// Values for the symbols of accelerations of bodies, outwards, and forces in joints, inwards.
 fn known(
     model: &Model,
     motion: &Motion,

@@ -78,14 +78,14 @@ impl Rows<'_> {
             return Vec2::new(declared.q[0], declared.q[1]);
         };
         let joint = coordinates.joints[joint];
-        let (class, mut out) = coordinates.arm(model, joint.a);
-        if let Some(slide) = joint.slide {
+        let (orientation, mut out) = coordinates.arm(model, joint.a);
+        if let Some(displacement) = joint.displacement {
             let (_, axis) = coordinates.axis(model, joint.a);
-            out += motion.value[slide] * axis;
+            out += motion.value[displacement] * axis;
         }
-        let out = motion.turned(class, out);
-        let (class, back) = coordinates.arm(model, joint.b);
-        let back = motion.turned(class, back);
+        let out = motion.turned(orientation, out);
+        let (orientation, back) = coordinates.arm(model, joint.b);
+        let back = motion.turned(orientation, back);
         let way = out - back;
         if joint.b.body == Some(edge.body) { way } else { -way }
     }
@@ -116,7 +116,7 @@ impl Rows<'_> {
         }
     }
 
-    /// What a body passes on to its joint.
+    /// Forces that a body passes on to its joint.
     fn forces(&mut self) {
         let one = Expr::ONE;
         let minus = -one;
@@ -151,7 +151,9 @@ impl Rows<'_> {
                 self.add(unknown, force.dot(along));
             }
         }
-        let angle = |body: usize| self.coordinates.angle_of_class[self.coordinates.headings[body].class];
+        let angle = |body: usize| {
+            self.coordinates.angle_of_orientation[self.coordinates.absolute_angles[body].orientation]
+        };
         for (body, declared) in self.model.bodies.iter().enumerate() {
             if let Some(angle) = angle(body) {
                 self.add_term((angle, angle, Part::Acceleration), declared.inertia);

@@ -1,4 +1,4 @@
-//! What the linearised equations are solved for, and in which order.
+//! Unknowns of the linearised equations, and the order of their elimination.
 
 use crate::collect::CollectVec;
 use crate::sorted::sort_by_key;
@@ -18,7 +18,7 @@ pub(crate) struct Unknowns {
     pub(crate) accelerations: Vec<Expr>,
     /// Force through the joint of each body.
     pub(crate) forces: Vec<Vec2>,
-    /// What a symbol stands for: unknown and part of it.
+    /// Column of a symbol: unknown and part of it.
     pub(crate) column: SortedMap<Expr, (usize, Part)>,
     /// By body: acceleration and force, then place and velocity where they are wanted.
     pub(crate) of_body: Vec<SortedMap<Kind, [usize; 2]>>,
@@ -26,7 +26,7 @@ pub(crate) struct Unknowns {
     count: usize,
 }
 
-/// What is unknown of a body, in the order of elimination.
+/// Unknowns of a body, in the order of elimination.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Kind {
     Force,
@@ -59,7 +59,9 @@ impl Unknowns {
             unknowns.column.insert(state, (n + k, Part::Value));
         }
         for (body, declared) in model.bodies.iter().enumerate() {
-            if let Some(angle) = coordinates.angle_of_class[coordinates.headings[body].class] {
+            if let Some(angle) =
+                coordinates.angle_of_orientation[coordinates.absolute_angles[body].orientation]
+            {
                 unknowns.column.insert(declared.q[2], (angle, Part::Position));
                 unknowns.column.insert(declared.v[2], (angle, Part::Velocity));
             }
@@ -114,10 +116,10 @@ impl Unknowns {
         let mut order: Vec<usize> = (n..n + self.states).collect_vec();
         for edge in coordinates.order.iter().rev() {
             order.extend(self.of_body[edge.body].values().flatten());
-            let slide = edge.joint.and_then(|joint| coordinates.joints[joint].slide);
+            let displacement = edge.joint.and_then(|joint| coordinates.joints[joint].displacement);
             let own = coordinates.unknowns.iter().enumerate().filter(|(k, unknown)| match **unknown {
                 Unknown::Angle { body, .. } | Unknown::Centre { body, .. } => body == edge.body,
-                Unknown::Slide { .. } => slide == Some(*k),
+                Unknown::Displacement { .. } => displacement == Some(*k),
             });
             let mut own: Vec<usize> = own.map(|(k, _)| k).collect_vec();
             sort_by_key(&mut own, |&k| matches!(coordinates.unknowns[k], Unknown::Angle { .. }));

@@ -1,0 +1,177 @@
+//! Residuals of static equilibrium as vectors and matrices, with their exact derivatives.
+
+use nalgebra::{DMatrix, DVector};
+use plm_runtime::{Dual, Fault, Linear, Moment, Statics, Vector};
+
+use super::Stabilise;
+
+/// A pose at rest with first-order states and multipliers.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Point {
+    /// Coordinates, m and rad.
+    pub(super) q: DVector<f64>,
+    /// First-order states.
+    pub(super) x: DVector<f64>,
+    /// Multipliers, by constraint row.
+    pub(super) lambda: DVector<f64>,
+}
+
+/// Residuals, or their derivatives.
+#[derive(Clone, Debug)]
+pub(super) struct Rows<T> {
+    /// phi_q^T lambda - Q, by coordinate.
+    pub(super) force: T,
+    /// phi, by row.
+    pub(super) phi: T,
+    /// phi_q v - nu, by row.
+    pub(super) phi_dot: T,
+    /// Rates of first-order states.
+    pub(super) rate: T,
+}
+
+/// When an equilibrium is looked for, and with which inputs.
+#[derive(Clone, Copy)]
+pub(super) struct Setting<M: Statics> {
+    /// s.
+    pub(super) time: f64,
+    /// Where the inputs are taken from, if not from the declaration.
+    pub(super) inputs: Option<M::U>,
+}
+
+impl<M: Statics<S = f64>> Setting<M> {
+    /// The assembled start of a mechanism.
+    pub(super) fn start(&self, mechanism: M) -> Result<M::State, Fault> {
+        let (held, x) = match &self.inputs {
+            Some(inputs) => mechanism.start_with_inputs(self.time, inputs)?,
+            None => mechanism.start_state(self.time)?,
+        };
+        Ok(M::State::new(mechanism, held, self.time, x))
+    }
+}
+
+/// The residuals of a mechanism at a time, with its discrete state.
+pub(super) struct Residuals<M: Stabilise> {
+    mechanism: M,
+    time: f64,
+    held: M::U,
+}
+
+type Lifted<M> = <M as Linear>::Lifted<1>;
+
+impl<M: Stabilise> Residuals<M> {
+    pub(super) const NQ: usize = M::COORDINATES.len();
+    pub(super) const NC: usize = M::ROWS.len();
+    pub(super) const NX: usize = M::STATES.len();
+
+    /// The assembled start.
+    pub(super) fn at_start(mechanism: M, setting: &Setting<M>) -> Result<(Self, Point), Fault> {
+        let start = setting.start(mechanism)?;
+        let full = M::full(&start);
+        let q = DVector::from_fn(Self::NQ, |i, _| full.at(i));
+        let x = DVector::from_fn(Self::NX, |i, _| full.at(2 * Self::NQ + i));
+        let residuals = Self { mechanism, time: setting.time, held: start.held() };
+        Ok((residuals, Point { q, x, lambda: DVector::zeros(Self::NC) }))
+    }
+
+    pub(super) fn mechanism(&self) -> &M {
+        &self.mechanism
+    }
+
+    /// The mechanism with its start at a point.
+    pub(super) fn started_at(&self, point: &Point) -> M {
+        let full: M::Full = Vector::from_fn(|i| Self::entry(point, i, |_| 0.0));
+        let mut mechanism = self.mechanism;
+        *mechanism.starts_mut() = mechanism.starts_at(&full);
+        mechanism
+    }
+
+    /// The residuals at rest.
+    pub(super) fn rows(&self, point: &Point) -> Rows<DVector<f64>> {
+        self.moving(point, |_| 0.0)
+    }
+
+    /// The residuals with velocities.
+    pub(super) fn moving(&self, point: &Point, v: impl Fn(usize) -> f64) -> Rows<DVector<f64>> {
+        let full = Vector::from_fn(|i| Self::entry(point, i, &v));
+        let lambda = Vector::from_fn(|i| entry(&point.lambda, i));
+        let mut values = Vec::new();
+        self.mechanism.equations(self.time, &self.held, &full, &lambda, &mut |value| values.push(value));
+        Self::sorted(&DVector::from_vec(values))
+    }
+
+    /// Derivatives by the coordinates.
+    pub(super) fn by_q(&self, point: &Point) -> Rows<DMatrix<f64>> {
+        self.derivatives(point, Self::NQ, |k| (Some(k), None))
+    }
+
+    /// Derivatives by the first-order states.
+    pub(super) fn by_x(&self, point: &Point) -> Rows<DMatrix<f64>> {
+        self.derivatives(point, Self::NX, |k| (Some(2 * Self::NQ + k), None))
+    }
+
+    /// Derivatives by the multipliers.
+    pub(super) fn by_lambda(&self, point: &Point) -> Rows<DMatrix<f64>> {
+        self.derivatives(point, Self::NC, |k| (None, Some(k)))
+    }
+
+    /// Derivatives by numbers of the state or of the multipliers, a column each.
+    fn derivatives(
+        &self,
+        point: &Point,
+        count: usize,
+        variable: impl Fn(usize) -> (Option<usize>, Option<usize>),
+    ) -> Rows<DMatrix<f64>> {
+        type Number = Dual<f64, 1>;
+        let (lifted, held) = self.mechanism.lift::<1>(&self.held);
+        let dual = |value: f64, moves: bool| Number { value, tangents: [if moves { 1.0 } else { 0.0 }] };
+        let mut all = DMatrix::zeros(Self::NQ + 2 * Self::NC + Self::NX, count);
+        for k in 0..count {
+            let (state, row) = variable(k);
+            let full = Vector::from_fn(|i| dual(Self::entry(point, i, |_| 0.0), state == Some(i)));
+            let lambda = Vector::from_fn(|i| dual(entry(&point.lambda, i), row == Some(i)));
+            let mut i = 0;
+            <Lifted<M> as Statics>::equations(
+                &lifted,
+                Dual::constant(self.time),
+                &held,
+                &full,
+                &lambda,
+                &mut |number: Number| {
+                    if let Some(entry) = all.get_mut((i, k)) {
+                        *entry = number.tangents[0];
+                    }
+                    i += 1;
+                },
+            );
+        }
+        Self::split(|from, count| all.rows(from, count).into_owned())
+    }
+
+    fn sorted(all: &DVector<f64>) -> Rows<DVector<f64>> {
+        Self::split(|from, count| all.rows(from, count).into_owned())
+    }
+
+    fn split<T>(part: impl Fn(usize, usize) -> T) -> Rows<T> {
+        let (nq, nc, nx) = (Self::NQ, Self::NC, Self::NX);
+        Rows {
+            force: part(0, nq),
+            phi: part(nq, nc),
+            phi_dot: part(nq + nc, nc),
+            rate: part(nq + 2 * nc, nx),
+        }
+    }
+
+    /// Entry of a state in absolute coordinates.
+    fn entry(point: &Point, i: usize, v: impl Fn(usize) -> f64) -> f64 {
+        let nq = Self::NQ;
+        match i {
+            _ if i < nq => entry(&point.q, i),
+            _ if i < 2 * nq => v(i - nq),
+            _ => entry(&point.x, i - 2 * nq),
+        }
+    }
+}
+
+fn entry(vector: &DVector<f64>, i: usize) -> f64 {
+    vector.get(i).copied().unwrap_or(0.0)
+}

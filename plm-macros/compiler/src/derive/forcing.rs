@@ -1,0 +1,26 @@
+//! Forcing terms: applied forces and torques, and the rates of first-order states.
+
+use plm_cas::Expr;
+
+use crate::collect::MapEach;
+use crate::model::{Model, Name};
+
+/// An applied force or torque, or the rate of a state.
+pub(crate) struct ForcingTerm<'a> {
+    /// The part that acts, or the state.
+    pub(crate) name: &'a Name,
+    /// Is it a force or torque? Else it is a rate.
+    pub(crate) is_force: bool,
+    /// Its value: N, N m, or the state's unit per second.
+    pub(crate) value: Expr,
+}
+
+/// All forces and torques, load by load, then all rates.
+pub(crate) fn forcing_terms(model: &Model) -> impl Iterator<Item = ForcingTerm<'_>> {
+    let loads = model.loads.iter().flat_map(|load| {
+        let name = &model.parts[load.part].name;
+        load.force.map_each(|value| ForcingTerm { name, is_force: true, value })
+    });
+    let rates = model.states.iter();
+    loads.chain(rates.map(|state| ForcingTerm { name: &state.name, is_force: false, value: state.rate }))
+}

@@ -1,0 +1,69 @@
+//! The model on its way: what is declared, in the order of declaration, until it is evaluated.
+
+pub(super) mod body;
+pub(super) mod branch;
+pub(super) mod declare;
+mod fields;
+pub(super) mod frame;
+pub(super) mod load;
+pub(super) mod node;
+pub(super) mod part;
+pub(super) mod picture;
+pub(super) mod requirement;
+pub(super) mod row;
+pub(super) mod settings;
+pub(super) mod state;
+
+use crate::model::{Comparison, Limit, Part};
+use crate::resolve::declarations::body::UnresolvedBody;
+use crate::resolve::declarations::declare::UnresolvedField;
+use crate::resolve::declarations::frame::UnresolvedPort;
+use crate::resolve::declarations::load::{Action, UnresolvedLoad};
+use crate::resolve::declarations::node::UnresolvedNode;
+use crate::resolve::declarations::picture::UnresolvedSize;
+use crate::resolve::declarations::requirement::{Requirement, Switched};
+use crate::resolve::declarations::row::UnresolvedRow;
+use crate::resolve::declarations::settings::Settings;
+use crate::resolve::declarations::state::{UnresolvedRate, UnresolvedState};
+use crate::resolve::names::ScopeId;
+use crate::syntax::ast;
+
+/// The declarations of a mechanism before evaluation.
+#[derive(Default)]
+pub(crate) struct UnresolvedModel<'a> {
+    pub(crate) settings: Settings<'a>,
+    pub(crate) params: Vec<UnresolvedField<'a>>,
+    pub(crate) inputs: Vec<UnresolvedField<'a>>,
+    pub(crate) states: Vec<UnresolvedState<'a>>,
+    /// Rates, which are given to their states when all states are declared.
+    pub(crate) rates: Vec<UnresolvedRate<'a>>,
+    /// Ports of the ground.
+    pub(crate) ground: Vec<UnresolvedPort<'a>>,
+    pub(crate) bodies: Vec<UnresolvedBody<'a>>,
+    /// Domains of nodes, in the order in which they are met.
+    pub(crate) domains: Vec<&'a ast::Domain>,
+    pub(crate) nodes: Vec<UnresolvedNode<'a>>,
+    /// The parts of the mechanism; what they contain counts as theirs, but for joints.
+    pub(crate) parts: Vec<Part>,
+    pub(crate) rows: Vec<UnresolvedRow<'a>>,
+    pub(crate) requirements: Vec<Requirement<'a>>,
+    /// Comparisons as they were written.
+    pub(crate) comparisons: Vec<Comparison>,
+    /// Requirements that uses of parts switch on or off.
+    pub(crate) switched: Vec<Switched>,
+    /// Values that must be positive when parameters are known.
+    pub(crate) limits: Vec<Limit>,
+    pub(crate) loads: Vec<UnresolvedLoad<'a>>,
+    /// Actions of parts on bodies and on the ground, for who observes them.
+    pub(crate) applied: Vec<Action>,
+    /// Outputs of the mechanism, with the documentation of their items.
+    pub(crate) outputs: Vec<(ScopeId, &'a ast::Output, &'a [String])>,
+    /// Names of `observe`.
+    pub(crate) observed: Vec<(ScopeId, &'a ast::Expr)>,
+    /// Sizes of parts for pictures.
+    pub(crate) sizes: Vec<UnresolvedSize>,
+    /// Turns of repetitions so far.
+    pub(crate) turns: usize,
+    /// It has been said that there are too many parts.
+    pub(crate) too_many: bool,
+}

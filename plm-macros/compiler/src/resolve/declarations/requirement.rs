@@ -1,0 +1,154 @@
+//! Requirements: what must hold for the model to mean anything.
+
+use plm_cas::Expr;
+
+use crate::diag::Code;
+use crate::model::Switch;
+use crate::resolve::Resolver;
+use crate::resolve::names::ScopeId;
+use crate::resolve::values::{Condition, Eval, Failed, Reads};
+use crate::span::Span;
+use crate::syntax::ast::{self, ExprKind, Field};
+
+/// A requirement that was declared.
+pub(crate) struct Requirement<'a> {
+    scope: ScopeId,
+    condition: &'a ast::Expr,
+    /// Full name, `cylinder.cap.above_vacuum`.
+    name: String,
+    span: Span,
+    /// The use of the part does without it.
+    is_off: bool,
+}
+
+/// A requirement that the use of a part switches on or off.
+pub(crate) struct Switched {
+    /// The scope of the use.
+    scope: ScopeId,
+    /// Full name of the requirement.
+    name: String,
+    span: Span,
+}
+
+impl<'a> Resolver<'a> {
+    /// `require name: condition;`
+    pub(crate) fn declare_requirement(
+        &mut self,
+        scope: ScopeId,
+        name: &'a ast::IndexedName,
+        condition: &'a ast::Expr,
+    ) {
+        if self.needs_index(scope, name) {
+            return;
+        }
+        let Ok(key) = self.key(scope, name) else { return };
+        let (full, span) = (format!("{}{key}", self.names.prefix(scope)), name.ident.span);
+        if let Some(first) = self.unresolved.requirements.iter().find(|known| known.name == full) {
+            let first = first.span;
+            self.duplicate(scope, &key, span, first);
+            return;
+        }
+        let set = self.names.instance(scope).and_then(|instance| self.names.field(instance, &key));
+        let is_off = set.is_some_and(|(_, field)| word(field) == Some("off"));
+        self.unresolved.requirements.push(Requirement { scope, condition, name: full, span, is_off });
+    }
+
+    /// `above_vacuum: off;` in the use of a part; `name` is the full name of the requirement.
+    pub(crate) fn switch_requirement(&mut self, scope: ScopeId, name: String, field: &'a Field) {
+        if !matches!(word(field), Some("on" | "off")) {
+            let message = "a requirement is switched `on` or `off`";
+            self.error(scope, Code::UnknownOption, field.value.span, message);
+        }
+        self.unresolved.switched.push(Switched { scope, name, span: field.span() });
+    }
+
+    /// With its indices a requirement must exist, which is known when all are declared.
+    fn check_switched(&mut self) {
+        for Switched { scope, name, span } in std::mem::take(&mut self.unresolved.switched) {
+            if !self.unresolved.requirements.iter().any(|known| known.name == name) {
+                self.error(scope, Code::BadIndex, span, format!("there is no requirement `{name}`"));
+            }
+        }
+    }
+
+    /// Requirements as switches that must not change.
+    pub(crate) fn evaluate_requirements(&mut self) -> Vec<Switch> {
+        self.check_switched();
+        let mut switches = Vec::new();
+        for Requirement { scope, condition, name, is_off, .. } in
+            std::mem::take(&mut self.unresolved.requirements)
+        {
+            if is_off {
+                // Its mistakes are told all the same, and what it reads is not for nobody.
+                let _ = self.condition(scope, condition);
+                continue;
+            }
+            // A mistake has been reported; what else is wrong is found all the same.
+            let Ok(differences) = self.requirement(scope, condition) else { continue };
+            for difference in differences {
+                let symbol = Expr::symbol(format!("switch_{}", switches.len()));
+                switches.push(Switch {
+                    symbol,
+                    difference,
+                    beyond: None,
+                    instant: None,
+                    name: name.clone(),
+                    text: String::new(),
+                    end: None,
+                    must_hold: true,
+                });
+            }
+        }
+        switches
+    }
+
+    /// Expressions that are positive as long as a condition holds.
+    fn requirement(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Vec<Expr>> {
+        let (condition, reads) = self.condition(scope, expr)?;
+        let beyond = reads.beyond(Reads::KNOWN);
+        if beyond != Reads::NOTHING {
+            let message = format!("a requirement reads {}", beyond.describe());
+            self.error(scope, Code::NotConstant, expr.span, message)
+                .note(format!("it may read {}", Reads::KNOWN.describe()));
+            return Err(Failed);
+        }
+        let mut differences = Vec::new();
+        if positive(&condition, &mut differences) {
+            return Ok(differences);
+        }
+        let message = match condition {
+            Condition::Known(_) => "a requirement that never holds",
+            _ => "a requirement is a comparison, or several with `and`",
+        };
+        self.error(scope, Code::WrongKind, expr.span, message);
+        Err(Failed)
+    }
+}
+
+/// The word that a field is set to.
+fn word(field: &Field) -> Option<&str> {
+    match &field.value.kind {
+        ExprKind::Name(name) if name.indices.is_empty() => Some(&name.ident.text),
+        _ => None,
+    }
+}
+
+/// Adds what is positive where a condition holds; false if that cannot be said, or never holds.
+fn positive(condition: &Condition, differences: &mut Vec<Expr>) -> bool {
+    match condition {
+        Condition::Known(holds) => *holds,
+        Condition::Less(low, high) => {
+            differences.push(*high - *low);
+            true
+        }
+        Condition::Not(inner) => match &**inner {
+            Condition::Less(low, high) => {
+                differences.push(*low - *high);
+                true
+            }
+            _ => false,
+        },
+        Condition::All(inner) => inner.iter().all(|one| positive(one, differences)),
+        Condition::Any(_) => false,
+    }
+}

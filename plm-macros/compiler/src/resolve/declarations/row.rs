@@ -1,0 +1,123 @@
+//! Constraint rows and loads.
+
+use plm_cas::Expr;
+
+use crate::diag::Code;
+use crate::model::{Declared, Name, Part};
+use crate::resolve::Resolver;
+use crate::resolve::names::ScopeId;
+use crate::resolve::values::lazy::Lazy;
+use crate::resolve::values::{Eval, Failed, Reads};
+use crate::span::Span;
+use crate::syntax::ast;
+use crate::units::Dimension;
+
+/// A constraint row on the way to its phi.
+pub(crate) struct UnresolvedRow<'a> {
+    pub(crate) scope: ScopeId,
+    left: &'a ast::Expr,
+    right: &'a ast::Expr,
+    /// Full name, `shoulder.x`.
+    pub(crate) name: String,
+    pub(crate) part: usize,
+    pub(crate) span: Span,
+    pub(crate) lambda: Expr,
+    value: Lazy<RowValue>,
+}
+
+/// Value of a row.
+#[derive(Clone, Copy)]
+pub(crate) struct RowValue {
+    pub(crate) phi: Expr,
+    pub(crate) dimension: Dimension,
+}
+
+impl<'a> Resolver<'a> {
+    /// A row in a part; at the top of the mechanism it is a part of its own.
+    pub(crate) fn declare_row(
+        &mut self,
+        scope: ScopeId,
+        name: &'a ast::IndexedName,
+        [left, right]: [&'a ast::Expr; 2],
+        part: Option<usize>,
+    ) {
+        if self.needs_index(scope, name) {
+            return;
+        }
+        let Ok(key) = self.key(scope, name) else { return };
+        let home = self.names.home(scope);
+        let full = format!("{}{key}", self.names.prefix(scope));
+        if let Some((_, first)) = self.names.scopes[home].rows.get(&key) {
+            let first = *first;
+            self.duplicate(scope, &key, name.ident.span, first);
+            return;
+        }
+        let span = match self.names.instance(scope) {
+            Some(_) => self.unresolved.parts[part.unwrap_or(0)].name.span,
+            None => name.ident.span,
+        };
+        let part = part.unwrap_or_else(|| {
+            let name = Name { text: full.clone(), span };
+            let kind = "constraint".to_string();
+            self.unresolved.parts.push(Part {
+                name,
+                kind,
+                pair: None,
+                declared: None,
+                frames: Vec::new(),
+                branch: None,
+            });
+            self.unresolved.parts.len() - 1
+        });
+        let lambda = Expr::symbol(format!("lambda_{full}"));
+        self.names.scopes[home].rows.insert(key, (self.unresolved.rows.len(), name.ident.span));
+        let value = Lazy::Waiting;
+        self.unresolved.rows.push(UnresolvedRow {
+            scope,
+            left,
+            right,
+            name: full,
+            part,
+            span,
+            lambda,
+            value,
+        });
+    }
+
+    /// Where a row was written.
+    pub(crate) fn row_declared(&self, row: usize) -> Declared {
+        let UnresolvedRow { scope, left, right, .. } = self.unresolved.rows[row];
+        Declared { span: left.span.to(right.span), uses: self.names.uses(scope) }
+    }
+
+    /// The phi of a row, worked out at its first use.
+    pub(crate) fn row(&mut self, row: usize) -> Eval<RowValue> {
+        // A constraint that reads its own reaction is told so where it does.
+        self.lazy(|of| &mut of.unresolved.rows[row].value, |_| (), |of| of.phi(row))
+    }
+
+    fn phi(&mut self, row: usize) -> Eval<RowValue> {
+        let UnresolvedRow { scope, left, right, .. } = self.unresolved.rows[row];
+        let (a, b) = (self.eval_scalar(scope, left), self.eval_scalar(scope, right));
+        let (a, b) = (a?, b?);
+        let nature = self.joined(scope, left.span.to(right.span), a, b)?;
+        let beyond = nature.reads.beyond(Reads::GEOMETRY);
+        if beyond != Reads::NOTHING {
+            let message = format!("a constraint reads {}", beyond.describe());
+            let diagnostic = self
+                .error(scope, Code::NotConstant, left.span.to(right.span), message)
+                .note(format!("it may read {}", Reads::GEOMETRY.describe()));
+            if let Some([why, instead]) = beyond.no_place() {
+                diagnostic.note(why).help(instead);
+            }
+            return Err(Failed);
+        }
+        let phi = a.value - b.value;
+        if phi.as_number().is_some() && !nature.reads.has(Reads::POSITION) {
+            self.error(scope, Code::NotConstant, left.span, "a constraint that holds no position")
+                .help("it must tie the positions of bodies");
+            return Err(Failed);
+        }
+        Ok(RowValue { phi, dimension: nature.dimension })
+    }
+}

@@ -1,0 +1,186 @@
+//! The model from its unresolved, when every name is bound.
+
+pub(super) mod compliance;
+mod observe;
+mod output;
+mod placeholders;
+pub(super) mod warnings;
+
+use crate::collect::CollectVec;
+use plm_cas::algebra::{self, Vec2};
+use plm_cas::{Expr, Graph};
+
+use crate::diag::Code;
+use crate::model::{Body, Decisions, FrameRef, Input, Model, Name, Param, Port, Row};
+use crate::resolve::Resolver;
+use crate::resolve::declarations::declare::UnresolvedField;
+use crate::resolve::values::{Eval, Reads, all};
+use crate::syntax::ast::{self, Mechanism};
+use crate::units::{Dimension, DisplayUnit};
+
+impl<'a> Resolver<'a> {
+    /// Evaluates what is left and puts the model together. `None` if there is an error.
+    pub(crate) fn into_model(
+        mut self,
+        declaration: &ast::Declaration,
+        mechanism: &'a Mechanism,
+    ) -> Option<Model> {
+        let params = self.evaluate_params();
+        let inputs = self.evaluate_inputs();
+        let gravity = self.evaluate_gravity();
+        let stabilisation = self.evaluate_stabilisation();
+        let bodies = self.evaluate_bodies();
+        let ground = self.evaluate_ports(None);
+        let rows = self.evaluate_rows();
+        let mut loads = self.evaluate_loads();
+        let mut states = self.evaluate_states();
+        let mut outputs = self.evaluate_outputs();
+        self.evaluate_observed(&mut outputs);
+        let mut switches = self.evaluate_requirements();
+        self.replace_placeholders(&mut states, &mut loads, &mut outputs, &mut switches);
+        loads.retain(|load| load.force != [Expr::ZERO; 3]);
+        let rows = rows.and_then(|rows| self.apply_compliances(rows, &mut loads, &mut states, &mut outputs));
+        // Last of all, so that pictures have no part in the order in which terms are made.
+        let instances = self.evaluate_instances();
+        self.warn(declaration, mechanism);
+        if self.sink.has_errors() {
+            return None;
+        }
+        let (rows, compliant) = rows.ok()?;
+        Some(Model {
+            name: Name { text: mechanism.name.text.clone(), span: mechanism.name.span },
+            visibility: mechanism.visibility.clone(),
+            docs: mechanism.docs.clone(),
+            text: String::new(),
+            crate_path: declaration.crate_path.clone().unwrap_or_else(|| "::plm".to_string()),
+            graph: Graph::new(),
+            time: self.calculus.time,
+            most_growth: self.calculus.most_growth,
+            agreement: self.calculus.agreement,
+            precision: self.calculus.precision,
+            gravity: gravity.ok()?,
+            stabilisation: stabilisation.ok()?,
+            formulation: self.unresolved.settings.formulation,
+            repetitions: self.unresolved.settings.repetitions.map(|(repetitions, _)| repetitions),
+            steps: self.unresolved.settings.steps.keys().copied().collect(),
+            params: params.ok()?,
+            inputs: inputs.ok()?,
+            bodies: bodies.ok()?,
+            ground: ground.ok()?,
+            parts: self.unresolved.parts,
+            rows,
+            compliant,
+            limits: self.unresolved.limits,
+            comparisons: self.unresolved.comparisons,
+            jumps: Vec::new(),
+            released: Vec::new(),
+            loads,
+            states,
+            outputs,
+            instances: instances.ok()?,
+            files: self.files.keys().cloned().collect_vec(),
+            switches,
+            decisions: Decisions::default(),
+            kinks: Vec::new(),
+            turns: Vec::new(),
+            allowed: self.unresolved.settings.allowed,
+        })
+    }
+
+    /// Defaults of parameters may read parameters that stand above them.
+    fn evaluate_params(&mut self) -> Eval<Vec<Param>> {
+        let states = std::mem::take(&mut self.unresolved.params);
+        all(states.into_iter().map(|state| {
+            let required = state.ast.value.is_none();
+            let default = if required { Expr::ONE } else { self.default_of(&state)? };
+            if algebra::symbols(&[default]).into_iter().any(|symbol| symbol >= state.symbol) {
+                let message =
+                    format!("the default of `{}` reads a parameter that stands below it", state.name.text);
+                self.error(state.scope, Code::NotConstant, state.name.span, message);
+            }
+            let docs = state.docs.to_vec();
+            Ok(Param { name: state.name, symbol: state.symbol, default, required, unit: state.unit, docs })
+        }))
+    }
+
+    fn evaluate_inputs(&mut self) -> Eval<Vec<Input>> {
+        let states = std::mem::take(&mut self.unresolved.inputs);
+        all(states.into_iter().map(|state| {
+            let default = self.default_of(&state)?;
+            let docs = state.docs.to_vec();
+            Ok(Input { name: state.name, symbol: state.symbol, default, unit: state.unit, docs })
+        }))
+    }
+
+    fn default_of(&mut self, state: &UnresolvedField<'a>) -> Eval<Expr> {
+        match &state.ast.value {
+            Some(expr) => self.eval_number(state.scope, expr, state.unit.dimension, Reads::FIXED),
+            None => Ok(Expr::ZERO),
+        }
+    }
+
+    fn evaluate_bodies(&mut self) -> Eval<Vec<Body>> {
+        all((0..self.unresolved.bodies.len()).map(|body| self.evaluate_body(body)))
+    }
+
+    fn evaluate_body(&mut self, body: usize) -> Eval<Body> {
+        let mass = self.body_quantity(body, "mass", Dimension::MASS);
+        let inertia = self.body_quantity(body, "inertia", Dimension::INERTIA);
+        let starts = self.starts(body);
+        let contour = self.contour(body);
+        let (depth, scope) = (self.body_field(body, "depth"), self.unresolved.bodies[body].scope);
+        let depth = self.depth(scope, depth);
+        let ports = self.evaluate_ports(Some(body));
+        let placement = self.placement(body)?;
+        let ((mass, mass_span), (inertia, inertia_span)) = (mass?, inertia?);
+        let [x, y, angle, vx, vy, omega] = starts?;
+        let state = &self.unresolved.bodies[body];
+        Ok(Body {
+            name: state.name.clone(),
+            mass,
+            mass_span,
+            inertia,
+            inertia_span,
+            q: state.q,
+            v: state.v,
+            a: state.a,
+            centre: if placement.drawing { Vec2::ZERO } else { placement.centre },
+            ports: ports?,
+            start: [x, y, angle],
+            start_velocity: [vx, vy, omega],
+            contour: contour?,
+            depth: depth?,
+        })
+    }
+
+    fn evaluate_ports(&mut self, body: Option<usize>) -> Eval<Vec<Port>> {
+        let count =
+            body.map_or(self.unresolved.ground.len(), |body| self.unresolved.bodies[body].ports.len());
+        all((0..count).map(|port| {
+            let frame = FrameRef { body, port };
+            let geometry = self.frame(frame)?;
+            let state = self.unresolved.port(frame);
+            let (ast, scope, used) = (state.ast, state.scope, state.used);
+            let name = Name { text: state.name.clone(), span: ast.name.ident.span };
+            let depth = self.depth(scope, ast.depth.as_ref())?;
+            Ok(Port { name, at: geometry.local, angle: geometry.turn, used, depth })
+        }))
+    }
+
+    fn evaluate_rows(&mut self) -> Eval<Vec<Row>> {
+        all((0..self.unresolved.rows.len()).map(|row| {
+            let value = self.row(row)?;
+            let declared = self.row_declared(row);
+            let state = &self.unresolved.rows[row];
+            Ok(Row {
+                name: state.name.clone(),
+                part: state.part,
+                phi: value.phi,
+                lambda: state.lambda,
+                span: state.span,
+                declared,
+                unit: DisplayUnit::si(value.dimension),
+            })
+        }))
+    }
+}

@@ -1,0 +1,37 @@
+// A run that is shown, with all that is worked out once for it.
+
+import { forceField, velocityField } from "./arrows.js";
+import { Scene } from "./scene.js";
+
+/** @import {ArrowField} from "./arrows.js" */
+/** @import {Run} from "./run.js" */
+
+/** @typedef {{run: Run, scene: Scene, forces: ArrowField, velocities: ArrowField, isShown: boolean}} RunView */
+
+/** What is drawn of a run. @param {Run} run */
+export function sceneOf(run) {
+  const scene = new Scene(run);
+  return { scene, forces: forceField(scene), velocities: velocityField(scene) };
+}
+
+/**
+ * Curves for a first look: the first few columns of the most common unit.
+ * @param {Run | null} run
+ */
+export function usualCurves(run) {
+  const quantities = run?.quantities() ?? [];
+  const first = quantities[0];
+  return quantities.filter(({ unit }) => unit === first.unit).slice(0, 3).map(({ name }) => name);
+}
+
+/** Arrows keep the scale of the largest that was ever seen. @param {RunView} shown */
+export function growArrows(shown) {
+  const moment = { row: Math.max(0, shown.run.rows - 1), share: 0 };
+  if (shown.run.rows === 0) return;
+  for (const field of [shown.forces, shown.velocities]) {
+    for (const { u, v } of field.arrows(shown.scene.places, moment)) {
+      const size = Math.hypot(u, v);
+      if (Number.isFinite(size)) field.largest = Math.max(field.largest, size);
+    }
+  }
+}
