@@ -529,7 +529,7 @@ mod plm_arm_on_jack_ {
             }
 
             /// Poses and velocities with all revolutions of the angles.
-            fn whole_(&self) -> ([S; 3], [S; 3]) {
+            fn unwrapped_pose_(&self) -> ([S; 3], [S; 3]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[2]]);
                 (q, v)
@@ -1226,7 +1226,7 @@ mod plm_arm_on_jack_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v) = state.whole_();
+                let (q, v) = state.unwrapped_pose_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }

@@ -241,7 +241,7 @@ mod plm_chain_ {
                     4 => 4,
                     _ => return None,
                 };
-                let (q, v): ([S; 15], [S; 15]) = self.whole_();
+                let (q, v): ([S; 15], [S; 15]) = self.unwrapped_pose_();
                 BodyState::among(&q, &v, body)
             }
 
@@ -524,7 +524,7 @@ mod plm_chain_ {
             }
 
             /// Poses and velocities with all revolutions of the angles.
-            fn whole_(&self) -> ([S; 15], [S; 15]) {
+            fn unwrapped_pose_(&self) -> ([S; 15], [S; 15]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[2], &[5], &[8], &[11], &[14]]);
                 (q, v)
@@ -1400,7 +1400,7 @@ mod plm_chain_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v) = state.whole_();
+                let (q, v) = state.unwrapped_pose_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }

@@ -405,7 +405,7 @@ mod plm_double_pendulum_ {
             }
 
             /// Poses and velocities with all revolutions of the angles.
-            fn whole_(&self) -> ([S; 6], [S; 6]) {
+            fn unwrapped_pose_(&self) -> ([S; 6], [S; 6]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[2], &[5]]);
                 (q, v)
@@ -968,7 +968,7 @@ mod plm_double_pendulum_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v) = state.whole_();
+                let (q, v) = state.unwrapped_pose_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }

@@ -521,7 +521,7 @@ mod plm_driven_crank_ {
             }
 
             /// Poses and velocities with all revolutions of the angles.
-            fn whole_(&self) -> ([S; 9], [S; 9]) {
+            fn unwrapped_pose_(&self) -> ([S; 9], [S; 9]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[5]]);
                 (q, v)
@@ -1339,7 +1339,7 @@ mod plm_driven_crank_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v) = state.whole_();
+                let (q, v) = state.unwrapped_pose_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }

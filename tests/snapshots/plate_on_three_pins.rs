@@ -294,7 +294,7 @@ mod plm_plate_on_three_pins_ {
                     2 => 2,
                     _ => return None,
                 };
-                let (q, v): ([S; 12], [S; 12]) = self.whole_();
+                let (q, v): ([S; 12], [S; 12]) = self.unwrapped_pose_();
                 BodyState::among(&q, &v, body)
             }
 
@@ -930,7 +930,7 @@ mod plm_plate_on_three_pins_ {
             }
 
             /// Poses and velocities with all revolutions of the angles.
-            fn whole_(&self) -> ([S; 12], [S; 12]) {
+            fn unwrapped_pose_(&self) -> ([S; 12], [S; 12]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, &[&[11]]);
                 (q, v)
@@ -2019,7 +2019,7 @@ mod plm_plate_on_three_pins_ {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v) = state.whole_();
+                let (q, v) = state.unwrapped_pose_();
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }

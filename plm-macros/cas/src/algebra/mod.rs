@@ -7,9 +7,9 @@
 //!
 //! Each operation is the constructor of the same name of [`Graph`], and makes the same nodes in the same order.
 
+mod lists;
 mod operators;
 mod plane;
-mod several;
 
 use core::cell::RefCell;
 
@@ -17,10 +17,10 @@ use crate::graph::Graph;
 use crate::node::{Expr, Function, Node};
 use crate::number::Number;
 
-pub use plane::{Rotation, Vec2};
-pub use several::{
+pub use lists::{
     count, directionals, dot, gradient, import, product, reachable, shared, substitute, sum, symbols, tape,
 };
+pub use plane::{Rotation, Vec2};
 
 thread_local! {
     static PRESENT: RefCell<Graph> = RefCell::new(Graph::new());

@@ -11,10 +11,10 @@
 
 mod factor;
 mod pairs;
+mod prefixes;
 mod rebuild;
 mod rows;
 mod scale;
-mod whole;
 
 use crate::graph::Graph;
 use crate::node::Expr;
@@ -24,7 +24,7 @@ use rows::{Item, Kind, Rows, base, divides, literal};
 pub fn share(graph: &mut Graph, roots: &[Expr]) -> Vec<Expr> {
     let mut rows = Rows::load(graph, roots);
     scale::distribute(&mut rows);
-    whole::nest(&mut rows);
+    prefixes::nest(&mut rows);
     pairs::extract(&mut rows, Kind::Sum); // before factors leave: they would take shared terms apart
     factor::factor_sums(&mut rows);
     pairs::extract(&mut rows, Kind::Product);

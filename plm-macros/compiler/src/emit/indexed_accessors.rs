@@ -4,7 +4,7 @@ use crate::collect::{CollectVec, PushAll};
 use crate::emit::template::{joined, quote};
 use proc_macro2::{Ident, Span, TokenStream};
 
-use super::item::{outputs::kind, state::whole_pose};
+use super::item::{outputs::kind, state::unwrapped_pose};
 use super::names::{Names, token};
 use super::{Emission, docs, number, table_compression};
 use crate::model::{Model, Output};
@@ -132,7 +132,7 @@ impl IndexedAccessor {
 fn bodies(emission: &Emission, accessor: &IndexedAccessor) -> TokenStream {
     let (name, indices) = (accessor.ident(), accessor.indices());
     let nq = &emission.sizes.nq;
-    let pose = whole_pose(emission, &quote!(self));
+    let pose = unwrapped_pose(emission, &quote!(self));
     let body = accessor.chosen(emission, |body| body.to_string());
     let docs = docs::docs(
         emission,

@@ -5,7 +5,7 @@ use crate::emit::template::quote;
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
-use super::super::item::{state::whole_pose, tables};
+use super::super::item::{state::unwrapped_pose, tables};
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, number, quoted, table_compression};
 use crate::model::Step;
@@ -18,7 +18,7 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
     let tables = tables::tables(emission, &table);
     let (function, parameters) = (entries(emission, &table), &fields.params);
     let numbers: Vec<_> = (0..parameters.len()).map(number).collect_vec();
-    let (instant, whole) = (instant_name(emission), whole_pose(emission, &quote!(state)));
+    let (instant, unwrapped) = (instant_name(emission), unwrapped_pose(emission, &quote!(state)));
     let declaration = emission.text(format!("{:?}", emission.model.text));
     let file = |name: &String| format!("({name:?}, concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/\", {name:?}))");
     let files = emission.list(emission.model.files.iter().map(file));
@@ -48,7 +48,7 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
             }
 
             fn poses(state: &State<S>, each: &mut impl FnMut(BodyState<S>)) {
-                let (q, v) = #whole;
+                let (q, v) = #unwrapped;
                 for (q, v) in q.as_chunks::<3>().0.iter().zip(v.as_chunks::<3>().0) {
                     each(BodyState::of(*q, *v));
                 }

@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 
 use super::super::bindings::Origin;
 use super::super::function::body;
-use super::super::item::{start, state::whole_state};
+use super::super::item::{start, state::unwrapped_state};
 use super::super::{Emission, Sizes, docs, table_compression};
 use crate::model::Body;
 
@@ -56,7 +56,7 @@ pub(crate) fn start_values(emission: &Emission) -> TokenStream {
 /// `Statics`.
 pub(crate) fn statics(emission: &Emission) -> TokenStream {
     let Emission { model, name, program, sizes: Sizes { nq, nc, nx, full, .. }, .. } = emission;
-    let (declared, whole) = (start::declared(emission), whole_state(emission, &quote!(state)));
+    let (declared, unwrapped) = (start::declared(emission), unwrapped_state(emission, &quote!(state)));
     let states = model.states.iter();
     let states =
         emission.list(states.map(|state| format!("({:?}, {:?})", state.name.text, docs::si(&state.unit))));
@@ -77,7 +77,7 @@ constraints, rates of the first-order states, without accelerations.",
             const STATES: &'static [(&'static str, &'static str)] = &[#states];
 
             fn full(state: &State<S>) -> [S; #full] {
-                #whole
+                #unwrapped
             }
             #at_rest_docs
             #[cold]

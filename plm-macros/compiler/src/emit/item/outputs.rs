@@ -8,7 +8,7 @@ use quote::format_ident;
 use super::super::bindings::Origin;
 use super::super::lower::{Around, Bindings, statements};
 use super::super::{Emission, docs, indexed_accessors, number, table_compression};
-use super::state::whole_pose;
+use super::state::unwrapped_pose;
 use crate::formulate::Function;
 use crate::model::Output;
 use crate::units::DisplayUnit;
@@ -92,13 +92,13 @@ fn poses(emission: &Emission) -> TokenStream {
         }
     };
     let bodies = joined(model.bodies.iter().zip(&fields.bodies).enumerate().map(pose).collect_vec());
-    let whole = whole_pose(emission, &quote!(self));
+    let unwrapped = unwrapped_pose(emission, &quote!(self));
     let nq = number(nq);
     let by_number = emission.rerolled.then(|| {
         quote! {
             /// The body with this number.
             fn body_(&self, body: usize) -> BodyState<S> {
-                let (q, v): ([S; #nq], [S; #nq]) = #whole;
+                let (q, v): ([S; #nq], [S; #nq]) = #unwrapped;
                 let none = [S::lit(f64::NAN); 3];
                 BodyState::among(&q, &v, body).unwrap_or(BodyState::of(none, none))
             }

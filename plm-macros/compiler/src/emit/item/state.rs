@@ -42,12 +42,12 @@ pub(crate) fn state(emission: &Emission) -> TokenStream {
 }
 
 /// Pose and velocity of all bodies with all turns, of a `State`.
-pub(crate) fn whole_pose(emission: &Emission, state: &TokenStream) -> TokenStream {
-    if turns::are_counted(emission) { quote!(#state.whole_()) } else { quote!(#state.pose_()) }
+pub(crate) fn unwrapped_pose(emission: &Emission, state: &TokenStream) -> TokenStream {
+    if turns::are_counted(emission) { quote!(#state.unwrapped_pose_()) } else { quote!(#state.pose_()) }
 }
 
 /// Poses, velocities and first-order states, in one row.
-pub(crate) fn whole_state(emission: &Emission, state: &TokenStream) -> TokenStream {
+pub(crate) fn unwrapped_state(emission: &Emission, state: &TokenStream) -> TokenStream {
     if !turns::are_counted(emission) {
         return quote!(#state.absolute_());
     }
@@ -81,11 +81,11 @@ pub(crate) fn pose(emission: &Emission) -> TokenStream {
             }
         }
     });
-    let whole = turns::are_counted(emission).then(|| {
+    let unwrapped = turns::are_counted(emission).then(|| {
         let places = turns::in_pose(emission);
         quote! {
             /// Poses and velocities with all revolutions of the angles.
-            fn whole_(&self) -> ([S; #nq], [S; #nq]) {
+            fn unwrapped_pose_(&self) -> ([S; #nq], [S; #nq]) {
                 let (mut q, v) = self.pose_();
                 rt::turns::add(&self.held.turns, &mut q, #places);
                 (q, v)
@@ -99,7 +99,7 @@ pub(crate) fn pose(emission: &Emission) -> TokenStream {
             fn pose_(&self) -> ([S; #nq], [S; #nq]) {
                 #pose
             }
-            #whole
+            #unwrapped
         }
 
         impl<S: Real> State<S> {

@@ -153,7 +153,7 @@ impl Dyad {
         let mut columns = [Vec2::ZERO; 2];
         let mut scale = Expr::ONE;
         for (k, orientation) in self.orientations().into_iter().enumerate() {
-            let arm = motion.whole_arm(chain, orientation);
+            let arm = motion.absolute_arm(chain, orientation);
             columns[k] = arm.left();
             scale *= arm.squared();
         }

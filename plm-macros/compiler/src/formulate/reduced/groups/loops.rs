@@ -84,7 +84,7 @@ impl<'a> Flow<'a> {
             .into_iter()
             .map(|orientation| {
                 let solved = solved.iter().find(|(own, _)| *own == orientation);
-                (orientation, solved.map_or_else(|| motion.whole_arm(closure, orientation), |arm| arm.1))
+                (orientation, solved.map_or_else(|| motion.absolute_arm(closure, orientation), |arm| arm.1))
             })
             .collect_vec();
         let mut known: Vec<(usize, Vec2)> = Vec::new();

@@ -193,7 +193,9 @@ impl Newton {
             let arms = moving.into_iter().map(|orientation| {
                 (
                     orientation,
-                    motion.whole_arm(chain, orientation).named(format!("arm{tag}_{closure}_{orientation}")),
+                    motion
+                        .absolute_arm(chain, orientation)
+                        .named(format!("arm{tag}_{closure}_{orientation}")),
                 )
             });
             arms.collect_vec()
@@ -220,7 +222,7 @@ impl Newton {
                 .orientations()
                 .into_iter()
                 .filter(|&orientation| !self.moves(coordinates, closure, orientation));
-            let sum: Vec2 = still.map(|orientation| motion.whole_arm(chain, orientation)).sum();
+            let sum: Vec2 = still.map(|orientation| motion.absolute_arm(chain, orientation)).sum();
             sum.named(format!("loop_{closure}"))
         };
         self.closures.iter().map(of_loop).collect_vec()

@@ -160,7 +160,7 @@ impl<'a> Motion<'a> {
     }
 
     /// The vector of a loop that turns with an orientation, in absolute axes.
-    pub(crate) fn whole_arm(&self, chain: &Chain, orientation: usize) -> Vec2 {
+    pub(crate) fn absolute_arm(&self, chain: &Chain, orientation: usize) -> Vec2 {
         self.turned(orientation, self.arm(chain, orientation, &[]))
     }
 

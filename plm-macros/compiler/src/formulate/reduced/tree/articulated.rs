@@ -73,10 +73,10 @@ pub(crate) fn accelerations(
     let mut held = Vec::new();
     for edge in coordinates.order.iter().rev() {
         let link = work.link(edge);
-        let whole = answers[edge.body];
-        let (left, eliminated) = work.eliminate(whole, &link);
+        let answer = answers[edge.body];
+        let (left, eliminated) = work.eliminate(answer, &link);
         if let Some(parent) = edge.parent {
-            let carried = work.carry(whole, left, &link, &eliminated);
+            let carried = work.carry(answer, left, &link, &eliminated);
             let Answer { inertia, force } = answers[parent];
             let inertia = work.summed(inertia + carried.inertia);
             answers[parent] = Answer { inertia, force: force + carried.force };
@@ -219,20 +219,20 @@ impl Elimination<'_> {
         (answer, eliminated)
     }
 
-    /// Wrench of a body on its joint, at the reference point of its parent; `whole` is its answer before
+    /// Wrench of a body on its joint, at the reference point of its parent; `answer` is its inertia and force before
     /// elimination.
     fn carry(
         &mut self,
-        mut whole: Answer,
+        mut answer: Answer,
         mut left: Answer,
         link: &Link,
         eliminated: &[Eliminated],
     ) -> Answer {
         if !link.turns_along {
             // The third row waits for an angular acceleration that the parent does not give.
-            (whole, left) = (whole.without(2), left.without(2));
+            (answer, left) = (answer.without(2), left.without(2));
         }
-        let (across, about) = self.levered(whole, left, link, eliminated);
+        let (across, about) = self.levered(answer, left, link, eliminated);
         let force = left.force + left.inertia * Spatial::new(link.bias, Expr::ZERO);
         let force = self.named(force, |axis| format!("p_{axis}"));
         let moment = force.dot(Spatial::new(link.lever, Expr::ONE));
@@ -248,7 +248,7 @@ impl Elimination<'_> {
     /// waits for this one and two operations, not for seven (chain of 64: 4280 ns a step or 5060).
     fn levered(
         &mut self,
-        whole: Answer,
+        answer: Answer,
         left: Answer,
         link: &Link,
         eliminated: &[Eliminated],
@@ -258,7 +258,7 @@ impl Elimination<'_> {
             [one] if !link.turns_along => Some(one),
             _ => None,
         };
-        let inertia = if revolute.is_some() { whole.inertia } else { left.inertia };
+        let inertia = if revolute.is_some() { answer.inertia } else { left.inertia };
         let mut across = inertia * lever;
         let mut about = across.dot(lever);
         if let Some(&Eliminated { answered, gain, reciprocal, .. }) = revolute {

@@ -1,4 +1,4 @@
-//! Operations on several expressions of the present graph at once.
+//! Operations on lists of expressions of the present graph.
 
 use super::with;
 use crate::graph::Graph;

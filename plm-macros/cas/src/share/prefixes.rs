@@ -1,4 +1,4 @@
-//! Long sums that begin with another sum: `a + b + ... + y + z` reads `a + b + ... + y`.
+//! Prefixes of long sums: `a + b + ... + y + z` reads `a + b + ... + y`.
 //!
 //! Sums that grow step by step arrive flattened: n sums of up to n terms, whose pairs are of the order of n^3. Each
 //! becomes its predecessor and what is new in it.
