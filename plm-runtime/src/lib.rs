@@ -64,6 +64,10 @@ pub mod start;
 pub mod statics;
 pub mod step;
 pub mod system;
+#[cfg(feature = "vary-tolerances")]
+pub mod tolerances;
+#[cfg(not(feature = "vary-tolerances"))]
+mod tolerances;
 pub mod tube;
 pub mod turns;
 pub mod twofold;

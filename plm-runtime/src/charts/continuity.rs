@@ -3,24 +3,9 @@
 use crate::charts::{Charted, OfLoops, Remembered, square};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
-
-/// A state may be so many times as far from the last look as it may be without one: at 10, a loop could be flat.
-pub(super) const FAR: f64 = 7.0;
-/// The farthest that a body may turn between two looks, rad: its angle is known but for whole turns.
-pub(super) const FARTHEST: f64 = 1.0;
-/// The farthest that an unknown of an iteration may be from where the rates before and after take it, as a part of the
-/// measure; other solutions are at least about twice the measure away.
-const FARTHEST_FOLLOWED: f64 = 0.25;
-/// On a box the measure changes by this part.
-const PART: f64 = 0.1;
-/// A step on which it changes by less than this is short beside every turn; what is left then may be rounding.
-const NOTICED: f64 = 1e-4;
-/// Boxes are not narrowed more at a look.
-const NARROWEST_BOX: f64 = 0.01;
-/// Up to this distance an iteration that does not converge has no solution to find.
-const NEAR: f64 = 0.1;
-/// Below this square the measure does not narrow that any further.
-const NARROWEST: f64 = 1e-4;
+use crate::tolerances::{
+    BOX, FAR, FARTHEST, FARTHEST_FOLLOWED, NARROWEST_BOX, NOTICED, UNREACHED, narrowest_square,
+};
 
 /// The memory of the last look in a chart, and of the state at the time `t`.
 pub(super) struct Looks<'a, M: Charted> {
@@ -34,7 +19,7 @@ impl<M: Charted> Looks<'_, M> {
     /// Is the state so near to the last one that was looked at that no loop can have gone through a flat pose? What the
     /// distances tell of it at one of the two is enough; for the time it must hold at both.
     pub(super) fn check_near(&self) -> Result<(), Fault> {
-        let far = |reach: M::S| M::S::lit(FAR) * reach.abs();
+        let far = |reach: M::S| FAR.of::<M::S>() * reach.abs();
         let within = self.before.coordinates().iter().zip(self.after.coordinates()).all(|(before, after)| {
             (after.last - before.last).abs() <= far(before.reach).max(far(after.reach))
         });
@@ -51,7 +36,7 @@ impl<M: Charted> Looks<'_, M> {
     #[inline]
     pub(super) fn check_followed(&self, measure: M::S) -> Result<(), Fault> {
         let half = M::S::lit(0.5) * self.since();
-        let farthest = square::<M::S>(FARTHEST_FOLLOWED) * measure.max(M::S::lit(NARROWEST));
+        let farthest = square::<M::S>(FARTHEST_FOLLOWED.get()) * measure.max(narrowest_square());
         let followed = self.before.followed().iter().zip(self.after.followed());
         for (part, (before, after)) in M::FOLLOWED.iter().zip(followed) {
             let moved = after.value - before.value;
@@ -69,7 +54,7 @@ impl<M: Charted> Looks<'_, M> {
     /// The memory of the state, with what two states tell together.
     pub(super) fn kept(&self) -> Result<M::Memory, Fault> {
         let (angle, body) = self.turned();
-        if angle > M::S::lit(FARTHEST) {
+        if angle > FARTHEST.of::<M::S>() {
             let cause = Cause::TurnedTooFar { angle: angle.to_f64() };
             return Err(Fault::of_part(self.t.to_f64(), body, cause));
         }
@@ -98,12 +83,12 @@ impl<M: Charted> Looks<'_, M> {
         });
         let measures = self.before.areas().iter().zip(self.after.areas());
         let narrowed = measures.fold(one, |narrowed, (before, after)| {
-            let (changed, expected) = ((*after - *before).abs(), M::S::lit(PART) * boxes * after.abs());
-            let noticed = M::S::lit(NOTICED) * after.abs();
+            let (changed, expected) = ((*after - *before).abs(), BOX.of::<M::S>() * boxes * after.abs());
+            let noticed = NOTICED.of::<M::S>() * after.abs();
             // False for what is not a number.
             if expected.max(noticed) < changed { narrowed.min(expected / changed) } else { narrowed }
         });
-        narrowed.max(M::S::lit(NARROWEST_BOX))
+        narrowed.max(NARROWEST_BOX.of::<M::S>())
     }
 
     /// The fault of the loop that is nearest to not being closed.
@@ -113,7 +98,8 @@ impl<M: Charted> Looks<'_, M> {
         let moved = self.before.followed().iter().map(|at| ((at.rate + at.bend * since) * since).abs());
         let moved = moved.fold(M::S::lit(0.0), M::S::max);
         let angle = moved.to_f64();
-        let cause = if moved > M::S::lit(NEAR) { Cause::TurnedTooFar { angle } } else { Cause::Locked };
+        let cause =
+            if moved > UNREACHED.of::<M::S>() { Cause::TurnedTooFar { angle } } else { Cause::Locked };
         Fault::of_part(self.t.to_f64(), flattest::<M>(self.chart, self.after), cause)
     }
 

@@ -1,16 +1,11 @@
 //! Several states side by side: whether there is something to look at, and looks that change nothing but what is remembered.
 
-use super::continuity::{FAR, FARTHEST};
 use super::counted::first_places;
-use super::{BOXES, Charted, FLAT, OfLoops, Reach, Remembered, TIGHT, square};
+use super::{Charted, OfLoops, Reach, Remembered, square};
 use crate::scalar::Scalar;
-use crate::singular::LONG;
+use crate::tolerances::{BOXES, FAR, FARTHEST, FLAT, LONG, SURELY, tight};
 use crate::turns::are_near;
 use crate::vector::Vector;
-
-/// Steps that cross less than this part of what they may are short in any rounding; which of the others are is told one by
-/// one.
-const SURELY: f64 = 0.999;
 
 /// Whether [`accept`](super::accept) has nothing to look at yet, by what is held of the loops: 1 in the lanes where it has
 /// not, 0 elsewhere; with the typical size of each number of the state.
@@ -29,8 +24,8 @@ pub fn are_calm<M: Charted, T: Scalar, X: Vector<T>>(
     let holds = |calm: T, at: Reach<T>, value: T| T::select((value - at.last).abs().lt(at.reach), calm, zero);
     let coordinates = memory.coordinates().iter().enumerate();
     let calm = coordinates.fold(one, |calm, (k, &at)| {
-        let ample = T::lit(BOXES * TIGHT / M::NQ as f64) * typical.at(k);
-        let reach = T::select(at.reach.lt(ample), at.reach, T::lit(BOXES) * at.reach);
+        let ample = T::lit(BOXES.get() * tight() / M::NQ as f64) * typical.at(k);
+        let reach = T::select(at.reach.lt(ample), at.reach, BOXES.of::<T>() * at.reach);
         holds(calm, Reach { reach, ..at }, x.at(k))
     });
     let calm = holds(calm, memory.time(), t);
@@ -53,8 +48,8 @@ pub fn are_short<M: Charted, T: Scalar, X: Vector<T>>(
     let OfLoops::InChart { memory, .. } = of_loops else { return zero };
     memory.coordinates().iter().enumerate().fold(one, |short, (k, &Reach { reach, .. })| {
         let moved = (x.at(k) - before.at(k)).abs();
-        let if_tight = T::select(moved.lt(T::lit(SURELY * LONG) * reach), short, zero);
-        T::select(reach.lt(T::lit(TIGHT / M::NQ as f64) * typical.at(k)), if_tight, short)
+        let if_tight = T::select(moved.lt(T::lit(SURELY.get() * LONG.get()) * reach), short, zero);
+        T::select(reach.lt(T::lit(tight() / M::NQ as f64) * typical.at(k)), if_tight, short)
     })
 }
 
@@ -72,10 +67,10 @@ pub fn look<M: Charted, T: Scalar, Y: Remembered<T>>(
     let mut plain = due;
     let mut hold = |condition: T::Mask| plain = T::select(condition, plain, zero);
     // False for what is not a number, here and in all that follows.
-    hold(square::<T>(FLAT).lt(measure));
+    hold(square::<T>(FLAT.get()).lt(measure));
     // Zero times a number that is none is none.
     hold(after.fold(zero, |sum, number| number.mul_add(zero, sum)).lt(one));
-    let far = |at: &Reach<T>| T::lit(FAR) * at.reach.abs();
+    let far = |at: &Reach<T>| FAR.of::<T>() * at.reach.abs();
     for (before, after) in before.coordinates().iter().zip(after.coordinates()) {
         hold((after.last - before.last).abs().lt(far(before).max(far(after))));
     }
@@ -83,7 +78,7 @@ pub fn look<M: Charted, T: Scalar, Y: Remembered<T>>(
     hold((now.last - since.last).abs().lt(far(&since).min(far(&now))));
     for &k in M::FOUND.get(*chart).copied().unwrap_or_default() {
         if let (Some(before), Some(after)) = (before.turns().get(k), after.turns().get(k)) {
-            hold((after.angle - before.angle).abs().lt(T::lit(FARTHEST)));
+            hold((after.angle - before.angle).abs().lt(FARTHEST.of::<T>()));
         }
     }
     for counted in M::COUNTED {

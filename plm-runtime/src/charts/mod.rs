@@ -26,34 +26,8 @@ use crate::fault::Fault;
 use crate::held::Held;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Accepted, System};
+use crate::tolerances::{AHEAD, BACK, BETTER, BOXES, FLAT, OPEN, regular_chart, tight};
 use crate::vector::Vector;
-
-/// Below this a chart's measure is worth a look at the other charts: the smallest sine (RRR), cosine (RRP), or length
-/// over that of the scene (RPR) of its dyads.
-const FLAT: f64 = 0.3;
-/// How much better another chart's measure must be.
-const BETTER: f64 = 2.0;
-/// Below this measure no chart is good: rounding grows with its third power, to `1e-11` in the accelerations ...
-const POOR: f64 = 0.03;
-/// ... and to `1e-5` in single precision.
-const POOR_SINGLE: f64 = 0.2;
-/// By this factor a chart must be better than that, where the mechanism goes on in it.
-const BACK: f64 = 1.3;
-
-/// Below this square of the measure a loop is open; what is nearer to zero may be a flat pose and rounding.
-const OPEN: f64 = -1e-10;
-/// Below this part of what is typical, a box is that of a measure below [`FLAT`]: boxes are a tenth of it, and they share it.
-const TIGHT: f64 = 0.1 * FLAT;
-/// Where a box is at least so many times as wide as that, a coordinate may go as many boxes far until the next look.
-///
-/// With M the square of a dyad's measure sin theta, and g = cos theta as a function of the coordinate, a box is at most
-/// 0.1 M / |g'| and 0.1 sqrt(M). On n boxes g changes by at most (0.1 n + 0.005 n^2 |g''|) M, and the loop is flat where it has
-/// changed by M / 2: not on two boxes as long as |g''| < 15, which is about the length of a crank over that of the dyad's bars. M
-/// keeps 0.6 of its value if g'' is small, so that a box at the end of the way is not tight where the first was twice as wide.
-const BOXES: f64 = 2.0;
-
-/// In a new chart the second look is so many boxes ahead of the first.
-const AHEAD: f64 = 0.01;
 
 /// A mechanism whose loops are solved in closed form; implemented by generated code.
 pub trait Charted:
@@ -101,8 +75,8 @@ pub trait Charted:
 /// The state in the best chart at a pose that closes the loops; the first chart if it is not flat, none if all are.
 pub fn enter<M: Charted>(system: &M, t: M::S, held: &mut M::U, (q, v): (&M::Q, &M::Q), x: &mut M::X) {
     let (_, first) = system.remember_pose(0, t, q, v);
-    let (chart, measure) = if first < square(FLAT) { best(system, t, q, v) } else { (0, first) };
-    if measure < regular() {
+    let (chart, measure) = if first < square(FLAT.get()) { best(system, t, q, v) } else { (0, first) };
+    if measure < regular_chart() {
         free::<M>(held, (q, v), x);
     } else {
         change(system, t, held, (chart, q, v), x);
@@ -163,8 +137,8 @@ pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
 pub fn is_calm<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
     let OfLoops::InChart { memory, .. } = &held.of_loops else { return false };
     let quiet = |k: usize, at: &Reach<M::S>| {
-        let ample = M::S::lit(BOXES * TIGHT / M::NQ as f64) * system.typical().at(k);
-        let reach = if at.reach < ample { at.reach } else { M::S::lit(BOXES) * at.reach };
+        let ample = M::S::lit(BOXES.get() * tight() / M::NQ as f64) * system.typical().at(k);
+        let reach = if at.reach < ample { at.reach } else { BOXES.of::<M::S>() * at.reach };
         Reach { reach, ..*at }.holds(x.at(k))
     };
     M::FOLLOWED.is_empty()
@@ -180,7 +154,7 @@ pub fn is_calm<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
 #[inline]
 pub fn crossed<M: Charted>(system: &M, held: &M::U, before: &M::X, x: &M::X) -> M::S {
     let OfLoops::InChart { memory, .. } = &held.of_loops else { return M::S::ZERO };
-    let tight = |k: usize| M::S::lit(TIGHT / M::NQ as f64) * system.typical().at(k);
+    let tight = |k: usize| M::S::lit(tight() / M::NQ as f64) * system.typical().at(k);
     memory.coordinates().iter().enumerate().fold(M::S::ZERO, |most, (k, &Reach { reach, .. })| {
         if reach < tight(k) { most.max((x.at(k) - before.at(k)).abs() / reach) } else { most }
     })
@@ -203,20 +177,15 @@ fn watch<M: Charted>(
     looks.check_near()?;
     held.of_loops = OfLoops::InChart { chart, memory: looks.kept()? };
     let turned = unwind::<M>(held, x);
-    let moved = measure < square(FLAT) && leave(system, t, held, (chart, measure), x);
+    let moved = measure < square(FLAT.get()) && leave(system, t, held, (chart, measure), x);
     Ok(Accepted { moved, turned, passed: None })
 }
 
 /// Can a loop not be closed at all?
 fn is_open<S: Real>(measure: S) -> bool {
     // False for what is not a number.
-    let closes = measure >= S::lit(OPEN).min(S::lit(-64.0) * S::EPSILON);
+    let closes = measure >= S::lit(-OPEN.get()).min(S::lit(-64.0) * S::EPSILON);
     !closes
-}
-
-/// The square of the measure above which a chart is good.
-fn regular<S: Real>() -> S {
-    square(if S::EPSILON < S::lit(1e-12) { POOR } else { POOR_SINGLE })
 }
 
 /// The name of a coordinate or its rate in the chart that is held, of `count` names for each chart; none of other states, and
@@ -251,11 +220,11 @@ fn leave<M: Charted>(
         return false;
     }
     let (chart, other) = if M::CHARTS > 1 { best(system, t, &q, &v) } else { (own, measure) };
-    if chart != own && other > square::<M::S>(BETTER) * measure && other > regular() {
+    if chart != own && other > square::<M::S>(BETTER.get()) * measure && other > regular_chart() {
         change(system, t, held, (chart, &q, &v), x);
         return true;
     }
-    let poor = measure < regular();
+    let poor = measure < regular_chart();
     if poor {
         free::<M>(held, (&q, &v), x);
     }
@@ -267,7 +236,7 @@ fn leave<M: Charted>(
 fn come_back<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> bool {
     let (q, v) = pose(system, t, held, x);
     let (chart, measure) = best(system, t, &q, &v);
-    if measure < square::<M::S>(BACK) * regular() {
+    if measure < square::<M::S>(BACK.get()) * regular_chart() {
         return false;
     }
     let (alone, rest) = (*held, *x);
@@ -325,7 +294,7 @@ fn change<M: Charted>(
 fn ahead<M: Charted>(system: &M, memory: &M::Memory, x: &M::X) -> M::X {
     let mut ahead = *x;
     for (k, at) in memory.coordinates().iter().enumerate() {
-        let by = M::S::lit(AHEAD) * at.reach.min(system.typical().at(k));
+        let by = AHEAD.of::<M::S>() * at.reach.min(system.typical().at(k));
         ahead.set(k, x.at(k) + if x.at(M::NQ + k) < M::S::ZERO { -by } else { by });
     }
     ahead

@@ -7,20 +7,9 @@ use super::Fine;
 use super::equations::{Equations, Evaluated};
 use crate::absolute::{nearest, smallest_pivot, split};
 use crate::scalar::Real;
+use crate::tolerances::{APART, BEFORE_TURNING, FOLLOWS, NARROWEST, REFINEMENTS, VANISHES};
 use crate::twofold::Twofold;
 use crate::vector::Vector;
-
-/// Poses that far apart are compared first, in radians (or lengths of the mechanism).
-const APART: f64 = 0.02;
-/// Then such that are nearer to each other, until they are within the parabola's own scale.
-const REFINEMENTS: usize = 12;
-/// A pose is reached before the motion turns, at v^2/2a, up to this part of v^2/a.
-const BEFORE_TURNING: f64 = 0.25;
-/// Where the parabola is lower than this part of the present pivot, it may come to zero.
-const VANISHES: f64 = 0.05;
-
-/// No pose that is passed by has a parabola narrower than this, rad: lengths that differ by what they are rounded make one of 1e-8.
-const NARROWEST: f64 = 1e-3;
 
 /// What lies ahead of a state.
 #[derive(Clone, Copy, Debug)]
@@ -50,7 +39,7 @@ impl<S: Real> Ahead<S> {
             (0..NQ).fold(S::ZERO, |most: S, i| most.max((of.at(from + i) / equations.typical_of(i)).abs()))
         };
         let (speed, acceleration) = (fastest(NQ, &here.x), fastest(NQ, &here.dx));
-        if speed * speed > S::lit(APART) * acceleration {
+        if speed * speed > APART.of::<S>() * acceleration {
             return Self::along(
                 equations,
                 (t, held),
@@ -66,7 +55,7 @@ impl<S: Real> Ahead<S> {
                 here,
                 (&here.x, [speed, S::lit(1.0) / speed], [speed, S::ZERO]),
             );
-            let reach = S::lit(BEFORE_TURNING) * speed * speed;
+            let reach = BEFORE_TURNING.of::<S>() * speed * speed;
             if ahead.flat().is_some_and(|distance| distance * acceleration < reach) {
                 return ahead;
             }
@@ -99,7 +88,7 @@ impl<S: Real> Ahead<S> {
             nearest::<_, _, NQ, NC, NX>(&constraints, Twofold::of(t), &mut x);
             smallest_pivot(&fine, Twofold::of(t), &split::<_, NX, NQ>(&x).0).rounded()
         };
-        let (mut apart, now) = (S::lit(APART), pivot(S::ZERO));
+        let (mut apart, now) = (APART.of::<S>(), pivot(S::ZERO));
         for _ in 0..REFINEMENTS {
             let [before, after] = [-apart, apart].map(pivot);
             let slope = (after - before) / (apart + apart);
@@ -107,7 +96,7 @@ impl<S: Real> Ahead<S> {
             if bend > S::ZERO {
                 ahead.scale = ((now + now) / bend).sqrt();
                 ahead.lowest = -slope / bend;
-                ahead.vanishes = now + S::lit(0.5) * slope * ahead.lowest < S::lit(VANISHES) * now;
+                ahead.vanishes = now + S::lit(0.5) * slope * ahead.lowest < VANISHES.of::<S>() * now;
             } else {
                 (ahead.scale, ahead.lowest) = (S::INFINITY, S::INFINITY);
             }
@@ -137,12 +126,12 @@ impl<S: Real> Ahead<S> {
     /// Are the pivots those of the motion? Two that are small beside a flat pose amplify the rounding of a third: that of a row which
     /// repeats others is left out or not by chance then.
     pub(super) fn is_resolved(&self) -> bool {
-        self.scale > S::lit(NARROWEST) * S::EPSILON.sqrt()
+        self.scale > NARROWEST.of::<S>() * S::EPSILON.sqrt()
     }
 
     /// The longest step that follows the parabola.
     pub(super) fn longest_step(&self) -> S {
-        if self.scale < S::INFINITY { self.time_to(S::lit(0.4) * self.scale) } else { S::INFINITY }
+        if self.scale < S::INFINITY { self.time_to(FOLLOWS.of::<S>() * self.scale) } else { S::INFINITY }
     }
 
     /// Distance over which the motion turns, rad.

@@ -12,21 +12,10 @@ use super::combined::Combined;
 use crate::absolute::{Absolute, phi_q_matrix};
 use crate::linalg::{add, diagonal, dot, largest, rotate};
 use crate::scalar::{Real, Scalar};
+use crate::tolerances::{CONVERGED, CRITICAL_STEPS, CURVED, DIFFERENCE, ROUNDED_LENGTH, SEARCHED, TOGETHER};
 use crate::twofold::Twofold;
 use crate::vector::Vector;
 use crate::workspace;
-
-/// Newton steps that are enough from a pose near the singular one.
-const ITERATIONS: usize = 16;
-/// From a pose that is farther away than this, rad (or lengths of the mechanism), another one may be found.
-const FAR: f64 = 0.5;
-/// Singular values vanish together with the smallest up to so many times it, or it does alone.
-const TOGETHER: [f64; 2] = [8.0, 1.0];
-/// Curvatures below this part of the largest are rounding of the difference quotients, squared.
-const CURVED: f64 = 1e-8;
-/// A length that was read from decimals is off by half a unit in the last place, one that was multiplied by a unit or a count
-/// before by a quarter more at most.
-const ROUNDED: f64 = 0.75;
 
 /// A singular pose.
 #[derive(Clone, Copy, Debug)]
@@ -94,24 +83,24 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
 
     /// The singular pose next to `q`; none where none is near.
     pub(super) fn critical(&self, t: M::S, q: &[Twofold<M::S>; NQ]) -> Option<Critical<M::S, NQ, NC>> {
-        TOGETHER.into_iter().find_map(|together| self.newton(t, q, M::S::lit(together)))
+        [TOGETHER.get(), 1.0].into_iter().find_map(|together| self.newton(t, q, M::S::lit(together)))
     }
 
     /// The same for singular values that vanish together with the smallest, up to so many times it.
     fn newton(&self, t: M::S, q: &[Twofold<M::S>; NQ], together: M::S) -> Option<Critical<M::S, NQ, NC>> {
         let (mut q, mut way) = (*q, M::S::ZERO);
-        for _ in 0..ITERATIONS {
+        for _ in 0..CRITICAL_STEPS {
             let dq = self.step(t, &q, together)?;
             let moved = largest(&dq);
             way = way + moved;
             // False for what is not a number.
-            let near = way < M::S::lit(FAR);
+            let near = way < SEARCHED.of::<M::S>();
             if !near {
                 return None;
             }
             q = Vector::from_fn(|i| q[i] + Twofold::of(self.column(i) * dq[i]));
             // The error of a Newton step is about the square of the next.
-            if moved < M::S::EPSILON.sqrt() * M::S::lit(1e-2) {
+            if moved < M::S::EPSILON.sqrt() * CONVERGED.of::<M::S>() {
                 return self.told(t, q, together);
             }
         }
@@ -174,7 +163,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
     /// The derivative of that along a direction.
     #[inline(never)]
     fn bend(&self, t: M::S, q: &[M::S; NQ], lambda: &[M::S; NC], along: &[M::S; NQ]) -> [M::S; NQ] {
-        let h = third::<M::S>();
+        let h = DIFFERENCE.of::<M::S>();
         let beside = |h: M::S| {
             let q = Vector::from_fn(|i| q[i] + h * self.column(i) * along[i]);
             self.gradient(t, &q, lambda)
@@ -234,7 +223,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
             }
         }
         let curvatures = rotate(&mut normal, &mut sides)?;
-        let flat = curvatures.cut(M::S::lit(CURVED));
+        let flat = curvatures.cut(CURVED.of::<M::S>());
         for ((size, row), [side]) in curvatures.values.iter().zip(&normal).zip(&sides) {
             if *size > flat {
                 add(dq, -*side / (*size * *size), row);
@@ -267,7 +256,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
         if self.combined(t, &q, &mut combined).is_none() {
             return false;
         }
-        combined.part(M::S::lit(TOGETHER[0]));
+        combined.part(TOGETHER.of::<M::S>());
         self.curves_to_one_side((t, &q), &combined, &critical.combination)
     }
 
@@ -283,7 +272,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
             *row = self.curvature((t, q), (combined, lambda), along);
         }
         let Some(curvatures) = rotate(&mut hessian, &mut nothing) else { return false };
-        let flat = curvatures.cut(M::S::lit(CURVED).sqrt());
+        let flat = curvatures.cut(CURVED.of::<M::S>().sqrt());
         let [mut up, mut down] = [false; 2];
         for (_, row) in curvatures.values.iter().zip(&hessian).filter(|(size, _)| **size > flat) {
             let rises = dot(row, &self.bend(t, q, lambda, row)) > M::S::ZERO;
@@ -320,7 +309,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
         }
         let gap = self.in_metres(&open).iter().fold(M::S::ZERO, |gap, open| gap + open.abs());
         let terms = self.terms(t, &pose);
-        let rounding = M::S::lit(ROUNDED) * M::S::EPSILON * dot(&weights, &terms);
+        let rounding = ROUNDED_LENGTH.of::<M::S>() * M::S::EPSILON * dot(&weights, &terms);
         // False for what is not a number.
         let known = most > M::S::ZERO && gap < self.length.max(one);
         known.then_some(Critical { q, open, combination, gap, rounding })
@@ -338,7 +327,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
                 rest.set(r, rest.at(r) + self.row(r) * entry * q.at(i));
             }
         });
-        let h = third::<M::S>();
+        let h = DIFFERENCE.of::<M::S>();
         for i in (0..NQ).filter(|i| i % 3 == 2) {
             let mut bends = [M::S::ZERO; NC];
             for h in [h, -h] {
@@ -354,9 +343,4 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
         }
         Vector::from_fn(|r| terms[r] + rest[r].abs())
     }
-}
-
-/// The third root of a unit in the last place, for difference quotients: the power of two next to it.
-fn third<S: Real>() -> S {
-    if S::EPSILON < S::lit(1e-12) { S::lit(1.0 / 131_072.0) } else { S::lit(1.0 / 256.0) }
 }

@@ -5,14 +5,9 @@ use crate::absolute::{Absolute, nearest, split};
 use crate::scalar::{Real, Scalar};
 use crate::start::Start;
 use crate::system::{Health, System};
+use crate::tolerances::{ANGLE_ROUNDED, POSE_MOVED, VELOCITY_MOVED, half_of_digits};
 use crate::twofold::Twofold;
 use crate::vector::Vector;
-
-/// An accepted pose is this near to the constraints, as a part of typical sizes, ...
-const BESIDE: f64 = 1e-6;
-/// ... and its velocity this near to their tangent: a pose that is rounded at the distance d from a singular one turns the tangent by
-/// `EPSILON / d`, and takes the square of that from the energy.
-const TANGENT: f64 = 1e-3;
 
 /// A mechanism in absolute coordinates: x' = f(P(x)), where P leads a state onto the constraints by the shortest way in the
 /// metric of the masses.
@@ -106,8 +101,8 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
     /// other disagree.
     pub(super) fn is_beside(&self, x: &[M::S; NX], evaluated: &Evaluated<M::S, NX>) -> bool {
         let moved: [M::S; NX] = Vector::from_fn(|i| evaluated.x.at(i) - x.at(i));
-        let beside = M::S::lit(BESIDE).max(M::S::EPSILON.sqrt());
-        let tangent = M::S::lit(TANGENT).max(M::S::EPSILON.sqrt());
+        let beside = half_of_digits::<M::S>(POSE_MOVED);
+        let tangent = half_of_digits::<M::S>(VELOCITY_MOVED);
         let allowed = |i: usize| if (NQ..2 * NQ).contains(&i) { tangent } else { beside };
         size(&moved, |i| allowed(i) * (self.typical_of(i) + x.at(i).abs())) < M::S::lit(1.0)
     }
@@ -123,7 +118,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
     pub(super) fn size(&self, x: &[M::S; NX]) -> M::S {
         let length = self.system.length();
         (0..NQ).fold(length, |most: M::S, i| {
-            let turned = if i % 3 == 2 { M::S::lit(0.25) * length } else { M::S::lit(1.0) };
+            let turned = if i % 3 == 2 { ANGLE_ROUNDED.of::<M::S>() * length } else { M::S::lit(1.0) };
             most.max(turned * x.at(i).abs())
         })
     }

@@ -9,13 +9,9 @@ use crate::fault::Fault;
 use crate::linalg::largest;
 use crate::method::Context;
 use crate::scalar::Real;
+use crate::tolerances::{NEARBY, UNCERTAIN};
 use crate::twofold::Twofold;
 use crate::vector::Vector;
-
-/// So near to a pose, rad, lengths that are rounded turn the motion by `EPSILON` over the square of this.
-const BESIDE: f64 = 1e-4;
-/// A pose that is found from there is not farther away than this.
-const NEXT: f64 = 1e-3;
 
 /// How a mechanism meets a singular pose.
 #[derive(Clone, Copy, Debug)]
@@ -51,12 +47,12 @@ impl Meeting {
         };
         let driven = largest(&rows.driven(time, &q)) > S::ZERO;
         // Beside the pose the motion is not known before the lengths are.
-        let distance = ahead.and_then(Ahead::near).filter(|distance| distance.abs() > S::lit(BESIDE));
+        let distance = ahead.and_then(Ahead::near).filter(|distance| distance.abs() > UNCERTAIN.of::<S>());
         let way = distance.zip(ahead).map_or(S::ZERO, |(distance, ahead)| ahead.signed_time_to(distance));
         let guess = Vector::from_fn(|i| Twofold::of(q[i] + way * v[i]));
         let is_next = |critical: &Critical<S, NQ, NC>| {
             let off: [S; NQ] = Vector::from_fn(|i| q[i] - critical.q[i].rounded());
-            size(&off, |i| S::lit(1.0) + q[i].abs()) < S::lit(NEXT)
+            size(&off, |i| S::lit(1.0) + q[i].abs()) < NEARBY.of::<S>()
         };
         let known = distance.is_some() || driven;
         let Some(critical) = rows.critical(time, &guess).filter(|critical| known || is_next(critical)) else {

@@ -30,7 +30,6 @@ mod near;
 mod poor;
 mod start;
 
-pub(crate) use self::near::LONG;
 pub use self::near::Near;
 pub use self::start::refine;
 

@@ -14,40 +14,12 @@ use crate::method::{Context, DormandPrince853, Embedded, Method};
 use crate::protocol::Length;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, Step};
+use crate::tolerances::{
+    AT_POSE, AWAY, BARELY, BOX, FAST, LONG, MOST_PARTS, NEARER, SHARP, SPANS, TOLERANCE, TRIALS, is_double,
+    short,
+};
 use crate::twofold::Twofold;
 use crate::vector::Vector;
-
-/// Relative tolerance of the steps around a pose ...
-const TOLERANCE: f64 = 1e-11;
-/// ... and in single precision.
-const TOLERANCE_SINGLE: f64 = 1e-6;
-/// Distances that a step over a pose may span, as multiples of that to the pose, in the order of trial. None of the nodes lies
-/// near the pose for more than one of them.
-const SPANS: [f64; 5] = [2.4, 2.0, 2.9, 1.7, 3.5];
-/// Distances, rad, that a step away from a singular pose may span.
-const AWAY: [f64; 5] = [0.1, 0.05, 0.02, 0.01, 0.005];
-/// A pose that is reached within so many units in the last place of the time is where the motion is.
-const BARELY: f64 = 64.0;
-/// So near to a pose, rad, rounding of the state may be much beside the distance to it.
-const BESIDE: f64 = 1e-6;
-/// A pose over which no step leads is tried again where it is nearer by this factor.
-const NEARER: f64 = 0.2;
-/// Where rounding would decide, a step over the pose is tried so often from nearer to it: a kink within a longer one, or too
-/// few nodes, open the joints too.
-const TRIALS: u32 = 4;
-
-/// A step by itself that crosses so much of a box is refused, ...
-const SHARP: f64 = 1.0;
-/// ... and another one is split if it crosses this much: of the turn's own length it is a fiftieth then, and the error of a formula of
-/// order 4 some 1e-7 of the turn, ...
-pub(crate) const LONG: f64 = 0.2;
-/// ... into parts that cross this much, as far as is known, ...
-const SHORT: f64 = 0.1;
-/// ... or so many; what crosses more is divided again.
-const MOST_PARTS: f64 = 64.0;
-/// In single precision they may be longer by this: the error of a step is about a unit in the last place then, of which
-/// shorter steps would only add up more.
-const FAST: f64 = 0.3;
 
 /// Steps in absolute coordinates, in numbers of twice the precision: by error control around singular poses, by collocation
 /// over them.
@@ -80,7 +52,7 @@ fn crossed<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usiz
     if M::CHARTED {
         step.system.crossed(step.held, step.from.1, step.to.1)
     } else {
-        M::S::lit(10.0) * turned(step)
+        M::S::lit(1.0 / BOX.get()) * turned(step)
     }
 }
 
@@ -167,9 +139,9 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
     ) -> Result<(), Refused<M::S>> {
         let flat = ahead.time_to(distance);
         // At the pose itself, as near as time can tell, and beside it, distances from it are what is known best.
-        let at = flat < M::S::lit(BARELY) * M::S::EPSILON * context.time.abs();
-        let spans = SPANS.into_iter().filter(|_| !at).map(|span| M::S::lit(span) * distance);
-        let away = AWAY.into_iter().map(M::S::lit).filter(|_| distance < M::S::lit(BESIDE));
+        let at = flat < BARELY.of::<M::S>() * M::S::EPSILON * context.time.abs();
+        let spans = SPANS.all().into_iter().filter(|_| !at).map(|span| M::S::lit(span) * distance);
+        let away = AWAY.all().into_iter().map(M::S::lit).filter(|_| distance < AT_POSE.of::<M::S>());
         let times = spans.chain(away).map(|span| ahead.time_to(span));
         self.step_over(context, here, (times, Some(flat)))
     }
@@ -179,7 +151,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
         let speed = (0..NQ).fold(M::S::ZERO, |most: M::S, i| {
             most.max((here.full.at(NQ + i) / here.equations.typical_of(i)).abs())
         });
-        let times = AWAY.into_iter().map(|distance| M::S::lit(distance) / speed);
+        let times = AWAY.all().into_iter().map(|distance| M::S::lit(distance) / speed);
         let times = times.filter(|h| h.is_finite());
         self.step_over(context, here, (times, None)).map_err(|refused| self.fault(context, here, refused))
     }
@@ -228,7 +200,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
         let (longest, rest) = (ahead.longest_step(), context.end - context.time);
         match ahead.flat().filter(|_| rest > longest && !matches!(meeting, Meeting::Missed)) {
             None => self.tried = M::S::INFINITY,
-            Some(distance) if distance < M::S::lit(NEARER) * self.tried => {
+            Some(distance) if distance < NEARER.of::<M::S>() * self.tried => {
                 match self.meet(context, &here, (&ahead, distance)) {
                     Ok(()) => return Ok(()),
                     Err(refused @ Refused::Undecided(_)) if self.undecided == TRIALS => {
@@ -310,10 +282,10 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
     const POSSIBLE: bool = true;
 
     fn new() -> Self {
-        let tolerance = if M::S::EPSILON < M::S::lit(1e-12) { TOLERANCE } else { TOLERANCE_SINGLE };
+        let tolerance = TOLERANCE.of::<M::S>();
         Self {
-            around: Embedded::new(M::S::lit(tolerance)),
-            tolerance: M::S::lit(tolerance),
+            around: Embedded::new(tolerance),
+            tolerance,
             over: None,
             passed: None,
             followed: None,
@@ -334,13 +306,13 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
         let is_singular = match length {
             Length::NearSingular => false,
             Length::Error => !M::CHARTED && is_poor(step),
-            Length::Alone if M::CHARTED => crossed(step) > M::S::lit(SHARP),
+            Length::Alone if M::CHARTED => crossed(step) > SHARP.of::<M::S>(),
             Length::Alone => is_poor(step),
             Length::Fixed { caution } => {
-                let caution = if M::S::EPSILON < M::S::lit(1e-12) { caution } else { FAST * caution };
+                let caution = if is_double::<M::S>() { caution } else { FAST.get() * caution };
                 let crossed = M::S::lit(caution) * crossed(step);
-                if crossed > M::S::lit(LONG) {
-                    return Nearness::Turn { parts: 1 + (crossed.to_f64() / SHORT).min(MOST_PARTS) as u32 };
+                if crossed > LONG.of::<M::S>() {
+                    return Nearness::Turn { parts: 1 + (crossed.to_f64() / short()).min(MOST_PARTS) as u32 };
                 }
                 !M::CHARTED && is_poor(step)
             }

@@ -6,31 +6,11 @@ use crate::mechanism::Mechanism;
 use crate::method::Path;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Health, Step};
+use crate::tolerances::{
+    CLEAR, COMPARED_APART, DESCENTS, ELSEWHERE, LONG_STEP, LOOKS, LOW, MOST_LOOKS, NO_TURN, POOR, REGULAR,
+    SLOW, TURN_APART, WIDE_TURN,
+};
 use crate::vector::Vector;
-
-/// Other poses: all angles (and lengths over the mechanism's) moved by up to so many tenths.
-const ELSEWHERE: [f64; 4] = [2.0, 7.0, 13.0, 19.0];
-/// Pivots below this part of those at other poses are near a singular one.
-const POOR: f64 = 1e-2;
-/// A step is looked at more closely if a stage has a smaller pivot ratio than this, ...
-const LOW: f64 = 0.1;
-/// ... or if it is so long, in radians, that no stage may lie near a pose that is nearly singular.
-const LONG: f64 = 0.4;
-/// Its poses are then compared in so many places, and at least so often, in radians.
-const LOOKS: usize = 4;
-const APART: f64 = 0.05;
-const MOST_LOOKS: usize = 64;
-/// A low place between them is followed down so often, by parabolas.
-const DESCENTS: usize = 8;
-/// Where the pivot ratio is larger than this there is no turn, unless a step is long.
-const REGULAR: f64 = 0.3;
-/// Elsewhere a step without error control is looked at if it is longer than this, rad, times the root of its pivot ratio: a turn is seldom
-/// shorter than half of that root, ...
-const SLOW: f64 = 0.005;
-/// ... and divided where that turn is shorter than this, rad.
-const WIDE: f64 = 0.3;
-/// How sharp it is, poses so far to both sides tell, rad.
-const BESIDE: f64 = 0.01;
 
 /// The smallest pivot ratio at poses that nothing singles out, the best of some: what it is where the mechanism is regular.
 fn usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
@@ -42,7 +22,7 @@ fn usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
         let far = beside(q, &[M::S::lit(*turns); NQ], system.length());
         smallest_pivot(system, t, &far)
     };
-    ELSEWHERE.iter().map(pivot).fold(M::S::ZERO, M::S::max)
+    ELSEWHERE.all().iter().map(pivot).fold(M::S::ZERO, M::S::max)
 }
 
 /// The smallest pivot ratio over a step beside that of other poses; 1 where rows always depend on each other.
@@ -52,14 +32,14 @@ fn lowest_of_usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const 
 ) -> M::S {
     let full = step.system.full(step.to.0, step.held, step.to.1);
     let usual = usual(step.system, step.to.0, &split::<_, NX, NQ>(&full).0);
-    if Health(usual).is_good() { lowest(step, M::S::lit(LOW) * usual) / usual } else { M::S::lit(1.0) }
+    if Health(usual).is_good() { lowest(step, LOW.of::<M::S>() * usual) / usual } else { M::S::lit(1.0) }
 }
 
 /// Has a step come to poses that are far more singular than others?
 pub(super) fn is_poor<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     step: &Step<'_, M>,
 ) -> bool {
-    is_doubtful(step) && lowest_of_usual(step) < M::S::lit(POOR)
+    is_doubtful(step) && lowest_of_usual(step) < POOR.of::<M::S>()
 }
 
 /// How long a step without error control is beside the turn next to a nearly singular pose; zero where there is no such turn, and
@@ -71,12 +51,12 @@ pub(super) fn turned<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, cons
     step: &Step<'_, M>,
 ) -> M::S {
     let travel = travel(step);
-    let regular = step.health > M::S::lit(REGULAR) && travel < M::S::lit(LONG);
-    if regular || travel < M::S::lit(SLOW) * step.health.sqrt() {
+    let regular = step.health > REGULAR.of::<M::S>() && travel < LONG_STEP.of::<M::S>();
+    if regular || travel < SLOW.of::<M::S>() * step.health.sqrt() {
         return M::S::ZERO;
     }
     let turn = shortest_turn(step, travel);
-    if turn < M::S::lit(WIDE) && !is_poor(step) { travel / turn } else { M::S::ZERO }
+    if turn < WIDE_TURN.of::<M::S>() && !is_poor(step) { travel / turn } else { M::S::ZERO }
 }
 
 /// The length of a turn where a step ends, rad; infinite where rows always depend on each other, and where the pivot ratio is so
@@ -92,10 +72,10 @@ fn shortest_turn<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX
         smallest_pivot(step.system, step.to.0, &q)
     };
     let (half, two) = (M::S::lit(0.5), M::S::lit(2.0));
-    let apart = M::S::lit(BESIDE).max(half * travel);
+    let apart = TURN_APART.of::<M::S>().max(half * travel);
     let time = apart * (step.to.0 - step.from.0) / travel;
     let here = pivot(M::S::ZERO);
-    if !Health(here).is_good() || here > half {
+    if !Health(here).is_good() || here > NO_TURN.of::<M::S>() {
         return M::S::INFINITY;
     }
     let [behind, ahead] = [-time, time].map(pivot);
@@ -114,7 +94,7 @@ fn lowest<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize
         let full = step.system.full(path.time(part), step.held, &path.at(part));
         smallest_pivot(step.system, path.time(part), &split::<_, NX, NQ>(&full).0)
     };
-    let looks = (travel(step) / M::S::lit(APART)).to_f64() as usize;
+    let looks = (travel(step) / COMPARED_APART.of::<M::S>()).to_f64() as usize;
     let looks = looks.clamp(LOOKS, MOST_LOOKS);
     let (mut place, mut least) = (M::S::ZERO, M::S::INFINITY);
     for k in 0..=looks {
@@ -174,11 +154,11 @@ pub(super) fn is_regular<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, 
     full: &[M::S; NX],
 ) -> bool {
     let (q, _) = split::<_, NX, NQ>(full);
-    smallest_pivot(system, t, &q) > M::S::lit(4.0 * POOR) * usual(system, t, &q)
+    smallest_pivot(system, t, &q) > M::S::lit(CLEAR.get() * POOR.get()) * usual(system, t, &q)
 }
 
 /// May a step have led over poses that are nearly singular?
 #[inline]
 fn is_doubtful<M: Mechanism>(step: &Step<'_, M>) -> bool {
-    step.health < M::S::lit(LOW) || travel(step) > M::S::lit(LONG)
+    step.health < LOW.of::<M::S>() || travel(step) > LONG_STEP.of::<M::S>()
 }

@@ -7,14 +7,9 @@ use super::{Fine, size};
 use crate::absolute::{Absolute, close, lead};
 use crate::scalar::{Real, Scalar};
 use crate::start::Start;
+use crate::tolerances::{NEARBY, STARTS_NEAR};
 use crate::twofold::Twofold;
 use crate::vector::Vector;
-
-/// Assembly leaves gaps of rounding, which over the distance to a singular pose are turns. Below this part of what pivots are elsewhere
-/// they are told to be near: at a hundredth of a radian these turns are beyond the tenth digit.
-const NEAR: f64 = 1e-4;
-/// So far the joints are closed anew at most, as a part of typical sizes.
-const BESIDE: f64 = 1e-3;
 
 /// Pose and velocity.
 type Closed<S, const NQ: usize> = ([S; NQ], [S; NQ]);
@@ -29,7 +24,7 @@ pub fn refine<M, const NQ: usize, const NC: usize, const NX: usize>(
 where
     M: Fine<NQ, NC, NX>,
 {
-    if !is_near::<M, NQ, NC, NX>(system, t, q, M::S::lit(NEAR)) {
+    if !is_near::<M, NQ, NC, NX>(system, t, q, STARTS_NEAR.of::<M::S>()) {
         return None;
     }
     Equations::closed(system, t, q)
@@ -63,7 +58,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
         }
         let v = rounded(&v);
         let moved: [M::S; NQ] = Vector::from_fn(|i| pose[i] - q[i]);
-        let beside = size(&moved, |i| equations.typical_of(i) + q[i].abs()) < M::S::lit(BESIDE);
+        let beside = size(&moved, |i| equations.typical_of(i) + q[i].abs()) < NEARBY.of::<M::S>();
         (beside && v.is_finite()).then_some((pose, v))
     }
 }
