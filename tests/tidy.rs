@@ -7,6 +7,11 @@ use std::path::{Path, PathBuf};
 
 use plm_compiler::diag::Code;
 
+#[path = "tidy/old_words.rs"]
+mod old_words;
+
+use old_words::OLD_WORDS;
+
 /// A file above this is shown (`cargo test --test tidy -- --nocapture`): it may be two rooms.
 const LONG_FILE: usize = 400;
 /// A file above this fails.
@@ -218,33 +223,6 @@ fn every_allow_has_a_reason() {
     }
     fail_with("an `allow` without its reason", &wrong);
 }
-
-/// Words that have given way to those of docs/src/theory/vocabulary.md: where, the word, what stands instead.
-const OLD_WORDS: [(&str, &str, &str); 23] = [
-    ("plm-macros/compiler/src/", "driver", "independent coordinate"),
-    ("plm-macros/compiler/src/", "drivers", "independent"),
-    ("plm-macros/compiler/src/", "survey", "remember_pose"),
-    ("plm-runtime/src/", "survey", "remember_pose"),
-    ("plm-macros/compiler/src/formulate/", "drift", "time_rate; drift is the violation of constraints"),
-    ("plm-macros/compiler/src/formulate/", "hold", "tree edge"),
-    ("plm-macros/compiler/src/formulate/", "sides", "switches"),
-    ("plm-runtime/src/", "leg", "step"),
-    ("plm-runtime/src/", "legs", "ends"),
-    ("plm-runtime/src/", "course", "context: the integration context"),
-    ("plm-runtime/src/", "brief", "missed: missed events"),
-    ("plm-runtime/src/", "border", "boundary"),
-    ("plm-runtime/src/", "burst", "chattering"),
-    ("plm-runtime/src/", "heeded", "relevant"),
-    ("plm-runtime/src/", "begun", "beginning"),
-    ("plm-runtime/src/", "careful", "was_unhealthy"),
-    ("plm-runtime/src/events/", "watch", "detector"),
-    ("plm-runtime/src/events/", "calm", "guard_free"),
-    ("plm-runtime/src/events/", "still", "enclosure"),
-    ("plm-runtime/src/events/", "looks", "sampled"),
-    ("plm-runtime/src/events/", "past", "violated"),
-    ("plm-runtime/src/events/", "quiet", "satisfied"),
-    ("plm-runtime/src/events/", "kept", "history"),
-];
 
 #[test]
 fn names_are_those_of_the_vocabulary() {

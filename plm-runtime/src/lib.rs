@@ -24,8 +24,8 @@
 //! | [`lanes`] | several trajectories side by side |
 //! | [`dual`], [`linear`] | derivatives by dual numbers |
 //! | [`linearised`] | a mechanism near a moment as a linear system |
-//! | [`tube`] | numbers over an interval of time |
-//! | [`twofold`] | numbers of twice the precision |
+//! | [`enclosure`] | values and slopes enclosed over an interval of time |
+//! | [`double_double`] | double-double numbers: twice the precision |
 //! | [`statics`] | what vanishes at an equilibrium |
 //! | [`words`] | a run as words, for files and other processes |
 //! | [`workspace`] | how much of the stack a solution by rank takes, and may take |
@@ -42,7 +42,9 @@ pub mod charts;
 #[doc(hidden)]
 pub mod compact;
 pub mod described;
+pub mod double_double;
 pub mod dual;
+pub mod enclosure;
 pub mod events;
 pub mod fault;
 pub mod held;
@@ -68,9 +70,7 @@ pub mod system;
 pub mod tolerances;
 #[cfg(not(feature = "vary-tolerances"))]
 mod tolerances;
-pub mod tube;
 pub mod turns;
-pub mod twofold;
 pub mod vector;
 pub mod words;
 pub mod workspace;
@@ -79,7 +79,9 @@ pub use absolute::{Absolute, Assembly, Found};
 pub use axes::{to_absolute, to_relative};
 pub use body::{BodyMotion, BodyState};
 pub use described::Described;
+pub use double_double::DoubleDouble;
 pub use dual::Dual;
+pub use enclosure::{Enclosed, Interval};
 pub use fault::{Cause, Fault, Names};
 pub use held::Held;
 pub use limits::{Least, Limit};
@@ -94,6 +96,4 @@ pub use sim::{Notice, Seen, Sim, Snapshot, Stats};
 pub use start::{BodyStart, Start, StartValues};
 pub use statics::Statics;
 pub use system::{Accepted, Drift, Energy, Health, Step, System};
-pub use tube::{Interval, Tube};
-pub use twofold::Twofold;
 pub use vector::Vector;

@@ -1,9 +1,9 @@
 //! The contract between generated equations of motion and the methods that integrate them.
 
+use crate::enclosure::Enclosed;
 use crate::fault::{Cause, Fault};
 use crate::lanes::Rate;
 use crate::scalar::{Real, Scalar};
-use crate::tube::Tube;
 use crate::vector::Vector;
 
 #[doc = include_str!("system.md")]
@@ -106,10 +106,10 @@ pub trait System {
     /// a system cannot, and then conditions that last shorter than a small part of a step can be missed.
     fn guards_within(
         &self,
-        t: Tube<Self::S>,
+        t: Enclosed<Self::S>,
         u: &Self::U,
-        x: &impl Fn(usize) -> Tube<Self::S>,
-        each: &mut impl FnMut(usize, Tube<Self::S>),
+        x: &impl Fn(usize) -> Enclosed<Self::S>,
+        each: &mut impl FnMut(usize, Enclosed<Self::S>),
     ) -> bool
     where
         Self::S: Real,

@@ -10,28 +10,28 @@
 //! Loops without a closed form are solved by Newton's iteration from where their unknowns should be by the last accepted
 //! state, so that these are followed as well: values, rates, and how the rates change.
 
+mod continuation;
 mod continuity;
-mod counted;
 mod lanes;
-mod memory;
+mod revolutions;
 
+pub use continuation::{Angle, Continuation, ContinuationData, Iterated, OfLoops, Reach};
 pub use continuity::not_regular;
 use continuity::{Looks, flattest};
-pub use counted::Counted;
-use counted::{are_due, unwind};
 pub use lanes::{are_calm, are_short, look};
-pub use memory::{Followed, Memory, OfLoops, Reach, Remembered, Turn};
+pub use revolutions::Revolutions;
+use revolutions::{are_due, unwind};
 
 use crate::fault::Fault;
 use crate::held::Held;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Accepted, System};
-use crate::tolerances::{AHEAD, BACK, BETTER, BOXES, FLAT, OPEN, regular_chart, tight};
+use crate::tolerances::{BACK, BETTER, BOXES, FLAT, OPEN, PROBE, regular_chart, tight};
 use crate::vector::Vector;
 
 /// A mechanism whose loops are solved in closed form; implemented by generated code.
 pub trait Charted:
-    System<U = Held<Self::Input, Self::Switches, Self::Turns, OfLoops<Self::Memory, Self::Q>>, S: Real>
+    System<U = Held<Self::Input, Self::Switches, Self::Turns, OfLoops<Self::Continuation, Self::Q>>, S: Real>
 {
     /// The inputs.
     type Input: Copy;
@@ -39,22 +39,22 @@ pub trait Charted:
     type Switches: Copy;
     /// Whole turns, by count.
     type Turns: Copy + AsMut<[i32]>;
-    /// What is remembered, a [`Memory`].
-    type Memory: Remembered<Self::S>;
+    /// Continuation data, a [`Continuation`].
+    type Continuation: ContinuationData<Self::S>;
     /// Pose or velocity of all bodies.
     type Q: Vector<Self::S>;
     /// Number of charts.
     const CHARTS: usize;
     /// The angles of each count.
-    const COUNTED: &'static [Counted];
+    const REVOLUTIONS: &'static [Revolutions];
     /// A coordinate whose turns are counted moves no loop: how far it goes is looked at in every step.
     const LOOSE: bool;
-    /// The bodies whose angles are remembered, in the order of the memory.
+    /// The bodies whose angles are continued, in the order of the data.
     const TURNING: &'static [&'static str];
     /// By chart, by place among those angles, which of them loops give: known but for whole turns.
     const FOUND: &'static [&'static [usize]];
-    /// The bodies and joints of the unknowns of iterations, in the order of the memory.
-    const FOLLOWED: &'static [&'static str];
+    /// The bodies and joints of the unknowns of iterations, in the order of the data.
+    const ITERATED: &'static [&'static str];
     /// By chart, by group: the part that closes its loop.
     const CLOSING: &'static [&'static [&'static str]];
 
@@ -62,11 +62,17 @@ pub trait Charted:
     /// chart.
     fn pose(&self, t: Self::S, held: &Self::U, x: &Self::X) -> (Self::Q, Self::Q, Self::S);
 
-    /// What is to be remembered of a state, and the square of the measure; nothing and zero without a chart.
-    fn remember(&self, t: Self::S, held: &Self::U, x: &Self::X) -> (Self::Memory, Self::S);
+    /// The continuation data of a state, and the square of the measure; nothing and zero without a chart.
+    fn continuation(&self, t: Self::S, held: &Self::U, x: &Self::X) -> (Self::Continuation, Self::S);
 
     /// The same of a pose and velocity in some chart, but for how far the coordinates may move.
-    fn remember_pose(&self, chart: usize, t: Self::S, q: &Self::Q, v: &Self::Q) -> (Self::Memory, Self::S);
+    fn continuation_at(
+        &self,
+        chart: usize,
+        t: Self::S,
+        q: &Self::Q,
+        v: &Self::Q,
+    ) -> (Self::Continuation, Self::S);
 
     /// Writes the coordinates of a chart and their rates; first-order states stay.
     fn project(&self, chart: usize, t: Self::S, q: &Self::Q, v: &Self::Q, x: &mut Self::X);
@@ -74,7 +80,7 @@ pub trait Charted:
 
 /// The state in the best chart at a pose that closes the loops; the first chart if it is not flat, none if all are.
 pub fn enter<M: Charted>(system: &M, t: M::S, held: &mut M::U, (q, v): (&M::Q, &M::Q), x: &mut M::X) {
-    let (_, first) = system.remember_pose(0, t, q, v);
+    let (_, first) = system.continuation_at(0, t, q, v);
     let (chart, measure) = if first < square(FLAT.get()) { best(system, t, q, v) } else { (0, first) };
     if measure < regular_chart() {
         free::<M>(held, (q, v), x);
@@ -127,7 +133,7 @@ pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
         return Ok(Accepted::default());
     }
     match held.of_loops {
-        OfLoops::InChart { chart, memory } => watch(system, t, held, (chart, &memory), x),
+        OfLoops::InChart { chart, continuation } => watch(system, t, held, (chart, &continuation), x),
         OfLoops::Free { .. } => Ok(Accepted { moved: come_back(system, t, held, x), ..Accepted::default() }),
     }
 }
@@ -135,15 +141,15 @@ pub fn accept<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
 /// Whether [`accept`] has nothing to look at yet.
 #[inline]
 pub fn is_calm<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
-    let OfLoops::InChart { memory, .. } = &held.of_loops else { return false };
+    let OfLoops::InChart { continuation, .. } = &held.of_loops else { return false };
     let quiet = |k: usize, at: &Reach<M::S>| {
         let ample = M::S::lit(BOXES.get() * tight() / M::NQ as f64) * system.typical().at(k);
         let reach = if at.reach < ample { at.reach } else { BOXES.of::<M::S>() * at.reach };
         Reach { reach, ..*at }.holds(x.at(k))
     };
-    M::FOLLOWED.is_empty()
-        && memory.coordinates().iter().enumerate().all(|(k, at)| quiet(k, at))
-        && memory.time().holds(t)
+    M::ITERATED.is_empty()
+        && continuation.coordinates().iter().enumerate().all(|(k, at)| quiet(k, at))
+        && continuation.time().holds(t)
         && !(M::LOOSE && are_due::<M>(held, x))
 }
 
@@ -153,9 +159,9 @@ pub fn is_calm<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
 /// turn that it follows.
 #[inline]
 pub fn crossed<M: Charted>(system: &M, held: &M::U, before: &M::X, x: &M::X) -> M::S {
-    let OfLoops::InChart { memory, .. } = &held.of_loops else { return M::S::ZERO };
+    let OfLoops::InChart { continuation, .. } = &held.of_loops else { return M::S::ZERO };
     let tight = |k: usize| M::S::lit(tight() / M::NQ as f64) * system.typical().at(k);
-    memory.coordinates().iter().enumerate().fold(M::S::ZERO, |most, (k, &Reach { reach, .. })| {
+    continuation.coordinates().iter().enumerate().fold(M::S::ZERO, |most, (k, &Reach { reach, .. })| {
         if reach < tight(k) { most.max((x.at(k) - before.at(k)).abs() / reach) } else { most }
     })
 }
@@ -165,17 +171,17 @@ fn watch<M: Charted>(
     system: &M,
     t: M::S,
     held: &mut M::U,
-    (chart, before): (usize, &M::Memory),
+    (chart, before): (usize, &M::Continuation),
     x: &mut M::X,
 ) -> Result<Accepted, Fault> {
-    let (after, measure) = system.remember(t, held, x);
+    let (after, measure) = system.continuation(t, held, x);
     let looks = Looks::<M> { t, chart, before, after: &after };
     if is_open(measure) || !after.is_finite() {
         return Err(looks.locked());
     }
-    looks.check_followed(measure)?;
+    looks.check_iterated(measure)?;
     looks.check_near()?;
-    held.of_loops = OfLoops::InChart { chart, memory: looks.kept()? };
+    held.of_loops = OfLoops::InChart { chart, continuation: looks.updated()? };
     let turned = unwind::<M>(held, x);
     let moved = measure < square(FLAT.get()) && leave(system, t, held, (chart, measure), x);
     Ok(Accepted { moved, turned, passed: None })
@@ -203,7 +209,7 @@ pub fn name_of<M: Charted>(
 
 /// The part that closes the loop which is nearest to flat at a pose.
 pub fn flat_part<M: Charted>(system: &M, t: M::S, q: &M::Q, v: &M::Q) -> &'static str {
-    flattest::<M>(0, &system.remember_pose(0, t, q, v).0)
+    flattest::<M>(0, &system.continuation_at(0, t, q, v).0)
 }
 
 /// Leaves a chart for one that is better by far, or if it is not good.
@@ -224,11 +230,11 @@ fn leave<M: Charted>(
         change(system, t, held, (chart, &q, &v), x);
         return true;
     }
-    let poor = measure < regular_chart();
-    if poor {
+    let is_flat = measure < regular_chart();
+    if is_flat {
         free::<M>(held, (&q, &v), x);
     }
-    poor
+    is_flat
 }
 
 /// Goes on in a chart where one is good again.
@@ -242,7 +248,7 @@ fn come_back<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> 
     let (alone, rest) = (*held, *x);
     change(system, t, held, (chart, &q, &v), x);
     // Lengths that repeat each other may disagree in what a pose does not tell.
-    let closed = !is_open(system.remember(t, held, x).1);
+    let closed = !is_open(system.continuation(t, held, x).1);
     if !closed {
         (*held, *x) = (alone, rest);
     }
@@ -259,9 +265,9 @@ fn free<M: Charted>(held: &mut M::U, (q, v): (&M::Q, &M::Q), x: &mut M::X) {
 
 /// The chart with the largest measure at a pose, and its square.
 fn best<M: Charted>(system: &M, t: M::S, q: &M::Q, v: &M::Q) -> (usize, M::S) {
-    let mut best = (0, system.remember_pose(0, t, q, v).1);
+    let mut best = (0, system.continuation_at(0, t, q, v).1);
     for chart in 1..M::CHARTS {
-        let (_, measure) = system.remember_pose(chart, t, q, v);
+        let (_, measure) = system.continuation_at(chart, t, q, v);
         if best.1 < measure {
             best = (chart, measure);
         }
@@ -276,28 +282,28 @@ fn change<M: Charted>(
     (chart, q, v): (usize, &M::Q, &M::Q),
     x: &mut M::X,
 ) {
-    held.of_loops = OfLoops::InChart { chart, memory: system.remember_pose(chart, t, q, v).0 };
+    held.of_loops = OfLoops::InChart { chart, continuation: system.continuation_at(chart, t, q, v).0 };
     system.project(chart, t, q, v, x);
-    let (mut memory, measure) = system.remember(t, held, x);
-    if is_open(measure) || !memory.is_finite() {
+    let (mut continuation, measure) = system.continuation(t, held, x);
+    if is_open(measure) || !continuation.is_finite() {
         return;
     }
-    held.of_loops = OfLoops::InChart { chart, memory };
-    if !M::FOLLOWED.is_empty() {
-        let after = system.remember(t, held, &ahead(system, &memory, x)).0;
-        memory.narrow(Looks::<M> { t, chart, before: &memory, after: &after }.narrowed());
-        held.of_loops = OfLoops::InChart { chart, memory };
+    held.of_loops = OfLoops::InChart { chart, continuation };
+    if !M::ITERATED.is_empty() {
+        let after = system.continuation(t, held, &probe(system, &continuation, x)).0;
+        continuation.narrow(Looks::<M> { t, chart, before: &continuation, after: &after }.narrowed());
+        held.of_loops = OfLoops::InChart { chart, continuation };
     }
 }
 
 /// A state a little ahead.
-fn ahead<M: Charted>(system: &M, memory: &M::Memory, x: &M::X) -> M::X {
-    let mut ahead = *x;
-    for (k, at) in memory.coordinates().iter().enumerate() {
-        let by = AHEAD.of::<M::S>() * at.reach.min(system.typical().at(k));
-        ahead.set(k, x.at(k) + if x.at(M::NQ + k) < M::S::ZERO { -by } else { by });
+fn probe<M: Charted>(system: &M, continuation: &M::Continuation, x: &M::X) -> M::X {
+    let mut probe = *x;
+    for (k, at) in continuation.coordinates().iter().enumerate() {
+        let by = PROBE.of::<M::S>() * at.reach.min(system.typical().at(k));
+        probe.set(k, x.at(k) + if x.at(M::NQ + k) < M::S::ZERO { -by } else { by });
     }
-    ahead
+    probe
 }
 
 fn square<S: Scalar>(value: f64) -> S {

@@ -4,14 +4,14 @@
 //! to zero the two images of a loop meet, and there is no pose beyond: a fold of the motion over the time (W. J. F. Govaerts,
 //! Numerical Methods for Bifurcations of Dynamical Equilibria, SIAM 2000, 4.1).
 
-use super::Fine;
+use super::ExtendedPrecision;
 use super::critical::{Critical, Rows};
 use crate::absolute::Absolute;
+use crate::double_double::DoubleDouble;
 use crate::fault::{Cause, Fault};
 use crate::linalg::dot;
 use crate::scalar::{Real, Scalar};
 use crate::tolerances::{FOUND, HALVED, LOCK_STEPS, TIME_FOUND};
-use crate::twofold::Twofold;
 
 /// How the singular pose next to a prescribed motion changes with the time.
 pub(super) enum Ends<S, const NQ: usize, const NC: usize> {
@@ -31,7 +31,9 @@ struct Value<S, const NQ: usize, const NC: usize> {
     rate: S,
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rows<'_, M, NQ, NC, NX> {
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
+    Rows<'_, M, NQ, NC, NX>
+{
     /// How a prescribed motion that is next to a singular pose at the time `t` goes on.
     #[inline(never)]
     pub(super) fn ends(&self, t: M::S, critical: Critical<M::S, NQ, NC>) -> Ends<M::S, NQ, NC> {
@@ -119,7 +121,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Row
         if like.is_some_and(|like| dot(like, &critical.combination) < M::S::ZERO) {
             critical.combination = critical.combination.map(|entry| -entry);
         }
-        let rate = dot(&critical.combination, &self.driven(time, &critical.q.map(Twofold::rounded)));
+        let rate = dot(&critical.combination, &self.driven(time, &critical.q.map(DoubleDouble::rounded)));
         let open = dot(&critical.combination, &self.in_metres(&critical.open));
         Value { time, critical, open, rate }
     }
@@ -128,7 +130,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Row
     #[cold]
     #[inline(never)]
     pub(super) fn locked(&self, (t, part): (M::S, &'static str), critical: &Critical<M::S, NQ, NC>) -> Fault {
-        let q = critical.q.map(Twofold::rounded);
+        let q = critical.q.map(DoubleDouble::rounded);
         let (driven, mut row, mut most) = (self.driven(t, &q), 0, M::S::ZERO);
         for (r, rate) in driven.iter().enumerate() {
             let share = (critical.combination[r] * *rate).abs();

@@ -12,7 +12,7 @@ super::tolerances! {
     BETTER: f64 = 2.0;
     /// A measure. Below it no chart is good: rounding in accelerations is 1e-11 there (1e-5 in single precision), the third power of
     /// the inverse times a unit in the last place.
-    POOR_CHART: ByPrecision = ByPrecision { double: 0.03, single: 0.2 };
+    REGULAR_CHART: ByPrecision = ByPrecision { double: 0.03, single: 0.2 };
     /// A ratio of measures. A chart must be better than a poor one by it, where the mechanism comes back: rounding is less than half.
     BACK: f64 = 1.3;
     /// A measure, squared. What is below zero by more is a loop that cannot be closed; what is nearer may be a flat pose and rounding of
@@ -30,14 +30,14 @@ super::tolerances! {
     /// keeps 0.6 of its value if g'' is small, so that a box at the end of the way is not tight where the first was twice as wide.
     BOXES: f64 = 2.0;
     /// A part of a box. In a new chart the second state is so far ahead: the difference of two measures has half of all digits.
-    AHEAD: f64 = 0.01;
+    PROBE: f64 = 0.01;
     /// A number of boxes. A state may be so far from the last one that was checked: at 10 a loop could be flat between.
     FAR: f64 = 7.0;
     /// rad. So far a body may turn between two checks: its angle is known but for whole turns, which half a turn would confuse.
     FARTHEST: f64 = 1.0;
     /// A part of the measure. So far an unknown of an iteration may be from where its rates take it: other solutions are at least about
     /// twice the measure away.
-    FARTHEST_FOLLOWED: f64 = 0.25;
+    FARTHEST_ITERATED: f64 = 0.25;
     /// A part of a measure. A smaller change of it may be rounding, and such a step is short beside every turn.
     NOTICED: f64 = 1e-4;
     /// A factor. Boxes of iterated groups are not narrowed more at once.
@@ -57,7 +57,7 @@ pub(crate) fn tight() -> f64 {
 /// The square of the measure above which a chart is good.
 #[inline]
 pub(crate) fn regular_chart<S: Real>() -> S {
-    let measure = POOR_CHART.get::<S>();
+    let measure = REGULAR_CHART.get::<S>();
     S::lit(measure * measure)
 }
 

@@ -8,17 +8,17 @@ super::tolerances! {
 
     /// A pivot ratio over that of other poses. Below it a pose is near a singular one: in absolute coordinates rounding grows with the
     /// inverse, to 1e-14.
-    POOR: f64 = 1e-2;
-    /// A ratio of pivot ratios. The near-singular method is left where they are so many times [`POOR`]: twice as far from the pose.
+    ILL_CONDITIONED: f64 = 1e-2;
+    /// A ratio of pivot ratios. The near-singular method is left where they are so many times [`ILL_CONDITIONED`]: twice as far from the pose.
     CLEAR: f64 = 4.0;
-    /// A pivot ratio. Below it a step is compared with other poses: ten times [`POOR`], three times as far from the pose.
+    /// A pivot ratio. Below it a step is compared with other poses: ten times [`ILL_CONDITIONED`], three times as far from the pose.
     LOW: f64 = 0.1;
     /// rad. Other poses are away by up to so much in each coordinate, by no simple ratios, so that one of them is regular.
-    ELSEWHERE: [f64; 4] = [2.0, 7.0, 13.0, 19.0];
+    REFERENCE_POSES: [f64; 4] = [2.0, 7.0, 13.0, 19.0];
     /// rad. The stages of a longer step may miss a singular pose between them: four stages are a tenth apart, as far as a pose is away
-    /// at [`POOR`].
+    /// at [`ILL_CONDITIONED`].
     LONG_STEP: f64 = 0.4;
-    /// rad. The poses of a step that are compared are so far apart: half of the distance to the pose at [`POOR`].
+    /// rad. The poses of a step that are compared are so far apart: half of the distance to the pose at [`ILL_CONDITIONED`].
     COMPARED_APART: f64 = 0.05;
     /// A pivot ratio. Above it a turn is at least as wide as [`WIDE_TURN`], unless a step is long.
     REGULAR: f64 = 0.3;

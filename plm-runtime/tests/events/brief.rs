@@ -4,8 +4,8 @@ use core::f64::consts::PI;
 
 use plm_runtime::method::{Dopri5, Method, RadauIia5};
 use plm_runtime::{
-    Cause, Dop853, Dual, Fault, Health, Linear, Mechanism, Real, Rk4, Scalar, SemiImplicitEuler, Sim, System,
-    Tube,
+    Cause, Dop853, Dual, Enclosed, Fault, Health, Linear, Mechanism, Real, Rk4, Scalar, SemiImplicitEuler,
+    Sim, System,
 };
 
 use crate::linkage::At;
@@ -88,12 +88,12 @@ impl<S: Real> System for Gate<S> {
     }
     fn guards_within(
         &self,
-        t: Tube<S>,
+        t: Enclosed<S>,
         side: &S,
-        x: &impl Fn(usize) -> Tube<S>,
-        each: &mut impl FnMut(usize, Tube<S>),
+        x: &impl Fn(usize) -> Enclosed<S>,
+        each: &mut impl FnMut(usize, Enclosed<S>),
     ) -> bool {
-        let constant = Tube::constant;
+        let constant = Enclosed::constant;
         let gate = Gate {
             guard: self.guard,
             rate: constant(self.rate),

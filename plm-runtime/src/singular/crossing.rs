@@ -1,6 +1,6 @@
 //! A step over a singular pose, by collocation: the rate is asked for at the nodes alone, which lie on both sides of it.
 
-use super::Fine;
+use super::ExtendedPrecision;
 use super::collocation::{NODES, Polynomial, place};
 use super::equations::Equations;
 use super::size;
@@ -23,14 +23,14 @@ pub(super) enum Refused<S> {
 }
 
 /// The motion over the next `h` seconds.
-pub(super) fn leap<M, const NQ: usize, const NC: usize, const NX: usize>(
+pub(super) fn cross<M, const NQ: usize, const NC: usize, const NX: usize>(
     equations: &Equations<M, NQ, NC, NX>,
     (t, held): (M::S, &M::U),
     (from, rate): (&[M::S; NX], Option<&[M::S; NX]>),
     (h, evaluations): (M::S, &mut u64),
 ) -> Result<Polynomial<M::S, NX>, Refused<M::S>>
 where
-    M: Fine<NQ, NC, NX>,
+    M: ExtendedPrecision<NQ, NC, NX>,
 {
     let nodes: [M::S; NODES] = Vector::from_fn(|j| M::S::lit(place(j)));
     let mut states = nodes.map(|c| guess::<_, NQ, NX>(from, rate, c * h));
@@ -93,7 +93,7 @@ fn check<M, const NQ: usize, const NC: usize, const NX: usize>(
     polynomial: Polynomial<M::S, NX>,
 ) -> Result<Polynomial<M::S, NX>, Refused<M::S>>
 where
-    M: Fine<NQ, NC, NX>,
+    M: ExtendedPrecision<NQ, NC, NX>,
 {
     // The gap is a sum over all rows, as is its rounding.
     let many = M::S::lit(NC as f64 / FEW_ROWS.get()).max(M::S::lit(1.0));

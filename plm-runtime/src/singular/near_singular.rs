@@ -1,14 +1,15 @@
 //! The method that takes over near singular poses.
 
-use super::ahead::Ahead;
 use super::collocation::Polynomial;
+use super::conditioning::{is_ill_conditioned, is_regular, turned};
+use super::crossing::{Refused, cross};
+use super::distance::SingularityDistance;
 use super::equations::Equations;
 use super::here::Here;
-use super::leap::{Refused, leap};
 use super::meeting::Meeting;
-use super::poor::{is_poor, is_regular, turned};
-use super::{Fine, Nearness, Rescue};
+use super::{ExtendedPrecision, Nearness, Rescue};
 use crate::absolute::{disagreement, split};
+use crate::double_double::DoubleDouble;
 use crate::fault::{Cause, Fault};
 use crate::method::{Context, DormandPrince853, Embedded, Method};
 use crate::protocol::Length;
@@ -18,13 +19,12 @@ use crate::tolerances::{
     AT_POSE, AWAY, BARELY, BOX, FAST, LONG, MOST_PARTS, NEARER, SHARP, SPANS, TOLERANCE, TRIALS, is_double,
     short,
 };
-use crate::twofold::Twofold;
 use crate::vector::Vector;
 
 /// Steps in absolute coordinates, in numbers of twice the precision: by error control around singular poses, by collocation
 /// over them.
 #[derive(Clone, Copy, Debug)]
-pub struct Near<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
+pub struct NearSingular<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
     around: Embedded<Equations<M, NQ, NC, NX>, DormandPrince853>,
     /// Its relative tolerance where the state is not rounded by more.
     tolerance: M::S,
@@ -41,12 +41,12 @@ pub struct Near<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX:
     /// By how much joints would have opened in the last step over the pose ahead that was tried.
     opens: M::S,
     /// What joints are open by in the last step, so that the mechanism comes to the singular pose.
-    open: [Twofold<M::S>; NC],
+    open: [DoubleDouble<M::S>; NC],
 }
 
 /// How much of a box a step crosses next to a flat pose: of a tenth of the turn there.
 #[inline]
-fn crossed<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+fn crossed<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     step: &Step<'_, M>,
 ) -> M::S {
     if M::CHARTED {
@@ -56,7 +56,9 @@ fn crossed<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usiz
     }
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Near<M, NQ, NC, NX> {
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
+    NearSingular<M, NQ, NC, NX>
+{
     /// The equations of the last step.
     fn equations(&self, system: &M) -> Equations<M, NQ, NC, NX> {
         Equations { system: *system, open: self.open }
@@ -99,7 +101,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
         for h in times {
             let rate = here.evaluated.as_ref().map(|evaluated| &evaluated.dx);
             let (at, state) = ((context.time, &context.held), (&here.full, rate));
-            match leap(&here.equations, at, state, (h, &mut context.stats.evaluations)) {
+            match cross(&here.equations, at, state, (h, &mut context.stats.evaluations)) {
                 Ok(polynomial) => {
                     let from = context.time;
                     let time = (from + h).min(context.end);
@@ -135,14 +137,14 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
         &mut self,
         context: &mut Context<'_, M>,
         here: &Here<M, NQ, NC, NX>,
-        (ahead, distance): (&Ahead<M::S>, M::S),
+        (singularity, distance): (&SingularityDistance<M::S>, M::S),
     ) -> Result<(), Refused<M::S>> {
-        let flat = ahead.time_to(distance);
+        let flat = singularity.time_to(distance);
         // At the pose itself, as near as time can tell, and beside it, distances from it are what is known best.
         let at = flat < BARELY.of::<M::S>() * M::S::EPSILON * context.time.abs();
         let spans = SPANS.all().into_iter().filter(|_| !at).map(|span| M::S::lit(span) * distance);
         let away = AWAY.all().into_iter().map(M::S::lit).filter(|_| distance < AT_POSE.of::<M::S>());
-        let times = spans.chain(away).map(|span| ahead.time_to(span));
+        let times = spans.chain(away).map(|span| singularity.time_to(span));
         self.step_over(context, here, (times, Some(flat)))
     }
 
@@ -175,8 +177,8 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
     }
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Method<M>
-    for Near<M, NQ, NC, NX>
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Method<M>
+    for NearSingular<M, NQ, NC, NX>
 {
     const DENSE: bool = true;
     const LENGTH: Length = Length::NearSingular;
@@ -190,18 +192,18 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
         context.stats.near_singular += 1;
         let mut here = Here::before(context)?;
         self.open = here.equations.open;
-        let Some(ahead) = here.ahead else {
+        let Some(singularity) = here.singularity else {
             return self.leave(context, &here);
         };
         if !here.follow() {
             return Err(self.fault(context, &here, Refused::NotFound));
         }
         let meeting = here.meeting;
-        let (longest, rest) = (ahead.longest_step(), context.end - context.time);
-        match ahead.flat().filter(|_| rest > longest && !matches!(meeting, Meeting::Missed)) {
+        let (longest, rest) = (singularity.longest_step(), context.end - context.time);
+        match singularity.distance_ahead().filter(|_| rest > longest && !matches!(meeting, Meeting::Missed)) {
             None => self.tried = M::S::INFINITY,
             Some(distance) if distance < NEARER.of::<M::S>() * self.tried => {
-                match self.meet(context, &here, (&ahead, distance)) {
+                match self.meet(context, &here, (&singularity, distance)) {
                     Ok(()) => return Ok(()),
                     Err(refused @ Refused::Undecided(_)) if self.undecided == TRIALS => {
                         return Err(self.fault(context, &here, refused));
@@ -217,7 +219,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
             }
             Some(_) => {}
         }
-        self.step_around(context, &here, (longest, ahead.scale())).map_err(|failed| {
+        self.step_around(context, &here, (longest, singularity.scale())).map_err(|failed| {
             match (failed.cause, meeting) {
                 (Cause::StepTooSmall { .. } | Cause::NotFinite, Meeting::Unknown) => {
                     self.fault(context, &here, Refused::NotFound)
@@ -276,8 +278,8 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
     }
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rescue<M>
-    for Near<M, NQ, NC, NX>
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rescue<M>
+    for NearSingular<M, NQ, NC, NX>
 {
     const POSSIBLE: bool = true;
 
@@ -292,7 +294,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
             tried: M::S::INFINITY,
             undecided: 0,
             opens: M::S::ZERO,
-            open: [Twofold::ZERO; NC],
+            open: [DoubleDouble::ZERO; NC],
         }
     }
 
@@ -305,16 +307,16 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
     fn nearness(step: &Step<'_, M>, length: Length) -> Nearness {
         let is_singular = match length {
             Length::NearSingular => false,
-            Length::Error => !M::CHARTED && is_poor(step),
+            Length::Error => !M::CHARTED && is_ill_conditioned(step),
             Length::Alone if M::CHARTED => crossed(step) > SHARP.of::<M::S>(),
-            Length::Alone => is_poor(step),
+            Length::Alone => is_ill_conditioned(step),
             Length::Fixed { caution } => {
                 let caution = if is_double::<M::S>() { caution } else { FAST.get() * caution };
                 let crossed = M::S::lit(caution) * crossed(step);
                 if crossed > LONG.of::<M::S>() {
                     return Nearness::Turn { parts: 1 + (crossed.to_f64() / short()).min(MOST_PARTS) as u32 };
                 }
-                !M::CHARTED && is_poor(step)
+                !M::CHARTED && is_ill_conditioned(step)
             }
         };
         if is_singular { Nearness::Singular } else { Nearness::Regular }

@@ -1,19 +1,24 @@
 //! Poses that are far more singular than others, and whether a step in absolute coordinates has led over one.
 
-use super::Fine;
+use super::ExtendedPrecision;
 use crate::absolute::{beside, smallest_pivot, split};
 use crate::mechanism::Mechanism;
 use crate::method::Path;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Health, Step};
 use crate::tolerances::{
-    CLEAR, COMPARED_APART, DESCENTS, ELSEWHERE, LONG_STEP, LOOKS, LOW, MOST_LOOKS, NO_TURN, POOR, REGULAR,
-    SLOW, TURN_APART, WIDE_TURN,
+    CLEAR, COMPARED_APART, DESCENTS, ILL_CONDITIONED, LONG_STEP, LOOKS, LOW, MOST_LOOKS, NO_TURN,
+    REFERENCE_POSES, REGULAR, SLOW, TURN_APART, WIDE_TURN,
 };
 use crate::vector::Vector;
 
 /// The smallest pivot ratio at poses that nothing singles out, the best of some: what it is where the mechanism is regular.
-fn usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+fn reference_conditioning<
+    M: ExtendedPrecision<NQ, NC, NX>,
+    const NQ: usize,
+    const NC: usize,
+    const NX: usize,
+>(
     system: &M,
     t: M::S,
     q: &[M::S; NQ],
@@ -22,24 +27,38 @@ fn usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
         let far = beside(q, &[M::S::lit(*turns); NQ], system.length());
         smallest_pivot(system, t, &far)
     };
-    ELSEWHERE.all().iter().map(pivot).fold(M::S::ZERO, M::S::max)
+    REFERENCE_POSES.all().iter().map(pivot).fold(M::S::ZERO, M::S::max)
 }
 
 /// The smallest pivot ratio over a step beside that of other poses; 1 where rows always depend on each other.
 #[cold]
-fn lowest_of_usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+fn relative_conditioning<
+    M: ExtendedPrecision<NQ, NC, NX>,
+    const NQ: usize,
+    const NC: usize,
+    const NX: usize,
+>(
     step: &Step<'_, M>,
 ) -> M::S {
     let full = step.system.full(step.to.0, step.held, step.to.1);
-    let usual = usual(step.system, step.to.0, &split::<_, NX, NQ>(&full).0);
-    if Health(usual).is_good() { lowest(step, LOW.of::<M::S>() * usual) / usual } else { M::S::lit(1.0) }
+    let reference = reference_conditioning(step.system, step.to.0, &split::<_, NX, NQ>(&full).0);
+    if Health(reference).is_good() {
+        lowest(step, LOW.of::<M::S>() * reference) / reference
+    } else {
+        M::S::lit(1.0)
+    }
 }
 
 /// Has a step come to poses that are far more singular than others?
-pub(super) fn is_poor<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+pub(super) fn is_ill_conditioned<
+    M: ExtendedPrecision<NQ, NC, NX>,
+    const NQ: usize,
+    const NC: usize,
+    const NX: usize,
+>(
     step: &Step<'_, M>,
 ) -> bool {
-    is_doubtful(step) && lowest_of_usual(step) < POOR.of::<M::S>()
+    is_doubtful(step) && relative_conditioning(step) < ILL_CONDITIONED.of::<M::S>()
 }
 
 /// How long a step without error control is beside the turn next to a nearly singular pose; zero where there is no such turn, and
@@ -47,7 +66,7 @@ pub(super) fn is_poor<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, con
 ///
 /// A turn takes place over the length on which the root of the pivot ratio changes by its own size. Along the motion the pivot
 /// ratio is `c + k s^2`: that length is `2p/p'` on the way to the pose, `sqrt(2p/p'')` beside it.
-pub(super) fn turned<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+pub(super) fn turned<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     step: &Step<'_, M>,
 ) -> M::S {
     let travel = travel(step);
@@ -56,13 +75,13 @@ pub(super) fn turned<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, cons
         return M::S::ZERO;
     }
     let turn = shortest_turn(step, travel);
-    if turn < WIDE_TURN.of::<M::S>() && !is_poor(step) { travel / turn } else { M::S::ZERO }
+    if turn < WIDE_TURN.of::<M::S>() && !is_ill_conditioned(step) { travel / turn } else { M::S::ZERO }
 }
 
 /// The length of a turn where a step ends, rad; infinite where rows always depend on each other, and where the pivot ratio is so
 /// large that there is none.
 #[cold]
-fn shortest_turn<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+fn shortest_turn<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     step: &Step<'_, M>,
     travel: M::S,
 ) -> M::S {
@@ -85,7 +104,7 @@ fn shortest_turn<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX
 }
 
 /// The smallest pivot ratio over a step; not the very smallest where none is below `low`.
-fn lowest<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+fn lowest<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     step: &Step<'_, M>,
     low: M::S,
 ) -> M::S {
@@ -136,25 +155,31 @@ fn travel<M: Mechanism>(step: &Step<'_, M>) -> M::S {
     (step.to.0 - step.from.0) * speed
 }
 
-/// Is a pose so near to a singular one that its pivot is below this part of what is usual?
-pub(super) fn is_near<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+/// Is a pose so near to a singular one that its pivot is below this part of that at other poses?
+pub(super) fn is_near<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     system: &M,
     t: M::S,
     q: &[M::S; NQ],
     part: M::S,
 ) -> bool {
     let here = smallest_pivot(system, t, q);
-    here < part && here < part * usual(system, t, q)
+    here < part && here < part * reference_conditioning(system, t, q)
 }
 
 /// Is a state away from singular poses?
-pub(super) fn is_regular<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+pub(super) fn is_regular<
+    M: ExtendedPrecision<NQ, NC, NX>,
+    const NQ: usize,
+    const NC: usize,
+    const NX: usize,
+>(
     system: &M,
     t: M::S,
     full: &[M::S; NX],
 ) -> bool {
     let (q, _) = split::<_, NX, NQ>(full);
-    smallest_pivot(system, t, &q) > M::S::lit(CLEAR.get() * POOR.get()) * usual(system, t, &q)
+    smallest_pivot(system, t, &q)
+        > M::S::lit(CLEAR.get() * ILL_CONDITIONED.get()) * reference_conditioning(system, t, &q)
 }
 
 /// May a step have led over poses that are nearly singular?
