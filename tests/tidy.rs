@@ -385,3 +385,19 @@ fn every_diagnostic_has_a_page_and_a_case() {
     }
     fail_with("the catalogue of diagnostics", &wrong);
 }
+
+/// A tolerance without its line in the table of the book was not derived, or not swept.
+#[test]
+fn the_book_derives_every_tolerance() {
+    let page = fs::read_to_string(root().join("docs/src/theory/near-singular.md")).unwrap();
+    let mut wrong = Vec::new();
+    for file in ["charts", "singular", "closing"] {
+        let text = fs::read_to_string(root().join(format!("plm-runtime/src/tolerances/{file}.rs"))).unwrap();
+        let declared =
+            text.lines().filter_map(|line| line.strip_prefix("    ")?.split_once(": ").map(|of| of.0));
+        let names =
+            declared.filter(|name| name.chars().all(|letter| letter.is_ascii_uppercase() || letter == '_'));
+        wrong.extend(names.map(|name| format!("| `{name}` |")).filter(|line| !page.contains(line)));
+    }
+    fail_with("tolerances that docs/src/theory/near-singular.md does not have", &wrong);
+}

@@ -21,8 +21,8 @@
 //! With the feature `vary-tolerances` each tolerance of the near-singular method and of charts can be multiplied by a factor:
 //!
 //! ```sh
-//! cargo run --release --features sweep-all,vary-tolerances --example sweep -- 300 --sensitivity         # each, times 10 and 0.1: a table
-//! cargo run --release --features sweep-all,vary-tolerances --example sweep -- 300 --vary NEARER=0.1     # one
+//! cargo run --release --features sweep-all,vary-tolerances --example sweep -- 80 --sensitivity all       # each, times 10 and 0.1: a table
+//! cargo run --release --features sweep-all,vary-tolerances --example sweep -- 80 --vary NEARER=0.1       # one
 //! ```
 //!
 //! The program fails if a case is wrong; with `--double` f32 is left out, which stops some mechanisms of redundant joints next
@@ -62,8 +62,8 @@ fn main() -> ExitCode {
         }
     };
     #[cfg(feature = "vary-tolerances")]
-    if options.sensitivity {
-        return sensitivity::print(&options);
+    if let Some(name) = &options.sensitivity {
+        return sensitivity::print(&options, name);
     }
     let holds = match (options.check_reference, options.case) {
         (true, _) => reference::check::all(),

@@ -22,9 +22,9 @@ pub struct Options {
     pub double: bool,
     pub threads: Option<usize>,
     pub check_reference: bool,
-    /// Every tolerance is varied; a table of what becomes of the cases.
+    /// Tolerances whose name contains this are varied: a table of what becomes of the cases.
     #[cfg(feature = "vary-tolerances")]
-    pub sensitivity: bool,
+    pub sensitivity: Option<String>,
 }
 
 #[cfg(feature = "vary-tolerances")]
@@ -45,7 +45,11 @@ const KNOWN: [Known; COUNT] = [
     #[cfg(feature = "vary-tolerances")]
     Known::value("vary", "NAME=FACTOR", "multiplies this tolerance of plm-runtime/src/tolerances"),
     #[cfg(feature = "vary-tolerances")]
-    Known::flag("sensitivity", "multiplies each tolerance by 10 and by 0.1: a table"),
+    Known::value(
+        "sensitivity",
+        "NAME",
+        "multiplies tolerances whose name contains this, or `all`, by 10 and by 0.1: a table",
+    ),
 ];
 
 impl Options {
@@ -74,7 +78,7 @@ impl Options {
             threads: given.number("threads")?,
             check_reference: given.flag("check-reference"),
             #[cfg(feature = "vary-tolerances")]
-            sensitivity: given.flag("sensitivity"),
+            sensitivity: given.text("sensitivity")?,
         }))
     }
 }

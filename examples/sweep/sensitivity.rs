@@ -36,8 +36,8 @@ struct Swept {
     seconds: f64,
 }
 
-/// Prints the table, in Markdown.
-pub fn print(options: &Options) -> ExitCode {
+/// Prints the table, in Markdown: of the tolerances whose name contains `name`, or of `all`.
+pub fn print(options: &Options, name: &str) -> ExitCode {
     let cases = cases(options);
     let base = Swept::of(options, &cases);
     println!(
@@ -49,7 +49,7 @@ pub fn print(options: &Options) -> ExitCode {
     );
     println!("| tolerance | times 10 | times 0.1 |\n|---|---|---|");
     println!("| none | {} | |", base.told(&base));
-    for name in names() {
+    for name in names().filter(|of| name == "all" || of.contains(name)) {
         let cells = FACTORS.map(|factor| {
             set_factor(name, factor);
             let swept = Swept::of(options, &cases);

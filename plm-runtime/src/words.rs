@@ -112,7 +112,7 @@ impl<S: Real, const Y: usize, const T: usize, const A: usize, const F: usize, co
             (0, Continuation::nothing(), ([S::ZERO; NQ], [S::ZERO; NQ]));
         match *self {
             OfLoops::InChart { chart, continuation: held } => {
-                (place, continuation) = (chart as u64 + 1, held)
+                (place, continuation) = (chart as u64 + 1, held);
             }
             OfLoops::Free { q, v } => pose = (q, v),
         }

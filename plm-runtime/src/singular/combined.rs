@@ -2,7 +2,7 @@
 
 use crate::linalg::{add, dot, largest};
 use crate::scalar::Real;
-use crate::tolerances::{REPEATED, SMALL, VANISHED};
+use crate::tolerances::{REPEATED, SMALL, vanished};
 
 /// The rows of a pose by how they depend on each other: combinations of them that are orthogonal.
 pub(super) struct Combined<S, const NQ: usize, const NC: usize> {
@@ -38,7 +38,7 @@ impl<S: Real, const NQ: usize, const NC: usize> Combined<S, NQ, NC> {
 
     /// Have they vanished?
     pub(super) fn has_vanished(&self) -> bool {
-        let vanished = VANISHED.of::<S>().max(REPEATED.of::<S>() * S::EPSILON) * largest(&self.sizes);
+        let vanished = S::lit(vanished()).max(REPEATED.of::<S>() * S::EPSILON) * largest(&self.sizes);
         self.of_vanishing().all(|(size, _)| size <= vanished)
     }
 

@@ -7,8 +7,8 @@ use crate::method::Path;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Health, Step};
 use crate::tolerances::{
-    CLEAR, COMPARED_APART, DESCENTS, ILL_CONDITIONED, LONG_STEP, LOOKS, LOW, MOST_LOOKS, NO_TURN,
-    REFERENCE_POSES, REGULAR, SLOW, TURN_APART, WIDE_TURN,
+    CLEAR, DESCENTS, LOOKS, LOW, MOST_LOOKS, NO_TURN, REFERENCE_POSES, REGULAR, SLOW, TURN_APART, WIDE_TURN,
+    compared_apart, ill_conditioned, long_step,
 };
 use crate::vector::Vector;
 
@@ -58,7 +58,7 @@ pub(super) fn is_ill_conditioned<
 >(
     step: &Step<'_, M>,
 ) -> bool {
-    is_doubtful(step) && relative_conditioning(step) < ILL_CONDITIONED.of::<M::S>()
+    is_doubtful(step) && relative_conditioning(step) < M::S::lit(ill_conditioned())
 }
 
 /// How long a step without error control is beside the turn next to a nearly singular pose; zero where there is no such turn, and
@@ -70,7 +70,7 @@ pub(super) fn turned<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC
     step: &Step<'_, M>,
 ) -> M::S {
     let travel = travel(step);
-    let regular = step.health > REGULAR.of::<M::S>() && travel < LONG_STEP.of::<M::S>();
+    let regular = step.health > REGULAR.of::<M::S>() && travel < M::S::lit(long_step());
     if regular || travel < SLOW.of::<M::S>() * step.health.sqrt() {
         return M::S::ZERO;
     }
@@ -113,7 +113,7 @@ fn lowest<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, co
         let full = step.system.full(path.time(part), step.held, &path.at(part));
         smallest_pivot(step.system, path.time(part), &split::<_, NX, NQ>(&full).0)
     };
-    let looks = (travel(step) / COMPARED_APART.of::<M::S>()).to_f64() as usize;
+    let looks = (travel(step) / M::S::lit(compared_apart())).to_f64() as usize;
     let looks = looks.clamp(LOOKS, MOST_LOOKS);
     let (mut place, mut least) = (M::S::ZERO, M::S::INFINITY);
     for k in 0..=looks {
@@ -179,11 +179,11 @@ pub(super) fn is_regular<
 ) -> bool {
     let (q, _) = split::<_, NX, NQ>(full);
     smallest_pivot(system, t, &q)
-        > M::S::lit(CLEAR.get() * ILL_CONDITIONED.get()) * reference_conditioning(system, t, &q)
+        > M::S::lit(CLEAR.get() * ill_conditioned()) * reference_conditioning(system, t, &q)
 }
 
 /// May a step have led over poses that are nearly singular?
 #[inline]
 fn is_doubtful<M: Mechanism>(step: &Step<'_, M>) -> bool {
-    step.health < LOW.of::<M::S>() || travel(step) > LONG_STEP.of::<M::S>()
+    step.health < LOW.of::<M::S>() || travel(step) > M::S::lit(long_step())
 }

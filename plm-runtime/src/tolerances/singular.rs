@@ -6,20 +6,17 @@ use crate::scalar::Real;
 super::tolerances! {
     // Whether a step has come near to a singular pose.
 
-    /// A pivot ratio over that of other poses. Below it a pose is near a singular one: in absolute coordinates rounding grows with the
-    /// inverse, to 1e-14.
-    ILL_CONDITIONED: f64 = 1e-2;
-    /// A ratio of pivot ratios. The near-singular method is left where they are so many times [`ILL_CONDITIONED`]: twice as far from the pose.
+    /// rad. A pose that is nearer to a singular one is ill-conditioned, and the near-singular method takes over: its pivot ratio is about
+    /// the square, relative to that of other poses. In absolute coordinates rounding grows with the inverse of that, to 1e-14.
+    ILL_CONDITIONED: f64 = 0.1;
+    /// A ratio of pivot ratios. The near-singular method is left where they are so many times what makes
+    /// a pose ill-conditioned: twice as far from the pose.
     CLEAR: f64 = 4.0;
-    /// A pivot ratio. Below it a step is compared with other poses: ten times [`ILL_CONDITIONED`], three times as far from the pose.
+    /// A pivot ratio. Below it a step is compared with other poses: ten times as large as what makes a pose
+    /// ill-conditioned, three times as far from the singular one.
     LOW: f64 = 0.1;
     /// rad. Other poses are away by up to so much in each coordinate, by no simple ratios, so that one of them is regular.
     REFERENCE_POSES: [f64; 4] = [2.0, 7.0, 13.0, 19.0];
-    /// rad. The stages of a longer step may miss a singular pose between them: four stages are a tenth apart, as far as a pose is away
-    /// at [`ILL_CONDITIONED`].
-    LONG_STEP: f64 = 0.4;
-    /// rad. The poses of a step that are compared are so far apart: half of the distance to the pose at [`ILL_CONDITIONED`].
-    COMPARED_APART: f64 = 0.05;
     /// A pivot ratio. Above it a turn is at least as wide as [`WIDE_TURN`], unless a step is long.
     REGULAR: f64 = 0.3;
     /// A pivot ratio. Above it there is no turn at all: a parabola through it that doubles within a radian exceeds 1.
@@ -61,8 +58,6 @@ super::tolerances! {
 
     /// A part of the largest singular value. Smaller ones vanish together at the singular pose: they are about its distance in rad.
     SMALL: f64 = 1e-3;
-    /// A part of the largest singular value. Where they vanish they are less: the square of [`SMALL`], as Newton's last step leaves them.
-    VANISHED: f64 = 1e-6;
     /// Units in the last place of the largest singular value. Rows of which less is left repeat others at every pose.
     REPEATED: f64 = 1e3;
     /// A ratio of singular values. Those up to so many times the smallest vanish together with it; if no pose is found so, it alone does.
@@ -135,6 +130,31 @@ super::tolerances! {
     SPREAD: f64 = 10.0;
     /// A part of the state. The rate at the ends of a crossing may be off by it, over the step.
     AGREES: f64 = 1e-10;
+}
+
+/// The pivot ratio, relative to that of other poses, below which a pose is ill-conditioned.
+#[inline]
+pub(crate) fn ill_conditioned() -> f64 {
+    ILL_CONDITIONED.get() * ILL_CONDITIONED.get()
+}
+
+/// The length of a step, rad, whose stages may miss a singular pose between them: four stages are as far apart as a pose is ill-conditioned.
+#[inline]
+pub(crate) fn long_step() -> f64 {
+    4.0 * ILL_CONDITIONED.get()
+}
+
+/// The distance of the poses of a step that are compared, rad: half of that at which a pose is ill-conditioned.
+#[inline]
+pub(crate) fn compared_apart() -> f64 {
+    0.5 * ILL_CONDITIONED.get()
+}
+
+/// The part of the largest singular value to which those that are [`SMALL`] have vanished at the pose: the square, as the last but one
+/// Newton step leaves them.
+#[inline]
+pub(crate) fn vanished() -> f64 {
+    SMALL.get() * SMALL.get()
 }
 
 /// The number of boxes that the parts of a step which is split cross: half of what is too long.
