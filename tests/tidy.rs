@@ -7,8 +7,12 @@ use std::path::{Path, PathBuf};
 
 use plm_compiler::diag::Code;
 
+#[path = "tidy/old_words.rs"]
+mod old_words;
 #[path = "support/words.rs"]
 mod words;
+
+use old_words::OLD_WORDS;
 
 /// A file above this is shown (`cargo test --test tidy -- --nocapture`): it may be two rooms.
 const LONG_FILE: usize = 400;
@@ -222,33 +226,6 @@ fn every_allow_has_a_reason() {
     fail_with("an `allow` without its reason", &wrong);
 }
 
-/// Words that have given way to those of docs/src/theory/vocabulary.md: where, the word, what stands instead.
-const OLD_WORDS: [(&str, &str, &str); 23] = [
-    ("plm-macros/compiler/src/", "driver", "independent coordinate"),
-    ("plm-macros/compiler/src/", "drivers", "independent"),
-    ("plm-macros/compiler/src/", "survey", "remember_pose"),
-    ("plm-runtime/src/", "survey", "remember_pose"),
-    ("plm-macros/compiler/src/formulate/", "drift", "time_rate; drift is the violation of constraints"),
-    ("plm-macros/compiler/src/formulate/", "hold", "tree edge"),
-    ("plm-macros/compiler/src/formulate/", "sides", "switches"),
-    ("plm-runtime/src/", "leg", "step"),
-    ("plm-runtime/src/", "legs", "ends"),
-    ("plm-runtime/src/", "course", "context: the integration context"),
-    ("plm-runtime/src/", "brief", "missed: missed events"),
-    ("plm-runtime/src/", "border", "boundary"),
-    ("plm-runtime/src/", "burst", "chattering"),
-    ("plm-runtime/src/", "heeded", "relevant"),
-    ("plm-runtime/src/", "begun", "beginning"),
-    ("plm-runtime/src/", "careful", "was_unhealthy"),
-    ("plm-runtime/src/events/", "watch", "detector"),
-    ("plm-runtime/src/events/", "calm", "guard_free"),
-    ("plm-runtime/src/events/", "still", "enclosure"),
-    ("plm-runtime/src/events/", "looks", "sampled"),
-    ("plm-runtime/src/events/", "past", "violated"),
-    ("plm-runtime/src/events/", "quiet", "satisfied"),
-    ("plm-runtime/src/events/", "kept", "history"),
-];
-
 #[test]
 fn every_package_takes_the_lints_of_the_workspace() {
     let mut wrong = Vec::new();
@@ -395,4 +372,20 @@ fn every_diagnostic_has_a_page_and_a_case() {
         }
     }
     fail_with("the catalogue of diagnostics", &wrong);
+}
+
+/// A tolerance without its line in the table of the book was not derived, or not swept.
+#[test]
+fn the_book_derives_every_tolerance() {
+    let page = fs::read_to_string(root().join("docs/src/theory/near-singular.md")).unwrap();
+    let mut wrong = Vec::new();
+    for file in ["charts", "singular", "closing"] {
+        let text = fs::read_to_string(root().join(format!("plm-runtime/src/tolerances/{file}.rs"))).unwrap();
+        let declared =
+            text.lines().filter_map(|line| line.strip_prefix("    ")?.split_once(": ").map(|of| of.0));
+        let names =
+            declared.filter(|name| name.chars().all(|letter| letter.is_ascii_uppercase() || letter == '_'));
+        wrong.extend(names.map(|name| format!("| `{name}` |")).filter(|line| !page.contains(line)));
+    }
+    fail_with("tolerances that docs/src/theory/near-singular.md does not have", &wrong);
 }

@@ -85,10 +85,14 @@ pub struct Judged {
     /// What the reference thinks of its own error, and by how much the motion multiplies a change at its start.
     pub own: f64,
     pub lively: f64,
+    /// Two runs with the same samples, fault and number of steps have the same fingerprint.
+    pub fingerprint: u64,
+    /// Evaluations of the rates.
+    pub evaluations: u64,
 }
 
 /// The reference's motion, as far as a comparison needs it.
-struct Known {
+pub struct Known {
     samples: Vec<Seen>,
     sizes: Sizes,
     /// By how much a change at the start has grown until each sample.
@@ -108,11 +112,23 @@ struct Sizes {
 
 /// A case by all modes, or by those in f64.
 pub fn judge(case: &Case, double: bool) -> Vec<Judged> {
-    let modes = Mode::ALL.into_iter().filter(|mode| !double || *mode != Mode::Single);
+    judge_by(case, double, known(case, double).as_ref())
+}
+
+/// The reference's motion, or why it is not known.
+pub fn known(case: &Case, double: bool) -> Result<Known, Option<Stop>> {
     // Where no mode can decide, what is costliest is not asked for.
-    let some = modes.clone().any(|mode| case.decidable(mode.epsilon()));
-    let known = if some { know(case) } else { Err(None) };
-    modes.map(|mode| one(case, mode, known.as_ref())).collect()
+    let some = modes(double).any(|mode| case.decidable(mode.epsilon()));
+    if some { know(case) } else { Err(None) }
+}
+
+/// As [`judge`], beside a motion that is known already.
+pub fn judge_by(case: &Case, double: bool, known: Result<&Known, &Option<Stop>>) -> Vec<Judged> {
+    modes(double).map(|mode| one(case, mode, known)).collect()
+}
+
+fn modes(double: bool) -> impl Iterator<Item = Mode> {
+    Mode::ALL.into_iter().filter(move |mode| !double || *mode != Mode::Single)
 }
 
 fn one(case: &Case, mode: Mode, known: Result<&Known, &Option<Stop>>) -> Judged {
@@ -123,6 +139,8 @@ fn one(case: &Case, mode: Mode, known: Result<&Known, &Option<Stop>>) -> Judged 
         first: None,
         own: f64::NAN,
         lively: f64::NAN,
+        fingerprint: 0,
+        evaluations: 0,
     };
     if !case.decidable(mode.epsilon()) {
         return judged;
@@ -160,6 +178,7 @@ fn one(case: &Case, mode: Mode, known: Result<&Known, &Option<Stop>>) -> Judged 
         (outcome, ratio, first, worst)
     };
     let (mut outcome, mut ratio, mut first, worst) = run(1.0);
+    (judged.fingerprint, judged.evaluations) = (outcome.fingerprint(), outcome.evaluations);
     if by.fixed() && (outcome.fault.is_some() || ratio > 1.0) {
         // How exact they are, their length decides: they may be off by so much, if shorter ones come nearer to the reference. In
         // f32 shorter ones add up more rounding; there the same steps in f64 must be off by as much.

@@ -18,6 +18,13 @@
 //! of a fixed length, a millisecond, may be off by a hundredth, if shorter ones come nearer by ten from a quarter to a sixteenth. Where lengths miss a flat pose by
 //! less than 1e-13 of the size, numbers of 16 digits cannot tell which motion is meant; such cases are counted apart.
 //!
+//! With the feature `vary-tolerances` each tolerance of the near-singular method and of charts can be multiplied by a factor:
+//!
+//! ```sh
+//! cargo run --release --features sweep-all,vary-tolerances --example sweep -- 80 --sensitivity all       # each, times 10 and 0.1: a table
+//! cargo run --release --features sweep-all,vary-tolerances --example sweep -- 80 --vary NEARER=0.1       # one
+//! ```
+//!
 //! The program fails if a case is wrong; with `--double` f32 is left out, which stops some mechanisms of redundant joints next
 //! to their flat poses.
 #![allow(missing_docs, reason = "the modules are private to an example")]
@@ -33,6 +40,8 @@ mod random;
 mod reference;
 mod run;
 mod scene;
+#[cfg(feature = "vary-tolerances")]
+mod sensitivity;
 mod table;
 
 use std::process::ExitCode;
@@ -52,6 +61,10 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
+    #[cfg(feature = "vary-tolerances")]
+    if let Some(name) = &options.sensitivity {
+        return sensitivity::print(&options, name);
+    }
     let holds = match (options.check_reference, options.case) {
         (true, _) => reference::check::all(),
         (false, Some(number)) => single(&options, number),
@@ -82,16 +95,21 @@ fn single(options: &Options, number: u64) -> bool {
     judged.iter().all(|judged| matches!(judged.verdict, Verdict::Right | Verdict::Undecidable))
 }
 
-fn sweep(options: &Options) -> bool {
-    let clock = Instant::now();
-    println!("seed {}, {} cases", options.seed, options.cases);
+/// The numbers of all cases.
+fn numbers(options: &Options) -> Vec<u64> {
     let wanted = |number: &u64| {
         let name = KINDS[Case::kind_of(*number)].name;
         options.only.as_ref().is_none_or(|only| name.contains(only.as_str()))
     };
     // One in six more has decimal lengths.
     let decimals = (0..options.cases / 6).map(|number| DECIMALS + number);
-    let numbers: Vec<u64> = (0..options.cases).chain(decimals).filter(wanted).collect();
+    (0..options.cases).chain(decimals).filter(wanted).collect()
+}
+
+fn sweep(options: &Options) -> bool {
+    let clock = Instant::now();
+    println!("seed {}, {} cases", options.seed, options.cases);
+    let numbers = numbers(options);
     let points = plm::batch::points(numbers).quiet();
     let points = match options.threads {
         Some(threads) => points.threads(threads),
@@ -99,10 +117,13 @@ fn sweep(options: &Options) -> bool {
     };
     let runs = points.run(|number| Ok(judge(&drawn(options, number), options.double)));
     let (mut table, mut holds) = (Table::new(), true);
+    let (mut evaluations, mut fingerprint) = (0, 0);
     for (number, judged) in runs.values() {
         let kind = Case::kind_of(*number);
         for judged in judged {
             table.add(kind, judged);
+            evaluations += judged.evaluations;
+            fingerprint = run::fold(fingerprint, [judged.fingerprint].into_iter());
             let wrong = !matches!(judged.verdict, Verdict::Right | Verdict::Undecidable);
             if wrong && options.verbose {
                 let name = KINDS[kind].name;
@@ -115,13 +136,14 @@ fn sweep(options: &Options) -> bool {
         holds = false;
     }
     holds &= table.print();
+    println!("{evaluations} evaluations, all bits {fingerprint:016x}");
     println!("{:.1} s", clock.elapsed().as_secs_f64());
     holds
 }
 
 /// A verdict in a line.
 fn told(judged: &Judged) -> String {
-    let Judged { mode, verdict, worst, first, own, lively } = judged;
+    let Judged { mode, verdict, worst, first, own, lively, .. } = judged;
     let what = match verdict {
         Verdict::Right => "right".to_owned(),
         Verdict::WrongOk => "WRONG, and Ok".to_owned(),

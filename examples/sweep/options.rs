@@ -22,9 +22,17 @@ pub struct Options {
     pub double: bool,
     pub threads: Option<usize>,
     pub check_reference: bool,
+    /// Tolerances whose name contains this are varied: a table of what becomes of the cases.
+    #[cfg(feature = "vary-tolerances")]
+    pub sensitivity: Option<String>,
 }
 
-const KNOWN: [Known; 9] = [
+#[cfg(feature = "vary-tolerances")]
+const COUNT: usize = 11;
+#[cfg(not(feature = "vary-tolerances"))]
+const COUNT: usize = 9;
+
+const KNOWN: [Known; COUNT] = [
     Known::word("CASES", "how many; 1000 if nothing is said"),
     Known::value("seed", "N", "of the random mechanisms; 1 if nothing is said"),
     Known::value("case", "N", "this one alone, with all its numbers"),
@@ -34,6 +42,14 @@ const KNOWN: [Known; 9] = [
     Known::flag("verbose", "lists every case that is not right"),
     Known::flag("double", "without f32"),
     Known::flag("check-reference", "the reference itself, beside published digits"),
+    #[cfg(feature = "vary-tolerances")]
+    Known::value("vary", "NAME=FACTOR", "multiplies this tolerance of plm-runtime/src/tolerances"),
+    #[cfg(feature = "vary-tolerances")]
+    Known::value(
+        "sensitivity",
+        "NAME",
+        "multiplies tolerances whose name contains this, or `all`, by 10 and by 0.1: a table",
+    ),
 ];
 
 impl Options {
@@ -47,6 +63,10 @@ impl Options {
             println!("{help}");
             return Ok(None);
         }
+        #[cfg(feature = "vary-tolerances")]
+        if let Some(text) = given.text("vary")? {
+            vary(&text)?;
+        }
         Ok(Some(Self {
             cases: given.number("CASES")?.unwrap_or(1000),
             seed: given.number("seed")?.unwrap_or(1),
@@ -57,7 +77,24 @@ impl Options {
             double: given.flag("double"),
             threads: given.number("threads")?,
             check_reference: given.flag("check-reference"),
+            #[cfg(feature = "vary-tolerances")]
+            sensitivity: given.text("sensitivity")?,
         }))
+    }
+}
+
+/// Multiplies a tolerance by a factor.
+#[cfg(feature = "vary-tolerances")]
+fn vary(text: &str) -> Result<(), BadOption> {
+    use plm::runtime::tolerances::{names, set_factor};
+    let varied = text.split_once('=').and_then(|(name, factor)| Some(set_factor(name, factor.parse().ok()?)));
+    match varied {
+        Some(true) => Ok(()),
+        Some(false) => Err(BadOption::new(format!(
+            "--vary: no such tolerance; there are {:?}",
+            names().collect::<Vec<_>>()
+        ))),
+        None => Err(BadOption::new("--vary: NAME=FACTOR is expected".to_owned())),
     }
 }
 

@@ -82,6 +82,22 @@ pub struct Outcome {
     pub seen: Vec<Seen>,
     pub fault: Option<Fault>,
     pub steps: u64,
+    /// Evaluations of the rates.
+    pub evaluations: u64,
+}
+
+impl Outcome {
+    /// Two outcomes with the same bits have the same fingerprint.
+    pub fn fingerprint(&self) -> u64 {
+        let samples = self.seen.iter().flat_map(|seen| seen.bodies.iter().flatten().chain(&seen.energy));
+        let numbers = fold(self.steps, samples.map(|number| number.to_bits()));
+        fold(numbers, self.fault.iter().flat_map(|fault| format!("{fault:?}").into_bytes()).map(u64::from))
+    }
+}
+
+/// FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo) of words instead of bytes.
+pub fn fold(start: u64, words: impl Iterator<Item = u64>) -> u64 {
+    words.fold(start ^ 0xcbf2_9ce4_8422_2325, |hash, word| (hash ^ word).wrapping_mul(0x0100_0000_01b3))
 }
 
 /// No motion of the sweep needs more steps; one that does is ended as one that creeps.
@@ -125,7 +141,7 @@ fn with<M: Build, I: Method<M>>(order: &Order, method: I) -> Outcome {
     };
     outcome.seen.push(look::<M>(0, sim.state()));
     outcome.fault = pace(order, &mut sim, &mut outcome.seen).err();
-    outcome.steps = sim.stats().steps;
+    (outcome.steps, outcome.evaluations) = (sim.stats().steps, sim.stats().evaluations);
     outcome
 }
 

@@ -36,9 +36,6 @@ pub use object::{Object, ObjectBy};
 pub use plm_runtime::linearised::{Linearised, Matrix};
 pub use run::{By, Called, Choice, Chosen, Either, Run};
 pub use source::{Entry, Names, Si, source};
-// The former name, which the Python run and its wheel still import.
-#[doc(hidden)]
-pub use status::Error as Trouble;
 pub use status::{Error, Status};
 pub use text::Text;
 

@@ -249,7 +249,7 @@ impl<S: Real, const K: usize> Split for Dual<S, K> {
 impl<S: Real, const K: usize> Real for Dual<S, K> {
     const EPSILON: Self = Self { value: S::EPSILON, tangents: [S::ZERO; K] };
     const RANK_TOLERANCE: Self = Self { value: S::RANK_TOLERANCE, tangents: [S::ZERO; K] };
-    const TWOFOLD_EPSILON: Self = Self { value: S::TWOFOLD_EPSILON, tangents: [S::ZERO; K] };
+    const DOUBLE_DOUBLE_EPSILON: Self = Self { value: S::DOUBLE_DOUBLE_EPSILON, tangents: [S::ZERO; K] };
     const INFINITY: Self = Self { value: S::INFINITY, tangents: [S::ZERO; K] };
 
     #[inline]

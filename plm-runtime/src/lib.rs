@@ -24,8 +24,8 @@
 //! | [`lanes`] | several trajectories side by side |
 //! | [`dual`], [`linear`] | derivatives by dual numbers |
 //! | [`linearised`] | a mechanism near a moment as a linear system |
-//! | [`tube`] | numbers over an interval of time |
-//! | [`twofold`] | numbers of twice the precision |
+//! | [`enclosure`] | values and slopes enclosed over an interval of time |
+//! | [`double_double`] | double-double numbers: twice the precision |
 //! | [`statics`] | what vanishes at an equilibrium |
 //! | [`words`] | a run as words, for files and other processes |
 //! | [`workspace`] | how much of the stack a solution by rank takes, and may take |
@@ -43,7 +43,9 @@ pub mod charts;
 #[doc(hidden)]
 pub mod compact;
 pub mod described;
+pub mod double_double;
 pub mod dual;
+pub mod enclosure;
 pub mod events;
 pub mod fault;
 pub mod held;
@@ -65,9 +67,11 @@ pub mod statics;
 mod stats;
 pub mod step;
 pub mod system;
-pub mod tube;
+#[cfg(feature = "vary-tolerances")]
+pub mod tolerances;
+#[cfg(not(feature = "vary-tolerances"))]
+mod tolerances;
 pub mod turns;
-pub mod twofold;
 pub mod vector;
 pub mod words;
 pub mod workspace;
@@ -76,7 +80,9 @@ pub use absolute::{Absolute, Assembly, Found};
 pub use axes::{to_absolute, to_relative};
 pub use body::{BodyMotion, BodyState};
 pub use described::Described;
+pub use double_double::DoubleDouble;
 pub use dual::Dual;
+pub use enclosure::{Enclosed, Interval};
 pub use fault::{Cause, Fault, Names};
 pub use held::Held;
 pub use limits::{Least, Limit};
@@ -92,6 +98,4 @@ pub use start::{BodyStart, Start, StartValues};
 pub use statics::Statics;
 pub use stats::Stats;
 pub use system::{Constraints, Drift, Energy, Events, Health, Labels, Rate, Step, System, Updated};
-pub use tube::{Interval, Tube};
-pub use twofold::Twofold;
 pub use vector::Vector;

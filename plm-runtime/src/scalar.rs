@@ -200,18 +200,18 @@ pub trait Scalar:
     }
 }
 
-/// One real number: `f32` or `f64`, two of them in one ([`Twofold`](crate::Twofold)), or one with its derivatives
+/// One real number: `f32` or `f64`, two of them in one ([`DoubleDouble`](crate::DoubleDouble)), or one with its derivatives
 /// ([`Dual`](crate::Dual)).
 pub trait Real: Scalar<Mask = bool, Turns = i32> + PartialOrd + Split {
-    /// Distance from 1 to the next larger number; of [`Twofold`](crate::Twofold) the unit of its errors.
+    /// Distance from 1 to the next larger number; of [`DoubleDouble`](crate::DoubleDouble) the unit of its errors.
     const EPSILON: Self;
     /// Singular values below this fraction of the largest count as zero: the square root of [`EPSILON`](Self::EPSILON).
     ///
     /// To keep a direction with the relative singular value s amplifies rounding to eps / s; to drop it leaves an
     /// error of order s. The two are equal at s = sqrt(eps).
     const RANK_TOLERANCE: Self;
-    /// Precision of two such numbers in one ([`Twofold`](crate::Twofold)): the square of [`EPSILON`](Self::EPSILON).
-    const TWOFOLD_EPSILON: Self;
+    /// Precision of two such numbers in one ([`DoubleDouble`](crate::DoubleDouble)): the square of [`EPSILON`](Self::EPSILON).
+    const DOUBLE_DOUBLE_EPSILON: Self;
     /// Larger than every finite number.
     const INFINITY: Self;
     /// The largest integer that is not above the number.
@@ -362,7 +362,7 @@ macro_rules! real {
         impl Real for $real {
             const EPSILON: Self = $real::EPSILON;
             const RANK_TOLERANCE: Self = $rank_tolerance;
-            const TWOFOLD_EPSILON: Self = $real::EPSILON * $real::EPSILON;
+            const DOUBLE_DOUBLE_EPSILON: Self = $real::EPSILON * $real::EPSILON;
             const INFINITY: Self = $real::INFINITY;
             #[inline]
             fn are_direct<const N: usize>(angles: [Self; N]) -> bool {

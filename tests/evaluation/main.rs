@@ -3,6 +3,7 @@
 #![allow(clippy::excessive_precision, reason = "references are written as they were published")]
 
 mod derivatives;
+mod double_double;
 mod linkages;
 mod operations;
 mod oracle;
@@ -10,4 +11,3 @@ mod pairs;
 #[path = "../support/random.rs"]
 mod random;
 mod scenes;
-mod twofold;

@@ -1,6 +1,6 @@
 //! Emitted code against the interpreter of the compiler: the same operations in the same order, so the same bits.
 
-use plm::runtime::charts::{OfLoops, Remembered};
+use plm::runtime::charts::{ContinuationData, OfLoops};
 use plm::{Mechanism, Moment};
 use plm_compiler::compile;
 use plm_compiler::token::Sources;
@@ -62,14 +62,18 @@ twice! { four_bar,
     }
 }
 
-/// What a formulation with loops remembers, number by number.
-fn numbers<M: Remembered<f64>, Q>(of_loops: &OfLoops<M, Q>) -> Vec<f64> {
-    let OfLoops::InChart { memory, .. } = of_loops else { return Vec::new() };
-    let reaches =
-        memory.coordinates().iter().chain([&memory.time()]).flat_map(|at| [at.last, at.reach]).collect();
-    let turns = memory.turns().iter().flat_map(|at| [at.angle, at.cos, at.sin]).collect();
-    let followed = memory.followed().iter().flat_map(|at| [at.value, at.rate, at.bend]).collect();
-    [reaches, turns, memory.areas().to_vec(), followed].concat()
+/// Continuation data of a formulation with loops, number by number.
+fn numbers<M: ContinuationData<f64>, Q>(of_loops: &OfLoops<M, Q>) -> Vec<f64> {
+    let OfLoops::InChart { continuation, .. } = of_loops else { return Vec::new() };
+    let reaches = continuation
+        .coordinates()
+        .iter()
+        .chain([&continuation.time()])
+        .flat_map(|at| [at.last, at.reach])
+        .collect();
+    let angles = continuation.angles().iter().flat_map(|at| [at.angle, at.cos, at.sin]).collect();
+    let iterated = continuation.iterated().iter().flat_map(|at| [at.value, at.rate, at.bend]).collect();
+    [reaches, angles, continuation.determinants().to_vec(), iterated].concat()
 }
 
 /// Steps a mechanism and compares its rate with the interpreter's at every state on the way.

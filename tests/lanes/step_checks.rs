@@ -89,7 +89,7 @@ fn lanes_are_looked_at_at_steps_of_their_own() {
         let mut batch = Batch::new(alone);
         assert!(batch.step(0.05).iter().all(Result::is_ok));
         let mut looks = batch.each_ref().map(|sim| match sim.state().held().of_loops {
-            OfLoops::InChart { memory, .. } => memory.time.last.to_bits(),
+            OfLoops::InChart { continuation, .. } => continuation.time.last.to_bits(),
             OfLoops::Free { .. } => 0,
         });
         looks.sort_unstable();

@@ -338,21 +338,22 @@ mod plm_bouncer_ {
 
             fn guards_within(
                 &self,
-                t: rt::Tube<S>,
+                t: rt::Enclosed<S>,
                 u: &Self::U,
-                x: &impl Fn(usize) -> rt::Tube<S>,
-                each: &mut impl FnMut(usize, rt::Tube<S>),
+                x: &impl Fn(usize) -> rt::Enclosed<S>,
+                each: &mut impl FnMut(usize, rt::Enclosed<S>),
             ) -> bool {
                 use rt::lanes::Pack;
-                let constant = |[s]: [S; 1]| rt::Tube::constant(s);
+                let constant = |[s]: [S; 1]| rt::Enclosed::constant(s);
                 let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
-                let mut tubes = [rt::Tube::constant(S::lit(0.0)); 3];
-                let within = |u: &Held<rt::Tube<S>>, x: &[rt::Tube<S>; 4], g: &mut [rt::Tube<S>; 3]| {
-                    mechanism.switching(t, u, x, g)
-                };
-                within(&held, &core::array::from_fn(x), &mut tubes);
-                for (index, tube) in tubes.into_iter().enumerate() {
-                    each(index, tube);
+                let mut guards = [rt::Enclosed::constant(S::lit(0.0)); 3];
+                let within =
+                    |u: &Held<rt::Enclosed<S>>, x: &[rt::Enclosed<S>; 4], g: &mut [rt::Enclosed<S>; 3]| {
+                        mechanism.switching(t, u, x, g)
+                    };
+                within(&held, &core::array::from_fn(x), &mut guards);
+                for (index, guard) in guards.into_iter().enumerate() {
+                    each(index, guard);
                 }
                 true
             }

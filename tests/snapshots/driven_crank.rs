@@ -76,7 +76,7 @@ mod plm_driven_crank_ {
             Input<S>,
             [S; 0],
             [<S as Scalar>::Turns; 1],
-            rt::charts::OfLoops<rt::charts::Memory<S, 0, 2, 1, 0>, [S; 9]>,
+            rt::charts::OfLoops<rt::charts::Continuation<S, 0, 2, 1, 0>, [S; 9]>,
         >;
 
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
@@ -88,7 +88,7 @@ mod plm_driven_crank_ {
                 Input<S>,
                 [S; 0],
                 [i32; 1],
-                rt::charts::OfLoops<rt::charts::Memory<S, 0, 2, 1, 0>, [S; 9]>,
+                rt::charts::OfLoops<rt::charts::Continuation<S, 0, 2, 1, 0>, [S; 9]>,
             >,
             time: S,
             x: [S; 0],
@@ -349,20 +349,20 @@ mod plm_driven_crank_ {
             type Input = Input<S>;
             type Switches = [S; 0];
             type Turns = [i32; 1];
-            const COUNTED: &'static [rt::charts::Counted] =
-                &[rt::charts::Counted { coordinates: &[&[]], remembered: &[1], followed: &[] }];
+            const REVOLUTIONS: &'static [rt::charts::Revolutions] =
+                &[rt::charts::Revolutions { coordinates: &[&[]], angles: &[1], iterated: &[] }];
             const LOOSE: bool = false;
-            type Memory = rt::charts::Memory<S, 0, 2, 1, 0>;
+            type Continuation = rt::charts::Continuation<S, 0, 2, 1, 0>;
             type Q = [S; 9];
             const CHARTS: usize = 1;
             const TURNING: &'static [&'static str] = &["crank", "rod"];
             const FOUND: &'static [&'static [usize]] = &[&[1]];
-            const FOLLOWED: &'static [&'static str] = &[];
+            const ITERATED: &'static [&'static str] = &[];
             const CLOSING: &'static [&'static [&'static str]] = &[&["guide"]];
             fn pose(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 9], [S; 9], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 9], [S::lit(0.0); 9]);
                 let measure = match &held.of_loops {
-                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                    rt::charts::OfLoops::InChart { continuation: m, .. } => {
                         self.pose_0(t, held, m, x, &mut q, &mut v)
                     }
                     rt::charts::OfLoops::Free { q: free_q, v: free_v } => {
@@ -373,12 +373,12 @@ mod plm_driven_crank_ {
                 (q, v, measure)
             }
 
-            fn remember(&self, t: S, held: &Self::U, x: &[S; 0]) -> (Self::Memory, S) {
+            fn continuation(&self, t: S, held: &Self::U, x: &[S; 0]) -> (Self::Continuation, S) {
                 self.remember_(t, held, x)
             }
 
-            fn remember_pose(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> (Self::Memory, S) {
-                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
+            fn continuation_at(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> (Self::Continuation, S) {
+                let mut memory: Self::Continuation = rt::charts::ContinuationData::nothing();
                 let measure = self.remember_pose_0(t, q, v, &mut memory);
                 (memory, measure)
             }
@@ -389,10 +389,16 @@ mod plm_driven_crank_ {
         }
 
         impl<S: Scalar> DrivenCrank<S> {
-            fn remember_(&self, t: S, held: &Held<S>, x: &[S; 0]) -> (rt::charts::Memory<S, 0, 2, 1, 0>, S) {
-                let mut memory: rt::charts::Memory<S, 0, 2, 1, 0> = rt::charts::Remembered::nothing();
+            fn remember_(
+                &self,
+                t: S,
+                held: &Held<S>,
+                x: &[S; 0],
+            ) -> (rt::charts::Continuation<S, 0, 2, 1, 0>, S) {
+                let mut memory: rt::charts::Continuation<S, 0, 2, 1, 0> =
+                    rt::charts::ContinuationData::nothing();
                 let measure = match &held.of_loops {
-                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                    rt::charts::OfLoops::InChart { continuation: m, .. } => {
                         self.remember_0(t, held, m, x, &mut memory)
                     }
                     rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
@@ -410,7 +416,7 @@ mod plm_driven_crank_ {
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
                 rt::Health(match &u.of_loops {
-                    rt::charts::OfLoops::InChart { memory: m, .. } => self.motion_0(t, u, m, x, dx),
+                    rt::charts::OfLoops::InChart { continuation: m, .. } => self.motion_0(t, u, m, x, dx),
                     rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
                 })
             }
@@ -464,29 +470,29 @@ mod plm_driven_crank_ {
         }
 
         #[doc(hidden)]
-        impl<S: Real> rt::singular::Fine<9, 9, 18> for DrivenCrank<S> {
-            type Twofold = DrivenCrank<rt::Twofold<S>>;
-            type Inputs = Held<rt::Twofold<S>>;
+        impl<S: Real> rt::singular::ExtendedPrecision<9, 9, 18> for DrivenCrank<S> {
+            type Extended = DrivenCrank<rt::DoubleDouble<S>>;
+            type Inputs = Held<rt::DoubleDouble<S>>;
 
-            fn fine(&self) -> Self::Twofold {
-                rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::Twofold::written(s))
+            fn extended(&self) -> Self::Extended {
+                rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::DoubleDouble::written(s))
             }
 
-            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
+            fn extended_with_inputs(&self, held: &Self::U) -> (Self::Extended, Self::Inputs) {
                 use rt::lanes::Pack;
-                (self.fine(), Self::pack_held(held, [held], |[s]: [S; 1]| rt::Twofold::of(s)))
+                (self.extended(), Self::pack_held(held, [held], |[s]: [S; 1]| rt::DoubleDouble::of(s)))
             }
 
             #[cold]
             fn accelerate(
-                fine: &Self::Twofold,
-                t: rt::Twofold<S>,
+                extended: &Self::Extended,
+                t: rt::DoubleDouble<S>,
                 u: &Self::Inputs,
-                x: &[rt::Twofold<S>; 18],
-                dx: &mut [rt::Twofold<S>; 18],
+                x: &[rt::DoubleDouble<S>; 18],
+                dx: &mut [rt::DoubleDouble<S>; 18],
             ) {
-                let mut lambda = [rt::Twofold::<S>::lit(0.0); 9];
-                fine.dynamics(t, u, x, dx, &mut lambda);
+                let mut lambda = [rt::DoubleDouble::<S>::lit(0.0); 9];
+                extended.dynamics(t, u, x, dx, &mut lambda);
             }
 
             const CHARTED: bool = true;
@@ -575,7 +581,7 @@ mod plm_driven_crank_ {
 
         impl<S: Real> rt::Mechanism for DrivenCrank<S> {
             type State = State<S>;
-            type Rescue = rt::singular::Near<Self, 9, 9, 18>;
+            type Rescue = rt::singular::NearSingular<Self, 9, 9, 18>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
             fn start_state(&self, t: S) -> Result<(Held<S>, [S; 0]), Fault> {
                 self.start_holding_(t, self.declared_input())
@@ -612,7 +618,7 @@ mod plm_driven_crank_ {
                     turns: [0; 1],
                     of_loops: rt::charts::OfLoops::InChart {
                         chart: 0,
-                        memory: rt::charts::Remembered::nothing(),
+                        continuation: rt::charts::ContinuationData::nothing(),
                     },
                 }
             }
@@ -1683,7 +1689,7 @@ mod plm_driven_crank_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 0, 2, 1, 0>,
+                m: &rt::charts::Continuation<S, 0, 2, 1, 0>,
                 x: &[S; 0],
                 dx: &mut [S; 0],
             ) -> S {
@@ -1704,7 +1710,7 @@ mod plm_driven_crank_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 0, 2, 1, 0>,
+                m: &rt::charts::Continuation<S, 0, 2, 1, 0>,
                 x: &[S; 0],
                 q: &mut [S; 9],
                 v: &mut [S; 9],
@@ -1724,17 +1730,17 @@ mod plm_driven_crank_ {
                 q[2] = crank_angle;
                 let loop_0_y = lit(0.2).mul_add(sin_crank_angle, t2);
                 let square_0 = (-loop_0_y).mul_add(loop_0_y, lit(0.36));
-                let last_area_0 = m.areas[0];
+                let last_area_0 = m.determinants[0];
                 let area_0 =
                     lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
                 let t4 = lit(0.5) * area_0;
                 q[3] = crank_x + t4 + crank_x;
                 let t5 = lit(0.5) * loop_0_y;
                 q[4] = t3 - t5 + crank_y;
-                let last_angle_2 = m.turns[1].angle;
-                let last_cosine_2 = m.turns[1].cos;
+                let last_angle_2 = m.angles[1].angle;
+                let last_cosine_2 = m.angles[1].cos;
                 let rod_sin = lit(-1.6666666666666667) * loop_0_y;
-                let last_sine_2 = m.turns[1].sin;
+                let last_sine_2 = m.angles[1].sin;
                 let rod_cos = lit(1.6666666666666667) * area_0;
                 let t6 = last_angle_2
                     + (-last_sine_2)
@@ -1773,11 +1779,11 @@ mod plm_driven_crank_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 0, 2, 1, 0>,
+                m: &rt::charts::Continuation<S, 0, 2, 1, 0>,
                 x: &[S; 0],
-                memory: &mut rt::charts::Memory<S, 0, 2, 1, 0>,
+                memory: &mut rt::charts::Continuation<S, 0, 2, 1, 0>,
             ) -> S {
-                let [last_area_0, ..] = m.areas;
+                let [last_area_0, ..] = m.determinants;
                 let lit = S::lit;
                 memory.time.last = t;
                 let amplitude = self.amplitude;
@@ -1793,23 +1799,23 @@ mod plm_driven_crank_ {
                     * lit(-0.6).mul_add(cos_crank_angle, lit(-20.0) * amplitude * cos_t1))
                 .abs();
                 memory.time.reach = lit(-0.1) / t2.max(lit(0.6) * t2 / square_0.sqrt());
-                memory.turns[0].angle = crank_angle;
-                memory.turns[0].cos = cos_crank_angle;
-                memory.turns[0].sin = sin_crank_angle;
-                let last_angle_2 = m.turns[1].angle;
-                let last_cosine_2 = m.turns[1].cos;
+                memory.angles[0].angle = crank_angle;
+                memory.angles[0].cos = cos_crank_angle;
+                memory.angles[0].sin = sin_crank_angle;
+                let last_angle_2 = m.angles[1].angle;
+                let last_cosine_2 = m.angles[1].cos;
                 let rod_sin = lit(-1.6666666666666667) * loop_0_y;
-                let last_sine_2 = m.turns[1].sin;
+                let last_sine_2 = m.angles[1].sin;
                 let rod_cos = lit(1.6666666666666667) * area_0;
                 let t3 = last_angle_2
                     + (-last_sine_2)
                         .mul_add(rod_cos, last_cosine_2 * rod_sin)
                         .atan2(last_sine_2.mul_add(rod_sin, last_cosine_2 * rod_cos));
-                memory.turns[1].angle = t3;
+                memory.angles[1].angle = t3;
                 let (sin_t3, cos_t3) = t3.sin_cos();
-                memory.turns[1].cos = cos_t3;
-                memory.turns[1].sin = sin_t3;
-                memory.areas[0] = area_0;
+                memory.angles[1].cos = cos_t3;
+                memory.angles[1].sin = sin_t3;
+                memory.determinants[0] = area_0;
                 lit(2.7777777777777777) * square_0
             }
 
@@ -1822,21 +1828,21 @@ mod plm_driven_crank_ {
                 t: S,
                 q: &[S; 9],
                 v: &[S; 9],
-                memory: &mut rt::charts::Memory<S, 0, 2, 1, 0>,
+                memory: &mut rt::charts::Continuation<S, 0, 2, 1, 0>,
             ) -> S {
                 let [_, _, crank_angle, _, _, rod_angle, ..] = *q;
                 let lit = S::lit;
                 memory.time.last = t;
                 memory.time.reach = lit(0.0);
-                memory.turns[0].angle = crank_angle;
+                memory.angles[0].angle = crank_angle;
                 let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
                     S::sin_cos_all([crank_angle, rod_angle]);
-                memory.turns[0].cos = cos_crank_angle;
-                memory.turns[0].sin = sin_crank_angle;
-                memory.turns[1].angle = rod_angle;
-                memory.turns[1].cos = cos_rod_angle;
-                memory.turns[1].sin = sin_rod_angle;
-                memory.areas[0] = lit(0.6) * cos_rod_angle;
+                memory.angles[0].cos = cos_crank_angle;
+                memory.angles[0].sin = sin_crank_angle;
+                memory.angles[1].angle = rod_angle;
+                memory.angles[1].cos = cos_rod_angle;
+                memory.angles[1].sin = sin_rod_angle;
+                memory.determinants[0] = lit(0.6) * cos_rod_angle;
                 cos_rod_angle * cos_rod_angle
             }
         }

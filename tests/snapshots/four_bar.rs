@@ -76,7 +76,7 @@ mod plm_four_bar_ {
             Input<S>,
             [S; 0],
             [<S as Scalar>::Turns; 3],
-            rt::charts::OfLoops<rt::charts::Memory<S, 1, 3, 1, 0>, [S; 9]>,
+            rt::charts::OfLoops<rt::charts::Continuation<S, 1, 3, 1, 0>, [S; 9]>,
         >;
 
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
@@ -88,7 +88,7 @@ mod plm_four_bar_ {
                 Input<S>,
                 [S; 0],
                 [i32; 3],
-                rt::charts::OfLoops<rt::charts::Memory<S, 1, 3, 1, 0>, [S; 9]>,
+                rt::charts::OfLoops<rt::charts::Continuation<S, 1, 3, 1, 0>, [S; 9]>,
             >,
             time: S,
             x: [S; 2],
@@ -358,30 +358,30 @@ mod plm_four_bar_ {
             type Input = Input<S>;
             type Switches = [S; 0];
             type Turns = [i32; 3];
-            const COUNTED: &'static [rt::charts::Counted] = &[
-                rt::charts::Counted { coordinates: &[&[0], &[], &[]], remembered: &[0], followed: &[] },
-                rt::charts::Counted { coordinates: &[&[], &[], &[0]], remembered: &[2], followed: &[] },
-                rt::charts::Counted { coordinates: &[&[], &[0], &[]], remembered: &[1], followed: &[] },
+            const REVOLUTIONS: &'static [rt::charts::Revolutions] = &[
+                rt::charts::Revolutions { coordinates: &[&[0], &[], &[]], angles: &[0], iterated: &[] },
+                rt::charts::Revolutions { coordinates: &[&[], &[], &[0]], angles: &[2], iterated: &[] },
+                rt::charts::Revolutions { coordinates: &[&[], &[0], &[]], angles: &[1], iterated: &[] },
             ];
             const LOOSE: bool = false;
-            type Memory = rt::charts::Memory<S, 1, 3, 1, 0>;
+            type Continuation = rt::charts::Continuation<S, 1, 3, 1, 0>;
             type Q = [S; 9];
             const CHARTS: usize = 3;
             const TURNING: &'static [&'static str] = &["crank", "rocker", "coupler"];
             const FOUND: &'static [&'static [usize]] = &[&[1, 2], &[0, 2], &[0, 1]];
-            const FOLLOWED: &'static [&'static str] = &[];
+            const ITERATED: &'static [&'static str] = &[];
             const CLOSING: &'static [&'static [&'static str]] =
                 &[&["coupler_rocker"], &["crank_coupler"], &["pivot"]];
             fn pose(&self, t: S, held: &Self::U, x: &[S; 2]) -> ([S; 9], [S; 9], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 9], [S::lit(0.0); 9]);
                 let measure = match &held.of_loops {
-                    rt::charts::OfLoops::InChart { chart: 0, memory: m } => {
+                    rt::charts::OfLoops::InChart { chart: 0, continuation: m } => {
                         self.pose_0(t, held, m, x, &mut q, &mut v)
                     }
-                    rt::charts::OfLoops::InChart { chart: 1, memory: m } => {
+                    rt::charts::OfLoops::InChart { chart: 1, continuation: m } => {
                         self.pose_1(t, held, m, x, &mut q, &mut v)
                     }
-                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                    rt::charts::OfLoops::InChart { continuation: m, .. } => {
                         self.pose_2(t, held, m, x, &mut q, &mut v)
                     }
                     rt::charts::OfLoops::Free { q: free_q, v: free_v } => {
@@ -392,12 +392,12 @@ mod plm_four_bar_ {
                 (q, v, measure)
             }
 
-            fn remember(&self, t: S, held: &Self::U, x: &[S; 2]) -> (Self::Memory, S) {
+            fn continuation(&self, t: S, held: &Self::U, x: &[S; 2]) -> (Self::Continuation, S) {
                 self.remember_(t, held, x)
             }
 
-            fn remember_pose(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> (Self::Memory, S) {
-                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
+            fn continuation_at(&self, chart: usize, t: S, q: &[S; 9], v: &[S; 9]) -> (Self::Continuation, S) {
+                let mut memory: Self::Continuation = rt::charts::ContinuationData::nothing();
                 let measure = match chart {
                     0 => self.remember_pose_0(t, q, v, &mut memory),
                     1 => self.remember_pose_1(t, q, v, &mut memory),
@@ -416,16 +416,22 @@ mod plm_four_bar_ {
         }
 
         impl<S: Scalar> FourBar<S> {
-            fn remember_(&self, t: S, held: &Held<S>, x: &[S; 2]) -> (rt::charts::Memory<S, 1, 3, 1, 0>, S) {
-                let mut memory: rt::charts::Memory<S, 1, 3, 1, 0> = rt::charts::Remembered::nothing();
+            fn remember_(
+                &self,
+                t: S,
+                held: &Held<S>,
+                x: &[S; 2],
+            ) -> (rt::charts::Continuation<S, 1, 3, 1, 0>, S) {
+                let mut memory: rt::charts::Continuation<S, 1, 3, 1, 0> =
+                    rt::charts::ContinuationData::nothing();
                 let measure = match &held.of_loops {
-                    rt::charts::OfLoops::InChart { chart: 0, memory: m } => {
+                    rt::charts::OfLoops::InChart { chart: 0, continuation: m } => {
                         self.remember_0(t, held, m, x, &mut memory)
                     }
-                    rt::charts::OfLoops::InChart { chart: 1, memory: m } => {
+                    rt::charts::OfLoops::InChart { chart: 1, continuation: m } => {
                         self.remember_1(t, held, m, x, &mut memory)
                     }
-                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                    rt::charts::OfLoops::InChart { continuation: m, .. } => {
                         self.remember_2(t, held, m, x, &mut memory)
                     }
                     rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
@@ -443,14 +449,16 @@ mod plm_four_bar_ {
             #[inline(always)]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> rt::Health<S> {
                 rt::Health(match &u.of_loops {
-                    rt::charts::OfLoops::InChart { chart: 0, memory: m } => self.motion_0(t, u, m, x, dx),
-                    rt::charts::OfLoops::InChart { chart: 1, memory: m } => {
+                    rt::charts::OfLoops::InChart { chart: 0, continuation: m } => {
+                        self.motion_0(t, u, m, x, dx)
+                    }
+                    rt::charts::OfLoops::InChart { chart: 1, continuation: m } => {
                         let (at, mut out) = (*x, *dx);
                         let measure = self.motion_1(t, u, m, &at, &mut out);
                         *dx = out;
                         measure
                     }
-                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                    rt::charts::OfLoops::InChart { continuation: m, .. } => {
                         let (at, mut out) = (*x, *dx);
                         let measure = self.motion_2(t, u, m, &at, &mut out);
                         *dx = out;
@@ -470,7 +478,7 @@ mod plm_four_bar_ {
                 dx: &mut [[S; 2]; 2],
                 second: impl FnOnce(&[S; 2]) -> [S; 2],
             ) -> rt::Health<S> {
-                let rt::charts::OfLoops::InChart { chart: 0, memory: m } = &u.of_loops else {
+                let rt::charts::OfLoops::InChart { chart: 0, continuation: m } = &u.of_loops else {
                     let (k, health) = rt::system::rate_aside(self, t[0], u, *x[0]);
                     dx[0] = k;
                     let (k, other) = rt::system::rate_aside(self, t[1], u, second(&k));
@@ -493,7 +501,11 @@ mod plm_four_bar_ {
             /// Values of the poses of two stages that their rates share. Compilers begin to build vectors where results are stored: a
             /// function of its own.
             #[inline(never)]
-            fn of_two_poses(m: &rt::charts::Memory<S, 1, 3, 1, 0>, first_0: S, second_0: S) -> [Two<S>; 4] {
+            fn of_two_poses(
+                m: &rt::charts::Continuation<S, 1, 3, 1, 0>,
+                first_0: S,
+                second_0: S,
+            ) -> [Two<S>; 4] {
                 let x: &[Two<S>; 1] = &[Two([first_0, second_0])];
                 let [crank_angle, ..] = *x;
                 let lit = Two::<S>::lit;
@@ -505,7 +517,7 @@ mod plm_four_bar_ {
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
                 let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
-                let last_area_0 = Two::both(m.areas[0]);
+                let last_area_0 = Two::both(m.determinants[0]);
                 let area_0 = lit(0.0).max(square_0).sqrt()
                     * Two::<S>::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
                 let way_0_y = area_0 * inverse_0;
@@ -551,7 +563,7 @@ mod plm_four_bar_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                m: &rt::charts::Continuation<S, 1, 3, 1, 0>,
                 x: &[S; 2],
                 shared: &[Two<S>; 4],
                 dx: &mut [S; 2],
@@ -636,29 +648,29 @@ mod plm_four_bar_ {
         }
 
         #[doc(hidden)]
-        impl<S: Real> rt::singular::Fine<9, 8, 18> for FourBar<S> {
-            type Twofold = FourBar<rt::Twofold<S>>;
-            type Inputs = Held<rt::Twofold<S>>;
+        impl<S: Real> rt::singular::ExtendedPrecision<9, 8, 18> for FourBar<S> {
+            type Extended = FourBar<rt::DoubleDouble<S>>;
+            type Inputs = Held<rt::DoubleDouble<S>>;
 
-            fn fine(&self) -> Self::Twofold {
-                rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::Twofold::written(s))
+            fn extended(&self) -> Self::Extended {
+                rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::DoubleDouble::written(s))
             }
 
-            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
+            fn extended_with_inputs(&self, held: &Self::U) -> (Self::Extended, Self::Inputs) {
                 use rt::lanes::Pack;
-                (self.fine(), Self::pack_held(held, [held], |[s]: [S; 1]| rt::Twofold::of(s)))
+                (self.extended(), Self::pack_held(held, [held], |[s]: [S; 1]| rt::DoubleDouble::of(s)))
             }
 
             #[cold]
             fn accelerate(
-                fine: &Self::Twofold,
-                t: rt::Twofold<S>,
+                extended: &Self::Extended,
+                t: rt::DoubleDouble<S>,
                 u: &Self::Inputs,
-                x: &[rt::Twofold<S>; 18],
-                dx: &mut [rt::Twofold<S>; 18],
+                x: &[rt::DoubleDouble<S>; 18],
+                dx: &mut [rt::DoubleDouble<S>; 18],
             ) {
-                let mut lambda = [rt::Twofold::<S>::lit(0.0); 8];
-                fine.dynamics(t, u, x, dx, &mut lambda);
+                let mut lambda = [rt::DoubleDouble::<S>::lit(0.0); 8];
+                extended.dynamics(t, u, x, dx, &mut lambda);
             }
 
             const CHARTED: bool = true;
@@ -747,7 +759,7 @@ mod plm_four_bar_ {
 
         impl<S: Real> rt::Mechanism for FourBar<S> {
             type State = State<S>;
-            type Rescue = rt::singular::Near<Self, 9, 8, 18>;
+            type Rescue = rt::singular::NearSingular<Self, 9, 8, 18>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
             fn start_state(&self, t: S) -> Result<(Held<S>, [S; 2]), Fault> {
                 self.start_holding_(t, self.declared_input())
@@ -767,7 +779,7 @@ mod plm_four_bar_ {
                     turns: [0; 3],
                     of_loops: rt::charts::OfLoops::InChart {
                         chart: 0,
-                        memory: rt::charts::Remembered::nothing(),
+                        continuation: rt::charts::ContinuationData::nothing(),
                     },
                 }
             }
@@ -1869,11 +1881,11 @@ mod plm_four_bar_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                m: &rt::charts::Continuation<S, 1, 3, 1, 0>,
                 x: &[S; 2],
                 dx: &mut [S; 2],
             ) -> S {
-                let [last_area_0, ..] = m.areas;
+                let [last_area_0, ..] = m.determinants;
                 let [crank_angle, crank_omega, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
@@ -1932,7 +1944,7 @@ mod plm_four_bar_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                m: &rt::charts::Continuation<S, 1, 3, 1, 0>,
                 x: &[S; 2],
                 q: &mut [S; 9],
                 v: &mut [S; 9],
@@ -1952,7 +1964,7 @@ mod plm_four_bar_ {
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
                 let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
-                let last_area_0 = m.areas[0];
+                let last_area_0 = m.determinants[0];
                 let area_0 =
                     lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
                 let way_0_y = area_0 * inverse_0;
@@ -1964,10 +1976,10 @@ mod plm_four_bar_ {
                 let coupler_arm_y = -(loop_0_y + rocker_arm_y);
                 let t2 = lit(0.5) * coupler_arm_y;
                 q[4] = crank_y + t2 + crank_y;
-                let last_angle_2 = m.turns[2].angle;
-                let last_cosine_2 = m.turns[2].cos;
+                let last_angle_2 = m.angles[2].angle;
+                let last_cosine_2 = m.angles[2].cos;
                 let coupler_sin = lit(1.1111111111111112) * coupler_arm_y;
-                let last_sine_2 = m.turns[2].sin;
+                let last_sine_2 = m.angles[2].sin;
                 let coupler_cos = lit(1.1111111111111112) * coupler_arm_x;
                 let t3 = last_angle_2
                     + (-last_sine_2)
@@ -1976,10 +1988,10 @@ mod plm_four_bar_ {
                 q[5] = t3;
                 q[6] = lit(-0.5).mul_add(rocker_arm_x, lit(1.0));
                 q[7] = lit(-0.5) * rocker_arm_y;
-                let last_angle_1 = m.turns[1].angle;
-                let last_cosine_1 = m.turns[1].cos;
+                let last_angle_1 = m.angles[1].angle;
+                let last_cosine_1 = m.angles[1].cos;
                 let rocker_sin = lit(-1.4285714285714286) * rocker_arm_y;
-                let last_sine_1 = m.turns[1].sin;
+                let last_sine_1 = m.angles[1].sin;
                 let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
                 let t4 = last_angle_1
                     + (-last_sine_1)
@@ -2019,9 +2031,9 @@ mod plm_four_bar_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                m: &rt::charts::Continuation<S, 1, 3, 1, 0>,
                 x: &[S; 2],
-                memory: &mut rt::charts::Memory<S, 1, 3, 1, 0>,
+                memory: &mut rt::charts::Continuation<S, 1, 3, 1, 0>,
             ) -> S {
                 let lit = S::lit;
                 let crank_angle = x[0];
@@ -2032,7 +2044,7 @@ mod plm_four_bar_ {
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
                 let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
-                let last_area_0 = m.areas[0];
+                let last_area_0 = m.determinants[0];
                 let area_0 =
                     lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
                 let inverse_0 = lit(1.0) / distance_0;
@@ -2052,38 +2064,38 @@ mod plm_four_bar_ {
                 memory.coordinates[0].reach = t1;
                 memory.time.last = t;
                 memory.time.reach = lit(1e30);
-                memory.turns[0].angle = crank_angle;
-                memory.turns[0].cos = cos_crank_angle;
-                memory.turns[0].sin = sin_crank_angle;
-                let last_angle_1 = m.turns[1].angle;
-                let last_cosine_1 = m.turns[1].cos;
+                memory.angles[0].angle = crank_angle;
+                memory.angles[0].cos = cos_crank_angle;
+                memory.angles[0].sin = sin_crank_angle;
+                let last_angle_1 = m.angles[1].angle;
+                let last_cosine_1 = m.angles[1].cos;
                 let rocker_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let rocker_sin = lit(-1.4285714285714286) * rocker_arm_y;
-                let last_sine_1 = m.turns[1].sin;
+                let last_sine_1 = m.angles[1].sin;
                 let rocker_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
                 let t2 = last_angle_1
                     + (-last_sine_1)
                         .mul_add(rocker_cos, last_cosine_1 * rocker_sin)
                         .atan2(last_sine_1.mul_add(rocker_sin, last_cosine_1 * rocker_cos));
-                memory.turns[1].angle = t2;
+                memory.angles[1].angle = t2;
                 let (sin_t2, cos_t2) = t2.sin_cos();
-                memory.turns[1].cos = cos_t2;
-                memory.turns[1].sin = sin_t2;
-                let last_angle_2 = m.turns[2].angle;
-                let last_cosine_2 = m.turns[2].cos;
+                memory.angles[1].cos = cos_t2;
+                memory.angles[1].sin = sin_t2;
+                let last_angle_2 = m.angles[2].angle;
+                let last_cosine_2 = m.angles[2].cos;
                 let coupler_sin = lit(1.1111111111111112) * -(loop_0_y + rocker_arm_y);
-                let last_sine_2 = m.turns[2].sin;
+                let last_sine_2 = m.angles[2].sin;
                 let coupler_cos = lit(1.1111111111111112) * -(loop_0_x + rocker_arm_x);
                 let t3 = last_angle_2
                     + (-last_sine_2)
                         .mul_add(coupler_cos, last_cosine_2 * coupler_sin)
                         .atan2(last_sine_2.mul_add(coupler_sin, last_cosine_2 * coupler_cos));
-                memory.turns[2].angle = t3;
+                memory.angles[2].angle = t3;
                 let (sin_t3, cos_t3) = t3.sin_cos();
-                memory.turns[2].cos = cos_t3;
-                memory.turns[2].sin = sin_t3;
-                memory.areas[0] = area_0;
+                memory.angles[2].cos = cos_t3;
+                memory.angles[2].sin = sin_t3;
+                memory.determinants[0] = area_0;
                 lit(2.5195263290501386) * square_0
             }
 
@@ -2096,7 +2108,7 @@ mod plm_four_bar_ {
                 t: S,
                 q: &[S; 9],
                 v: &[S; 9],
-                memory: &mut rt::charts::Memory<S, 1, 3, 1, 0>,
+                memory: &mut rt::charts::Continuation<S, 1, 3, 1, 0>,
             ) -> S {
                 let crank_angle = q[2];
                 let coupler_angle = q[5];
@@ -2106,21 +2118,21 @@ mod plm_four_bar_ {
                 memory.coordinates[0].reach = lit(0.0);
                 memory.time.last = t;
                 memory.time.reach = lit(0.0);
-                memory.turns[0].angle = crank_angle;
+                memory.angles[0].angle = crank_angle;
                 let (
                     [sin_crank_angle, sin_rocker_angle, sin_coupler_angle],
                     [cos_crank_angle, cos_rocker_angle, cos_coupler_angle],
                 ) = S::sin_cos_all([crank_angle, rocker_angle, coupler_angle]);
-                memory.turns[0].cos = cos_crank_angle;
-                memory.turns[0].sin = sin_crank_angle;
-                memory.turns[1].angle = rocker_angle;
-                memory.turns[1].cos = cos_rocker_angle;
-                memory.turns[1].sin = sin_rocker_angle;
-                memory.turns[2].angle = coupler_angle;
-                memory.turns[2].cos = cos_coupler_angle;
-                memory.turns[2].sin = sin_coupler_angle;
+                memory.angles[0].cos = cos_crank_angle;
+                memory.angles[0].sin = sin_crank_angle;
+                memory.angles[1].angle = rocker_angle;
+                memory.angles[1].cos = cos_rocker_angle;
+                memory.angles[1].sin = sin_rocker_angle;
+                memory.angles[2].angle = coupler_angle;
+                memory.angles[2].cos = cos_coupler_angle;
+                memory.angles[2].sin = sin_coupler_angle;
                 let t1 = (-sin_coupler_angle).mul_add(cos_rocker_angle, cos_coupler_angle * sin_rocker_angle);
-                memory.areas[0] = lit(0.63) * t1;
+                memory.determinants[0] = lit(0.63) * t1;
                 t1 * t1
             }
 
@@ -2133,11 +2145,11 @@ mod plm_four_bar_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                m: &rt::charts::Continuation<S, 1, 3, 1, 0>,
                 x: &[S; 2],
                 dx: &mut [S; 2],
             ) -> S {
-                let [last_area_0, ..] = m.areas;
+                let [last_area_0, ..] = m.determinants;
                 let [rocker_angle, rocker_omega, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
@@ -2192,7 +2204,7 @@ mod plm_four_bar_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                m: &rt::charts::Continuation<S, 1, 3, 1, 0>,
                 x: &[S; 2],
                 q: &mut [S; 9],
                 v: &mut [S; 9],
@@ -2206,7 +2218,7 @@ mod plm_four_bar_ {
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.72));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
-                let last_area_0 = m.areas[0];
+                let last_area_0 = m.determinants[0];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
                 let area_0 =
                     S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
@@ -2217,10 +2229,10 @@ mod plm_four_bar_ {
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_y = lit(0.5) * crank_arm_y;
                 q[1] = crank_y;
-                let last_angle_0 = m.turns[0].angle;
-                let last_cosine_0 = m.turns[0].cos;
+                let last_angle_0 = m.angles[0].angle;
+                let last_cosine_0 = m.angles[0].cos;
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
-                let last_sine_0 = m.turns[0].sin;
+                let last_sine_0 = m.angles[0].sin;
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
                     + (-last_sine_0)
@@ -2231,10 +2243,10 @@ mod plm_four_bar_ {
                 q[3] = lit(0.5).mul_add(crank_arm_x + coupler_arm_x, crank_x);
                 let coupler_arm_y = -(loop_0_y + crank_arm_y);
                 q[4] = lit(0.5).mul_add(crank_arm_y + coupler_arm_y, crank_y);
-                let last_angle_2 = m.turns[2].angle;
-                let last_cosine_2 = m.turns[2].cos;
+                let last_angle_2 = m.angles[2].angle;
+                let last_cosine_2 = m.angles[2].cos;
                 let coupler_sin = lit(1.1111111111111112) * coupler_arm_y;
-                let last_sine_2 = m.turns[2].sin;
+                let last_sine_2 = m.angles[2].sin;
                 let coupler_cos = lit(1.1111111111111112) * coupler_arm_x;
                 let t2 = last_angle_2
                     + (-last_sine_2)
@@ -2279,15 +2291,15 @@ mod plm_four_bar_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                m: &rt::charts::Continuation<S, 1, 3, 1, 0>,
                 x: &[S; 2],
-                memory: &mut rt::charts::Memory<S, 1, 3, 1, 0>,
+                memory: &mut rt::charts::Continuation<S, 1, 3, 1, 0>,
             ) -> S {
                 let lit = S::lit;
                 let rocker_angle = x[0];
                 memory.coordinates[0].last = rocker_angle;
                 let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
-                let last_area_0 = m.areas[0];
+                let last_area_0 = m.determinants[0];
                 let loop_0_x = lit(-0.7).mul_add(cos_rocker_angle, lit(-1.0));
                 let loop_0_y = lit(-0.7) * sin_rocker_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
@@ -2312,38 +2324,38 @@ mod plm_four_bar_ {
                 memory.coordinates[0].reach = t1;
                 memory.time.last = t;
                 memory.time.reach = lit(1e30);
-                let last_angle_0 = m.turns[0].angle;
-                let last_cosine_0 = m.turns[0].cos;
+                let last_angle_0 = m.angles[0].angle;
+                let last_cosine_0 = m.angles[0].cos;
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
-                let last_sine_0 = m.turns[0].sin;
+                let last_sine_0 = m.angles[0].sin;
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t2 = last_angle_0
                     + (-last_sine_0)
                         .mul_add(crank_cos, last_cosine_0 * crank_sin)
                         .atan2(last_sine_0.mul_add(crank_sin, last_cosine_0 * crank_cos));
-                memory.turns[0].angle = t2;
+                memory.angles[0].angle = t2;
                 let (sin_t2, cos_t2) = t2.sin_cos();
-                memory.turns[0].cos = cos_t2;
-                memory.turns[0].sin = sin_t2;
-                memory.turns[1].angle = rocker_angle;
-                memory.turns[1].cos = cos_rocker_angle;
-                memory.turns[1].sin = sin_rocker_angle;
-                let last_angle_2 = m.turns[2].angle;
-                let last_cosine_2 = m.turns[2].cos;
+                memory.angles[0].cos = cos_t2;
+                memory.angles[0].sin = sin_t2;
+                memory.angles[1].angle = rocker_angle;
+                memory.angles[1].cos = cos_rocker_angle;
+                memory.angles[1].sin = sin_rocker_angle;
+                let last_angle_2 = m.angles[2].angle;
+                let last_cosine_2 = m.angles[2].cos;
                 let coupler_sin = lit(1.1111111111111112) * -(loop_0_y + crank_arm_y);
-                let last_sine_2 = m.turns[2].sin;
+                let last_sine_2 = m.angles[2].sin;
                 let coupler_cos = lit(1.1111111111111112) * -(loop_0_x + crank_arm_x);
                 let t3 = last_angle_2
                     + (-last_sine_2)
                         .mul_add(coupler_cos, last_cosine_2 * coupler_sin)
                         .atan2(last_sine_2.mul_add(coupler_sin, last_cosine_2 * coupler_cos));
-                memory.turns[2].angle = t3;
+                memory.angles[2].angle = t3;
                 let (sin_t3, cos_t3) = t3.sin_cos();
-                memory.turns[2].cos = cos_t3;
-                memory.turns[2].sin = sin_t3;
-                memory.areas[0] = area_0;
+                memory.angles[2].cos = cos_t3;
+                memory.angles[2].sin = sin_t3;
+                memory.determinants[0] = area_0;
                 lit(13.717421124828531) * square_0
             }
 
@@ -2356,7 +2368,7 @@ mod plm_four_bar_ {
                 t: S,
                 q: &[S; 9],
                 v: &[S; 9],
-                memory: &mut rt::charts::Memory<S, 1, 3, 1, 0>,
+                memory: &mut rt::charts::Continuation<S, 1, 3, 1, 0>,
             ) -> S {
                 let crank_angle = q[2];
                 let coupler_angle = q[5];
@@ -2366,21 +2378,21 @@ mod plm_four_bar_ {
                 memory.coordinates[0].reach = lit(0.0);
                 memory.time.last = t;
                 memory.time.reach = lit(0.0);
-                memory.turns[0].angle = crank_angle;
+                memory.angles[0].angle = crank_angle;
                 let (
                     [sin_crank_angle, sin_rocker_angle, sin_coupler_angle],
                     [cos_crank_angle, cos_rocker_angle, cos_coupler_angle],
                 ) = S::sin_cos_all([crank_angle, rocker_angle, coupler_angle]);
-                memory.turns[0].cos = cos_crank_angle;
-                memory.turns[0].sin = sin_crank_angle;
-                memory.turns[1].angle = rocker_angle;
-                memory.turns[1].cos = cos_rocker_angle;
-                memory.turns[1].sin = sin_rocker_angle;
-                memory.turns[2].angle = coupler_angle;
-                memory.turns[2].cos = cos_coupler_angle;
-                memory.turns[2].sin = sin_coupler_angle;
+                memory.angles[0].cos = cos_crank_angle;
+                memory.angles[0].sin = sin_crank_angle;
+                memory.angles[1].angle = rocker_angle;
+                memory.angles[1].cos = cos_rocker_angle;
+                memory.angles[1].sin = sin_rocker_angle;
+                memory.angles[2].angle = coupler_angle;
+                memory.angles[2].cos = cos_coupler_angle;
+                memory.angles[2].sin = sin_coupler_angle;
                 let t1 = (-cos_crank_angle).mul_add(sin_coupler_angle, sin_crank_angle * cos_coupler_angle);
-                memory.areas[0] = lit(-0.27) * t1;
+                memory.determinants[0] = lit(-0.27) * t1;
                 t1 * t1
             }
 
@@ -2393,11 +2405,11 @@ mod plm_four_bar_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                m: &rt::charts::Continuation<S, 1, 3, 1, 0>,
                 x: &[S; 2],
                 dx: &mut [S; 2],
             ) -> S {
-                let [last_area_0, ..] = m.areas;
+                let [last_area_0, ..] = m.determinants;
                 let [coupler_angle, coupler_omega, ..] = *x;
                 let lit = S::lit;
                 // Masses and forces along the coordinates: M a = Q
@@ -2457,7 +2469,7 @@ mod plm_four_bar_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                m: &rt::charts::Continuation<S, 1, 3, 1, 0>,
                 x: &[S; 2],
                 q: &mut [S; 9],
                 v: &mut [S; 9],
@@ -2471,7 +2483,7 @@ mod plm_four_bar_ {
                 let along_0 = lit(-0.5) * (distance_0 - lit(0.4));
                 let inverse_0 = lit(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
-                let last_area_0 = m.areas[0];
+                let last_area_0 = m.determinants[0];
                 let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
                 let area_0 =
                     S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
@@ -2482,10 +2494,10 @@ mod plm_four_bar_ {
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_y = lit(0.5) * crank_arm_y;
                 q[1] = crank_y;
-                let last_angle_0 = m.turns[0].angle;
-                let last_cosine_0 = m.turns[0].cos;
+                let last_angle_0 = m.angles[0].angle;
+                let last_cosine_0 = m.angles[0].cos;
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
-                let last_sine_0 = m.turns[0].sin;
+                let last_sine_0 = m.angles[0].sin;
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
                     + (-last_sine_0)
@@ -2499,10 +2511,10 @@ mod plm_four_bar_ {
                 q[6] = lit(-0.5).mul_add(rocker_arm_x, lit(1.0));
                 let rocker_arm_y = -(loop_0_y + crank_arm_y);
                 q[7] = lit(-0.5) * rocker_arm_y;
-                let last_angle_1 = m.turns[1].angle;
-                let last_cosine_1 = m.turns[1].cos;
+                let last_angle_1 = m.angles[1].angle;
+                let last_cosine_1 = m.angles[1].cos;
                 let rocker_sin = lit(-1.4285714285714286) * rocker_arm_y;
-                let last_sine_1 = m.turns[1].sin;
+                let last_sine_1 = m.angles[1].sin;
                 let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
                 let t2 = last_angle_1
                     + (-last_sine_1)
@@ -2544,15 +2556,15 @@ mod plm_four_bar_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 1, 3, 1, 0>,
+                m: &rt::charts::Continuation<S, 1, 3, 1, 0>,
                 x: &[S; 2],
-                memory: &mut rt::charts::Memory<S, 1, 3, 1, 0>,
+                memory: &mut rt::charts::Continuation<S, 1, 3, 1, 0>,
             ) -> S {
                 let lit = S::lit;
                 let coupler_angle = x[0];
                 memory.coordinates[0].last = coupler_angle;
                 let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
-                let last_area_0 = m.areas[0];
+                let last_area_0 = m.determinants[0];
                 let loop_0_x = lit(0.9).mul_add(cos_coupler_angle, lit(-1.0));
                 let loop_0_y = lit(0.9) * sin_coupler_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
@@ -2578,38 +2590,38 @@ mod plm_four_bar_ {
                 memory.coordinates[0].reach = t1;
                 memory.time.last = t;
                 memory.time.reach = lit(1e30);
-                let last_angle_0 = m.turns[0].angle;
-                let last_cosine_0 = m.turns[0].cos;
+                let last_angle_0 = m.angles[0].angle;
+                let last_cosine_0 = m.angles[0].cos;
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let crank_sin = lit(3.3333333333333335) * crank_arm_y;
-                let last_sine_0 = m.turns[0].sin;
+                let last_sine_0 = m.angles[0].sin;
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let crank_cos = lit(3.3333333333333335) * crank_arm_x;
                 let t2 = last_angle_0
                     + (-last_sine_0)
                         .mul_add(crank_cos, last_cosine_0 * crank_sin)
                         .atan2(last_sine_0.mul_add(crank_sin, last_cosine_0 * crank_cos));
-                memory.turns[0].angle = t2;
+                memory.angles[0].angle = t2;
                 let (sin_t2, cos_t2) = t2.sin_cos();
-                memory.turns[0].cos = cos_t2;
-                memory.turns[0].sin = sin_t2;
-                let last_angle_1 = m.turns[1].angle;
-                let last_cosine_1 = m.turns[1].cos;
+                memory.angles[0].cos = cos_t2;
+                memory.angles[0].sin = sin_t2;
+                let last_angle_1 = m.angles[1].angle;
+                let last_cosine_1 = m.angles[1].cos;
                 let rocker_sin = lit(-1.4285714285714286) * -(loop_0_y + crank_arm_y);
-                let last_sine_1 = m.turns[1].sin;
+                let last_sine_1 = m.angles[1].sin;
                 let rocker_cos = lit(-1.4285714285714286) * -(loop_0_x + crank_arm_x);
                 let t3 = last_angle_1
                     + (-last_sine_1)
                         .mul_add(rocker_cos, last_cosine_1 * rocker_sin)
                         .atan2(last_sine_1.mul_add(rocker_sin, last_cosine_1 * rocker_cos));
-                memory.turns[1].angle = t3;
+                memory.angles[1].angle = t3;
                 let (sin_t3, cos_t3) = t3.sin_cos();
-                memory.turns[1].cos = cos_t3;
-                memory.turns[1].sin = sin_t3;
-                memory.turns[2].angle = coupler_angle;
-                memory.turns[2].cos = cos_coupler_angle;
-                memory.turns[2].sin = sin_coupler_angle;
-                memory.areas[0] = area_0;
+                memory.angles[1].cos = cos_t3;
+                memory.angles[1].sin = sin_t3;
+                memory.angles[2].angle = coupler_angle;
+                memory.angles[2].cos = cos_coupler_angle;
+                memory.angles[2].sin = sin_coupler_angle;
+                memory.determinants[0] = area_0;
                 lit(22.675736961451246) * square_0
             }
 
@@ -2622,7 +2634,7 @@ mod plm_four_bar_ {
                 t: S,
                 q: &[S; 9],
                 v: &[S; 9],
-                memory: &mut rt::charts::Memory<S, 1, 3, 1, 0>,
+                memory: &mut rt::charts::Continuation<S, 1, 3, 1, 0>,
             ) -> S {
                 let crank_angle = q[2];
                 let coupler_angle = q[5];
@@ -2632,21 +2644,21 @@ mod plm_four_bar_ {
                 memory.coordinates[0].reach = lit(0.0);
                 memory.time.last = t;
                 memory.time.reach = lit(0.0);
-                memory.turns[0].angle = crank_angle;
+                memory.angles[0].angle = crank_angle;
                 let (
                     [sin_crank_angle, sin_rocker_angle, sin_coupler_angle],
                     [cos_crank_angle, cos_rocker_angle, cos_coupler_angle],
                 ) = S::sin_cos_all([crank_angle, rocker_angle, coupler_angle]);
-                memory.turns[0].cos = cos_crank_angle;
-                memory.turns[0].sin = sin_crank_angle;
-                memory.turns[1].angle = rocker_angle;
-                memory.turns[1].cos = cos_rocker_angle;
-                memory.turns[1].sin = sin_rocker_angle;
-                memory.turns[2].angle = coupler_angle;
-                memory.turns[2].cos = cos_coupler_angle;
-                memory.turns[2].sin = sin_coupler_angle;
+                memory.angles[0].cos = cos_crank_angle;
+                memory.angles[0].sin = sin_crank_angle;
+                memory.angles[1].angle = rocker_angle;
+                memory.angles[1].cos = cos_rocker_angle;
+                memory.angles[1].sin = sin_rocker_angle;
+                memory.angles[2].angle = coupler_angle;
+                memory.angles[2].cos = cos_coupler_angle;
+                memory.angles[2].sin = sin_coupler_angle;
                 let t1 = (-cos_crank_angle).mul_add(sin_rocker_angle, sin_crank_angle * cos_rocker_angle);
-                memory.areas[0] = lit(0.21) * t1;
+                memory.determinants[0] = lit(0.21) * t1;
                 t1 * t1
             }
         }

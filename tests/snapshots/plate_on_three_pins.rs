@@ -79,7 +79,7 @@ mod plm_plate_on_three_pins_ {
             Input<S>,
             [S; 0],
             [<S as Scalar>::Turns; 1],
-            rt::charts::OfLoops<rt::charts::Memory<S, 0, 4, 1, 4>, [S; 12]>,
+            rt::charts::OfLoops<rt::charts::Continuation<S, 0, 4, 1, 4>, [S; 12]>,
         >;
 
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
@@ -91,7 +91,7 @@ mod plm_plate_on_three_pins_ {
                 Input<S>,
                 [S; 0],
                 [i32; 1],
-                rt::charts::OfLoops<rt::charts::Memory<S, 0, 4, 1, 4>, [S; 12]>,
+                rt::charts::OfLoops<rt::charts::Continuation<S, 0, 4, 1, 4>, [S; 12]>,
             >,
             time: S,
             x: [S; 0],
@@ -445,20 +445,20 @@ mod plm_plate_on_three_pins_ {
             type Input = Input<S>;
             type Switches = [S; 0];
             type Turns = [i32; 1];
-            const COUNTED: &'static [rt::charts::Counted] =
-                &[rt::charts::Counted { coordinates: &[&[]], remembered: &[3], followed: &[0] }];
+            const REVOLUTIONS: &'static [rt::charts::Revolutions] =
+                &[rt::charts::Revolutions { coordinates: &[&[]], angles: &[3], iterated: &[0] }];
             const LOOSE: bool = false;
-            type Memory = rt::charts::Memory<S, 0, 4, 1, 4>;
+            type Continuation = rt::charts::Continuation<S, 0, 4, 1, 4>;
             type Q = [S; 12];
             const CHARTS: usize = 1;
             const TURNING: &'static [&'static str] = &["crank[0]", "crank[1]", "crank[2]", "plate"];
             const FOUND: &'static [&'static [usize]] = &[&[3]];
-            const FOLLOWED: &'static [&'static str] = &["plate", "slot[0]", "slot[1]", "slot[2]"];
+            const ITERATED: &'static [&'static str] = &["plate", "slot[0]", "slot[1]", "slot[2]"];
             const CLOSING: &'static [&'static [&'static str]] = &[&["o[1]"]];
             fn pose(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 12], [S; 12], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 12], [S::lit(0.0); 12]);
                 let measure = match &held.of_loops {
-                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                    rt::charts::OfLoops::InChart { continuation: m, .. } => {
                         self.pose_0(t, held, m, x, &mut q, &mut v)
                     }
                     rt::charts::OfLoops::Free { q: free_q, v: free_v } => {
@@ -469,12 +469,18 @@ mod plm_plate_on_three_pins_ {
                 (q, v, measure)
             }
 
-            fn remember(&self, t: S, held: &Self::U, x: &[S; 0]) -> (Self::Memory, S) {
+            fn continuation(&self, t: S, held: &Self::U, x: &[S; 0]) -> (Self::Continuation, S) {
                 self.remember_(t, held, x)
             }
 
-            fn remember_pose(&self, chart: usize, t: S, q: &[S; 12], v: &[S; 12]) -> (Self::Memory, S) {
-                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
+            fn continuation_at(
+                &self,
+                chart: usize,
+                t: S,
+                q: &[S; 12],
+                v: &[S; 12],
+            ) -> (Self::Continuation, S) {
+                let mut memory: Self::Continuation = rt::charts::ContinuationData::nothing();
                 let measure = self.remember_pose_0(t, q, v, &mut memory);
                 (memory, measure)
             }
@@ -485,10 +491,16 @@ mod plm_plate_on_three_pins_ {
         }
 
         impl<S: Scalar> PlateOnThreePins<S> {
-            fn remember_(&self, t: S, held: &Held<S>, x: &[S; 0]) -> (rt::charts::Memory<S, 0, 4, 1, 4>, S) {
-                let mut memory: rt::charts::Memory<S, 0, 4, 1, 4> = rt::charts::Remembered::nothing();
+            fn remember_(
+                &self,
+                t: S,
+                held: &Held<S>,
+                x: &[S; 0],
+            ) -> (rt::charts::Continuation<S, 0, 4, 1, 4>, S) {
+                let mut memory: rt::charts::Continuation<S, 0, 4, 1, 4> =
+                    rt::charts::ContinuationData::nothing();
                 let measure = match &held.of_loops {
-                    rt::charts::OfLoops::InChart { memory: m, .. } => {
+                    rt::charts::OfLoops::InChart { continuation: m, .. } => {
                         self.remember_0(t, held, m, x, &mut memory)
                     }
                     rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
@@ -505,7 +517,7 @@ mod plm_plate_on_three_pins_ {
             #[inline]
             fn rate(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> rt::Health<S> {
                 rt::Health(match &u.of_loops {
-                    rt::charts::OfLoops::InChart { memory: m, .. } => self.motion_0(t, u, m, x, dx),
+                    rt::charts::OfLoops::InChart { continuation: m, .. } => self.motion_0(t, u, m, x, dx),
                     rt::charts::OfLoops::Free { q: free_q, v: free_v } => S::lit(0.0),
                 })
             }
@@ -520,7 +532,7 @@ mod plm_plate_on_three_pins_ {
                 dx: &mut [[S; 0]; 2],
                 second: impl FnOnce(&[S; 0]) -> [S; 0],
             ) -> rt::Health<S> {
-                let rt::charts::OfLoops::InChart { chart: 0, memory: m } = &u.of_loops else {
+                let rt::charts::OfLoops::InChart { chart: 0, continuation: m } = &u.of_loops else {
                     let (k, health) = rt::system::rate_aside(self, t[0], u, *x[0]);
                     dx[0] = k;
                     let (k, other) = rt::system::rate_aside(self, t[1], u, second(&k));
@@ -543,7 +555,7 @@ mod plm_plate_on_three_pins_ {
             /// Values of the poses of two stages that their rates share. Compilers begin to build vectors where results are stored: a
             /// function of its own.
             #[inline(never)]
-            fn of_two_poses(m: &rt::charts::Memory<S, 0, 4, 1, 4>, t: Two<S>) -> [Two<S>; 1] {
+            fn of_two_poses(m: &rt::charts::Continuation<S, 0, 4, 1, 4>, t: Two<S>) -> [Two<S>; 1] {
                 let x: &[Two<S>; 0] = &[];
                 let lit = Two::<S>::lit;
                 let crank_0_angle = lit(0.4) * (lit(3.0) * t).sin();
@@ -551,17 +563,17 @@ mod plm_plate_on_three_pins_ {
                 let crank_1_angle = lit(0.3) * (lit(2.0) * t).cos();
                 let (sin_crank_1_angle, cos_crank_1_angle) = crank_1_angle.sin_cos();
                 let loop_0_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_1_angle, lit(-1.0));
-                let last_cosine_3 = Two::both(m.turns[3].cos);
+                let last_cosine_3 = Two::both(m.angles[3].cos);
                 let last_0 = Two::both(m.time.last);
                 let since_remembered = t - last_0;
-                let last_rate_3 = Two::both(m.followed[0].rate);
-                let last_bend_3 = Two::both(m.followed[0].bend);
+                let last_rate_3 = Two::both(m.iterated[0].rate);
+                let last_bend_3 = Two::both(m.iterated[0].bend);
                 let t1 = since_remembered * last_bend_3.mul_add(since_remembered, last_rate_3);
                 let plate_angle_expected_tangent =
                     t1 * (lit(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
-                let last_sine_3 = Two::both(m.turns[3].sin);
+                let last_sine_3 = Two::both(m.angles[3].sin);
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
                     .mul_add(last_cosine_3.mul_add(plate_angle_expected_tangent, last_sine_3), last_cosine_3);
                 let plate_angle_expected_sin = plate_angle_expected_sine.mul_add(
@@ -577,15 +589,15 @@ mod plm_plate_on_three_pins_ {
                 let t5 = lit(-0.17364817766693033)
                     .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t4.mul_add(t5, t2 * t3);
-                let last_value_4 = Two::both(m.followed[1].value);
-                let last_rate_4 = Two::both(m.followed[1].rate);
-                let last_bend_4 = Two::both(m.followed[1].bend);
+                let last_value_4 = Two::both(m.iterated[1].value);
+                let last_rate_4 = Two::both(m.iterated[1].rate);
+                let last_bend_4 = Two::both(m.iterated[1].bend);
                 let slot_0_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_4.mul_add(since_remembered, last_rate_4), last_value_4);
-                let last_value_5 = Two::both(m.followed[2].value);
-                let last_rate_5 = Two::both(m.followed[2].rate);
-                let last_bend_5 = Two::both(m.followed[2].bend);
+                let last_value_5 = Two::both(m.iterated[2].value);
+                let last_rate_5 = Two::both(m.iterated[2].rate);
+                let last_bend_5 = Two::both(m.iterated[2].bend);
                 let slot_1_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_5.mul_add(since_remembered, last_rate_5), last_value_5);
@@ -601,9 +613,9 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t10, arm0_0_4_y * t11);
                 let j0_0_across_0_1 = t4.mul_add(t11, t2 * t10);
-                let last_value_6 = Two::both(m.followed[3].value);
-                let last_rate_6 = Two::both(m.followed[3].rate);
-                let last_bend_6 = Two::both(m.followed[3].bend);
+                let last_value_6 = Two::both(m.iterated[3].value);
+                let last_rate_6 = Two::both(m.iterated[3].rate);
+                let last_bend_6 = Two::both(m.iterated[3].bend);
                 let slot_2_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_6.mul_add(since_remembered, last_rate_6), last_value_6);
@@ -821,7 +833,7 @@ mod plm_plate_on_three_pins_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 0, 4, 1, 4>,
+                m: &rt::charts::Continuation<S, 0, 4, 1, 4>,
                 x: &[S; 0],
                 shared: &[Two<S>; 1],
                 dx: &mut [S; 0],
@@ -873,29 +885,29 @@ mod plm_plate_on_three_pins_ {
         }
 
         #[doc(hidden)]
-        impl<S: Real> rt::singular::Fine<12, 12, 24> for PlateOnThreePins<S> {
-            type Twofold = PlateOnThreePins<rt::Twofold<S>>;
-            type Inputs = Held<rt::Twofold<S>>;
+        impl<S: Real> rt::singular::ExtendedPrecision<12, 12, 24> for PlateOnThreePins<S> {
+            type Extended = PlateOnThreePins<rt::DoubleDouble<S>>;
+            type Inputs = Held<rt::DoubleDouble<S>>;
 
-            fn fine(&self) -> Self::Twofold {
-                rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::Twofold::written(s))
+            fn extended(&self) -> Self::Extended {
+                rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::DoubleDouble::written(s))
             }
 
-            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
+            fn extended_with_inputs(&self, held: &Self::U) -> (Self::Extended, Self::Inputs) {
                 use rt::lanes::Pack;
-                (self.fine(), Self::pack_held(held, [held], |[s]: [S; 1]| rt::Twofold::of(s)))
+                (self.extended(), Self::pack_held(held, [held], |[s]: [S; 1]| rt::DoubleDouble::of(s)))
             }
 
             #[cold]
             fn accelerate(
-                fine: &Self::Twofold,
-                t: rt::Twofold<S>,
+                extended: &Self::Extended,
+                t: rt::DoubleDouble<S>,
                 u: &Self::Inputs,
-                x: &[rt::Twofold<S>; 24],
-                dx: &mut [rt::Twofold<S>; 24],
+                x: &[rt::DoubleDouble<S>; 24],
+                dx: &mut [rt::DoubleDouble<S>; 24],
             ) {
-                let mut lambda = [rt::Twofold::<S>::lit(0.0); 12];
-                fine.dynamics(t, u, x, dx, &mut lambda);
+                let mut lambda = [rt::DoubleDouble::<S>::lit(0.0); 12];
+                extended.dynamics(t, u, x, dx, &mut lambda);
             }
 
             const CHARTED: bool = true;
@@ -984,7 +996,7 @@ mod plm_plate_on_three_pins_ {
 
         impl<S: Real> rt::Mechanism for PlateOnThreePins<S> {
             type State = State<S>;
-            type Rescue = rt::singular::Near<Self, 12, 12, 24>;
+            type Rescue = rt::singular::NearSingular<Self, 12, 12, 24>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
             fn start_state(&self, t: S) -> Result<(Held<S>, [S; 0]), Fault> {
                 self.start_holding_(t, self.declared_input())
@@ -1004,7 +1016,7 @@ mod plm_plate_on_three_pins_ {
                     turns: [0; 1],
                     of_loops: rt::charts::OfLoops::InChart {
                         chart: 0,
-                        memory: rt::charts::Remembered::nothing(),
+                        continuation: rt::charts::ContinuationData::nothing(),
                     },
                 }
             }
@@ -3028,7 +3040,7 @@ mod plm_plate_on_three_pins_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 0, 4, 1, 4>,
+                m: &rt::charts::Continuation<S, 0, 4, 1, 4>,
                 x: &[S; 0],
                 dx: &mut [S; 0],
             ) -> S {
@@ -3039,17 +3051,17 @@ mod plm_plate_on_three_pins_ {
                 let crank_1_angle = lit(0.3) * (lit(2.0) * t).cos();
                 let (sin_crank_1_angle, cos_crank_1_angle) = crank_1_angle.sin_cos();
                 let loop_0_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_1_angle, lit(-1.0));
-                let last_cosine_3 = m.turns[3].cos;
+                let last_cosine_3 = m.angles[3].cos;
                 let last_0 = m.time.last;
                 let since_remembered = t - last_0;
-                let last_rate_3 = m.followed[0].rate;
-                let last_bend_3 = m.followed[0].bend;
+                let last_rate_3 = m.iterated[0].rate;
+                let last_bend_3 = m.iterated[0].bend;
                 let t1 = since_remembered * last_bend_3.mul_add(since_remembered, last_rate_3);
                 let plate_angle_expected_tangent =
                     t1 * (lit(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
-                let last_sine_3 = m.turns[3].sin;
+                let last_sine_3 = m.angles[3].sin;
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
                     .mul_add(last_cosine_3.mul_add(plate_angle_expected_tangent, last_sine_3), last_cosine_3);
                 let plate_angle_expected_sin = plate_angle_expected_sine.mul_add(
@@ -3065,15 +3077,15 @@ mod plm_plate_on_three_pins_ {
                 let t5 = lit(-0.17364817766693033)
                     .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t4.mul_add(t5, t2 * t3);
-                let last_value_4 = m.followed[1].value;
-                let last_rate_4 = m.followed[1].rate;
-                let last_bend_4 = m.followed[1].bend;
+                let last_value_4 = m.iterated[1].value;
+                let last_rate_4 = m.iterated[1].rate;
+                let last_bend_4 = m.iterated[1].bend;
                 let slot_0_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_4.mul_add(since_remembered, last_rate_4), last_value_4);
-                let last_value_5 = m.followed[2].value;
-                let last_rate_5 = m.followed[2].rate;
-                let last_bend_5 = m.followed[2].bend;
+                let last_value_5 = m.iterated[2].value;
+                let last_rate_5 = m.iterated[2].rate;
+                let last_bend_5 = m.iterated[2].bend;
                 let slot_1_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_5.mul_add(since_remembered, last_rate_5), last_value_5);
@@ -3089,9 +3101,9 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t10, arm0_0_4_y * t11);
                 let j0_0_across_0_1 = t4.mul_add(t11, t2 * t10);
-                let last_value_6 = m.followed[3].value;
-                let last_rate_6 = m.followed[3].rate;
-                let last_bend_6 = m.followed[3].bend;
+                let last_value_6 = m.iterated[3].value;
+                let last_rate_6 = m.iterated[3].rate;
+                let last_bend_6 = m.iterated[3].bend;
                 let slot_2_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_6.mul_add(since_remembered, last_rate_6), last_value_6);
@@ -3310,7 +3322,7 @@ mod plm_plate_on_three_pins_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 0, 4, 1, 4>,
+                m: &rt::charts::Continuation<S, 0, 4, 1, 4>,
                 x: &[S; 0],
                 q: &mut [S; 12],
                 v: &mut [S; 12],
@@ -3341,17 +3353,17 @@ mod plm_plate_on_three_pins_ {
                 q[6] = t5 + lit(0.5);
                 q[7] = lit(0.1).mul_add(sin_crank_2_angle, lit(0.9));
                 q[8] = crank_2_angle;
-                let last_cosine_3 = m.turns[3].cos;
+                let last_cosine_3 = m.angles[3].cos;
                 let last_0 = m.time.last;
                 let since_remembered = t - last_0;
-                let last_rate_3 = m.followed[0].rate;
-                let last_bend_3 = m.followed[0].bend;
+                let last_rate_3 = m.iterated[0].rate;
+                let last_bend_3 = m.iterated[0].bend;
                 let t6 = since_remembered * last_bend_3.mul_add(since_remembered, last_rate_3);
                 let plate_angle_expected_tangent =
                     t6 * (lit(0.041666666666666664) * t6).mul_add(t6, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
-                let last_sine_3 = m.turns[3].sin;
+                let last_sine_3 = m.angles[3].sin;
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
                     .mul_add(last_cosine_3.mul_add(plate_angle_expected_tangent, last_sine_3), last_cosine_3);
                 let plate_angle_expected_sin = plate_angle_expected_sine.mul_add(
@@ -3367,15 +3379,15 @@ mod plm_plate_on_three_pins_ {
                 let t10 = lit(-0.17364817766693033)
                     .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t9.mul_add(t10, t7 * t8);
-                let last_value_4 = m.followed[1].value;
-                let last_rate_4 = m.followed[1].rate;
-                let last_bend_4 = m.followed[1].bend;
+                let last_value_4 = m.iterated[1].value;
+                let last_rate_4 = m.iterated[1].rate;
+                let last_bend_4 = m.iterated[1].bend;
                 let slot_0_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_4.mul_add(since_remembered, last_rate_4), last_value_4);
-                let last_value_5 = m.followed[2].value;
-                let last_rate_5 = m.followed[2].rate;
-                let last_bend_5 = m.followed[2].bend;
+                let last_value_5 = m.iterated[2].value;
+                let last_rate_5 = m.iterated[2].rate;
+                let last_bend_5 = m.iterated[2].bend;
                 let slot_1_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_5.mul_add(since_remembered, last_rate_5), last_value_5);
@@ -3391,9 +3403,9 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t15, arm0_0_4_y * t16);
                 let j0_0_across_0_1 = t9.mul_add(t16, t7 * t15);
-                let last_value_6 = m.followed[3].value;
-                let last_rate_6 = m.followed[3].rate;
-                let last_bend_6 = m.followed[3].bend;
+                let last_value_6 = m.iterated[3].value;
+                let last_rate_6 = m.iterated[3].rate;
+                let last_bend_6 = m.iterated[3].bend;
                 let slot_2_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_6.mul_add(since_remembered, last_rate_6), last_value_6);
@@ -3558,7 +3570,7 @@ mod plm_plate_on_three_pins_ {
                 q[9] = crank_0_x + crank_0_x - t41;
                 let t42 = plate_angle_2_cos.mul_add(t40, plate_angle_2_sin * t38);
                 q[10] = crank_0_y + crank_0_y - t42;
-                let last_angle_3 = m.turns[3].angle;
+                let last_angle_3 = m.angles[3].angle;
                 let t43 = last_angle_3
                     + (-last_sine_3)
                         .mul_add(plate_angle_2_cos, last_cosine_3 * plate_angle_2_sin)
@@ -3670,23 +3682,23 @@ mod plm_plate_on_three_pins_ {
                 &self,
                 t: S,
                 u: &Held<S>,
-                m: &rt::charts::Memory<S, 0, 4, 1, 4>,
+                m: &rt::charts::Continuation<S, 0, 4, 1, 4>,
                 x: &[S; 0],
-                memory: &mut rt::charts::Memory<S, 0, 4, 1, 4>,
+                memory: &mut rt::charts::Continuation<S, 0, 4, 1, 4>,
             ) -> S {
                 let lit = S::lit;
                 memory.time.last = t;
-                let last_cosine_3 = m.turns[3].cos;
+                let last_cosine_3 = m.angles[3].cos;
                 let last_0 = m.time.last;
                 let since_remembered = t - last_0;
-                let last_rate_3 = m.followed[0].rate;
-                let last_bend_3 = m.followed[0].bend;
+                let last_rate_3 = m.iterated[0].rate;
+                let last_bend_3 = m.iterated[0].bend;
                 let t1 = since_remembered * last_bend_3.mul_add(since_remembered, last_rate_3);
                 let plate_angle_expected_tangent =
                     t1 * (lit(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
                 let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
-                let last_sine_3 = m.turns[3].sin;
+                let last_sine_3 = m.angles[3].sin;
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
                     .mul_add(last_cosine_3.mul_add(plate_angle_expected_tangent, last_sine_3), last_cosine_3);
                 let plate_angle_expected_sin = plate_angle_expected_sine.mul_add(
@@ -3702,15 +3714,15 @@ mod plm_plate_on_three_pins_ {
                 let t5 = lit(-0.17364817766693033)
                     .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t4.mul_add(t5, t2 * t3);
-                let last_value_4 = m.followed[1].value;
-                let last_rate_4 = m.followed[1].rate;
-                let last_bend_4 = m.followed[1].bend;
+                let last_value_4 = m.iterated[1].value;
+                let last_rate_4 = m.iterated[1].rate;
+                let last_bend_4 = m.iterated[1].bend;
                 let slot_0_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_4.mul_add(since_remembered, last_rate_4), last_value_4);
-                let last_value_5 = m.followed[2].value;
-                let last_rate_5 = m.followed[2].rate;
-                let last_bend_5 = m.followed[2].bend;
+                let last_value_5 = m.iterated[2].value;
+                let last_rate_5 = m.iterated[2].rate;
+                let last_bend_5 = m.iterated[2].bend;
                 let slot_1_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_5.mul_add(since_remembered, last_rate_5), last_value_5);
@@ -3726,9 +3738,9 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t10, arm0_0_4_y * t11);
                 let j0_0_across_0_1 = t4.mul_add(t11, t2 * t10);
-                let last_value_6 = m.followed[3].value;
-                let last_rate_6 = m.followed[3].rate;
-                let last_bend_6 = m.followed[3].bend;
+                let last_value_6 = m.iterated[3].value;
+                let last_rate_6 = m.iterated[3].rate;
+                let last_bend_6 = m.iterated[3].bend;
                 let slot_2_displacement_expected = lit(0.4)
                     * since_remembered
                         .mul_add(last_bend_6.mul_add(since_remembered, last_rate_6), last_value_6);
@@ -3989,37 +4001,37 @@ mod plm_plate_on_three_pins_ {
                         (t64 * j_0_time_rate_2.abs()).max((t57 * t62).max(t64 * j_0_time_rate_1.abs())),
                     ));
                 memory.time.reach = lit(-0.1) / t66;
-                memory.turns[0].angle = crank_0_angle;
-                memory.turns[0].cos = cos_crank_0_angle;
-                memory.turns[0].sin = sin_crank_0_angle;
-                memory.turns[1].angle = crank_1_angle;
-                memory.turns[1].cos = cos_crank_1_angle;
-                memory.turns[1].sin = sin_crank_1_angle;
-                memory.turns[2].angle = crank_2_angle;
-                memory.turns[2].cos = cos_crank_2_angle;
-                memory.turns[2].sin = sin_crank_2_angle;
-                let last_angle_3 = m.turns[3].angle;
+                memory.angles[0].angle = crank_0_angle;
+                memory.angles[0].cos = cos_crank_0_angle;
+                memory.angles[0].sin = sin_crank_0_angle;
+                memory.angles[1].angle = crank_1_angle;
+                memory.angles[1].cos = cos_crank_1_angle;
+                memory.angles[1].sin = sin_crank_1_angle;
+                memory.angles[2].angle = crank_2_angle;
+                memory.angles[2].cos = cos_crank_2_angle;
+                memory.angles[2].sin = sin_crank_2_angle;
+                let last_angle_3 = m.angles[3].angle;
                 let t67 = last_angle_3
                     + (-last_sine_3)
                         .mul_add(plate_angle_2_cos, last_cosine_3 * plate_angle_2_sin)
                         .atan2(last_sine_3.mul_add(plate_angle_2_sin, last_cosine_3 * plate_angle_2_cos));
-                memory.turns[3].angle = t67;
+                memory.angles[3].angle = t67;
                 let (sin_t67, cos_t67) = t67.sin_cos();
-                memory.turns[3].cos = cos_t67;
-                memory.turns[3].sin = sin_t67;
-                memory.areas[0] = t61;
-                memory.followed[0].value = t67;
-                memory.followed[0].rate = -j_0_time_rate_0;
-                memory.followed[0].bend = lit(0.0);
-                memory.followed[1].value = lit(2.5) * slot_0_displacement_2;
-                memory.followed[1].rate = lit(-2.5) * j_0_time_rate_1;
-                memory.followed[1].bend = lit(0.0);
-                memory.followed[2].value = lit(2.5) * slot_1_displacement_2;
-                memory.followed[2].rate = lit(-2.5) * j_0_time_rate_2;
-                memory.followed[2].bend = lit(0.0);
-                memory.followed[3].value = lit(2.5) * slot_2_displacement_2;
-                memory.followed[3].rate = lit(-2.5) * j_0_time_rate_3;
-                memory.followed[3].bend = lit(0.0);
+                memory.angles[3].cos = cos_t67;
+                memory.angles[3].sin = sin_t67;
+                memory.determinants[0] = t61;
+                memory.iterated[0].value = t67;
+                memory.iterated[0].rate = -j_0_time_rate_0;
+                memory.iterated[0].bend = lit(0.0);
+                memory.iterated[1].value = lit(2.5) * slot_0_displacement_2;
+                memory.iterated[1].rate = lit(-2.5) * j_0_time_rate_1;
+                memory.iterated[1].bend = lit(0.0);
+                memory.iterated[2].value = lit(2.5) * slot_1_displacement_2;
+                memory.iterated[2].rate = lit(-2.5) * j_0_time_rate_2;
+                memory.iterated[2].bend = lit(0.0);
+                memory.iterated[3].value = lit(2.5) * slot_2_displacement_2;
+                memory.iterated[3].rate = lit(-2.5) * j_0_time_rate_3;
+                memory.iterated[3].bend = lit(0.0);
                 t60
             }
 
@@ -4032,13 +4044,13 @@ mod plm_plate_on_three_pins_ {
                 t: S,
                 q: &[S; 12],
                 v: &[S; 12],
-                memory: &mut rt::charts::Memory<S, 0, 4, 1, 4>,
+                memory: &mut rt::charts::Continuation<S, 0, 4, 1, 4>,
             ) -> S {
                 let lit = S::lit;
                 memory.time.last = t;
                 memory.time.reach = lit(0.0);
                 let crank_0_angle = q[2];
-                memory.turns[0].angle = crank_0_angle;
+                memory.angles[0].angle = crank_0_angle;
                 let crank_1_angle = q[5];
                 let crank_2_angle = q[8];
                 let plate_angle = q[11];
@@ -4046,17 +4058,17 @@ mod plm_plate_on_three_pins_ {
                     [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
                     [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
                 ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
-                memory.turns[0].cos = cos_crank_0_angle;
-                memory.turns[0].sin = sin_crank_0_angle;
-                memory.turns[1].angle = crank_1_angle;
-                memory.turns[1].cos = cos_crank_1_angle;
-                memory.turns[1].sin = sin_crank_1_angle;
-                memory.turns[2].angle = crank_2_angle;
-                memory.turns[2].cos = cos_crank_2_angle;
-                memory.turns[2].sin = sin_crank_2_angle;
-                memory.turns[3].angle = plate_angle;
-                memory.turns[3].cos = cos_plate_angle;
-                memory.turns[3].sin = sin_plate_angle;
+                memory.angles[0].cos = cos_crank_0_angle;
+                memory.angles[0].sin = sin_crank_0_angle;
+                memory.angles[1].angle = crank_1_angle;
+                memory.angles[1].cos = cos_crank_1_angle;
+                memory.angles[1].sin = sin_crank_1_angle;
+                memory.angles[2].angle = crank_2_angle;
+                memory.angles[2].cos = cos_crank_2_angle;
+                memory.angles[2].sin = sin_crank_2_angle;
+                memory.angles[3].angle = plate_angle;
+                memory.angles[3].cos = cos_plate_angle;
+                memory.angles[3].sin = sin_plate_angle;
                 let t1 = lit(0.8191520442889918)
                     .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
                 let t2 = lit(0.6427876096865393)
@@ -4117,12 +4129,12 @@ mod plm_plate_on_three_pins_ {
                 let t30 = j_0_determinant * j_0_determinant
                     / (j_0_across_1_1.mul_add(j_0_across_1_1, j_0_across_0_1 * j_0_across_0_1)
                         * j_0_across_1_0.mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_0_0));
-                memory.areas[0] = t30.sqrt();
-                memory.followed[0].value = plate_angle;
+                memory.determinants[0] = t30.sqrt();
+                memory.iterated[0].value = plate_angle;
                 let plate_omega = v[11];
-                memory.followed[0].rate = plate_omega;
-                memory.followed[0].bend = lit(0.0);
-                memory.followed[1].value = lit(2.5) * t13;
+                memory.iterated[0].rate = plate_omega;
+                memory.iterated[0].bend = lit(0.0);
+                memory.iterated[1].value = lit(2.5) * t13;
                 let t31 = plate_omega * sin_plate_angle;
                 let t32 = plate_omega * cos_plate_angle;
                 let crank_0_vx = v[0];
@@ -4143,9 +4155,9 @@ mod plm_plate_on_three_pins_ {
                     t34.mul_add(cos_crank_0_angle, crank_0_vy) + t37 - t36,
                     lit(-0.8191520442889918).mul_add(t32, lit(0.573576436351046) * t31).mul_add(t12, t38),
                 );
-                memory.followed[1].rate = lit(-2.5) * t39;
-                memory.followed[1].bend = lit(0.0);
-                memory.followed[2].value = lit(-2.5) * t20;
+                memory.iterated[1].rate = lit(-2.5) * t39;
+                memory.iterated[1].bend = lit(0.0);
+                memory.iterated[2].value = lit(-2.5) * t20;
                 let crank_1_vx = v[3];
                 let crank_1_omega = v[5];
                 let t40 = lit(0.1) * crank_1_omega;
@@ -4158,9 +4170,9 @@ mod plm_plate_on_three_pins_ {
                     t40.mul_add(cos_crank_1_angle, crank_1_vy - t37) - t36,
                     (-lit(0.766044443118978).mul_add(t32, lit(0.6427876096865393) * t31)).mul_add(t16, t41),
                 );
-                memory.followed[2].rate = lit(2.5) * t42;
-                memory.followed[2].bend = lit(0.0);
-                memory.followed[3].value = lit(-2.5) * t28;
+                memory.iterated[2].rate = lit(2.5) * t42;
+                memory.iterated[2].bend = lit(0.0);
+                memory.iterated[3].value = lit(-2.5) * t28;
                 let crank_2_vx = v[6];
                 let crank_2_omega = v[8];
                 let t43 = lit(0.1) * crank_2_omega;
@@ -4173,8 +4185,8 @@ mod plm_plate_on_three_pins_ {
                     t43.mul_add(cos_crank_2_angle, crank_2_vy - plate_vy + t35),
                     (-t25).mul_add(lit(0.17364817766693033).mul_add(t32, lit(0.984807753012208) * t31), t44),
                 );
-                memory.followed[3].rate = lit(2.5) * t45;
-                memory.followed[3].bend = lit(0.0);
+                memory.iterated[3].rate = lit(2.5) * t45;
+                memory.iterated[3].bend = lit(0.0);
                 t30
             }
         }

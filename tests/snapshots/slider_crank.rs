@@ -421,29 +421,29 @@ mod plm_slider_crank_ {
         }
 
         #[doc(hidden)]
-        impl<S: Real> rt::singular::Fine<9, 8, 18> for SliderCrank<S> {
-            type Twofold = SliderCrank<rt::Twofold<S>>;
-            type Inputs = Held<rt::Twofold<S>>;
+        impl<S: Real> rt::singular::ExtendedPrecision<9, 8, 18> for SliderCrank<S> {
+            type Extended = SliderCrank<rt::DoubleDouble<S>>;
+            type Inputs = Held<rt::DoubleDouble<S>>;
 
-            fn fine(&self) -> Self::Twofold {
-                rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::Twofold::written(s))
+            fn extended(&self) -> Self::Extended {
+                rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::DoubleDouble::written(s))
             }
 
-            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
+            fn extended_with_inputs(&self, held: &Self::U) -> (Self::Extended, Self::Inputs) {
                 use rt::lanes::Pack;
-                (self.fine(), Self::pack_held(held, [held], |[s]: [S; 1]| rt::Twofold::of(s)))
+                (self.extended(), Self::pack_held(held, [held], |[s]: [S; 1]| rt::DoubleDouble::of(s)))
             }
 
             #[cold]
             fn accelerate(
-                fine: &Self::Twofold,
-                t: rt::Twofold<S>,
+                extended: &Self::Extended,
+                t: rt::DoubleDouble<S>,
                 u: &Self::Inputs,
-                x: &[rt::Twofold<S>; 18],
-                dx: &mut [rt::Twofold<S>; 18],
+                x: &[rt::DoubleDouble<S>; 18],
+                dx: &mut [rt::DoubleDouble<S>; 18],
             ) {
-                let mut lambda = [rt::Twofold::<S>::lit(0.0); 8];
-                fine.dynamics(t, u, x, dx, &mut lambda);
+                let mut lambda = [rt::DoubleDouble::<S>::lit(0.0); 8];
+                extended.dynamics(t, u, x, dx, &mut lambda);
             }
 
             const CHARTED: bool = false;
@@ -530,7 +530,7 @@ mod plm_slider_crank_ {
 
         impl<S: Real> rt::Mechanism for SliderCrank<S> {
             type State = State<S>;
-            type Rescue = rt::singular::Near<Self, 9, 8, 18>;
+            type Rescue = rt::singular::NearSingular<Self, 9, 8, 18>;
             const WORKSPACE: usize = rt::workspace::of::<S, NQ, NC>();
             fn start_state(&self, t: S) -> Result<(Held<S>, [S; 18]), Fault> {
                 self.start_holding_(t, self.declared_input())

@@ -9,7 +9,7 @@ mod state;
 mod words;
 
 use plm_analysis::Linearisable;
-use plm_foreign::{Foreign, Kind, Status, Trouble};
+use plm_foreign::{Error, Foreign, Kind, Status};
 use plm_run::{AnySim, OnSim};
 use plm_runtime::described::by_number;
 use plm_runtime::held::Discrete;
@@ -44,7 +44,7 @@ impl<M: Runnable> Run<M> {
         method: Integrator,
         (parameters, starts): (&Numbers, &Numbers),
         time: f64,
-    ) -> Result<Self, Trouble> {
+    ) -> Result<Self, Error> {
         let mut mechanism = declared;
         finite(time)?;
         for (index, value) in parameters {
@@ -76,7 +76,7 @@ impl<M: Runnable> Run<M> {
     ///
     /// # Errors
     /// [`Status::NoSuch`], of start values too: they belong to the start.
-    pub fn get(&self, kind: Kind, index: usize) -> Result<f64, Trouble> {
+    pub fn get(&self, kind: Kind, index: usize) -> Result<f64, Error> {
         found(number::<M>(self.0.state(), kind, index))
     }
 
@@ -84,7 +84,7 @@ impl<M: Runnable> Run<M> {
     ///
     /// # Errors
     /// [`Status::NotFinite`], [`Status::NoSuch`]; [`Status::ReadOnly`] of all others.
-    pub fn set(&mut self, kind: Kind, index: usize, value: f64) -> Result<(), Trouble> {
+    pub fn set(&mut self, kind: Kind, index: usize, value: f64) -> Result<(), Error> {
         finite(value)?;
         self.get(kind, index)?;
         match kind {
@@ -99,7 +99,7 @@ impl<M: Runnable> Run<M> {
     ///
     /// # Errors
     /// [`Status::NoSuch`]
-    pub fn pose(&self, body: usize) -> Result<[f64; 6], Trouble> {
+    pub fn pose(&self, body: usize) -> Result<[f64; 6], Error> {
         found(M::pose(self.0.state(), body)).map(|pose| pose.components())
     }
 
@@ -142,11 +142,11 @@ fn number<M: Runnable>(state: &M::State, kind: Kind, index: usize) -> Option<f64
     }
 }
 
-fn found<T>(found: Option<T>) -> Result<T, Trouble> {
+fn found<T>(found: Option<T>) -> Result<T, Error> {
     found.ok_or(Status::NoSuch.into())
 }
 
-fn finite(value: f64) -> Result<f64, Trouble> {
+fn finite(value: f64) -> Result<f64, Error> {
     if value.is_finite() { Ok(value) } else { Err(Status::NotFinite.into()) }
 }
 

@@ -1,6 +1,6 @@
 //! A run as bytes, for files and for other processes: the format of [`plm_foreign::saved`], with the method before what it shows.
 
-use plm_foreign::{Status, Trouble, saved};
+use plm_foreign::{Error, Status, saved};
 use plm_run::Integrator;
 use plm_runtime::words::{InWords, Words};
 use plm_runtime::{Moment, Vector};
@@ -15,7 +15,7 @@ impl<M: Runnable> Run<M> {
     ///
     /// # Errors
     /// [`Status::Memory`]
-    pub fn save(&self) -> Result<Vec<u8>, Trouble> {
+    pub fn save(&self) -> Result<Vec<u8>, Error> {
         let own = Saved { mark: MARK, run: self.clone() };
         let mut bytes = vec![0; saved::size(own.clone())];
         saved::write::<M, _>(&own, &mut bytes)?;
@@ -26,7 +26,7 @@ impl<M: Runnable> Run<M> {
     ///
     /// # Errors
     /// [`Status::Damaged`], [`Status::OtherVersion`], [`Status::OtherMechanism`]
-    pub fn saved(declared: M, bytes: &[u8]) -> Result<Self, Trouble> {
+    pub fn saved(declared: M, bytes: &[u8]) -> Result<Self, Error> {
         let unstarted = M::State::new(declared, declared.unstarted(), 0.0, M::X::fill(0.0));
         Self(Box::new(Integrator::default().of(unstarted))).like(bytes)
     }
@@ -35,7 +35,7 @@ impl<M: Runnable> Run<M> {
     ///
     /// # Errors
     /// As [`saved`](Self::saved).
-    pub fn like(&self, bytes: &[u8]) -> Result<Self, Trouble> {
+    pub fn like(&self, bytes: &[u8]) -> Result<Self, Error> {
         let mut read = Saved { mark: MARK, run: self.clone() };
         saved::read::<M>(&mut read, bytes)?;
         if read.mark == MARK { Ok(read.run) } else { Err(Status::OtherMechanism.into()) }

@@ -7,17 +7,9 @@ use super::redundancy::{Dependencies, beside};
 use crate::fault::{Cause, Fault, Names};
 use crate::linalg::largest;
 use crate::scalar::Real;
+use crate::tolerances::{NEIGHBOUR_STEPS, OPEN_BY_ROUNDING, REPEATS, dependent};
 use crate::vector::Vector;
 use crate::workspace;
-
-/// Joints that repeat each other but for lengths that disagree depend on each other all but so much.
-const NEARLY: f64 = 1e-4;
-/// What stays open for want of agreement is above so many units in the last place of the size ...
-const ROUNDING: f64 = 64.0;
-/// ... and below this part of it: what is open wider does not repeat anything.
-const SMALL: f64 = 1e-5;
-/// Newton steps from a pose to one nearby.
-const STEPS: u32 = 16;
 
 /// The fault of lengths that repeat each other and disagree, if that is why joints do not close at a pose: nearby as well, where
 /// no pose singles itself out, constraint rows all but depend on others and stay open by little when those are closed.
@@ -31,15 +23,15 @@ pub(crate) fn disagreement<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, con
     if workspace::refusal::<S, NQ, NC>().is_some() {
         return None;
     }
-    let (free, nearly) = ([S::lit(1.0); NQ], S::lit(NEARLY).max(S::RANK_TOLERANCE));
+    let (free, nearly) = ([S::lit(1.0); NQ], dependent());
     let mut q = beside(q, &free, m.length());
-    for _ in 0..STEPS {
+    for _ in 0..NEIGHBOUR_STEPS {
         let dq = by_rank(m, (t, &q), &free, &m.phi(t, &q), nearly)?;
         q = Vector::from_fn(|i| q[i] - dq[i]);
     }
     let phi = m.phi(t, &q);
     let (gap, size) = (largest(&phi), m.length().max(largest(&q)));
-    if !(gap > S::lit(ROUNDING) * S::EPSILON * size && gap < S::lit(SMALL) * m.length()) {
+    if !(gap > OPEN_BY_ROUNDING.of::<S>() * S::EPSILON * size && gap < REPEATS.of::<S>() * m.length()) {
         return None;
     }
     let there = Dependencies::by_rank(m, (t, &q), &free, nearly).filter(|there| there.of_joints > 0)?;

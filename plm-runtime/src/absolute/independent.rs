@@ -2,6 +2,7 @@
 
 use crate::linalg::{add, dot, largest, rotate};
 use crate::scalar::Real;
+use crate::tolerances::dependent;
 
 /// Below this fraction of the largest a singular value counts as zero while the mechanism moves.
 ///
@@ -9,7 +10,7 @@ use crate::scalar::Real;
 /// near a change point would throw the mechanism onto another branch. Without that direction the bodies go straight on,
 /// and the projection at the end of the step takes care of the rest.
 pub(super) fn moving_tolerance<S: Real>() -> S {
-    S::lit(1e-4).max(S::RANK_TOLERANCE)
+    dependent()
 }
 
 /// The independent combinations of the rows of A = phi_q W^1/2, orthogonal to each other, with the same combinations of

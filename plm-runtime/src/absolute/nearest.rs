@@ -4,14 +4,8 @@ use super::newton::without_pivoting;
 use super::{Absolute, join, split};
 use crate::linalg::largest;
 use crate::scalar::Real;
+use crate::tolerances::{CLOSED_EXACTLY, CLOSING_STEPS, DISAGREEMENT};
 use crate::vector::Vector;
-
-/// Newton steps that are enough from any stage of a step.
-const ITERATIONS: usize = 16;
-/// A gap of so many units in the last place of the mechanism's size is closed.
-const CLOSED: f64 = 1e4;
-/// Lengths that repeat each other may disagree so that they leave gaps of this part of the mechanism's length.
-const DISAGREE: f64 = 1e-9;
 
 /// Leads a state [q, v, first-order states] onto phi = 0 and phi_q v = nu by the shortest way in the metric of the masses;
 /// false where no way is found.
@@ -41,9 +35,10 @@ pub(crate) fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: 
     w: &[S; NQ],
 ) -> bool {
     let size = m.length().max(largest(q));
-    let (closed, disagree) = (S::lit(CLOSED) * S::EPSILON * size, S::lit(DISAGREE) * m.length());
+    let (closed, disagree) =
+        (CLOSED_EXACTLY.of::<S>() * S::EPSILON * size, DISAGREEMENT.of::<S>() * m.length());
     let mut before = S::INFINITY;
-    for _ in 0..ITERATIONS {
+    for _ in 0..CLOSING_STEPS {
         let r = m.phi(t, q);
         let gap = largest(&r);
         if gap <= closed || (gap <= disagree && S::lit(2.0) * gap > before) {

@@ -6,6 +6,7 @@ use crate::fault::{Cause, Fault};
 use crate::linalg::largest;
 use crate::scalar::Real;
 use crate::system::Drift;
+use crate::tolerances::closed;
 use crate::vector::Vector;
 
 /// Newton steps and velocity corrections that are enough from any drift worth projecting.
@@ -105,8 +106,7 @@ pub fn balance<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize
 
 /// Is the violation small enough for joints of the given size (m, or m/s) to count as closed?
 pub(super) fn is_closed<S: Real, const NC: usize>(violation: &[S; NC], size: S) -> bool {
-    let tolerance = S::lit(1e-10).max(S::lit(16.0) * S::EPSILON);
-    largest(violation) <= tolerance * size.max(S::lit(1.0))
+    largest(violation) <= closed::<S>() * size.max(S::lit(1.0))
 }
 
 /// The name that belongs to the largest violation.

@@ -3,9 +3,8 @@
 use super::Absolute;
 use crate::linalg::largest;
 use crate::scalar::Real;
+use crate::tolerances::closed;
 
-/// Joints count as closed up to this fraction of the size.
-const CLOSED: f64 = 1e-10;
 /// A joint of two bars whose angles are rounded is open by so many units in the last place of the angles, times the lengths.
 const ROUNDINGS: f64 = 4.0;
 
@@ -67,7 +66,7 @@ impl<S: Real> Scale<S> {
 
     /// The fraction of the size up to which joints count as closed.
     fn closed() -> S {
-        S::lit(CLOSED).max(S::lit(16.0) * S::EPSILON)
+        closed()
     }
 }
 

@@ -1,40 +1,25 @@
 //! Whether a state can have come from the last one that was looked at, and what the two tell together.
 
-use crate::charts::{Charted, OfLoops, Remembered, square};
+use crate::charts::{Charted, ContinuationData, OfLoops, square};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
+use crate::tolerances::{
+    BOX, FAR, FARTHEST, FARTHEST_ITERATED, NARROWEST_BOX, NOTICED, UNREACHED, narrowest_square,
+};
 
-/// A state may be so many times as far from the last look as it may be without one: at 10, a loop could be flat.
-pub(super) const FAR: f64 = 7.0;
-/// The farthest that a body may turn between two looks, rad: its angle is known but for whole turns.
-pub(super) const FARTHEST: f64 = 1.0;
-/// The farthest that an unknown of an iteration may be from where the rates before and after take it, as a part of the
-/// measure; other solutions are at least about twice the measure away.
-const FARTHEST_FOLLOWED: f64 = 0.25;
-/// On a box the measure changes by this part.
-const PART: f64 = 0.1;
-/// A step on which it changes by less than this is short beside every turn; what is left then may be rounding.
-const NOTICED: f64 = 1e-4;
-/// Boxes are not narrowed more at a look.
-const NARROWEST_BOX: f64 = 0.01;
-/// Up to this distance an iteration that does not converge has no solution to find.
-const NEAR: f64 = 0.1;
-/// Below this square the measure does not narrow that any further.
-const NARROWEST: f64 = 1e-4;
-
-/// The memory of the last look in a chart, and of the state at the time `t`.
+/// The continuation data of the last checked state in a chart, and of the state at the time `t`.
 pub(super) struct Looks<'a, M: Charted> {
     pub(super) t: M::S,
     pub(super) chart: usize,
-    pub(super) before: &'a M::Memory,
-    pub(super) after: &'a M::Memory,
+    pub(super) before: &'a M::Continuation,
+    pub(super) after: &'a M::Continuation,
 }
 
 impl<M: Charted> Looks<'_, M> {
     /// Is the state so near to the last one that was looked at that no loop can have gone through a flat pose? What the
     /// distances tell of it at one of the two is enough; for the time it must hold at both.
     pub(super) fn check_near(&self) -> Result<(), Fault> {
-        let far = |reach: M::S| M::S::lit(FAR) * reach.abs();
+        let far = |reach: M::S| FAR.of::<M::S>() * reach.abs();
         let within = self.before.coordinates().iter().zip(self.after.coordinates()).all(|(before, after)| {
             (after.last - before.last).abs() <= far(before.reach).max(far(after.reach))
         });
@@ -49,11 +34,11 @@ impl<M: Charted> Looks<'_, M> {
 
     /// Are the unknowns of iterations where their rates have taken them, and not at another solution?
     #[inline]
-    pub(super) fn check_followed(&self, measure: M::S) -> Result<(), Fault> {
+    pub(super) fn check_iterated(&self, measure: M::S) -> Result<(), Fault> {
         let half = M::S::lit(0.5) * self.since();
-        let farthest = square::<M::S>(FARTHEST_FOLLOWED) * measure.max(M::S::lit(NARROWEST));
-        let followed = self.before.followed().iter().zip(self.after.followed());
-        for (part, (before, after)) in M::FOLLOWED.iter().zip(followed) {
+        let farthest = square::<M::S>(FARTHEST_ITERATED.get()) * measure.max(narrowest_square());
+        let iterated = self.before.iterated().iter().zip(self.after.iterated());
+        for (part, (before, after)) in M::ITERATED.iter().zip(iterated) {
             let moved = after.value - before.value;
             let off = moved - half * (after.rate + before.rate);
             // False for what is not a number.
@@ -66,21 +51,21 @@ impl<M: Charted> Looks<'_, M> {
         Ok(())
     }
 
-    /// The memory of the state, with what two states tell together.
-    pub(super) fn kept(&self) -> Result<M::Memory, Fault> {
+    /// The continuation data of the state, with what two states tell together.
+    pub(super) fn updated(&self) -> Result<M::Continuation, Fault> {
         let (angle, body) = self.turned();
-        if angle > M::S::lit(FARTHEST) {
+        if angle > FARTHEST.of::<M::S>() {
             let cause = Cause::TurnedTooFar { angle: angle.to_f64() };
             return Err(Fault::of_part(self.t.to_f64(), body, cause));
         }
-        let (since, mut memory) = (self.since(), *self.after);
+        let (since, mut continuation) = (self.since(), *self.after);
         if since > M::S::lit(0.0) {
-            for (after, before) in memory.followed_mut().iter_mut().zip(self.before.followed()) {
+            for (after, before) in continuation.iterated_mut().iter_mut().zip(self.before.iterated()) {
                 after.bend = M::S::lit(0.5) * (after.rate - before.rate) / since;
             }
         }
-        memory.narrow(self.narrowed());
-        Ok(memory)
+        continuation.narrow(self.narrowed());
+        Ok(continuation)
     }
 
     /// By how much boxes are narrower than the rates of the unknowns say, which tell how fast a dyad comes nearer to flat, but not
@@ -88,7 +73,7 @@ impl<M: Charted> Looks<'_, M> {
     /// boxes are narrower by as much.
     pub(super) fn narrowed(&self) -> M::S {
         let one = M::S::lit(1.0);
-        if M::FOLLOWED.is_empty() {
+        if M::ITERATED.is_empty() {
             return one;
         }
         let coordinates = self.before.coordinates().iter().zip(self.after.coordinates());
@@ -96,24 +81,25 @@ impl<M: Charted> Looks<'_, M> {
         let boxes = coordinates.chain([times]).fold(M::S::ZERO, |boxes, (before, after)| {
             boxes + ((after.last - before.last) / after.reach).abs()
         });
-        let measures = self.before.areas().iter().zip(self.after.areas());
+        let measures = self.before.determinants().iter().zip(self.after.determinants());
         let narrowed = measures.fold(one, |narrowed, (before, after)| {
-            let (changed, expected) = ((*after - *before).abs(), M::S::lit(PART) * boxes * after.abs());
-            let noticed = M::S::lit(NOTICED) * after.abs();
+            let (changed, expected) = ((*after - *before).abs(), BOX.of::<M::S>() * boxes * after.abs());
+            let noticed = NOTICED.of::<M::S>() * after.abs();
             // False for what is not a number.
             if expected.max(noticed) < changed { narrowed.min(expected / changed) } else { narrowed }
         });
-        narrowed.max(M::S::lit(NARROWEST_BOX))
+        narrowed.max(NARROWEST_BOX.of::<M::S>())
     }
 
     /// The fault of the loop that is nearest to not being closed.
     pub(super) fn locked(&self) -> Fault {
         let since = self.since();
         // How far the unknowns of iterations should have moved.
-        let moved = self.before.followed().iter().map(|at| ((at.rate + at.bend * since) * since).abs());
+        let moved = self.before.iterated().iter().map(|at| ((at.rate + at.bend * since) * since).abs());
         let moved = moved.fold(M::S::lit(0.0), M::S::max);
         let angle = moved.to_f64();
-        let cause = if moved > M::S::lit(NEAR) { Cause::TurnedTooFar { angle } } else { Cause::Locked };
+        let cause =
+            if moved > UNREACHED.of::<M::S>() { Cause::TurnedTooFar { angle } } else { Cause::Locked };
         Fault::of_part(self.t.to_f64(), flattest::<M>(self.chart, self.after), cause)
     }
 
@@ -124,7 +110,7 @@ impl<M: Charted> Looks<'_, M> {
 
     /// The farthest that a body of a loop has turned since the last look, rad, and which one.
     fn turned(&self) -> (M::S, &'static str) {
-        let (before, after) = (self.before.turns(), self.after.turns());
+        let (before, after) = (self.before.angles(), self.after.angles());
         let mut most = (M::S::lit(0.0), "");
         for &k in M::FOUND.get(self.chart).copied().unwrap_or_default() {
             let (Some(before), Some(after), Some(body)) = (before.get(k), after.get(k), M::TURNING.get(k))
@@ -141,13 +127,13 @@ impl<M: Charted> Looks<'_, M> {
 }
 
 /// The part that closes the loop of a chart with the smallest determinant.
-pub(super) fn flattest<M: Charted>(chart: usize, memory: &M::Memory) -> &'static str {
+pub(super) fn flattest<M: Charted>(chart: usize, continuation: &M::Continuation) -> &'static str {
     let parts = M::CLOSING.get(chart).copied().unwrap_or_default();
     let (mut part, mut least) = ("", M::S::INFINITY);
-    for (closing, area) in parts.iter().zip(memory.areas()) {
-        let area = area.abs();
-        if !least.lt(area) {
-            (part, least) = (closing, area);
+    for (closing, determinant) in parts.iter().zip(continuation.determinants()) {
+        let determinant = determinant.abs();
+        if !least.lt(determinant) {
+            (part, least) = (closing, determinant);
         }
     }
     part
@@ -156,9 +142,11 @@ pub(super) fn flattest<M: Charted>(chart: usize, memory: &M::Memory) -> &'static
 /// A fault for a state at which the rate cannot be computed in the chart that is held.
 #[cold]
 pub fn not_regular<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> Fault {
-    let after = &system.remember(t, held, x).0;
+    let after = &system.continuation(t, held, x).0;
     match &held.of_loops {
-        &OfLoops::InChart { chart, memory: ref before } => Looks::<M> { t, chart, before, after }.locked(),
+        &OfLoops::InChart { chart, continuation: ref before } => {
+            Looks::<M> { t, chart, before, after }.locked()
+        }
         OfLoops::Free { .. } => Fault::new(t.to_f64(), Cause::Locked),
     }
 }

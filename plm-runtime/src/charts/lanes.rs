@@ -1,16 +1,11 @@
 //! Several states side by side: whether there is something to look at, and looks that change nothing but what is remembered.
 
-use super::continuity::{FAR, FARTHEST};
-use super::counted::first_places;
-use super::{BOXES, Charted, FLAT, OfLoops, Reach, Remembered, TIGHT, square};
+use super::revolutions::first_places;
+use super::{Charted, ContinuationData, OfLoops, Reach, square};
 use crate::scalar::Scalar;
-use crate::singular::LONG;
+use crate::tolerances::{BOXES, FAR, FARTHEST, FLAT, LONG, SURELY, tight};
 use crate::turns::are_near;
 use crate::vector::Vector;
-
-/// Steps that cross less than this part of what they may are short in any rounding; which of the others are is told one by
-/// one.
-const SURELY: f64 = 0.999;
 
 /// Whether [`update`](super::update) has nothing to look at yet, by what is held of the loops: 1 in the lanes where it has
 /// not, 0 elsewhere; with the typical size of each number of the state.
@@ -18,27 +13,27 @@ const SURELY: f64 = 0.999;
 pub fn are_calm<M: Charted, T: Scalar, X: Vector<T>>(
     typical: &X,
     t: T,
-    of_loops: &OfLoops<impl Remembered<T>, impl Sized>,
+    of_loops: &OfLoops<impl ContinuationData<T>, impl Sized>,
     x: &X,
 ) -> T {
     let (zero, one) = (T::lit(0.0), T::lit(1.0));
-    let OfLoops::InChart { chart, memory } = of_loops else { return zero };
-    if !M::FOLLOWED.is_empty() {
+    let OfLoops::InChart { chart, continuation } = of_loops else { return zero };
+    if !M::ITERATED.is_empty() {
         return zero;
     }
     let holds = |calm: T, at: Reach<T>, value: T| T::select((value - at.last).abs().lt(at.reach), calm, zero);
-    let coordinates = memory.coordinates().iter().enumerate();
+    let coordinates = continuation.coordinates().iter().enumerate();
     let calm = coordinates.fold(one, |calm, (k, &at)| {
-        let ample = T::lit(BOXES * TIGHT / M::NQ as f64) * typical.at(k);
-        let reach = T::select(at.reach.lt(ample), at.reach, T::lit(BOXES) * at.reach);
+        let ample = T::lit(BOXES.get() * tight() / M::NQ as f64) * typical.at(k);
+        let reach = T::select(at.reach.lt(ample), at.reach, BOXES.of::<T>() * at.reach);
         holds(calm, Reach { reach, ..at }, x.at(k))
     });
-    let calm = holds(calm, memory.time(), t);
+    let calm = holds(calm, continuation.time(), t);
     if !M::LOOSE {
         return calm;
     }
-    let counted = first_places::<M>(*chart).map(|k| are_near(x.at(k)));
-    counted.fold(calm, T::min)
+    let count = first_places::<M>(*chart).map(|k| are_near(x.at(k)));
+    count.fold(calm, T::min)
 }
 
 /// Whether steps between two states are short beside the turn next to a flat pose ([`crossed`](super::crossed)), with the
@@ -46,50 +41,50 @@ pub fn are_calm<M: Charted, T: Scalar, X: Vector<T>>(
 #[inline]
 pub fn are_short<M: Charted, T: Scalar, X: Vector<T>>(
     typical: &X,
-    of_loops: &OfLoops<impl Remembered<T>, impl Sized>,
+    of_loops: &OfLoops<impl ContinuationData<T>, impl Sized>,
     [before, x]: [&X; 2],
 ) -> T {
     let (zero, one) = (T::lit(0.0), T::lit(1.0));
-    let OfLoops::InChart { memory, .. } = of_loops else { return zero };
-    memory.coordinates().iter().enumerate().fold(one, |short, (k, &Reach { reach, .. })| {
+    let OfLoops::InChart { continuation, .. } = of_loops else { return zero };
+    continuation.coordinates().iter().enumerate().fold(one, |short, (k, &Reach { reach, .. })| {
         let moved = (x.at(k) - before.at(k)).abs();
-        let if_tight = T::select(moved.lt(T::lit(SURELY * LONG) * reach), short, zero);
-        T::select(reach.lt(T::lit(TIGHT / M::NQ as f64) * typical.at(k)), if_tight, short)
+        let if_tight = T::select(moved.lt(T::lit(SURELY.get() * LONG.get()) * reach), short, zero);
+        T::select(reach.lt(T::lit(tight() / M::NQ as f64) * typical.at(k)), if_tight, short)
     })
 }
 
 /// Looks at the states of the lanes in which that is `due` (1, else 0), from what is to be remembered of them and the squares of
 /// the measures: 1 in the lanes where [`update`](super::update) would do no more than remember that, which is done; 0 elsewhere.
 #[inline]
-pub fn look<M: Charted, T: Scalar, Y: Remembered<T>>(
+pub fn look<M: Charted, T: Scalar, Y: ContinuationData<T>>(
     of_loops: &mut OfLoops<Y, impl Sized>,
     x: &impl Vector<T>,
     (after, measure): (&Y, T),
     due: T,
 ) -> T {
     let (zero, one) = (T::lit(0.0), T::lit(1.0));
-    let OfLoops::InChart { chart, memory: before } = of_loops else { return zero };
+    let OfLoops::InChart { chart, continuation: before } = of_loops else { return zero };
     let mut plain = due;
     let mut hold = |condition: T::Mask| plain = T::select(condition, plain, zero);
     // False for what is not a number, here and in all that follows.
-    hold(square::<T>(FLAT).lt(measure));
+    hold(square::<T>(FLAT.get()).lt(measure));
     // Zero times a number that is none is none.
     hold(after.fold(zero, |sum, number| number.mul_add(zero, sum)).lt(one));
-    let far = |at: &Reach<T>| T::lit(FAR) * at.reach.abs();
+    let far = |at: &Reach<T>| FAR.of::<T>() * at.reach.abs();
     for (before, after) in before.coordinates().iter().zip(after.coordinates()) {
         hold((after.last - before.last).abs().lt(far(before).max(far(after))));
     }
     let (since, now) = (before.time(), after.time());
     hold((now.last - since.last).abs().lt(far(&since).min(far(&now))));
     for &k in M::FOUND.get(*chart).copied().unwrap_or_default() {
-        if let (Some(before), Some(after)) = (before.turns().get(k), after.turns().get(k)) {
-            hold((after.angle - before.angle).abs().lt(T::lit(FARTHEST)));
+        if let (Some(before), Some(after)) = (before.angles().get(k), after.angles().get(k)) {
+            hold((after.angle - before.angle).abs().lt(FARTHEST.of::<T>()));
         }
     }
-    for counted in M::COUNTED {
-        let own = counted.coordinates.get(*chart).and_then(|places| places.first()).map(|&k| x.at(k));
-        let remembered = || after.turns().get(*counted.remembered.first()?).map(|turn| turn.angle);
-        if let Some(angle) = own.or_else(remembered) {
+    for count in M::REVOLUTIONS {
+        let own = count.coordinates.get(*chart).and_then(|places| places.first()).map(|&k| x.at(k));
+        let angles = || after.angles().get(*count.angles.first()?).map(|turn| turn.angle);
+        if let Some(angle) = own.or_else(angles) {
             hold(zero.lt(are_near(angle)));
         }
     }

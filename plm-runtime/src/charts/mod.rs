@@ -10,55 +10,29 @@
 //! Loops without a closed form are solved by Newton's iteration from where their unknowns should be by the last accepted
 //! state, so that these are followed as well: values, rates, and how the rates change.
 
+mod continuation;
 mod continuity;
-mod counted;
 mod lanes;
-mod memory;
+mod revolutions;
 mod words;
 
+pub use continuation::{Angle, Continuation, ContinuationData, Iterated, OfLoops, Reach};
 pub use continuity::not_regular;
 use continuity::{Looks, flattest};
-pub use counted::Counted;
-use counted::{are_due, unwind};
 pub use lanes::{are_calm, are_short, look};
-pub use memory::{Followed, Memory, OfLoops, Reach, Remembered, Turn};
+pub use revolutions::Revolutions;
+use revolutions::{are_due, unwind};
 
 use crate::fault::Fault;
 use crate::held::Held;
 use crate::scalar::{Real, Scalar};
 use crate::system::{System, Updated};
+use crate::tolerances::{BACK, BETTER, BOXES, FLAT, OPEN, PROBE, regular_chart, tight};
 use crate::vector::Vector;
-
-/// Below this a chart's measure is worth a look at the other charts: the smallest sine (RRR), cosine (RRP), or length
-/// over that of the scene (RPR) of its dyads.
-const FLAT: f64 = 0.3;
-/// How much better another chart's measure must be.
-const BETTER: f64 = 2.0;
-/// Below this measure no chart is good: rounding grows with its third power, to `1e-11` in the accelerations ...
-const POOR: f64 = 0.03;
-/// ... and to `1e-5` in single precision.
-const POOR_SINGLE: f64 = 0.2;
-/// By this factor a chart must be better than that, where the mechanism goes on in it.
-const BACK: f64 = 1.3;
-
-/// Below this square of the measure a loop is open; what is nearer to zero may be a flat pose and rounding.
-const OPEN: f64 = -1e-10;
-/// Below this part of what is typical, a box is that of a measure below [`FLAT`]: boxes are a tenth of it, and they share it.
-const TIGHT: f64 = 0.1 * FLAT;
-/// Where a box is at least so many times as wide as that, a coordinate may go as many boxes far until the next look.
-///
-/// With M the square of a dyad's measure sin theta, and g = cos theta as a function of the coordinate, a box is at most
-/// 0.1 M / |g'| and 0.1 sqrt(M). On n boxes g changes by at most (0.1 n + 0.005 n^2 |g''|) M, and the loop is flat where it has
-/// changed by M / 2: not on two boxes as long as |g''| < 15, which is about the length of a crank over that of the dyad's bars. M
-/// keeps 0.6 of its value if g'' is small, so that a box at the end of the way is not tight where the first was twice as wide.
-const BOXES: f64 = 2.0;
-
-/// In a new chart the second look is so many boxes ahead of the first.
-const AHEAD: f64 = 0.01;
 
 /// A mechanism whose loops are solved in closed form; implemented by generated code.
 pub trait Charted:
-    System<U = Held<Self::Input, Self::Switches, Self::Turns, OfLoops<Self::Memory, Self::Q>>, S: Real>
+    System<U = Held<Self::Input, Self::Switches, Self::Turns, OfLoops<Self::Continuation, Self::Q>>, S: Real>
 {
     /// The inputs.
     type Input: Copy;
@@ -66,22 +40,22 @@ pub trait Charted:
     type Switches: Copy;
     /// Whole turns, by count.
     type Turns: Copy + AsMut<[i32]>;
-    /// What is remembered, a [`Memory`].
-    type Memory: Remembered<Self::S>;
+    /// Continuation data, a [`Continuation`].
+    type Continuation: ContinuationData<Self::S>;
     /// Pose or velocity of all bodies.
     type Q: Vector<Self::S>;
     /// Number of charts.
     const CHARTS: usize;
     /// The angles of each count.
-    const COUNTED: &'static [Counted];
+    const REVOLUTIONS: &'static [Revolutions];
     /// A coordinate whose turns are counted moves no loop: how far it goes is looked at in every step.
     const LOOSE: bool;
-    /// The bodies whose angles are remembered, in the order of the memory.
+    /// The bodies whose angles are continued, in the order of the data.
     const TURNING: &'static [&'static str];
     /// By chart, by place among those angles, which of them loops give: known but for whole turns.
     const FOUND: &'static [&'static [usize]];
-    /// The bodies and joints of the unknowns of iterations, in the order of the memory.
-    const FOLLOWED: &'static [&'static str];
+    /// The bodies and joints of the unknowns of iterations, in the order of the data.
+    const ITERATED: &'static [&'static str];
     /// By chart, by group: the part that closes its loop.
     const CLOSING: &'static [&'static [&'static str]];
 
@@ -89,11 +63,17 @@ pub trait Charted:
     /// chart.
     fn pose(&self, t: Self::S, held: &Self::U, x: &Self::X) -> (Self::Q, Self::Q, Self::S);
 
-    /// What is to be remembered of a state, and the square of the measure; nothing and zero without a chart.
-    fn remember(&self, t: Self::S, held: &Self::U, x: &Self::X) -> (Self::Memory, Self::S);
+    /// The continuation data of a state, and the square of the measure; nothing and zero without a chart.
+    fn continuation(&self, t: Self::S, held: &Self::U, x: &Self::X) -> (Self::Continuation, Self::S);
 
     /// The same of a pose and velocity in some chart, but for how far the coordinates may move.
-    fn remember_pose(&self, chart: usize, t: Self::S, q: &Self::Q, v: &Self::Q) -> (Self::Memory, Self::S);
+    fn continuation_at(
+        &self,
+        chart: usize,
+        t: Self::S,
+        q: &Self::Q,
+        v: &Self::Q,
+    ) -> (Self::Continuation, Self::S);
 
     /// Writes the coordinates of a chart and their rates; first-order states stay.
     fn to_chart(&self, chart: usize, t: Self::S, q: &Self::Q, v: &Self::Q, x: &mut Self::X);
@@ -101,9 +81,9 @@ pub trait Charted:
 
 /// The state in the best chart at a pose that closes the loops; the first chart if it is not flat, none if all are.
 pub fn enter<M: Charted>(system: &M, t: M::S, held: &mut M::U, (q, v): (&M::Q, &M::Q), x: &mut M::X) {
-    let (_, first) = system.remember_pose(0, t, q, v);
-    let (chart, measure) = if first < square(FLAT) { best(system, t, q, v) } else { (0, first) };
-    if measure < regular() {
+    let (_, first) = system.continuation_at(0, t, q, v);
+    let (chart, measure) = if first < square(FLAT.get()) { best(system, t, q, v) } else { (0, first) };
+    if measure < regular_chart() {
         free::<M>(held, (q, v), x);
     } else {
         change(system, t, held, (chart, q, v), x);
@@ -154,7 +134,7 @@ pub fn update<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
         return Ok(Updated::default());
     }
     match held.of_loops {
-        OfLoops::InChart { chart, memory } => watch(system, t, held, (chart, &memory), x),
+        OfLoops::InChart { chart, continuation } => watch(system, t, held, (chart, &continuation), x),
         OfLoops::Free { .. } => Ok(Updated { moved: come_back(system, t, held, x), ..Updated::default() }),
     }
 }
@@ -162,15 +142,15 @@ pub fn update<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
 /// Whether [`update`] has nothing to look at yet.
 #[inline]
 pub fn is_calm<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
-    let OfLoops::InChart { memory, .. } = &held.of_loops else { return false };
+    let OfLoops::InChart { continuation, .. } = &held.of_loops else { return false };
     let quiet = |k: usize, at: &Reach<M::S>| {
-        let ample = M::S::lit(BOXES * TIGHT / M::NQ as f64) * system.typical().at(k);
-        let reach = if at.reach < ample { at.reach } else { M::S::lit(BOXES) * at.reach };
+        let ample = M::S::lit(BOXES.get() * tight() / M::NQ as f64) * system.typical().at(k);
+        let reach = if at.reach < ample { at.reach } else { BOXES.of::<M::S>() * at.reach };
         Reach { reach, ..*at }.holds(x.at(k))
     };
-    M::FOLLOWED.is_empty()
-        && memory.coordinates().iter().enumerate().all(|(k, at)| quiet(k, at))
-        && memory.time().holds(t)
+    M::ITERATED.is_empty()
+        && continuation.coordinates().iter().enumerate().all(|(k, at)| quiet(k, at))
+        && continuation.time().holds(t)
         && !(M::LOOSE && are_due::<M>(held, x))
 }
 
@@ -180,9 +160,9 @@ pub fn is_calm<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
 /// turn that it follows.
 #[inline]
 pub fn crossed<M: Charted>(system: &M, held: &M::U, before: &M::X, x: &M::X) -> M::S {
-    let OfLoops::InChart { memory, .. } = &held.of_loops else { return M::S::ZERO };
-    let tight = |k: usize| M::S::lit(TIGHT / M::NQ as f64) * system.typical().at(k);
-    memory.coordinates().iter().enumerate().fold(M::S::ZERO, |most, (k, &Reach { reach, .. })| {
+    let OfLoops::InChart { continuation, .. } = &held.of_loops else { return M::S::ZERO };
+    let tight = |k: usize| M::S::lit(tight() / M::NQ as f64) * system.typical().at(k);
+    continuation.coordinates().iter().enumerate().fold(M::S::ZERO, |most, (k, &Reach { reach, .. })| {
         if reach < tight(k) { most.max((x.at(k) - before.at(k)).abs() / reach) } else { most }
     })
 }
@@ -192,32 +172,27 @@ fn watch<M: Charted>(
     system: &M,
     t: M::S,
     held: &mut M::U,
-    (chart, before): (usize, &M::Memory),
+    (chart, before): (usize, &M::Continuation),
     x: &mut M::X,
 ) -> Result<Updated, Fault> {
-    let (after, measure) = system.remember(t, held, x);
+    let (after, measure) = system.continuation(t, held, x);
     let looks = Looks::<M> { t, chart, before, after: &after };
     if is_open(measure) || !after.is_finite() {
         return Err(looks.locked());
     }
-    looks.check_followed(measure)?;
+    looks.check_iterated(measure)?;
     looks.check_near()?;
-    held.of_loops = OfLoops::InChart { chart, memory: looks.kept()? };
+    held.of_loops = OfLoops::InChart { chart, continuation: looks.updated()? };
     let turned = unwind::<M>(held, x);
-    let moved = measure < square(FLAT) && leave(system, t, held, (chart, measure), x);
+    let moved = measure < square(FLAT.get()) && leave(system, t, held, (chart, measure), x);
     Ok(Updated { moved, turned, passed: None })
 }
 
 /// Can a loop not be closed at all?
 fn is_open<S: Real>(measure: S) -> bool {
     // False for what is not a number.
-    let closes = measure >= S::lit(OPEN).min(S::lit(-64.0) * S::EPSILON);
+    let closes = measure >= S::lit(-OPEN.get()).min(S::lit(-64.0) * S::EPSILON);
     !closes
-}
-
-/// The square of the measure above which a chart is good.
-fn regular<S: Real>() -> S {
-    square(if S::EPSILON < S::lit(1e-12) { POOR } else { POOR_SINGLE })
 }
 
 /// The name of a coordinate or its rate in the chart that is held, of `count` names for each chart; none of other states, and
@@ -235,7 +210,7 @@ pub fn name_of<M: Charted>(
 
 /// The part that closes the loop which is nearest to flat at a pose.
 pub fn flat_part<M: Charted>(system: &M, t: M::S, q: &M::Q, v: &M::Q) -> &'static str {
-    flattest::<M>(0, &system.remember_pose(0, t, q, v).0)
+    flattest::<M>(0, &system.continuation_at(0, t, q, v).0)
 }
 
 /// Leaves a chart for one that is better by far, or if it is not good.
@@ -252,15 +227,15 @@ fn leave<M: Charted>(
         return false;
     }
     let (chart, other) = if M::CHARTS > 1 { best(system, t, &q, &v) } else { (own, measure) };
-    if chart != own && other > square::<M::S>(BETTER) * measure && other > regular() {
+    if chart != own && other > square::<M::S>(BETTER.get()) * measure && other > regular_chart() {
         change(system, t, held, (chart, &q, &v), x);
         return true;
     }
-    let poor = measure < regular();
-    if poor {
+    let is_flat = measure < regular_chart();
+    if is_flat {
         free::<M>(held, (&q, &v), x);
     }
-    poor
+    is_flat
 }
 
 /// Goes on in a chart where one is good again.
@@ -268,13 +243,13 @@ fn leave<M: Charted>(
 fn come_back<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> bool {
     let (q, v) = pose(system, t, held, x);
     let (chart, measure) = best(system, t, &q, &v);
-    if measure < square::<M::S>(BACK) * regular() {
+    if measure < square::<M::S>(BACK.get()) * regular_chart() {
         return false;
     }
     let (alone, rest) = (*held, *x);
     change(system, t, held, (chart, &q, &v), x);
     // Lengths that repeat each other may disagree in what a pose does not tell.
-    let closed = !is_open(system.remember(t, held, x).1);
+    let closed = !is_open(system.continuation(t, held, x).1);
     if !closed {
         (*held, *x) = (alone, rest);
     }
@@ -291,9 +266,9 @@ fn free<M: Charted>(held: &mut M::U, (q, v): (&M::Q, &M::Q), x: &mut M::X) {
 
 /// The chart with the largest measure at a pose, and its square.
 fn best<M: Charted>(system: &M, t: M::S, q: &M::Q, v: &M::Q) -> (usize, M::S) {
-    let mut best = (0, system.remember_pose(0, t, q, v).1);
+    let mut best = (0, system.continuation_at(0, t, q, v).1);
     for chart in 1..M::CHARTS {
-        let (_, measure) = system.remember_pose(chart, t, q, v);
+        let (_, measure) = system.continuation_at(chart, t, q, v);
         if best.1 < measure {
             best = (chart, measure);
         }
@@ -308,28 +283,28 @@ fn change<M: Charted>(
     (chart, q, v): (usize, &M::Q, &M::Q),
     x: &mut M::X,
 ) {
-    held.of_loops = OfLoops::InChart { chart, memory: system.remember_pose(chart, t, q, v).0 };
+    held.of_loops = OfLoops::InChart { chart, continuation: system.continuation_at(chart, t, q, v).0 };
     system.to_chart(chart, t, q, v, x);
-    let (mut memory, measure) = system.remember(t, held, x);
-    if is_open(measure) || !memory.is_finite() {
+    let (mut continuation, measure) = system.continuation(t, held, x);
+    if is_open(measure) || !continuation.is_finite() {
         return;
     }
-    held.of_loops = OfLoops::InChart { chart, memory };
-    if !M::FOLLOWED.is_empty() {
-        let after = system.remember(t, held, &ahead(system, &memory, x)).0;
-        memory.narrow(Looks::<M> { t, chart, before: &memory, after: &after }.narrowed());
-        held.of_loops = OfLoops::InChart { chart, memory };
+    held.of_loops = OfLoops::InChart { chart, continuation };
+    if !M::ITERATED.is_empty() {
+        let after = system.continuation(t, held, &probe(system, &continuation, x)).0;
+        continuation.narrow(Looks::<M> { t, chart, before: &continuation, after: &after }.narrowed());
+        held.of_loops = OfLoops::InChart { chart, continuation };
     }
 }
 
 /// A state a little ahead.
-fn ahead<M: Charted>(system: &M, memory: &M::Memory, x: &M::X) -> M::X {
-    let mut ahead = *x;
-    for (k, at) in memory.coordinates().iter().enumerate() {
-        let by = M::S::lit(AHEAD) * at.reach.min(system.typical().at(k));
-        ahead.set(k, x.at(k) + if x.at(M::NQ + k) < M::S::ZERO { -by } else { by });
+fn probe<M: Charted>(system: &M, continuation: &M::Continuation, x: &M::X) -> M::X {
+    let mut probe = *x;
+    for (k, at) in continuation.coordinates().iter().enumerate() {
+        let by = PROBE.of::<M::S>() * at.reach.min(system.typical().at(k));
+        probe.set(k, x.at(k) + if x.at(M::NQ + k) < M::S::ZERO { -by } else { by });
     }
-    ahead
+    probe
 }
 
 fn square<S: Scalar>(value: f64) -> S {

@@ -1,42 +1,45 @@
 //! Loops of the discrete state as words.
 
-use super::{Followed, Memory, OfLoops, Reach, Remembered, Turn};
+use super::{Angle, Continuation, ContinuationData, Iterated, OfLoops, Reach};
 use crate::scalar::Real;
 use crate::words::{InWords, Words};
 
 /// The chart, and what is remembered in it; or pose and velocity. What is not held is zero.
 impl<S: Real, const Y: usize, const T: usize, const A: usize, const F: usize, const NQ: usize> InWords
-    for OfLoops<Memory<S, Y, T, A, F>, [S; NQ]>
+    for OfLoops<Continuation<S, Y, T, A, F>, [S; NQ]>
 {
     fn each(&mut self, words: &mut impl Words) {
-        let (mut place, mut memory, mut pose) = (0, Memory::nothing(), ([S::ZERO; NQ], [S::ZERO; NQ]));
+        let (mut place, mut continuation, mut pose) =
+            (0, Continuation::nothing(), ([S::ZERO; NQ], [S::ZERO; NQ]));
         match *self {
-            OfLoops::InChart { chart, memory: held } => (place, memory) = (chart as u64 + 1, held),
+            OfLoops::InChart { chart, continuation: held } => {
+                (place, continuation) = (chart as u64 + 1, held);
+            }
             OfLoops::Free { q, v } => pose = (q, v),
         }
         words.word(&mut place);
-        memory.each(words);
+        continuation.each(words);
         words.numbers(&mut pose.0);
         words.numbers(&mut pose.1);
         *self = match place.checked_sub(1) {
-            Some(chart) => OfLoops::InChart { chart: chart as usize, memory },
+            Some(chart) => OfLoops::InChart { chart: chart as usize, continuation },
             None => OfLoops::Free { q: pose.0, v: pose.1 },
         };
     }
 }
 
 impl<S: Real, const Y: usize, const T: usize, const A: usize, const F: usize> InWords
-    for Memory<S, Y, T, A, F>
+    for Continuation<S, Y, T, A, F>
 {
     fn each(&mut self, words: &mut impl Words) {
         for Reach { last, reach } in self.coordinates.iter_mut().chain([&mut self.time]) {
             words.numbers([last, reach]);
         }
-        for Turn { angle, cos, sin } in &mut self.turns {
+        for Angle { angle, cos, sin } in &mut self.angles {
             words.numbers([angle, cos, sin]);
         }
-        words.numbers(&mut self.areas);
-        for Followed { value, rate, bend } in &mut self.followed {
+        words.numbers(&mut self.determinants);
+        for Iterated { value, rate, bend } in &mut self.iterated {
             words.numbers([value, rate, bend]);
         }
     }

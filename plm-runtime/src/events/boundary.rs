@@ -5,11 +5,11 @@ use super::relevant::bit;
 use super::search::{ULPS, rounding};
 use super::violated::not_met;
 use super::{advance_to, guards, guards_here};
+use crate::enclosure::{Enclosed, Interval};
 use crate::fault::Fault;
 use crate::method::{Context, Method};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
-use crate::tube::{Interval, Tube};
 use crate::vector::Vector;
 
 /// Beyond so many times its rounding no guard is zero, whatever its rate.
@@ -121,14 +121,14 @@ pub(super) fn rates<M: System<S: Real>>(context: &mut Context<'_, M>) -> Option<
     let (time, x) = (context.time, context.x);
     let mut rate = x;
     context.rate(time, &x, &mut rate).ok()?;
-    let moving = |s: M::S, slope: M::S| Tube { slope: Interval::point(slope), ..Tube::constant(s) };
+    let moving = |s: M::S, slope: M::S| Enclosed { slope: Interval::point(slope), ..Enclosed::constant(s) };
     let mut slopes = M::G::fill(M::S::ZERO);
     let known = context.system.guards_within(
         moving(time, M::S::lit(1.0)),
         &context.held,
         &|i| moving(x.at(i), rate.at(i)),
-        &mut |i, tube| {
-            let Interval { low, high } = tube.slope;
+        &mut |i, guard| {
+            let Interval { low, high } = guard.slope;
             if i < M::G::LEN {
                 slopes.set(i, M::S::lit(0.5) * (low + high));
             }

@@ -2,10 +2,10 @@
 
 use super::kinks;
 use super::relevant::{Relevant, bit};
+use crate::enclosure::Enclosed;
 use crate::method::{Context, Path};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
-use crate::tube::Tube;
 use crate::vector::Vector;
 
 /// Which guards and kinks may change their sign in a step.
@@ -32,8 +32,8 @@ impl Enclosure {
         let (time, x) = path.around(half, half);
         let (mut enclosure, mut moves, mut bends) =
             (Self { guards: true, kinks: 0, relevant: Relevant::ALL }, 0, 0);
-        let known = context.system.guards_within(time, &context.held, &x, &mut |i, tube: Tube<M::S>| {
-            let range = tube.range(half);
+        let known = context.system.guards_within(time, &context.held, &x, &mut |i, guard: Enclosed<M::S>| {
+            let range = guard.range(half);
             // Comparisons with what is not a number are false.
             if i < M::G::LEN {
                 let stays = range.low >= -context.system.band(i);

@@ -1,13 +1,13 @@
 //! Guard-free region: a box of states and a time span in which no event can occur while the discrete state is unchanged.
 //!
-//! A fixed step inside the region cannot trigger an event, so its guards are not evaluated. Interval arithmetic ([`Tube`]) bounds every
+//! A fixed step inside the region cannot trigger an event, so its guards are not evaluated. Interval arithmetic ([`Enclosed`]) bounds every
 //! guard over the region once; later steps reuse the bound.
 
 use super::Beginning;
+use crate::enclosure::{Enclosed, Interval};
 use crate::method::Path;
 use crate::scalar::Real;
 use crate::system::{Step, System};
-use crate::tube::{Interval, Tube};
 use crate::vector::Vector;
 
 /// How far states may go from where they are, over their sizes: at first, ...
@@ -93,7 +93,7 @@ impl<S: Real> GuardFree<S> {
 
     /// Do all guards stay on their sides within reach?
     fn excludes_events<M: System<S = S>>(&self, system: &M, centre: &Beginning<M>) -> bool {
-        let enclosure = |middle, value| Tube { middle, value, slope: Interval::point(S::ZERO) };
+        let enclosure = |middle, value| Enclosed { middle, value, slope: Interval::point(S::ZERO) };
         let (typical, reach) = (system.typical(), S::lit(SLACK) * self.reach);
         let around = |i: usize| {
             let middle = centre.x.at(i);
@@ -102,10 +102,10 @@ impl<S: Real> GuardFree<S> {
         };
         let time = enclosure(centre.time, Interval::between(centre.time, self.until));
         let mut guard_free = true;
-        let known = system.guards_within(time, &centre.held, &around, &mut |i, tube: Tube<S>| {
+        let known = system.guards_within(time, &centre.held, &around, &mut |i, guard: Enclosed<S>| {
             if i < M::G::LEN {
                 // Slopes are those of what does not move: ranges alone tell something.
-                guard_free &= tube.value.low >= -system.band(i) && tube.value.high < S::INFINITY;
+                guard_free &= guard.value.low >= -system.band(i) && guard.value.high < S::INFINITY;
             }
         });
         known && guard_free

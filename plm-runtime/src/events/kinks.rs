@@ -7,11 +7,11 @@
 
 use super::LEAST_ULPS;
 use super::root::{Point, root};
+use crate::enclosure::Enclosed;
 use crate::fault::Fault;
 use crate::method::{Context, Method, Path};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
-use crate::tube::Tube;
 use crate::vector::Vector;
 
 /// Halvings of a step.
@@ -164,13 +164,13 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         let (middle, radius) = (half * (from + to), half * (to - from));
         let (time, x) = self.path.around(middle, radius);
         let mut open = false;
-        let known = self.system.guards_within(time, &self.held, &x, &mut |i, tube: Tube<M::S>| {
+        let known = self.system.guards_within(time, &self.held, &x, &mut |i, guard: Enclosed<M::S>| {
             let bit = bit(i.wrapping_sub(M::G::LEN)).filter(|bit| bit & self.relevant != 0);
             let Some(bit) = bit else { return };
-            let range = tube.range(radius);
+            let range = guard.range(radius);
             let stays = changed & bit == 0
                 && if positive & bit == 0 { range.high <= M::S::ZERO } else { range.low > M::S::ZERO };
-            let monotone = tube.slope.low >= M::S::ZERO || tube.slope.high <= M::S::ZERO;
+            let monotone = guard.slope.low >= M::S::ZERO || guard.slope.high <= M::S::ZERO;
             open |= !(stays || monotone);
         });
         open || !known

@@ -1,15 +1,15 @@
 //! The first time in a step at which a guard leaves its side.
 //!
 //! A step is bisected from its beginning on until every guard is known to stay on its side, or to leave it once: by its
-//! range over the interval, by the sign of its slope ([`Tube`](crate::Tube)). Where a guard comes so near to zero that this stays open,
+//! range over the interval, by the sign of its slope ([`Enclosed`](crate::Enclosed)). Where a guard comes so near to zero that this stays open,
 //! bisection ends at a fraction of the step, [`FINEST`], that is shorter than anything that is promised to be found.
 
 use super::relevant::Relevant;
 use super::root::{Point, root};
+use crate::enclosure::{Enclosed, Interval};
 use crate::method::Path;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
-use crate::tube::{Interval, Tube};
 use crate::vector::Vector;
 
 /// Halvings of a step: 2^-22 of it are a quarter of a millionth.
@@ -234,9 +234,9 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         let half = M::S::lit(0.5);
         let (middle, radius) = (half * (piece.from + piece.to), half * (piece.to - piece.from));
         let (time, x) = self.path.around(middle, radius);
-        let known = self.system.guards_within(time, &self.held, &x, &mut |i, tube: Tube<M::S>| {
+        let known = self.system.guards_within(time, &self.held, &x, &mut |i, guard: Enclosed<M::S>| {
             if i < M::G::LEN {
-                each(i, tube.range(radius), tube.slope);
+                each(i, guard.range(radius), guard.slope);
             }
         });
         if known || level < ROUGHEST {
@@ -289,15 +289,15 @@ pub(super) fn rounding<M: System<S: Real>>(
     here: &M::G,
 ) -> M::G {
     let ulps = M::S::lit(ULPS) * M::S::EPSILON;
-    let rounded = |s: M::S, size: M::S| Tube {
+    let rounded = |s: M::S, size: M::S| Enclosed {
         slope: Interval { low: -ulps * size, high: ulps * size },
-        ..Tube::constant(s)
+        ..Enclosed::constant(s)
     };
     let typical = system.typical();
     let size = |i: usize| typical.at(i) + x.at(i).abs();
     let mut noise = here.map(|g| ulps * g.abs());
-    system.guards_within(rounded(time, end.abs()), held, &|i| rounded(x.at(i), size(i)), &mut |i, tube| {
-        let size = tube.slope.size();
+    system.guards_within(rounded(time, end.abs()), held, &|i| rounded(x.at(i), size(i)), &mut |i, guard| {
+        let size = guard.slope.size();
         if i < M::G::LEN && size.is_finite() {
             noise.set(i, noise.at(i) + size);
         }

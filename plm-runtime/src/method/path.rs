@@ -1,7 +1,7 @@
 //! The state over the last step, as polynomials.
 
+use crate::enclosure::{Enclosed, Interval};
 use crate::scalar::Real;
-use crate::tube::{Interval, Tube};
 use crate::vector::Vector;
 
 /// Powers of the highest degree that a dense output has, 8, and below.
@@ -101,9 +101,9 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
     }
 
     /// Time and state from `radius` before to `radius` after a fraction of the step; slopes are per step.
-    pub(crate) fn around(&self, middle: S, radius: S) -> (Tube<S>, impl Fn(usize) -> Tube<S>) {
+    pub(crate) fn around(&self, middle: S, radius: S) -> (Enclosed<S>, impl Fn(usize) -> Enclosed<S>) {
         let (from, to) = (self.time(middle - radius), self.time(middle + radius));
-        let time = Tube {
+        let time = Enclosed {
             middle: self.time(middle),
             value: Interval::between(from, to),
             slope: Interval::point(self.h),
@@ -134,7 +134,7 @@ fn shifted<S: Real, const DEGREE: usize>(mut c: [S; POWERS], middle: S) -> [S; P
 
 /// Ranges of a polynomial of this degree and of its derivative up to `radius` from `middle`, term by term.
 #[inline]
-fn enclose<S: Real, const DEGREE: usize>(c: [S; POWERS], (middle, radius): (S, S)) -> Tube<S> {
+fn enclose<S: Real, const DEGREE: usize>(c: [S; POWERS], (middle, radius): (S, S)) -> Enclosed<S> {
     let c = shifted::<S, DEGREE>(c, middle);
     let (mut value, mut slope) = (Terms::NONE, Terms::NONE);
     let mut power = radius;
@@ -145,7 +145,7 @@ fn enclose<S: Real, const DEGREE: usize>(c: [S; POWERS], (middle, radius): (S, S
         }
         power = power * radius;
     }
-    Tube { middle: c[0], value: value.around(c[0]), slope: slope.around(c[1]) }
+    Enclosed { middle: c[0], value: value.around(c[0]), slope: slope.around(c[1]) }
 }
 
 /// How far the terms of a polynomial reach down and up, both as sums of sizes.
@@ -248,7 +248,7 @@ mod tests {
         let path = Path::new(3.0, 0.2, |_: usize| [1.0, -2.0, 0.7, 1.5, -0.3, 0.9, -1.1, 0.4, -0.2]);
         for (middle, radius) in [(0.5, 0.5), (0.25, 0.125), (0.9, 0.01)] {
             let (time, x) = path.around(middle, radius);
-            let tube = x(0);
+            let enclosed = x(0);
             assert!(f64::abs(time.middle - 3.0 - 0.2 * middle) < 1e-15 && time.slope.contains(0.2));
             for part in [-1.0, -0.6, 0.0, 0.3, 1.0] {
                 let theta = middle + part * radius;
@@ -258,12 +258,12 @@ mod tests {
                     time.value.low - widest < path.time(theta) && path.time(theta) < time.value.high + widest
                 );
                 assert!(
-                    tube.value.low - widest < value && value < tube.value.high + widest,
-                    "{theta}: {tube:?}"
+                    enclosed.value.low - widest < value && value < enclosed.value.high + widest,
+                    "{theta}: {enclosed:?}"
                 );
                 assert!(
-                    tube.slope.low - widest < slope && slope < tube.slope.high + widest,
-                    "{theta}: {tube:?}"
+                    enclosed.slope.low - widest < slope && slope < enclosed.slope.high + widest,
+                    "{theta}: {enclosed:?}"
                 );
             }
         }
@@ -290,16 +290,16 @@ mod tests {
         for k in 1..POWERS {
             let mut c = [0.0; POWERS];
             c[k] = -3.0;
-            let (tube, radius) = (enclose::<_, { POWERS - 1 }>(c, (0.0, 0.5)), 0.5_f64);
+            let (enclosed, radius) = (enclose::<_, { POWERS - 1 }>(c, (0.0, 0.5)), 0.5_f64);
             let (size, steepest) = (3.0 * radius.powi(k as i32), 3.0 * k as f64 * radius.powi(k as i32 - 1));
             let value = [-size, if k % 2 == 0 { 0.0 } else { size }];
             let slope = match k {
                 1 => [-3.0, -3.0],
                 _ => [-steepest, if k % 2 == 0 { steepest } else { 0.0 }],
             };
-            let found = [tube.value.low, tube.value.high, tube.slope.low, tube.slope.high];
+            let found = [enclosed.value.low, enclosed.value.high, enclosed.slope.low, enclosed.slope.high];
             for (found, known) in found.into_iter().zip([value, slope].concat()) {
-                assert!((found - known).abs() < 1e-14, "{k}: {tube:?}");
+                assert!((found - known).abs() < 1e-14, "{k}: {enclosed:?}");
             }
         }
     }

@@ -2,14 +2,7 @@
 
 use crate::linalg::{add, dot, largest};
 use crate::scalar::Real;
-
-/// Singular values below this part of the largest vanish together at the singular pose.
-const SMALL: f64 = 1e-3;
-/// Where they do they are below this part of it.
-const VANISHED: f64 = 1e-6;
-/// A singular value below so many units in the last place of the largest, at a pose that is not singular, is that of rows that repeat
-/// others.
-const REPEATED: f64 = 1e3;
+use crate::tolerances::{REPEATED, SMALL, vanished};
 
 /// The rows of a pose by how they depend on each other: combinations of them that are orthogonal.
 pub(super) struct Combined<S, const NQ: usize, const NC: usize> {
@@ -39,13 +32,13 @@ impl<S: Real, const NQ: usize, const NC: usize> Combined<S, NQ, NC> {
 
     /// Tells those that vanish at the singular pose: up to so many times the smallest.
     pub(super) fn part(&mut self, together: S) {
-        let small = if together > S::lit(1.0) { S::lit(SMALL) * largest(&self.sizes) } else { S::ZERO };
+        let small = if together > S::lit(1.0) { SMALL.of::<S>() * largest(&self.sizes) } else { S::ZERO };
         self.small = (together * self.least()).max(small);
     }
 
     /// Have they vanished?
     pub(super) fn has_vanished(&self) -> bool {
-        let vanished = S::lit(VANISHED).max(S::lit(REPEATED) * S::EPSILON) * largest(&self.sizes);
+        let vanished = S::lit(vanished()).max(REPEATED.of::<S>() * S::EPSILON) * largest(&self.sizes);
         self.of_vanishing().all(|(size, _)| size <= vanished)
     }
 
@@ -72,7 +65,7 @@ impl<S: Real, const NQ: usize, const NC: usize> Combined<S, NQ, NC> {
 
     /// Do rows repeat others? The pose is not to be singular.
     pub(super) fn repeats(&self) -> bool {
-        self.least() < S::lit(REPEATED) * S::EPSILON * largest(&self.sizes)
+        self.least() < REPEATED.of::<S>() * S::EPSILON * largest(&self.sizes)
     }
 
     /// The size of the smallest combination.

@@ -7,34 +7,23 @@
 //! of its terms is zero: the mechanism comes to the pose itself, and this is known from its lengths alone, wherever on
 //! its way it is asked for.
 
-use super::Fine;
+use super::ExtendedPrecision;
 use super::combined::Combined;
 use crate::absolute::{Absolute, phi_q_matrix};
+use crate::double_double::DoubleDouble;
 use crate::linalg::{add, diagonal, dot, largest, rotate};
 use crate::scalar::{Real, Scalar};
-use crate::twofold::Twofold;
+use crate::tolerances::{CONVERGED, CRITICAL_STEPS, CURVED, DIFFERENCE, ROUNDED_LENGTH, SEARCHED, TOGETHER};
 use crate::vector::Vector;
 use crate::workspace;
-
-/// Newton steps that are enough from a pose near the singular one.
-const ITERATIONS: usize = 16;
-/// From a pose that is farther away than this, rad (or lengths of the mechanism), another one may be found.
-const FAR: f64 = 0.5;
-/// Singular values vanish together with the smallest up to so many times it, or it does alone.
-const TOGETHER: [f64; 2] = [8.0, 1.0];
-/// Curvatures below this part of the largest are rounding of the difference quotients, squared.
-const CURVED: f64 = 1e-8;
-/// A length that was read from decimals is off by half a unit in the last place, one that was multiplied by a unit or a count
-/// before by a quarter more at most.
-const ROUNDED: f64 = 0.75;
 
 /// A singular pose.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Critical<S, const NQ: usize, const NC: usize> {
     /// The pose.
-    pub(super) q: [Twofold<S>; NQ],
+    pub(super) q: [DoubleDouble<S>; NQ],
     /// What stays open there, m and rad.
-    pub(super) open: [Twofold<S>; NC],
+    pub(super) open: [DoubleDouble<S>; NC],
     /// The combination of rows that vanishes there, of residuals in m; its largest entry is 1.
     pub(super) combination: [S; NC],
     /// By how much joints are open, all together, m: the difference of lengths.
@@ -51,67 +40,85 @@ impl<S: Real, const NQ: usize, const NC: usize> Critical<S, NQ, NC> {
 }
 
 /// The constraints with all residuals in m: angles at the size of the mechanism, which positions are measured by.
-pub(super) struct Rows<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
+pub(super) struct Rows<
+    'm,
+    M: ExtendedPrecision<NQ, NC, NX>,
+    const NQ: usize,
+    const NC: usize,
+    const NX: usize,
+> {
     system: &'m M,
-    fine: &'m M::Twofold,
+    extended: &'m M::Extended,
     length: M::S,
     /// Rows that say something: the others repeat what they say at every pose, and elimination leaves them out.
     kept: [bool; NC],
 }
 
-impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rows<'m, M, NQ, NC, NX> {
+impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
+    Rows<'m, M, NQ, NC, NX>
+{
     /// Of a mechanism that is at the pose `q`; none where their matrices take more of the stack than is allowed.
-    pub(super) fn at(system: &'m M, fine: &'m M::Twofold, t: M::S, q: &[Twofold<M::S>; NQ]) -> Option<Self> {
+    pub(super) fn at(
+        system: &'m M,
+        extended: &'m M::Extended,
+        t: M::S,
+        q: &[DoubleDouble<M::S>; NQ],
+    ) -> Option<Self> {
         let room = workspace::of::<M::S, NQ, NC>() + size_of::<[[M::S; NQ]; NQ]>();
         if room > workspace::allowed() {
             return None;
         }
-        let mut rows = Self::of(system, fine);
+        let mut rows = Self::of(system, extended);
         rows.leave_out_repeated(t, q);
         Some(rows)
     }
 
-    fn of(system: &'m M, fine: &'m M::Twofold) -> Self {
-        Self { system, fine, length: system.length(), kept: [true; NC] }
+    fn of(system: &'m M, extended: &'m M::Extended) -> Self {
+        Self { system, extended, length: system.length(), kept: [true; NC] }
     }
 
     /// Leaves out the rows that repeat others at the pose `q`: those that elimination leaves out there, of which a residual moves
     /// nothing. It is a call: a mechanism whose matrices have no room takes no stack for them.
     #[inline(never)]
-    fn leave_out_repeated(&mut self, t: M::S, q: &[Twofold<M::S>; NQ]) {
+    fn leave_out_repeated(&mut self, t: M::S, q: &[DoubleDouble<M::S>; NQ]) {
         let pose = Vector::from_fn(|i| q[i].rounded());
         let mut combined = Combined::nothing();
         let repeats = self.combined(t, &pose, &mut combined).is_some() && combined.repeats();
         if repeats {
             for k in 0..NC {
-                let r = Vector::from_fn(|r| Twofold::lit(if r == k { 1.0 } else { 0.0 }));
-                let mut dq = [Twofold::ZERO; NQ];
-                self.fine.min_norm(Twofold::of(t), q, &[Twofold::lit(1.0); NQ], &r, &mut dq);
-                self.kept[k] = largest(&dq) > Twofold::ZERO;
+                let r = Vector::from_fn(|r| DoubleDouble::lit(if r == k { 1.0 } else { 0.0 }));
+                let mut dq = [DoubleDouble::ZERO; NQ];
+                self.extended.min_norm(DoubleDouble::of(t), q, &[DoubleDouble::lit(1.0); NQ], &r, &mut dq);
+                self.kept[k] = largest(&dq) > DoubleDouble::ZERO;
             }
         }
     }
 
     /// The singular pose next to `q`; none where none is near.
-    pub(super) fn critical(&self, t: M::S, q: &[Twofold<M::S>; NQ]) -> Option<Critical<M::S, NQ, NC>> {
-        TOGETHER.into_iter().find_map(|together| self.newton(t, q, M::S::lit(together)))
+    pub(super) fn critical(&self, t: M::S, q: &[DoubleDouble<M::S>; NQ]) -> Option<Critical<M::S, NQ, NC>> {
+        [TOGETHER.get(), 1.0].into_iter().find_map(|together| self.newton(t, q, M::S::lit(together)))
     }
 
     /// The same for singular values that vanish together with the smallest, up to so many times it.
-    fn newton(&self, t: M::S, q: &[Twofold<M::S>; NQ], together: M::S) -> Option<Critical<M::S, NQ, NC>> {
+    fn newton(
+        &self,
+        t: M::S,
+        q: &[DoubleDouble<M::S>; NQ],
+        together: M::S,
+    ) -> Option<Critical<M::S, NQ, NC>> {
         let (mut q, mut way) = (*q, M::S::ZERO);
-        for _ in 0..ITERATIONS {
+        for _ in 0..CRITICAL_STEPS {
             let dq = self.step(t, &q, together)?;
             let moved = largest(&dq);
             way = way + moved;
             // False for what is not a number.
-            let near = way < M::S::lit(FAR);
+            let near = way < SEARCHED.of::<M::S>();
             if !near {
                 return None;
             }
-            q = Vector::from_fn(|i| q[i] + Twofold::of(self.column(i) * dq[i]));
+            q = Vector::from_fn(|i| q[i] + DoubleDouble::of(self.column(i) * dq[i]));
             // The error of a Newton step is about the square of the next.
-            if moved < M::S::EPSILON.sqrt() * M::S::lit(1e-2) {
+            if moved < M::S::EPSILON.sqrt() * CONVERGED.of::<M::S>() {
                 return self.told(t, q, together);
             }
         }
@@ -138,12 +145,12 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
     }
 
     /// Residuals, m.
-    fn phi(&self, t: M::S, q: &[Twofold<M::S>; NQ]) -> [M::S; NC] {
-        self.in_metres(&self.fine.phi(Twofold::of(t), q))
+    fn phi(&self, t: M::S, q: &[DoubleDouble<M::S>; NQ]) -> [M::S; NC] {
+        self.in_metres(&self.extended.phi(DoubleDouble::of(t), q))
     }
 
     /// Residuals in m.
-    pub(super) fn in_metres(&self, open: &[Twofold<M::S>; NC]) -> [M::S; NC] {
+    pub(super) fn in_metres(&self, open: &[DoubleDouble<M::S>; NC]) -> [M::S; NC] {
         Vector::from_fn(|r| self.row(r) * open[r].rounded())
     }
 
@@ -174,7 +181,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
     /// The derivative of that along a direction.
     #[inline(never)]
     fn bend(&self, t: M::S, q: &[M::S; NQ], lambda: &[M::S; NC], along: &[M::S; NQ]) -> [M::S; NQ] {
-        let h = third::<M::S>();
+        let h = DIFFERENCE.of::<M::S>();
         let beside = |h: M::S| {
             let q = Vector::from_fn(|i| q[i] + h * self.column(i) * along[i]);
             self.gradient(t, &q, lambda)
@@ -199,7 +206,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
 
     /// A step of Newton's iteration towards the singular pose, in units of the coordinates.
     #[inline(never)]
-    fn step(&self, t: M::S, at: &[Twofold<M::S>; NQ], together: M::S) -> Option<[M::S; NQ]> {
+    fn step(&self, t: M::S, at: &[DoubleDouble<M::S>; NQ], together: M::S) -> Option<[M::S; NQ]> {
         let q: [M::S; NQ] = Vector::from_fn(|i| at[i].rounded());
         let mut combined = Combined::nothing();
         self.combined(t, &q, &mut combined)?;
@@ -234,7 +241,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
             }
         }
         let curvatures = rotate(&mut normal, &mut sides)?;
-        let flat = curvatures.cut(M::S::lit(CURVED));
+        let flat = curvatures.cut(CURVED.of::<M::S>());
         for ((size, row), [side]) in curvatures.values.iter().zip(&normal).zip(&sides) {
             if *size > flat {
                 add(dq, -*side / (*size * *size), row);
@@ -262,12 +269,12 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
     /// Do the combinations that vanish curve to one side alone, in all directions that are left? A loop then has no pose beyond.
     #[inline(never)]
     pub(super) fn is_definite(&self, t: M::S, critical: &Critical<M::S, NQ, NC>) -> bool {
-        let q = critical.q.map(Twofold::rounded);
+        let q = critical.q.map(DoubleDouble::rounded);
         let mut combined = Combined::nothing();
         if self.combined(t, &q, &mut combined).is_none() {
             return false;
         }
-        combined.part(M::S::lit(TOGETHER[0]));
+        combined.part(TOGETHER.of::<M::S>());
         self.curves_to_one_side((t, &q), &combined, &critical.combination)
     }
 
@@ -283,7 +290,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
             *row = self.curvature((t, q), (combined, lambda), along);
         }
         let Some(curvatures) = rotate(&mut hessian, &mut nothing) else { return false };
-        let flat = curvatures.cut(M::S::lit(CURVED).sqrt());
+        let flat = curvatures.cut(CURVED.of::<M::S>().sqrt());
         let [mut up, mut down] = [false; 2];
         for (_, row) in curvatures.values.iter().zip(&hessian).filter(|(size, _)| **size > flat) {
             let rises = dot(row, &self.bend(t, q, lambda, row)) > M::S::ZERO;
@@ -294,8 +301,8 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
 
     /// What is to be known of a singular pose.
     #[inline(never)]
-    fn told(&self, t: M::S, q: [Twofold<M::S>; NQ], together: M::S) -> Option<Critical<M::S, NQ, NC>> {
-        let pose = q.map(Twofold::rounded);
+    fn told(&self, t: M::S, q: [DoubleDouble<M::S>; NQ], together: M::S) -> Option<Critical<M::S, NQ, NC>> {
+        let pose = q.map(DoubleDouble::rounded);
         let mut combined = Combined::nothing();
         self.combined(t, &pose, &mut combined)?;
         combined.part(together);
@@ -314,13 +321,13 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
         let combination = Vector::from_fn(|r| taken[r] / most);
         let all = largest(&weights);
         weights = Vector::from_fn(|r| weights[r] / all);
-        let mut open = self.fine.phi(Twofold::of(t), &q);
+        let mut open = self.extended.phi(DoubleDouble::of(t), &q);
         for (open, _) in open.iter_mut().zip(&self.kept).filter(|(_, kept)| !**kept) {
-            *open = Twofold::ZERO;
+            *open = DoubleDouble::ZERO;
         }
         let gap = self.in_metres(&open).iter().fold(M::S::ZERO, |gap, open| gap + open.abs());
         let terms = self.terms(t, &pose);
-        let rounding = M::S::lit(ROUNDED) * M::S::EPSILON * dot(&weights, &terms);
+        let rounding = ROUNDED_LENGTH.of::<M::S>() * M::S::EPSILON * dot(&weights, &terms);
         // False for what is not a number.
         let known = most > M::S::ZERO && gap < self.length.max(one);
         known.then_some(Critical { q, open, combination, gap, rounding })
@@ -338,7 +345,7 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
                 rest.set(r, rest.at(r) + self.row(r) * entry * q.at(i));
             }
         });
-        let h = third::<M::S>();
+        let h = DIFFERENCE.of::<M::S>();
         for i in (0..NQ).filter(|i| i % 3 == 2) {
             let mut bends = [M::S::ZERO; NC];
             for h in [h, -h] {
@@ -354,9 +361,4 @@ impl<'m, M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
         }
         Vector::from_fn(|r| terms[r] + rest[r].abs())
     }
-}
-
-/// The third root of a unit in the last place, for difference quotients: the power of two next to it.
-fn third<S: Real>() -> S {
-    if S::EPSILON < S::lit(1e-12) { S::lit(1.0 / 131_072.0) } else { S::lit(1.0 / 256.0) }
 }

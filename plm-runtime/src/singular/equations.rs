@@ -1,72 +1,82 @@
 //! The equations of motion in absolute coordinates, on states that are led back onto the constraints.
 
-use super::{Fine, size};
+use super::{ExtendedPrecision, size};
 use crate::absolute::{Absolute, nearest, split};
+use crate::double_double::DoubleDouble;
 use crate::scalar::{Real, Scalar};
 use crate::start::Start;
 use crate::system::{Constraints, Events, Health, Labels, Rate};
-use crate::twofold::Twofold;
+use crate::tolerances::{ANGLE_ROUNDED, POSE_MOVED, VELOCITY_MOVED, half_of_digits};
 use crate::vector::Vector;
-
-/// An accepted pose is this near to the constraints, as a part of typical sizes, ...
-const BESIDE: f64 = 1e-6;
-/// ... and its velocity this near to their tangent: a pose that is rounded at the distance d from a singular one turns the tangent by
-/// `EPSILON / d`, and takes the square of that from the energy.
-const TANGENT: f64 = 1e-3;
 
 /// A mechanism in absolute coordinates: x' = f(P(x)), where P leads a state onto the constraints by the shortest way in the
 /// metric of the masses.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Equations<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
+pub(super) struct Equations<
+    M: ExtendedPrecision<NQ, NC, NX>,
+    const NQ: usize,
+    const NC: usize,
+    const NX: usize,
+> {
     pub(super) system: M,
     /// What the joints are open by, m and rad: less than the rounding of the lengths, so that a singular pose is one exactly.
-    pub(super) open: [Twofold<M::S>; NC],
+    pub(super) open: [DoubleDouble<M::S>; NC],
 }
 
 /// A mechanism whose joints are open by a given amount.
 pub(super) struct Opened<'m, F, S, const NC: usize> {
     of: &'m F,
-    open: &'m [Twofold<S>; NC],
+    open: &'m [DoubleDouble<S>; NC],
 }
 
-impl<S: Real, F: Absolute<Twofold<S>, NQ, NC>, const NQ: usize, const NC: usize> Absolute<Twofold<S>, NQ, NC>
-    for Opened<'_, F, S, NC>
+impl<S: Real, F: Absolute<DoubleDouble<S>, NQ, NC>, const NQ: usize, const NC: usize>
+    Absolute<DoubleDouble<S>, NQ, NC> for Opened<'_, F, S, NC>
 {
     const ROWS: [&'static str; NC] = F::ROWS;
     const PARTS: [&'static str; NC] = F::PARTS;
     const COORDINATES: [&'static str; NQ] = F::COORDINATES;
     const ANGULAR: [bool; NC] = F::ANGULAR;
 
-    fn phi(&self, t: Twofold<S>, q: &[Twofold<S>; NQ]) -> [Twofold<S>; NC] {
+    fn phi(&self, t: DoubleDouble<S>, q: &[DoubleDouble<S>; NQ]) -> [DoubleDouble<S>; NC] {
         let phi = self.of.phi(t, q);
         Vector::from_fn(|r| phi[r] - self.open[r])
     }
-    fn phi_dot(&self, t: Twofold<S>, q: &[Twofold<S>; NQ], v: &[Twofold<S>; NQ]) -> [Twofold<S>; NC] {
+    fn phi_dot(
+        &self,
+        t: DoubleDouble<S>,
+        q: &[DoubleDouble<S>; NQ],
+        v: &[DoubleDouble<S>; NQ],
+    ) -> [DoubleDouble<S>; NC] {
         self.of.phi_dot(t, q, v)
     }
-    fn phi_q(&self, t: Twofold<S>, q: &[Twofold<S>; NQ], each: &mut impl FnMut(usize, usize, Twofold<S>)) {
+    fn phi_q(
+        &self,
+        t: DoubleDouble<S>,
+        q: &[DoubleDouble<S>; NQ],
+        each: &mut impl FnMut(usize, usize, DoubleDouble<S>),
+    ) {
         self.of.phi_q(t, q, each);
     }
     fn min_norm(
         &self,
-        t: Twofold<S>,
-        q: &[Twofold<S>; NQ],
-        w: &[Twofold<S>; NQ],
-        r: &[Twofold<S>; NC],
-        dq: &mut [Twofold<S>; NQ],
-    ) -> Health<Twofold<S>> {
+        t: DoubleDouble<S>,
+        q: &[DoubleDouble<S>; NQ],
+        w: &[DoubleDouble<S>; NQ],
+        r: &[DoubleDouble<S>; NC],
+        dq: &mut [DoubleDouble<S>; NQ],
+    ) -> Health<DoubleDouble<S>> {
         self.of.min_norm(t, q, w, r, dq)
     }
-    fn inverse_mass(&self) -> [Twofold<S>; NQ] {
+    fn inverse_mass(&self) -> [DoubleDouble<S>; NQ] {
         self.of.inverse_mass()
     }
-    fn start_position(&self) -> [Start<Twofold<S>>; NQ] {
+    fn start_position(&self) -> [Start<DoubleDouble<S>>; NQ] {
         self.of.start_position()
     }
-    fn start_velocity(&self, q: &[Twofold<S>; NQ]) -> [Start<Twofold<S>>; NQ] {
+    fn start_velocity(&self, q: &[DoubleDouble<S>; NQ]) -> [Start<DoubleDouble<S>>; NQ] {
         self.of.start_velocity(q)
     }
-    fn length(&self) -> Twofold<S> {
+    fn length(&self) -> DoubleDouble<S> {
         self.of.length()
     }
 }
@@ -77,27 +87,29 @@ pub(super) struct Evaluated<S, const NX: usize> {
     pub(super) dx: [S; NX],
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equations<M, NQ, NC, NX> {
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
+    Equations<M, NQ, NC, NX>
+{
     /// Of closed joints.
     pub(super) fn of(system: M) -> Self {
-        Self { system, open: [Twofold::ZERO; NC] }
+        Self { system, open: [DoubleDouble::ZERO; NC] }
     }
 
     /// The constraints.
-    pub(super) fn opened<'m>(&'m self, fine: &'m M::Twofold) -> Opened<'m, M::Twofold, M::S, NC> {
-        Opened { of: fine, open: &self.open }
+    pub(super) fn opened<'m>(&'m self, extended: &'m M::Extended) -> Opened<'m, M::Extended, M::S, NC> {
+        Opened { of: extended, open: &self.open }
     }
 
     /// A state, led back, and its rate; none where the loops cannot be closed.
     pub(super) fn evaluate(&self, t: M::S, held: &M::U, x: &[M::S; NX]) -> Option<Evaluated<M::S, NX>> {
-        let (fine, inputs) = self.system.twofold(held);
-        let (t, mut x) = (Twofold::of(t), Vector::from_fn(|i| Twofold::of(x[i])));
-        if !nearest::<_, _, NQ, NC, NX>(&self.opened(&fine), t, &mut x) {
+        let (extended, inputs) = self.system.extended_with_inputs(held);
+        let (t, mut x) = (DoubleDouble::of(t), Vector::from_fn(|i| DoubleDouble::of(x[i])));
+        if !nearest::<_, _, NQ, NC, NX>(&self.opened(&extended), t, &mut x) {
             return None;
         }
         let mut dx = x;
-        M::accelerate(&fine, t, &inputs, &x, &mut dx);
-        let rounded = |x: [Twofold<M::S>; NX]| Vector::from_fn(|i| x[i].rounded());
+        M::accelerate(&extended, t, &inputs, &x, &mut dx);
+        let rounded = |x: [DoubleDouble<M::S>; NX]| Vector::from_fn(|i| x[i].rounded());
         let evaluated = Evaluated { x: rounded(x), dx: rounded(dx) };
         evaluated.dx.is_finite().then_some(evaluated)
     }
@@ -106,8 +118,8 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
     /// other disagree.
     pub(super) fn is_beside(&self, x: &[M::S; NX], evaluated: &Evaluated<M::S, NX>) -> bool {
         let moved: [M::S; NX] = Vector::from_fn(|i| evaluated.x.at(i) - x.at(i));
-        let beside = M::S::lit(BESIDE).max(M::S::EPSILON.sqrt());
-        let tangent = M::S::lit(TANGENT).max(M::S::EPSILON.sqrt());
+        let beside = half_of_digits::<M::S>(POSE_MOVED);
+        let tangent = half_of_digits::<M::S>(VELOCITY_MOVED);
         let allowed = |i: usize| if (NQ..2 * NQ).contains(&i) { tangent } else { beside };
         size(&moved, |i| allowed(i) * (self.typical_of(i) + x.at(i).abs())) < M::S::lit(1.0)
     }
@@ -123,7 +135,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
     pub(super) fn size(&self, x: &[M::S; NX]) -> M::S {
         let length = self.system.length();
         (0..NQ).fold(length, |most: M::S, i| {
-            let turned = if i % 3 == 2 { M::S::lit(0.25) * length } else { M::S::lit(1.0) };
+            let turned = if i % 3 == 2 { ANGLE_ROUNDED.of::<M::S>() * length } else { M::S::lit(1.0) };
             most.max(turned * x.at(i).abs())
         })
     }
@@ -138,7 +150,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Equ
     }
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rate
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rate
     for Equations<M, NQ, NC, NX>
 {
     type S = M::S;
@@ -157,18 +169,18 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rat
     }
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Constraints
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Constraints
     for Equations<M, NQ, NC, NX>
 {
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Events
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Events
     for Equations<M, NQ, NC, NX>
 {
     type G = [M::S; 0];
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Labels
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Labels
     for Equations<M, NQ, NC, NX>
 {
     fn part_of_state(&self, index: usize) -> &'static str {

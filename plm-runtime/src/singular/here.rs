@@ -1,26 +1,28 @@
 //! The state where a step near a singular pose begins, its rate, and the pose ahead.
 
-use super::Fine;
-use super::ahead::Ahead;
+use super::ExtendedPrecision;
+use super::distance::SingularityDistance;
 use super::equations::{Equations, Evaluated};
 use super::meeting::Meeting;
 use crate::fault::Fault;
 use crate::method::Context;
 
 /// The beginning of a step near a singular pose.
-pub(super) struct Here<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
+pub(super) struct Here<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
     pub(super) equations: Equations<M, NQ, NC, NX>,
     /// The state [q, v, first-order states].
     pub(super) full: [M::S; NX],
     /// The state led back onto the constraints, and its rate; none where that is not known.
     pub(super) evaluated: Option<Evaluated<M::S, NX>>,
     /// The singular pose ahead; none where the motion is not known.
-    pub(super) ahead: Option<Ahead<M::S>>,
+    pub(super) singularity: Option<SingularityDistance<M::S>>,
     /// How the mechanism meets the pose that is next.
     pub(super) meeting: Meeting,
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Here<M, NQ, NC, NX> {
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
+    Here<M, NQ, NC, NX>
+{
     /// Of the next step of `context`.
     ///
     /// # Errors
@@ -31,12 +33,12 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Her
             equations: Equations::of(*context.system),
             full: context.system.full(context.time, &context.held, &context.x),
             evaluated: None,
-            ahead: None,
+            singularity: None,
             meeting: Meeting::Unknown,
         };
         here.look(context);
         let open = &mut here.equations.open;
-        here.meeting = Meeting::of(context, (&here.full, here.ahead.as_ref()), open)?;
+        here.meeting = Meeting::of(context, (&here.full, here.singularity.as_ref()), open)?;
         if matches!(here.meeting, Meeting::Reached) {
             here.look(context);
         }
@@ -47,9 +49,10 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Her
     fn look(&mut self, context: &Context<'_, M>) {
         let at = (context.time, &context.held);
         self.evaluated = self.equations.evaluate(at.0, at.1, &self.full);
-        self.ahead = self.evaluated.as_ref().map(|evaluated| Ahead::of(&self.equations, at, evaluated));
-        if self.ahead.is_some_and(|ahead| !ahead.is_resolved()) {
-            (self.evaluated, self.ahead) = (None, None);
+        self.singularity =
+            self.evaluated.as_ref().map(|evaluated| SingularityDistance::of(&self.equations, at, evaluated));
+        if self.singularity.is_some_and(|singularity| !singularity.is_resolved()) {
+            (self.evaluated, self.singularity) = (None, None);
         }
     }
 

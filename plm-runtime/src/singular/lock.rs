@@ -4,20 +4,14 @@
 //! to zero the two images of a loop meet, and there is no pose beyond: a fold of the motion over the time (W. J. F. Govaerts,
 //! Numerical Methods for Bifurcations of Dynamical Equilibria, SIAM 2000, 4.1).
 
-use super::Fine;
+use super::ExtendedPrecision;
 use super::critical::{Critical, Rows};
 use crate::absolute::Absolute;
+use crate::double_double::DoubleDouble;
 use crate::fault::{Cause, Fault};
 use crate::linalg::dot;
 use crate::scalar::{Real, Scalar};
-use crate::twofold::Twofold;
-
-/// Newton steps in the time that are enough.
-const ITERATIONS: usize = 40;
-/// Steps that shrink by less than this are those towards a double root: images that touch and part again.
-const HALVED: f64 = 0.4;
-/// A time is found where it moves by so many units in the last place of the time, or of what is left.
-const FOUND: f64 = 16.0;
+use crate::tolerances::{FOUND, HALVED, LOCK_STEPS, TIME_FOUND};
 
 /// How the singular pose next to a prescribed motion changes with the time.
 pub(super) enum Ends<S, const NQ: usize, const NC: usize> {
@@ -37,7 +31,9 @@ struct Value<S, const NQ: usize, const NC: usize> {
     rate: S,
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rows<'_, M, NQ, NC, NX> {
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
+    Rows<'_, M, NQ, NC, NX>
+{
     /// How a prescribed motion that is next to a singular pose at the time `t` goes on.
     #[inline(never)]
     pub(super) fn ends(&self, t: M::S, critical: Critical<M::S, NQ, NC>) -> Ends<M::S, NQ, NC> {
@@ -51,13 +47,13 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Row
     /// Follows the value to its zero, or to its extremum.
     fn fold(&self, first: &Value<M::S, NQ, NC>) -> Option<Ends<M::S, NQ, NC>> {
         let (mut at, mut last) = (self.after(first, first.newton())?, first.newton());
-        for _ in 0..ITERATIONS {
+        for _ in 0..LOCK_STEPS {
             let step = at.newton();
             if is_found(step, (first.time, at.time)) {
                 // What has been or is now is left behind.
                 return (at.time > first.time).then_some(Ends::At(at.time, at.critical));
             }
-            if step.abs() > M::S::lit(HALVED) * last.abs() {
+            if step.abs() > HALVED.of::<M::S>() * last.abs() {
                 return self.extremum(first, at);
             }
             (at, last) = (self.after(&at, step)?, step);
@@ -73,7 +69,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Row
     ) -> Option<Ends<M::S, NQ, NC>> {
         let (mut before, mut rate) = (first.time, first.rate);
         let mut at = second;
-        for _ in 0..ITERATIONS {
+        for _ in 0..LOCK_STEPS {
             let step = -at.rate * (at.time - before) / (at.rate - rate);
             if at.critical.is_reached() && is_found(step, (first.time, at.time)) {
                 return Some(Ends::Touches(at.critical));
@@ -91,7 +87,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Row
     /// The zero of the value between two times of different sign: Newton's steps, halves where these leave the interval.
     fn between(&self, first: &Value<M::S, NQ, NC>, last: Value<M::S, NQ, NC>) -> Option<Ends<M::S, NQ, NC>> {
         let (mut low, mut high, mut at) = (first.time, last.time, last);
-        for _ in 0..2 * ITERATIONS {
+        for _ in 0..2 * LOCK_STEPS {
             if at.open * first.open < M::S::ZERO {
                 high = at.time;
             } else {
@@ -125,7 +121,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Row
         if like.is_some_and(|like| dot(like, &critical.combination) < M::S::ZERO) {
             critical.combination = critical.combination.map(|entry| -entry);
         }
-        let rate = dot(&critical.combination, &self.driven(time, &critical.q.map(Twofold::rounded)));
+        let rate = dot(&critical.combination, &self.driven(time, &critical.q.map(DoubleDouble::rounded)));
         let open = dot(&critical.combination, &self.in_metres(&critical.open));
         Value { time, critical, open, rate }
     }
@@ -134,7 +130,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Row
     #[cold]
     #[inline(never)]
     pub(super) fn locked(&self, (t, part): (M::S, &'static str), critical: &Critical<M::S, NQ, NC>) -> Fault {
-        let q = critical.q.map(Twofold::rounded);
+        let q = critical.q.map(DoubleDouble::rounded);
         let (driven, mut row, mut most) = (self.driven(t, &q), 0, M::S::ZERO);
         for (r, rate) in driven.iter().enumerate() {
             let share = (critical.combination[r] * *rate).abs();
@@ -159,5 +155,6 @@ impl<S: Real, const NQ: usize, const NC: usize> Value<S, NQ, NC> {
 
 /// Is a step in the time nothing beside rounding and beside the way so far?
 fn is_found<S: Real>(step: S, (first, at): (S, S)) -> bool {
-    step.abs() <= S::lit(FOUND) * S::EPSILON * (at.abs() + first.abs()) + S::lit(1e-9) * (at - first).abs()
+    step.abs()
+        <= FOUND.of::<S>() * S::EPSILON * (at.abs() + first.abs()) + TIME_FOUND.of::<S>() * (at - first).abs()
 }

@@ -1,21 +1,17 @@
 //! What the lengths tell of the singular pose next to a state.
 
-use super::ahead::Ahead;
 use super::critical::{Critical, Rows};
+use super::distance::SingularityDistance;
 use super::lock::Ends;
-use super::{Fine, size};
+use super::{ExtendedPrecision, size};
 use crate::absolute::split;
+use crate::double_double::DoubleDouble;
 use crate::fault::Fault;
 use crate::linalg::largest;
 use crate::method::Context;
 use crate::scalar::Real;
-use crate::twofold::Twofold;
+use crate::tolerances::{NEARBY, UNCERTAIN};
 use crate::vector::Vector;
-
-/// So near to a pose, rad, lengths that are rounded turn the motion by `EPSILON` over the square of this.
-const BESIDE: f64 = 1e-4;
-/// A pose that is found from there is not farther away than this.
-const NEXT: f64 = 1e-3;
 
 /// How a mechanism meets a singular pose.
 #[derive(Clone, Copy, Debug)]
@@ -36,27 +32,31 @@ impl Meeting {
     #[inline(never)]
     pub(super) fn of<S: Real, M, const NQ: usize, const NC: usize, const NX: usize>(
         context: &Context<'_, M>,
-        (full, ahead): (&[S; NX], Option<&Ahead<S>>),
-        open: &mut [Twofold<S>; NC],
+        (full, singularity): (&[S; NX], Option<&SingularityDistance<S>>),
+        open: &mut [DoubleDouble<S>; NC],
     ) -> Result<Self, Fault>
     where
-        M: Fine<NQ, NC, NX, S = S>,
+        M: ExtendedPrecision<NQ, NC, NX, S = S>,
     {
         let (time, system) = (context.time, context.system);
-        let (fine, _) = system.twofold(&context.held);
+        let (extended, _) = system.extended_with_inputs(&context.held);
         let (q, v) = split::<_, NX, NQ>(full);
-        let at = Vector::from_fn(|i| Twofold::of(q[i]));
-        let Some(rows) = Rows::<M, NQ, NC, NX>::at(system, &fine, time, &at) else {
+        let at = Vector::from_fn(|i| DoubleDouble::of(q[i]));
+        let Some(rows) = Rows::<M, NQ, NC, NX>::at(system, &extended, time, &at) else {
             return Ok(Self::Unknown);
         };
         let driven = largest(&rows.driven(time, &q)) > S::ZERO;
         // Beside the pose the motion is not known before the lengths are.
-        let distance = ahead.and_then(Ahead::near).filter(|distance| distance.abs() > S::lit(BESIDE));
-        let way = distance.zip(ahead).map_or(S::ZERO, |(distance, ahead)| ahead.signed_time_to(distance));
-        let guess = Vector::from_fn(|i| Twofold::of(q[i] + way * v[i]));
+        let distance = singularity
+            .and_then(SingularityDistance::distance)
+            .filter(|distance| distance.abs() > UNCERTAIN.of::<S>());
+        let way = distance
+            .zip(singularity)
+            .map_or(S::ZERO, |(distance, singularity)| singularity.signed_time_to(distance));
+        let guess = Vector::from_fn(|i| DoubleDouble::of(q[i] + way * v[i]));
         let is_next = |critical: &Critical<S, NQ, NC>| {
             let off: [S; NQ] = Vector::from_fn(|i| q[i] - critical.q[i].rounded());
-            size(&off, |i| S::lit(1.0) + q[i].abs()) < S::lit(NEXT)
+            size(&off, |i| S::lit(1.0) + q[i].abs()) < NEARBY.of::<S>()
         };
         let known = distance.is_some() || driven;
         let Some(critical) = rows.critical(time, &guess).filter(|critical| known || is_next(critical)) else {

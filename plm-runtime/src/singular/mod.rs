@@ -5,68 +5,67 @@
 //! (`equations`): the rate is then a smooth function of the state however near a singular pose is.
 //!
 //! How near that is, is told by the smallest pivot of `phi_q M^-1 phi_q^T`. Along the motion it is `c + k (s - s0)^2`
-//! (`ahead`):
+//! (`distance`):
 //!
 //! * Away from zero, the pose is passed by: steps follow the turn, which takes place over a length of `sqrt(c / k)`.
 //! * Where `c` vanishes, the rank of `phi_q` does too (A. Mueller, Higher derivatives of the kinematic mapping and some
 //!   applications, Mech. Mach. Theory 76, 2014, on the branches that meet there). The motion through it is analytic; a step by
-//!   collocation leads over the pose, with nodes on both sides of it (`leap`).
+//!   collocation leads over the pose, with nodes on both sides of it (`crossing`).
 //!
 //! Whether `c` vanishes is a matter of lengths (`critical`): the singular pose is the critical point of a combination of constraints, and
 //! its value there the difference of lengths by which it is missed. Within their rounding the joints are closed to the pose
 //! (`meeting`); else it is passed by. Where a row prescribes a motion that value changes with the time, and where it comes to zero the
 //! motion ends (`lock`). Where no such pose is found, the gap that the polynomial of a step over it leaves in the joints decides.
 
-mod ahead;
 mod collocation;
 mod combined;
+mod conditioning;
 mod critical;
+mod crossing;
+mod distance;
 mod equations;
 mod here;
-mod leap;
 mod lock;
 mod meeting;
-mod near;
-mod poor;
+mod near_singular;
 mod start;
 
-pub(crate) use self::near::LONG;
-pub use self::near::Near;
+pub use self::near_singular::NearSingular;
 pub use self::start::refine;
 
 use crate::Absolute;
+use crate::double_double::DoubleDouble;
 use crate::fault::Fault;
 use crate::mechanism::Mechanism;
 use crate::method::{Context, DenseOutput, ErrorControl, FixedLength, Length, Method};
 pub use crate::protocol::{Nearness, Rescue};
 use crate::scalar::Real;
 use crate::system::{Drift, Step};
-use crate::twofold::Twofold;
 
 /// The equations of a mechanism in absolute coordinates, in numbers of twice the precision; implemented by generated code.
 ///
 /// `NX` numbers are a state [q, v, first-order states].
-pub trait Fine<const NQ: usize, const NC: usize, const NX: usize>:
+pub trait ExtendedPrecision<const NQ: usize, const NC: usize, const NX: usize>:
     Mechanism + Absolute<Self::S, NQ, NC>
 {
     /// The mechanism in those numbers.
-    type Twofold: Absolute<Twofold<Self::S>, NQ, NC>;
+    type Extended: Absolute<DoubleDouble<Self::S>, NQ, NC>;
     /// Inputs in those numbers.
     type Inputs;
 
     /// The mechanism.
-    fn fine(&self) -> Self::Twofold;
+    fn extended(&self) -> Self::Extended;
 
     /// The mechanism and what it holds over a step.
-    fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs);
+    fn extended_with_inputs(&self, held: &Self::U) -> (Self::Extended, Self::Inputs);
 
     /// The rate `dx` of a state that satisfies the constraints; not finite where the equations have no solution.
     fn accelerate(
-        fine: &Self::Twofold,
-        t: Twofold<Self::S>,
+        extended: &Self::Extended,
+        t: DoubleDouble<Self::S>,
         u: &Self::Inputs,
-        x: &[Twofold<Self::S>; NX],
-        dx: &mut [Twofold<Self::S>; NX],
+        x: &[DoubleDouble<Self::S>; NX],
+        dx: &mut [DoubleDouble<Self::S>; NX],
     );
 
     /// The mechanism has charts, which say themselves whether they are regular.

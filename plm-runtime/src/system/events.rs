@@ -1,9 +1,9 @@
 //! Events of a motion: guards, kinks, time events, and what they change.
 
+use crate::enclosure::Enclosed;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::system::Rate;
-use crate::tube::Tube;
 use crate::vector::Vector;
 
 /// Events, at which the discrete state changes and the state may be reset. Without any, `type G = [S; 0]` is all of it.
@@ -76,10 +76,10 @@ pub trait Events: Rate {
     /// a system cannot, and then conditions that last shorter than a small part of a step can be missed.
     fn guards_within(
         &self,
-        t: Tube<Self::S>,
+        t: Enclosed<Self::S>,
         u: &Self::U,
-        x: &impl Fn(usize) -> Tube<Self::S>,
-        each: &mut impl FnMut(usize, Tube<Self::S>),
+        x: &impl Fn(usize) -> Enclosed<Self::S>,
+        each: &mut impl FnMut(usize, Enclosed<Self::S>),
     ) -> bool
     where
         Self::S: Real,

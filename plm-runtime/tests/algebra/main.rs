@@ -1,7 +1,9 @@
 //! Numbers of other kinds, and small linear algebra, against an independent one.
 #![allow(clippy::unwrap_used, clippy::panic, unreachable_pub, missing_docs, reason = "tests")]
 
+mod double_double;
 mod dual;
+mod enclosure;
 mod linalg;
 mod linear;
 #[path = "../support/linkage.rs"]
@@ -15,5 +17,3 @@ mod random;
 mod scalar;
 #[path = "../support/smooth.rs"]
 mod smooth;
-mod tube;
-mod twofold;

@@ -1,8 +1,8 @@
 //! Which chart is held where, and when it is looked at again: a bead on a circle, by one of its coordinates.
 
 use plm_runtime::charts::{
-    self, Charted, OfLoops, Reach, Remembered, are_calm, are_short, crossed, enter, full, hold, is_calm,
-    is_free, look, pose, update,
+    self, Charted, ContinuationData, OfLoops, Reach, are_calm, are_short, crossed, enter, full, hold,
+    is_calm, is_free, look, pose, update,
 };
 use plm_runtime::held::{Held, Loops};
 use plm_runtime::{Cause, Constraints, Events, Health, Labels, Rate};
@@ -21,22 +21,27 @@ const REACH: f64 = 0.01;
 const WHILE: f64 = 0.3;
 
 /// The area is the other coordinate.
-type Memory = charts::Memory<f64, 1, 0, 1, 0>;
-type Bound = Held<(), (), [i32; 0], OfLoops<Memory, [f64; 2]>>;
+type Continuation = charts::Continuation<f64, 1, 0, 1, 0>;
+type Bound = Held<(), (), [i32; 0], OfLoops<Continuation, [f64; 2]>>;
 
-fn memory(coordinate: f64, t: f64, other: f64) -> Memory {
+fn continuation(coordinate: f64, t: f64, other: f64) -> Continuation {
     let coordinates = [Reach { last: coordinate, reach: REACH }];
-    Memory { coordinates, time: Reach { last: t, reach: WHILE }, areas: [other], ..Memory::nothing() }
+    Continuation {
+        coordinates,
+        time: Reach { last: t, reach: WHILE },
+        determinants: [other],
+        ..Continuation::nothing()
+    }
 }
 
-fn in_chart(chart: usize, memory: Memory) -> Bound {
-    Held { input: (), switches: (), turns: [], of_loops: OfLoops::InChart { chart, memory } }
+fn in_chart(chart: usize, continuation: Continuation) -> Bound {
+    Held { input: (), switches: (), turns: [], of_loops: OfLoops::InChart { chart, continuation } }
 }
 
 /// The chart and what is remembered.
-fn within(held: &Bound) -> (usize, Memory) {
+fn within(held: &Bound) -> (usize, Continuation) {
     match held.of_loops {
-        OfLoops::InChart { chart, memory } => (chart, memory),
+        OfLoops::InChart { chart, continuation } => (chart, continuation),
         OfLoops::Free { .. } => panic!("no chart: {held:?}"),
     }
 }
@@ -68,35 +73,35 @@ impl Charted for Bead {
     type Input = ();
     type Switches = ();
     type Turns = [i32; 0];
-    type Memory = Memory;
+    type Continuation = Continuation;
     type Q = [f64; 2];
     const CHARTS: usize = 2;
-    const COUNTED: &'static [charts::Counted] = &[];
+    const REVOLUTIONS: &'static [charts::Revolutions] = &[];
     const LOOSE: bool = false;
     const TURNING: &'static [&'static str] = &[];
     const FOUND: &'static [&'static [usize]] = &[];
-    const FOLLOWED: &'static [&'static str] = &[];
+    const ITERATED: &'static [&'static str] = &[];
     const CLOSING: &'static [&'static [&'static str]] = &[&["ring"], &["hoop"]];
 
     fn pose(&self, _t: f64, held: &Bound, x: &[f64; 3]) -> ([f64; 2], [f64; 2], f64) {
-        let (chart, memory) = match held.of_loops {
-            OfLoops::InChart { chart, memory } => (chart, memory),
+        let (chart, continuation) = match held.of_loops {
+            OfLoops::InChart { chart, continuation } => (chart, continuation),
             OfLoops::Free { q, v } => return (q, v, 0.0),
         };
         let square = 1.0 - x[0] * x[0];
-        let other = square.sqrt().copysign(memory.areas[0]);
+        let other = square.sqrt().copysign(continuation.determinants[0]);
         let (mut q, mut v) = ([other, x[0]], [-x[0] * x[1] / other, x[1]]);
         if chart == 1 {
             (q, v) = ([q[1], q[0]], [v[1], v[0]]);
         }
         (q, v, self.poorer * self.poorer * square)
     }
-    fn remember(&self, t: f64, held: &Bound, x: &[f64; 3]) -> (Memory, f64) {
+    fn continuation(&self, t: f64, held: &Bound, x: &[f64; 3]) -> (Continuation, f64) {
         let (q, _, measure) = self.pose(t, held, x);
-        (memory(x[0], t, q[within(held).0]), measure)
+        (continuation(x[0], t, q[within(held).0]), measure)
     }
-    fn remember_pose(&self, chart: usize, t: f64, q: &[f64; 2], _v: &[f64; 2]) -> (Memory, f64) {
-        (memory(q[1 - chart], t, q[chart]), (self.poorer * q[chart]).powi(2))
+    fn continuation_at(&self, chart: usize, t: f64, q: &[f64; 2], _v: &[f64; 2]) -> (Continuation, f64) {
+        (continuation(q[1 - chart], t, q[chart]), (self.poorer * q[chart]).powi(2))
     }
     fn to_chart(&self, chart: usize, _t: f64, q: &[f64; 2], v: &[f64; 2], x: &mut [f64; 3]) {
         (x[0], x[1]) = (q[1 - chart], v[1 - chart]);
@@ -105,7 +110,7 @@ impl Charted for Bead {
 
 /// A state at 2 rad/s, with one of first order that is 5.
 fn entered(poorer: f64, degrees: f64) -> (Bead, Bound, [f64; 3]) {
-    let (bead, mut held, mut x) = (Bead { poorer }, in_chart(0, Memory::nothing()), [0.0, 0.0, 5.0]);
+    let (bead, mut held, mut x) = (Bead { poorer }, in_chart(0, Continuation::nothing()), [0.0, 0.0, 5.0]);
     let (q, v) = on_circle(degrees);
     enter(&bead, 0.0, &mut held, (&q, &v), &mut x);
     (bead, held, x)
@@ -153,9 +158,9 @@ fn a_state_within_its_box_is_calm() {
         assert_eq!(both_calm(bead, part * WHILE, &held, &x), expected, "{part} of the time");
         assert!((crossed(&bead, &held, &x, &moved) - part.abs()).abs() < 1e-12, "{part} of the reach");
     }
-    let (chart, mut memory) = within(&held);
-    memory.coordinates[0].reach = 0.031;
-    let wide = in_chart(chart, memory);
+    let (chart, mut continuation) = within(&held);
+    continuation.coordinates[0].reach = 0.031;
+    let wide = in_chart(chart, continuation);
     // A box of a thirtieth of what is typical is not tight.
     assert_eq!(crossed(&bead, &wide, &x, &[x[0] + 0.04, x[1], x[2]]), 0.0);
 }
@@ -169,10 +174,10 @@ fn both_calm(bead: Bead, t: f64, held: &Bound, x: &[f64; 3]) -> (bool, f64) {
 #[test]
 fn two_boxes_are_calm_where_neither_is_tight() {
     let (bead, held, x) = entered(1.0, 30.0);
-    let (chart, mut memory) = within(&held);
+    let (chart, mut continuation) = within(&held);
     for (reach, boxes) in [(0.01, 1.0), (0.0599, 1.0), (0.0601, 2.0), (0.1, 2.0)] {
-        memory.coordinates[0].reach = reach;
-        let held = in_chart(chart, memory);
+        continuation.coordinates[0].reach = reach;
+        let held = in_chart(chart, continuation);
         for (part, calm) in
             [(0.99, (true, 1.0)), (-0.99, (true, 1.0)), (1.01, (false, 0.0)), (-1.01, (false, 0.0))]
         {
@@ -185,12 +190,12 @@ fn two_boxes_are_calm_where_neither_is_tight() {
 #[test]
 fn steps_in_tight_boxes_are_short_up_to_a_fifth() {
     let (bead, held, x) = entered(1.0, 30.0);
-    let (chart, mut memory) = within(&held);
+    let (chart, mut continuation) = within(&held);
     for (reach, part, short) in
         [(0.01, 0.19, 1.0), (0.01, 0.21, 0.0), (0.029, -0.21, 0.0), (0.031, 5.0, 1.0), (0.01, f64::NAN, 0.0)]
     {
-        memory.coordinates[0].reach = reach;
-        let held = in_chart(chart, memory);
+        continuation.coordinates[0].reach = reach;
+        let held = in_chart(chart, continuation);
         let moved = [x[0] + part * reach, x[1], x[2]];
         let found = are_short::<Bead, f64, _>(&bead.typical(), &held.of_loops, [&x, &moved]);
         assert_eq!(found, short, "{part} of {reach}");
@@ -209,9 +214,10 @@ fn looks_side_by_side_are_those_of_one_state() {
                 let (mut alone, mut moved) = (held, x);
                 let accepted = update(&bead, t, &mut alone, &mut moved);
                 let mut together = held;
-                let (memory, measure) = bead.remember(t, &held, &x);
-                let due =
-                    |due: f64, of_loops: &mut _| look::<Bead, f64, _>(of_loops, &x, (&memory, measure), due);
+                let (continuation, measure) = bead.continuation(t, &held, &x);
+                let due = |due: f64, of_loops: &mut _| {
+                    look::<Bead, f64, _>(of_loops, &x, (&continuation, measure), due)
+                };
                 assert_eq!(due(0.0, &mut together.of_loops), 0.0);
                 assert_eq!(together, held);
                 let found = due(1.0, &mut together.of_loops);
@@ -236,7 +242,7 @@ fn a_step_of_some_boxes_is_looked_at_and_a_longer_one_refused() {
             let before = within(&held).1;
             let t = if by_time { boxes * WHILE } else { 0.0 };
             x[0] += if by_time { 0.0 } else { boxes * REACH };
-            let looked = memory(x[0], t, (1.0 - x[0] * x[0]).sqrt());
+            let looked = continuation(x[0], t, (1.0 - x[0] * x[0]).sqrt());
             match (update(&bead, t, &mut held, &mut x), kept) {
                 (Ok(accepted), None) => assert!(!accepted.moved && within(&held).1 == before, "{boxes}"),
                 (Ok(accepted), Some(true)) => {
@@ -267,7 +273,7 @@ fn what_cannot_be_closed_is_locked() {
 fn moved_to(poorer: f64, degrees: f64) -> (Bead, Bound, [f64; 3]) {
     let (bead, _, mut x) = entered(poorer, degrees);
     let ((q, v), (before, _)) = (on_circle(degrees), on_circle(degrees - 1.0));
-    let held = in_chart(0, memory(before[1], 0.0, before[0]));
+    let held = in_chart(0, continuation(before[1], 0.0, before[0]));
     bead.to_chart(0, 0.0, &q, &v, &mut x);
     (bead, held, x)
 }
@@ -303,7 +309,8 @@ fn without_a_chart_one_is_taken_that_is_clearly_good() {
         (0.04, 0.0, Some(0)),
     ] {
         let (q, v) = on_circle(degrees);
-        let (bead, mut held, mut x) = (Bead { poorer }, in_chart(0, Memory::nothing()), [1.0, 2.0, 3.0]);
+        let (bead, mut held, mut x) =
+            (Bead { poorer }, in_chart(0, Continuation::nothing()), [1.0, 2.0, 3.0]);
         hold::<Bead, 5>(&mut held, &mut x, &[q[0], q[1], v[0], v[1], 5.0]);
         assert!(is_free::<Bead>(&held) && !is_calm(&bead, 0.0, &held, &x));
         assert_eq!(pose(&bead, 0.0, &held, &x), (q, v));

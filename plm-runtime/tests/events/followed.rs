@@ -1,6 +1,6 @@
 //! Loops that are solved by iteration: an unknown that is not where its rates have taken it is another solution.
 
-use plm_runtime::charts::{self, Charted, Followed, OfLoops, Reach, Remembered, update};
+use plm_runtime::charts::{self, Charted, ContinuationData, Iterated, OfLoops, Reach, update};
 use plm_runtime::{Cause, Constraints, Events, Fault, Health, Held, Labels, Rate};
 
 /// A crank at the angle x turns a link to the angle 2 x, or, where the iteration is led astray, elsewhere.
@@ -13,17 +13,17 @@ struct Link {
 }
 
 /// The crank is the coordinate, the link is followed.
-type Memory = charts::Memory<f64, 1, 0, 1, 1>;
-type Bound = Held<(), (), [i32; 0], OfLoops<Memory, [f64; 1]>>;
+type Continuation = charts::Continuation<f64, 1, 0, 1, 1>;
+type Bound = Held<(), (), [i32; 0], OfLoops<Continuation, [f64; 1]>>;
 
-fn held(memory: Memory) -> Bound {
-    Held { input: (), switches: (), turns: [], of_loops: OfLoops::InChart { chart: 0, memory } }
+fn held(continuation: Continuation) -> Bound {
+    Held { input: (), switches: (), turns: [], of_loops: OfLoops::InChart { chart: 0, continuation } }
 }
 
 /// The link as it is remembered.
-fn link_of(held: &Bound) -> Followed<f64> {
+fn link_of(held: &Bound) -> Iterated<f64> {
     match held.of_loops {
-        OfLoops::InChart { memory, .. } => memory.followed[0],
+        OfLoops::InChart { continuation, .. } => continuation.iterated[0],
         OfLoops::Free { .. } => panic!("no chart: {held:?}"),
     }
 }
@@ -52,34 +52,34 @@ impl Charted for Link {
     type Input = ();
     type Switches = ();
     type Turns = [i32; 0];
-    type Memory = Memory;
+    type Continuation = Continuation;
     type Q = [f64; 1];
     const CHARTS: usize = 1;
-    const COUNTED: &'static [charts::Counted] = &[];
+    const REVOLUTIONS: &'static [charts::Revolutions] = &[];
     const LOOSE: bool = false;
     const TURNING: &'static [&'static str] = &[];
     const FOUND: &'static [&'static [usize]] = &[];
-    const FOLLOWED: &'static [&'static str] = &["link"];
+    const ITERATED: &'static [&'static str] = &["link"];
     const CLOSING: &'static [&'static [&'static str]] = &[&["pin"]];
 
     fn pose(&self, _t: f64, _held: &Self::U, x: &[f64; 2]) -> ([f64; 1], [f64; 1], f64) {
         ([x[0]], [x[1]], self.measure * self.measure)
     }
-    fn remember(&self, t: f64, _held: &Self::U, x: &[f64; 2]) -> (Memory, f64) {
+    fn continuation(&self, t: f64, _held: &Self::U, x: &[f64; 2]) -> (Continuation, f64) {
         // Nothing but the link limits how far it may go.
         let far = |last: f64| Reach { last, reach: 1e3 };
-        let link = Followed { value: 2.0 * x[0] + self.astray, rate: 2.0 * x[1], bend: 0.0 };
-        let memory = Memory {
+        let link = Iterated { value: 2.0 * x[0] + self.astray, rate: 2.0 * x[1], bend: 0.0 };
+        let continuation = Continuation {
             coordinates: [far(x[0])],
             time: far(t),
-            turns: [],
-            areas: [self.measure],
-            followed: [link],
+            angles: [],
+            determinants: [self.measure],
+            iterated: [link],
         };
-        (memory, self.measure * self.measure)
+        (continuation, self.measure * self.measure)
     }
-    fn remember_pose(&self, _chart: usize, t: f64, q: &[f64; 1], v: &[f64; 1]) -> (Memory, f64) {
-        self.remember(t, &held(Memory::nothing()), &[q[0], v[0]])
+    fn continuation_at(&self, _chart: usize, t: f64, q: &[f64; 1], v: &[f64; 1]) -> (Continuation, f64) {
+        self.continuation(t, &held(Continuation::nothing()), &[q[0], v[0]])
     }
     fn to_chart(&self, _chart: usize, _t: f64, q: &[f64; 1], v: &[f64; 1], x: &mut [f64; 2]) {
         *x = [q[0], v[0]];
@@ -89,8 +89,9 @@ impl Charted for Link {
 /// A step of 0.1 s at 3 rad/s whose iteration ends so far from its solution.
 fn stepped(astray: f64, measure: f64) -> Result<Bound, Fault> {
     let mut x = [0.5, 3.0];
-    let (memory, _) = Link { astray: 0.0, measure }.remember(0.0, &held(Memory::nothing()), &x);
-    let mut held = held(memory);
+    let (continuation, _) =
+        Link { astray: 0.0, measure }.continuation(0.0, &held(Continuation::nothing()), &x);
+    let mut held = held(continuation);
     x[0] += 0.3;
     update(&Link { astray, measure }, 0.1, &mut held, &mut x)?;
     Ok(held)
@@ -120,8 +121,8 @@ fn an_unknown_that_leaves_its_rates_is_refused() {
 #[test]
 fn the_rate_of_a_rate_is_remembered() {
     let link = Link { astray: 0.0, measure: 0.8 };
-    let (memory, _) = link.remember(0.0, &held(Memory::nothing()), &[0.5, 3.0]);
-    let mut held = held(memory);
+    let (continuation, _) = link.continuation(0.0, &held(Continuation::nothing()), &[0.5, 3.0]);
+    let mut held = held(continuation);
     update(&link, 0.1, &mut held, &mut [0.83, 3.6]).unwrap();
     assert!((link_of(&held).bend - 6.0).abs() < 1e-13, "{held:?}");
 }

@@ -4,8 +4,8 @@ use core::f64::consts::PI;
 
 use plm_runtime::method::{Dopri5, Method, RadauIia5};
 use plm_runtime::{
-    Cause, Constraints, Dop853, Dual, Events, Fault, Health, Labels, Linear, Mechanism, Rate, Real, Rk4,
-    Scalar, SemiImplicitEuler, Sim, Tube,
+    Cause, Constraints, Dop853, Dual, Enclosed, Events, Fault, Health, Labels, Linear, Mechanism, Rate, Real,
+    Rk4, Scalar, SemiImplicitEuler, Sim,
 };
 
 use crate::linkage::At;
@@ -93,12 +93,12 @@ impl<S: Real> Events for Gate<S> {
     }
     fn guards_within(
         &self,
-        t: Tube<S>,
+        t: Enclosed<S>,
         side: &S,
-        x: &impl Fn(usize) -> Tube<S>,
-        each: &mut impl FnMut(usize, Tube<S>),
+        x: &impl Fn(usize) -> Enclosed<S>,
+        each: &mut impl FnMut(usize, Enclosed<S>),
     ) -> bool {
-        let constant = Tube::constant;
+        let constant = Enclosed::constant;
         let gate = Gate {
             guard: self.guard,
             rate: constant(self.rate),

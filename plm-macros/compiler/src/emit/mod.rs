@@ -144,7 +144,7 @@ fn module(emission: &Emission) -> TokenStream {
         contract::charted::charted,
         contract::rate::rate,
         contract::system::system,
-        contract::singular::fine,
+        contract::singular::extended,
         item::state::pose,
         contract::moment::moment,
         contract::moment::mechanism,
@@ -294,7 +294,7 @@ impl Emission<'_> {
 fn memory(reduced: &Reduced, scalar: &TokenStream) -> TokenStream {
     let counts = [reduced.freedom(), reduced.turning.len(), reduced.areas, reduced.followed.len()];
     let counts = counts.map_each(number);
-    quote!(rt::charts::Memory<#scalar, #(#counts),*>)
+    quote!(rt::charts::Continuation<#scalar, #(#counts),*>)
 }
 
 /// Pose and velocity of all bodies, where `self` is the mechanism, at time `t` and state `x`; `held` is a place.

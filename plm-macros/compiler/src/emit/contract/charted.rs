@@ -43,12 +43,12 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
             type Input = Input<S>;
             type Switches = [S; #switches];
             #counted
-            type Memory = #memory;
+            type Continuation = #memory;
             type Q = [S; #nq];
             const CHARTS: usize = #charts;
             const TURNING: &'static [&'static str] = &[#turning];
             const FOUND: &'static [&'static [usize]] = &[#found];
-            const FOLLOWED: &'static [&'static str] = &[#followed];
+            const ITERATED: &'static [&'static str] = &[#followed];
             const CLOSING: &'static [&'static [&'static str]] = &[#closing];
 
             fn pose(&self, t: S, held: &Self::U, x: &[S; #length]) -> ([S; #nq], [S; #nq], S) {
@@ -56,11 +56,11 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
                 let measure = #pose;
                 (q, v, measure)
             }
-            fn remember(&self, t: S, held: &Self::U, x: &[S; #length]) -> (Self::Memory, S) {
+            fn continuation(&self, t: S, held: &Self::U, x: &[S; #length]) -> (Self::Continuation, S) {
                 self.remember_(t, held, x)
             }
-            fn remember_pose(&self, chart: usize, t: S, q: &[S; #nq], v: &[S; #nq]) -> (Self::Memory, S) {
-                let mut memory: Self::Memory = rt::charts::Remembered::nothing();
+            fn continuation_at(&self, chart: usize, t: S, q: &[S; #nq], v: &[S; #nq]) -> (Self::Continuation, S) {
+                let mut memory: Self::Continuation = rt::charts::ContinuationData::nothing();
                 let measure = #remember_pose;
                 (memory, measure)
             }
@@ -73,7 +73,7 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
     }
 }
 
-/// `Charted::remember` for numbers of several lanes too.
+/// `Charted::continuation` for numbers of several lanes too.
 fn remember(emission: &Emission, reduced: &Reduced) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
     let memory = memory(reduced, &quote!(S));
@@ -84,7 +84,7 @@ fn remember(emission: &Emission, reduced: &Reduced) -> TokenStream {
     quote! {
         impl<S: Scalar> #name<S> {
             fn remember_(&self, t: S, held: &Held<S>, x: &[S; #length]) -> (#memory, S) {
-                let mut memory: #memory = rt::charts::Remembered::nothing();
+                let mut memory: #memory = rt::charts::ContinuationData::nothing();
                 let measure = #measure;
                 (memory, measure)
             }
@@ -104,8 +104,8 @@ pub(crate) fn in_held(
     let other = call(last);
     quote! {
         match &#held.of_loops {
-            #(rt::charts::OfLoops::InChart { chart: #numbers, memory: m } => #calls,)*
-            rt::charts::OfLoops::InChart { memory: m, .. } => #other,
+            #(rt::charts::OfLoops::InChart { chart: #numbers, continuation: m } => #calls,)*
+            rt::charts::OfLoops::InChart { continuation: m, .. } => #other,
             rt::charts::OfLoops::Free { q: free_q, v: free_v } => #free,
         }
     }

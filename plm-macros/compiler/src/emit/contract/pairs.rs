@@ -78,7 +78,7 @@ fn rate_pair(emission: &Emission, parts: &Parts) -> TokenStream {
     let inlined = rate::inlined(emission);
     let in_first = emission.loops().map(|_| {
         quote! {
-            let rt::charts::OfLoops::InChart { chart: 0, memory: m } = &u.of_loops else {
+            let rt::charts::OfLoops::InChart { chart: 0, continuation: m } = &u.of_loops else {
                 let (k, health) = rt::system::rate_aside(self, t[0], u, *x[0]);
                 dx[0] = k;
                 let (k, other) = rt::system::rate_aside(self, t[1], u, second(&k));

@@ -1,4 +1,4 @@
-//! `Fine`: how a mechanism goes on near singular poses, by its equations in absolute coordinates in numbers of twice the
+//! `ExtendedPrecision`: how a mechanism goes on near singular poses, by its equations in absolute coordinates in numbers of twice the
 //! precision.
 
 use crate::emit::template::quote;
@@ -13,7 +13,7 @@ use crate::model::{Model, Stabilisation};
 pub(super) fn rescue(emission: &Emission) -> TokenStream {
     let Sizes { nq, nc, full, .. } = &emission.sizes;
     if emission.may_be_singular {
-        quote!(rt::singular::Near<Self, #nq, #nc, #full>)
+        quote!(rt::singular::NearSingular<Self, #nq, #nc, #full>)
     } else {
         quote!(rt::singular::Never<Self>)
     }
@@ -30,8 +30,8 @@ pub(in crate::emit) fn may_be_singular(model: &Model, equations: &Equations, for
     }
 }
 
-/// `Fine`, for mechanisms with singular poses.
-pub(crate) fn fine(emission: &Emission) -> TokenStream {
+/// `ExtendedPrecision`, for mechanisms with singular poses.
+pub(crate) fn extended(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { nq, nc, full, .. }, .. } = emission;
     if !emission.may_be_singular {
         return TokenStream::new();
@@ -40,27 +40,27 @@ pub(crate) fn fine(emission: &Emission) -> TokenStream {
     // rustdoc shows a constant argument by its source, which is the whole declaration.
     quote! {
         #[doc(hidden)]
-        impl<S: Real> rt::singular::Fine<#nq, #nc, #full> for #name<S> {
-            type Twofold = #name<rt::Twofold<S>>;
-            type Inputs = Held<rt::Twofold<S>>;
+        impl<S: Real> rt::singular::ExtendedPrecision<#nq, #nc, #full> for #name<S> {
+            type Extended = #name<rt::DoubleDouble<S>>;
+            type Inputs = Held<rt::DoubleDouble<S>>;
 
-            fn fine(&self) -> Self::Twofold {
-                rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::Twofold::written(s))
+            fn extended(&self) -> Self::Extended {
+                rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::DoubleDouble::written(s))
             }
-            fn twofold(&self, held: &Self::U) -> (Self::Twofold, Self::Inputs) {
+            fn extended_with_inputs(&self, held: &Self::U) -> (Self::Extended, Self::Inputs) {
                 use rt::lanes::Pack;
-                (self.fine(), Self::pack_held(held, [held], |[s]: [S; 1]| rt::Twofold::of(s)))
+                (self.extended(), Self::pack_held(held, [held], |[s]: [S; 1]| rt::DoubleDouble::of(s)))
             }
             #[cold]
             fn accelerate(
-                fine: &Self::Twofold,
-                t: rt::Twofold<S>,
+                extended: &Self::Extended,
+                t: rt::DoubleDouble<S>,
                 u: &Self::Inputs,
-                x: &[rt::Twofold<S>; #full],
-                dx: &mut [rt::Twofold<S>; #full],
+                x: &[rt::DoubleDouble<S>; #full],
+                dx: &mut [rt::DoubleDouble<S>; #full],
             ) {
-                let mut lambda = [rt::Twofold::<S>::lit(0.0); #nc];
-                fine.dynamics(t, u, x, dx, &mut lambda);
+                let mut lambda = [rt::DoubleDouble::<S>::lit(0.0); #nc];
+                extended.dynamics(t, u, x, dx, &mut lambda);
             }
             #between
         }
@@ -79,7 +79,7 @@ pub(crate) fn refine(emission: &Emission) -> Option<TokenStream> {
     })
 }
 
-/// Implementation of `Fine` for a mechanism that is in absolute coordinates anyway.
+/// Implementation of `ExtendedPrecision` for a mechanism that is in absolute coordinates anyway.
 fn alone() -> TokenStream {
     quote! {
         const CHARTED: bool = false;

@@ -106,7 +106,7 @@ pub(super) fn of_charts(emission: &Emission, reduced: &Reduced) -> TokenStream {
     let counted = (0..emission.model.turns.len()).map(|k| {
         let coordinates: Vec<&str> = charts.iter().map(|places| places[k].as_str()).collect_vec();
         format!(
-            "rt::charts::Counted {{ coordinates: &[{}], remembered: {}, followed: {} }}",
+            "rt::charts::Revolutions {{ coordinates: &[{}], angles: {}, iterated: {} }}",
             coordinates.join(", "),
             remembered[k],
             followed[k]
@@ -120,7 +120,7 @@ pub(super) fn of_charts(emission: &Emission, reduced: &Reduced) -> TokenStream {
     let count = number(emission.model.turns.len());
     quote! {
         type Turns = [i32; #count];
-        const COUNTED: &'static [rt::charts::Counted] = &[#counted];
+        const REVOLUTIONS: &'static [rt::charts::Revolutions] = &[#counted];
         const LOOSE: bool = #any_free;
     }
 }

@@ -71,7 +71,7 @@ fn straight(emission: &Emission) -> TokenStream {
         format!("{{ {} {health} }}", if looks_each { look } else { String::new() })
     });
     let in_first = is_loop.then(|| {
-        quote!(let rt::charts::OfLoops::InChart { chart: 0, memory: m } = &u.of_loops else { return None };)
+        quote!(let rt::charts::OfLoops::InChart { chart: 0, continuation: m } = &u.of_loops else { return None };)
     });
     let all = emission.list(STAGES.map_each(|[_, _, _, name]| of_stage(name)));
     let direct = (!looks_each && !angles.is_empty()).then(|| quote!(&& S::are_direct([#all])));

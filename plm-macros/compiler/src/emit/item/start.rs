@@ -253,7 +253,10 @@ pub(crate) fn assembled(emission: &Emission) -> TokenStream {
 fn holding(emission: &Emission) -> TokenStream {
     let of_loops = match emission.form {
         Form::Loops(_) => {
-            quote!(rt::charts::OfLoops::InChart { chart: 0, memory: rt::charts::Remembered::nothing() })
+            quote!(rt::charts::OfLoops::InChart {
+                chart: 0,
+                continuation: rt::charts::ContinuationData::nothing()
+            })
         }
         Form::Tree(_) | Form::Absolute => quote!(()),
     };

@@ -71,17 +71,17 @@ impl Memory {
         boxes.chain(angles).chain(&self.areas).chain(followed).copied().collect_vec()
     }
 
-    /// Where each of [`Memory::symbols`] stands in the runtime's `Memory`.
+    /// Where each of [`Memory::symbols`] stands in the runtime's `Continuation`.
     pub(crate) fn paths(&self) -> Vec<String> {
         let freedom = self.boxes.len().saturating_sub(1);
         let times = self.boxes.iter().skip(freedom).map(|_| "time".to_owned());
         let boxes = (0..freedom).map(|k| format!("coordinates[{k}]")).chain(times);
         let boxes = boxes.flat_map(|path| ["last", "reach"].map_each(|what| format!("{path}.{what}")));
         let angles = (0..self.angles.iter().flatten().count())
-            .flat_map(|k| ["angle", "cos", "sin"].map_each(|what| format!("turns[{k}].{what}")));
-        let areas = (0..self.areas.len()).map(|k| format!("areas[{k}]"));
+            .flat_map(|k| ["angle", "cos", "sin"].map_each(|what| format!("angles[{k}].{what}")));
+        let areas = (0..self.areas.len()).map(|k| format!("determinants[{k}]"));
         let followed = (0..self.followed().count())
-            .flat_map(|k| FOLLOWED.map_each(|what| format!("followed[{k}].{what}")));
+            .flat_map(|k| FOLLOWED.map_each(|what| format!("iterated[{k}].{what}")));
         boxes.chain(angles).chain(areas).chain(followed).collect_vec()
     }
 

@@ -3,28 +3,17 @@
 //! Near it, the smallest pivot of `phi_q M^-1 phi_q^T` is `c + k (s - s0)^2`. Three poses in the direction of the motion give the
 //! parabola.
 
-use super::Fine;
+use super::ExtendedPrecision;
 use super::equations::{Equations, Evaluated};
 use crate::absolute::{nearest, smallest_pivot, split};
+use crate::double_double::DoubleDouble;
 use crate::scalar::Real;
-use crate::twofold::Twofold;
+use crate::tolerances::{APART, BEFORE_TURNING, FOLLOWS, NARROWEST, REFINEMENTS, VANISHES};
 use crate::vector::Vector;
-
-/// Poses that far apart are compared first, in radians (or lengths of the mechanism).
-const APART: f64 = 0.02;
-/// Then such that are nearer to each other, until they are within the parabola's own scale.
-const REFINEMENTS: usize = 12;
-/// A pose is reached before the motion turns, at v^2/2a, up to this part of v^2/a.
-const BEFORE_TURNING: f64 = 0.25;
-/// Where the parabola is lower than this part of the present pivot, it may come to zero.
-const VANISHES: f64 = 0.05;
-
-/// No pose that is passed by has a parabola narrower than this, rad: lengths that differ by what they are rounded make one of 1e-8.
-const NARROWEST: f64 = 1e-3;
 
 /// What lies ahead of a state.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ahead<S> {
+pub(super) struct SingularityDistance<S> {
     /// Distance over which the parabola changes by its own size, rad.
     scale: S,
     /// Distance to its lowest point, negative behind.
@@ -36,7 +25,7 @@ pub(super) struct Ahead<S> {
     acceleration: S,
 }
 
-impl<S: Real> Ahead<S> {
+impl<S: Real> SingularityDistance<S> {
     /// From a state and its rate.
     pub(super) fn of<M, const NQ: usize, const NC: usize, const NX: usize>(
         equations: &Equations<M, NQ, NC, NX>,
@@ -44,13 +33,13 @@ impl<S: Real> Ahead<S> {
         here: &Evaluated<S, NX>,
     ) -> Self
     where
-        M: Fine<NQ, NC, NX, S = S>,
+        M: ExtendedPrecision<NQ, NC, NX, S = S>,
     {
         let fastest = |from: usize, of: &[S; NX]| {
             (0..NQ).fold(S::ZERO, |most: S, i| most.max((of.at(from + i) / equations.typical_of(i)).abs()))
         };
         let (speed, acceleration) = (fastest(NQ, &here.x), fastest(NQ, &here.dx));
-        if speed * speed > S::lit(APART) * acceleration {
+        if speed * speed > APART.of::<S>() * acceleration {
             return Self::along(
                 equations,
                 (t, held),
@@ -60,15 +49,15 @@ impl<S: Real> Ahead<S> {
         }
         // What is slow may turn soon, and come to a pose before.
         if speed > S::ZERO {
-            let ahead = Self::along(
+            let singularity = Self::along(
                 equations,
                 (t, held),
                 here,
                 (&here.x, [speed, S::lit(1.0) / speed], [speed, S::ZERO]),
             );
-            let reach = S::lit(BEFORE_TURNING) * speed * speed;
-            if ahead.flat().is_some_and(|distance| distance * acceleration < reach) {
-                return ahead;
+            let reach = BEFORE_TURNING.of::<S>() * speed * speed;
+            if singularity.distance_ahead().is_some_and(|distance| distance * acceleration < reach) {
+                return singularity;
             }
         }
         Self::along(equations, (t, held), here, (&here.dx, [acceleration, S::ZERO], [speed, acceleration]))
@@ -82,43 +71,44 @@ impl<S: Real> Ahead<S> {
         (of, [most, takes], [speed, acceleration]): (&[S; NX], [S; 2], [S; 2]),
     ) -> Self
     where
-        M: Fine<NQ, NC, NX, S = S>,
+        M: ExtendedPrecision<NQ, NC, NX, S = S>,
     {
-        let mut ahead =
+        let mut singularity =
             Self { scale: S::INFINITY, lowest: S::INFINITY, vanishes: false, speed, acceleration };
         if most <= S::ZERO {
-            return ahead;
+            return singularity;
         }
-        let (fine, _) = equations.system.twofold(held);
-        let constraints = equations.opened(&fine);
+        let (extended, _) = equations.system.extended_with_inputs(held);
+        let constraints = equations.opened(&extended);
         let pivot = |distance: S| {
             let way = |i: usize| if i < NQ { distance * (of.at(NQ + i) / most) } else { S::ZERO };
-            let mut x = Vector::from_fn(|i| Twofold::of(here.x.at(i)) + Twofold::of(way(i)));
+            let mut x = Vector::from_fn(|i| DoubleDouble::of(here.x.at(i)) + DoubleDouble::of(way(i)));
             let t = t + distance * takes;
             // The pivots of joints that repeat others vanish on the constraints alone.
-            nearest::<_, _, NQ, NC, NX>(&constraints, Twofold::of(t), &mut x);
-            smallest_pivot(&fine, Twofold::of(t), &split::<_, NX, NQ>(&x).0).rounded()
+            nearest::<_, _, NQ, NC, NX>(&constraints, DoubleDouble::of(t), &mut x);
+            smallest_pivot(&extended, DoubleDouble::of(t), &split::<_, NX, NQ>(&x).0).rounded()
         };
-        let (mut apart, now) = (S::lit(APART), pivot(S::ZERO));
+        let (mut apart, now) = (APART.of::<S>(), pivot(S::ZERO));
         for _ in 0..REFINEMENTS {
             let [before, after] = [-apart, apart].map(pivot);
             let slope = (after - before) / (apart + apart);
             let bend = (after + before - (now + now)) / (apart * apart);
             if bend > S::ZERO {
-                ahead.scale = ((now + now) / bend).sqrt();
-                ahead.lowest = -slope / bend;
-                ahead.vanishes = now + S::lit(0.5) * slope * ahead.lowest < S::lit(VANISHES) * now;
+                singularity.scale = ((now + now) / bend).sqrt();
+                singularity.lowest = -slope / bend;
+                singularity.vanishes =
+                    now + S::lit(0.5) * slope * singularity.lowest < VANISHES.of::<S>() * now;
             } else {
-                (ahead.scale, ahead.lowest) = (S::INFINITY, S::INFINITY);
+                (singularity.scale, singularity.lowest) = (S::INFINITY, S::INFINITY);
             }
             // False for what is not a number.
-            let nearer = ahead.scale < apart;
+            let nearer = singularity.scale < apart;
             if !nearer {
                 break;
             }
-            apart = S::lit(0.5) * ahead.scale;
+            apart = S::lit(0.5) * singularity.scale;
         }
-        ahead
+        singularity
     }
 
     /// The time in which a distance is covered.
@@ -137,12 +127,12 @@ impl<S: Real> Ahead<S> {
     /// Are the pivots those of the motion? Two that are small beside a flat pose amplify the rounding of a third: that of a row which
     /// repeats others is left out or not by chance then.
     pub(super) fn is_resolved(&self) -> bool {
-        self.scale > S::lit(NARROWEST) * S::EPSILON.sqrt()
+        self.scale > NARROWEST.of::<S>() * S::EPSILON.sqrt()
     }
 
     /// The longest step that follows the parabola.
     pub(super) fn longest_step(&self) -> S {
-        if self.scale < S::INFINITY { self.time_to(S::lit(0.4) * self.scale) } else { S::INFINITY }
+        if self.scale < S::INFINITY { self.time_to(FOLLOWS.of::<S>() * self.scale) } else { S::INFINITY }
     }
 
     /// Distance over which the motion turns, rad.
@@ -151,12 +141,12 @@ impl<S: Real> Ahead<S> {
     }
 
     /// Distance to a singular pose, negative behind, if there may be one near.
-    pub(super) fn near(&self) -> Option<S> {
+    pub(super) fn distance(&self) -> Option<S> {
         (self.vanishes && self.lowest.is_finite()).then_some(self.lowest)
     }
 
     /// Distance to the singular pose, if there may be one ahead.
-    pub(super) fn flat(&self) -> Option<S> {
+    pub(super) fn distance_ahead(&self) -> Option<S> {
         (self.vanishes && self.lowest > S::ZERO).then_some(self.lowest)
     }
 }
@@ -165,37 +155,37 @@ impl<S: Real> Ahead<S> {
 mod tests {
     use super::*;
 
-    const AHEAD: Ahead<f64> =
-        Ahead { scale: 5.0, lowest: 3.0, vanishes: true, speed: 2.0, acceleration: 0.5 };
+    const SINGULARITY: SingularityDistance<f64> =
+        SingularityDistance { scale: 5.0, lowest: 3.0, vanishes: true, speed: 2.0, acceleration: 0.5 };
 
     #[test]
     fn a_distance_takes_as_long_as_the_motion_does() {
         for (speed, acceleration) in [(2.0, 0.5), (2.0, 0.0), (0.0, 0.5)] {
-            let ahead = Ahead { speed, acceleration, ..AHEAD };
+            let singularity = SingularityDistance { speed, acceleration, ..SINGULARITY };
             for time in [0.1, 1.0, 7.0] {
                 let distance = speed * time + 0.5 * acceleration * time * time;
                 assert!(
-                    (ahead.time_to(distance) - time).abs() < 1e-15 * time.max(1.0) * 4.0,
+                    (singularity.time_to(distance) - time).abs() < 1e-15 * time.max(1.0) * 4.0,
                     "{speed} {time}"
                 );
             }
         }
-        let resting = Ahead { speed: 0.0, acceleration: 0.0, ..AHEAD };
+        let resting = SingularityDistance { speed: 0.0, acceleration: 0.0, ..SINGULARITY };
         assert_eq!(resting.time_to(1.0), f64::INFINITY);
         // A step of 2 rad, and any where nothing bends.
-        assert_eq!(AHEAD.longest_step(), AHEAD.time_to(2.0));
-        assert_eq!(Ahead { scale: f64::INFINITY, ..AHEAD }.longest_step(), f64::INFINITY);
+        assert_eq!(SINGULARITY.longest_step(), SINGULARITY.time_to(2.0));
+        assert_eq!(SingularityDistance { scale: f64::INFINITY, ..SINGULARITY }.longest_step(), f64::INFINITY);
     }
 
     #[test]
     fn a_pose_is_ahead_where_the_pivot_may_vanish() {
-        assert_eq!(AHEAD.flat(), Some(3.0));
+        assert_eq!(SINGULARITY.distance_ahead(), Some(3.0));
         for none in [
-            Ahead { vanishes: false, ..AHEAD },
-            Ahead { lowest: -3.0, ..AHEAD },
-            Ahead { lowest: 0.0, ..AHEAD },
+            SingularityDistance { vanishes: false, ..SINGULARITY },
+            SingularityDistance { lowest: -3.0, ..SINGULARITY },
+            SingularityDistance { lowest: 0.0, ..SINGULARITY },
         ] {
-            assert_eq!(none.flat(), None, "{none:?}");
+            assert_eq!(none.distance_ahead(), None, "{none:?}");
         }
     }
 }

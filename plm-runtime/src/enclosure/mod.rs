@@ -1,6 +1,6 @@
 //! Numbers over an interval of time: what a guard can be anywhere in a step.
 //!
-//! Generated code is generic over its scalar, so that running it on a [`Tube`] encloses a guard between two times. From
+//! Generated code is generic over its scalar, so that running it on an [`Enclosed`] encloses a guard between two times. From
 //! the range of the slope and the value in the middle follows a second range, by the mean value theorem, which shrinks
 //! with the square of the interval (R. E. Moore, R. B. Kearfott, M. J. Cloud, Introduction to Interval Analysis, SIAM
 //! 2009, 6.4): a guard that is bisected is decided soon.
@@ -15,7 +15,7 @@ use crate::scalar::{Real, Scalar};
 
 /// A number that moves, over an interval of its one variable.
 #[derive(Clone, Copy, Debug)]
-pub struct Tube<S> {
+pub struct Enclosed<S> {
     /// The number in the middle of the interval.
     pub middle: S,
     /// What it can be anywhere in it.
@@ -35,7 +35,7 @@ pub struct Outcome {
     must: bool,
 }
 
-impl<S: Real> Tube<S> {
+impl<S: Real> Enclosed<S> {
     /// A number that does not move.
     #[inline]
     pub fn constant(s: S) -> Self {
@@ -64,7 +64,7 @@ impl<S: Real> Tube<S> {
     }
 }
 
-impl<S: Real> Add for Tube<S> {
+impl<S: Real> Add for Enclosed<S> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -76,7 +76,7 @@ impl<S: Real> Add for Tube<S> {
     }
 }
 
-impl<S: Real> Sub for Tube<S> {
+impl<S: Real> Sub for Enclosed<S> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -88,7 +88,7 @@ impl<S: Real> Sub for Tube<S> {
     }
 }
 
-impl<S: Real> Mul for Tube<S> {
+impl<S: Real> Mul for Enclosed<S> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
@@ -100,7 +100,7 @@ impl<S: Real> Mul for Tube<S> {
     }
 }
 
-impl<S: Real> Div for Tube<S> {
+impl<S: Real> Div for Enclosed<S> {
     type Output = Self;
     #[inline]
     fn div(self, other: Self) -> Self {
@@ -113,7 +113,7 @@ impl<S: Real> Div for Tube<S> {
     }
 }
 
-impl<S: Real> Neg for Tube<S> {
+impl<S: Real> Neg for Enclosed<S> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -121,14 +121,14 @@ impl<S: Real> Neg for Tube<S> {
     }
 }
 
-impl<S: Real> PartialEq for Tube<S> {
+impl<S: Real> PartialEq for Enclosed<S> {
     #[inline]
     fn eq(&self, other: &Self) -> bool {
         self.middle == other.middle && self.value == other.value
     }
 }
 
-impl<S: Real> Scalar for Tube<S> {
+impl<S: Real> Scalar for Enclosed<S> {
     type Mask = Outcome;
     type Turns = i32;
 

@@ -1,6 +1,6 @@
 //! Numbers over an interval hold what they say: every value and every slope in it.
 
-use plm_runtime::{Dual, Interval, Scalar, Tube};
+use plm_runtime::{Dual, Enclosed, Interval, Scalar};
 
 use crate::random::Random;
 
@@ -37,32 +37,36 @@ fn every_value_and_slope_in_an_interval_is_enclosed() {
         let (a, b) = ([3.0 * random.unit(), 2.0 * random.unit()], [3.0 * random.unit(), random.unit()]);
         let radius = 10.0_f64.powf(-3.0 + 3.0 * random.unit());
         // Lines of the variable s in [-radius, radius].
-        let line = |[at, slope]: [f64; 2]| Tube {
+        let line = |[at, slope]: [f64; 2]| Enclosed {
             middle: at,
             value: Interval::between(at - slope * radius, at + slope * radius),
             slope: Interval::point(slope),
         };
-        let tube = operation(which, line(a), line(b));
-        let range = tube.range(radius);
+        let enclosure = operation(which, line(a), line(b));
+        let range = enclosure.range(radius);
         bounded += u32::from(range.is_bounded());
         for k in 0..=16 {
             let s = radius * (f64::from(k) / 8.0 - 1.0);
             let at = |[at, slope]: [f64; 2]| Dual::<f64, 1> { value: at + slope * s, tangents: [slope] };
             let found = operation(which, at(a), at(b));
-            let what = format!("operation {which} of {a:?}, {b:?} within {radius:e} at {s:e}: {tube:?}");
+            let what = format!("operation {which} of {a:?}, {b:?} within {radius:e} at {s:e}: {enclosure:?}");
             // Within rounding of the lines, which are rounded differently here, over how steep it is.
             let slack = 1e-14 * (1.0 + found.value.abs()) + 1e-14 * found.tangents[0].abs();
             let near =
                 |range: Interval<f64>, x: f64, slack: f64| range.low - slack <= x && x <= range.high + slack;
             // Outside the domain there is nothing to enclose.
             if found.value.is_finite() {
-                assert!(near(tube.value, found.value, slack), "{what}, value {}", found.value);
+                assert!(near(enclosure.value, found.value, slack), "{what}, value {}", found.value);
                 // What jumps inside has no slope that bounds it.
                 assert!(near(range, found.value, slack), "{what}, value {} outside {range:?}", found.value);
             }
             if found.value.is_finite() && found.tangents[0].is_finite() {
                 let slack = 1e-9 * (1.0 + found.tangents[0].abs());
-                assert!(near(tube.slope, found.tangents[0], slack), "{what}, slope {}", found.tangents[0]);
+                assert!(
+                    near(enclosure.slope, found.tangents[0], slack),
+                    "{what}, slope {}",
+                    found.tangents[0]
+                );
             }
         }
     }
@@ -73,7 +77,7 @@ fn every_value_and_slope_in_an_interval_is_enclosed() {
 fn the_range_narrows_with_the_square_of_the_interval() {
     // x - x^2 next to its top: the natural range is as wide as the interval.
     let width = |radius: f64| {
-        let x = Tube {
+        let x = Enclosed {
             middle: 0.5,
             value: Interval::between(0.5 - radius, 0.5 + radius),
             slope: Interval::point(1.0),

@@ -1,30 +1,15 @@
 //! A step over a singular pose, by collocation: the rate is asked for at the nodes alone, which lie on both sides of it.
 
-use super::Fine;
+use super::ExtendedPrecision;
 use super::collocation::{NODES, Polynomial, place};
 use super::equations::Equations;
 use super::size;
 use crate::scalar::{Real, Scalar};
+use crate::tolerances::{
+    AGREES, CLOSED_ON_THE_WAY, COLLOCATION_STEPS, DISAGREE_BY_ROUNDING, FEW_ROWS, FOUND, SPREAD, STAGNATED,
+    UNDECIDED, half_of_digits,
+};
 use crate::vector::Vector;
-
-/// Iterations for the nodes; each gains at least a digit where the step is short enough.
-const ITERATIONS: usize = 40;
-/// The nodes are found where they move by so many units in the last place of typical sizes ...
-const FOUND: f64 = 16.0;
-/// ... or, where rounding does not allow that, do not come nearer any more within this.
-const ROUNDED: f64 = 1e-12;
-/// Joints that open by so many units in the last place of the mechanism's size on the way are closed.
-const CLOSED: f64 = 32.0;
-/// So many rows have this rounding.
-const FEW: f64 = 8.0;
-/// Up to this part of the mechanism's size it cannot be told whether they are.
-const UNDECIDED: f64 = 450.0;
-/// Joints that repeat others disagree near a flat pose by what they do elsewhere over the distance to it. Up to so many of
-/// these units that may be rounding; the joints open by this in a step by so many times as much.
-const DISAGREE: f64 = 1e4;
-const SPREAD: f64 = 10.0;
-/// The rate at the ends of the step may be off by this, over the step and as a part of the state.
-const AGREES: f64 = 1e-10;
 
 /// Why there is no step over a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,19 +23,19 @@ pub(super) enum Refused<S> {
 }
 
 /// The motion over the next `h` seconds.
-pub(super) fn leap<M, const NQ: usize, const NC: usize, const NX: usize>(
+pub(super) fn cross<M, const NQ: usize, const NC: usize, const NX: usize>(
     equations: &Equations<M, NQ, NC, NX>,
     (t, held): (M::S, &M::U),
     (from, rate): (&[M::S; NX], Option<&[M::S; NX]>),
     (h, evaluations): (M::S, &mut u64),
 ) -> Result<Polynomial<M::S, NX>, Refused<M::S>>
 where
-    M: Fine<NQ, NC, NX>,
+    M: ExtendedPrecision<NQ, NC, NX>,
 {
     let nodes: [M::S; NODES] = Vector::from_fn(|j| M::S::lit(place(j)));
     let mut states = nodes.map(|c| guess::<_, NQ, NX>(from, rate, c * h));
     let mut before = M::S::INFINITY;
-    for _ in 0..ITERATIONS {
+    for _ in 0..COLLOCATION_STEPS {
         let (mut rates, mut beside, mut disagree) = ([[M::S::ZERO; NX]; NODES], true, M::S::ZERO);
         for (rate, (x, c)) in rates.iter_mut().zip(states.iter().zip(nodes)) {
             let evaluated = equations.evaluate(t + c * h, held, x).ok_or(Refused::NotFound)?;
@@ -71,8 +56,8 @@ where
         if !states.iter().all(Vector::is_finite) {
             return Err(Refused::NotFound);
         }
-        let rounded = moved < M::S::lit(ROUNDED) && moved + moved > before;
-        if moved < M::S::lit(FOUND) * M::S::EPSILON || rounded {
+        let rounded = moved < STAGNATED.of::<M::S>() && moved + moved > before;
+        if moved < FOUND.of::<M::S>() * M::S::EPSILON || rounded {
             if !beside {
                 return Err(Refused::NotFound);
             }
@@ -108,22 +93,22 @@ fn check<M, const NQ: usize, const NC: usize, const NX: usize>(
     polynomial: Polynomial<M::S, NX>,
 ) -> Result<Polynomial<M::S, NX>, Refused<M::S>>
 where
-    M: Fine<NQ, NC, NX>,
+    M: ExtendedPrecision<NQ, NC, NX>,
 {
     // The gap is a sum over all rows, as is its rounding.
-    let many = M::S::lit(NC as f64 / FEW).max(M::S::lit(1.0));
+    let many = M::S::lit(NC as f64 / FEW_ROWS.get()).max(M::S::lit(1.0));
     let unit = many * M::S::EPSILON * equations.size(&polynomial.from);
     let gap_at = |part: M::S| equations.gap(t + part * polynomial.h, &polynomial.at(part));
     // The rounded state that it begins with is as open as rounding makes it.
     let disagree = disagree.max(gap_at(M::S::ZERO));
-    let disagree = if disagree > M::S::lit(CLOSED) * unit { disagree } else { M::S::ZERO };
-    if disagree > M::S::lit(DISAGREE) * unit {
+    let disagree = if disagree > CLOSED_ON_THE_WAY.of::<M::S>() * unit { disagree } else { M::S::ZERO };
+    if disagree > DISAGREE_BY_ROUNDING.of::<M::S>() * unit {
         return Err(Refused::Undecided(disagree));
     }
     let inside = (1..=2 * NODES).map(|k| gap_at(M::S::lit(k as f64 / (2 * NODES) as f64)));
-    let gap = inside.fold(M::S::ZERO, M::S::max) - M::S::lit(SPREAD) * disagree;
-    if gap > M::S::lit(CLOSED) * unit {
-        let undecided = gap <= M::S::lit(UNDECIDED) * unit;
+    let gap = inside.fold(M::S::ZERO, M::S::max) - SPREAD.of::<M::S>() * disagree;
+    if gap > CLOSED_ON_THE_WAY.of::<M::S>() * unit {
+        let undecided = gap <= UNDECIDED.of::<M::S>() * unit;
         return Err(if undecided { Refused::Undecided(gap) } else { Refused::Opens(gap) });
     }
     let (one, end) = (M::S::lit(1.0), polynomial.at(M::S::lit(1.0)));
@@ -131,7 +116,7 @@ where
     let agrees = |part: M::S, (x, dx): (&[M::S; NX], &[M::S; NX])| {
         let rate = polynomial.rate(part);
         let off: [M::S; NX] = Vector::from_fn(|i| polynomial.h * (dx.at(i) - rate.at(i)));
-        size(&off, |i| equations.typical_of(i) + x.at(i).abs()) < M::S::lit(AGREES).max(M::S::EPSILON.sqrt())
+        size(&off, |i| equations.typical_of(i) + x.at(i).abs()) < half_of_digits(AGREES)
     };
     // No node sees what changes before the first of them or behind the last.
     let begins = before.is_none_or(|before| agrees(M::S::ZERO, (&polynomial.from, before)));

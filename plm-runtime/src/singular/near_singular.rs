@@ -1,59 +1,31 @@
 //! The method that takes over near singular poses.
 
-use super::ahead::Ahead;
 use super::collocation::Polynomial;
+use super::conditioning::{is_ill_conditioned, is_regular, turned};
+use super::crossing::{Refused, cross};
+use super::distance::SingularityDistance;
 use super::equations::Equations;
 use super::here::Here;
-use super::leap::{Refused, leap};
 use super::meeting::Meeting;
-use super::poor::{is_poor, is_regular, turned};
-use super::{Fine, Nearness, Rescue};
+use super::{ExtendedPrecision, Nearness, Rescue};
 use crate::absolute::{disagreement, split};
+use crate::double_double::DoubleDouble;
 use crate::fault::{Cause, Fault};
 use crate::method::{
     Context, DenseOutput, DormandPrince853, Embedded, ErrorControl, FixedLength, Length, Method,
 };
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, Step};
-use crate::twofold::Twofold;
+use crate::tolerances::{
+    AT_POSE, AWAY, BARELY, BOX, FAST, LONG, MOST_PARTS, NEARER, SHARP, SPANS, TOLERANCE, TRIALS, is_double,
+    short,
+};
 use crate::vector::Vector;
-
-/// Relative tolerance of the steps around a pose ...
-const TOLERANCE: f64 = 1e-11;
-/// ... and in single precision.
-const TOLERANCE_SINGLE: f64 = 1e-6;
-/// Distances that a step over a pose may span, as multiples of that to the pose, in the order of trial. None of the nodes lies
-/// near the pose for more than one of them.
-const SPANS: [f64; 5] = [2.4, 2.0, 2.9, 1.7, 3.5];
-/// Distances, rad, that a step away from a singular pose may span.
-const AWAY: [f64; 5] = [0.1, 0.05, 0.02, 0.01, 0.005];
-/// A pose that is reached within so many units in the last place of the time is where the motion is.
-const BARELY: f64 = 64.0;
-/// So near to a pose, rad, rounding of the state may be much beside the distance to it.
-const BESIDE: f64 = 1e-6;
-/// A pose over which no step leads is tried again where it is nearer by this factor.
-const NEARER: f64 = 0.2;
-/// Where rounding would decide, a step over the pose is tried so often from nearer to it: a kink within a longer one, or too
-/// few nodes, open the joints too.
-const TRIALS: u32 = 4;
-
-/// A step by itself that crosses so much of a box is refused, ...
-const SHARP: f64 = 1.0;
-/// ... and another one is split if it crosses this much: of the turn's own length it is a fiftieth then, and the error of a formula of
-/// order 4 some 1e-7 of the turn, ...
-pub(crate) const LONG: f64 = 0.2;
-/// ... into parts that cross this much, as far as is known, ...
-const SHORT: f64 = 0.1;
-/// ... or so many; what crosses more is divided again.
-const MOST_PARTS: f64 = 64.0;
-/// In single precision they may be longer by this: the error of a step is about a unit in the last place then, of which
-/// shorter steps would only add up more.
-const FAST: f64 = 0.3;
 
 /// Steps in absolute coordinates, in numbers of twice the precision: by error control around singular poses, by collocation
 /// over them.
 #[derive(Clone, Copy, Debug)]
-pub struct Near<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
+pub struct NearSingular<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
     around: Embedded<Equations<M, NQ, NC, NX>, DormandPrince853>,
     /// Its relative tolerance where the state is not rounded by more.
     tolerance: M::S,
@@ -70,22 +42,24 @@ pub struct Near<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX:
     /// By how much joints would have opened in the last step over the pose ahead that was tried.
     opens: M::S,
     /// What joints are open by in the last step, so that the mechanism comes to the singular pose.
-    open: [Twofold<M::S>; NC],
+    open: [DoubleDouble<M::S>; NC],
 }
 
 /// How much of a box a step crosses next to a flat pose: of a tenth of the turn there.
 #[inline]
-fn crossed<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+fn crossed<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     step: &Step<'_, M>,
 ) -> M::S {
     if M::CHARTED {
         step.system.crossed(step.held, step.from.1, step.to.1)
     } else {
-        M::S::lit(10.0) * turned(step)
+        M::S::lit(1.0 / BOX.get()) * turned(step)
     }
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Near<M, NQ, NC, NX> {
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
+    NearSingular<M, NQ, NC, NX>
+{
     /// The equations of the last step.
     fn equations(&self, system: &M) -> Equations<M, NQ, NC, NX> {
         Equations { system: *system, open: self.open }
@@ -128,7 +102,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
         for h in times {
             let rate = here.evaluated.as_ref().map(|evaluated| &evaluated.dx);
             let (at, state) = ((context.time, &context.held), (&here.full, rate));
-            match leap(&here.equations, at, state, (h, &mut context.stats.evaluations)) {
+            match cross(&here.equations, at, state, (h, &mut context.stats.evaluations)) {
                 Ok(polynomial) => {
                     let from = context.time;
                     let time = (from + h).min(context.end);
@@ -164,14 +138,14 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
         &mut self,
         context: &mut Context<'_, M>,
         here: &Here<M, NQ, NC, NX>,
-        (ahead, distance): (&Ahead<M::S>, M::S),
+        (singularity, distance): (&SingularityDistance<M::S>, M::S),
     ) -> Result<(), Refused<M::S>> {
-        let flat = ahead.time_to(distance);
+        let flat = singularity.time_to(distance);
         // At the pose itself, as near as time can tell, and beside it, distances from it are what is known best.
-        let at = flat < M::S::lit(BARELY) * M::S::EPSILON * context.time.abs();
-        let spans = SPANS.into_iter().filter(|_| !at).map(|span| M::S::lit(span) * distance);
-        let away = AWAY.into_iter().map(M::S::lit).filter(|_| distance < M::S::lit(BESIDE));
-        let times = spans.chain(away).map(|span| ahead.time_to(span));
+        let at = flat < BARELY.of::<M::S>() * M::S::EPSILON * context.time.abs();
+        let spans = SPANS.all().into_iter().filter(|_| !at).map(|span| M::S::lit(span) * distance);
+        let away = AWAY.all().into_iter().map(M::S::lit).filter(|_| distance < AT_POSE.of::<M::S>());
+        let times = spans.chain(away).map(|span| singularity.time_to(span));
         self.step_over(context, here, (times, Some(flat)))
     }
 
@@ -180,7 +154,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
         let speed = (0..NQ).fold(M::S::ZERO, |most: M::S, i| {
             most.max((here.full.at(NQ + i) / here.equations.typical_of(i)).abs())
         });
-        let times = AWAY.into_iter().map(|distance| M::S::lit(distance) / speed);
+        let times = AWAY.all().into_iter().map(|distance| M::S::lit(distance) / speed);
         let times = times.filter(|h| h.is_finite());
         self.step_over(context, here, (times, None)).map_err(|refused| self.fault(context, here, refused))
     }
@@ -204,8 +178,8 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Nea
     }
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Method<M>
-    for Near<M, NQ, NC, NX>
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Method<M>
+    for NearSingular<M, NQ, NC, NX>
 {
     const LENGTH: Length = Length::NearSingular;
 
@@ -214,18 +188,18 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
         context.stats.near_singular += 1;
         let mut here = Here::before(context)?;
         self.open = here.equations.open;
-        let Some(ahead) = here.ahead else {
+        let Some(singularity) = here.singularity else {
             return self.leave(context, &here);
         };
         if !here.follow() {
             return Err(self.fault(context, &here, Refused::NotFound));
         }
         let meeting = here.meeting;
-        let (longest, rest) = (ahead.longest_step(), context.end - context.time);
-        match ahead.flat().filter(|_| rest > longest && !matches!(meeting, Meeting::Missed)) {
+        let (longest, rest) = (singularity.longest_step(), context.end - context.time);
+        match singularity.distance_ahead().filter(|_| rest > longest && !matches!(meeting, Meeting::Missed)) {
             None => self.tried = M::S::INFINITY,
-            Some(distance) if distance < M::S::lit(NEARER) * self.tried => {
-                match self.meet(context, &here, (&ahead, distance)) {
+            Some(distance) if distance < NEARER.of::<M::S>() * self.tried => {
+                match self.meet(context, &here, (&singularity, distance)) {
                     Ok(()) => return Ok(()),
                     Err(refused @ Refused::Undecided(_)) if self.undecided == TRIALS => {
                         return Err(self.fault(context, &here, refused));
@@ -241,7 +215,7 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
             }
             Some(_) => {}
         }
-        self.step_around(context, &here, (longest, ahead.scale())).map_err(|failed| {
+        self.step_around(context, &here, (longest, singularity.scale())).map_err(|failed| {
             match (failed.cause, meeting) {
                 (Cause::StepTooSmall { .. } | Cause::NotFinite, Meeting::Unknown) => {
                     self.fault(context, &here, Refused::NotFound)
@@ -266,8 +240,8 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Met
     }
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> DenseOutput<M>
-    for Near<M, NQ, NC, NX>
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> DenseOutput<M>
+    for NearSingular<M, NQ, NC, NX>
 {
     const DENSE: bool = true;
 
@@ -297,8 +271,8 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Den
     }
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> ErrorControl<M>
-    for Near<M, NQ, NC, NX>
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> ErrorControl<M>
+    for NearSingular<M, NQ, NC, NX>
 {
     fn shorten(&mut self, h: M::S) -> bool {
         self.over = None;
@@ -306,28 +280,28 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Err
     }
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> FixedLength<M>
-    for Near<M, NQ, NC, NX>
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> FixedLength<M>
+    for NearSingular<M, NQ, NC, NX>
 {
 }
 
-impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rescue<M>
-    for Near<M, NQ, NC, NX>
+impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Rescue<M>
+    for NearSingular<M, NQ, NC, NX>
 {
     const POSSIBLE: bool = true;
 
     fn new() -> Self {
-        let tolerance = if M::S::EPSILON < M::S::lit(1e-12) { TOLERANCE } else { TOLERANCE_SINGLE };
+        let tolerance = TOLERANCE.of::<M::S>();
         Self {
-            around: Embedded::new(M::S::lit(tolerance)),
-            tolerance: M::S::lit(tolerance),
+            around: Embedded::new(tolerance),
+            tolerance,
             over: None,
             passed: None,
             followed: None,
             tried: M::S::INFINITY,
             undecided: 0,
             opens: M::S::ZERO,
-            open: [Twofold::ZERO; NC],
+            open: [DoubleDouble::ZERO; NC],
         }
     }
 
@@ -340,16 +314,16 @@ impl<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Res
     fn nearness(step: &Step<'_, M>, length: Length) -> Nearness {
         let is_singular = match length {
             Length::NearSingular => false,
-            Length::Error => !M::CHARTED && is_poor(step),
-            Length::Alone if M::CHARTED => crossed(step) > M::S::lit(SHARP),
-            Length::Alone => is_poor(step),
+            Length::Error => !M::CHARTED && is_ill_conditioned(step),
+            Length::Alone if M::CHARTED => crossed(step) > SHARP.of::<M::S>(),
+            Length::Alone => is_ill_conditioned(step),
             Length::Fixed { caution } => {
-                let caution = if M::S::EPSILON < M::S::lit(1e-12) { caution } else { FAST * caution };
+                let caution = if is_double::<M::S>() { caution } else { FAST.get() * caution };
                 let crossed = M::S::lit(caution) * crossed(step);
-                if crossed > M::S::lit(LONG) {
-                    return Nearness::Turn { parts: 1 + (crossed.to_f64() / SHORT).min(MOST_PARTS) as u32 };
+                if crossed > LONG.of::<M::S>() {
+                    return Nearness::Turn { parts: 1 + (crossed.to_f64() / short()).min(MOST_PARTS) as u32 };
                 }
-                !M::CHARTED && is_poor(step)
+                !M::CHARTED && is_ill_conditioned(step)
             }
         };
         if is_singular { Nearness::Singular } else { Nearness::Regular }

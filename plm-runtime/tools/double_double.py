@@ -1,8 +1,8 @@
-"""Constants and reference values of Twofold numbers, computed by mpmath with 400 bits (pip install mpmath).
+"""Constants and reference values of DoubleDouble numbers, computed by mpmath with 400 bits (pip install mpmath).
 
-    python3 tools/twofold.py constants                      the tables of src/twofold/constants.rs
-    python3 tools/twofold.py                                 tests/reference/twofold_f64.txt and twofold_f32.txt
-    python3 tools/twofold.py --count 20000 --out DIR         larger ones; PLM_TWOFOLD_REFERENCE=DIR cargo test reads them
+    python3 tools/double_double.py constants                      the tables of src/double_double/constants.rs
+    python3 tools/double_double.py                                 tests/reference/double_double_f64.txt and double_double_f32.txt
+    python3 tools/double_double.py --count 20000 --out DIR         larger ones; PLM_TWOFOLD_REFERENCE=DIR cargo test reads them
 
 A line `= function range` opens a section. Each further line is one case: the arguments as two words each, the result as
 three, each word the bits of an f64 or f32 in hex, the largest first.
@@ -38,7 +38,7 @@ class Type:
             x -= word
         return words
 
-    def twofold(self, x):
+    def double_double(self, x):
         """x rounded to two words."""
         return sum(self.words(x, 2))
 
@@ -47,7 +47,7 @@ class Type:
         return " ".join(f"{pack(word):x}" for word in words)
 
     def between(self, low, high):
-        return self.twofold(mpf(low) + (mpf(high) - mpf(low)) * random.getrandbits(300) / mpf(2) ** 300)
+        return self.double_double(mpf(low) + (mpf(high) - mpf(low)) * random.getrandbits(300) / mpf(2) ** 300)
 
     def sized(self, low, high):
         """Random sign, exponent and digits; now and then a low word that is much smaller, or zero."""
@@ -57,7 +57,7 @@ class Type:
             x = self.nearest(x)
         elif kind == 1:
             x = self.nearest(x) * (1 + random.choice((-1, 1)) * mpf(2) ** -random.randint(self.digits + 2, 90))
-        return random.choice((-1, 1)) * self.twofold(x)
+        return random.choice((-1, 1)) * self.double_double(x)
 
     def any(self):
         return self.sized(-self.power, self.power)
@@ -73,10 +73,10 @@ def sums(t):
     if kind == 0:
         return a, t.any()
     if kind == 1:  # nearly the same size
-        return a, t.twofold(a * t.between(-2, 2))
+        return a, t.double_double(a * t.between(-2, 2))
     if kind == 2:  # the first words cancel
-        return a, t.twofold(-t.nearest(a) + t.nearest(a) * mpf(2) ** -t.digits * t.between(-4, 4))
-    return a, t.twofold(-a * (1 + mpf(2) ** -random.randint(1, 2 * t.digits)))
+        return a, t.double_double(-t.nearest(a) + t.nearest(a) * mpf(2) ** -t.digits * t.between(-4, 4))
+    return a, t.double_double(-a * (1 + mpf(2) ** -random.randint(1, 2 * t.digits)))
 
 
 def pairs(t):
@@ -92,8 +92,8 @@ def angle(t):
     if kind == 2:  # near multiples of a quarter turn
         k = random.randint(-int(t.angle * 2 / pi), int(t.angle * 2 / pi)) if random.randrange(2) else random.randint(-8, 8)
         if random.randrange(2):
-            return (t.twofold(k * pi / 2),)
-        return (t.twofold(t.nearest(k * pi / 2) * (1 + random.choice((0, 1)) * mpf(2) ** (1 - t.digits))),)
+            return (t.double_double(k * pi / 2),)
+        return (t.double_double(t.nearest(k * pi / 2) * (1 + random.choice((0, 1)) * mpf(2) ** (1 - t.digits))),)
     return (t.sized(-t.power, 0),)
 
 
@@ -102,7 +102,7 @@ def within_one(t):
     if kind == 0:
         return (t.between(-1, 1),)
     if kind == 1:  # near the ends
-        return (t.twofold(random.choice((-1, 1)) * (1 - t.between(1, 2) * mpf(2) ** -random.randint(2, 2 * t.digits - 2))),)
+        return (t.double_double(random.choice((-1, 1)) * (1 - t.between(1, 2) * mpf(2) ** -random.randint(2, 2 * t.digits - 2))),)
     return (t.sized(-t.power, -1),)
 
 
@@ -120,7 +120,7 @@ def logarithm(t):
     if kind == 0:
         return (t.between(0.01, 10),)
     if kind == 1:  # near 1
-        return (t.twofold(1 + random.choice((-1, 1)) * t.between(1, 2) * mpf(2) ** -random.randint(1, 2 * t.digits - 2)),)
+        return (t.double_double(1 + random.choice((-1, 1)) * t.between(1, 2) * mpf(2) ** -random.randint(1, 2 * t.digits - 2)),)
     return (abs(t.any()),)
 
 
@@ -130,7 +130,7 @@ SECTIONS = [
     ("mul", "any", lambda a, b: a * b, pairs),
     ("div", "any", lambda a, b: a / b, pairs),
     ("sqrt", "any", sqrt, lambda t: (abs(t.any()),)),
-    ("floor", "to 2^60", floor, lambda t: (t.sized(-2, 60) if random.randrange(2) else t.twofold(t.nearest(t.sized(0, t.digits)) + t.between(-1, 1) * mpf(2) ** -t.digits),)),
+    ("floor", "to 2^60", floor, lambda t: (t.sized(-2, 60) if random.randrange(2) else t.double_double(t.nearest(t.sized(0, t.digits)) + t.between(-1, 1) * mpf(2) ** -t.digits),)),
     ("sin", "to 1e6", sin, angle),
     ("cos", "to 1e6", cos, angle),
     ("tan", "to 1e6", tan, angle),
@@ -144,7 +144,7 @@ SECTIONS = [
 
 def reference(t, count, out):
     random.seed(1)
-    with open(out / f"twofold_{t.name}.txt", "w") as file:
+    with open(out / f"double_double_{t.name}.txt", "w") as file:
         for name, range_, function, arguments in SECTIONS:
             file.write(f"= {name} {range_}\n")
             for _ in range(count):

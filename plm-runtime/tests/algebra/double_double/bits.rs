@@ -1,12 +1,12 @@
 //! The same bits on every target and in every profile.
 
-use plm_runtime::{Real, Scalar, Twofold};
+use plm_runtime::{DoubleDouble, Real, Scalar};
 
 use super::{FUNCTIONS, call, from_words};
 use crate::random::Random;
 
 /// A number of any sign, from 2^-12 to 2^12, whose low word is anything below a rounding of the high one.
-fn number<S: Real>(random: &mut Random) -> Twofold<S> {
+fn number<S: Real>(random: &mut Random) -> DoubleDouble<S> {
     let size = S::lit(2.0).powi((random.bits() % 25) as i32 - 12);
     let [high, low] = [(), ()].map(|()| S::lit(random.unit()));
     from_words(high * size, low * size * S::EPSILON)
@@ -19,7 +19,7 @@ fn sum<S: Real>(name: &str, arity: usize, bits: impl Fn(S) -> u64) -> String {
     for _ in 0..2000 {
         let mut arguments = [number::<S>(&mut random), number(&mut random)];
         if ["asin", "acos"].contains(&name) {
-            arguments[0] = arguments[0] * Twofold::lit(1.0 / 4096.0);
+            arguments[0] = arguments[0] * DoubleDouble::lit(1.0 / 4096.0);
         }
         let result = call(name, &arguments[..arity]).unwrap();
         for word in [result.high(), result.low()] {

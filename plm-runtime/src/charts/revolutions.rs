@@ -1,18 +1,18 @@
-//! Angles that have turned far are brought back by whole turns, in the coordinates and in what is remembered.
+//! Angles that have turned far are brought back by whole turns, in the coordinates and in the continuation data.
 
-use super::{Charted, OfLoops, Remembered};
+use super::{Charted, ContinuationData, OfLoops};
 use crate::turns::{due, less};
 use crate::vector::Vector;
 
 /// The angles of bodies that turn as one, whose whole turns are counted together.
 #[derive(Clone, Copy, Debug)]
-pub struct Counted {
+pub struct Revolutions {
     /// By chart: the coordinates that are such angles.
     pub coordinates: &'static [&'static [usize]],
-    /// Their places among the angles that are remembered.
-    pub remembered: &'static [usize],
+    /// Their places among the angles of the continuation data.
+    pub angles: &'static [usize],
     /// Their places among the unknowns of iterations.
-    pub followed: &'static [usize],
+    pub iterated: &'static [usize],
 }
 
 /// Is a coordinate to be brought back?
@@ -25,36 +25,36 @@ pub(super) fn are_due<M: Charted>(held: &M::U, x: &M::X) -> bool {
 /// By count, the first of its coordinates in a chart.
 #[inline]
 pub(super) fn first_places<M: Charted>(chart: usize) -> impl Iterator<Item = usize> {
-    let coordinates = M::COUNTED.iter().filter_map(move |counted| counted.coordinates.get(chart));
+    let coordinates = M::REVOLUTIONS.iter().filter_map(move |count| count.coordinates.get(chart));
     coordinates.filter_map(|places| places.first().copied())
 }
 
 /// Brings angles back where the first of a count has turned far; whether there were some.
 #[inline]
 pub(super) fn unwind<M: Charted>(held: &mut M::U, x: &mut M::X) -> bool {
-    let OfLoops::InChart { chart, memory } = &mut held.of_loops else { return false };
+    let OfLoops::InChart { chart, continuation } = &mut held.of_loops else { return false };
     let mut turned = false;
-    for (counted, turns) in M::COUNTED.iter().zip(held.turns.as_mut()) {
-        let coordinates = counted.coordinates.get(*chart).copied().unwrap_or_default();
-        let in_memory = || memory.turns().get(*counted.remembered.first()?).map(|turn| turn.angle);
-        let due = coordinates.first().map(|&k| x.at(k)).or_else(in_memory).map_or(0, due);
+    for (count, turns) in M::REVOLUTIONS.iter().zip(held.turns.as_mut()) {
+        let coordinates = count.coordinates.get(*chart).copied().unwrap_or_default();
+        let in_continuation = || continuation.angles().get(*count.angles.first()?).map(|turn| turn.angle);
+        let due = coordinates.first().map(|&k| x.at(k)).or_else(in_continuation).map_or(0, due);
         if due == 0 {
             continue;
         }
         for &k in coordinates {
             x.set(k, less(x.at(k), due));
-            if let Some(coordinate) = memory.coordinates_mut().get_mut(k) {
+            if let Some(coordinate) = continuation.coordinates_mut().get_mut(k) {
                 coordinate.last = less(coordinate.last, due);
             }
         }
-        for &k in counted.remembered {
-            if let Some(turn) = memory.turns_mut().get_mut(k) {
+        for &k in count.angles {
+            if let Some(turn) = continuation.angles_mut().get_mut(k) {
                 turn.angle = less(turn.angle, due);
             }
         }
-        for &k in counted.followed {
-            if let Some(followed) = memory.followed_mut().get_mut(k) {
-                followed.value = less(followed.value, due);
+        for &k in count.iterated {
+            if let Some(iterated) = continuation.iterated_mut().get_mut(k) {
+                iterated.value = less(iterated.value, due);
             }
         }
         *turns = turns.saturating_add(due);

@@ -2,23 +2,23 @@
 
 use plm_math::exact::two_product;
 
-use super::Twofold;
+use super::DoubleDouble;
 use crate::scalar::Real;
 
 /// Decimals have so many digits less than numbers of `S`: others would be decimals by chance.
 const SPARED: f64 = 1e-2;
 
-impl<S: Real> Twofold<S> {
+impl<S: Real> DoubleDouble<S> {
     /// The number that was written where `x` was read: the shortest decimal that is rounded to `x`, if it has few digits, else `x`.
     ///
     /// Lengths of 0.3, 0.8, 0.5 and 0.6 m are a neutral linkage then, as whoever wrote them meant it: 0.3 + 0.8 is 0.5 + 0.6.
     ///
     /// ```
-    /// use plm_runtime::Twofold;
+    /// use plm_runtime::DoubleDouble;
     ///
-    /// let [a, b, c, d] = [0.3_f64, 0.8, 0.5, 0.6].map(Twofold::written);
+    /// let [a, b, c, d] = [0.3_f64, 0.8, 0.5, 0.6].map(DoubleDouble::written);
     /// assert!((a + b - (c + d)).rounded().abs() < 1e-32);
-    /// assert_eq!(Twofold::written(0.1_f64 + 0.2), Twofold::of(0.1 + 0.2)); // 0.30000000000000004
+    /// assert_eq!(DoubleDouble::written(0.1_f64 + 0.2), DoubleDouble::of(0.1 + 0.2)); // 0.30000000000000004
     /// ```
     #[inline(never)]
     pub fn written(x: S) -> Self {

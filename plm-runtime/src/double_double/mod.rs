@@ -1,22 +1,22 @@
 //! Numbers of twice the precision: unevaluated sums of two.
 //!
 //! Where a result is a small difference of large numbers, next to a singular pose or in a reference for tests, the digits
-//! of `f64` do not suffice. Generated code is generic over its scalar, so it runs on [`Twofold`] as it is:
+//! of `f64` do not suffice. Generated code is generic over its scalar, so it runs on [`DoubleDouble`] as it is:
 //!
 //! ```
-//! use plm_runtime::{Scalar, Twofold};
+//! use plm_runtime::{Scalar, DoubleDouble};
 //!
 //! fn difference_of_squares<S: Scalar>(a: S, b: S) -> S {
 //!     a * a - b * b
 //! }
 //! let (a, b) = (94_906_267.0, 94_906_266.0);
 //! assert_eq!(difference_of_squares(a, b), 189_812_532.0); // one too few
-//! let [a, b] = [a, b].map(Twofold::of);
+//! let [a, b] = [a, b].map(DoubleDouble::of);
 //! assert_eq!(difference_of_squares(a, b).rounded(), 189_812_533.0);
 //! ```
 //!
 //! [`Pack::pack`](crate::lanes::Pack::pack) and [`pack_held`](crate::lanes::Pack::pack_held) make a generated mechanism
-//! and what it holds into one of these numbers: `mechanism.pack([&mechanism], |[s]| Twofold::of(s))`.
+//! and what it holds into one of these numbers: `mechanism.pack([&mechanism], |[s]| DoubleDouble::of(s))`.
 //!
 //! Method: T. J. Dekker, A floating-point technique for extending the available precision, Numerische Mathematik 18,
 //! 1971; D. E. Knuth, The Art of Computer Programming 2, 4.2.2; bounds and the variants taken: M. Joldes, J.-M. Muller,
@@ -65,14 +65,14 @@ use crate::scalar::Real;
 ///
 /// `S` may also be [`Dual`](crate::Dual): values are twice as precise then, derivatives as precise as in `S`.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-pub struct Twofold<S> {
+pub struct DoubleDouble<S> {
     high: S,
     low: S,
 }
 
 // Whole operations are calls: generated code has thousands of them. In here they are inlined.
 #[allow(clippy::inline_always)]
-impl<S: Real> Twofold<S> {
+impl<S: Real> DoubleDouble<S> {
     /// The number itself.
     #[inline]
     pub const fn of(x: S) -> Self {

@@ -1,7 +1,7 @@
 //! Generated equations in numbers of twice the precision.
 
 use plm::runtime::lanes::Pack;
-use plm::runtime::{Health, Rate, Twofold};
+use plm::runtime::{DoubleDouble, Health, Rate};
 use plm::{Moment, Scalar};
 
 mod loops {
@@ -50,16 +50,16 @@ fn a_four_bar_evaluates_in_all_precisions() {
     for _ in 0..100 {
         let state = sim.state();
         let (plain, _) = rate(&mechanism, state, |s| s);
-        let (double, health) = rate(&mechanism, state, Twofold::<f64>::of);
-        let (single, _) = rate(&mechanism, state, Twofold::<f32>::lit);
+        let (double, health) = rate(&mechanism, state, DoubleDouble::<f64>::of);
+        let (single, _) = rate(&mechanism, state, DoubleDouble::<f32>::lit);
         assert!(health.0.to_f64() > 0.01, "{health:?}");
         let size = plain.iter().fold(0.0, |size: f64, rate| size.max(rate.abs()));
         assert!(size > 1.0);
         for k in 0..plain.len() {
             let exact = double[k];
-            plain_error = plain_error.max((Twofold::of(plain[k]) - exact).to_f64().abs() / size);
+            plain_error = plain_error.max((DoubleDouble::of(plain[k]) - exact).to_f64().abs() / size);
             let [high, low] = [single[k].high(), single[k].low()].map(f64::from);
-            single_error = single_error.max((Twofold::sum(high, low) - exact).to_f64().abs() / size);
+            single_error = single_error.max((DoubleDouble::sum(high, low) - exact).to_f64().abs() / size);
         }
         sim.step(0.013).unwrap();
     }

@@ -4,10 +4,10 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use plm_math::exact::Split;
 
-use super::Twofold;
+use super::DoubleDouble;
 use crate::scalar::Real;
 
-impl<S: Real> Add for Twofold<S> {
+impl<S: Real> Add for DoubleDouble<S> {
     type Output = Self;
     #[inline(never)]
     fn add(self, other: Self) -> Self {
@@ -15,7 +15,7 @@ impl<S: Real> Add for Twofold<S> {
     }
 }
 
-impl<S: Real> Sub for Twofold<S> {
+impl<S: Real> Sub for DoubleDouble<S> {
     type Output = Self;
     #[inline(never)]
     fn sub(self, other: Self) -> Self {
@@ -23,7 +23,7 @@ impl<S: Real> Sub for Twofold<S> {
     }
 }
 
-impl<S: Real> Mul for Twofold<S> {
+impl<S: Real> Mul for DoubleDouble<S> {
     type Output = Self;
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
@@ -31,7 +31,7 @@ impl<S: Real> Mul for Twofold<S> {
     }
 }
 
-impl<S: Real> Div for Twofold<S> {
+impl<S: Real> Div for DoubleDouble<S> {
     type Output = Self;
     #[inline(never)]
     fn div(self, other: Self) -> Self {
@@ -39,7 +39,7 @@ impl<S: Real> Div for Twofold<S> {
     }
 }
 
-impl<S: Real> Neg for Twofold<S> {
+impl<S: Real> Neg for DoubleDouble<S> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -48,7 +48,7 @@ impl<S: Real> Neg for Twofold<S> {
 }
 
 /// The two halves are its words.
-impl<S: Real> Split for Twofold<S> {
+impl<S: Real> Split for DoubleDouble<S> {
     const DIGITS: u32 = 2 * S::DIGITS;
 
     #[inline]

@@ -1,6 +1,6 @@
 //! What generated code and methods ask of a number.
 
-use super::{Twofold, functions};
+use super::{DoubleDouble, functions};
 use crate::scalar::{Real, Scalar};
 
 /// Is `x` a whole multiple of 2^-16? Compilers know the answer for a constant, so that a half costs nothing.
@@ -12,7 +12,7 @@ fn is_dyadic(x: f64) -> bool {
     (many + WHOLE) - WHOLE == many
 }
 
-impl<S: Real> Scalar for Twofold<S> {
+impl<S: Real> Scalar for DoubleDouble<S> {
     type Mask = bool;
     type Turns = i32;
 
@@ -24,7 +24,7 @@ impl<S: Real> Scalar for Twofold<S> {
     const AGREEMENT: f64 = S::AGREEMENT;
     const PRECISION: f64 = S::PRECISION;
 
-    /// The constant `x` [as it was written](Twofold::written); with 48 of its 53 bits where the words are of `f32`.
+    /// The constant `x` [as it was written](DoubleDouble::written); with 48 of its 53 bits where the words are of `f32`.
     #[inline]
     fn lit(x: f64) -> Self {
         let high = S::lit(x);
@@ -118,13 +118,13 @@ impl<S: Real> Scalar for Twofold<S> {
     }
 }
 
-impl<S: Real> Real for Twofold<S> {
+impl<S: Real> Real for DoubleDouble<S> {
     /// A unit of errors, not the distance to the next number: next to 1 that is far smaller.
-    const EPSILON: Self = Self::of(S::TWOFOLD_EPSILON);
+    const EPSILON: Self = Self::of(S::DOUBLE_DOUBLE_EPSILON);
     /// Lengths are known as exactly as in `S`.
     const RANK_TOLERANCE: Self = Self::of(S::RANK_TOLERANCE);
     /// Two of these in one are no more precise than one: constants have two words.
-    const TWOFOLD_EPSILON: Self = Self::EPSILON;
+    const DOUBLE_DOUBLE_EPSILON: Self = Self::EPSILON;
     const INFINITY: Self = Self::of(S::INFINITY);
 
     #[inline(never)]

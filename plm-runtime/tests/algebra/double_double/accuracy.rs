@@ -2,11 +2,11 @@
 
 use std::fmt::Write;
 
-use plm_runtime::{Real, Scalar, Twofold};
+use plm_runtime::{DoubleDouble, Real, Scalar};
 
 use super::{call, from_words};
 
-/// Largest errors allowed, in EPSILON times the result. The operators' are those that are proved (src/twofold/mod.rs),
+/// Largest errors allowed, in EPSILON times the result. The operators' are those that are proved (src/double_double/mod.rs),
 /// floor is exact; the others are measured on 20 000 arguments each, with a margin of a half.
 const BOUNDS: [(&str, f64); 14] = [
     ("add", 0.75),
@@ -34,7 +34,7 @@ fn reference(file: &str, committed: &str) -> String {
 }
 
 /// What the four words of pi/2 leave open in the result of an angle of k quarter turns: an angle of k 2^-212, or k 2^-96.
-fn turns<S: Real>(name: &str, angle: Twofold<S>, result: f64) -> f64 {
+fn turns<S: Real>(name: &str, angle: DoubleDouble<S>, result: f64) -> f64 {
     let slope = match name {
         "sin" | "cos" => 1.0,
         "tan" => result.mul_add(result, 1.0),
@@ -56,11 +56,11 @@ fn errors<S: Real>(reference: &str, word: impl Fn(&str) -> S) -> Vec<(String, f6
         let words: Vec<S> = line.split(' ').map(&word).collect();
         let [arguments @ .., high, middle, low] = &words[..] else { panic!("{line}") };
         let pairs = arguments.chunks(2).map(|pair| from_words(pair[0], pair[1]));
-        let arguments: Vec<Twofold<S>> = pairs.collect();
+        let arguments: Vec<DoubleDouble<S>> = pairs.collect();
         let (name, largest, place) = sections.last_mut().unwrap();
         let got = call(name, &arguments).unwrap_or_else(|| panic!("no function {name}"));
         let difference = (got.high() - *high).to_f64() + (got.low() - *middle).to_f64() - low.to_f64();
-        let unit = high.to_f64().abs() * Twofold::<S>::EPSILON.to_f64();
+        let unit = high.to_f64().abs() * DoubleDouble::<S>::EPSILON.to_f64();
         let beyond = difference.abs() - turns(name, arguments[0], high.to_f64());
         // What is not a number is worst.
         let error = if beyond.is_nan() { f64::INFINITY } else { (beyond / unit).max(0.0) };
@@ -73,9 +73,9 @@ fn errors<S: Real>(reference: &str, word: impl Fn(&str) -> S) -> Vec<(String, f6
 
 #[test]
 fn errors_stay_below_their_bounds() {
-    let double = reference("twofold_f64.txt", include_str!("../../reference/twofold_f64.txt"));
+    let double = reference("double_double_f64.txt", include_str!("../../reference/double_double_f64.txt"));
     let double = errors(&double, |word| f64::from_bits(u64::from_str_radix(word, 16).unwrap()));
-    let single = reference("twofold_f32.txt", include_str!("../../reference/twofold_f32.txt"));
+    let single = reference("double_double_f32.txt", include_str!("../../reference/double_double_f32.txt"));
     let single = errors(&single, |word| f32::from_bits(u32::from_str_radix(word, 16).unwrap()));
     let mut failures = String::new();
     for (k, (name, bound)) in BOUNDS.into_iter().enumerate() {

@@ -1,14 +1,14 @@
-//! Numbers of twice the precision against mpmath (tools/twofold.py), and in the special cases of `f64`.
+//! Numbers of twice the precision against mpmath (tools/double_double.py), and in the special cases of `f64`.
 
 mod accuracy;
 mod bits;
 mod special;
 
-use plm_runtime::{Real, Twofold};
+use plm_runtime::{DoubleDouble, Real};
 
 /// A number from two words that need not be those of its rounded value.
-fn from_words<S: Real>(high: S, low: S) -> Twofold<S> {
-    Twofold::sum(high, low)
+fn from_words<S: Real>(high: S, low: S) -> DoubleDouble<S> {
+    DoubleDouble::sum(high, low)
 }
 
 /// A function by its name in the reference values.

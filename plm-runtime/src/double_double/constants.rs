@@ -1,4 +1,4 @@
-//! Constants in several words, as tools/twofold.py prints them.
+//! Constants in several words, as tools/double_double.py prints them.
 #![allow(
     clippy::unreadable_literal,
     clippy::excessive_precision,
@@ -6,7 +6,7 @@
     reason = "printed"
 )]
 
-use super::Twofold;
+use super::DoubleDouble;
 use crate::scalar::Real;
 
 /// Unevaluated sums, the largest word first, in the words of either type.
@@ -29,8 +29,8 @@ impl Words {
 
     /// Two words one after the other as a number.
     #[inline]
-    pub(super) fn pair<S: Real>(&self, index: usize) -> Twofold<S> {
-        Twofold { high: self.at(index), low: self.at(index + 1) }
+    pub(super) fn pair<S: Real>(&self, index: usize) -> DoubleDouble<S> {
+        DoubleDouble { high: self.at(index), low: self.at(index + 1) }
     }
 }
 

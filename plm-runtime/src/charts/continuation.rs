@@ -1,4 +1,4 @@
-//! What is held of loops over a step: a chart with what is remembered of the last state that was looked at, or a pose.
+//! The discrete state of loops: a chart with continuation data of the last checked state, or a pose.
 
 use crate::held::Loops;
 use crate::scalar::{Real, Scalar};
@@ -10,8 +10,8 @@ pub enum OfLoops<M, Q> {
     InChart {
         /// The chart, from 0.
         chart: usize,
-        /// What is remembered of the last state that was looked at.
-        memory: M,
+        /// Continuation data of the last checked state.
+        continuation: M,
     },
     /// Where no chart is good: pose and velocity of all bodies.
     Free {
@@ -22,19 +22,19 @@ pub enum OfLoops<M, Q> {
     },
 }
 
-/// What is remembered of a state with `Y` coordinates, `T` angles, `A` determinants, and `F` unknowns of iterations.
+/// Continuation data of a state with `Y` coordinates, `T` angles, `A` determinants, and `F` unknowns of iterations.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Memory<S, const Y: usize, const T: usize, const A: usize, const F: usize> {
+pub struct Continuation<S, const Y: usize, const T: usize, const A: usize, const F: usize> {
     /// The coordinates of the chart.
     pub coordinates: [Reach<S>; Y],
     /// The time.
     pub time: Reach<S>,
     /// The angle of each class of bodies that turn as one.
-    pub turns: [Turn<S>; T],
+    pub angles: [Angle<S>; T],
     /// The determinant of each loop, whose sign tells its mirror images apart.
-    pub areas: [S; A],
+    pub determinants: [S; A],
     /// The unknowns that iterations start from.
-    pub followed: [Followed<S>; F],
+    pub iterated: [Iterated<S>; F],
 }
 
 /// Where a coordinate or the time was at the last look, and how far it may move until the next one; negative where every
@@ -49,7 +49,7 @@ pub struct Reach<S> {
 
 /// An angle, which is known without whole turns lost, with its direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turn<S> {
+pub struct Angle<S> {
     /// The angle, rad.
     pub angle: S,
     /// Its cosine.
@@ -60,7 +60,7 @@ pub struct Turn<S> {
 
 /// An unknown of an iteration, rad, or a displacement over the size of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Followed<S> {
+pub struct Iterated<S> {
     /// Its value.
     pub value: S,
     /// Its rate.
@@ -69,9 +69,9 @@ pub struct Followed<S> {
     pub bend: S,
 }
 
-/// A [`Memory`] of any lengths.
-pub trait Remembered<S>: Copy {
-    /// The memory before the first look.
+/// Continuation data of any lengths.
+pub trait ContinuationData<S>: Copy {
+    /// The data before the first check.
     fn nothing() -> Self;
     /// The coordinates of the chart.
     fn coordinates(&self) -> &[Reach<S>];
@@ -80,15 +80,15 @@ pub trait Remembered<S>: Copy {
     /// The time.
     fn time(&self) -> Reach<S>;
     /// The angles.
-    fn turns(&self) -> &[Turn<S>];
+    fn angles(&self) -> &[Angle<S>];
     /// The same, to bring them back by whole turns.
-    fn turns_mut(&mut self) -> &mut [Turn<S>];
+    fn angles_mut(&mut self) -> &mut [Angle<S>];
     /// The determinants.
-    fn areas(&self) -> &[S];
+    fn determinants(&self) -> &[S];
     /// The unknowns of iterations.
-    fn followed(&self) -> &[Followed<S>];
+    fn iterated(&self) -> &[Iterated<S>];
     /// The same, to write what two looks tell together.
-    fn followed_mut(&mut self) -> &mut [Followed<S>];
+    fn iterated_mut(&mut self) -> &mut [Iterated<S>];
     /// Puts every number of `one` to that in its place.
     fn put(&mut self, one: &Self, put: impl Fn(&mut S, S));
 
@@ -110,12 +110,12 @@ pub trait Remembered<S>: Copy {
         S: Scalar,
     {
         let reach = |all: A, at: &Reach<S>| f(f(all, at.last), at.reach);
-        let turn = |all: A, at: &Turn<S>| f(f(f(all, at.angle), at.cos), at.sin);
-        let followed = |all: A, at: &Followed<S>| f(f(f(all, at.value), at.rate), at.bend);
+        let turn = |all: A, at: &Angle<S>| f(f(f(all, at.angle), at.cos), at.sin);
+        let iterated = |all: A, at: &Iterated<S>| f(f(f(all, at.value), at.rate), at.bend);
         let all = reach(self.coordinates().iter().fold(start, reach), &self.time());
-        let all = self.turns().iter().fold(all, turn);
-        let all = self.areas().iter().fold(all, |all, &area| f(all, area));
-        self.followed().iter().fold(all, followed)
+        let all = self.angles().iter().fold(all, turn);
+        let all = self.determinants().iter().fold(all, |all, &determinant| f(all, determinant));
+        self.iterated().iter().fold(all, iterated)
     }
 
     /// Every number of it is one.
@@ -128,18 +128,18 @@ pub trait Remembered<S>: Copy {
     }
 }
 
-impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize> Remembered<S>
-    for Memory<S, Y, T, A, F>
+impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize> ContinuationData<S>
+    for Continuation<S, Y, T, A, F>
 {
     fn nothing() -> Self {
         let zero = S::lit(0.0);
         let reach = Reach { last: zero, reach: zero };
-        Memory {
+        Continuation {
             coordinates: [reach; Y],
             time: reach,
-            turns: [Turn { angle: zero, cos: zero, sin: zero }; T],
-            areas: [zero; A],
-            followed: [Followed { value: zero, rate: zero, bend: zero }; F],
+            angles: [Angle { angle: zero, cos: zero, sin: zero }; T],
+            determinants: [zero; A],
+            iterated: [Iterated { value: zero, rate: zero, bend: zero }; F],
         }
     }
 
@@ -155,29 +155,29 @@ impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize> 
         self.time
     }
 
-    fn turns(&self) -> &[Turn<S>] {
-        &self.turns
+    fn angles(&self) -> &[Angle<S>] {
+        &self.angles
     }
 
-    fn turns_mut(&mut self) -> &mut [Turn<S>] {
-        &mut self.turns
+    fn angles_mut(&mut self) -> &mut [Angle<S>] {
+        &mut self.angles
     }
 
-    fn areas(&self) -> &[S] {
-        &self.areas
+    fn determinants(&self) -> &[S] {
+        &self.determinants
     }
 
-    fn followed(&self) -> &[Followed<S>] {
-        &self.followed
+    fn iterated(&self) -> &[Iterated<S>] {
+        &self.iterated
     }
 
-    fn followed_mut(&mut self) -> &mut [Followed<S>] {
-        &mut self.followed
+    fn iterated_mut(&mut self) -> &mut [Iterated<S>] {
+        &mut self.iterated
     }
 
     #[inline]
     fn put(&mut self, one: &Self, put: impl Fn(&mut S, S)) {
-        put_memory(self, one, &put);
+        put_continuation(self, one, &put);
     }
 }
 
@@ -189,9 +189,9 @@ impl<S: Real> Reach<S> {
 }
 
 impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize, const NQ: usize> Loops<S>
-    for OfLoops<Memory<S, Y, T, A, F>, [S; NQ]>
+    for OfLoops<Continuation<S, Y, T, A, F>, [S; NQ]>
 {
-    type Packed<P: Scalar> = OfLoops<Memory<P, Y, T, A, F>, [P; NQ]>;
+    type Packed<P: Scalar> = OfLoops<Continuation<P, Y, T, A, F>, [P; NQ]>;
 
     fn packed<P: Scalar, const N: usize>(
         &self,
@@ -199,12 +199,12 @@ impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize, 
         number: &impl Fn([S; N]) -> P,
     ) -> Self::Packed<P> {
         match self {
-            OfLoops::InChart { chart, memory } => {
+            OfLoops::InChart { chart, continuation } => {
                 let all = all.map(|one| match one {
-                    OfLoops::InChart { memory, .. } => memory,
-                    OfLoops::Free { .. } => memory,
+                    OfLoops::InChart { continuation, .. } => continuation,
+                    OfLoops::Free { .. } => continuation,
                 });
-                OfLoops::InChart { chart: *chart, memory: packed(all, number) }
+                OfLoops::InChart { chart: *chart, continuation: packed(all, number) }
             }
             OfLoops::Free { q, v } => {
                 let all = all.map(|one| match one {
@@ -221,15 +221,19 @@ impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize, 
 
     #[inline]
     fn put<P: Scalar>(wide: &mut Self::Packed<P>, one: &Self, put: &impl Fn(&mut P, S)) {
-        if let (OfLoops::InChart { memory: wide, .. }, OfLoops::InChart { memory: one, .. }) = (wide, one) {
-            put_memory(wide, one, put);
+        if let (OfLoops::InChart { continuation: wide, .. }, OfLoops::InChart { continuation: one, .. }) =
+            (wide, one)
+        {
+            put_continuation(wide, one, put);
         }
     }
 
     #[inline]
     fn take<P: Scalar>(&mut self, wide: &Self::Packed<P>, take: &impl Fn(P) -> S) {
-        if let (OfLoops::InChart { memory: one, .. }, OfLoops::InChart { memory: wide, .. }) = (self, wide) {
-            put_memory(one, wide, &|one: &mut S, wide| *one = take(wide));
+        if let (OfLoops::InChart { continuation: one, .. }, OfLoops::InChart { continuation: wide, .. }) =
+            (self, wide)
+        {
+            put_continuation(one, wide, &|one: &mut S, wide| *one = take(wide));
         }
     }
 
@@ -241,11 +245,11 @@ impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize, 
     }
 }
 
-/// Puts every number of a memory to that in its place in another.
+/// Puts every number to that in its place in another.
 #[inline]
-fn put_memory<S: Copy, P, const Y: usize, const T: usize, const A: usize, const F: usize>(
-    wide: &mut Memory<P, Y, T, A, F>,
-    one: &Memory<S, Y, T, A, F>,
+fn put_continuation<S: Copy, P, const Y: usize, const T: usize, const A: usize, const F: usize>(
+    wide: &mut Continuation<P, Y, T, A, F>,
+    one: &Continuation<S, Y, T, A, F>,
     put: &impl Fn(&mut P, S),
 ) {
     let reaches = wide.coordinates.iter_mut().zip(&one.coordinates).chain([(&mut wide.time, &one.time)]);
@@ -253,45 +257,45 @@ fn put_memory<S: Copy, P, const Y: usize, const T: usize, const A: usize, const 
         put(&mut wide.last, one.last);
         put(&mut wide.reach, one.reach);
     }
-    for (wide, one) in wide.turns.iter_mut().zip(&one.turns) {
+    for (wide, one) in wide.angles.iter_mut().zip(&one.angles) {
         put(&mut wide.angle, one.angle);
         put(&mut wide.cos, one.cos);
         put(&mut wide.sin, one.sin);
     }
-    for (wide, one) in wide.areas.iter_mut().zip(&one.areas) {
+    for (wide, one) in wide.determinants.iter_mut().zip(&one.determinants) {
         put(wide, *one);
     }
-    for (wide, one) in wide.followed.iter_mut().zip(&one.followed) {
+    for (wide, one) in wide.iterated.iter_mut().zip(&one.iterated) {
         put(&mut wide.value, one.value);
         put(&mut wide.rate, one.rate);
         put(&mut wide.bend, one.bend);
     }
 }
 
-/// Several memories as one.
+/// The data of several states as one.
 fn packed<S: Copy, P, const Y: usize, const T: usize, const A: usize, const F: usize, const N: usize>(
-    all: [&Memory<S, Y, T, A, F>; N],
+    all: [&Continuation<S, Y, T, A, F>; N],
     number: &impl Fn([S; N]) -> P,
-) -> Memory<P, Y, T, A, F> {
+) -> Continuation<P, Y, T, A, F> {
     let reach = |all: [Reach<S>; N]| Reach {
         last: number(all.map(|one| one.last)),
         reach: number(all.map(|one| one.reach)),
     };
-    let turn = |all: [Turn<S>; N]| Turn {
+    let turn = |all: [Angle<S>; N]| Angle {
         angle: number(all.map(|one| one.angle)),
         cos: number(all.map(|one| one.cos)),
         sin: number(all.map(|one| one.sin)),
     };
-    let followed = |all: [Followed<S>; N]| Followed {
+    let iterated = |all: [Iterated<S>; N]| Iterated {
         value: number(all.map(|one| one.value)),
         rate: number(all.map(|one| one.rate)),
         bend: number(all.map(|one| one.bend)),
     };
-    Memory {
+    Continuation {
         coordinates: core::array::from_fn(|k| reach(all.map(|one| one.coordinates[k]))),
         time: reach(all.map(|one| one.time)),
-        turns: core::array::from_fn(|k| turn(all.map(|one| one.turns[k]))),
-        areas: core::array::from_fn(|k| number(all.map(|one| one.areas[k]))),
-        followed: core::array::from_fn(|k| followed(all.map(|one| one.followed[k]))),
+        angles: core::array::from_fn(|k| turn(all.map(|one| one.angles[k]))),
+        determinants: core::array::from_fn(|k| number(all.map(|one| one.determinants[k]))),
+        iterated: core::array::from_fn(|k| iterated(all.map(|one| one.iterated[k]))),
     }
 }

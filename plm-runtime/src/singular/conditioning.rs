@@ -1,39 +1,24 @@
 //! Poses that are far more singular than others, and whether a step in absolute coordinates has led over one.
 
-use super::Fine;
+use super::ExtendedPrecision;
 use crate::absolute::{beside, smallest_pivot, split};
 use crate::mechanism::Mechanism;
 use crate::method::Path;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Health, Step};
+use crate::tolerances::{
+    CLEAR, DESCENTS, LOOKS, LOW, MOST_LOOKS, NO_TURN, REFERENCE_POSES, REGULAR, SLOW, TURN_APART, WIDE_TURN,
+    compared_apart, ill_conditioned, long_step,
+};
 use crate::vector::Vector;
 
-/// Other poses: all angles (and lengths over the mechanism's) moved by up to so many tenths.
-const ELSEWHERE: [f64; 4] = [2.0, 7.0, 13.0, 19.0];
-/// Pivots below this part of those at other poses are near a singular one.
-const POOR: f64 = 1e-2;
-/// A step is looked at more closely if a stage has a smaller pivot ratio than this, ...
-const LOW: f64 = 0.1;
-/// ... or if it is so long, in radians, that no stage may lie near a pose that is nearly singular.
-const LONG: f64 = 0.4;
-/// Its poses are then compared in so many places, and at least so often, in radians.
-const LOOKS: usize = 4;
-const APART: f64 = 0.05;
-const MOST_LOOKS: usize = 64;
-/// A low place between them is followed down so often, by parabolas.
-const DESCENTS: usize = 8;
-/// Where the pivot ratio is larger than this there is no turn, unless a step is long.
-const REGULAR: f64 = 0.3;
-/// Elsewhere a step without error control is looked at if it is longer than this, rad, times the root of its pivot ratio: a turn is seldom
-/// shorter than half of that root, ...
-const SLOW: f64 = 0.005;
-/// ... and divided where that turn is shorter than this, rad.
-const WIDE: f64 = 0.3;
-/// How sharp it is, poses so far to both sides tell, rad.
-const BESIDE: f64 = 0.01;
-
 /// The smallest pivot ratio at poses that nothing singles out, the best of some: what it is where the mechanism is regular.
-fn usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+fn reference_conditioning<
+    M: ExtendedPrecision<NQ, NC, NX>,
+    const NQ: usize,
+    const NC: usize,
+    const NX: usize,
+>(
     system: &M,
     t: M::S,
     q: &[M::S; NQ],
@@ -42,24 +27,38 @@ fn usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
         let far = beside(q, &[M::S::lit(*turns); NQ], system.length());
         smallest_pivot(system, t, &far)
     };
-    ELSEWHERE.iter().map(pivot).fold(M::S::ZERO, M::S::max)
+    REFERENCE_POSES.all().iter().map(pivot).fold(M::S::ZERO, M::S::max)
 }
 
 /// The smallest pivot ratio over a step beside that of other poses; 1 where rows always depend on each other.
 #[cold]
-fn lowest_of_usual<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+fn relative_conditioning<
+    M: ExtendedPrecision<NQ, NC, NX>,
+    const NQ: usize,
+    const NC: usize,
+    const NX: usize,
+>(
     step: &Step<'_, M>,
 ) -> M::S {
     let full = step.system.full(step.to.0, step.held, step.to.1);
-    let usual = usual(step.system, step.to.0, &split::<_, NX, NQ>(&full).0);
-    if Health(usual).is_good() { lowest(step, M::S::lit(LOW) * usual) / usual } else { M::S::lit(1.0) }
+    let reference = reference_conditioning(step.system, step.to.0, &split::<_, NX, NQ>(&full).0);
+    if Health(reference).is_good() {
+        lowest(step, LOW.of::<M::S>() * reference) / reference
+    } else {
+        M::S::lit(1.0)
+    }
 }
 
 /// Has a step come to poses that are far more singular than others?
-pub(super) fn is_poor<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+pub(super) fn is_ill_conditioned<
+    M: ExtendedPrecision<NQ, NC, NX>,
+    const NQ: usize,
+    const NC: usize,
+    const NX: usize,
+>(
     step: &Step<'_, M>,
 ) -> bool {
-    is_doubtful(step) && lowest_of_usual(step) < M::S::lit(POOR)
+    is_doubtful(step) && relative_conditioning(step) < M::S::lit(ill_conditioned())
 }
 
 /// How long a step without error control is beside the turn next to a nearly singular pose; zero where there is no such turn, and
@@ -67,22 +66,22 @@ pub(super) fn is_poor<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, con
 ///
 /// A turn takes place over the length on which the root of the pivot ratio changes by its own size. Along the motion the pivot
 /// ratio is `c + k s^2`: that length is `2p/p'` on the way to the pose, `sqrt(2p/p'')` beside it.
-pub(super) fn turned<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+pub(super) fn turned<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     step: &Step<'_, M>,
 ) -> M::S {
     let travel = travel(step);
-    let regular = step.health > M::S::lit(REGULAR) && travel < M::S::lit(LONG);
-    if regular || travel < M::S::lit(SLOW) * step.health.sqrt() {
+    let regular = step.health > REGULAR.of::<M::S>() && travel < M::S::lit(long_step());
+    if regular || travel < SLOW.of::<M::S>() * step.health.sqrt() {
         return M::S::ZERO;
     }
     let turn = shortest_turn(step, travel);
-    if turn < M::S::lit(WIDE) && !is_poor(step) { travel / turn } else { M::S::ZERO }
+    if turn < WIDE_TURN.of::<M::S>() && !is_ill_conditioned(step) { travel / turn } else { M::S::ZERO }
 }
 
 /// The length of a turn where a step ends, rad; infinite where rows always depend on each other, and where the pivot ratio is so
 /// large that there is none.
 #[cold]
-fn shortest_turn<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+fn shortest_turn<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     step: &Step<'_, M>,
     travel: M::S,
 ) -> M::S {
@@ -92,10 +91,10 @@ fn shortest_turn<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX
         smallest_pivot(step.system, step.to.0, &q)
     };
     let (half, two) = (M::S::lit(0.5), M::S::lit(2.0));
-    let apart = M::S::lit(BESIDE).max(half * travel);
+    let apart = TURN_APART.of::<M::S>().max(half * travel);
     let time = apart * (step.to.0 - step.from.0) / travel;
     let here = pivot(M::S::ZERO);
-    if !Health(here).is_good() || here > half {
+    if !Health(here).is_good() || here > NO_TURN.of::<M::S>() {
         return M::S::INFINITY;
     }
     let [behind, ahead] = [-time, time].map(pivot);
@@ -105,7 +104,7 @@ fn shortest_turn<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX
 }
 
 /// The smallest pivot ratio over a step; not the very smallest where none is below `low`.
-fn lowest<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+fn lowest<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     step: &Step<'_, M>,
     low: M::S,
 ) -> M::S {
@@ -114,7 +113,7 @@ fn lowest<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize
         let full = step.system.full(path.time(part), step.held, &path.at(part));
         smallest_pivot(step.system, path.time(part), &split::<_, NX, NQ>(&full).0)
     };
-    let looks = (travel(step) / M::S::lit(APART)).to_f64() as usize;
+    let looks = (travel(step) / M::S::lit(compared_apart())).to_f64() as usize;
     let looks = looks.clamp(LOOKS, MOST_LOOKS);
     let (mut place, mut least) = (M::S::ZERO, M::S::INFINITY);
     for k in 0..=looks {
@@ -156,29 +155,35 @@ fn travel<M: Mechanism>(step: &Step<'_, M>) -> M::S {
     (step.to.0 - step.from.0) * speed
 }
 
-/// Is a pose so near to a singular one that its pivot is below this part of what is usual?
-pub(super) fn is_near<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+/// Is a pose so near to a singular one that its pivot is below this part of that at other poses?
+pub(super) fn is_near<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     system: &M,
     t: M::S,
     q: &[M::S; NQ],
     part: M::S,
 ) -> bool {
     let here = smallest_pivot(system, t, q);
-    here < part && here < part * usual(system, t, q)
+    here < part && here < part * reference_conditioning(system, t, q)
 }
 
 /// Is a state away from singular poses?
-pub(super) fn is_regular<M: Fine<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
+pub(super) fn is_regular<
+    M: ExtendedPrecision<NQ, NC, NX>,
+    const NQ: usize,
+    const NC: usize,
+    const NX: usize,
+>(
     system: &M,
     t: M::S,
     full: &[M::S; NX],
 ) -> bool {
     let (q, _) = split::<_, NX, NQ>(full);
-    smallest_pivot(system, t, &q) > M::S::lit(4.0 * POOR) * usual(system, t, &q)
+    smallest_pivot(system, t, &q)
+        > M::S::lit(CLEAR.get() * ill_conditioned()) * reference_conditioning(system, t, &q)
 }
 
 /// May a step have led over poses that are nearly singular?
 #[inline]
 fn is_doubtful<M: Mechanism>(step: &Step<'_, M>) -> bool {
-    step.health < M::S::lit(LOW) || travel(step) > M::S::lit(LONG)
+    step.health < LOW.of::<M::S>() || travel(step) > M::S::lit(long_step())
 }

@@ -1,0 +1,228 @@
+//! Prescribed drives of linkages with decimal lengths beside their closed forms: where they can go no further, and where they are
+//! until then.
+//!
+//! A crank `r1` at the origin is driven at a constant rate; a dyad of the bars `r2` and `r3`, or of `r2` and a guide, follows. The
+//! circles about both ends of the dyad meet while the distance of its ends is between the difference and the sum of its bars.
+
+mod drive;
+mod linkages;
+
+use std::f64::consts::PI;
+
+use plm::{Cause, Dop853, Fault, Mechanism, Method, RadauIia5, Rk4, Sim};
+
+use self::drive::Drive;
+use self::linkages::{absolute, loops};
+use crate::random::Random;
+use crate::run::fold;
+
+/// Runs last so long, s.
+const LENGTH: f64 = 2.0;
+/// A lock-up is told so exactly, s and rad or m.
+const EXACT: f64 = 1e-8;
+/// Within so many evaluations behind the last step.
+const AT_ONCE: u64 = 200;
+
+/// What came of a run: its end, the places of what the dyad joins, and evaluations.
+struct Run {
+    end: Result<(), Fault>,
+    time: f64,
+    places: [[f64; 2]; 2],
+    evaluations: u64,
+}
+
+/// By a pace: intervals of this length; one that is not positive is the whole run at once.
+fn run<M: Mechanism<S = f64>, I: Method<M>>(
+    mut sim: Sim<M, I>,
+    (until, pace): (f64, f64),
+    places: impl Fn(&M::State) -> [[f64; 2]; 2],
+) -> Run {
+    use plm::Moment as _;
+    let mut end = Ok(());
+    if pace > 0.0 {
+        let count = (until / pace).ceil() as u64;
+        for k in 1..=count {
+            let to = (k as f64 * pace).min(until);
+            end = sim.step_to(to);
+            if end.is_err() {
+                break;
+            }
+        }
+    } else {
+        end = sim.step_to(until);
+    }
+    Run { end, time: sim.state().time(), places: places(sim.state()), evaluations: sim.stats().evaluations }
+}
+
+macro_rules! start {
+    ($module:ident, $drive:expr, $method:expr, $how:expr) => {{
+        let Drive { kind, bars: [r1, r2, r3, span], from, rate, left } = *$drive;
+        let [b, c, _] = $drive.places(0.0, left);
+        let angle = |from: [f64; 2], to: [f64; 2]| plm::Start::free((to[1] - from[1]).atan2(to[0] - from[0]));
+        let (x, y) = (plm::Start::free(b[0]), plm::Start::free(b[1]));
+        match kind {
+            0 => {
+                let mut m = $module::FourBar { r1, r2, r3, span, from, rate, ..$module::FourBar::new() };
+                (m.start.crank.angle, m.start.coupler.x, m.start.coupler.y) = (plm::Start::free(from), x, y);
+                m.start.coupler.angle = angle(b, c);
+                m.start.rocker.x = plm::Start::free(span);
+                m.start.rocker.angle = angle([span, 0.0], c);
+                m.start_with($method).map(|sim| {
+                    run(sim, $how, |s| {
+                        let body = s.coupler();
+                        [[body.x, body.y], [body.x + r2 * body.angle.cos(), body.y + r2 * body.angle.sin()]]
+                    })
+                })
+            }
+            1 => {
+                let mut m =
+                    $module::SliderCrank { r1, r2, rail: span, from, rate, ..$module::SliderCrank::new() };
+                (m.start.crank.angle, m.start.rod.x, m.start.rod.y) = (plm::Start::free(from), x, y);
+                m.start.rod.angle = angle(b, c);
+                (m.start.slider.x, m.start.slider.y) = (plm::Start::free(c[0]), plm::Start::free(c[1]));
+                m.start_with($method)
+                    .map(|sim| run(sim, $how, |s| [[s.rod().x, s.rod().y], [s.slider().x, s.slider().y]]))
+            }
+            _ => {
+                let mut m = $module::Pushed { r1, r2, rail: span, from, rate, ..$module::Pushed::new() };
+                (m.start.crank.angle, m.start.rod.x, m.start.rod.y) = (angle([0.0, 0.0], b), x, y);
+                m.start.rod.angle = angle(b, c);
+                (m.start.slider.x, m.start.slider.y) = (plm::Start::free(c[0]), plm::Start::free(c[1]));
+                m.start_with($method)
+                    .map(|sim| run(sim, $how, |s| [[s.rod().x, s.rod().y], [s.slider().x, s.slider().y]]))
+            }
+        }
+    }};
+}
+
+/// A drive with the way in which it is run.
+struct Driven {
+    drive: Drive,
+    by: usize,
+    pace: f64,
+    absolute: bool,
+}
+
+/// What came of a drive.
+pub struct Told {
+    /// It locks up.
+    pub locks: bool,
+    /// What is wrong, if anything is.
+    pub wrong: Option<String>,
+    /// Of its end: places, time and fault.
+    pub fingerprint: u64,
+    /// Evaluations of the rates.
+    pub evaluations: u64,
+}
+
+impl Driven {
+    fn draw(seed: u64, number: u64) -> Self {
+        let mut random = Random::new(seed ^ 0x5eed, number);
+        let drive = loop {
+            if let Some(drive) = Drive::draw(&mut random).filter(Drive::is_plain) {
+                break drive;
+            }
+        };
+        let (by, pace) = (random.below(3), *random.one_of(&[0.0, 0.1, 0.01, 0.001]));
+        Self { drive, by, pace, absolute: random.chance(0.5) }
+    }
+
+    fn told(&self) -> Told {
+        let Self { drive, by, pace, absolute } = self;
+        let (mut fingerprint, mut evaluations) = (0, 0);
+        let wrong = judge(self, |run| {
+            let places = run.places.iter().flatten().chain([&run.time]).map(|number| number.to_bits());
+            let fault = format!("{:?}", run.end).into_bytes();
+            fingerprint = fold(run.evaluations, places.chain(fault.into_iter().map(u64::from)));
+            evaluations = run.evaluations;
+        });
+        let wrong =
+            wrong.map(|what| format!("{drive:?}, method {by}, {pace} s, absolute {absolute}: {what}"));
+        Told { locks: drive.lock().is_some(), wrong, fingerprint, evaluations }
+    }
+}
+
+/// What is wrong with a case, if anything is; `seen` is given the run.
+fn judge(driven: &Driven, seen: impl FnOnce(&Run)) -> Option<String> {
+    let Driven { drive, by, pace, absolute } = *driven;
+    let drive = &drive;
+    let lock = drive.lock();
+    let go = |until: f64| {
+        macro_rules! with {
+            ($method:expr) => {
+                if absolute {
+                    start!(absolute, drive, $method, (until, pace))
+                } else {
+                    start!(loops, drive, $method, (until, pace))
+                }
+            };
+        }
+        match by {
+            0 => with!(Dop853::default()),
+            1 => with!(RadauIia5::new(1e-8)),
+            _ => with!(Rk4::new(1e-3)),
+        }
+    };
+    let run = match go(LENGTH) {
+        Ok(run) => run,
+        Err(fault) => return Some(format!("not started: {fault}")),
+    };
+    seen(&run);
+    let known = drive.places(run.time, drive.left);
+    let off = (0..2).fold(0.0_f64, |off, k| {
+        off.max((run.places[k][0] - known[k][0]).abs()).max((run.places[k][1] - known[k][1]).abs())
+    });
+    // Next to the lock-up places have the root of the time's rounding.
+    if !(off < 1e-5) {
+        return Some(format!("off by {off:.1e} m at {} s", run.time));
+    }
+    match (lock, run.end) {
+        (None, Ok(())) => None,
+        (None, Err(fault)) => Some(format!("stopped, {fault}")),
+        (Some(lock), Ok(())) => Some(format!("went on past {lock}")),
+        (Some(lock), Err(fault)) => {
+            let Cause::LockedAt { row, value, .. } = fault.cause else {
+                return Some(format!("{fault}, known {lock} s"));
+            };
+            let whole = if drive.kind == 2 {
+                value
+            } else {
+                value + ((drive.held(lock) - value) / (2.0 * PI)).round() * 2.0 * PI
+            };
+            let told = row.starts_with("motor")
+                && (fault.time - lock).abs() < EXACT
+                && (whole - drive.held(lock)).abs() < EXACT;
+            if !told || lock - run.time > 0.02 {
+                return Some(format!("{fault}, known {lock} s, stopped at {} s", run.time));
+            }
+            let before = go(run.time).map_or(0, |before| before.evaluations);
+            let behind = run.evaluations.saturating_sub(before);
+            (behind > AT_ONCE).then(|| format!("{behind} evaluations behind the last step"))
+        }
+    }
+}
+
+/// So many drives of a seed, run.
+pub fn all(seed: u64, count: u64) -> Vec<Told> {
+    let points = plm::batch::points((0..count).collect::<Vec<u64>>()).quiet();
+    let runs = points.run(|number| Ok(Driven::draw(seed, number).told()));
+    runs.all().expect("what is wrong with a drive is a value")
+}
+
+/// So many drives of a seed; whether all are right.
+pub fn sweep(seed: u64, count: u64, verbose: bool) -> bool {
+    let (mut wrong, mut locks, mut evaluations, mut fingerprint) = (0, 0, 0, 0);
+    for (number, told) in all(seed, count).iter().enumerate() {
+        locks += u64::from(told.locks);
+        wrong += u64::from(told.wrong.is_some());
+        evaluations += told.evaluations;
+        fingerprint = fold(fingerprint, [told.fingerprint].into_iter());
+        if let Some(told) = told.wrong.as_ref().filter(|_| verbose) {
+            println!("--seed {seed} drive {number}  {told}");
+        }
+    }
+    println!(
+        "{count} prescribed drives, {locks} lock up, {wrong} wrong; {evaluations} evaluations, all bits {fingerprint:016x}"
+    );
+    wrong == 0
+}
