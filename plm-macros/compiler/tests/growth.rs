@@ -144,7 +144,7 @@ fn lines_of<'a>(text: &'a str, name: &str) -> Vec<&'a str> {
 #[test]
 fn what_repeats_itself_is_written_once_where_the_code_would_be_long() {
     let functions =
-        ["motion", "pose", "project", "phi", "phi_dot", "phi_q_entries", "min_norm", "linearised"];
+        ["motion", "pose", "to_chart", "phi", "phi_dot", "phi_q_entries", "min_norm", "linearised"];
     let [short, long, longer] = [20, 200, 400].map(|count| compiled(&chain(count)).unwrap());
     for name in functions {
         assert!(lines_of(&short, name).iter().all(|line| !line.trim_start().starts_with("for ")), "{name}");
