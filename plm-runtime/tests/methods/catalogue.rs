@@ -25,8 +25,11 @@ fn written() -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     for source in sources(&folder) {
         let text = fs::read_to_string(source).unwrap();
-        let named = text.split("const NAME: &'static str = \"").skip(1);
-        names.extend(named.filter_map(|rest| rest.split('"').next()).map(str::to_owned));
+        // Tableaus name theirs as an argument.
+        for start in ["const NAME: &'static str = \"", " name: \""] {
+            let named = text.split(start).skip(1);
+            names.extend(named.filter_map(|rest| rest.split('"').next()).map(str::to_owned));
+        }
     }
     names.remove("");
     names
