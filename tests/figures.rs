@@ -68,8 +68,9 @@ fn every_page_of_a_part_shows_its_figure() {
     for name in names {
         let text = fs::read_to_string(root().join(format!("docs/src/parts/{name}.md"))).unwrap();
         let image = format!("images/parts/{name}.svg");
-        assert!(text.contains(&format!("](../{image})")), "the page of {name} has no figure");
-        assert!(root().join("docs/src").join(&image).exists(), "{image}");
+        let how = "docs/src/internals/adding-a-part.md, step 5, says how to draw one";
+        assert!(text.contains(&format!("](../{image})")), "docs/src/parts/{name}.md shows no figure: {how}");
+        assert!(root().join("docs/src").join(&image).exists(), "docs/src/{image} is missing: {how}");
     }
 }
 
