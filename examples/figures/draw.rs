@@ -74,6 +74,33 @@ pub(crate) fn all(root: &Path) -> Result<Vec<Drawing>, Box<dyn Error>> {
     Ok(drawings)
 }
 
+/// What is missing, if parts of the library have no figure: their names and what to do.
+///
+/// # Errors
+/// The library cannot be read.
+pub(crate) fn missing(root: &Path) -> Result<Option<String>, Box<dyn Error>> {
+    let drawn: Vec<String> =
+        blocks().iter().map(|block| block.name().to_owned()).chain(PLANAR.map(str::to_owned)).collect();
+    let mut missing = Vec::new();
+    for entry in fs::read_dir(root.join("plm-macros/compiler/parts"))? {
+        let text = fs::read_to_string(entry?.path())?;
+        let heads =
+            text.lines().filter_map(|line| line.strip_prefix("part ").or(line.strip_prefix("joint ")));
+        let names = heads.filter_map(|head| head.split_once('(')).map(|(name, _)| name.to_owned());
+        missing.extend(names.filter(|name| !drawn.contains(name)));
+    }
+    missing.sort();
+    Ok((!missing.is_empty()).then(|| {
+        format!(
+            "parts without a figure: {}. List a part that joins frames in `PLANAR` of examples/figures/draw.rs (it is drawn from \
+             the example of its page, or from examples/figures/parts/NAME.plm), and any other part as a box in \
+             examples/figures/blocks.rs; then `cargo run --example figures` writes docs/src/images/parts/NAME.svg. Step 5 of \
+             docs/src/internals/adding-a-part.md says more",
+            missing.join(", ")
+        )
+    }))
+}
+
 /// Both mirror images of the loop that the page about assembly declares.
 fn images(root: &Path) -> Result<Vec<Drawing>, Box<dyn Error>> {
     let page = fs::read_to_string(root.join("docs/src/running/assembly.md"))?;
@@ -109,8 +136,10 @@ fn of_part(root: &Path, page: &str) -> Result<String, Box<dyn Error>> {
     }
     let example = fs::read_to_string(root.join("docs/src/language/declaration.md"))?;
     let example = fenced(&example, "```plm\n").ok_or("declaration.md has no example")?;
-    let text = fs::read_to_string(root.join(format!("docs/src/parts/{page}.md")))?;
-    let items = fenced(&text, "```plm,items\n").ok_or_else(|| format!("{page}.md has no example"))?;
+    let text = fs::read_to_string(root.join(format!("docs/src/parts/{page}.md")))
+        .map_err(|error| format!("docs/src/parts/{page}.md: {error}"))?;
+    let items = fenced(&text, "```plm,items\n")
+        .ok_or_else(|| format!("docs/src/parts/{page}.md has no example (a block ```plm,items)"))?;
     let (head, rest) = example.split_once('{').ok_or("the example has no items")?;
     let (base, whole) = (picture(example)?, picture(&format!("{head}{{ allow(W0007);\n{items}{rest}"))?);
     let is_new = |name: &&str| !names(&base).any(|known| known == *name);

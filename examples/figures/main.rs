@@ -1,6 +1,6 @@
 //! The drawn figures of the book: parts from the examples of their pages, demos from their declarations.
 //!
-//! `cargo run --example figures` writes them to `docs/src/images/`; a test compares them with what is there.
+//! `cargo run --example figures` writes them to `docs/src/images/`; a test compares them with what is there. It fails if a part of the library has no figure.
 
 mod blocks;
 mod draw;
@@ -16,5 +16,5 @@ fn main() -> Result<(), Box<dyn Error>> {
         fs::create_dir_all(path.parent().unwrap_or(root))?;
         fs::write(path, svg)?;
     }
-    Ok(())
+    draw::missing(root)?.map_or(Ok(()), |missing| Err(missing.into()))
 }
