@@ -234,6 +234,8 @@ expect(error.results["time"][-1] == m.time, "which stays where it came")
 middle = m.time
 m.run(middle + 0.5)
 expect(m.time == middle + 0.5, "and goes on")
+# In the background of a shell the signal is ignored from the start.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 threading.Timer(0.3, lambda: signal.raise_signal(signal.SIGINT)).start()
 clock = time.perf_counter()
 # A million steps, after which any run is ended, take a good while with a hundred samples in each.
