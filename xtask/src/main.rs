@@ -1,9 +1,10 @@
-//! Chores of the repository, by `cargo xtask`: what CI runs, expected texts anew, benchmarks.
+//! Chores of the repository, by `cargo xtask`: what CI runs, expected texts anew, benchmarks, the list of files.
 
 mod bench;
 mod beside;
 mod bless;
 mod ci;
+mod index;
 mod place;
 
 use std::process::ExitCode;
@@ -20,6 +21,7 @@ cargo xtask ci --only NAME...     some of the stages, of both
 cargo xtask ci --list             the names of all stages
 cargo xtask bless [NAME...]       expected texts anew: what `cargo test` compares, or what is named
 cargo xtask bench [NAME...]       instruction counts beside their limits, or what is named
+cargo xtask index                 the book's list of source files, from the first sentence of each
 ";
 
 fn main() -> ExitCode {
@@ -28,6 +30,7 @@ fn main() -> ExitCode {
         Some((first, rest)) if first == "ci" => ci::run(place, rest),
         Some((first, rest)) if first == "bless" => bless::run(&place, rest),
         Some((first, rest)) if first == "bench" => bench::run(&place, rest),
+        Some((first, [])) if first == "index" => write_index(&place),
         _ => Err(format!("these are the commands:\n{USAGE}\n{}{}", bless::usage(), bench::usage())),
     });
     match done {
@@ -37,4 +40,11 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+fn write_index(place: &Place) -> Result {
+    let write = |path: &str, text: String| {
+        std::fs::write(place.root.join(path), text).map_err(|why| format!("{path}: {why}"))
+    };
+    write(index::PAGE, index::page(&place.root)?)
 }
