@@ -1,8 +1,10 @@
-//! The book's list of source files is the one that the files give.
+//! The book's list of source files and the picture of the architecture are those that the sources give.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use std::path::Path;
 
+#[path = "../xtask/src/architecture.rs"]
+mod architecture;
 #[path = "../xtask/src/index.rs"]
 mod index;
 
@@ -16,4 +18,10 @@ fn same(path: &str, made: &str) {
 fn the_list_of_files_is_current() {
     let made = index::page(Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
     same(index::PAGE, &made);
+}
+
+#[test]
+fn the_picture_of_the_architecture_is_current() {
+    let made = architecture::picture(Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
+    same(architecture::PICTURE, &made);
 }

@@ -47,7 +47,7 @@ const TEXTS: [Text; 9] = [
     },
     Text {
         name: "index",
-        what: "the list of source files in the book",
+        what: "the list of source files in the book, and the picture of the architecture",
         is_compared: true,
         variable: None,
         command: "cargo xtask index",

@@ -1,5 +1,6 @@
-//! Chores of the repository, by `cargo xtask`: what CI runs, expected texts anew, benchmarks, the list of files.
+//! Chores of the repository, by `cargo xtask`: what CI runs, expected texts anew, benchmarks, the list of files and the picture.
 
+mod architecture;
 mod bench;
 mod beside;
 mod bless;
@@ -21,7 +22,7 @@ cargo xtask ci --only NAME...     some of the stages, of both
 cargo xtask ci --list             the names of all stages
 cargo xtask bless [NAME...]       expected texts anew: what `cargo test` compares, or what is named
 cargo xtask bench [NAME...]       instruction counts beside their limits, or what is named
-cargo xtask index                 the book's list of source files, from the first sentence of each
+cargo xtask index                 the book's list of source files and the picture of the architecture
 ";
 
 fn main() -> ExitCode {
@@ -46,5 +47,6 @@ fn write_index(place: &Place) -> Result {
     let write = |path: &str, text: String| {
         std::fs::write(place.root.join(path), text).map_err(|why| format!("{path}: {why}"))
     };
-    write(index::PAGE, index::page(&place.root)?)
+    write(index::PAGE, index::page(&place.root)?)?;
+    write(architecture::PICTURE, architecture::picture(&place.root)?)
 }
