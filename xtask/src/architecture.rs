@@ -191,7 +191,8 @@ fn arrows(root: &Path) -> Result<Vec<Arrow>, String> {
         let lines = manifest.lines().skip_while(|line| *line != "[dependencies]").skip(1);
         for line in lines.take_while(|line| !line.starts_with('[')) {
             let Some((to, options)) = line.split_once(" = ") else { continue };
-            let Some(to) = number(to) else { continue };
+            // A key may go on: `plm-math.workspace = true`.
+            let Some(to) = number(to.split('.').next().unwrap_or(to)) else { continue };
             if PLACES[from].layer >= PLACES[to].layer {
                 return Err(format!("{} stands below {}", PLACES[from].name, PLACES[to].name));
             }
