@@ -1,4 +1,6 @@
 //! Eight numbers of `f64` in vector registers.
+//!
+//! Plain arrays that rustc vectorises take a fifth longer in the double pendulum, and nearly twice the time to compile.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

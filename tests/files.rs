@@ -1,18 +1,27 @@
-//! The book's index of source files and the picture of the crates are those that `cargo xtask index` writes.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+//! The book's list of source files and the picture of the architecture are those that the sources give.
+#![allow(clippy::unwrap_used, reason = "tests")]
 
+use std::path::Path;
+
+#[path = "../xtask/src/architecture.rs"]
+mod architecture;
 #[path = "../xtask/src/index.rs"]
 mod index;
 
-use std::fs;
-use std::path::Path;
+fn same(path: &str, made: &str) {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let shown = index::read(&root.join(path)).unwrap_or_default();
+    assert!(shown == made, "{path} is not what the sources give: run `cargo xtask index`");
+}
 
 #[test]
-fn the_index_and_the_picture_are_up_to_date() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let texts = [(index::PAGE, index::page(root).unwrap()), (index::PICTURE, index::picture(root).unwrap())];
-    for (path, text) in texts {
-        let found = fs::read_to_string(root.join(path)).unwrap_or_default();
-        assert!(found == text, "{path} is not up to date: `cargo xtask index` writes it");
-    }
+fn the_list_of_files_is_current() {
+    let made = index::page(Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
+    same(index::PAGE, &made);
+}
+
+#[test]
+fn the_picture_of_the_architecture_is_current() {
+    let made = architecture::picture(Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
+    same(architecture::PICTURE, &made);
 }

@@ -1,4 +1,6 @@
 //! Runs by a method that is chosen while a program runs, among those that its library has.
+//!
+//! The list of methods is a type that the library names, so that the library has the code of no other method.
 
 use plm_runtime::words::{InWords, Words};
 use plm_runtime::{Fault, Method, Scalar, Sim};

@@ -1,4 +1,6 @@
 //! The catalogue of methods by name.
+//!
+//! The enumerations of C, of the command line and of Python are made of this one list.
 
 /// Calls the macro `$with` with the catalogue, behind the tokens that stand behind its name here.
 ///

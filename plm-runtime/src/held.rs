@@ -1,4 +1,4 @@
-//! What is held over a step, in one shape for every mechanism.
+//! Discrete state: constant during a step, changed only at events. It has one shape for every mechanism.
 
 use crate::scalar::{Real, Scalar};
 use crate::words::{InWords, Words};

@@ -6,6 +6,9 @@
 //!
 //! A stack that overflows ends the program, and how much is left of it cannot be known here. So what would take more than is
 //! allowed is refused, with [`Cause::Workspace`], and the run ends as with any other fault.
+//!
+//! Only these matrices grow with the square of the number of bodies. The functions that hold them are not inlined, so that no
+//! healthy elimination pays for their stack.
 
 use core::sync::atomic::{AtomicUsize, Ordering};
 

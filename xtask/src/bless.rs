@@ -16,7 +16,7 @@ struct Text {
 
 const BLESS: Option<(&str, &str)> = Some(("PLM_BLESS", "1"));
 
-const TEXTS: [Text; 8] = [
+const TEXTS: [Text; 9] = [
     Text {
         name: "ui",
         what: "what rustc prints for wrong declarations: tests/ui/**/*.stderr",
@@ -44,6 +44,13 @@ const TEXTS: [Text; 8] = [
         is_compared: true,
         variable: None,
         command: "cargo run --example figures",
+    },
+    Text {
+        name: "index",
+        what: "the list of source files in the book, and the picture of the architecture",
+        is_compared: true,
+        variable: None,
+        command: "cargo xtask index",
     },
     Text {
         name: "c",

@@ -1,5 +1,6 @@
-//! Chores of the repository, by `cargo xtask`: what CI runs, expected texts anew, benchmarks.
+//! Chores of the repository, by `cargo xtask`: what CI runs, expected texts anew, benchmarks, the list of files and the picture.
 
+mod architecture;
 mod bench;
 mod beside;
 mod bless;
@@ -21,7 +22,7 @@ cargo xtask ci --only NAME...     some of the stages, of both
 cargo xtask ci --list             the names of all stages
 cargo xtask bless [NAME...]       expected texts anew: what `cargo test` compares, or what is named
 cargo xtask bench [NAME...]       instruction counts beside their limits, or what is named
-cargo xtask index                 the book's index of source files, and the picture of the crates
+cargo xtask index                 the book's list of source files and the picture of the architecture
 ";
 
 fn main() -> ExitCode {
@@ -42,11 +43,10 @@ fn main() -> ExitCode {
     }
 }
 
-/// Writes the index of files and the picture of the crates.
 fn write_index(place: &Place) -> Result {
     let write = |path: &str, text: String| {
         std::fs::write(place.root.join(path), text).map_err(|why| format!("{path}: {why}"))
     };
     write(index::PAGE, index::page(&place.root)?)?;
-    write(index::PICTURE, index::picture(&place.root)?)
+    write(architecture::PICTURE, architecture::picture(&place.root)?)
 }

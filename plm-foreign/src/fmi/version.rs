@@ -1,4 +1,6 @@
 //! The versions of the standard, and what each calls its functions.
+//!
+//! Everything else stands once for both versions. The C functions of a version are a text beside this file.
 
 use core::fmt;
 

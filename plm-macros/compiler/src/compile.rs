@@ -1,4 +1,7 @@
-//! The passes, in order.
+//! Compilation: all passes, in order.
+//!
+//! The model gives equations, the equations a program in absolute coordinates. That program assembles the start in numbers. Joint
+//! coordinates follow where the mechanism allows them, then the report and the text. A check follows each pass.
 
 use crate::collect::CollectVec;
 use std::cell::RefCell;

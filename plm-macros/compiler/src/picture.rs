@@ -1,4 +1,6 @@
 //! A compiled mechanism at its start, in names and numbers: for drawings that need no rustc.
+//!
+//! `examples/figures` draws the figures of the book from it, and a test compares them.
 
 use crate::collect::{CollectVec, MapEach};
 use plm_cas::Expr;

@@ -3,6 +3,8 @@
 //! Whoever uses plm builds this crate without optimisation, and each pair of types in a tree of the standard library costs
 //! ten times the code of these few loops. What is entered in ascending order is entered at the end; the rest moves
 //! what stands behind it.
+//!
+//! `benches/first_build.sh` prints what the first build costs a user.
 
 use std::borrow::Borrow;
 use std::cmp::Ordering;

@@ -2,6 +2,8 @@
 //!
 //! All numbers are entries of one list, in the order of the declaration. Most are constants; those that read parameters or
 //! the time are expressions. The rows of names hold the index at which the numbers of each item begin.
+//!
+//! Constants cost rustc next to nothing: a chain of 64 bars has 3 % more text by its table.
 
 use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Expr, algebra};

@@ -1,4 +1,6 @@
 //! A wheel of a mechanism for Python: what of it is text; cargo and maturin do the rest.
+//!
+//! Only `native.rs.txt` knows pyo3. The package that maturin builds compiles it, this crate never does.
 
 mod maturin;
 mod python;

@@ -1,4 +1,6 @@
-//! Numbers as they were written.
+//! Numbers as they were written: a parameter counts as the decimal in its declaration.
+//!
+//! Whether lengths meet at a singular pose must not depend on the rounding of their decimals.
 
 use plm_math::exact::two_product;
 

@@ -1,4 +1,6 @@
-//! What a proposed step is.
+//! Verdict on a proposed step. The judge changes nothing.
+//!
+//! Every path of [`crate::protocol`] has this judge: the general one, the fast one, a step by itself, and the lanes of a batch.
 
 use super::energy::check_energy;
 use super::near_singular::{Nearness, Rescue};

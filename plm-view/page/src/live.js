@@ -1,4 +1,6 @@
 // The mechanism itself in the page: it runs in a worker, and what it computes becomes the rows of a run.
+//
+// A live source adds a `Run` by `app.addRun`, appends rows, calls `app.rowsAppended`, and adds its tab by `panel.add`.
 
 import { FollowCamera } from "./followcamera.js";
 import { Run } from "./run.js";

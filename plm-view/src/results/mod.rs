@@ -1,4 +1,7 @@
 //! Results of runs in a file: a zip archive of NumPy arrays and one `plm.json` (docs/src/running/results.md).
+//!
+//! Most languages read such a file without a library of ours. Entries are read from the beginning of the file: the directory of a
+//! zip archive is at its end, which a truncated file has lost.
 
 mod archive;
 mod budget;

@@ -4,6 +4,8 @@
 //! their rates differ an impulse would be needed, and where only the second derivatives do, the accelerations jump: that is
 //! an event like a force that jumps. Which of these it is follows from the difference of the sides and its derivatives along
 //! the motion, taken on the boundary.
+//!
+//! Assembly and projection hold no side of these conditions: both sides agree there.
 
 mod boundary;
 

@@ -2,6 +2,9 @@
 //!
 //! One function writes each item: what users see in `item`, what the runtime asks for in `contract`, the straight-line
 //! functions in `function`, whose statements `lower` makes of tapes.
+//!
+//! The type of a mechanism is defined in a module of its own, so that it may have any name. One outer module, whose name no crate
+//! has, holds everything, so that a mechanism can stand in a block.
 
 mod bindings;
 mod code;

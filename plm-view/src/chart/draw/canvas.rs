@@ -1,4 +1,7 @@
 //! The text of an SVG file, element by element. Lengths are in pixels.
+//!
+//! A drawing library would give strokes alone: ticks, legends and logarithmic scales have to be those of the page.
+//! `plm-view/page/tests/ticks.json` holds Rust and JavaScript to one table of ticks, units, colours and fonts.
 
 use std::fmt::{Display, Write as _};
 

@@ -1,4 +1,7 @@
 //! W. Kutta's step by itself: a straight line where the rate is short.
+//!
+//! The state is moved on where it stands. The general code makes the step again where angles have many turns, in other charts than
+//! the first, and where a loop is open.
 
 use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;

@@ -14,6 +14,8 @@
 //! ```
 //!
 //! (J. Baumgarte, Comput. Methods Appl. Mech. Eng. 1, 1972, eq. (2.7)).
+//!
+//! Elimination is a symbolic sparse `L D L^T` in the order of minimum degree.
 
 mod feedback;
 mod linearised;

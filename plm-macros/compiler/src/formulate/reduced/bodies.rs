@@ -8,6 +8,8 @@
 //! are zero (T. R. Kane, D. A. Levinson, Dynamics: Theory and Applications, 1985, chapters 2 and 6). Those of G follow
 //! from the body before it, so that the work is in proportion to the bodies. What [`inertia`](super::inertia) sets up for all
 //! unknowns of the loops is constant but for cosines and sines; it grows with the square of their number.
+//!
+//! The compiler takes these equations or those of `inertia`, whichever have fewer operations.
 
 use crate::collect::CollectVec;
 use crate::sorted::SortedMap;

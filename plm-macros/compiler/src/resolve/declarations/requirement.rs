@@ -1,4 +1,6 @@
 //! Requirements: what must hold for the model to mean anything.
+//!
+//! A requirement is a condition with a held side. The run ends where that side would change.
 
 use plm_cas::Expr;
 

@@ -3,6 +3,8 @@
 //! Actions of a part on the bodies of its ports are found from its loads and constraint rows, so that they hold for every
 //! part: `Q - phi_q^T lambda`, summed over all that the part contains, carried to the point of the port. What it does to
 //! the ground keeps the balance: constraints hold when everything is moved together, ground included.
+//!
+//! Observed quantities are outputs that are not declared. They have a graph of their own, so that the step keeps its bits.
 
 use crate::collect::{CollectVec, MapEach, PushAll};
 use crate::sorted::{SortedMap, SortedSet};
