@@ -32,7 +32,7 @@ const OTHER_OLD_WORDS: [(&str, &str, &str); 27] = [
     ("plm-foreign/src/fmi/", "trouble", "error"),
     ("plm-foreign/src/ffi/", "trouble", "error"),
     ("src/live", "trouble", "error"),
-    ("src/stabilise/", "look", "evaluation"),
+    ("plm-analysis/src/stabilise/", "look", "evaluation"),
 ];
 
 #[test]
@@ -57,11 +57,11 @@ const PLAIN_ROOMS: [&str; 12] = [
     "plm-macros/compiler/src/",
     "plm-macros/src/",
     "plm-foreign/src/",
-    "src/stabilise/",
+    "plm-analysis/src/stabilise/",
     "src/live",
-    "src/any_sim.rs",
-    "src/auto.rs",
-    "src/batch.rs",
+    "plm-run/src/any_sim.rs",
+    "plm-analysis/src/auto.rs",
+    "plm-study/src/batch.rs",
     "src/lanes.rs",
     "src/starts.rs",
     "plm-view/src/chart/",
