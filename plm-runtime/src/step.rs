@@ -66,7 +66,7 @@ where
 #[inline]
 fn is_uneventful<M: Pack>(step: &Step<'_, M>) -> bool {
     let &Step { system, held, from: (start, _), to: (end, x), .. } = step;
-    system.is_current(end, held, x)
+    system.is_calm(end, held, x)
         && !drift_check().fails(system, end, x)
         && matches!(M::Rescue::nearness(step, Length::Alone), Nearness::Regular)
         && events::are_satisfied(system, end, held, x)

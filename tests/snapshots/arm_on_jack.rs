@@ -371,11 +371,6 @@ mod plm_arm_on_jack_ {
 
         impl<S: Real> rt::Constraints for ArmOnJack<S> {
             #[inline]
-            fn is_current(&self, t: S, u: &Self::U, x: &[S; 10]) -> bool {
-                !rt::turns::are_due(x, &[&[0]])
-            }
-
-            #[inline]
             fn update(&self, _t: S, u: &mut Self::U, x: &mut [S; 10]) -> Result<rt::Updated, Fault> {
                 let turned = rt::turns::unwind(&mut u.turns, x, &[&[0]]);
                 Ok(rt::Updated { turned, ..Default::default() })
@@ -817,6 +812,11 @@ mod plm_arm_on_jack_ {
             }
 
             const WATCHED: bool = true;
+            #[inline]
+            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
+                !rt::turns::are_due(x, &[&[0]])
+            }
+
             #[inline]
             fn are_calm<T: Scalar>(typical: &[T; 10], t: T, held: &Held<T>, x: &[T; 10]) -> T {
                 rt::turns::all_near(x, &[&[0]])

@@ -599,11 +599,6 @@ mod plm_four_bar_ {
                 rt::charts::update(self, t, u, x)
             }
 
-            #[inline]
-            fn is_current(&self, t: S, u: &Self::U, x: &[S; 2]) -> bool {
-                rt::charts::is_calm(self, t, u, x)
-            }
-
             fn energy(&self, t: S, u: &Self::U, x: &[S; 2]) -> Option<rt::Energy<S>> {
                 let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
                 let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
@@ -1272,6 +1267,11 @@ mod plm_four_bar_ {
             }
 
             const WATCHED: bool = false;
+            #[inline]
+            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
+                rt::charts::is_calm(self, t, held, x)
+            }
+
             #[inline]
             fn are_calm<T: Scalar>(typical: &[T; 2], t: T, held: &Held<T>, x: &[T; 2]) -> T {
                 rt::charts::are_calm::<Self, T, _>(typical, t, &held.of_loops, x)

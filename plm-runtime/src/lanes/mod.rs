@@ -63,8 +63,11 @@ pub trait Pack: Mechanism {
     /// poses that are nearly singular.
     const WATCHED: bool;
 
-    /// [`Constraints::is_current`](crate::Constraints::is_current) of several states side by side, with the typical size of each
-    /// number: 1 in the lanes where it holds, 0 elsewhere.
+    /// Whether [`Constraints::update`](crate::Constraints::update) has nothing to do at a state.
+    fn is_calm(&self, t: Self::S, held: &Self::U, x: &Self::X) -> bool;
+
+    /// The same of several states side by side, with the typical size of each number: 1 in the lanes where it has nothing to
+    /// do, 0 elsewhere.
     fn are_calm<T: Scalar>(
         typical: &<Self::Packed<T> as Rate>::X,
         t: T,

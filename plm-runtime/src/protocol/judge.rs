@@ -64,44 +64,27 @@ pub(crate) enum Verdict {
 }
 
 /// Judges a step by what it led to and by the estimate of its error. Nothing but the proposal is changed.
-#[allow(clippy::inline_always, reason = "the paths keep the state in registers")]
+#[allow(clippy::inline_always, reason = "the fast path keeps the state in registers")]
 #[inline(always)]
 pub(crate) fn judge<M: Mechanism>(
     proposal: &mut Proposal<'_, M>,
     estimate: Estimate<M::S>,
     rules: &Rules<M::S>,
 ) -> Verdict {
-    match check(&proposal.step(), rules) {
-        Some(verdict) => verdict,
-        None => update(proposal, estimate, rules),
-    }
-}
-
-/// The verdict on a step that cannot be committed, whatever its discrete state is to be behind it.
-#[allow(clippy::inline_always, reason = "as above")]
-#[inline(always)]
-pub(crate) fn check<M: Mechanism>(step: &Step<'_, M>, rules: &Rules<M::S>) -> Option<Verdict> {
-    if rules.drift.fails(step.system, step.to.0, step.to.1) {
-        return Some(Verdict::Project);
-    }
-    match M::Rescue::nearness(step, rules.length) {
-        Nearness::Regular => {}
-        Nearness::Turn { parts } => return Some(Verdict::Split(parts)),
-        Nearness::Singular => return Some(Verdict::NearSingular),
-    }
-    let fraction = rules.limits.energy_jump?;
-    check_energy(step, fraction).err().map(Verdict::Shorten)
-}
-
-/// The verdict on a step that passed the [`check`], by the update of its discrete state.
-#[allow(clippy::inline_always, reason = "as above")]
-#[inline(always)]
-pub(crate) fn update<M: Mechanism>(
-    proposal: &mut Proposal<'_, M>,
-    estimate: Estimate<M::S>,
-    rules: &Rules<M::S>,
-) -> Verdict {
     let (system, start, end) = (proposal.system, proposal.from.0, proposal.end);
+    if rules.drift.fails(system, end, proposal.x) {
+        return Verdict::Project;
+    }
+    match M::Rescue::nearness(&proposal.step(), rules.length) {
+        Nearness::Regular => {}
+        Nearness::Turn { parts } => return Verdict::Split(parts),
+        Nearness::Singular => return Verdict::NearSingular,
+    }
+    if let Some(fraction) = rules.limits.energy_jump
+        && let Err(fault) = check_energy(&proposal.step(), fraction)
+    {
+        return Verdict::Shorten(fault);
+    }
     match system.update(end, proposal.held, proposal.x) {
         Err(fault) => Verdict::Shorten(fault),
         Ok(Updated { passed: Some(part), .. }) if rules.limits.change_points => {

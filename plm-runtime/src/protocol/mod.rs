@@ -20,6 +20,6 @@ mod near_singular;
 mod observer;
 
 pub(crate) use self::advance::{Advance, Guarded, Made};
-pub(crate) use self::judge::{Limits, Proposal, Rules, Verdict, check, judge, update};
+pub(crate) use self::judge::{Limits, Proposal, Rules, Verdict, judge};
 pub use self::near_singular::{Nearness, Rescue};
 pub(crate) use self::observer::{Observer, Trigger, Unobserved};

@@ -1,37 +1,35 @@
 //! Fast path for an interval of exactly one fixed step, the case of real-time loops.
 //!
 //! It works on a copy of the state, and commits what the judge accepts at once or behind a projection, where no event is possible.
-//! The discrete state is copied only where it has to be updated. Otherwise the general path
-//! ([`Advance`](crate::protocol::Advance)) makes the step from its beginning, with the same bits.
+//! Otherwise the general path ([`Advance`](crate::protocol::Advance)) makes the step from its beginning, with the same bits.
 
 use super::Sim;
-use crate::mechanism::{InPlace, Mechanism, Moment};
+use crate::mechanism::{Mechanism, Moment};
 use crate::method::{DriftCheck, Estimate, Method};
-use crate::protocol::{Limits, Proposal, Rules, Verdict, check, update};
+use crate::protocol::{Limits, Proposal, Rules, Verdict, judge};
 use crate::scalar::Scalar;
-use crate::system::{Step, Updated};
+use crate::system::Updated;
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// Makes the step to `end`; false, and nothing has changed, where more is to be done.
     #[inline]
     pub(super) fn fast_step(&mut self, end: M::S) -> bool {
         let Self { state, method, detector, history, limits, stats, .. } = self;
-        let InPlace { system, held, time, x } = state.in_place();
-        let start = *time;
-        let instant = system.next_time_event(start, held);
+        let (system, start, mut held) = (state.mechanism(), state.time(), state.held());
+        let instant = system.next_time_event(start, &held);
         if instant.is_some_and(|instant| instant <= end)
             || limits.energy_jump.is_some()
-            || !(detector.is_known() && system.is_regular(held))
+            || !(detector.is_known() && system.is_regular(&held))
         {
             return false;
         }
-        let mut next = *x;
-        let Some(made) = method.fast_step((system, held), (start, end), &mut next) else {
+        let (mut x, from) = (*state.x(), (start, state.x()));
+        let Some(made) = method.fast_step((system, &held), (start, end), &mut x) else {
             return false;
         };
         let mut error = M::S::ZERO;
-        if !made.are_near || method.is_long((system, stats), made.h, [x, &next]) {
-            let estimate = method.estimate_of((system, held), (start, made.h), [x, &next]);
+        if !made.are_near || method.is_long((system, stats), made.h, [from.1, &x]) {
+            let estimate = method.estimate_of((system, &held), (start, made.h), [from.1, &x]);
             if estimate.is_senseless() {
                 return false;
             }
@@ -39,26 +37,16 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         }
         let limits = Limits { energy_jump: None, ..*limits };
         let mut rules = Rules { length: I::LENGTH, drift: method.drift_check(), limits };
-        let drifted = rules.drift.fails(system, end, &next);
-        if drifted && system.project(end, &mut next).is_err() {
+        let drifted = rules.drift.fails(system, end, &x);
+        if drifted && system.project(end, &mut x).is_err() {
             return false;
         }
         rules.drift = DriftCheck::Skip;
-        let step = Step { system, held, from: (start, x), to: (end, &next), health: made.health };
-        if !detector.excludes_events(history, &step) || check(&step, &rules).is_some() {
+        let mut proposal = Proposal { system, from, end, held: &mut held, x: &mut x, health: made.health };
+        if !detector.excludes_events(history, &proposal.step()) {
             return false;
         }
-        let mut updated = Updated::default();
-        if !system.is_current(end, held, &next) {
-            let mut after = *held;
-            let (from, health) = ((start, &*x), made.health);
-            let mut proposal = Proposal { system, from, end, held: &mut after, x: &mut next, health };
-            let Verdict::Accept(accepted) = update(&mut proposal, Estimate::NONE, &rules) else {
-                return false;
-            };
-            (*held, updated) = (after, accepted);
-        }
-        (*time, *x) = (end, next);
+        let Verdict::Accept(accepted) = judge(&mut proposal, Estimate::NONE, &rules) else { return false };
         stats.errs(error);
         stats.steps += 1;
         stats.evaluations += made.evaluations;
@@ -67,7 +55,8 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             self.longest_step = made.h;
         }
         method.keep(drifted);
-        let Updated { moved, turned, passed } = updated;
+        state.set(end, &held, &x);
+        let Updated { moved, turned, passed } = accepted;
         if moved || turned || passed.is_some() {
             stats.charts += u64::from(moved);
             stats.change_points += u64::from(passed.is_some());

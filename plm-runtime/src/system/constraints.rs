@@ -41,12 +41,6 @@ pub trait Constraints: Rate {
         true
     }
 
-    /// Whether [`update`](Self::update) would change nothing at a state; false where that is not told.
-    fn is_current(&self, t: Self::S, u: &Self::U, x: &Self::X) -> bool {
-        let _ = (t, u, x);
-        false
-    }
-
     /// Updates the discrete state after a step, for the next one: charts, branches of loops, revolutions.
     ///
     /// # Errors

@@ -15,7 +15,7 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
     let params = emission.lines(params.map(|field| format!("{field}: number(all.map(|one| one.{field}))")));
     let inputs = &fields.inputs;
     let none = inputs.is_empty().then(|| quote!(none: core::marker::PhantomData,));
-    let Lanes { watched, calm: are_calm, are_short, look } = lanes(emission);
+    let Lanes { watched, calm: (is_calm, are_calm), are_short, look } = lanes(emission);
     let length = &emission.sizes.length;
     let modes = (emission.model.guards() > 0).then(|| {
         quote! {
@@ -51,6 +51,11 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
             }
 
             const WATCHED: bool = #watched;
+
+            #[inline]
+            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
+                #is_calm
+            }
 
             #[inline]
             fn are_calm<T: Scalar>(typical: &[T; #length], t: T, held: &Held<T>, x: &[T; #length]) -> T {
@@ -92,8 +97,8 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
 /// Checks of steps of several mechanisms side by side.
 struct Lanes {
     watched: bool,
-    /// `are_calm`.
-    calm: TokenStream,
+    /// `is_calm` and `are_calm`.
+    calm: (TokenStream, TokenStream),
     are_short: TokenStream,
     look: TokenStream,
 }
@@ -103,7 +108,7 @@ fn lanes(emission: &Emission) -> Lanes {
     let Some(reduced) = emission.loops() else {
         return Lanes {
             watched: !emission.is_reduced() || has_guards,
-            calm: turns::are_near(emission).1,
+            calm: turns::are_near(emission),
             are_short: quote!(T::lit(1.0)),
             look: quote!(T::lit(0.0)),
         };
@@ -114,7 +119,10 @@ fn lanes(emission: &Emission) -> Lanes {
     };
     Lanes {
         watched: has_guards,
-        calm: quote!(rt::charts::are_calm::<Self, T, _>(typical, t, &held.of_loops, x)),
+        calm: (
+            quote!(rt::charts::is_calm(self, t, held, x)),
+            quote!(rt::charts::are_calm::<Self, T, _>(typical, t, &held.of_loops, x)),
+        ),
         are_short: quote!(rt::charts::are_short::<Self, T, _>(typical, &held.of_loops, legs)),
         // The unknowns of iterations are followed one by one.
         look: if reduced.followed.is_empty() { look } else { quote!(T::lit(0.0)) },

@@ -29,10 +29,6 @@ fn constraints(emission: &Emission) -> TokenStream {
         Form::Tree(_) => TokenStream::new(),
         Form::Loops(_) => in_charts(emission),
     };
-    let is_current = match emission.form {
-        Form::Loops(_) => quote!(rt::charts::is_calm(self, t, u, x)),
-        Form::Absolute | Form::Tree(_) => turns::are_near(emission).0,
-    };
     let update = turns::update(emission);
     let stabilisation = (!emission.is_reduced()).then(|| stabilisation(emission));
     let energy = (!knows_time(emission)).then(|| {
@@ -47,11 +43,6 @@ fn constraints(emission: &Emission) -> TokenStream {
     quote! {
         impl<S: Real> rt::Constraints for #name<S> {
             #solution
-
-            #[inline]
-            fn is_current(&self, t: S, u: &Self::U, x: &[S; #length]) -> bool {
-                #is_current
-            }
             #update
             #stabilisation
             #energy
