@@ -5,9 +5,9 @@ use plm_runtime::{Described, Linear, Mechanism, Method, Sim, Statics, System, me
 
 use crate::Integrator;
 
-/// What is done with a run, whatever its method.
+/// Work on a run, whatever its method.
 pub trait OnSim<M: Mechanism> {
-    /// What comes of it.
+    /// Result of the work.
     type Output;
 
     /// Does it.
@@ -40,7 +40,7 @@ macro_rules! any_sim {
 
 methods!(any_sim);
 
-/// The same of whichever it is.
+/// Evaluates an expression on the run, whichever method it has.
 macro_rules! each {
     ([$any:expr, $sim:ident => $value:expr]
      by_error { $($a:ident $of_a:tt)* } of_length { $($b:ident $of_b:tt)* }) => {
