@@ -1,4 +1,5 @@
-//! Chores of the repository, by `cargo xtask`: what CI runs, expected texts anew, benchmarks, the list of files and the picture.
+//! Chores of the repository, by `cargo xtask`: what CI runs, expected texts anew, benchmarks, the list of files, the picture, and
+//! the formulas of the book.
 
 mod architecture;
 mod bench;
@@ -6,6 +7,7 @@ mod beside;
 mod bless;
 mod ci;
 mod index;
+mod math;
 mod place;
 
 use std::process::ExitCode;
@@ -23,6 +25,7 @@ cargo xtask ci --list             the names of all stages
 cargo xtask bless [NAME...]       expected texts anew: what `cargo test` compares, or what is named
 cargo xtask bench [NAME...]       instruction counts beside their limits, or what is named
 cargo xtask index                 the book's list of source files and the picture of the architecture
+cargo xtask math                  a preprocessor of mdBook: formulas become MathML
 ";
 
 fn main() -> ExitCode {
@@ -31,6 +34,7 @@ fn main() -> ExitCode {
         Some((first, rest)) if first == "ci" => ci::run(place, rest),
         Some((first, rest)) if first == "bless" => bless::run(&place, rest),
         Some((first, rest)) if first == "bench" => bench::run(&place, rest),
+        Some((first, rest)) if first == "math" => math::run(rest),
         Some((first, [])) if first == "index" => write_index(&place),
         _ => Err(format!("these are the commands:\n{USAGE}\n{}{}", bless::usage(), bench::usage())),
     });

@@ -27,6 +27,7 @@ mod text;
 pub mod token;
 mod topology;
 pub mod units;
+pub mod words;
 
 pub use bug::{bug_message, without_panic};
 pub use compile::{Expansion, compile, names_only};

@@ -25,6 +25,9 @@ use plm_compiler::syntax::parse_parts;
 use plm_compiler::token::Sources;
 use plm_compiler::units;
 
+#[path = "book/highlighting.rs"]
+mod highlighting;
+
 /// The mechanism that fragments stand in: a chain of two bars. `docs/src/language/declaration.md` shows it.
 const EXAMPLE: &str = "
     gravity: 9.81 m/s^2;
@@ -65,6 +68,15 @@ fn pages() -> Vec<PathBuf> {
     }
     pages.sort();
     pages
+}
+
+/// A file is what is made of the compiler's tables; `PLM_BLESS=1` writes it anew.
+fn same(path: &Path, made: &str) {
+    if std::env::var_os("PLM_BLESS").is_some() {
+        fs::write(path, made).unwrap();
+    }
+    let shown = fs::read_to_string(path).unwrap_or_default().replace("\r\n", "\n");
+    assert!(shown == made, "{} is not what the tables give: run `cargo xtask bless book`", path.display());
 }
 
 /// A fenced block: lines from `first` to before `end`, without the fences.

@@ -27,9 +27,10 @@ use crate::syntax::ast::Mechanism;
 use crate::token::Files;
 use calculus::Calculus;
 use declarations::UnresolvedModel;
+pub(crate) use names::lookup::RESERVED;
 use names::{Names, ScopeId};
 use values::Value;
-pub(crate) use values::function_table::{CallShape, Function};
+pub(crate) use values::function_table::{CallShape, FUNCTIONS, Function};
 pub(crate) use values::member_table::{Member, Owner};
 
 /// Binds the names of a mechanism; what it observes is left out unless it is asked for. `None` if it has errors; they are in the

@@ -64,7 +64,7 @@ pub struct Start {
 const FIELDS: &[&str] = &["mass", "inertia", "centre", "center", "drawing_angle", "depth"];
 
 /// All that may begin an item of a body.
-const WORDS: &[&str] =
+pub(crate) const WORDS: &[&str] =
     &["mass", "inertia", "centre", "coordinates", "drawing_angle", "port", "start", "depth", "contour"];
 
 impl Body {

@@ -16,6 +16,7 @@ use super::output::Output;
 use super::part::{Choice, Definition};
 use super::row::{Load, constraint};
 use super::value::{Value, named};
+use crate::collect::CollectVec;
 use crate::diag::{Code, nearest};
 use crate::library::PARTS;
 use crate::span::Span;
@@ -159,6 +160,11 @@ const WORDS: &[(&str, Option<Context>, Reader)] = &[
     ("output", None, |input, _| input.listed(Output::parse).map(ItemKind::Output)),
     ("repeat", None, |input, Head { context, .. }| Repeat::parse(input, *context).map(ItemKind::Repeat)),
 ];
+
+/// The words that begin an item, in the order of their table.
+pub(crate) fn item_words() -> Vec<&'static str> {
+    WORDS.iter().map(|(word, ..)| *word).collect_vec()
+}
 
 /// Former names of items, which are still accepted, and the present ones.
 const RENAMED: [(&str, &str); 1] = [("rung", "formulation")];

@@ -78,7 +78,10 @@ pub mod ast {
     pub use super::value::Value;
 }
 
+pub(crate) use body::WORDS as BODY_WORDS;
 pub(crate) use foreign_syntax::CONSTANTS;
+pub(crate) use item::item_words;
+pub(crate) use keyword::ALL as INNER_WORDS;
 pub(crate) use unit::unit_help;
 
 use crate::diag::Diagnostics;

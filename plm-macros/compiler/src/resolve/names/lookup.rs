@@ -19,7 +19,8 @@ use crate::syntax::ast::{self, Ident, IndexedName};
 use crate::units::{Dimension, unit};
 
 /// Names that the language has taken.
-const RESERVED: &[&str] = &["t", "pi", "gravity", "if", "then", "else", "and", "or", "not", "in", "ground"];
+pub(crate) const RESERVED: &[&str] =
+    &["t", "pi", "gravity", "if", "then", "else", "and", "or", "not", "in", "ground"];
 
 impl<'a> Resolver<'a> {
     /// The value of a slot, worked out if this is its first use.

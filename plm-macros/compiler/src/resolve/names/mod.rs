@@ -1,6 +1,6 @@
 //! Names: what is bound in which scope, and which part a scope is the inside of.
 
-mod lookup;
+pub(super) mod lookup;
 pub(super) mod unknown;
 
 use crate::collect::CollectVec;

@@ -1,0 +1,59 @@
+//! The words of the language, from the tables that the passes read: for highlighters and for short descriptions.
+
+use crate::collect::CollectVec;
+use crate::library::{DOMAINS, PARTS};
+use crate::model::{Formulation, Repetitions, Step};
+use crate::resolve::{FUNCTIONS, RESERVED};
+use crate::sorted::SortedSet;
+use crate::syntax::{BODY_WORDS, INNER_WORDS, item_words};
+use crate::units;
+
+/// Words that begin an item of a mechanism or of a part.
+pub fn items() -> Vec<&'static str> {
+    item_words()
+}
+
+/// Words that begin an item of a body.
+pub fn of_bodies() -> Vec<&'static str> {
+    BODY_WORDS.to_vec()
+}
+
+/// Words that stand inside of items and expressions: `locked`, `from`, `if`.
+pub fn inner() -> Vec<&'static str> {
+    let items = items();
+    let all = INNER_WORDS.iter().chain(RESERVED).filter(|word| !items.contains(word));
+    let words: SortedSet<&'static str> = all.copied().filter(|word| !constants().contains(word)).collect();
+    words.into_iter().collect_vec()
+}
+
+/// Names that always have a value.
+pub fn constants() -> [&'static str; 2] {
+    ["t", "pi"]
+}
+
+/// Options of the items that set something for the whole mechanism.
+pub fn options() -> Vec<&'static str> {
+    let formulations = Formulation::NAMES.iter().map(|(name, _)| *name);
+    let repetitions = Repetitions::NAMES.iter().map(|(name, _)| *name);
+    formulations.chain(repetitions).chain(Step::NAMES.iter().map(|(name, _)| *name)).collect_vec()
+}
+
+/// Names of the functions, in the order of their table.
+pub fn functions() -> Vec<&'static str> {
+    FUNCTIONS.iter().map(|function| function.name).collect_vec()
+}
+
+/// Names of the units, in the order of their table.
+pub fn units() -> Vec<&'static str> {
+    units::names().collect_vec()
+}
+
+/// Names of the parts of the library, with the files that define them.
+pub fn parts() -> &'static [(&'static str, &'static str)] {
+    PARTS
+}
+
+/// Names of the domains of the library, with the files that define them.
+pub fn domains() -> &'static [(&'static str, &'static str)] {
+    DOMAINS
+}
