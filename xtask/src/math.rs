@@ -123,9 +123,11 @@ fn mathml(formula: &str, display_mode: DisplayMode) -> std::result::Result<Strin
     let config = RenderConfig { display_mode, ..RenderConfig::default() };
     let events = events.into_iter().map(Ok::<_, std::convert::Infallible>);
     push_mathml(&mut text, events, config).map_err(|why| format!("`{formula}`: {why}"))?;
-    // A blank of a text is escaped twice.
-    Ok(without_marks(&text.replace("&amp;nbsp;", "&nbsp;")))
+    Ok(without_marks(&text))
 }
+
+/// Signs that have names in MathML. mdBook takes numbers alone.
+const NAMED: [(&str, char); 4] = [("&nbsp;", '\u{a0}'), ("&amp;", '&'), ("&lt;", '<'), ("&gt;", '>')];
 
 /// The same MathML without a mark that Markdown or HTML would read: those between tags become numbers.
 fn without_marks(mathml: &str) -> String {
@@ -133,13 +135,20 @@ fn without_marks(mathml: &str) -> String {
     while let Some(letter) = rest.chars().next() {
         // A tag begins with a letter or a slash; else it is a sign of the formula.
         let is_tag = letter == '<' && rest[1..].starts_with(|c: char| c == '/' || c.is_ascii_alphabetic());
-        let length =
-            if is_tag { rest.find('>').map_or(rest.len(), |end| end + 1) } else { letter.len_utf8() };
-        if is_tag || !(letter.is_ascii_punctuation() || letter == '\n') {
+        let named = NAMED.into_iter().find(|(name, _)| rest.starts_with(name));
+        let length = match named {
+            Some((name, _)) => name.len(),
+            None if is_tag => rest.find('>').map_or(rest.len(), |end| end + 1),
+            None => letter.len_utf8(),
+        };
+        let letter = named.map_or(letter, |(_, letter)| letter);
+        if is_tag {
             made.push_str(&rest[..length]);
-        } else {
+        } else if letter.is_ascii_punctuation() || letter == '\n' {
             // Writing to a string does not fail.
             let _ = write!(made, "&#{};", u32::from(letter));
+        } else {
+            made.push(letter);
         }
         rest = &rest[length..];
     }

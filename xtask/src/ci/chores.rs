@@ -49,15 +49,27 @@ pub(super) fn install_mdbook(place: &Place) -> Result {
     if version.is_ok_and(|version| version.trim() == format!("mdbook v{MDBOOK}")) {
         return Ok(());
     }
-    let install = place.command("cargo install mdbook --locked --no-default-features --debug --version");
-    let install = install.arg(MDBOOK).arg("--root").arg(&tools);
+    let install =
+        place.command("cargo install mdbook --locked --no-default-features --features search --debug");
+    let install = install.arg("--version").arg(MDBOOK).arg("--root").arg(&tools);
     install.arg("--target-dir").arg(tools.join("build")).run()
 }
 
+/// Builds the book, and looks at what is built. This program is the preprocessor of its formulas.
 pub(super) fn book(place: &Place) -> Result {
     install_mdbook(place)?;
+    let built = place.target.join("book");
+    let math = std::env::current_exe().map_err(|why| why.to_string())?;
     let build = place.command("").arg(place.target.join("tools/bin/mdbook")).args(["build", "docs"]);
-    build.arg("--dest-dir").arg(place.target.join("book")).run()
+    let build = build.set("MDBOOK_PREPROCESSOR__MATH__COMMAND", format!("'{}' math", math.display()));
+    build.arg("--dest-dir").arg(&built).run()?;
+    if !place.command("node --version").works() {
+        return place
+            .say("NOT CHECKED: links, colours and widths of the book, for want of node (20 or later)");
+    }
+    place.command("npm ci --silent").in_folder("docs/check").run()?;
+    let tests = ["--test", "--test-reporter=spec", "book.test.js", "colours.test.js"];
+    place.command("node").args(tests).in_folder("docs/check").set("PLM_BOOK", built).run()
 }
 
 /// The book shows the curves that the example draws.
