@@ -33,6 +33,12 @@ test("every link of every page leads to a page and a place in it", () => {
   assert.deepEqual([...new Set(wrong)], []);
 });
 
+test("the language in short names pages that are there", () => {
+  const targets = [...text("llms.txt").matchAll(/\]\(([^)]*)\)/g)].map((found) => found[1]);
+  assert.ok(targets.length > 80, `${targets.length} pages`);
+  assert.deepEqual(targets.filter((target) => !fs.existsSync(path.join(book, target))), []);
+});
+
 test("no page, style or script of the book names another server to fetch from", () => {
   const wrong = [];
   for (const file of files.filter((file) => /\.(html|css)$/.test(file))) {

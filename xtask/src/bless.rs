@@ -26,10 +26,10 @@ const TEXTS: [Text; 9] = [
     },
     Text {
         name: "book",
-        what: "diagnostics and code that pages of the book show",
+        what: "diagnostics and code that pages of the book show, its llms.txt, and colours of declarations",
         is_compared: true,
         variable: BLESS,
-        command: "cargo test -p plm-compiler --test book",
+        command: "cargo test -p plm-compiler --test book --test diagnostics",
     },
     Text {
         name: "snapshots",

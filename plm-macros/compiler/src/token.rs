@@ -133,7 +133,7 @@ impl Source {
     }
 
     /// All of it: the text, or the tokens in one line, with what reads as the same tokens.
-    pub(crate) fn whole(&self) -> String {
+    pub fn whole(&self) -> String {
         let last = self.count().saturating_sub(1) as u32;
         self.text.clone().unwrap_or_else(|| self.written(Span { source: self.id, first: 0, last }))
     }

@@ -3,7 +3,7 @@
 use crate::collect::CollectVec;
 use crate::library::{DOMAINS, PARTS};
 use crate::model::{Formulation, Repetitions, Step};
-use crate::resolve::{FUNCTIONS, RESERVED};
+use crate::resolve::{FUNCTIONS, Member, Owner, RESERVED};
 use crate::sorted::SortedSet;
 use crate::syntax::{BODY_WORDS, INNER_WORDS, item_words};
 use crate::units;
@@ -41,6 +41,16 @@ pub fn options() -> Vec<&'static str> {
 /// Names of the functions, in the order of their table.
 pub fn functions() -> Vec<&'static str> {
     FUNCTIONS.iter().map(|function| function.name).collect_vec()
+}
+
+/// Members of a body: `arm.angle`.
+pub fn members_of_bodies() -> Vec<&'static str> {
+    Member::names(Owner::Body)
+}
+
+/// Members of a port or of another frame: `arm.tip.velocity`.
+pub fn members_of_frames() -> Vec<&'static str> {
+    Member::names(Owner::Frame)
 }
 
 /// Names of the units, in the order of their table.

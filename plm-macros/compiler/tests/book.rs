@@ -27,6 +27,8 @@ use plm_compiler::units;
 
 #[path = "book/highlighting.rs"]
 mod highlighting;
+#[path = "book/llms.rs"]
+mod llms;
 
 /// The mechanism that fragments stand in: a chain of two bars. `docs/src/language/declaration.md` shows it.
 const EXAMPLE: &str = "

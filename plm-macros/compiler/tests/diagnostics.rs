@@ -19,6 +19,9 @@ use plm_compiler::compile;
 use plm_compiler::diag::{Code, Diagnostic};
 use plm_compiler::token::Sources;
 
+#[path = "messages/json.rs"]
+mod json;
+
 /// What a file expects.
 #[derive(Debug)]
 struct Mark {
