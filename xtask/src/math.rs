@@ -123,6 +123,8 @@ fn mathml(formula: &str, display_mode: DisplayMode) -> std::result::Result<Strin
     let config = RenderConfig { display_mode, ..RenderConfig::default() };
     let events = events.into_iter().map(Ok::<_, std::convert::Infallible>);
     push_mathml(&mut text, events, config).map_err(|why| format!("`{formula}`: {why}"))?;
+    // A fraction within a line stands close, as TeX sets it.
+    let text = text.replace("<mo>/</mo>", "<mo lspace=\"0\" rspace=\"0\">/</mo>");
     Ok(without_marks(&text))
 }
 
