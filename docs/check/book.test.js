@@ -22,7 +22,7 @@ test("every link of every page leads to a page and a place in it", () => {
   const wrong = [];
   for (const page of pages.filter((page) => page !== "print.html")) {
     const html = text(page);
-    for (const target of [...values(html, "href"), ...values(html, "src")]) {
+    for (const target of ["href", "src", "srcset"].flatMap((name) => values(html, name))) {
       if (/^(https?|mailto|data):/.test(target)) continue;
       const [file, place] = decodeURIComponent(target).split("#");
       const aim = file === "" ? page : path.posix.join(path.posix.dirname(page), file);
@@ -130,6 +130,26 @@ test("in a browser", { skip }, async (t) => {
       }
     });
   }
+
+  await t.test("pictures follow the theme that the reader picks", async () => {
+    const { page, close } = await open("getting-started", 820, "light");
+    // A page of its own: pictures of the book may have one colour alone.
+    const shown = await page.evaluate(async (script) => {
+      document.querySelector("main").insertAdjacentHTML("beforeend", `<picture><source media="(prefers-color-scheme: dark)"
+        srcset="favicon-dark.svg"><img src="favicon.svg"></picture>`);
+      (0, eval)(script);
+      const image = document.querySelector("main > picture img");
+      const names = [];
+      for (const theme of ["navy", "light"]) {
+        document.getElementById(`mdbook-theme-${theme}`).click();
+        await new Promise((drawn) => setTimeout(drawn, 100));
+        names.push(image.currentSrc.split("/").pop());
+      }
+      return names;
+    }, fs.readFileSync(path.join(root, "docs/theme/pictures.js"), "utf8"));
+    assert.deepEqual(shown, ["favicon-dark.svg", "favicon.svg"]);
+    await close();
+  });
 
   await t.test("the search finds a page by its word", async () => {
     const { page, wrong, close } = await open("introduction", 1200, "light");
