@@ -7,15 +7,15 @@ use plm_compiler::compile;
 use plm_compiler::token::Sources;
 use serde_json::Value;
 
-#[path = "../../examples/dump/json.rs"]
-mod written;
+#[path = "../../examples/dump/command.rs"]
+mod command;
 
 /// The messages for a declaration, read as JSON.
 fn messages(text: &str) -> Vec<Value> {
     let mut sources = Sources::new();
     sources.add_text("pendulum.plm", text);
     let expansion = compile(&mut sources);
-    let lines = expansion.diagnostics.sorted().into_iter().map(|of| written::line(of, &sources, text));
+    let lines = expansion.diagnostics.sorted().into_iter().map(|of| command::json::line(of, &sources, text));
     lines
         .inspect(|line| assert!(!line.contains('\n')))
         .map(|line| serde_json::from_str(&line).unwrap())
@@ -139,4 +139,39 @@ fn a_mistake_within_a_part_names_its_use_and_its_place() {
     assert_eq!(spans[0]["line_start"], 1);
     assert_eq!(spans[1]["label"], "the part `magnet`, used as `lower`");
     assert_eq!(spans[1]["line_start"], 5);
+}
+
+/// What the command says of a declaration on its input: are there errors, its output, its errors.
+fn said(words: &[&str], declaration: &str) -> (bool, String, String) {
+    let (mut output, mut errors) = (Vec::new(), Vec::new());
+    let words = words.iter().map(ToString::to_string);
+    let failed = command::run(words, &mut declaration.as_bytes(), &mut output, &mut errors).unwrap();
+    (failed, String::from_utf8(output).unwrap(), String::from_utf8(errors).unwrap())
+}
+
+#[test]
+fn the_command_checks_and_tells_by_its_exit() {
+    let wrong = "pub P { body b { mass: 10; inertia: q; } }";
+    let (failed, output, errors) = said(&["--check", "-"], wrong);
+    assert!(
+        failed && output.is_empty() && errors.contains("error[E0302]") && errors.contains("error[E0201]")
+    );
+    let (failed, output, errors) = said(&["--message-format", "json", "-"], wrong);
+    assert!(failed && errors.is_empty());
+    let codes: Vec<Value> = output
+        .lines()
+        .map(|line| serde_json::from_str::<Value>(line).unwrap()["code"]["code"].clone())
+        .collect();
+    assert_eq!(codes, ["E0302", "E0201"]);
+
+    assert_eq!(said(&["--check"], ""), (false, String::new(), String::new()));
+    let (failed, code, report) = said(&[], "");
+    assert!(!failed && code.contains("pub struct DoublePendulum") && report.contains("Formulation 2"));
+    let run = |words: &[&str]| {
+        let words = words.iter().map(ToString::to_string);
+        command::run(words, &mut "".as_bytes(), &mut Vec::new(), &mut Vec::new())
+    };
+    assert!(
+        run(&["--message-format", "xml"]).is_err() && run(&["--chek"]).is_err() && run(&["a", "b"]).is_err()
+    );
 }
