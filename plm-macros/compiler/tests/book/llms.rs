@@ -47,6 +47,31 @@ fn example() -> String {
     rest.split_once("```").unwrap().0.to_owned()
 }
 
+/// What a running simulation gives, as the book has it.
+fn methods() -> String {
+    let page = fs::read_to_string(book().join("getting-started.md")).unwrap();
+    let (_, rest) = page.split_once("## Read results\n").unwrap();
+    let table =
+        rest.lines().skip_while(|line| !line.starts_with('|')).take_while(|line| line.starts_with('|'));
+    table.flat_map(|line| [line, "\n"]).collect()
+}
+
+/// The features of the package that users name, with the comments above them.
+fn features() -> String {
+    let manifest = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../Cargo.toml");
+    let manifest = fs::read_to_string(manifest).unwrap();
+    let (_, section) = manifest.split_once("\n[features]\n").unwrap();
+    let (mut text, mut comment) = (String::new(), String::new());
+    for line in section.lines().take_while(|line| !line.starts_with('[')) {
+        if let Some(words) = line.strip_prefix("# ") {
+            comment = [&comment, words, " "].concat();
+        } else if let Some((name, _)) = line.split_once(" = ").filter(|_| !comment.is_empty()) {
+            let _ = writeln!(text, "- `{name}`: {}", std::mem::take(&mut comment).trim_end());
+        }
+    }
+    text
+}
+
 /// The first sentence of a documentation.
 fn sentence(docs: &[String]) -> String {
     let paragraph: Vec<&str> =
@@ -128,6 +153,8 @@ fn pages(text: &mut String) {
 
 fn made() -> String {
     let mut text = format!("{HEAD}\n## A program\n\n```rust\n{}```\n", example());
+    let _ = write!(text, "\n## What a running simulation gives\n\n{}", methods());
+    let _ = write!(text, "\n## Features of the package\n\n{}", features());
     let _ = write!(text, "\n## Grammar\n\n```text\n{}\n", grammar("mod.rs"));
     let _ = write!(text, "{}\n{}```\n", grammar("expr.rs"), grammar("unit.rs"));
     let _ = writeln!(text, "\n## Words\n\n* functions: {}", words::functions().join(", "));
