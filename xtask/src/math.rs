@@ -125,6 +125,8 @@ fn mathml(formula: &str, display_mode: DisplayMode) -> std::result::Result<Strin
     push_mathml(&mut text, events, config).map_err(|why| format!("`{formula}`: {why}"))?;
     // A fraction within a line stands close, as TeX sets it.
     let text = text.replace("<mo>/</mo>", "<mo lspace=\"0\" rspace=\"0\">/</mo>");
+    // The sign of micro stands for the letter mu; fonts have no italic one of it.
+    let text = text.replace('\u{b5}', "\u{3bc}");
     Ok(without_marks(&text))
 }
 
