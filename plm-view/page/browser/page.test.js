@@ -7,6 +7,7 @@ import { test } from "node:test";
 import { makeNpz } from "../tests/support/npz.js";
 import { doublePendulum, headOf, workshop } from "../tests/support/scenes.js";
 import { drawn, middleOf, open, openedIn, settle, shot, skip, state, until, writePage, writeRuns } from "./support/browser.js";
+import { press } from "./support/commands.js";
 
 const BLUE = [108, 158, 224];
 const fault = { time: 2, part: "rocker_pin", text: "the mechanism cannot be assembled: the loop of coupler and rocker stays open by 3.2 mm" };
@@ -142,9 +143,9 @@ test("paths of points", { skip }, async () => {
 
 test("the address keeps what is shown, and a link shows it", { skip }, async () => {
   const { page } = await open(addresses.workshop);
-  await page.click("#do-isometric");
+  await press(page, "isometric");
   await page.keyboard.press("ArrowRight");
-  await page.click("#do-forces");
+  await press(page, "forces");
   await page.waitForFunction(() => location.hash.includes("forces=1") && location.hash.includes("t=0.05"));
   const hash = await page.evaluate(() => location.hash);
   const before = await drawn(page);
@@ -211,17 +212,40 @@ test("everything has a role and a name, and Tab reaches it", { skip }, async () 
       .map((each) => each.outerHTML.slice(0, 100)),
   );
   assert.deepEqual(nameless, []);
-  for (const [role, name] of [["button", "Play"], ["toolbar", "Animate"], ["slider", "Time"], ["tab", "Objects"], ["listbox", "Objects"], ["img", "Picture of Workshop, run run"], ["combobox", "Speed"]]) {
+  for (const [role, name] of [["button", "Play"], ["toolbar", "Time"], ["toolbar", "Tools"], ["button", "Forces"], ["slider", "Time"], ["tab", "Objects"], ["listbox", "Objects"], ["img", "Picture of Workshop, run run"], ["combobox", "Speed"]]) {
     assert.ok((await page.getByRole(role, { name, exact: true }).count()) > 0, `${role} ${name}`);
   }
   const reached = new Set();
-  for (let press = 0; press < 60; press++) {
+  let before = 0;
+  for (let stop = 1; stop < 60; stop++) {
     await page.keyboard.press("Tab");
-    reached.add(await page.evaluate(() => document.activeElement.id));
+    const id = await page.evaluate(() => document.activeElement.id);
+    if (id === "picture" && !reached.has(id)) before = stop;
+    reached.add(id);
   }
-  for (const id of ["do-open", "do-isometric", "picture", "tab-objects", "do-play", "time", "speed", "arrows"]) {
+  assert.equal(before, 2, "one stop before the picture");
+  for (const id of ["do-forces", "picture", "tab-objects", "do-start", "time", "speed", "arrows"]) {
     assert.ok(reached.has(id), `${id} is not reached by Tab`);
   }
+  // The other buttons of a toolbar are reached by arrow keys, and what is in the menu too.
+  await page.focus("#do-forces");
+  const along = [];
+  for (let press = 0; press < 6; press++) {
+    along.push(await page.evaluate(() => document.activeElement.id));
+    await page.keyboard.press("ArrowRight");
+  }
+  assert.deepEqual(along, ["do-forces", "do-velocities", "do-extents", "do-png", "do-panel", "do-menu"]);
+  await page.keyboard.press("End");
+  await page.keyboard.press("Enter");
+  const items = await page.evaluate(() => document.querySelectorAll("#menu [role^=menuitem]").length);
+  const chosen = new Set();
+  for (let press = 0; press < items; press++) {
+    chosen.add(await page.evaluate(() => document.activeElement.id));
+    await page.keyboard.press("ArrowDown");
+  }
+  assert.ok(chosen.size === items && chosen.has("do-isometric"), `${chosen.size} of ${items}`);
+  await page.keyboard.press("Escape");
+  assert.equal(await page.evaluate(() => document.activeElement.id), "do-menu");
   // The objects are chosen in their list by keys.
   await page.getByRole("listbox", { name: "Objects" }).focus();
   await page.keyboard.press("Home");

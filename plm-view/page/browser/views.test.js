@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { COMMANDS } from "../src/commands.js";
 import { workshop } from "../tests/support/scenes.js";
 import { drawn, middleOf, open, settle, skip, state, writeRuns } from "./support/browser.js";
-import { button, changes, everyWay as everyWayOf, pressKey } from "./support/commands.js";
+import { changes, everyWay as everyWayOf, isOn, press, pressKey } from "./support/commands.js";
 
 
 const BLUE = [108, 158, 224];
@@ -17,7 +17,7 @@ test("views", { skip }, async () => {
   for (const id of ["isometric", "back", "left", "right", "top", "bottom"]) {
     await everyWay(id, async (page, act, message) => {
       await changes(page, act, message);
-      assert.equal(await page.getAttribute(button(id), "aria-pressed"), "true", message);
+      assert.ok(await isOn(page, id), message);
       pictures.set(id, (await drawn(page)).hash);
     });
   }
@@ -67,7 +67,7 @@ test("dragging pans, orbits, zooms", { skip }, async () => {
     await settle(page);
   };
   await everyWay("pan", async (page, act, message) => {
-    await page.click("#do-orbit");
+    await press(page, "orbit");
     await act();
     const before = await middleOf(page, BLUE);
     await changes(page, () => drag(page, 60, 30), message);

@@ -26,7 +26,7 @@ export function listenToKeys(app, dialogs) {
   const commandOfKey = new Map(commandsOf(app).flatMap((command) => command.keys.map((key) => [key, command])));
   document.addEventListener("keydown", (event) => {
     const target = event.target instanceof HTMLElement ? event.target : document.body;
-    if (document.querySelector("dialog[open]") !== null) return;
+    if (event.defaultPrevented || document.querySelector("dialog[open]") !== null) return;
     const name = keyName(event);
     const command = commandOfKey.get(name);
     if (command === undefined || belongsTo(target, name)) return;
@@ -51,6 +51,7 @@ export function belongsTo(target, name) {
     return !name.startsWith("Ctrl+") || /^Ctrl\+(A|C|V|X|Z|Arrow)/.test(name);
   }
   if (target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement) return !name.startsWith("Ctrl+");
+  if (/^menuitem/.test(target.getAttribute("role") ?? "")) return !name.startsWith("Ctrl+");
   if (target.getAttribute("role") === "tab" || target instanceof HTMLInputElement) return /^(Arrow|Home|End|Space)/.test(name);
   const isPressed = target instanceof HTMLButtonElement || target instanceof HTMLAnchorElement || target.tagName === "SUMMARY";
   return isPressed && (name === "Space" || name === "Enter");

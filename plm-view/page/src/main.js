@@ -6,6 +6,7 @@ import { openHelp, openOptions } from "./dialogs.js";
 import { byId } from "./dom.js";
 import { chooseFile, embeddedResults, listenToDrops } from "./files.js";
 import { listenToKeys } from "./keys.js";
+import { makeMenu } from "./menu.js";
 import { Panel } from "./panel.js";
 import { listenToPointers } from "./pointer.js";
 import { Stage } from "./stage.js";
@@ -46,14 +47,13 @@ function assemblePage(app) {
     speed: byId("speed", HTMLSelectElement),
   });
   const panel = new Panel(app, byId("panel", HTMLElement));
-  const showButtons = makeToolbars(app, dialogs, [
-    [byId("tools", HTMLElement), ["file", "camera", "live", "view", "show", "page"]],
-    [byId("transport", HTMLElement), ["animate"]],
-  ]);
+  const [tools, transport] = [byId("tools", HTMLElement), byId("transport", HTMLElement)];
+  const showButtons = makeToolbars(app, dialogs, { tools, transport });
+  const showMenu = makeMenu(app, dialogs, tools);
   listenToKeys(app, dialogs);
   listenToPointers(app, canvas);
   listenToDrops(app);
-  return { stage, panel, parts: [...(app.live === null ? [] : [app.live]), { update: showButtons }, panel, stage, timeline] };
+  return { stage, panel, parts: [...(app.live === null ? [] : [app.live]), { update: showButtons }, { update: showMenu }, panel, stage, timeline] };
 }
 
 /**

@@ -47,6 +47,7 @@ const MODULES: &[(&str, &str)] = &[
     ("model", include_str!("../../page/src/model.js")),
     ("panel", include_str!("../../page/src/panel.js")),
     ("toolbar", include_str!("../../page/src/toolbar.js")),
+    ("menu", include_str!("../../page/src/menu.js")),
     ("dialogs", include_str!("../../page/src/dialogs.js")),
     ("files", include_str!("../../page/src/files.js")),
     ("stage", include_str!("../../page/src/stage.js")),
