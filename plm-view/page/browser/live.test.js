@@ -247,7 +247,7 @@ test("contour and pin follow a parameter that is turned", { skip }, async () => 
     assert.ok(Math.abs(right - left - wide) < 5, `${turned} m: a contour of ${right - left} pixels instead of ${wide}`);
     // The pin at its end, a fifth of the parameter: much larger than without a size.
     const [crank, box] = [await onScreen(page, 0, [0.5, 0]), await page.locator("#picture").boundingBox()];
-    const pins = await pieces(page, [36, 84, 178]);
+    const pins = await pieces(page, [44, 52, 66]);
     const [pin] = pins.sort((a, b) => distance(a, crank, box) - distance(b, crank, box));
     assert.ok(Math.abs(pin.right - pin.left + 1 - 0.2 * turned * scale) < 4, `${turned} m: a pin of ${pin.right - pin.left} pixels instead of ${0.2 * turned * scale}`);
   }

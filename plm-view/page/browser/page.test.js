@@ -6,10 +6,9 @@ import { fileURLToPath } from "node:url";
 import { test } from "node:test";
 import { makeNpz } from "../tests/support/npz.js";
 import { doublePendulum, headOf, workshop } from "../tests/support/scenes.js";
-import { drawn, middleOf, open, openedIn, settle, shot, skip, state, until, writePage, writeRuns } from "./support/browser.js";
+import { BODIES, drawn, middleOf, open, openedIn, settle, shot, skip, state, until, writePage, writeRuns } from "./support/browser.js";
 import { press } from "./support/commands.js";
 
-const BLUE = [108, 158, 224];
 const fault = { time: 2, part: "rocker_pin", text: "the mechanism cannot be assembled: the loop of coupler and rocker stays open by 3.2 mm" };
 
 const addresses = skip ? {} : {
@@ -38,8 +37,8 @@ test("it opens with one request and no error, and draws, in under a second", { s
   for (const name of ["pendulum", "workshop", "fault", "batch"]) {
     const { page, requests, errors } = await open(addresses[name]);
     assert.deepEqual([requests, errors], [[addresses[name]], []], name);
-    const { blue, ink } = await drawn(page, "#picture", { blue: BLUE });
-    assert.ok(blue > 1500 && ink > 3000, `${name}: ${ink}`);
+    const { bodies, ink } = await drawn(page, "#picture", { bodies: BODIES });
+    assert.ok(bodies > 1500 && ink > 3000, `${name}: ${ink}`);
     const ready = await openedIn(addresses[name]);
     assert.ok(ready < 1000, `${name} is drawn after ${ready} ms`);
   }
@@ -133,8 +132,11 @@ test("the time line is dragged, and moved by keys", { skip }, async () => {
 });
 
 test("paths of points", { skip }, async () => {
-  const { page } = await open(addresses.pendulum, { hash: "#select=body:1&tab=objects&t=2" });
   const PURPLE = [123, 31, 162];
+  const { page: usual } = await open(addresses.pendulum, { hash: "#t=2" });
+  assert.deepEqual(await state(usual, "app.traces"), ["forearm.tip"], "one is drawn");
+  assert.ok((await drawn(usual, "#picture", { path: PURPLE })).path > 100);
+  const { page } = await open(addresses.pendulum, { hash: "#select=body:1&tab=objects&t=2&paths=" });
   assert.equal((await drawn(page, "#picture", { path: PURPLE })).path, 0);
   await page.check("[aria-label='Path of forearm.tip']");
   await settle(page);
@@ -197,7 +199,7 @@ test("it follows its window", { skip }, async () => {
     assert.equal(canvas, stage);
     await page.keyboard.press("x");
     await settle(page);
-    const { x, y, count } = await middleOf(page, BLUE);
+    const { x, y, count } = await middleOf(page, BODIES);
     assert.ok(count > 500 && x > 0 && x < stage && y > 0 && y < height, `${width}: ${x} ${y}`);
   }
 });

@@ -1,5 +1,6 @@
 // What is shown, as plain data, and what can be done with it. It knows nothing of elements of the page.
 
+import { tellingPoint } from "./opening.js";
 import { onBackground, DARK, LIGHT } from "./palette.js";
 import { Player } from "./player.js";
 import { readResults } from "./results.js";
@@ -46,8 +47,10 @@ export class App {
     this.across = null;
     /** Units whose charts have a logarithmic axis. @type {string[]} */
     this.logUnits = [];
-    /** Names of points. @type {string[]} */
+    /** Names of points whose paths are drawn. @type {string[]} */
     this.traces = [];
+    /** The path that is drawn before anybody has chosen one. @type {string[]} */
+    this.usualTraces = [];
     this.showsForces = false;
     this.showsVelocities = false;
     /** Length of arrows against the usual one. */
@@ -73,8 +76,14 @@ export class App {
     this.drag = null;
     /** @type {Grip | null} */
     this.grip = null;
+    /** Where the mouse is over the picture while nothing is held, in pixels. @type {{x: number, y: number} | null} */
+    this.pointer = null;
     /** Whether the address told where to look from. */
     this.isViewGiven = false;
+    /** Whether it told which paths to draw. */
+    this.isPathGiven = false;
+    /** The view as it was when it showed everything last. */
+    this.fitted = "";
     this.madeBy = "";
     /** The file that is shown, or was before it was cleared. @type {Uint8Array | null} */
     this.bytes = null;
@@ -149,7 +158,8 @@ export class App {
     const names = new Set(this.run?.quantities().map(({ name }) => name));
     this.curves = this.curves.filter((name) => names.has(name));
     if (this.across !== null && !names.has(this.across)) this.across = null;
-    this.traces = [];
+    [this.traces, this.usualTraces, this.isPathGiven] = [[], [], false];
+    this.drawUsualPath(this.run);
     if (this.curves.length === 0) this.curves = usualCurves(this.run);
     this.player.stop();
     this.player.chosenStep = null;
@@ -159,12 +169,20 @@ export class App {
     this.tellFault();
   }
 
+  /** Draws the path that tells most of a run. @param {Run | null} run */
+  drawUsualPath(run) {
+    const point = tellingPoint(run);
+    const isUsual = this.traces.join() === this.usualTraces.join();
+    this.usualTraces = point === null ? [] : [point];
+    if (isUsual && !this.isPathGiven) this.traces = [...this.usualTraces];
+  }
+
   /**
    * A further run, which may be live: its rows may grow, and `rowsAppended` tells that.
    * @param {Run} run
    */
   addRun(run) {
-    this.runViews.push({ run, ...sceneOf(run), isShown: true });
+    this.runViews.push({ run, ...sceneOf(run), isShown: true, ahead: null });
     this.updateBounds();
     this.change();
   }
@@ -284,13 +302,19 @@ export class App {
     const drawn = this.visible().filter(({ run }) => run.rows > 0);
     // A run that is about to begin will be where the others are.
     const known = drawn.length > 0 ? drawn : this.runViews.filter(({ run }) => run.rows > 0);
-    const boxes = known.map(({ scene }) => scene.extents());
+    const boxes = known.flatMap(({ scene, ahead }) => [scene.extents(), ...(ahead === null ? [] : [ahead])]);
     if (boxes.length > 0) {
       const low = [0, 1, 2].map((axis) => Math.min(...boxes.map((box) => box.low[axis])));
       const high = [0, 1, 2].map((axis) => Math.max(...boxes.map((box) => box.high[axis])));
       this.view.fit({ low, high }, this.areas()[0]);
+      this.fitted = JSON.stringify(this.view);
     }
     this.touch();
+  }
+
+  /** Whether the view shows everything, as nobody has moved it. */
+  get isFitted() {
+    return JSON.stringify(this.view) === this.fitted;
   }
 
   /** @param {PresetName} name */
@@ -352,27 +376,5 @@ export class App {
     if (at < 0) list.push(name);
     else list.splice(at, 1);
     this.change();
-  }
-
-  /**
-   * The times of events of the active run, of its fault too, in rising order.
-   * @returns {number[]}
-   */
-  eventTimes() {
-    const { run } = this;
-    if (run === null) return [];
-    const times = run.events.map(({ time }) => time);
-    if (run.fault !== null) times.push(run.fault.time);
-    return [...new Set(times)].sort((a, b) => a - b);
-  }
-
-  /** @param {number} direction 1 or -1 */
-  jumpToEvent(direction) {
-    const { time } = this.player;
-    const times = this.eventTimes();
-    const next = direction > 0 ? times.find((at) => at > time) : times.findLast((at) => at < time);
-    this.player.stop();
-    if (next !== undefined) this.player.seek(next);
-    this.touch();
   }
 }

@@ -2,6 +2,7 @@
 // no labelled button stands in the menu, under the title of its group.
 
 import { savePng, saveSvg } from "./picture.js";
+import { jumpToEvent } from "./runview.js";
 import { PRESETS } from "./view.js";
 
 /** @import {App, Layout, Mode} from "./app.js" */
@@ -142,8 +143,8 @@ export const COMMANDS = [
   },
   animateCommand("slower", "Slower", ["<"], null, (app) => app.player.changeSpeed(-1)),
   animateCommand("faster", "Faster", [">"], null, (app) => app.player.changeSpeed(1)),
-  animateCommand("event before", "Jump to the event before", ["["], null, (app) => app.jumpToEvent(-1)),
-  animateCommand("event after", "Jump to the next event", ["]"], null, (app) => app.jumpToEvent(1)),
+  animateCommand("event before", "Jump to the event before", ["["], null, (app) => jumpToEvent(app, -1)),
+  animateCommand("event after", "Jump to the next event", ["]"], null, (app) => jumpToEvent(app, 1)),
 
   moveCommand("Shift+ArrowLeft", "Pan to the left", (app) => nudge(app, -1, 0)),
   moveCommand("Shift+ArrowRight", "Pan to the right", (app) => nudge(app, 1, 0)),

@@ -4,7 +4,7 @@
 
 import { FollowCamera } from "./followcamera.js";
 import { Run } from "./run.js";
-import { BAR } from "./scene.js";
+import { BAR, Scene } from "./scene.js";
 import { readShape } from "./shape.js";
 import { workerText } from "./worker.js";
 
@@ -14,6 +14,8 @@ import { workerText } from "./worker.js";
 
 /** Without a recording so much is kept, s. */
 export const LIVE_WINDOW = 20;
+/** So far, s, it is looked ahead before the view is chosen. */
+const LOOK_AHEAD = 6;
 /** How often a pulled body swings at most, rad/s: a force that is renewed every 10 ms follows it well. */
 const FASTEST_SWING = 40;
 /** Damping of a pull, as a share of the critical one. */
@@ -33,6 +35,8 @@ export class Live {
     this.isRunning = false;
     this.isAssembled = false;
     this.isBroken = false;
+    /** Whether it runs in this page, and nowhere else. */
+    this.isInPage = true;
     /** Why nothing is heard of it, in words. */
     this.gone = "";
     /** What can be done with its bodies. @type {string[]} */
@@ -229,7 +233,8 @@ export class Live {
       for (let at = 0; at < message.numbers.length; at += message.width) this.append(message.numbers.subarray(at, at + message.width));
       this.trim();
       this.app.rowsAppended(this.run);
-    } else if (message.kind === "began") this.begin(message.numbers, message.isAssembled);
+    } else if (message.kind === "ahead") this.seeAhead(message.numbers, message.width);
+    else if (message.kind === "began") this.begin(message.numbers, message.isAssembled);
     else if (message.kind === "settings") this.take(message);
     else if (message.kind === "trouble") {
       const { trouble } = message;
@@ -262,9 +267,27 @@ export class Live {
     this.app.tell("error", text);
   }
 
-  /** @param {Float64Array} numbers as `plm_read` gives them */
-  append(numbers) {
-    const { run, mechanism } = this;
+  /** Asks what it will do: the view and the path are chosen by that. */
+  lookAhead() {
+    this.send({ kind: "ahead", duration: LOOK_AHEAD });
+  }
+
+  /** @param {Float64Array} numbers of rows @param {number} width */
+  seeAhead(numbers, width) {
+    const { app, followCamera } = this;
+    const shown = app.runViews.find(({ run }) => run === this.run);
+    const ahead = Run.empty({ ...this.run.head, mechanism: this.mechanism });
+    for (let at = 0; at < numbers.length; at += width) this.append(numbers.subarray(at, at + width), ahead);
+    if (shown === undefined || ahead.rows < 2) return;
+    shown.ahead = new Scene(ahead).extents();
+    app.drawUsualPath(ahead);
+    if (followCamera.chosen !== null && followCamera.isOwn() && app.drag === null) followCamera.choose();
+    app.change();
+  }
+
+  /** @param {Float64Array} numbers as `plm_read` gives them @param {Run} [run] */
+  append(numbers, run = this.run) {
+    const { mechanism } = this;
     const [bodies, ground] = [6 * mechanism.bodies.length, 3 * mechanism.ground.length];
     const places = numbers.subarray(1 + bodies, 1 + bodies + ground);
     run.append(numbers[0], numbers.subarray(1, 1 + bodies), numbers.subarray(1 + bodies + ground), places);
@@ -294,6 +317,8 @@ export class Live {
     }
     if (app.run === run) app.player.isFollowing = true;
     app.rowsAppended(run);
+    if (isFirst) app.drawUsualPath(run);
+    if (isFirst && isAssembled) this.lookAhead();
     if (isAssembled && !isFirst) this.followCamera.begin();
     // Where a recorded run told how large it is, the view is chosen already.
     if (isFirst && app.runViews.every((shown) => shown.run.isLive) && !app.isViewGiven) this.followCamera.choose();
@@ -336,7 +361,7 @@ function liveHead(head) {
   const live = structuredClone(head);
   // The page pulls by parts and inputs of its own.
   live.mechanism.parts = live.mechanism.parts.filter(({ kind }) => kind !== "plm_pull");
-  return { ...live, name: "live", method: "alive in a page", events: [], fault: null };
+  return { ...live, name: "live", method: "runs in this page", events: [], fault: null };
 }
 
 function startWorker() {

@@ -3,8 +3,9 @@
 import { setMode } from "./commands.js";
 import { element, saveBlob, setText } from "./dom.js";
 import { LIVE_WINDOW } from "./live.js";
-import { fromSi, niceNear, toSi } from "./numbers.js";
+import { fromSi, niceNear } from "./numbers.js";
 import { fileStem } from "./picture.js";
+import { valueOf } from "./settings.js";
 import { timeText, typeset } from "./text.js";
 import { csvText, resultsFile } from "./write.js";
 
@@ -142,16 +143,6 @@ export class LivePanel {
     if (shown < Number(slider.min)) slider.min = String(shown);
     slider.value = String(shown);
   }
-}
-
-/**
- * What is asked for, SI; the usual value to the last bit where it is that.
- * @param {number} shown in the unit
- * @param {number} factor
- * @param {number} usual SI
- */
-export function valueOf(shown, factor, usual) {
-  return shown === fromSi(usual, factor) ? usual : toSi(shown, factor);
 }
 
 /** From 0 to twice the usual value, in a hundred steps to each side; around 0 by a span. @param {number} usual @param {number} span */

@@ -7,6 +7,7 @@ import { byId } from "./dom.js";
 import { chooseFile, embeddedResults, listenToDrops } from "./files.js";
 import { listenToKeys } from "./keys.js";
 import { makeMenu } from "./menu.js";
+import { playByItself } from "./opening.js";
 import { Panel } from "./panel.js";
 import { listenToPointers } from "./pointer.js";
 import { Stage } from "./stage.js";
@@ -123,6 +124,7 @@ export async function startPage(wake) {
   app.zoomToExtents();
   app.live?.followCamera.choose();
   if (address.length > 1) showAddress(app, address);
+  playByItself(app, address);
   const frames = runFrames(app, draw);
   // For tests, and for who wants more.
   Object.assign(window, { plmPage: { app, panel, frames } });

@@ -57,7 +57,8 @@ function drawRun(pen, app, { run, scene, forces, velocities }, area) {
   const places = scene.at(time);
   const moment = run.momentAt(time);
   const ghost = isGhost ? ghostColour(app, run) : null;
-  drawScene(pen, scene, places, projection, { palette, isWire: app.isWire, selected: isGhost ? null : selected, ghost });
+  const isPlain = app.layout === "overlay" && app.visible().length > 1;
+  drawScene(pen, scene, places, projection, { palette, isWire: app.isWire, selected: isGhost ? null : selected, ghost, isPlain });
   const points = app.traces.length > 0 ? tracePoints(run) : [];
   app.traces.forEach((name, at) => {
     const point = points.find((candidate) => candidate.name === name);
@@ -142,9 +143,10 @@ function drawWindow(pen, { x, y, width, height }, palette) {
  * @param {App} app
  * @param {number} x
  * @param {number} y
+ * @param {{reach?: number, kind?: Item["kind"] | null}} [how]
  * @returns {{index: number, item: Item | null}}
  */
-export function pickAt(app, x, y) {
+export function pickAt(app, x, y, how) {
   const shown = app.visible();
   const areas = app.areas();
   for (let at = shown.length - 1; at >= 0; at--) {
@@ -153,7 +155,7 @@ export function pickAt(app, x, y) {
     const { run, scene } = shown[at];
     if (run.rows === 0) continue;
     const places = scene.at(Math.min(app.player.time, run.end));
-    const item = pickItem(scene, places, app.view.projection(area), x, y);
+    const item = pickItem(scene, places, app.view.projection(area), x, y, how);
     if (item !== null || app.layout !== "overlay") return { index: app.runViews.indexOf(shown[at]), item };
   }
   return { index: app.active, item: null };

@@ -1,5 +1,6 @@
 // Mouse, pen and fingers on the picture.
 
+import { FINGER_REACH } from "./pick.js";
 import { pickAt } from "./picture.js";
 
 /** @import {App, Mode} from "./app.js" */
@@ -15,9 +16,12 @@ class Drag {
   /**
    * @param {Spot} from
    * @param {Mode} mode
+   * @param {boolean} isFinger
    */
-  constructor(from, mode) {
+  constructor(from, mode, isFinger) {
     this.from = from;
+    /** A finger is less exact than a mouse. */
+    this.how = isFinger ? { reach: FINGER_REACH } : {};
     this.last = from;
     this.mode = mode;
     this.hasMoved = false;
@@ -42,12 +46,17 @@ export function listenToPointers(app, canvas) {
     canvas.setPointerCapture(event.pointerId);
     down.set(event.pointerId, spot(event));
     app.grip?.letGo();
-    drag = down.size === 1 ? new Drag(spot(event), modeOf(app, event)) : null;
+    drag = down.size === 1 ? new Drag(spot(event), modeOf(app, event), event.pointerType === "touch") : null;
     if (drag?.mode === "pull" || drag?.mode === "place") startHand(app, drag);
   });
   canvas.addEventListener("pointermove", (event) => {
     const before = down.get(event.pointerId);
-    if (before === undefined) return;
+    // A finger that does not press is nowhere.
+    app.pointer = before === undefined && event.pointerType !== "touch" ? spot(event) : null;
+    if (before === undefined) {
+      app.touch();
+      return;
+    }
     const at = spot(event);
     if (down.size === 2) pinch(app, down, event.pointerId, at);
     down.set(event.pointerId, at);
@@ -63,6 +72,10 @@ export function listenToPointers(app, canvas) {
   };
   canvas.addEventListener("pointerup", release);
   canvas.addEventListener("pointercancel", release);
+  canvas.addEventListener("pointerleave", () => {
+    app.pointer = null;
+    app.touch();
+  });
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
   canvas.addEventListener("dblclick", () => app.zoomToExtents());
   canvas.addEventListener(
@@ -108,7 +121,7 @@ function areaAt(app, { x, y }) {
 /** Takes hold of the body under the pointer; where there is none, dragging pans. @param {App} app @param {Drag} drag */
 function startHand(app, drag) {
   const { x, y } = drag.from;
-  const { index, item } = pickAt(app, x, y);
+  const { index, item } = pickAt(app, x, y, { ...drag.how, kind: "body" });
   const isHeld = item?.kind === "body" && app.runViews[index].run.isLive;
   const kind = drag.mode === "place" ? "place" : "pull";
   if (!isHeld || !app.grip?.grab(kind, item.index, app.view.projection(areaAt(app, drag.from)), x, y)) drag.mode = "pan";
@@ -136,7 +149,7 @@ function moveDrag(app, drag, at) {
 function endDrag(app, drag, button) {
   if (!drag.hasMoved) {
     if (button !== 0) return;
-    const { index, item } = pickAt(app, drag.from.x, drag.from.y);
+    const { index, item } = pickAt(app, drag.from.x, drag.from.y, drag.how);
     if (index !== app.active) app.activate(index);
     app.select(item);
     if (item !== null && app.mode === "info") {

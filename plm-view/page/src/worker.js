@@ -24,8 +24,10 @@
  * @typedef {{kind: "load", wasm: Uint8Array, parameters: number, inputs: number} | {kind: "run" | "pause" | "restart" | "reset"}
  *   | {kind: "speed", speed: number} | {kind: "step", dt: number, count: number}
  *   | {kind: "parameter" | "input", index: number, value: number} | {kind: "pull", pull: Pull | null}
- *   | {kind: "place", body: number, point: number[], target: number[], turn: number}} ToWorker
- * @typedef {{kind: "rows", width: number, numbers: Float64Array} | {kind: "began", numbers: Float64Array, isAssembled: boolean}
+ *   | {kind: "place", body: number, point: number[], target: number[], turn: number}
+ *   | {kind: "ahead", duration: number}} ToWorker
+ * @typedef {{kind: "rows", width: number, numbers: Float64Array} | {kind: "ahead", width: number, numbers: Float64Array}
+ *   | {kind: "began", numbers: Float64Array, isAssembled: boolean}
  *   | {kind: "trouble", trouble: Trouble | null} | {kind: "placed"} | {kind: "broken", text: string}
  *   | {kind: "settings", parameters: number[], inputs: number[], shape: Float64Array, sizeNames: string}} FromWorker
  */
@@ -143,6 +145,27 @@ export class LiveMachine {
     }
   }
 
+  /**
+   * What another instance of the module does from the start on, with the settings of this one: rows for so many seconds, or for as
+   * many as it computes in `most` ms.
+   * @param {LiveExports} other
+   * @param {number} duration s
+   * @param {number} most
+   */
+  tellAhead(other, duration, most) {
+    for (let index = 0; index < this.counts.parameters; index++) other.plm_set_parameter(index, this.exports.plm_parameter(index));
+    const began = performance.now();
+    if (other.plm_restart() !== 1) return;
+    for (const [index, value] of this.inputs) other.plm_set_input(index, value);
+    const ahead = new LiveMachine(other, this.counts, this.post);
+    const numbers = [...ahead.read()];
+    const width = numbers.length;
+    for (let time = 0; time < duration && performance.now() - began < most && other.plm_step(0.01) === 1; time += 0.01) {
+      numbers.push(...ahead.read());
+    }
+    this.send({ kind: "ahead", width, numbers: new Float64Array(numbers) });
+  }
+
   /** Goes on by `dt`, s. @param {number} dt */
   step(dt) {
     if (this.isStuck) return;
@@ -218,6 +241,8 @@ export function liveWorker(scope) {
   const longestStep = 0.01;
   /** One turn computes no longer, ms: messages wait meanwhile. */
   const longestTurn = 40;
+  /** @type {WebAssembly.Module | null} */
+  let module = null;
   /** @type {LiveMachine | null} */
   let machine = null;
   let isRunning = false;
@@ -264,7 +289,10 @@ export function liveWorker(scope) {
     else if (message.kind === "parameter" || message.kind === "input") on.set(message.kind, message.index, message.value);
     else if (message.kind === "pull") on.setPull(message.pull);
     else if (message.kind === "place") on.place(message.body, message.point, message.target, message.turn);
-    else if (message.kind === "step") {
+    else if (message.kind === "ahead" && module !== null) {
+      const { exports } = new WebAssembly.Instance(module, {});
+      on.tellAhead(/** @type {any} */ (exports), message.duration, 2 * longestTurn);
+    } else if (message.kind === "step") {
       on.isStuck &&= !on.isAssembled;
       for (let left = message.count; left > 0; left--) on.step(message.dt);
       on.flush();
@@ -282,8 +310,10 @@ export function liveWorker(scope) {
     }
     const isLoaded = WebAssembly.instantiate(/** @type {Uint8Array<ArrayBuffer>} */ (data.wasm), {});
     isLoaded.then(
-      ({ instance }) =>
+      (loaded) =>
         guarded(() => {
+          const { instance } = loaded;
+          module = loaded.module;
           const on = new LiveMachine(/** @type {any} */ (instance.exports), data, (message) => scope.postMessage(message));
           machine = on;
           on.begin("restart");

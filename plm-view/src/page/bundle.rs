@@ -29,6 +29,7 @@ const MODULES: &[(&str, &str)] = &[
     ("traces", include_str!("../../page/src/traces.js")),
     ("decor", include_str!("../../page/src/decor.js")),
     ("player", include_str!("../../page/src/player.js")),
+    ("opening", include_str!("../../page/src/opening.js")),
     ("runview", include_str!("../../page/src/runview.js")),
     ("app", include_str!("../../page/src/app.js")),
     ("dom", include_str!("../../page/src/dom.js")),
@@ -51,6 +52,7 @@ const MODULES: &[(&str, &str)] = &[
     ("dialogs", include_str!("../../page/src/dialogs.js")),
     ("files", include_str!("../../page/src/files.js")),
     ("stage", include_str!("../../page/src/stage.js")),
+    ("settings", include_str!("../../page/src/settings.js")),
     ("address", include_str!("../../page/src/address.js")),
     ("main", include_str!("../../page/src/main.js")),
 ];
