@@ -76,6 +76,8 @@ export class Run {
     this.ground = tables.ground;
     /** Whether rows may still come. */
     this.isLive = false;
+    /** What is measured in the picture. @type {Quantity[]} */
+    this.measures = [];
     /** Rises with every change of its rows. */
     this.version = 0;
   }
@@ -126,6 +128,14 @@ export class Run {
 
   tables() {
     return [this.time, this.poses, this.values, this.ground];
+  }
+
+  /** Leaves out what was after a time. @param {number} time */
+  dropAfter(time) {
+    this.version += 1;
+    const count = lastNotAbove(this.time.data, this.rows, time) + 1;
+    for (const table of this.tables()) if (table !== null) table.rows = Math.min(table.rows, count);
+    while (this.events.length > 0 && this.events[this.events.length - 1].time > time) this.events.pop();
   }
 
   /** Leaves out what was before a time. @param {number} time */
@@ -214,7 +224,7 @@ export class Run {
   }
 
   /**
-   * All that can be drawn as a curve: the columns, then poses that no column has.
+   * All that can be drawn as a curve: the columns, then poses that no column has, then what is measured.
    * @returns {Quantity[]}
    */
   quantities() {
@@ -231,7 +241,7 @@ export class Run {
         if (!known.has(name)) list.push({ name, unit, read: (row) => poses.at(row, 6 * index + axis) });
       });
     });
-    return list;
+    return [...list, ...this.measures];
   }
 }
 
