@@ -22,7 +22,7 @@ export class PolarPlot {
     this.around = element("select", { id: "polar-around", "aria-label": "How the force is drawn", onchange: () => this.choose() });
     this.canvas = element("canvas", { id: "polar", role: "img" });
     this.figure = element("figure", {}, this.canvas, element("button", { type: "button", onclick: () => this.save() }, "Save polar plot (SVG)"));
-    this.row = element("label", { class: "across" }, "Force in the plane", this.joint);
+    this.row = element("label", { class: "across" }, element("span", {}, "Force in the plane"), this.joint);
     this.root = element("div", {}, this.row, this.around, this.figure);
     this.canvas.style.height = `${POLAR_HEIGHT}px`;
     /** @type {PolarCurve | null} */
@@ -53,11 +53,13 @@ export class PolarPlot {
     this.joint.replaceChildren(option("", "not drawn"), ...joints.map((name) => option(name, name)));
     const bodies = run?.mechanism.bodies ?? [];
     this.around.replaceChildren(option("", "its vector (hodograph)"), ...bodies.map(({ name }) => option(name, `its magnitude around ${name}.angle`)));
+    const isNew = this.curve === null;
     this.curve = run === null || !joints.includes(tools.force) ? null : polarCurve(run, { joint: tools.force, body: tools.around || null });
     [this.joint.value, this.around.value] = [this.curve === null ? "" : tools.force, tools.around];
     this.around.hidden = this.curve === null;
     this.figure.hidden = this.curve === null;
     this.read.version = -1;
+    if (isNew && this.curve !== null) this.figure.scrollIntoView({ block: "nearest" });
   }
 
   draw() {

@@ -17,7 +17,10 @@ import { quantityText } from "./text.js";
 /** @import {Places} from "./solid.js" */
 /** @import {Projection} from "./view.js" */
 
-/** @typedef {{places: Places, moment: Moment, projection: Projection, palette: Palette}} Now */
+/**
+ * What the picture shows now; `taken`: where values stand already, x y and half their widths.
+ * @typedef {{places: Places, moment: Moment, projection: Projection, palette: Palette, taken: number[][]}} Now
+ */
 
 /** Centres that are farther away than so many bodies are left out. */
 const FAR = 60;
@@ -28,8 +31,10 @@ const SIDE = 46;
 /** @type {WeakMap<Run, Map<number, Centrodes>>} */
 const knownCentrodes = new WeakMap();
 
-/** @param {Pen} pen @param {App} app @param {Scene} scene @param {Now} now */
-export function drawTools(pen, app, scene, now) {
+/** @param {Pen} pen @param {App} app @param {Scene} scene @param {Omit<Now, "taken">} shown */
+export function drawTools(pen, app, scene, shown) {
+  /** @type {Now} */
+  const now = { ...shown, taken: [] };
   const { tools } = app;
   const { mechanism } = scene;
   if (tools.centrodes) drawCentrodes(pen, app, scene, now);
@@ -137,6 +142,15 @@ function drawMeasure(pen, scene, measure, now) {
   else drawAngle(pen, scene, measure, now, value, text);
 }
 
+/** A value, farther down where another one stands. @param {Pen} pen @param {number[]} at @param {string} text @param {Now} now */
+function writeValue(pen, [x, y], text, { palette, taken }) {
+  const half = 4 * text.length;
+  let place = y;
+  while (taken.some(([tx, ty, other]) => Math.abs(tx - x) < half + other && Math.abs(ty - place) < 16)) place += 4;
+  taken.push([x, place, half]);
+  pen.text(x, place, text, { colour: palette.ink, size: 13, align: "middle", bold: true, halo: palette.background });
+}
+
 /** @param {Pen} pen @param {Scene} scene @param {Measure} measure @param {Now} now @param {string} text */
 function drawDistance(pen, scene, { marks }, now, text) {
   const { palette } = now;
@@ -150,7 +164,8 @@ function drawDistance(pen, scene, { marks }, now, text) {
   const [nx, ny] = [(to[1] - from[1]) / length, (from[0] - to[0]) / length];
   const side = ny > 0 ? -1 : 1;
   const along = Math.abs(nx) * 3.6 * text.length + Math.abs(ny) * 12;
-  pen.text(middle[0] + side * nx * along, middle[1] + side * ny * along, text, { colour: palette.ink, size: 13, align: "middle", bold: true, halo: palette.background });
+  writeValue(pen, [middle[0] + side * nx * along, middle[1] + side * ny * along], text, now);
+  for (const mark of marks) drawMark(pen, scene, mark, now, false);
 }
 
 /** @param {Pen} pen @param {Scene} scene @param {Measure} measure @param {Now} now @param {number} value rad @param {string} text */
@@ -169,8 +184,7 @@ function drawAngle(pen, scene, { marks }, now, value, text) {
   for (const line of sides) pen.line(line, { stroke: palette.ink, width: 1.4, dash: [5, 3] });
   pen.line(arc, { stroke: palette.ink, width: 1.8 });
   if (!isBodies) for (const mark of marks) drawMark(pen, scene, mark, now, false);
-  const [lx, ly] = point(first + 0.5 * value, 1.35);
-  pen.text(lx, ly, text, { colour: palette.ink, size: 13, align: "middle", bold: true, halo: palette.background });
+  writeValue(pen, point(first + 0.5 * value, 1.35), text, now);
 }
 
 /** Whether a mark is of this mechanism. @param {App} app @param {string} name */

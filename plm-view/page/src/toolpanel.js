@@ -25,7 +25,8 @@ export class ToolPanel {
       element("button", { type: "button", id: `measure-${kind}`, onclick: () => startMeasure(app, kind) }, name);
     this.modes = { distance: press("distance", "Distance"), angle: press("angle", "Angle") };
     this.chosen = [0, 1, 2].map((at) => element("select", { id: `mark-${at}`, "aria-label": ["From", "to", "and to"][at] }));
-    this.list = element("table", {}, element("caption", { class: "spoken" }, "Measures"), element("tbody", {}));
+    const heads = ["measure", "now", "curve", ""].map((text) => element("th", { scope: "col" }, text));
+    this.list = element("table", { class: "measures" }, element("thead", {}, element("tr", {}, ...heads)), element("tbody", {}));
     this.ghosts = element("input", { type: "range", id: "ghosts", min: 0, max: MOST_GHOSTS, oninput: () => setGhosts(app, Number(this.ghosts.value)) });
     this.ghostsText = element("output", { for: "ghosts" });
     this.pair = [0, 1].map((at) => element("select", { "aria-label": `Body ${at + 1} of a pair`, onchange: () => this.choosePair() }));
@@ -41,7 +42,7 @@ export class ToolPanel {
       element("h2", {}, "Instant centres"),
       this.boxes.centres,
       this.boxes.centrodes,
-      element("div", { class: "across" }, "Of two bodies", ...this.pair),
+      element("div", { class: "across" }, element("span", {}, "Of two bodies"), ...this.pair),
       element("h2", {}, "Moving picture"),
       element("div", { class: "row" }, element("button", { type: "button", id: "open-movie", onclick: openMovie }, "Save as GIF or video …")),
     );
@@ -125,6 +126,7 @@ export class ToolPanel {
     if (Number(this.ghosts.value) !== tools.ghosts) this.ghosts.value = String(tools.ghosts);
     setText(this.ghostsText, tools.ghosts === 0 ? "none" : String(tools.ghosts));
     this.values = [];
+    this.list.hidden = tools.measures.length === 0;
     this.list.tBodies[0].replaceChildren(...tools.measures.flatMap((name) => this.measureRow(name)));
   }
 
@@ -138,7 +140,7 @@ export class ToolPanel {
     const box = element("input", { type: "checkbox", "aria-label": `Curve of ${name}`, checked: app.curves.includes(name), onchange: () => app.toggleName(app.curves, name) });
     const remove = element("button", { type: "button", class: "plain", title: `Remove ${name}`, "aria-label": `Remove ${name}`, onclick: () => removeMeasure(app, name) }, "×");
     const title = `${measure.kind} ${measure.marks.map((mark) => mark.name).join(", ")}`;
-    return [element("tr", {}, element("th", { scope: "row" }, title), cell, element("td", {}, element("label", {}, box, " curve")), element("td", {}, remove))];
+    return [element("tr", {}, element("th", { scope: "row" }, title), cell, element("td", {}, box), element("td", {}, remove))];
   }
 
   /** @param {string} name */

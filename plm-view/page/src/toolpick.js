@@ -33,6 +33,8 @@ function markAt(app, x, y, how) {
     body === null ? (mechanism.ground.find((port) => `ground.${port.name}` === name)?.depth ?? 0) : levels.bodies[body];
   let best = { mark: /** @type {Mark | null} */ (null), distance: Math.max(NEAR_POINT, how.reach ?? 0) };
   for (const mark of namedMarks(mechanism)) {
+    // For an angle the middle of a body is the body.
+    if (app.mode === "angle" && mark.name.endsWith(".G")) continue;
     const [px, py] = projection.point(...placeOfMark(mark, places, mechanism), depth(mark));
     const distance = Math.hypot(px - x, py - y);
     if (distance < best.distance) best = { mark, distance };
