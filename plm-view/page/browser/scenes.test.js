@@ -184,7 +184,7 @@ test("a slot lies along its axis, with its pin in it", { skip: withoutPage("Plmt
 
 test("pages of real runs are small", { skip: withoutPage("DoubleArm") }, () => {
   // 4 s at 200 Hz, all quantities in full precision.
-  for (const [name, limit] of [["DoublePendulum", 350_000], ["DoubleArm", 500_000]]) {
+  for (const [name, limit] of [["DoublePendulum", 270_000], ["DoubleArm", 330_000]]) {
     const size = readFileSync(fileURLToPath(madePage(name))).length;
     console.log(`${name}: ${size} bytes`);
     assert.ok(size < limit, `${name}: ${size} bytes`);

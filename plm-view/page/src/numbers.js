@@ -101,12 +101,16 @@ export function toSi(value, factor) {
 }
 
 /**
- * A value of SI in a unit, with 15 digits: 350 and not 349.99999999999994. The two roundings of the conversion stand behind them, so
+ * A value of SI in a unit: the shortest decimal that is within the roundings of a few operations, 350 and not 349.99999999999994, so
  * that a decimal of up to 14 digits is shown as it was typed.
  * @param {number} value
  * @param {number} factor
  */
 export function fromSi(value, factor) {
   const shown = value / factor;
+  for (let digits = 1; digits <= 15 && Number.isFinite(shown); digits++) {
+    const short = Number(shown.toPrecision(digits));
+    if (Math.abs(short - shown) <= 4 * Number.EPSILON * Math.abs(shown)) return short;
+  }
   return Number.isFinite(shown) ? Number(shown.toPrecision(15)) : shown;
 }

@@ -1,6 +1,7 @@
 // A run: what plm.json says of it, and its arrays. Rows may be appended while it is shown.
 
 import { hermite, lastNotAbove } from "./numbers.js";
+import { scaleOf } from "./units.js";
 
 /** @import {Mechanism, RunHead} from "./format.js" */
 
@@ -238,7 +239,9 @@ export class Run {
     this.mechanism.bodies.forEach((body, index) => {
       POSE_MEMBERS.forEach(([member, unit], axis) => {
         const name = `${body.name}.${member}`;
-        if (!known.has(name)) list.push({ name, unit, read: (row) => poses.at(row, 6 * index + axis) });
+        if (known.has(name)) return;
+        const scale = scaleOf(this, name, unit);
+        list.push({ name, unit: scale.unit, read: (row) => poses.at(row, 6 * index + axis) / scale.factor });
       });
     });
     return [...list, ...this.measures];

@@ -12,6 +12,7 @@ const MODULES: &[(&str, &str)] = &[
     ("zip", include_str!("../../page/src/zip.js")),
     ("npy", include_str!("../../page/src/npy.js")),
     ("format", include_str!("../../page/src/format.js")),
+    ("units", include_str!("../../page/src/units.js")),
     ("run", include_str!("../../page/src/run.js")),
     ("results", include_str!("../../page/src/results.js")),
     ("outline", include_str!("../../page/src/outline.js")),
