@@ -1,5 +1,7 @@
 // Measuring: distances and angles between points and bodies that are picked. They follow the motion, and are curves like any other.
 
+import { scaleOf } from "./units.js";
+
 /** @import {Mechanism} from "./format.js" */
 /** @import {Quantity, Run} from "./run.js" */
 /** @import {Places} from "./solid.js" */
@@ -9,11 +11,7 @@
  * @typedef {{body: number | null, point: [number, number] | null, name: string}} Mark
  * @typedef {"distance" | "angle"} MeasureKind
  * @typedef {{kind: MeasureKind, marks: Mark[]}} Measure two points; two bodies, or three points with the angle at the second
- * @typedef {{unit: string, factor: number}} ShownUnit a value in SI is one in the unit times the factor
  */
-
-/** Lengths as they may be declared, m. @type {{[unit: string]: number}} */
-const LENGTHS = { m: 1, mm: 1e-3, cm: 1e-2, km: 1e3, in: 0.0254, ft: 0.3048 };
 
 /** All points that have a name, of bodies and of the ground. @param {Mechanism} mechanism @returns {Mark[]} */
 export function namedMarks({ bodies, ground }) {
@@ -133,22 +131,9 @@ function halfTurns(angle) {
   return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 }
 
-/**
- * The unit in which lengths or angles of a mechanism are declared: that of a parameter, or of a column; m and deg where none is.
- * @param {Run} run
- * @param {MeasureKind} kind
- * @returns {ShownUnit}
- */
-export function unitOf({ mechanism, columns }, kind) {
-  if (kind === "angle") {
-    const isRadian = columns.some(({ unit }) => unit === "rad") && columns.every(({ unit }) => unit !== "deg");
-    return isRadian ? { unit: "rad", factor: 1 } : { unit: "deg", factor: Math.PI / 180 };
-  }
-  const isLength = (/** @type {number[] | undefined} */ exponents) => exponents?.every((exponent, at) => exponent === Number(at === 0)) ?? false;
-  const parameter = mechanism.parameters.find(({ exponents }) => isLength(exponents));
-  if (parameter !== undefined) return { unit: parameter.unit, factor: parameter.factor };
-  const unit = columns.find((column) => column.unit in LENGTHS)?.unit ?? "m";
-  return { unit, factor: LENGTHS[unit] };
+/** The declared unit of what is measured. @param {Run} run @param {MeasureKind} kind */
+export function unitOf(run, kind) {
+  return scaleOf(run, "", kind === "angle" ? "rad" : "m");
 }
 
 /**

@@ -6,7 +6,7 @@
 /** @typedef {{from: number, to: number}} Stretch times */
 
 /** Poses that differ by less are the same, as a share of how far they move; an angle by less, rad. */
-const NEAR = 0.01;
+const SAME_POSE = 0.01;
 
 /**
  * One turn of a body, from a time on, or where there is no whole one behind it the last one before the end; null where the body makes none.
@@ -91,8 +91,8 @@ export function loopOf(run, from) {
   let hasLeft = false;
   for (let row = start + 1; row < run.rows; row++) {
     const distance = apart(row);
-    hasLeft ||= distance > 5 * NEAR && distance > 3 * step;
-    if (!hasLeft || distance > Math.max(NEAR, 0.75 * step) || !isSameWay(row)) continue;
+    hasLeft ||= distance > 5 * SAME_POSE && distance > 3 * step;
+    if (!hasLeft || distance > Math.max(SAME_POSE, 0.75 * step) || !isSameWay(row)) continue;
     const isNext = row + 1 < run.rows && apart(row + 1) < distance;
     return { from: run.time.data[start], to: run.time.data[isNext ? row + 1 : row] };
   }

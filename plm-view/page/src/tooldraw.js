@@ -67,15 +67,15 @@ function drawCentres(pen, { tools }, scene, now) {
   const { run, mechanism, levels } = scene;
   const { projection, palette, places, moment } = now;
   const motions = mechanism.bodies.map((_, body) => motionOf(run, moment, body, places.poses));
-  const onScreen = (/** @type {Motion} */ a, /** @type {Motion | undefined} */ b, /** @type {number} */ body) => {
+  const centreOnScreen = (/** @type {Motion} */ a, /** @type {Motion | undefined} */ b, /** @type {number} */ body) => {
     const centre = instantCentre(a, b);
     const isFar = centre === null || Math.hypot(centre[0] - a.x, centre[1] - a.y) > (FAR * scene.radius) / BAR;
     return isFar ? null : projection.point(centre[0], centre[1], levels.bodies[body]);
   };
   const [a, b] = tools.pair.map((name) => mechanism.bodies.findIndex((body) => body.name === name));
-  const grounded = motions.map((motion, body) => onScreen(motion, undefined, body));
+  const grounded = motions.map((motion, body) => centreOnScreen(motion, undefined, body));
   if (a >= 0 && b >= 0) {
-    const common = onScreen(motions[a], motions[b], a);
+    const common = centreOnScreen(motions[a], motions[b], a);
     const line = [grounded[a], grounded[b], common].filter((at) => at !== null).sort((p, q) => p[0] - q[0] || p[1] - q[1]);
     if (line.length === 3) pen.line([...line[0], ...line[2]], { stroke: palette.velocity, width: 1, dash: [5, 4] });
     if (common !== null) drawCross(pen, common, `${tools.pair.join("–")}`, now);
