@@ -7,6 +7,7 @@ import { workshop } from "../tests/support/scenes.js";
 import { readGif } from "../tests/support/gif.js";
 import { drawn, open, settle, skip, state, until, writeRuns } from "./support/browser.js";
 import { changes, everyWay as everyWayOf, isOn, press, pressKey } from "./support/commands.js";
+import { livePage, onScreen as onLiveScreen, pose, setting, skip as skipLive } from "./support/livepage.js";
 
 const address = skip ? "" : writeRuns("tools", [workshop()]);
 const still = "#t=0.7";
@@ -187,4 +188,37 @@ test("a video is recorded, and either can be cancelled", { skip }, async () => {
   await page.click("#movie-cancel");
   await until(page, async () => /Cancelled/.test(await page.textContent("#movie-state")), "it is cancelled");
   assert.ok(await page.isEnabled("#movie-go"));
+});
+
+test("what was pulled and set of a live mechanism is undone", { skip: skipLive }, async () => {
+  const { page, errors } = await livePage({ isRunning: false });
+  const before = await pose(page, 0);
+  // Pulled while it runs.
+  const [x, y] = await onLiveScreen(page, 0, [0.3, 0]);
+  await page.click("#live-go");
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 60, y - 80, { steps: 4 });
+  await until(page, async () => (await state(page, "app.live.run.end")) > 0.3, "it runs");
+  await page.mouse.up();
+  await page.click("#live-go");
+  await settle(page);
+  assert.match(await state(page, "app.history.done.at(-1).name"), /^pull /);
+  const at = await state(page, "app.live.run.rows");
+  await pressKey(page, "Ctrl+Z");
+  await until(page, async () => (await state(page, "app.live.run.rows")) < at, "the rows of the pull are gone");
+  // A number is typed, and undone in the field itself.
+  const usual = await setting(page, "parameter", 0);
+  await page.fill("#parameter-0", String(1.03 * Number(await page.inputValue("#parameter-0"))));
+  await page.keyboard.press("Enter");
+  await settle(page);
+  assert.notEqual(await setting(page, "parameter", 0), usual);
+  await page.keyboard.press("Control+KeyZ");
+  await settle(page);
+  assert.equal(await setting(page, "parameter", 0), usual);
+  assert.equal(Number(await page.inputValue("#parameter-0")), 1000 * usual, "the field has it again");
+  await pressKey(page, "Shift+O");
+  await pressKey(page, "Shift+I");
+  await settle(page);
+  assert.deepEqual([before.length, errors], [3, []]);
 });
