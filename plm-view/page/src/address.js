@@ -4,10 +4,11 @@ import { LAYOUTS } from "./commands.js";
 import { SPEEDS } from "./player.js";
 import { usualCurves } from "./runview.js";
 import { changedSettings, showSettings } from "./settings.js";
+import { showTools, toolParts } from "./tools.js";
 
 /** @import {App, Layout, Mode} from "./app.js" */
 
-const MODES = ["pan", "orbit", "zoom", "window", "info"];
+const MODES = ["pan", "orbit", "zoom", "window", "info", "distance", "angle"];
 /** Of a page with the mechanism itself, too. */
 const LIVE_MODES = [...MODES, "pull", "place"];
 
@@ -46,7 +47,7 @@ export function addressOf(app) {
   put("theme", app.theme, "auto");
   put("tab", app.tab, app.live === null ? "curves" : "live");
   put("panel", Number(app.hasPanel), 1);
-  for (const [name, value] of changedSettings(app)) parts.set(name, value);
+  for (const [name, value] of [...toolParts(app), ...changedSettings(app)]) parts.set(name, value);
   return parts.toString();
 }
 
@@ -66,6 +67,7 @@ export function showAddress(app, hash) {
   for (const shown of app.runViews) shown.isShown = !hidden.includes(shown.run.name);
   app.updateBounds();
   showSwitches(app, parts);
+  showTools(app, parts);
   app.isViewGiven = parts.has("view");
   if (app.isViewGiven) showView(app, numbers(parts.get("view")));
   else if (layout !== null) app.zoomToExtents();

@@ -1,11 +1,14 @@
 // What is shown, as plain data, and what can be done with it. It knows nothing of elements of the page.
 
+import { History } from "./history.js";
+import { addMeasures } from "./measure.js";
 import { tellingPoint } from "./opening.js";
 import { onBackground, DARK, LIGHT } from "./palette.js";
 import { Player } from "./player.js";
 import { readResults } from "./results.js";
 import { growArrows, sceneOf, usualCurves } from "./runview.js";
 import { timeText, withShortNumbers } from "./text.js";
+import { usualTools } from "./tools.js";
 import { View } from "./view.js";
 
 /** @import {Run} from "./run.js" */
@@ -13,7 +16,7 @@ import { View } from "./view.js";
 /** @import {Item} from "./solid.js" */
 /** @import {Area, PresetName, Projection} from "./view.js" */
 
-/** @typedef {"pan" | "orbit" | "zoom" | "window" | "info" | "pull" | "place"} Mode what dragging does */
+/** @typedef {"pan" | "orbit" | "zoom" | "window" | "info" | "pull" | "place" | "distance" | "angle"} Mode what dragging does */
 /** @typedef {"one" | "overlay" | "side"} Layout how several runs are shown */
 /**
  * A body that is pulled or placed: a point of it in its axes, and where it is to go, in absolute axes; or how far it is
@@ -26,6 +29,9 @@ import { View } from "./view.js";
  *   move: (projection: Projection, x: number, y: number) => void, letGo: () => void}} Grip
  */
 /** @typedef {{kind: "error" | "fault" | "warning" | "note", text: string}} Message */
+
+/** How long, ms, what is over soon is shown. */
+const SAID_FOR = 3000;
 
 export class App {
   constructor() {
@@ -55,6 +61,10 @@ export class App {
     this.showsVelocities = false;
     /** Length of arrows against the usual one. */
     this.arrowFactor = 1;
+    this.tools = usualTools();
+    /** What is picked for a measure that is not whole. @type {import("./measure.js").Mark[]} */
+    this.marks = [];
+    this.history = new History(this);
     /** @type {"auto" | "light" | "dark"} */
     this.theme = "auto";
     this.prefersDark = false;
@@ -70,6 +80,8 @@ export class App {
     this.window = null;
     /** @type {Message[]} */
     this.messages = [];
+    /** What was said last. @type {Message | null} */
+    this.said = null;
     /** The mechanism itself, if the page holds it. @type {import("./live.js").Live | null} */
     this.live = null;
     /** @type {Drag | null} */
@@ -119,6 +131,7 @@ export class App {
   /** Something is to be drawn, and panels are to be built anew. */
   change() {
     this.revision += 1;
+    for (const { run } of this.runViews) addMeasures(run, this.tools.measures);
     this.touch();
   }
 
@@ -126,6 +139,21 @@ export class App {
   tell(kind, text) {
     if (!this.messages.some((message) => message.text === text)) this.messages.push({ kind, text });
     this.change();
+  }
+
+  /** Tells something that is over soon. @param {string} text */
+  say(text) {
+    const isOther = (/** @type {Message} */ message) => message !== this.said;
+    this.messages = this.messages.filter(isOther);
+    /** @type {Message} */
+    const said = { kind: "note", text };
+    this.said = said;
+    this.messages.push(said);
+    this.change();
+    setTimeout(() => {
+      this.messages = this.messages.filter((message) => message !== said);
+      this.change();
+    }, SAID_FOR);
   }
 
   /**

@@ -3,13 +3,15 @@
 
 import { savePng, saveSvg } from "./picture.js";
 import { jumpToEvent } from "./runview.js";
+import { TOOL_COMMANDS } from "./toolcommands.js";
+import { dropMeasures } from "./toolpick.js";
 import { PRESETS } from "./view.js";
 
 /** @import {App, Layout, Mode} from "./app.js" */
 /** @import {PresetName} from "./view.js" */
 
 /**
- * @typedef {{openFile: () => void, openOptions: () => void, openHelp: () => void, leave: () => void}} Dialogs what needs elements
+ * @typedef {{openFile: () => void, openOptions: () => void, openHelp: () => void, openMovie: () => void, leave: () => void}} Dialogs what needs elements
  * of the page
  * @typedef {{id: string, name: string, group: string, icon: string | null, keys: string[],
  *   run: (app: App, dialogs: Dialogs) => void, isOn?: (app: App) => boolean}} Command
@@ -19,6 +21,8 @@ import { PRESETS } from "./view.js";
 export const GROUPS = {
   show: "Show",
   view: "View",
+  tools: "Tools",
+  edit: "Edit",
   camera: "Dragging",
   animate: "Time",
   live: "Live",
@@ -157,7 +161,7 @@ export const COMMANDS = [
   moveCommand("+", "Zoom in", (app) => enlarge(app, 1.25)),
   moveCommand("-", "Zoom out", (app) => enlarge(app, 0.8)),
   moveCommand("Enter", "Zoom to the window", applyWindow),
-  moveCommand("Escape", "Let go: window, selection", letGo),
+  moveCommand("Escape", "Let go: window, measures, selection", letGo),
 
   panelCommand("next object", "Next object", ".", (app) => app.selectNext(1)),
   panelCommand("object before", "Object before", ",", (app) => app.selectNext(-1)),
@@ -169,6 +173,7 @@ export const COMMANDS = [
   panelCommand("phase plot", "Curves against the first of them, or over the time", "Shift+X", switchAcross),
   panelCommand("run after", "Next run", "PageDown", (app) => app.activate(app.active + 1)),
   panelCommand("run before", "Run before", "PageUp", (app) => app.activate(app.active - 1)),
+  ...TOOL_COMMANDS,
 ];
 
 /** @type {(id: string, name: string, key: string, icon: string | null, run: Command["run"]) => Command} */
@@ -257,6 +262,7 @@ function applyWindow(app) {
 /** @param {App} app */
 function letGo(app) {
   if (app.window !== null) app.window = null;
+  else if (dropMeasures(app)) return;
   else if (app.selected !== null) app.select(null);
 }
 

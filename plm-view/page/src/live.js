@@ -51,6 +51,12 @@ export class Live {
     this.followCamera = new FollowCamera(app);
     /** The parameter that was turned last, and its value: what is open then is due to it. */
     this.turned = "";
+    /** @type {Pull | null} */
+    this.pulled = null;
+    /** How often it has begun, and how often it had when a state was kept. */
+    this.era = 0;
+    /** @type {Map<number, number>} */
+    this.eras = new Map();
     /** What it has opened, in words. */
     this.opened = "";
     /** Rises with the settings. */
@@ -128,27 +134,59 @@ export class Live {
     this.send({ kind: "step", dt, count });
   }
 
+  /** Its state is kept under a number. @param {number} id */
+  keep(id) {
+    this.eras.set(id, this.era);
+    this.send({ kind: "keep", id });
+  }
+
+  /** To a state that was kept; the one now is kept under another number. @param {number} id @param {number} now */
+  comeBack(id, now) {
+    this.app.grip?.letGo();
+    this.pause();
+    this.show();
+    this.keep(now);
+    this.send({ kind: "return", id });
+  }
+
+  /** Rows behind the moment to which it has come back were never computed. @param {Float64Array} numbers @param {number} id */
+  return(numbers, id) {
+    const { run, app } = this;
+    const [time] = numbers;
+    if (this.eras.get(id) !== this.era || time < run.start || time > run.end) run.clear();
+    else run.dropAfter(time);
+    this.era = this.eras.get(id) ?? this.era;
+    if (run.rows === 0 || run.end < time) this.append(numbers);
+    app.player.isFollowing = app.run === run;
+    app.rowsAppended(run);
+    app.change();
+  }
+
   /** Begins again with the parameters as they are. */
   restart() {
+    this.app.history.keepState("restart");
     this.show();
     this.send({ kind: "restart" });
   }
 
   /** Begins again as declared. */
   reset() {
+    this.app.history.keepState("reset");
     this.show();
     this.send({ kind: "reset" });
   }
 
   /** @param {"parameter" | "input"} kind @param {number} index @param {number} value SI */
   set(kind, index, value) {
-    if (!Number.isFinite(value) || value === this.settings[kind][index]) return;
+    const before = this.settings[kind][index];
+    if (!Number.isFinite(value) || value === before) return;
     this.settings[kind][index] = value;
     this.send({ kind, index, value });
     const list = kind === "parameter" ? this.mechanism.parameters : this.mechanism.inputs;
     const { name, factor, unit } = list[index];
     const shown = `${Number((value / factor).toPrecision(6))} ${unit}`.trim();
     if (kind === "parameter") this.turned = `${name} ${shown}`;
+    if (Number.isFinite(before)) this.app.history.add({ kind: "set", name: `${name} = ${shown}`, of: kind, index, from: before, to: value });
     this.note(name, `${name} = ${shown}`);
   }
 
@@ -163,6 +201,8 @@ export class Live {
 
   /** @param {Pull | null} pull */
   pull(pull) {
+    if (pull !== null && this.pulled === null) this.app.history.keepState(`pull ${this.mechanism.bodies[pull.body].name}`);
+    this.pulled = pull;
     this.send({ kind: "pull", pull });
   }
 
@@ -174,6 +214,7 @@ export class Live {
    */
   place(body, point, target, turn = 0) {
     if (this.isRunning) this.pause();
+    this.app.history.keepState(`place ${this.mechanism.bodies[body].name}`);
     /** @type {ToWorker} */
     const wanted = { kind: "place", body, point, target, turn };
     // Of many that come while one is worked out the last alone counts.
@@ -234,6 +275,7 @@ export class Live {
       this.trim();
       this.app.rowsAppended(this.run);
     } else if (message.kind === "ahead") this.seeAhead(message.numbers, message.width);
+    else if (message.kind === "returned") this.return(message.numbers, message.id);
     else if (message.kind === "began") this.begin(message.numbers, message.isAssembled);
     else if (message.kind === "settings") this.take(message);
     else if (message.kind === "trouble") {
@@ -311,6 +353,7 @@ export class Live {
       const isRecording = this.recordsFrom !== null;
       this.stopRecording();
       run.clear();
+      this.era += 1;
       this.append(numbers);
       if (isRecording) this.recordsFrom = run.start;
       if (!isAssembled) standStill(run);

@@ -138,7 +138,7 @@ export class LivePanel {
     const shown = fromSi(this.live.settings[kind][index] ?? NaN, factor);
     if (!Number.isFinite(shown)) return;
     // What is being typed is not overwritten.
-    if (document.activeElement !== field) field.value = String(shown);
+    if (document.activeElement !== field || field.dataset["typed"] === undefined) field.value = String(shown);
     if (document.activeElement === slider && Math.abs(Number(slider.value) - shown) <= 0.51 * Number(slider.step)) return;
     if (shown > Number(slider.max)) slider.max = String(shown);
     if (shown < Number(slider.min)) slider.min = String(shown);

@@ -51,6 +51,23 @@ export function hermite(share, width, a, rateA, b, rateB) {
 }
 
 /**
+ * The rate of that cubic; of the straight line where the samples have no rates.
+ * @param {number} share of the interval, 0 to 1
+ * @param {number} width of the interval
+ * @param {number} a value at its beginning
+ * @param {number} rateA
+ * @param {number} b value at its end
+ * @param {number} rateB
+ */
+export function hermiteRate(share, width, a, rateA, b, rateB) {
+  if (share === 0 && Number.isFinite(rateA)) return rateA;
+  const slope = (b - a) / width;
+  const rest = 1 - share;
+  const rate = rest * (1 - 3 * share) * rateA + share * (3 * share - 2) * rateB + 6 * share * rest * slope;
+  return Number.isFinite(rate) ? rate : slope;
+}
+
+/**
  * The number of the form 1, 2 or 5 times a power of ten that is nearest to `width` > 0.
  * @param {number} width
  */

@@ -4,8 +4,10 @@ import { drawArrowKey, drawArrows } from "./arrows.js";
 import { drawAxes, drawFault, drawDrag, drawScaleBar, drawSelection } from "./decor.js";
 import { saveBlob } from "./dom.js";
 import { drawScene } from "./draw.js";
+import { drawGhosts } from "./ghosts.js";
 import { CanvasPen, SvgPen } from "./pen.js";
 import { pickItem } from "./pick.js";
+import { drawTools } from "./tooldraw.js";
 import { drawTrace, tracePath, tracePoints } from "./traces.js";
 
 /** @import {App} from "./app.js" */
@@ -54,6 +56,7 @@ function drawRun(pen, app, { run, scene, forces, velocities }, area) {
   const projection = app.view.projection(area);
   if (run.rows === 0) return;
   const time = Math.min(Math.max(app.player.time, run.start), run.end);
+  if (app.tools.ghosts > 0 && !isGhost) drawGhosts(pen, scene, app.tools.ghosts, { projection, palette, isWire: app.isWire });
   const places = scene.at(time);
   const moment = run.momentAt(time);
   const ghost = isGhost ? ghostColour(app, run) : null;
@@ -72,6 +75,7 @@ function drawRun(pen, app, { run, scene, forces, velocities }, area) {
   if (app.showsForces) drawArrows(pen, scene, forces, { ...how, colour: palette.force });
   if (app.drag !== null && run.isLive) drawDrag(pen, scene, app.drag, places, projection, palette);
   if (selected !== null) drawSelection(pen, scene, selected, places, projection, palette);
+  drawTools(pen, app, scene, { places, moment, projection, palette });
   if (run.fault !== null && time >= run.fault.time) drawFault(pen, scene, run.fault.part, places, projection, palette);
   drawKeys(pen, app, { scene, forces, velocities }, area);
 }

@@ -2,6 +2,8 @@
 
 import { FINGER_REACH } from "./pick.js";
 import { pickAt } from "./picture.js";
+import { measuring, pressMeasure } from "./toolpick.js";
+import { choosePair } from "./tools.js";
 
 /** @import {App, Mode} from "./app.js" */
 /** @import {Area} from "./view.js" */
@@ -138,7 +140,7 @@ function moveDrag(app, drag, at) {
     app.grip?.move(app.view.projection(areaAt(app, drag.from)), at.x, at.y);
     return;
   }
-  if (drag.mode === "pan" || drag.mode === "info") app.view.pan(dx, dy);
+  if (drag.mode === "pan" || drag.mode === "info" || measuring(app) !== null) app.view.pan(dx, dy);
   else if (drag.mode === "orbit") app.view.orbit(dx, dy);
   // As in the manual: upwards enlarges.
   else if (drag.mode === "zoom") app.view.zoom(Math.exp(-0.01 * dy), fromX, fromY);
@@ -149,9 +151,15 @@ function moveDrag(app, drag, at) {
 function endDrag(app, drag, button) {
   if (!drag.hasMoved) {
     if (button !== 0) return;
+    if (measuring(app) !== null) {
+      pressMeasure(app, drag.from.x, drag.from.y, drag.how);
+      return;
+    }
+    const before = app.selected?.kind === "body" ? app.selected.index : null;
     const { index, item } = pickAt(app, drag.from.x, drag.from.y, drag.how);
     if (index !== app.active) app.activate(index);
     app.select(item);
+    choosePair(app, before);
     if (item !== null && app.mode === "info") {
       app.hasPanel = true;
       app.tab = "objects";

@@ -25,11 +25,17 @@
  *   | {kind: "speed", speed: number} | {kind: "step", dt: number, count: number}
  *   | {kind: "parameter" | "input", index: number, value: number} | {kind: "pull", pull: Pull | null}
  *   | {kind: "place", body: number, point: number[], target: number[], turn: number}
- *   | {kind: "ahead", duration: number}} ToWorker
+ *   | {kind: "ahead", duration: number} | {kind: "keep" | "return", id: number}} ToWorker
  * @typedef {{kind: "rows", width: number, numbers: Float64Array} | {kind: "ahead", width: number, numbers: Float64Array}
+ *   | {kind: "returned", numbers: Float64Array, id: number}
  *   | {kind: "began", numbers: Float64Array, isAssembled: boolean}
  *   | {kind: "trouble", trouble: Trouble | null} | {kind: "placed"} | {kind: "broken", text: string}
  *   | {kind: "settings", parameters: number[], inputs: number[], shape: Float64Array, sizeNames: string}} FromWorker
+ */
+
+/**
+ * All of a module's memory that is not 0, with what the machine knows besides.
+ * @typedef {{blocks: [number, Uint8Array][], inputs: Map<number, number>, isAssembled: boolean, isStuck: boolean}} KeptState
  */
 
 export class LiveMachine {
@@ -53,6 +59,8 @@ export class LiveMachine {
     /** It cannot go on until something is changed. */
     this.isStuck = false;
     this.told = "null";
+    /** @type {Map<number, KeptState>} */
+    this.kept = new Map();
   }
 
   read() {
@@ -122,6 +130,37 @@ export class LiveMachine {
   tellBegun() {
     this.isStuck = !this.isAssembled;
     this.send({ kind: "began", numbers: this.read(), isAssembled: this.isAssembled });
+    this.tellTrouble();
+    this.tellSettings();
+  }
+
+  /**
+   * Keeps the state as it is: memory between two calls of a module is all that it has.
+   * @param {number} id
+   */
+  keep(id) {
+    const size = 1024;
+    const memory = new Uint8Array(this.exports.memory.buffer);
+    /** @type {KeptState} */
+    const state = { blocks: [], inputs: new Map(this.inputs), isAssembled: this.isAssembled, isStuck: this.isStuck };
+    for (let at = 0; at < memory.length; at += size) {
+      const block = memory.subarray(at, at + size);
+      if (block.some((byte) => byte !== 0)) state.blocks.push([at, block.slice()]);
+    }
+    this.kept.delete(id);
+    this.kept.set(id, state);
+    // The oldest are forgotten, as the page has forgotten them.
+    for (const old of this.kept.keys()) if (this.kept.size > 200) this.kept.delete(old);
+  }
+
+  /** @param {number} id of a state that is kept */
+  comeBack(id) {
+    const state = this.kept.get(id);
+    if (state === undefined) return;
+    const memory = new Uint8Array(this.exports.memory.buffer).fill(0);
+    for (const [at, block] of state.blocks) memory.set(block, at);
+    [this.inputs, this.isAssembled, this.isStuck, this.pull] = [new Map(state.inputs), state.isAssembled, state.isStuck, null];
+    this.send({ kind: "returned", numbers: this.read(), id });
     this.tellTrouble();
     this.tellSettings();
   }
@@ -288,6 +327,8 @@ export function liveWorker(scope) {
     else if (message.kind === "restart" || message.kind === "reset") on.begin(message.kind);
     else if (message.kind === "parameter" || message.kind === "input") on.set(message.kind, message.index, message.value);
     else if (message.kind === "pull") on.setPull(message.pull);
+    else if (message.kind === "keep") on.keep(message.id);
+    else if (message.kind === "return") on.comeBack(message.id);
     else if (message.kind === "place") on.place(message.body, message.point, message.target, message.turn);
     else if (message.kind === "ahead" && module !== null) {
       const { exports } = new WebAssembly.Instance(module, {});
