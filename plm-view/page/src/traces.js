@@ -70,7 +70,7 @@ export function tracePath(run, point) {
  * @param {{body: number, time: number, projection: Projection, colour: string}} how
  */
 export function drawTrace(pen, scene, path, { body, time, projection, colour }) {
-  for (const { points, times } of onScreen(path, projection, scene.levels.bodies[body])) {
+  for (const { points, times } of seenPath(path, projection, scene.levels.bodies[body])) {
     pen.line(points, { stroke: colour, width: 1.2, opacity: 0.35 });
     const travelled = 1 + lastNotAbove(times, times.length, time);
     if (travelled > 1) pen.line(points.slice(0, 2 * travelled), { stroke: colour, width: 2 });
@@ -86,7 +86,7 @@ const NEAR = 0.5;
 const seenPaths = new WeakMap();
 
 /** @param {TracePath} path @param {Projection} projection @param {number} z */
-function onScreen(path, projection, z) {
+function seenPath(path, projection, z) {
   const { x0, y0, xx, xy, xz, yx, yy, yz } = projection;
   const seen = [x0, y0, xx, xy, xz, yx, yy, yz, z].join();
   const known = seenPaths.get(path);

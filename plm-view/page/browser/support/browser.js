@@ -88,7 +88,12 @@ export async function open(address, { width = 1200, height = 800, theme = "light
   await page.goto("about:blank");
   heard.requests.length = 0;
   await page.goto(address + hash);
-  await page.waitForFunction(() => "plmPage" in window);
+  const begun = page.waitForFunction(() => "plmPage" in window);
+  // A script that ends with an error never begins.
+  const failed = new Promise((_, reject) => page.once("pageerror", reject));
+  failed.catch(() => {});
+  await Promise.race([begun, failed]);
+  begun.catch(() => {});
   await settle(page);
   return { page, ...heard };
 }
