@@ -21,7 +21,7 @@ export class PolarPlot {
     this.joint = element("select", { id: "polar-joint", onchange: () => this.choose() });
     this.around = element("select", { id: "polar-around", "aria-label": "How the force is drawn", onchange: () => this.choose() });
     this.canvas = element("canvas", { id: "polar", role: "img" });
-    this.figure = element("figure", {}, this.canvas, element("button", { type: "button", onclick: () => this.save() }, "Save polar plot (SVG)"));
+    this.figure = element("div", { class: "polar" }, this.canvas, element("button", { type: "button", onclick: () => this.save() }, "Save polar plot (SVG)"));
     this.row = element("label", { class: "across" }, element("span", {}, "Force in the plane"), this.joint);
     this.root = element("div", {}, this.row, this.around, this.figure);
     this.canvas.style.height = `${POLAR_HEIGHT}px`;
