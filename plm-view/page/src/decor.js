@@ -21,7 +21,9 @@ import { quantityText } from "./text.js";
  */
 export function drawAxes(pen, projection, palette) {
   const { area, right, up, toViewer } = projection;
-  const [x, y, length] = [area.x + 46, area.y + area.height - 46, 26];
+  // On a phone the corner is small.
+  const share = area.width < 500 ? 0.65 : 1;
+  const [x, y, length] = [area.x + 46 * share, area.y + area.height - 46 * share, 26 * share];
   // From the farthest; axes that are equally far keep their order in spite of rounding.
   const nearness = toViewer.map((share) => Math.round(1e6 * share));
   const order = [0, 1, 2].sort((a, b) => nearness[a] - nearness[b]);

@@ -88,14 +88,23 @@ export async function open(address, { width = 1200, height = 800, theme = "light
   await page.goto("about:blank");
   heard.requests.length = 0;
   await page.goto(address + hash);
-  const begun = page.waitForFunction(() => "plmPage" in window);
-  // A script that ends with an error never begins.
-  const failed = new Promise((_, reject) => page.once("pageerror", reject));
-  failed.catch(() => {});
-  await Promise.race([begun, failed]);
-  begun.catch(() => {});
+  await begins(page);
   await settle(page);
   return { page, ...heard };
+}
+
+/** Until the page has begun, or its script has ended with an error, behind which it never does. */
+async function begins(page) {
+  const begun = page.waitForFunction(() => "plmPage" in window);
+  begun.catch(() => {});
+  let fail = () => {};
+  const failed = new Promise((_, reject) => (fail = reject));
+  page.on("pageerror", fail);
+  try {
+    await Promise.race([begun, failed]);
+  } finally {
+    page.off("pageerror", fail);
+  }
 }
 
 /**
