@@ -50,6 +50,11 @@ export class App {
     this.traces = [];
     this.showsForces = false;
     this.showsVelocities = false;
+    /** Joints whose force has an arrow; null: all. @type {string[] | null} */
+    this.forcesOf = null;
+    /** Axes and scale bar in the corners, and what the length of arrows means: moving pictures leave them out. */
+    this.hasAxes = true;
+    this.hasArrowKey = true;
     /** Length of arrows against the usual one. */
     this.arrowFactor = 1;
     /** @type {"auto" | "light" | "dark"} */
