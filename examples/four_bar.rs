@@ -27,6 +27,9 @@ plm::mechanism! { pub FourBar {
 }}
 
 /// What the README shows: a quarter of a turn from the start.
+///
+/// # Errors
+/// A fault of the run.
 pub fn quarter() -> Result<String, plm::Fault> {
     let mut sim = FourBar::new().start()?;
     sim.step(0.25)?;
