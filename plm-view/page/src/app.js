@@ -59,6 +59,11 @@ export class App {
     this.usualTraces = [];
     this.showsForces = false;
     this.showsVelocities = false;
+    /** Joints whose force has an arrow; null: all. @type {string[] | null} */
+    this.forcesOf = null;
+    /** Axes and scale bar in the corners, and what the length of arrows means: moving pictures leave them out. */
+    this.hasAxes = true;
+    this.hasArrowKey = true;
     /** Length of arrows against the usual one. */
     this.arrowFactor = 1;
     this.tools = usualTools();

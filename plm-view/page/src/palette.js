@@ -98,3 +98,30 @@ export function rgbText(rgb, light = 1) {
   const shade = (/** @type {number} */ part) => Math.round(light <= 1 ? part * light : part + (255 - part) * (light - 1));
   return `rgb(${shade(rgb[0])},${shade(rgb[1])},${shade(rgb[2])})`;
 }
+
+/**
+ * Style of a drawing in the light palette, for readers who prefer a dark scheme: each colour that occurs in it becomes that of
+ * the dark palette. Shaded walls stay as they are.
+ * @param {string} drawing SVG elements
+ */
+export function darkStyle(drawing) {
+  const [light, dark] = [LIGHT, DARK].map(coloursOf);
+  const used = light.filter((colour, at) => light.indexOf(colour) === at && drawing.includes(`"${colour}"`));
+  const rules = used.map((colour) => {
+    const instead = dark[light.indexOf(colour)];
+    return `[fill="${colour}"]{fill:${instead}}[stroke="${colour}"]{stroke:${instead}}`;
+  });
+  return `<style>@media(prefers-color-scheme:dark){${rules.join("")}}</style>`;
+}
+
+/** All colours of a palette in its order, as they stand in a file. @param {Palette} palette @returns {string[]} */
+function coloursOf(palette) {
+  const isRgb = (/** @type {unknown} */ value) => Array.isArray(value) && value.length === 3 && value.every(Number.isFinite);
+  /** @type {(value: any) => string[]} */
+  const flat = (value) => {
+    if (typeof value === "string") return [value];
+    return isRgb(value) ? [rgbText(value)] : Object.values(value).flatMap(flat);
+  };
+  const { name: _, ...colours } = palette;
+  return flat(colours);
+}

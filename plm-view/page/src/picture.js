@@ -38,8 +38,10 @@ export function drawPicture(pen, app) {
   });
   if (shown.length > 0) {
     const projection = app.view.projection(app.area);
-    drawAxes(pen, projection, palette);
-    drawScaleBar(pen, projection, palette);
+    if (app.hasAxes) {
+      drawAxes(pen, projection, palette);
+      drawScaleBar(pen, projection, palette);
+    }
   }
   if (app.window !== null) drawWindow(pen, app.window, palette);
 }
@@ -72,12 +74,12 @@ function drawRun(pen, app, { run, scene, forces, velocities }, area) {
   if (isGhost) return;
   const how = { places, moment, projection, factor: app.arrowFactor };
   if (app.showsVelocities) drawArrows(pen, scene, velocities, { ...how, colour: palette.velocity });
-  if (app.showsForces) drawArrows(pen, scene, forces, { ...how, colour: palette.force });
+  if (app.showsForces) drawArrows(pen, scene, forces, { ...how, colour: palette.force, only: app.forcesOf });
   if (app.drag !== null && run.isLive) drawDrag(pen, scene, app.drag, places, projection, palette);
   if (selected !== null) drawSelection(pen, scene, selected, places, projection, palette);
   drawTools(pen, app, scene, { places, moment, projection, palette });
   if (run.fault !== null && time >= run.fault.time) drawFault(pen, scene, run.fault.part, places, projection, palette);
-  drawKeys(pen, app, { scene, forces, velocities }, area);
+  if (app.hasArrowKey) drawKeys(pen, app, { scene, forces, velocities }, area);
 }
 
 /**
