@@ -34,6 +34,37 @@ fn figures_of_the_book_are_those_that_are_drawn() {
     );
 }
 
+/// Drawings below `docs/src/images`, with their texts.
+fn drawings(folder: &Path) -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    for path in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+        if path.is_dir() {
+            found.extend(drawings(&path));
+        } else if path.extension().is_some_and(|extension| extension == "svg") {
+            found.push((path.display().to_string(), fs::read_to_string(&path).unwrap()));
+        }
+    }
+    found
+}
+
+/// A drawing without colours of its own for a dark scheme is a white slab there; a chart has the style of all charts.
+#[test]
+fn every_drawing_has_colours_for_a_dark_scheme() {
+    let (chart, style) = ("<rect width=\"800\"", plm_view::svg::dark_style());
+    let drawings = drawings(&root().join("docs/src/images"));
+    assert!(drawings.len() > 100, "the reader of drawings found only {}", drawings.len());
+    for (file, svg) in drawings {
+        let Some((_, dark)) =
+            svg.split_once("prefers-color-scheme:").or_else(|| svg.split_once("prefers-color-scheme: "))
+        else {
+            panic!("{file} has no style for a dark scheme");
+        };
+        assert!(dark.trim_start().starts_with("dark"), "{file}");
+        let is_chart = svg.lines().nth(2).is_some_and(|line| line.starts_with(chart));
+        assert!(!is_chart || svg.contains(&style), "{file} has not the dark colours of charts");
+    }
+}
+
 #[test]
 fn every_part_has_a_figure() {
     let missing = draw::missing(root()).unwrap();

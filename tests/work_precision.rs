@@ -9,6 +9,11 @@ mod measure;
 #[path = "../examples/work_precision/report.rs"]
 #[allow(dead_code, reason = "the program draws as well")]
 mod report;
+#[path = "../examples/work_precision/stored.rs"]
+mod stored;
+#[path = "../examples/work_precision/summary.rs"]
+#[allow(dead_code, reason = "the program draws as well")]
+mod summary;
 
 use measure::{Bench, Effort, Line, Look, Outcome, Point, Scene};
 use plm_peers::{Peer, Run, Setting};
@@ -32,7 +37,7 @@ fn line(formulation: &'static str, errors: &[f64], seconds: f64) -> Line {
     let outcome =
         |&error: &f64| Point { setting: 1e-3, outcome: Ok(Outcome { error, seconds, evaluations: 1 }) };
     let points = errors.iter().map(outcome).collect();
-    Line { method: "RK4".to_owned(), formulation, look: Look::Peer(0), facts: String::new(), points }
+    Line { method: "RK4".to_owned(), formulation, look: Look::Peer, facts: String::new(), points }
 }
 
 #[test]
@@ -65,14 +70,14 @@ fn errors_are_those_of_the_number_that_is_farthest_off() {
     let peer = Peer { scene: "S0", name: "other", setting: Setting::Step, run };
     for (scene, expected) in [(&SCENE, 0.5), (&RELATIVE, 0.25)] {
         let bench = Bench { scene, reference: vec![4.0, 100.0, -0.16], effort: &effort };
-        for point in bench.peer(0, &peer).points {
+        for point in bench.peer(&peer).points {
             let error = point.outcome.unwrap().error;
             assert!((error - expected).abs() < 1e-12, "{}: {error}", scene.relative);
         }
     }
     // What is not a number must not be lost among numbers.
     let bench = Bench { scene: &SCENE, reference: vec![4.0, f64::NAN, -0.2], effort: &effort };
-    assert!(bench.peer(0, &peer).points.iter().all(|point| point.outcome.as_ref().unwrap().error.is_nan()));
+    assert!(bench.peer(&peer).points.iter().all(|point| point.outcome.as_ref().unwrap().error.is_nan()));
 }
 
 /// What another program has written: a line for each of its methods in each scene; a row that is no run is told.
@@ -81,7 +86,7 @@ fn runs_of_another_program_are_lines_beside() {
     let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("beside.csv");
     let read = |rows: &str| {
         std::fs::write(&file, format!("scene,method,setting,error,seconds,evaluations\n{rows}")).unwrap();
-        beside::read(&file, 3).map_err(|error| error.to_string())
+        beside::read(&file).map_err(|error| error.to_string())
     };
     let lines = read("S1,a,1e-3,1e-4,2e-5,7\nS1,a,1e-4,1e-5,3e-5,8\nS2,a,1e-3,1e-4,2e-5,9\n").unwrap();
     let counts: Vec<(&str, usize)> =
@@ -120,4 +125,36 @@ fn in_the_book_the_cheapest_line_is_ours_to_every_error() {
             assert!(least(&ours) < least(&others), "{mark} to {error}");
         }
     }
+}
+
+/// The summary is drawn of the runs that the tables are made of.
+#[test]
+fn the_summary_shows_the_stored_runs() {
+    let stored = stored::read(include_str!("../docs/src/images/work-precision/runs.csv")).unwrap();
+    let compared = summary::compare(&stored).unwrap();
+    for scene in &compared {
+        let (columns, lines) = table(&scene.scene.to_lowercase());
+        let k = columns.iter().position(|&error| error == summary::GOALS[1]).unwrap();
+        let least = lines.iter().filter(|(name, _)| name.contains(", ")).filter_map(|(_, times)| times[k]);
+        let plm = least.reduce(f64::min).unwrap();
+        assert!((1e6 * scene.plm[1] / plm - 1.0).abs() < 0.05, "{}: {plm}", scene.scene);
+        assert!(scene.others.len() >= 3);
+        for (name, multiples) in &scene.others {
+            let (_, times) = lines.iter().find(|(of, _)| of == name).unwrap();
+            let expected = times[k].map(|time| time / plm);
+            let near = |a: f64, b: f64| (a / b - 1.0).abs() < 0.06;
+            assert!(
+                expected.is_none() && multiples[1].is_none()
+                    || near(expected.unwrap(), multiples[1].unwrap()),
+                "{}: {name}",
+                scene.scene
+            );
+        }
+    }
+    let drawn =
+        summary::svg(&compared, include_str!("../docs/src/images/work-precision/elsewhere.csv")).unwrap();
+    assert!(
+        drawn == include_str!("../docs/src/images/work-precision/summary.svg"),
+        "the summary is not that of the runs; `--redraw docs/src/images/work-precision` of the example draws it"
+    );
 }

@@ -16,7 +16,7 @@ pub type Beside = (String, Line);
 ///
 /// # Errors
 /// When the file cannot be read, or a row is no run.
-pub fn read(path: &Path, look: usize) -> Result<Vec<Beside>, Box<dyn Error>> {
+pub fn read(path: &Path) -> Result<Vec<Beside>, Box<dyn Error>> {
     let file = path.display();
     let text = fs::read_to_string(path).map_err(|error| format!("{file}: {error}"))?;
     let mut rows = text.lines().enumerate();
@@ -30,7 +30,7 @@ pub fn read(path: &Path, look: usize) -> Result<Vec<Beside>, Box<dyn Error>> {
         match lines.last_mut() {
             Some((of, line)) if of == scene && line.method == method => line.points.push(point),
             _ => {
-                let look = Look::Peer(look);
+                let look = Look::Peer;
                 let line = Line {
                     method: method.to_owned(),
                     formulation: "",

@@ -5,6 +5,7 @@
 //! cargo run --release --example work_precision --features plm-peers/peers # beside diffsol and rapier2d
 //! cargo run --release --example work_precision -- --beside heyoka.csv     # beside a program that wrote a file
 //! cargo run --release --example work_precision -- --quick --out DIR       # few settings, written to DIR
+//! cargo run --example work_precision -- --redraw docs/src/images/work-precision   # the book's pictures, of the stored runs
 //! ```
 //!
 //! It prints, for each scene, the least time and its evaluations of the right-hand side to some errors, and writes to
@@ -25,6 +26,8 @@ mod methods;
 mod references;
 mod report;
 mod scenes;
+mod stored;
+mod summary;
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -36,14 +39,17 @@ use plm_peers::{Peer, peers};
 
 use beside::Beside;
 use list::SCENES;
-use measure::{Bench, Effort, Scene};
+use measure::{Bench, Effort, Line, Scene};
 use report::{Result as Measured, outcome};
 
 const FULL: Effort =
     Effort { per_decade: 4, fewest_runs: 7, most_runs: 1000, spent: 0.01, longest_run: 0.03 };
 const QUICK: Effort = Effort { per_decade: 1, fewest_runs: 1, most_runs: 1, spent: 0.0, longest_run: 0.02 };
 
-const KNOWN: [Known; 4] = [
+/// Names, looks and facts of the lines, without a run.
+const NOTHING: Effort = Effort { per_decade: 0, ..QUICK };
+
+const KNOWN: [Known; 5] = [
     Known::value(
         "out",
         "DIR",
@@ -55,6 +61,11 @@ const KNOWN: [Known; 4] = [
         "N",
         "how often all is measured, one scene after the other; the least counts; 1 if nothing is said",
     ),
+    Known::value(
+        "redraw",
+        "DIR",
+        "draws the pictures of the runs that stand in DIR anew and measures nothing",
+    ),
     Known::value("beside", "FILE", "runs of another program, as benches/peers/by_heyoka.py writes them"),
 ];
 
@@ -64,13 +75,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{help}");
         return Ok(());
     }
+    if let Some(folder) = arguments.value("redraw") {
+        return redraw(Path::new(folder));
+    }
     let effort = if arguments.flag("quick") { &QUICK } else { &FULL };
     let folder = arguments.value("out").map_or(PathBuf::from("target/plm/work-precision"), PathBuf::from);
     fs::create_dir_all(&folder)?;
 
     let peers = peers();
-    // The same dashes and marks in all charts.
-    let beside = arguments.value("beside").map(|file| beside::read(Path::new(file), look(&peers)));
+    let beside = arguments.value("beside").map(|file| beside::read(Path::new(file)));
     let beside = beside.transpose()?.unwrap_or_default();
 
     let mut all: Vec<Measured> = SCENES.iter().map(|scene| run(scene, effort, &peers, &beside)).collect();
@@ -98,9 +111,27 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(outcome(&far)?)
 }
 
-/// How many programs that are crates are in a scene: the number of the first look that none has.
-fn look(peers: &[Peer]) -> usize {
-    SCENES.iter().map(|scene| peers.iter().filter(|peer| peer.scene == scene.id).count()).max().unwrap_or(0)
+/// Draws all pictures of a folder with `runs.csv`, and the summary beside what was measured elsewhere.
+fn redraw(folder: &Path) -> Result<(), Box<dyn Error>> {
+    let stored = stored::read(&fs::read_to_string(folder.join("runs.csv"))?)?;
+    for scene in SCENES {
+        let mut measured = run(scene, &NOTHING, &[], &[]);
+        let of_scene = stored.iter().filter(|(of, _)| of == scene.id).map(|(_, line)| line);
+        for line in of_scene {
+            let is_same = |of: &&mut Line| of.method == line.method && of.formulation == line.formulation;
+            match measured.lines.iter_mut().find(is_same) {
+                Some(of) => of.points.clone_from(&line.points),
+                None if line.formulation.is_empty() => measured.lines.push(line.clone()),
+                None => {
+                    return Err(format!("{}: no line {}, {}", scene.id, line.method, line.formulation).into());
+                }
+            }
+        }
+        measured.chart().write_svg(folder.join(format!("{}.svg", slug(scene))))?;
+    }
+    let elsewhere = fs::read_to_string(folder.join("elsewhere.csv"))?;
+    fs::write(folder.join("summary.svg"), summary::svg(&summary::compare(&stored)?, &elsewhere)?)?;
+    Ok(())
 }
 
 /// All lines of a scene, plm's first.
@@ -110,7 +141,7 @@ fn run(scene: &'static Scene, effort: &Effort, peers: &[Peer], beside: &[Beside]
     let bench = Bench { scene, reference, effort };
     let mut lines = (scene.run)(&bench);
     let others = peers.iter().filter(|peer| peer.scene == scene.id);
-    lines.extend(others.enumerate().map(|(number, peer)| bench.peer(number, peer)));
+    lines.extend(others.map(|peer| bench.peer(peer)));
     lines.extend(beside.iter().filter(|(of, _)| of == scene.id).map(|(_, line)| line.clone()));
     Measured { scene, lines }
 }

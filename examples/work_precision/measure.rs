@@ -9,7 +9,7 @@ use plm_peers::{Peer, Run, Setting};
 
 /// How many runs are made.
 pub struct Effort {
-    /// Tolerances and steps for each factor of ten.
+    /// Tolerances and steps for each factor of ten; 0 measures nothing.
     pub per_decade: i32,
     pub fewest_runs: u32,
     pub most_runs: u32,
@@ -69,7 +69,7 @@ pub struct Line {
 #[derive(Clone)]
 pub enum Look {
     Ours { family: usize, variant: usize },
-    Peer(usize),
+    Peer,
 }
 
 /// One setting and what came out.
@@ -123,17 +123,11 @@ fn told(fault: Fault) -> String {
 
 impl Bench<'_> {
     /// The line of another program.
-    pub fn peer(&self, number: usize, peer: &Peer) -> Line {
+    pub fn peer(&self, peer: &Peer) -> Line {
         let gave_up = || "gave up".to_owned();
         let points =
             self.sweep(peer.setting, |setting| self.best(|| (peer.run)(setting).ok_or_else(gave_up)));
-        Line {
-            method: peer.name.to_owned(),
-            formulation: "",
-            look: Look::Peer(number),
-            facts: String::new(),
-            points,
-        }
+        Line { method: peer.name.to_owned(), formulation: "", look: Look::Peer, facts: String::new(), points }
     }
 
     /// One point for each setting, as long as a run is not too long.
@@ -152,6 +146,9 @@ impl Bench<'_> {
 
     fn settings(&self, setting: Setting) -> Vec<f64> {
         let per_decade = self.effort.per_decade;
+        if per_decade == 0 {
+            return Vec::new();
+        }
         match setting {
             Setting::Tolerance => (2 * per_decade..=13 * per_decade)
                 .map(|k| 10_f64.powf(-f64::from(k) / f64::from(per_decade)))

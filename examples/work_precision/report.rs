@@ -9,6 +9,12 @@ use crate::measure::{Line, Look, Outcome, Scene};
 /// Errors for which the least time is told.
 const GOALS: [f64; 7] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14];
 
+/// Other programs in the order of their colours, which the summary has too.
+const OTHERS: [&str; 4] = ["heyoka", "diffsol Tsit45", "diffsol BDF", "rapier2d"];
+
+/// Methods that stand for plm beside other programs: the cheapest to few, to some and to many digits.
+const CHOSEN: [&str; 3] = ["RK4", "DOP853", "Verner 9(8)"];
+
 /// Every line has to come that near to its reference, as a fraction of what is hopeless.
 const NEAR: f64 = 1e-4;
 
@@ -28,9 +34,16 @@ impl Line {
         }
     }
 
-    /// A picture with every line of the table could not be read: of the higher formulations it shows the best method alone.
-    fn is_drawn(&self) -> bool {
-        !matches!(self.look, Look::Ours { family: 1.., variant: 1.. })
+    /// A picture with every line of the table could not be read. Beside other programs it shows three methods in the least
+    /// formulation, else all of them there, and of higher formulations the best method alone.
+    fn is_drawn(&self, is_beside_others: bool) -> bool {
+        match self.look {
+            Look::Ours { variant, .. } if is_beside_others => {
+                variant == 0 && CHOSEN.contains(&self.method.as_str())
+            }
+            Look::Ours { family, variant } => variant == 0 || family == 0,
+            Look::Peer => true,
+        }
     }
 
     fn outcomes(&self) -> impl Iterator<Item = &Outcome> {
@@ -48,7 +61,7 @@ impl Line {
     }
 
     /// The fastest run with an error of at most `goal` whose next finer setting has that too: no lucky hit.
-    fn fastest(&self, goal: f64) -> Option<&Outcome> {
+    pub fn fastest(&self, goal: f64) -> Option<&Outcome> {
         let runs = || self.points.iter().map(|point| point.outcome.as_ref().ok());
         let finer = runs().skip(1).chain([None]);
         let last = self.points.len().saturating_sub(1);
@@ -135,14 +148,29 @@ impl Result {
         let chart = Chart::new(Axis::log(of.0, of.1).falling(), Axis::log("CPU time", "µs"))
             .titled(format!("{}, {}", self.scene.id, self.scene.title))
             .noted(self.note());
-        self.lines.iter().filter(|line| line.is_drawn()).fold(chart, |chart, line| {
+        let drawn: Vec<&Line> = self.lines.iter().filter(|line| line.is_drawn(self.has_others())).collect();
+        drawn.into_iter().enumerate().fold(chart, |chart, (number, line)| {
             let runs = line.unbeaten().into_iter().filter(|run| run.error <= self.scene.hopeless);
-            let series = Series::new(line.name(), runs.map(|o| (o.error, 1e6 * o.seconds))).marked();
+            let name = if self.has_others() && !line.formulation.is_empty() {
+                format!("plm, {}", line.method)
+            } else {
+                line.name()
+            };
+            let series = Series::new(name, runs.map(|o| (o.error, 1e6 * o.seconds))).marked();
             chart.with(match line.look {
+                // Ours in one colour, each other program in one of its own.
+                Look::Ours { .. } if self.has_others() => series.of_family(0, number),
                 Look::Ours { family, variant } => series.of_family(family, variant),
-                Look::Peer(number) => series.muted(number),
+                Look::Peer => {
+                    series.of_family(1 + OTHERS.iter().position(|of| *of == line.method).unwrap_or(4), 0)
+                }
             })
         })
+    }
+
+    /// Whether other programs are in the scene.
+    fn has_others(&self) -> bool {
+        self.lines.iter().any(|line| line.formulation.is_empty())
     }
 
     /// What holds on every machine.
@@ -150,7 +178,12 @@ impl Result {
         let mut facts: Vec<&str> = self.lines.iter().map(|line| line.facts.as_str()).collect();
         facts.retain(|fact| !fact.is_empty());
         facts.dedup();
-        format!("{}\nOperations of an evaluation: {}.", self.scene.facts, facts.join(", "))
+        let left_out = if self.has_others() {
+            "\nOf plm three methods in the least formulation; the table has all of them."
+        } else {
+            ""
+        };
+        format!("{}\nOperations of an evaluation: {}.{left_out}", self.scene.facts, facts.join(", "))
     }
 }
 

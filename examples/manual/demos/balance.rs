@@ -2,6 +2,8 @@
 
 use plm::{Fault, Mechanism, Moment as _, Sim};
 
+use super::sheet::Sheet;
+
 /// Relative tolerance of the runs.
 pub const RTOL: f64 = 1e-10;
 
@@ -44,6 +46,14 @@ impl Balance {
     pub fn or_worse(self, other: Balance) -> Balance {
         let worse = |a: f64, b: f64| if a.abs() > b.abs() { a } else { b };
         Balance { energy: worse(self.energy, other.energy), power: worse(self.power, other.power) }
+    }
+}
+
+impl Sheet {
+    /// What the balance of energy and power leaves open.
+    pub fn balance(&mut self, balance: Balance) {
+        self.theory("power balance", balance.power, "of what flowed", 0.0, Balance::POWER);
+        self.theory("energy balance", balance.energy, "of what moved", 0.0, Balance::ENERGY);
     }
 }
 

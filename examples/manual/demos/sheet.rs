@@ -1,10 +1,8 @@
-//! What a demo shows: the figures that the manual prints, and values that are known from elsewhere where it prints none.
+//! The sheet of a demo: the figures that the manual prints, and values that are known from elsewhere where it prints none.
 
 use std::fmt;
 
 use plm::Fault;
-
-use super::balance::Balance;
 
 /// A demo of the manual: its name there, and what runs it.
 pub type Demo = (&'static str, fn() -> Result<Sheet, Fault>);
@@ -56,7 +54,8 @@ pub struct Sheet {
 }
 
 impl Line {
-    fn tolerance(&self) -> f64 {
+    /// How far the value may be from the known one.
+    pub fn tolerance(&self) -> f64 {
         match self.source {
             Source::Manual(
                 Reading::Rounded(tolerance) | Reading::Truncated(tolerance) | Reading::Approximate(tolerance),
@@ -103,7 +102,7 @@ impl fmt::Display for Line {
 }
 
 /// Decimals that show a little more than the tolerance.
-fn decimals(tolerance: f64) -> usize {
+pub fn decimals(tolerance: f64) -> usize {
     if tolerance > 0.0 { ((-tolerance.log10()).ceil() + 2.0).clamp(0.0, 12.0) as usize } else { 0 }
 }
 
@@ -133,12 +132,6 @@ impl Sheet {
         self.line(name, (value, known), unit, Source::Model(tolerance));
     }
 
-    /// What the balance of energy and power leaves open.
-    pub fn balance(&mut self, balance: Balance) {
-        self.theory("power balance", balance.power, "of what flowed", 0.0, Balance::POWER);
-        self.theory("energy balance", balance.energy, "of what moved", 0.0, Balance::ENERGY);
-    }
-
     /// How many printed figures are reproduced, of how many; and the same of the other lines.
     pub fn counts(&self) -> [(usize, usize); 2] {
         [true, false].map(|printed| {
@@ -160,7 +153,7 @@ impl fmt::Display for Sheet {
             writeln!(f, "  {line}")?;
         }
         let [(reproduced, printed), (held, others)] = self.counts();
-        writeln!(f, "other checks: {held} of {others} hold")?;
-        write!(f, "manual: {reproduced} of {printed} figures reproduced")
+        write!(f, "other checks: {held} of {others} hold")?;
+        if printed > 0 { write!(f, "\nmanual: {reproduced} of {printed} figures reproduced") } else { Ok(()) }
     }
 }

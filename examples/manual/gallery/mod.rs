@@ -73,11 +73,6 @@ pub const SHOWN: [&Shown; 19] = [
 ];
 
 impl Shown {
-    /// Is this its name, whatever the case of the letters?
-    pub fn is_called(&self, name: &str) -> bool {
-        self.demo.eq_ignore_ascii_case(name)
-    }
-
     fn page(&self) -> String {
         format!("{}.html", self.demo)
     }

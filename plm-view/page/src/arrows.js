@@ -10,7 +10,7 @@ import { quantityText } from "./text.js";
 /** @import {Places} from "./solid.js" */
 /** @import {Projection} from "./view.js" */
 
-/** @typedef {{x: number, y: number, z: number, u: number, v: number}} Arrow from a point, in the unit of its quantity */
+/** @typedef {{name: string, x: number, y: number, z: number, u: number, v: number}} Arrow from a point, in the unit of its quantity */
 /** @typedef {{unit: string, largest: number, arrows: (places: Places, moment: Moment) => Arrow[]}} ArrowField */
 
 /** Rows that are looked at for the largest arrow of a run. */
@@ -35,18 +35,18 @@ export function forceField(scene) {
     const standsOnGround = part.frames[0].body === null && part.frames.length > 1;
     // A pin in a slot feels the force at the pin, which is the second frame.
     const at = standsOnGround || part.pair === "pin_slot" ? Math.min(1, part.frames.length - 1) : 0;
-    return [{ frame: part.frames[at], sign: standsOnGround ? -1 : 1, x, y }];
+    return [{ name: part.name, frame: part.frames[at], sign: standsOnGround ? -1 : 1, x, y }];
   });
   const size = (/** @type {number} */ row) =>
     joints.map(({ x, y }) => Math.hypot(force(row, x), force(row, y)));
   const arrows = (/** @type {Places} */ places, /** @type {Moment} */ { row, share }) =>
-    joints.map(({ frame, sign, x, y }) => {
+    joints.map(({ name, frame, sign, x, y }) => {
       const between = (/** @type {{index: number, factor: number}} */ at) => {
         const value = force(row, at);
         return share === 0 ? value : (1 - share) * value + share * force(row + 1, at);
       };
       const [px, py] = framePose(mechanism, frame, places);
-      return { x: px, y: py, z: scene.slabOf(frame)[1], u: sign * between(x), v: sign * between(y) };
+      return { name, x: px, y: py, z: scene.slabOf(frame)[1], u: sign * between(x), v: sign * between(y) };
     });
   return { unit: "N", largest: largestOf(run, size), arrows };
 }
@@ -69,7 +69,7 @@ export function velocityField(scene) {
       };
       const [x, y] = [places.poses[3 * body], places.poses[3 * body + 1]];
       const z = scene.slabOf({ argument: "", body, port: null })[1];
-      return { x, y, z, u: between(6 * body + 3), v: between(6 * body + 4) };
+      return { name: mechanism.bodies[body].name, x, y, z, u: between(6 * body + 3), v: between(6 * body + 4) };
     });
   return { unit: "m/s", largest: largestOf(run, size), arrows };
 }
@@ -92,12 +92,13 @@ function largestOf(run, sizes) {
  * @param {Pen} pen
  * @param {Scene} scene
  * @param {ArrowField} field
- * @param {{places: Places, moment: Moment, projection: Projection, colour: string, factor: number}} how
+ * @param {{places: Places, moment: Moment, projection: Projection, colour: string, factor: number,
+ *   only?: string[] | null}} how `only`: names of those that are drawn
  */
-export function drawArrows(pen, scene, field, { places, moment, projection, colour, factor }) {
+export function drawArrows(pen, scene, field, { places, moment, projection, colour, factor, only = null }) {
   const metres = metresFor(scene, field, factor);
-  for (const { x, y, z, u, v } of field.arrows(places, moment)) {
-    if (!Number.isFinite(x + y + u + v)) continue;
+  for (const { name, x, y, z, u, v } of field.arrows(places, moment)) {
+    if (!Number.isFinite(x + y + u + v) || only?.includes(name) === false) continue;
     const [from, to] = [projection.point(x, y, z), projection.point(x + metres * u, y + metres * v, z)];
     drawArrow(pen, from, to, colour);
   }

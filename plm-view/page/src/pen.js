@@ -1,5 +1,7 @@
 // What draws: on a canvas, or as the text of an SVG file. Both take pixels and give the same picture.
 
+import { darkStyle, LIGHT } from "./palette.js";
+
 /** @import {Area} from "./view.js" */
 
 /** @typedef {{fill?: string | null, stroke?: string | null, width?: number, dash?: number[], opacity?: number}} Paint */
@@ -137,10 +139,12 @@ export class SvgPen {
 
   /** @param {number} width @param {number} height @param {string} background @param {string} title */
   finish(width, height, background, title) {
+    const drawing = `<rect width="${width}" height="${height}" fill="${background}"/>\n${this.parts.join("\n")}`;
+    const style = background === LIGHT.background ? `${darkStyle(drawing)}\n` : "";
     return (
       `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" ` +
       `font-family="${escapeXml(FONT)}" stroke-linejoin="round" stroke-linecap="round">\n<title>${escapeXml(title)}</title>\n` +
-      `<rect width="${width}" height="${height}" fill="${background}"/>\n${this.parts.join("\n")}\n</svg>\n`
+      `${style}${drawing}\n</svg>\n`
     );
   }
 }

@@ -101,6 +101,19 @@ test("a picture has every body, and names in it are escaped", async () => {
   assert.ok(!svg.includes("NaN") && !svg.includes("undefined"));
 });
 
+test("a saved picture has the colours of the dark theme where a reader prefers them", async () => {
+  const app = await appOf(workshop());
+  app.showsForces = true;
+  const svg = pictureSvg(app);
+  const style = svg.match(/<style>@media\(prefers-color-scheme:dark\){(.*)}<\/style>/)?.[1] ?? "";
+  for (const [light, dark] of [[LIGHT.background, DARK.background], [LIGHT.ink, DARK.ink], [LIGHT.force, DARK.force]]) {
+    assert.ok(style.includes(`[fill="${light}"]{fill:${dark}}[stroke="${light}"]{stroke:${dark}}`), `${light}: ${style}`);
+  }
+  assert.ok(!style.includes(LIGHT.velocity), "colours that are not drawn have no rule");
+  app.theme = "dark";
+  assert.ok(!pictureSvg(app).includes("<style>"), "a picture in the dark theme stays dark");
+});
+
 test("a run that faulted shows everything up to the fault, and the fault", async () => {
   const fault = { time: 2, part: "rocker_pin", text: "cannot be assembled" };
   const app = await appOf(workshop({ end: 2, fault }));

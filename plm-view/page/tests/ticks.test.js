@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { LIGHT } from "../src/palette.js";
+import { DARK, LIGHT } from "../src/palette.js";
 import { FONT } from "../src/pen.js";
 import { commonQuantity, powerOfTen, quantityText, shortNumber, timeText, typeset, withUnit } from "../src/text.js";
 import { decadeExtent, decadeTicks, linearExtent, linearTicks } from "../src/ticks.js";
@@ -59,6 +59,7 @@ test("units and names are written as in charts", () => {
 test("charts in the book look as curves in the page", () => {
   for (const [name, expected] of table.look) assert.equal(name === "font" ? FONT : LIGHT[name], expected, name);
   assert.deepEqual(LIGHT.curves, table.curves);
+  assert.deepEqual([DARK.background, DARK.ink, DARK.faint, DARK.grid, ...DARK.curves], table.dark);
 });
 
 test("numbers are short and readable", () => {

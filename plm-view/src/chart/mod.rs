@@ -20,7 +20,7 @@ use crate::error::{Error, write_file};
 use crate::recording::Recording;
 
 pub use axis::Axis;
-pub use draw::{CURVES, FONT, INK, text_width, wrap};
+pub use draw::{CURVES, FONT, INK, dark_style, text_width, wrap};
 pub use series::{Rule, Series};
 
 /// Height of a frame in a row of panels, in pixels.

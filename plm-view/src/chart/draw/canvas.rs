@@ -5,7 +5,7 @@
 
 use std::fmt::{Display, Write as _};
 
-use super::look::{BACKGROUND, FONT};
+use super::look::{BACKGROUND, FONT, dark_style};
 use crate::markup::escape;
 
 /// A place in the picture.
@@ -52,6 +52,7 @@ impl Canvas {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\" font-family=\"{font}\" stroke-linejoin=\"round\" stroke-linecap=\"round\">"
         ));
+        canvas.put(dark_style());
         canvas.put(format_args!("<rect width=\"{width}\" height=\"{height}\" fill=\"{BACKGROUND}\"/>"));
         canvas
     }

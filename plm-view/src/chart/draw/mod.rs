@@ -8,7 +8,7 @@ mod pen;
 mod rule;
 
 use self::canvas::{Anchor, Canvas};
-pub use self::look::{CURVES, FONT, INK};
+pub use self::look::{CURVES, FONT, INK, dark_style};
 use self::panel::Plot;
 use self::pen::{TEXT, lettering};
 pub use self::pen::{text_width, wrap};

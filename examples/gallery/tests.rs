@@ -1,0 +1,68 @@
+//! Every figure of every machine, and the page of the book with its pictures.
+
+use std::fs;
+use std::path::Path;
+
+use crate::book;
+use crate::list::{ARM, MACHINES};
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+#[test]
+fn figures_are_those_that_are_known() {
+    for machine in MACHINES {
+        let sheet = (machine.sheet)().unwrap_or_else(|fault| panic!("{}: {fault}", machine.name));
+        assert!(sheet.holds() && sheet.demo == machine.name, "{sheet}");
+    }
+}
+
+/// `bash docs/gallery.sh` writes it.
+#[test]
+fn the_page_is_what_the_program_writes() {
+    let page = fs::read_to_string(root().join("docs/src/machines.md")).unwrap_or_default();
+    let text = book::text().unwrap_or_else(|fault| panic!("{fault}"));
+    assert!(page == text, "docs/src/machines.md is out of date: `bash docs/gallery.sh` writes it");
+}
+
+/// `bash docs/gallery.sh` makes them.
+#[test]
+fn every_machine_has_its_pictures() {
+    let folder = root().join("docs/src/images/machines");
+    let mut wanted: Vec<String> = Vec::new();
+    for name in MACHINES.iter().map(|machine| machine.name).chain([ARM.name]) {
+        wanted.extend([format!("{name}.webp"), format!("{name}-dark.webp")]);
+    }
+    let sizes = wanted.iter().map(|file| folder.join(file).metadata().map_or(0, |data| data.len()));
+    let missing: Vec<&String> =
+        wanted.iter().zip(sizes.clone()).filter(|(_, size)| *size == 0).map(|(file, _)| file).collect();
+    assert!(missing.is_empty(), "no {missing:?} in {}: `bash docs/gallery.sh` makes them", folder.display());
+    let all: u64 = sizes.sum();
+    assert!(all < 2_500_000, "the moving pictures have {all} bytes");
+    let there = fs::read_dir(&folder).into_iter().flatten().count();
+    assert_eq!(there, wanted.len(), "{} holds pictures of no machine", folder.display());
+}
+
+#[test]
+fn every_machine_is_a_file_to_copy() {
+    let folder = root().join("examples/gallery/machines");
+    let mut files = 0;
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let path = entry.path();
+        let name = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
+        if name == "mod" {
+            continue;
+        }
+        files += 1;
+        assert!(
+            MACHINES.iter().any(|machine| machine.name == name),
+            "examples/gallery/list.rs does not show {name}"
+        );
+        let text = fs::read_to_string(&path).unwrap_or_default();
+        let lines = text.lines().count();
+        assert!(lines < 80, "{} has {lines} lines", path.display());
+        assert!(text.contains("//! Source: "), "{} does not say its source", path.display());
+    }
+    assert_eq!(files, MACHINES.len());
+}

@@ -1,0 +1,53 @@
+//! Command line of a program that has many mechanisms, each under a name and with a sheet of figures.
+
+use std::error::Error;
+use std::process::ExitCode;
+
+use crate::sheet::{Demo, Sheet};
+
+/// The one with this name, whatever the case of the letters.
+///
+/// # Errors
+/// There is none; the message tells all names.
+pub fn find<'a, T>(all: &'a [T], name: impl Fn(&T) -> &'static str, wanted: &str) -> Result<&'a T, String> {
+    let found = all.iter().find(|one| name(one).eq_ignore_ascii_case(wanted));
+    found.ok_or_else(|| {
+        let names: Vec<&str> = all.iter().map(name).collect();
+        format!("nothing is called `{wanted}`; there are {}", names.join(", "))
+    })
+}
+
+/// Prints the sheets with these names, or all where there are none, and a table of what holds.
+///
+/// # Errors
+/// A name that there is not.
+pub fn sheets(all: &[Demo], named: &[String]) -> Result<ExitCode, Box<dyn Error>> {
+    for name in named {
+        find(all, |(name, _)| name, name)?;
+    }
+    let is_wanted =
+        |name: &str| named.is_empty() || named.iter().any(|wanted| wanted.eq_ignore_ascii_case(name));
+    let (mut table, mut all_hold) = (Vec::new(), true);
+    for (name, run) in all.iter().filter(|(name, _)| is_wanted(name)) {
+        match run() {
+            Ok(sheet) => {
+                println!("{sheet}\n");
+                all_hold &= sheet.holds();
+                table.push(row(&sheet));
+            }
+            Err(fault) => {
+                println!("{name}\n  {fault}\n");
+                all_hold = false;
+                table.push(format!("{name:<16} {fault}"));
+            }
+        }
+    }
+    println!("{:<16} {:>15} {:>15}", "demo", "manual figures", "other checks");
+    println!("{}", table.join("\n"));
+    Ok(if all_hold { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn row(sheet: &Sheet) -> String {
+    let [printed, others] = sheet.counts().map(|(held, all)| format!("{held} of {all}"));
+    format!("{:<16} {printed:>15} {others:>15}", sheet.demo)
+}
