@@ -42,6 +42,7 @@ mod catalogue;
 pub mod charts;
 #[doc(hidden)]
 pub mod compact;
+pub mod contact;
 pub mod described;
 pub mod double_double;
 pub mod dual;

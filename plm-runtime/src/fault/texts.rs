@@ -82,6 +82,22 @@ impl fmt::Display for Cause {
                 }
                 Ok(())
             }
+            Self::Impact { tried } => write!(
+                f,
+                "its impact has no solution after {tried} impulses at one time; a smaller coefficient of restitution or of friction"
+            ),
+            Self::NoMode { touching } => write!(
+                f,
+                "no forces of {touching} closed gaps and their friction satisfy all laws: what slides digs in (Painleve's paradox); \
+                 less friction, or a contact that gives way"
+            ),
+            Self::TooManyContacts { touching } => write!(
+                f,
+                "{touching} gaps close at once, with friction: more than are told apart; fewer points of contact"
+            ),
+            Self::Sunk { by } => {
+                write!(f, "the gap begins closed by {by} more than it may; a start that leaves it open")
+            }
             // A number so small would fill lines with zeros.
             Self::Interval { length } if length.abs() < 1e-5 && *length != 0.0 => {
                 write!(f, "an interval of {length:e} s cannot be integrated")
