@@ -37,7 +37,8 @@ impl Allowed {
             Self::Only(Mode::Forwards) => &[Mode::Forwards],
             Self::Only(Mode::Backwards) => &[Mode::Backwards],
             Self::Touching => &[Mode::Closed, Mode::Open],
-            Self::Resting => &[Mode::Sticks, Mode::Forwards, Mode::Backwards],
+            // Held by others, it can have no force of its own.
+            Self::Resting => &[Mode::Sticks, Mode::Off, Mode::Forwards, Mode::Backwards],
         }
     }
 }
@@ -50,6 +51,8 @@ pub(super) struct Solution<S, const N: usize> {
     pub(super) carried: [bool; N],
     pub(super) lambda: [S; N],
     pub(super) determinant: S,
+    /// How far the rows that hold are from their limits, as a share of the terms of their forces.
+    pub(super) slack: S,
     /// Accelerations of all rows.
     pub(super) acceleration: [S; N],
 }
@@ -57,7 +60,8 @@ pub(super) struct Solution<S, const N: usize> {
 /// What the enumeration has found.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Found<S, const N: usize> {
-    /// The solution in which most rows rest, and whether there are others with other accelerations.
+    /// The solution in which most rows rest, of those the one that is farthest from its limits; and whether there are others with
+    /// other accelerations.
     Modes(Solution<S, N>, bool),
     /// No combination satisfies all inequalities.
     Nothing,
@@ -65,15 +69,32 @@ pub(super) enum Found<S, const N: usize> {
     TooMany,
 }
 
-/// The inequalities of a combination that are marginal; true where the rate of the margin is to decide.
-pub(super) type Marginal<const N: usize> = [bool; N];
+/// The inequalities of a combination.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Margins<S, const N: usize> {
+    /// Each is not to be negative: forces, distances from limits, accelerations.
+    pub(super) value: [S; N],
+    /// The size of the terms that it is the sum of; none where a row has no inequality.
+    pub(super) size: [Option<S>; N],
+}
 
-/// Tries all combinations. Those with marginal inequalities are shown to `decides`, which may refuse them.
+impl<S: Real, const N: usize> Margins<S, N> {
+    /// None is negative but for rounding.
+    pub(super) fn are_met(&self) -> bool {
+        // False for what is not a number.
+        let is_met =
+            |(value, size): (&S, &Option<S>)| size.is_none_or(|size| *value >= -(S::lit(MARGINAL) * size));
+        self.value.iter().zip(&self.size).all(is_met)
+    }
+}
+
+/// Tries all combinations. `admits` says of each whether its inequalities are met.
 pub(super) fn enumerate<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     allowed: &[Allowed; N],
-    mut decides: impl FnMut(&Solution<S, N>, &Marginal<N>) -> bool,
+    mut admits: impl FnMut(&Solution<S, N>, &Margins<S, N>) -> bool,
 ) -> Found<S, N> {
+    let allowed = &near(rows, allowed);
     let count = allowed.iter().fold(1_u32, |count, row| count.saturating_mul(row.modes().len() as u32));
     if count > MOST_CANDIDATES {
         return Found::TooMany;
@@ -82,8 +103,8 @@ pub(super) fn enumerate<S: Real, const N: usize>(
     let mut is_ambiguous = false;
     for number in 0..count {
         let Some(modes) = combination(rows, allowed, number) else { continue };
-        let Some((solution, marginal)) = solve(rows, allowed, modes) else { continue };
-        if marginal.contains(&true) && !decides(&solution, &marginal) {
+        let Some((solution, margins)) = solve(rows, allowed, modes) else { continue };
+        if !admits(&solution, &margins) {
             continue;
         }
         let moving = moving(allowed, &solution);
@@ -91,13 +112,28 @@ pub(super) fn enumerate<S: Real, const N: usize>(
             None => best = Some((solution, moving)),
             Some((known, least)) => {
                 is_ambiguous |= !is_same_motion(rows, known, &solution);
-                if moving < *least {
+                let is_better = moving == *least && solution.slack > known.slack;
+                if moving < *least || is_better {
                     best = Some((solution, moving));
                 }
             }
         }
     }
     best.map_or(Found::Nothing, |(solution, _)| Found::Modes(solution, is_ambiguous))
+}
+
+/// Frictions of gaps that are open have one mode: what is far costs nothing.
+fn near<S: Real, const N: usize>(rows: &Rows<S, N>, allowed: &[Allowed; N]) -> [Allowed; N] {
+    let most_closed = core::array::from_fn(|i| match allowed[i] {
+        Allowed::Only(mode) => mode,
+        Allowed::Touching => Mode::Closed,
+        Allowed::Resting => Mode::Sticks,
+    });
+    core::array::from_fn(|i| {
+        let is_friction =
+            matches!(allowed[i], Allowed::Resting | Allowed::Only(Mode::Forwards | Mode::Backwards));
+        if is_friction && is_off(rows, &most_closed, i) { Allowed::Only(Mode::Off) } else { allowed[i] }
+    })
 }
 
 /// The combination with this number; none if it repeats another one: a friction without normal force has one mode.
@@ -137,45 +173,45 @@ pub(super) fn is_off<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; 
     })
 }
 
-/// Multipliers and accelerations of a combination that satisfies all inequalities, and which are marginal.
+/// Multipliers and accelerations of a combination, and its inequalities.
 fn solve<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     allowed: &[Allowed; N],
     modes: [Mode; N],
-) -> Option<(Solution<S, N>, Marginal<N>)> {
+) -> Option<(Solution<S, N>, Margins<S, N>)> {
     let found = multipliers(rows, &modes)?;
     let lambda = found.lambda;
     let acceleration = core::array::from_fn(|i| rows.acceleration(i, &lambda));
-    let determinant = found.determinant;
-    let mut solution = Solution { modes, carried: [false; N], lambda, determinant, acceleration };
-    let mut marginal = [false; N];
+    let (determinant, slack, carried) = (found.determinant, S::lit(1.0), [false; N]);
+    let mut solution = Solution { modes, carried, lambda, determinant, slack, acceleration };
+    let mut margins = Margins { value: [S::ZERO; N], size: [None; N] };
     for (i, mode) in modes.iter().enumerate() {
-        let tolerance = S::lit(MARGINAL) * size(rows, i, &lambda);
-        let force = if rows.delassus[i][i] > S::ZERO { tolerance / rows.delassus[i][i] } else { tolerance };
         let rests = matches!(allowed[i], Allowed::Touching | Allowed::Resting);
-        let (margin, tolerance) = match mode {
-            Mode::Open if rests => (acceleration[i], tolerance),
-            Mode::Closed => (lambda[i], force),
+        let (terms, inverse) = (size(rows, i, &lambda), S::lit(1.0) / rows.delassus[i][i]);
+        let (value, size) = match mode {
+            Mode::Closed => (lambda[i], terms * inverse),
             Mode::Sticks => {
                 let [lower, upper] = stick(rows, i, &lambda);
-                (lower.min(upper), force)
+                (lower.min(upper), terms * inverse)
             }
-            Mode::Forwards | Mode::Backwards if rests => (mode.sign::<S>() * acceleration[i], tolerance),
-            _ => continue,
+            _ if !rests => continue,
+            _ => (acceleration[i], terms),
         };
-        // False for what is not a number.
-        let is_met = margin >= -tolerance;
-        if !is_met {
-            return None;
-        }
-        let is_marginal = margin <= tolerance;
-        if is_marginal && !mode.holds() && depends(rows, &modes, i) {
+        if mode.holds() {
+            solution.slack = solution.slack.min(value / size);
+        } else if value.abs() <= S::lit(MARGINAL) * size && depends(rows, &modes, i) {
             solution.carried[i] = true;
-        } else {
-            marginal[i] = is_marginal;
+            continue;
         }
+        match mode {
+            Mode::Off if !is_off(rows, &modes, i) => return None,
+            Mode::Off => continue,
+            Mode::Backwards => margins.value[i] = -value,
+            _ => margins.value[i] = value,
+        }
+        margins.size[i] = Some(size);
     }
-    Some((solution, marginal))
+    Some((solution, margins))
 }
 
 /// The size of the terms of an acceleration.

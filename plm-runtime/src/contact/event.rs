@@ -5,7 +5,7 @@
 //! 3. The next modes by enumeration. A marginal inequality is decided by its rate along the candidate.
 //! 4. Rows that hold have no rate any more; a friction that sticks remembers its place.
 
-use super::candidates::{Allowed, Found, Marginal, Solution, enumerate};
+use super::candidates::{Allowed, Found, MARGINAL, Margins, Solution, enumerate};
 use super::impact::{ImpactLaw, Impulses, impulses};
 use super::margins::{PER_ROW, margins, stick};
 use super::modes::{Mode, Modes};
@@ -30,6 +30,8 @@ const RATE_ULPS: f64 = 64.0;
 const MOST_IMPACTS: u32 = 30;
 /// Impacts of pairs one after the other, at most.
 const MOST_PAIRS: u32 = 1000;
+/// A margin that is zero within this time is zero, s: times of events are known so well.
+const AT_ONCE: f64 = 1e-10;
 /// The rate of a margin is none below this fraction of its terms.
 const NO_RATE: f64 = 1e-9;
 
@@ -91,8 +93,8 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let impacts = self.impacts(&laws, u, x)?;
         let rows = rows_at(self.system, self.t, u, x);
         let allowed = self.allowed(&laws, &rows, u);
-        let (solution, is_ambiguous) = match enumerate(&rows, &allowed, |solution, marginal| {
-            self.goes_on(u, x, solution, marginal)
+        let (solution, is_ambiguous) = match enumerate(&rows, &allowed, |solution, margins| {
+            self.admits(u, x, solution, margins)
         }) {
             Found::Modes(solution, is_ambiguous) => (solution, is_ambiguous),
             Found::Nothing => {
@@ -160,8 +162,8 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         })
     }
 
-    /// Does a combination with marginal inequalities go on from here: does no such margin fall?
-    fn goes_on(&self, u: &M::U, x: &M::X, solution: &Solution<M::S, N>, marginal: &Marginal<N>) -> bool {
+    /// Are the inequalities of a combination met, those that are marginal also from here on?
+    fn admits(&self, u: &M::U, x: &M::X, solution: &Solution<M::S, N>, margins: &Margins<M::S, N>) -> bool {
         let mut held = *u;
         let modes = M::modes_mut(&mut held);
         (modes.of, modes.carried) = (solution.modes, solution.carried);
@@ -172,7 +174,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let rows: Rows<Dual<M::S, 1>, N> = self
             .system
             .rows(Dual::variable(self.t, 0), &held, &|i| Dual { value: x.at(i), tangents: [motion.at(i)] });
-        falling(&rows, solution, marginal)
+        go_on(&rows, solution, margins)
     }
 
     fn closed(&self) -> M::S {
@@ -224,31 +226,30 @@ fn touching<const N: usize>(allowed: &[Allowed; N]) -> usize {
     allowed.iter().filter(|row| **row == Allowed::Touching).count()
 }
 
-/// True if no marginal margin falls.
-fn falling<S: Real, const N: usize>(
+/// True if every margin is positive, or zero and not falling.
+fn go_on<S: Real, const N: usize>(
     rows: &Rows<Dual<S, 1>, N>,
     solution: &Solution<S, N>,
-    marginal: &Marginal<N>,
+    margins: &Margins<S, N>,
 ) -> bool {
     let Some(found) = multipliers(rows, &solution.modes) else { return false };
     let lambda = found.lambda;
-    (0..N).filter(|i| marginal[*i]).all(|i| {
+    (0..N).all(|i| {
+        let (value, Some(terms)) = (margins.value[i], margins.size[i]) else { return true };
         let acceleration = rows.acceleration(i, &lambda);
-        let mode = solution.modes[i];
-        let (slope, size) = match mode {
-            Mode::Open => (acceleration.tangents[0], size(rows, i, &lambda)),
-            Mode::Closed => (lambda[i].tangents[0], size(rows, i, &lambda) / rows.delassus[i][i].value),
+        let (margin, size) = match solution.modes[i] {
+            Mode::Closed => (lambda[i], size(rows, i, &lambda) / rows.delassus[i][i].value),
             Mode::Sticks => {
                 let [lower, upper] = stick(rows, i, &lambda);
                 let nearer = if lower.value < upper.value { lower } else { upper };
-                (nearer.tangents[0], size(rows, i, &lambda) / rows.delassus[i][i].value)
+                (nearer, size(rows, i, &lambda) / rows.delassus[i][i].value)
             }
-            Mode::Forwards | Mode::Backwards => {
-                (mode.sign::<S>() * acceleration.tangents[0], size(rows, i, &lambda))
-            }
-            Mode::Off => return true,
+            Mode::Backwards => (-acceleration, size(rows, i, &lambda)),
+            _ => (acceleration, size(rows, i, &lambda)),
         };
-        slope >= -S::lit(NO_RATE) * size
+        let slope = margin.tangents[0];
+        let none = (S::lit(MARGINAL) * terms).max(S::lit(AT_ONCE) * slope.abs());
+        value > none || value >= -none && slope >= -S::lit(NO_RATE) * size
     })
 }
 

@@ -28,6 +28,9 @@ use crate::scalar::{Real, Scalar};
 use crate::system::{Health, Rate};
 use crate::vector::Vector;
 
+/// Free accelerations and those of contact forces balance within so many roundings.
+const BALANCE_ULPS: f64 = 32.0;
+
 /// A system with `N` contact rows.
 pub trait Contacts<const N: usize>: Rate<S: Real> {
     /// What a row says.
@@ -86,9 +89,27 @@ pub fn rate<M: Contacts<N>, const N: usize>(
     dx: &mut M::X,
 ) -> Health<M::S> {
     let health = system.free_rate(t, u, x, dx);
-    let response = system.response(t, u, x, &reactions(system, t, u, x));
-    dx.add([(M::S::lit(1.0), &response)]);
+    let response = system.response(t, u, x, &without_noise(system, t, u, x));
+    *dx = dx.map2(&response, balanced);
     health
+}
+
+/// The multipliers, without those that are rounding of the others: lambda_i sqrt(D_ii) has the same unit in every row.
+fn without_noise<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &M::X) -> [M::S; N] {
+    let rows = rows_at(system, t, u, x);
+    let Some(found) = multipliers::multipliers(&rows, &M::modes(u).of) else {
+        return [M::S::ZERO / M::S::ZERO; N];
+    };
+    let sizes: [M::S; N] = core::array::from_fn(|i| found.lambda[i].abs() * rows.delassus[i][i].sqrt());
+    let least = sizes.iter().fold(M::S::ZERO, |largest, size| largest.max(*size));
+    let least = M::S::lit(BALANCE_ULPS) * M::S::EPSILON * least;
+    core::array::from_fn(|i| if sizes[i] <= least { M::S::ZERO } else { found.lambda[i] })
+}
+
+/// The sum of two accelerations; zero where they balance but for rounding, so that what is held stays where it is.
+fn balanced<S: Real>(free: S, response: S) -> S {
+    let sum = free + response;
+    if sum.abs() <= S::lit(BALANCE_ULPS) * S::EPSILON * response.abs() { S::ZERO } else { sum }
 }
 
 /// Guards over an interval, for [`Events::guards_within`](crate::Events::guards_within).

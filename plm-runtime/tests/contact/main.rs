@@ -3,4 +3,5 @@
 mod bodies;
 mod friction;
 mod impacts;
+mod laws;
 mod support;

@@ -136,7 +136,15 @@ macro_rules! system {
             }
         }
 
-        impl plm_runtime::Constraints for $scene {}
+        impl plm_runtime::Constraints for $scene {
+            fn project(&self, t: f64, u: &Self::U, x: &mut Self::X) -> Result<(), plm_runtime::Fault> {
+                plm_runtime::contact::project::<Self, $n>(self, t, u, x);
+                Ok(())
+            }
+            fn drift(&self, t: f64, u: &Self::U, x: &Self::X) -> plm_runtime::Drift<f64> {
+                plm_runtime::contact::drift::<Self, $n>(self, t, u, x)
+            }
+        }
 
         impl plm_runtime::Events for $scene {
             type G = [f64; plm_runtime::contact::guard_count($n)];
