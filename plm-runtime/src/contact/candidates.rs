@@ -148,7 +148,7 @@ fn combination<S: Real, const N: usize>(
         let choices = row.modes();
         let count = choices.len() as u32;
         modes[i] = choices[(number % count) as usize];
-        first[i] = number % count == 0;
+        first[i] = number.is_multiple_of(count);
         number /= count;
     }
     let chosen = modes;

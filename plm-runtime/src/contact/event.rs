@@ -16,6 +16,7 @@ use super::{Contacts, moved, rows_at};
 use crate::dual::Dual;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
+use crate::system::Events;
 use crate::vector::Vector;
 
 /// A gap below this fraction of the length of the mechanism is closed.
@@ -24,8 +25,8 @@ const CLOSED: f64 = 1e-9;
 const LOWEST_FLIGHT: f64 = 1000.0;
 /// A slip is none below this fraction of the speed that the free acceleration gives over the length of the mechanism.
 const NO_SLIP: f64 = 1e-10;
-/// Roundings of the largest rate.
-const RATE_ULPS: f64 = 64.0;
+/// A rate of so many roundings of the largest one, before the impacts of the event, is none.
+const RATE_ULPS: f64 = 4096.0;
 /// Impacts one after the other, at most.
 const MOST_IMPACTS: u32 = 30;
 /// Impacts of pairs one after the other, at most.
@@ -90,9 +91,11 @@ struct Event<'a, M: Contacts<N>, const N: usize> {
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     fn commit(&self, u: &mut M::U, x: &mut M::X) -> Result<Outcome, Fault> {
         let laws = core::array::from_fn(|row| self.system.law(row));
-        let impacts = self.impacts(&laws, u, x)?;
+        // Before the impacts, behind which rates may be rounding alone.
+        let none = rounding(&rows_at(self.system, self.t, u, x));
+        let impacts = self.impacts(&laws, none, u, x)?;
         let rows = rows_at(self.system, self.t, u, x);
-        let allowed = self.allowed(&laws, &rows, u);
+        let allowed = self.allowed(&laws, none, &rows, u);
         let (solution, is_ambiguous) = match enumerate(&rows, &allowed, |solution, margins| {
             self.admits(u, x, solution, margins)
         }) {
@@ -114,7 +117,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     }
 
     /// Impacts of all rows that touch, until none approaches.
-    fn impacts(&self, laws: &[Law<M::S>; N], u: &M::U, x: &mut M::X) -> Result<u32, Fault> {
+    fn impacts(&self, laws: &[Law<M::S>; N], none: M::S, u: &M::U, x: &mut M::X) -> Result<u32, Fault> {
         let law = self.system.impact_law();
         let most = if law == ImpactLaw::Sequential { MOST_PAIRS } else { MOST_IMPACTS };
         let mut count = 0;
@@ -122,7 +125,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             let rows = rows_at(self.system, self.t, u, x);
             let touches = self.touches(laws, &rows, u);
             let approaches = |i: &usize| {
-                touches[*i] && laws[*i].is_unilateral() && rows.rate[*i] < -self.resting(&rows, *i)
+                touches[*i] && laws[*i].is_unilateral() && rows.rate[*i] < -self.resting(&rows, *i).max(none)
             };
             let Some(row) = (0..N).find(approaches) else { return Ok(count) };
             if count >= most {
@@ -146,14 +149,14 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     }
 
     /// The modes that each row may have, by its gap and its rate.
-    fn allowed(&self, laws: &[Law<M::S>; N], rows: &Rows<M::S, N>, u: &M::U) -> [Allowed; N] {
+    fn allowed(&self, laws: &[Law<M::S>; N], none: M::S, rows: &Rows<M::S, N>, u: &M::U) -> [Allowed; N] {
         let touches = self.touches(laws, rows, u);
         core::array::from_fn(|i| {
             if laws[i].is_unilateral() {
-                let rests = touches[i] && rows.rate[i] <= self.resting(rows, i);
+                let rests = touches[i] && rows.rate[i] <= self.resting(rows, i).max(none);
                 return if rests { Allowed::Touching } else { Allowed::Only(Mode::Open) };
             }
-            let none = self.no_slip(rows, u);
+            let none = none.max(self.no_slip(rows, u));
             match rows.rate[i] {
                 slip if slip > none => Allowed::Only(Mode::Forwards),
                 slip if slip < -none => Allowed::Only(Mode::Backwards),
@@ -184,18 +187,17 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     /// Slower than this a row rests: its flight would be lower than rounding.
     fn resting(&self, rows: &Rows<M::S, N>, row: usize) -> M::S {
         let height = M::S::lit(LOWEST_FLIGHT) * M::S::EPSILON * self.system.length();
-        let slow = (M::S::lit(2.0) * rows.free[row].abs() * height).sqrt();
-        slow.max(rounding(rows))
+        (M::S::lit(2.0) * rows.free[row].abs() * height).sqrt()
     }
 
     /// Slower than this a friction does not slip.
     fn no_slip(&self, rows: &Rows<M::S, N>, u: &M::U) -> M::S {
-        let speed = (self.acceleration(rows, u) * self.system.length()).sqrt();
-        (M::S::lit(NO_SLIP) * speed).max(rounding(rows))
+        let speed = (Self::acceleration(rows, u) * self.system.length()).sqrt();
+        M::S::lit(NO_SLIP) * speed
     }
 
     /// The largest term of an acceleration of the rows, with the forces of the modes until now.
-    fn acceleration(&self, rows: &Rows<M::S, N>, u: &M::U) -> M::S {
+    fn acceleration(rows: &Rows<M::S, N>, u: &M::U) -> M::S {
         let lambda = multipliers(rows, &M::modes(u).of).map_or([M::S::ZERO; N], |found| found.lambda);
         (0..N).fold(M::S::ZERO, |largest, i| {
             let terms = rows.delassus[i].iter().zip(&lambda);
@@ -262,11 +264,14 @@ fn size<S: Real, const N: usize>(rows: &Rows<Dual<S, 1>, N>, row: usize, lambda:
     terms.fold(rows.free[row].value.abs() + rows.free[row].tangents[0].abs(), moved)
 }
 
-/// Guards of the rows in the modes held, for [`Events::guards`](crate::Events::guards).
-pub fn guards<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &M::X, g: &mut M::G)
-where
-    M: crate::system::Events,
-{
+/// Guards of the rows in the modes held, for [`Events::guards`].
+pub fn guards<M: Contacts<N> + Events, const N: usize>(
+    system: &M,
+    t: M::S,
+    u: &M::U,
+    x: &M::X,
+    g: &mut M::G,
+) {
     let (rows, modes) = (rows_at(system, t, u, x), M::modes(u));
     if !margins(&rows, (modes, modes.orientation), &mut |i, margin| g.set(i, margin)) {
         g.set(PER_ROW * N, M::S::lit(-1.0));

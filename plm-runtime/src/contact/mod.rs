@@ -75,9 +75,13 @@ pub fn rows_at<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x:
 
 /// The multipliers at a state in the modes held: pushes and frictions, N or N m. Not a number where they are not unique.
 pub fn reactions<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &M::X) -> [M::S; N] {
-    let rows = rows_at(system, t, u, x);
-    let found = multipliers::multipliers(&rows, &M::modes(u).of);
-    found.map_or([M::S::ZERO / M::S::ZERO; N], |found| found.lambda)
+    lambda_of(&rows_at(system, t, u, x), M::modes(u))
+}
+
+/// The multipliers in the modes held; not a number where they are not unique.
+fn lambda_of<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &Modes<S, N>) -> [S; N] {
+    let found = multipliers::multipliers(rows, &modes.of);
+    found.map_or([S::lit(f64::NAN); N], |found| found.lambda)
 }
 
 /// The rate with the contact forces of the modes held, for [`Rate::rate`].
@@ -97,13 +101,11 @@ pub fn rate<M: Contacts<N>, const N: usize>(
 /// The multipliers, without those that are rounding of the others: lambda_i sqrt(D_ii) has the same unit in every row.
 fn without_noise<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &M::X) -> [M::S; N] {
     let rows = rows_at(system, t, u, x);
-    let Some(found) = multipliers::multipliers(&rows, &M::modes(u).of) else {
-        return [M::S::ZERO / M::S::ZERO; N];
-    };
-    let sizes: [M::S; N] = core::array::from_fn(|i| found.lambda[i].abs() * rows.delassus[i][i].sqrt());
+    let lambda = lambda_of(&rows, M::modes(u));
+    let sizes: [M::S; N] = core::array::from_fn(|i| lambda[i].abs() * rows.delassus[i][i].sqrt());
     let least = sizes.iter().fold(M::S::ZERO, |largest, size| largest.max(*size));
     let least = M::S::lit(BALANCE_ULPS) * M::S::EPSILON * least;
-    core::array::from_fn(|i| if sizes[i] <= least { M::S::ZERO } else { found.lambda[i] })
+    core::array::from_fn(|i| if sizes[i] <= least { M::S::ZERO } else { lambda[i] })
 }
 
 /// The sum of two accelerations; zero where they balance but for rounding, so that what is held stays where it is.

@@ -252,18 +252,18 @@ impl Wheel {
 /// Case C25, with an inertia: omega+ = k omega-, k = (I + cos 2a)/(I + 1). The deviation from its limit falls by k^2 a step.
 #[test]
 fn a_rimless_wheel_walks() {
-    for inertia in [1e-5, 0.1, 0.5] {
+    let massless = (2.0 * SPOKE).cos();
+    let limit = massless * (4.0 * GRAVITY * SPOKE.sin() * SLOPE.sin() / (1.0 - massless * massless)).sqrt();
+    assert!((limit - 1.095_462_839_647_657).abs() < 1e-12, "{limit}");
+    for inertia in [0.1, 0.5] {
         let k = (inertia + (2.0 * SPOKE).cos()) / (inertia + 1.0);
         let gain = 4.0 * GRAVITY * SPOKE.sin() * SLOPE.sin() / (1.0 + inertia);
         let limit = k * (gain / (1.0 - k * k)).sqrt();
-        if inertia < 1e-4 {
-            assert!((limit - 1.095_462_839_647_657).abs() < 1e-4, "{limit}");
-        }
         let mut expected = 1.1 * limit;
         let mut sim = Wheel { inertia, spin: expected }.start_with(Dop853::new(1e-12)).unwrap();
         let mut stands = sim.held.of;
-        for _ in 0..500 {
-            sim.step(0.02).unwrap();
+        for _ in 0..100 {
+            sim.step(0.05).unwrap();
             if sim.held.of != stands {
                 stands = sim.held.of;
                 expected = k * (expected * expected + gain).sqrt();
@@ -271,6 +271,6 @@ fn a_rimless_wheel_walks() {
             let found = sim.mechanism.behind_impact(sim.held.of, sim.x);
             assert!((found - expected).abs() < 1e-9, "{inertia} after {} s: {found} {expected}", sim.time);
         }
-        assert!((expected - limit).abs() < 1e-3 * limit);
+        assert!((expected - limit).abs() < 0.01 * limit, "{:?}", sim.stats());
     }
 }

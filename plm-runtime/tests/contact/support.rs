@@ -50,8 +50,10 @@ pub(crate) fn rows<T: Scalar, C: Scene<NQ, N>, const NQ: usize, const N: usize>(
     t: T,
     x: &impl Fn(usize) -> T,
 ) -> Rows<T, N> {
-    let (q, v): ([T; NQ], [T; NQ]) = (core::array::from_fn(|i| x(i)), core::array::from_fn(|i| x(NQ + i)));
+    let (q, v): ([T; NQ], [T; NQ]) = (core::array::from_fn(x), core::array::from_fn(|i| x(NQ + i)));
     let (free, inverse, contact) = (scene.free(t, q, v), scene.inverse_mass(q), scene.contact(t, q, v));
+    let moved: [[T; NQ]; N] =
+        core::array::from_fn(|j| core::array::from_fn(|k| dot(&inverse[k], &contact[j].direction)));
     let mut rows = Rows::none();
     for i in 0..N {
         let row = &contact[i];
@@ -59,8 +61,7 @@ pub(crate) fn rows<T: Scalar, C: Scene<NQ, N>, const NQ: usize, const N: usize>(
         rows.rate[i] = dot(&row.direction, &v) + row.drive;
         rows.free[i] = dot(&row.direction, &free) + row.rest;
         for j in 0..N {
-            let moved: [T; NQ] = core::array::from_fn(|k| dot(&inverse[k], &contact[j].direction));
-            rows.delassus[i][j] = dot(&row.direction, &moved);
+            rows.delassus[i][j] = dot(&row.direction, &moved[j]);
         }
     }
     scene.friction(t, q, v, &mut rows);
@@ -73,8 +74,7 @@ pub(crate) fn response<C: Scene<NQ, N>, const NQ: usize, const N: usize>(
     x: &impl Fn(usize) -> f64,
     lambda: &[f64; N],
 ) -> [f64; NQ] {
-    let (q, v): ([f64; NQ], [f64; NQ]) =
-        (core::array::from_fn(|i| x(i)), core::array::from_fn(|i| x(NQ + i)));
+    let (q, v): ([f64; NQ], [f64; NQ]) = (core::array::from_fn(x), core::array::from_fn(|i| x(NQ + i)));
     let (inverse, contact) = (scene.inverse_mass(q), scene.contact(t, q, v));
     let force: [f64; NQ] =
         core::array::from_fn(|k| (0..N).fold(0.0, |sum, i| sum + contact[i].direction[k] * lambda[i]));
