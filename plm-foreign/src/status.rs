@@ -128,9 +128,14 @@ impl From<&Fault> for Status {
             | Cause::Undecided { .. }
             | Cause::Singular { .. } => Self::Pose,
             Cause::Required | Cause::NotMet { .. } => Self::Required,
-            Cause::Zeno { .. } | Cause::Jump { .. } | Cause::Pole { .. } | Cause::Domain { .. } => {
-                Self::Switching
-            }
+            Cause::Zeno { .. }
+            | Cause::Jump { .. }
+            | Cause::Pole { .. }
+            | Cause::Domain { .. }
+            | Cause::Impact { .. }
+            | Cause::NoMode { .. }
+            | Cause::TooManyContacts { .. } => Self::Switching,
+            Cause::Sunk { .. } => Self::Pose,
             Cause::StepTooSmall { .. }
             | Cause::TimeTooCoarse { .. }
             | Cause::StepTooLong { .. }

@@ -151,6 +151,26 @@ pub enum Cause {
         /// The conditions that took part, as they were written.
         conditions: Names,
     },
+    /// Impacts have no end, or no impulses satisfy their law. The part is a row that approaches.
+    Impact {
+        /// Impacts that were tried at this time.
+        tried: u32,
+    },
+    /// No forces of contact and friction satisfy all their laws: a body that slides digs in (Painleve). The part is a row that touches.
+    NoMode {
+        /// Rows that touch.
+        touching: usize,
+    },
+    /// More rows of contact and friction begin to rest at once than are told apart.
+    TooManyContacts {
+        /// Gaps that are closed.
+        touching: usize,
+    },
+    /// A gap is negative where the run begins.
+    Sunk {
+        /// By how much, m or rad.
+        by: f64,
+    },
     /// An interval ends before it begins, or is not a number.
     Interval {
         /// Its length, s.

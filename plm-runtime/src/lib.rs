@@ -10,6 +10,7 @@
 //! | [`system`], [`mechanism`], [`start`] | what generated code provides |
 //! | [`fault`] | errors as values that name the time and the part |
 //! | [`events`] | event detection, and events that reset the state |
+//! | [`contact`] | friction and unilateral contact: modes, impacts, the next modes |
 //! | [`method`] | explicit, symplectic and stiff one-step methods |
 //! | [`protocol`] | one step: proposed, judged, committed |
 //! | [`sim`] | a running simulation |
@@ -42,6 +43,7 @@ mod catalogue;
 pub mod charts;
 #[doc(hidden)]
 pub mod compact;
+pub mod contact;
 pub mod described;
 pub mod double_double;
 pub mod dual;

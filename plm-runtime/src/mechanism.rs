@@ -155,8 +155,7 @@ pub trait Mechanism: System<S: Real> + Copy {
     /// How far the joints are open at a state. With joint coordinates they cannot drift, so that
     /// [`Constraints::drift`](crate::Constraints::drift) has nothing to look at in a step; they are open all the same where parameters were changed.
     fn opening(&self, t: Self::S, held: &Self::U, x: &Self::X) -> Drift<Self::S> {
-        let _ = held;
-        self.drift(t, x)
+        self.drift(t, held, x)
     }
 
     /// Assembles the mechanism at time zero and makes it ready to run with Dormand-Prince 8(5,3).

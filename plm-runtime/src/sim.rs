@@ -135,9 +135,8 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// When the projection does not converge, or a parameter has been changed to what cannot be.
     pub fn project(&mut self) -> Result<(), Fault> {
         self.take_changes()?;
-        let (time, mut x) = (self.state.time(), *self.state.x());
-        self.state.mechanism().project(time, &mut x)?;
-        let held = self.state.held();
+        let (time, held, mut x) = (self.state.time(), self.state.held(), *self.state.x());
+        self.state.mechanism().project(time, &held, &mut x)?;
         self.state.set(time, &held, &x);
         self.stats.projected += 1;
         self.forget();

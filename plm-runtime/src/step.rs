@@ -67,7 +67,7 @@ where
 fn is_uneventful<M: Pack>(step: &Step<'_, M>) -> bool {
     let &Step { system, held, from: (start, _), to: (end, x), .. } = step;
     system.is_calm(end, held, x)
-        && !drift_check().fails(system, end, x)
+        && !drift_check().fails((system, held), end, x)
         && matches!(M::Rescue::nearness(step, Length::Alone), Nearness::Regular)
         && events::are_satisfied(system, end, held, x)
         && is_before_instants(system, held, (start, end))
@@ -93,8 +93,8 @@ fn arrive<M: Mechanism>(
     (health, before): (M::S, (M::S, M::X)),
     (end, mut x): (M::S, M::X),
 ) -> Result<M::X, Fault> {
-    if drift_check().fails(system, end, &x) {
-        system.project(end, &mut x)?;
+    if drift_check().fails((system, &*held), end, &x) {
+        system.project(end, held, &mut x)?;
     }
     let rules = Rules { length: Length::Alone, drift: DriftCheck::Skip, limits: Limits::NONE };
     let mut after = *held;

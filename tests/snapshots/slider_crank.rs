@@ -356,11 +356,11 @@ mod plm_slider_crank_ {
                 Ok(rt::Updated { turned, ..Default::default() })
             }
 
-            fn project(&self, t: S, x: &mut [S; 18]) -> Result<(), Fault> {
+            fn project(&self, t: S, _u: &Self::U, x: &mut [S; 18]) -> Result<(), Fault> {
                 absolute::project_state::<S, Self, NQ, NC, 18>(self, t, x)
             }
 
-            fn drift(&self, t: S, x: &[S; 18]) -> rt::Drift<S> {
+            fn drift(&self, t: S, _u: &Self::U, x: &[S; 18]) -> rt::Drift<S> {
                 absolute::drift::<S, Self, NQ, NC, 18>(self, t, x)
             }
 

@@ -151,7 +151,7 @@ impl<M: Exchanged> Instance<M> {
         let sim = self.object.sim()?;
         let state = sim.state();
         let (mechanism, time) = (state.mechanism(), state.time());
-        let (drift, limit) = (mechanism.drift(time, &x), sim.method().drift_limit(mechanism));
+        let (drift, limit) = (mechanism.drift(time, &held, &x), sim.method().drift_limit(mechanism));
         let mut left_over = self.left_over;
         left_over.forget(mechanism, time, &held, &x);
         if moved || drift.phi > limit.phi || drift.phi_dot > limit.phi_dot || differs(&x, state.x()) {

@@ -42,7 +42,7 @@ impl<M: Runnable> Run<M> {
             closed::<M>(state, &x)?
         } else {
             let mut x = x;
-            state.mechanism().project(time, &mut x)?;
+            state.mechanism().project(time, &held, &mut x)?;
             (held, x)
         };
         self.put(held, x)

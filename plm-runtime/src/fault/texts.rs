@@ -82,6 +82,9 @@ impl fmt::Display for Cause {
                 }
                 Ok(())
             }
+            Self::Impact { .. } | Self::NoMode { .. } | Self::TooManyContacts { .. } | Self::Sunk { .. } => {
+                contact(f, self)
+            }
             // A number so small would fill lines with zeros.
             Self::Interval { length } if length.abs() < 1e-5 && *length != 0.0 => {
                 write!(f, "an interval of {length:e} s cannot be integrated")
@@ -149,6 +152,29 @@ fn jump(f: &mut fmt::Formatter<'_>, by: f64, unit: &str, speed: bool) -> fmt::Re
 }
 
 /// Which of the two residuals it is, and what to do.
+/// What contact and friction have no answer to.
+fn contact(f: &mut fmt::Formatter<'_>, cause: &Cause) -> fmt::Result {
+    match cause {
+        Cause::Impact { tried } => write!(
+            f,
+            "its impact has no solution after {tried} impulses at one time; a smaller coefficient of restitution or of friction"
+        ),
+        Cause::NoMode { touching } => write!(
+            f,
+            "no forces of {touching} closed gaps and their friction satisfy all laws: what slides digs in (Painleve's paradox); less \
+             friction, or a contact that gives way"
+        ),
+        Cause::TooManyContacts { touching } => write!(
+            f,
+            "{touching} gaps close at once, with friction: more than are told apart; fewer points of contact"
+        ),
+        Cause::Sunk { by } => {
+            write!(f, "the gap is negative at the start, by {by}; a start that leaves it open")
+        }
+        _ => Ok(()),
+    }
+}
+
 fn drift(f: &mut fmt::Formatter<'_>, phi: f64, phi_dot: f64) -> fmt::Result {
     // The projection takes positions to rounding wherever joints can be closed: velocities that it cannot take there contradict
     // each other.

@@ -73,7 +73,7 @@ impl<'a, M: Pack<S = f64>, F: Formula> Lane<'a, M, F> {
                 Step { system: *system, held, from: (time, from), to: (partition.next_time, to), health };
             let length = <FixedStep<f64, F> as Method<M>>::LENGTH;
             M::Rescue::nearness(&step, length) == Nearness::Regular
-                && !check.fails(*system, partition.next_time, to)
+                && !check.fails((*system, held), partition.next_time, to)
                 && detector.excludes_events(history, &step)
         };
         if coasts {

@@ -102,7 +102,7 @@ impl<'a, M: System> Context<'a, M> {
     /// Projects a state onto the constraints.
     pub(crate) fn project(&mut self, t: M::S, x: &mut M::X) -> Result<(), Fault> {
         self.stats.projected += 1;
-        self.system.project(t, x)
+        self.system.project(t, &self.held, x)
     }
 }
 

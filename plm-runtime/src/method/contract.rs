@@ -216,11 +216,11 @@ pub enum DriftCheck<S> {
 impl<S: Real> DriftCheck<S> {
     /// Has the state to be projected?
     #[inline]
-    pub(crate) fn fails<M: System<S = S>>(self, system: &M, t: S, x: &M::X) -> bool {
+    pub(crate) fn fails<M: System<S = S>>(self, (system, u): (&M, &M::U), t: S, x: &M::X) -> bool {
         match self {
             Self::Skip => false,
             Self::Above { tolerance, above } => {
-                excess(system.drift(t, x), drift_of_size(system, tolerance)) > above
+                excess(system.drift(t, u, x), drift_of_size(system, tolerance)) > above
             }
         }
     }

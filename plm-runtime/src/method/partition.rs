@@ -52,7 +52,7 @@ impl<S: Real> Partition<S> {
         if !next.is_finite() {
             return Err(not_finite(context.system, self.next_time, &next));
         }
-        let drift = context.system.drift(self.next_time, &next);
+        let drift = context.system.drift(self.next_time, &context.held, &next);
         let limit = if by_rank { S::ZERO } else { S::lit(1.0) };
         let drifted = excess(drift, drift_of_size(context.system, tolerance)) > limit;
         if drifted {

@@ -21,8 +21,13 @@ impl<S: Real> Projection<S> {
     }
 
     /// Drift of a state over the tolerance, less what projection cannot remove.
-    pub(super) fn drift<M: System<S = S>>(&self, system: &M, tolerance: S, (t, x): (S, &M::X)) -> S {
-        excess(system.drift(t, x), drift_of_size(system, tolerance)) - self.residue
+    pub(super) fn drift<M: System<S = S>>(
+        &self,
+        (system, u): (&M, &M::U),
+        tolerance: S,
+        (t, x): (S, &M::X),
+    ) -> S {
+        excess(system.drift(t, u, x), drift_of_size(system, tolerance)) - self.residue
     }
 
     /// Projects the state that a step leads to.
@@ -34,7 +39,7 @@ impl<S: Real> Projection<S> {
     ) -> Result<(), Fault> {
         context.project(time, x)?;
         self.residue = S::ZERO;
-        self.residue = self.drift(context.system, tolerance, (time, x));
+        self.residue = self.drift((context.system, &context.held), tolerance, (time, x));
         Ok(())
     }
 }

@@ -72,7 +72,7 @@ pub(crate) fn judge<M: Mechanism>(
     rules: &Rules<M::S>,
 ) -> Verdict {
     let (system, start, end) = (proposal.system, proposal.from.0, proposal.end);
-    if rules.drift.fails(system, end, proposal.x) {
+    if rules.drift.fails((system, proposal.held), end, proposal.x) {
         return Verdict::Project;
     }
     match M::Rescue::nearness(&proposal.step(), rules.length) {

@@ -37,8 +37,8 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         }
         let limits = Limits { energy_jump: None, ..*limits };
         let mut rules = Rules { length: I::LENGTH, drift: method.drift_check(), limits };
-        let drifted = rules.drift.fails(system, end, &x);
-        if drifted && system.project(end, &mut x).is_err() {
+        let drifted = rules.drift.fails((system, &held), end, &x);
+        if drifted && system.project(end, &held, &mut x).is_err() {
             return false;
         }
         rules.drift = DriftCheck::Skip;

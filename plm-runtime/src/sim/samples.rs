@@ -154,9 +154,9 @@ pub(super) fn sample_at<M: Mechanism, I: Method<M>>(
         method.densify(context)?;
         (held, x) = method.moment(context, time);
     }
-    let (drift, limit) = (context.system.drift(time, &x), method.drift_limit(context.system));
+    let (drift, limit) = (context.system.drift(time, &held, &x), method.drift_limit(context.system));
     if drift.phi > limit.phi || drift.phi_dot > limit.phi_dot {
-        context.system.project(time, &mut x)?;
+        context.system.project(time, &held, &mut x)?;
     }
     events::refresh(context.system, time, &mut held, &x);
     moment.set(time, &held, &x);

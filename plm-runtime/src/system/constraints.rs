@@ -19,14 +19,14 @@ pub trait Constraints: Rate {
     ///
     /// # Errors
     /// When the projection does not converge.
-    fn project(&self, t: Self::S, x: &mut Self::X) -> Result<(), Fault> {
-        let _ = (t, x);
+    fn project(&self, t: Self::S, u: &Self::U, x: &mut Self::X) -> Result<(), Fault> {
+        let _ = (t, u, x);
         Ok(())
     }
 
     /// How far the state is from its constraints; zero where there is nothing to project.
-    fn drift(&self, t: Self::S, x: &Self::X) -> Drift<Self::S> {
-        let _ = (t, x);
+    fn drift(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Drift<Self::S> {
+        let _ = (t, u, x);
         Drift { phi: Self::S::lit(0.0), phi_dot: Self::S::lit(0.0) }
     }
 

@@ -162,7 +162,9 @@ fn constraints_are_kept() {
     let mut sim = double_pendulum::<f64>().start_with(RadauIia5::new(1e-9)).unwrap();
     let mut worst: f64 = 0.0;
     sim.run(1.0, 0.01, |moment| {
-        worst = worst.max(plm_runtime::Constraints::drift(&moment.mechanism, moment.time, &moment.x).phi);
+        worst = worst.max(
+            plm_runtime::Constraints::drift(&moment.mechanism, moment.time, &moment.held, &moment.x).phi,
+        );
     })
     .unwrap();
     println!("{:?} drift {worst:e}", sim.stats());

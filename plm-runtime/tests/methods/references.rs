@@ -41,7 +41,7 @@ fn s1_with_projection() {
     let mut drift: f64 = 0.0;
     let mechanism = sim.mechanism;
     sim.run(1.0, 1e-3, |moment| {
-        let here = plm_runtime::Constraints::drift(&mechanism, moment.time, &moment.x);
+        let here = plm_runtime::Constraints::drift(&mechanism, moment.time, &moment.held, &moment.x);
         drift = drift.max(here.phi).max(here.phi_dot);
     })
     .unwrap();

@@ -278,10 +278,10 @@ macro_rules! linkage {
                 plm_runtime::absolute::join(&v, &self.0.acceleration_by_rank(t, &q, &v)?, dx);
                 Ok(())
             }
-            fn project(&self, t: S, x: &mut Self::X) -> Result<(), plm_runtime::Fault> {
+            fn project(&self, t: S, _u: &Self::U, x: &mut Self::X) -> Result<(), plm_runtime::Fault> {
                 if self.0.alpha.is_some() { Ok(()) } else { plm_runtime::absolute::project_state(self, t, x) }
             }
-            fn drift(&self, t: S, x: &Self::X) -> plm_runtime::Drift<S> {
+            fn drift(&self, t: S, _u: &Self::U, x: &Self::X) -> plm_runtime::Drift<S> {
                 if self.0.alpha.is_some() {
                     return plm_runtime::Drift { phi: S::lit(0.0), phi_dot: S::lit(0.0) };
                 }

@@ -133,7 +133,7 @@ impl<M: System<S: Real>> Adams<M> {
         let weight = weight(context, tolerance, h);
         let mean = |sum: M::S| (sum / M::S::lit((M::X::LEN - M::NQ).max(1) as f64)).sqrt();
         let errors = Errors::new(h, differences.sizes(&surprise, &weight, k).map(mean), k, by);
-        let drift = self.projection.drift(context.system, tolerance, (time, &x));
+        let drift = self.projection.drift((context.system, &context.held), tolerance, (time, &x));
         Ok(Trial { x, errors, weight, drift })
     }
 

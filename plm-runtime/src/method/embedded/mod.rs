@@ -166,7 +166,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
 
     /// Drift of a state over the tolerance, less what projection cannot remove.
     fn drift_ratio(&self, context: &Context<'_, M>, at: (M::S, &M::X)) -> M::S {
-        self.projection.drift(context.system, self.tolerance(), at)
+        self.projection.drift((context.system, &context.held), self.tolerance(), at)
     }
 
     /// The state at the end of an accepted step and its rate, projected if the drift asks for it or the step went by rank.

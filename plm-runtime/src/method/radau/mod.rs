@@ -194,8 +194,8 @@ impl<M: Linear> RadauIia5<M> {
     }
 
     /// Drift of a state over the tolerance, less what projection cannot remove.
-    fn drift_ratio(&self, system: &M, t: M::S, x: &M::X) -> M::S {
-        self.projection.drift(system, self.tolerance(), (t, x))
+    fn drift_ratio(&self, context: &Context<'_, M>, t: M::S, x: &M::X) -> M::S {
+        self.projection.drift((context.system, &context.held), self.tolerance(), (t, x))
     }
 
     /// Takes the context to the end of an accepted step, projected if the drift asks for it or the step went by rank.
@@ -207,7 +207,7 @@ impl<M: Linear> RadauIia5<M> {
         limit: M::S,
     ) -> Result<(), Fault> {
         let mut x = trial.x;
-        if self.drift_ratio(context.system, time, &x) > limit {
+        if self.drift_ratio(context, time, &x) > limit {
             let tolerance = self.tolerance();
             self.projection.project(context, tolerance, (time, &mut x))?;
         }
@@ -266,7 +266,7 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
                 Ok(trial) => {
                     let estimate = self.error(context, &trial, &rate, &weights);
                     let error = self.steady.error(h, estimate, ORDER);
-                    let drift = self.drift_ratio(context.system, time, &trial.x);
+                    let drift = self.drift_ratio(context, time, &trial.x);
                     let worst = larger(error, drift);
                     if worst <= M::S::lit(1.0) {
                         let went_by_rank = context.stats.by_rank > by_rank;

@@ -175,11 +175,11 @@ fn stabilisation(emission: &Emission) -> TokenStream {
     let Sizes { length, .. } = &emission.sizes;
     match emission.model.stabilisation {
         Stabilisation::Projection => quote! {
-            fn project(&self, t: S, x: &mut [S; #length]) -> Result<(), Fault> {
+            fn project(&self, t: S, _u: &Self::U, x: &mut [S; #length]) -> Result<(), Fault> {
                 absolute::project_state::<S, Self, NQ, NC, #length>(self, t, x)
             }
 
-            fn drift(&self, t: S, x: &[S; #length]) -> rt::Drift<S> {
+            fn drift(&self, t: S, _u: &Self::U, x: &[S; #length]) -> rt::Drift<S> {
                 absolute::drift::<S, Self, NQ, NC, #length>(self, t, x)
             }
         },

@@ -1,0 +1,264 @@
+//! The next modes of the rows, by enumeration: multipliers and accelerations (or impulses and rates) of every combination, and all
+//! inequalities (F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts, Wiley 1996).
+
+use super::margins::stick;
+use super::modes::Mode;
+use super::multipliers::multipliers;
+use super::rows::Rows;
+use crate::linalg::Lu;
+use crate::scalar::Real;
+
+/// Relative size below which an inequality is marginal, and two motions are one.
+pub(super) const MARGINAL: f64 = 1e-9;
+/// A row that rests depends on others if its own part of D is below this fraction of its diagonal entry.
+const DEPENDENT: f64 = 1e-9;
+/// So many combinations are tried at most.
+const MOST_CANDIDATES: u32 = 1 << 14;
+
+/// The modes that a row may have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Allowed {
+    /// This one.
+    Only(Mode),
+    /// A gap without approach: closed or open.
+    Touching,
+    /// A friction without slip.
+    Resting,
+}
+
+impl Allowed {
+    /// In the order of preference: what holds first.
+    fn modes(self) -> &'static [Mode] {
+        match self {
+            Self::Only(Mode::Open) => &[Mode::Open],
+            Self::Only(Mode::Closed) => &[Mode::Closed],
+            Self::Only(Mode::Off) => &[Mode::Off],
+            Self::Only(Mode::Sticks) => &[Mode::Sticks],
+            Self::Only(Mode::Forwards) => &[Mode::Forwards],
+            Self::Only(Mode::Backwards) => &[Mode::Backwards],
+            Self::Touching => &[Mode::Closed, Mode::Open],
+            // Held by others, it can have no force of its own.
+            Self::Resting => &[Mode::Sticks, Mode::Off, Mode::Forwards, Mode::Backwards],
+        }
+    }
+}
+
+/// A combination of modes that satisfies all inequalities.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Solution<S, const N: usize> {
+    pub(super) modes: [Mode; N],
+    /// Rows that rest although they are no constraints: others hold them.
+    pub(super) carried: [bool; N],
+    pub(super) lambda: [S; N],
+    pub(super) determinant: S,
+    /// How far the rows that hold are from their limits, as a share of the terms of their forces.
+    pub(super) slack: S,
+    /// Accelerations of all rows.
+    pub(super) acceleration: [S; N],
+}
+
+/// What the enumeration has found.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Found<S, const N: usize> {
+    /// The solution in which most rows rest, of those the one that is farthest from its limits; and whether there are others with
+    /// other accelerations.
+    Modes(Solution<S, N>, bool),
+    /// No combination satisfies all inequalities.
+    Nothing,
+    /// There are too many combinations.
+    TooMany,
+}
+
+/// The inequalities of a combination.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Margins<S, const N: usize> {
+    /// Each is not to be negative: forces, distances from limits, accelerations.
+    pub(super) value: [S; N],
+    /// The size of the terms that it is the sum of; none where a row has no inequality.
+    pub(super) size: [Option<S>; N],
+}
+
+impl<S: Real, const N: usize> Margins<S, N> {
+    /// None is negative but for rounding.
+    pub(super) fn are_met(&self) -> bool {
+        // False for what is not a number.
+        let is_met =
+            |(value, size): (&S, &Option<S>)| size.is_none_or(|size| *value >= -(S::lit(MARGINAL) * size));
+        self.value.iter().zip(&self.size).all(is_met)
+    }
+}
+
+/// Tries all combinations. `admits` says of each whether its inequalities are met.
+pub(super) fn enumerate<S: Real, const N: usize>(
+    rows: &Rows<S, N>,
+    allowed: &[Allowed; N],
+    mut admits: impl FnMut(&Solution<S, N>, &Margins<S, N>) -> bool,
+) -> Found<S, N> {
+    let allowed = &near(rows, allowed);
+    let count = allowed.iter().fold(1_u32, |count, row| count.saturating_mul(row.modes().len() as u32));
+    if count > MOST_CANDIDATES {
+        return Found::TooMany;
+    }
+    let mut best: Option<(Solution<S, N>, usize)> = None;
+    let mut is_ambiguous = false;
+    for number in 0..count {
+        let Some(modes) = combination(rows, allowed, number) else { continue };
+        let Some((solution, margins)) = solve(rows, allowed, modes) else { continue };
+        if !admits(&solution, &margins) {
+            continue;
+        }
+        let moving = moving(allowed, &solution);
+        match &best {
+            None => best = Some((solution, moving)),
+            Some((known, least)) => {
+                is_ambiguous |= !is_same_motion(rows, known, &solution);
+                let is_better = moving == *least && solution.slack > known.slack;
+                if moving < *least || is_better {
+                    best = Some((solution, moving));
+                }
+            }
+        }
+    }
+    best.map_or(Found::Nothing, |(solution, _)| Found::Modes(solution, is_ambiguous))
+}
+
+/// Frictions of gaps that are open have one mode: what is far costs nothing.
+fn near<S: Real, const N: usize>(rows: &Rows<S, N>, allowed: &[Allowed; N]) -> [Allowed; N] {
+    let most_closed = core::array::from_fn(|i| match allowed[i] {
+        Allowed::Only(mode) => mode,
+        Allowed::Touching => Mode::Closed,
+        Allowed::Resting => Mode::Sticks,
+    });
+    core::array::from_fn(|i| {
+        let is_friction =
+            matches!(allowed[i], Allowed::Resting | Allowed::Only(Mode::Forwards | Mode::Backwards));
+        if is_friction && is_off(rows, &most_closed, i) { Allowed::Only(Mode::Off) } else { allowed[i] }
+    })
+}
+
+/// The combination with this number; none if it repeats another one: a friction without normal force has one mode.
+fn combination<S: Real, const N: usize>(
+    rows: &Rows<S, N>,
+    allowed: &[Allowed; N],
+    mut number: u32,
+) -> Option<[Mode; N]> {
+    let mut modes = [Mode::Off; N];
+    let mut first = [true; N];
+    for (i, row) in allowed.iter().enumerate() {
+        let choices = row.modes();
+        let count = choices.len() as u32;
+        modes[i] = choices[(number % count) as usize];
+        first[i] = number.is_multiple_of(count);
+        number /= count;
+    }
+    let chosen = modes;
+    for (i, row) in allowed.iter().enumerate() {
+        let is_friction = matches!(row, Allowed::Resting | Allowed::Only(Mode::Forwards | Mode::Backwards));
+        if is_friction && is_off(rows, &chosen, i) {
+            if !first[i] {
+                return None;
+            }
+            modes[i] = Mode::Off;
+        }
+    }
+    Some(modes)
+}
+
+/// A friction whose limits are those of rows that are open has no force.
+pub(super) fn is_off<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N], row: usize) -> bool {
+    let (kinetic, adhesion) = (&rows.kinetic[row], &rows.adhesion[row]);
+    [&kinetic.lower, &kinetic.upper, &adhesion.lower, &adhesion.upper].iter().all(|limit| {
+        let is_open = |(k, by): (usize, &S)| *by == S::ZERO || matches!(modes[k], Mode::Open | Mode::Off);
+        limit.own == S::ZERO && limit.by.iter().enumerate().all(is_open)
+    })
+}
+
+/// Multipliers and accelerations of a combination, and its inequalities.
+fn solve<S: Real, const N: usize>(
+    rows: &Rows<S, N>,
+    allowed: &[Allowed; N],
+    modes: [Mode; N],
+) -> Option<(Solution<S, N>, Margins<S, N>)> {
+    let found = multipliers(rows, &modes)?;
+    let lambda = found.lambda;
+    let acceleration = core::array::from_fn(|i| rows.acceleration(i, &lambda));
+    let (determinant, slack, carried) = (found.determinant, S::lit(1.0), [false; N]);
+    let mut solution = Solution { modes, carried, lambda, determinant, slack, acceleration };
+    let mut margins = Margins { value: [S::ZERO; N], size: [None; N] };
+    for (i, mode) in modes.iter().enumerate() {
+        let rests = matches!(allowed[i], Allowed::Touching | Allowed::Resting);
+        let (terms, inverse) = (size(rows, i, &lambda), S::lit(1.0) / rows.delassus[i][i]);
+        let (value, size) = match mode {
+            Mode::Closed => (lambda[i], terms * inverse),
+            Mode::Sticks => {
+                let [lower, upper] = stick(rows, i, &lambda);
+                (lower.min(upper), terms * inverse)
+            }
+            _ if !rests => continue,
+            _ => (acceleration[i], terms),
+        };
+        if mode.holds() {
+            solution.slack = solution.slack.min(value / size);
+        } else if value.abs() <= S::lit(MARGINAL) * size && depends(rows, &modes, i) {
+            solution.carried[i] = true;
+            continue;
+        }
+        match mode {
+            Mode::Off if !is_off(rows, &modes, i) => return None,
+            Mode::Off => continue,
+            Mode::Backwards => margins.value[i] = -value,
+            _ => margins.value[i] = value,
+        }
+        margins.size[i] = Some(size);
+    }
+    Some((solution, margins))
+}
+
+/// The size of the terms of an acceleration.
+fn size<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize, lambda: &[S; N]) -> S {
+    let terms = rows.delassus[row].iter().zip(lambda);
+    terms.fold(rows.free[row].abs(), |sum, (d, lambda)| sum + (*d * *lambda).abs())
+}
+
+/// Do the rows that hold leave the row `i` no freedom: D_ii - D_iH D_HH^-1 D_Hi = 0?
+fn depends<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N], i: usize) -> bool {
+    let (mut held, mut order) = ([0; N], 0);
+    for (j, mode) in modes.iter().enumerate() {
+        if mode.holds() {
+            held[order] = j;
+            order += 1;
+        }
+    }
+    let mut matrix = [[S::ZERO; N]; N];
+    for k in 0..order {
+        matrix[k] = core::array::from_fn(|l| rows.delassus[held[k]][held[l]]);
+    }
+    let Some(lu) = Lu::new(matrix, order) else { return false };
+    let column: [S; N] = core::array::from_fn(|k| rows.delassus[held[k]][i]);
+    let mut y = column;
+    lu.solve(&mut y);
+    let own = (0..order).fold(rows.delassus[i][i], |own, k| own - column[k] * y[k]);
+    own <= S::lit(DEPENDENT) * rows.delassus[i][i]
+}
+
+/// How many of the rows that could rest move.
+fn moving<S: Real, const N: usize>(allowed: &[Allowed; N], solution: &Solution<S, N>) -> usize {
+    let moves = |i: &usize| {
+        let rests = matches!(allowed[*i], Allowed::Touching | Allowed::Resting);
+        rests && !solution.modes[*i].holds() && !solution.carried[*i] && solution.modes[*i] != Mode::Off
+    };
+    (0..N).filter(moves).count()
+}
+
+/// Are the accelerations of all rows the same?
+fn is_same_motion<S: Real, const N: usize>(
+    rows: &Rows<S, N>,
+    one: &Solution<S, N>,
+    other: &Solution<S, N>,
+) -> bool {
+    (0..N).all(|i| {
+        let size = size(rows, i, &one.lambda).max(size(rows, i, &other.lambda));
+        let apart = (one.acceleration[i] - other.acceleration[i]).abs();
+        apart <= S::lit(4.0 * MARGINAL) * size
+    })
+}

@@ -1,0 +1,130 @@
+//! Impacts: impulses of all rows that touch, in one problem.
+//!
+//! Poisson's law (F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8): compression until no row
+//! approaches, then expansion, which gives back the fraction e of each normal impulse. The friction of both phases is bounded by the normal
+//! impulses of the phase. Newton's law asks for the rate -e times that before; with friction it can create energy. Limits that do not
+//! depend on contact forces carry no impulse.
+
+use super::candidates::{Allowed, Found, Solution, enumerate};
+use super::modes::Mode;
+use super::rows::{Law, Limit, Rows};
+use crate::scalar::Real;
+
+/// The law of impact.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ImpactLaw {
+    /// The fraction e of the impulse of compression comes back.
+    #[default]
+    Poisson,
+    /// The fraction e of the rate of approach comes back.
+    Newton,
+    /// Poisson's law for one normal row after the other, the fastest approach first.
+    Sequential,
+}
+
+/// Impulses of all rows.
+pub(super) enum Impulses<S, const N: usize> {
+    Found([S; N]),
+    /// No combination of modes satisfies all inequalities.
+    Nothing,
+    /// More rows touch than are enumerated.
+    TooMany,
+}
+
+/// The impulses of the rows that touch, `touches`, of which one approaches at least.
+pub(super) fn impulses<S: Real, const N: usize>(
+    rows: &Rows<S, N>,
+    laws: &[Law<S>; N],
+    (law, mut touches): (ImpactLaw, [bool; N]),
+) -> Impulses<S, N> {
+    if law == ImpactLaw::Sequential {
+        let fastest = (0..N)
+            .filter(|i| touches[*i] && laws[*i].is_unilateral())
+            .reduce(|a, b| if rows.rate[b] < rows.rate[a] { b } else { a });
+        for i in 0..N {
+            touches[i] &= fastest == Some(i) || !laws[i].is_unilateral();
+        }
+    }
+    let problem = without_own_limits(rows);
+    match law {
+        ImpactLaw::Newton => newton(problem, laws, &touches),
+        ImpactLaw::Poisson | ImpactLaw::Sequential => poisson(&problem, laws, &touches),
+    }
+}
+
+/// The problem of rates: accelerations are rates behind the impact, forces are impulses.
+fn without_own_limits<S: Real, const N: usize>(rows: &Rows<S, N>) -> Rows<S, N> {
+    let mut problem = Rows { free: rows.rate, adhesion: rows.kinetic, ..*rows };
+    for friction in problem.kinetic.iter_mut().chain(&mut problem.adhesion) {
+        (friction.lower.own, friction.upper.own) = (S::ZERO, S::ZERO);
+    }
+    problem
+}
+
+fn newton<S: Real, const N: usize>(
+    mut problem: Rows<S, N>,
+    laws: &[Law<S>; N],
+    touches: &[bool; N],
+) -> Impulses<S, N> {
+    for i in 0..N {
+        if let Law::Unilateral { restitution } = laws[i] {
+            problem.free[i] = problem.free[i] + restitution * problem.free[i].min(S::ZERO);
+        }
+    }
+    match solve(&problem, laws, touches) {
+        Found::Modes(Solution { lambda, .. }, _) => Impulses::Found(lambda),
+        Found::Nothing => Impulses::Nothing,
+        Found::TooMany => Impulses::TooMany,
+    }
+}
+
+fn poisson<S: Real, const N: usize>(
+    problem: &Rows<S, N>,
+    laws: &[Law<S>; N],
+    touches: &[bool; N],
+) -> Impulses<S, N> {
+    let compression = match solve(problem, laws, touches) {
+        Found::Modes(solution, _) => solution,
+        Found::Nothing => return Impulses::Nothing,
+        Found::TooMany => return Impulses::TooMany,
+    };
+    let back: [S; N] = core::array::from_fn(|i| match laws[i] {
+        Law::Unilateral { restitution } => restitution * compression.lambda[i],
+        Law::Friction => S::ZERO,
+    });
+    if back.iter().all(|impulse| *impulse == S::ZERO) {
+        return Impulses::Found(compression.lambda);
+    }
+    let mut expansion = *problem;
+    for i in 0..N {
+        let sum = expansion.delassus[i].iter().zip(&back);
+        expansion.free[i] = sum.fold(compression.acceleration[i], |rate, (d, back)| d.mul_add(*back, rate));
+        for friction in [&mut expansion.kinetic[i], &mut expansion.adhesion[i]] {
+            for limit in [&mut friction.lower, &mut friction.upper] {
+                *limit = Limit { own: limit.at(&back), ..*limit };
+            }
+        }
+    }
+    match solve(&expansion, laws, touches) {
+        Found::Modes(solution, _) => {
+            Impulses::Found(core::array::from_fn(|i| compression.lambda[i] + back[i] + solution.lambda[i]))
+        }
+        Found::Nothing => Impulses::Nothing,
+        Found::TooMany => Impulses::TooMany,
+    }
+}
+
+/// Impulses and rates, by all inequalities.
+fn solve<S: Real, const N: usize>(
+    problem: &Rows<S, N>,
+    laws: &[Law<S>; N],
+    touches: &[bool; N],
+) -> Found<S, N> {
+    let allowed = core::array::from_fn(|i| match (touches[i], laws[i]) {
+        (true, Law::Unilateral { .. }) => Allowed::Touching,
+        (true, Law::Friction) => Allowed::Resting,
+        (false, Law::Unilateral { .. }) => Allowed::Only(Mode::Open),
+        (false, Law::Friction) => Allowed::Only(Mode::Off),
+    });
+    enumerate(problem, &allowed, |_, margins| margins.are_met())
+}

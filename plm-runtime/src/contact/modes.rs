@@ -1,0 +1,82 @@
+//! Modes of contact rows, held over a step.
+
+use crate::scalar::Scalar;
+
+/// What a row does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// A gap is open, or closed by other rows alone: no push.
+    Open,
+    /// A gap is closed.
+    Closed,
+    /// A friction has no normal force.
+    Off,
+    /// A friction holds.
+    Sticks,
+    /// It slips, with a positive rate.
+    Forwards,
+    /// It slips, with a negative rate.
+    Backwards,
+}
+
+impl Mode {
+    /// The row is a constraint.
+    pub fn holds(self) -> bool {
+        matches!(self, Self::Closed | Self::Sticks)
+    }
+
+    /// The friction slips.
+    pub fn slips(self) -> bool {
+        matches!(self, Self::Forwards | Self::Backwards)
+    }
+
+    /// -1 or 1, the sign of the slip; zero where there is none.
+    pub(super) fn sign<T: Scalar>(self) -> T {
+        T::lit(match self {
+            Self::Forwards => 1.0,
+            Self::Backwards => -1.0,
+            _ => 0.0,
+        })
+    }
+}
+
+/// The modes of all rows, and what they remember.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Modes<S, const N: usize> {
+    /// The mode of each row.
+    pub of: [Mode; N],
+    /// The row rests without being a constraint, since others hold it: more rows rest than there are freedoms.
+    pub carried: [bool; N],
+    /// Where a friction sticks: its displacement, m or rad.
+    pub place: [S; N],
+    /// The sign of the determinant of the active rows when the modes were chosen.
+    pub orientation: S,
+}
+
+impl<S: Scalar, const N: usize> Modes<S, N> {
+    /// Everything is open.
+    #[must_use]
+    pub fn open() -> Self {
+        Self { of: [Mode::Open; N], carried: [false; N], place: [S::ZERO; N], orientation: S::lit(1.0) }
+    }
+
+    /// The gap `row` is open: it neither pushes nor rests.
+    pub fn is_open(&self, row: usize) -> bool {
+        self.of.get(row) == Some(&Mode::Open) && !self.is_carried(row)
+    }
+
+    /// The friction `row` does not slip.
+    pub fn is_sticking(&self, row: usize) -> bool {
+        self.of.get(row) == Some(&Mode::Sticks) || self.is_carried(row)
+    }
+
+    /// Other rows hold the row.
+    pub fn is_carried(&self, row: usize) -> bool {
+        self.carried.get(row) == Some(&true)
+    }
+
+    /// More rows rest than there are freedoms: accelerations are unique, multipliers are not.
+    pub fn are_undetermined(&self) -> bool {
+        self.carried.contains(&true)
+    }
+}

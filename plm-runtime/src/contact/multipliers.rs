@@ -1,0 +1,138 @@
+//! Multipliers of the contact rows in given modes: one small linear system.
+//!
+//! Rows that hold have no acceleration, D_i lambda = -c_i; rows that slip have the limit of their friction,
+//! lambda_i = -sigma (own + by . lambda). The system is not symmetric; it is solved with partial pivoting (G. H. Golub, C. F. Van Loan,
+//! Matrix Computations, 4th ed., algorithm 3.4.1). Pivots are chosen by values, so that numbers with derivatives, and
+//! enclosures, are eliminated in the order of the values.
+
+use super::modes::Mode;
+use super::rows::Rows;
+use crate::scalar::Scalar;
+
+/// A pivot below this fraction of the largest entry of its row depends on others.
+const DEPENDENT: f64 = 1e-10;
+
+/// The multipliers, and the determinant of their system; that of no row is 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Multipliers<T, const N: usize> {
+    pub(super) lambda: [T; N],
+    /// With the rows that hold divided by the diagonal entries of D.
+    pub(super) determinant: T,
+}
+
+/// The system of the active rows.
+struct System<T, const N: usize> {
+    rows: [[T; N]; N],
+    right: [T; N],
+    /// The row of contact that each unknown is of.
+    unknown: [usize; N],
+    order: usize,
+}
+
+/// The multipliers in these modes; none where active rows depend on each other.
+pub(super) fn multipliers<T: Scalar, const N: usize>(
+    rows: &Rows<T, N>,
+    modes: &[Mode; N],
+) -> Option<Multipliers<T, N>> {
+    let mut system = System::of(rows, modes);
+    let determinant = system.eliminate()?;
+    Some(Multipliers { lambda: system.substitute(), determinant })
+}
+
+impl<T: Scalar, const N: usize> System<T, N> {
+    fn of(rows: &Rows<T, N>, modes: &[Mode; N]) -> Self {
+        let mut system = Self { rows: [[T::ZERO; N]; N], right: [T::ZERO; N], unknown: [0; N], order: 0 };
+        for (i, mode) in modes.iter().enumerate() {
+            if mode.holds() || mode.slips() {
+                system.unknown[system.order] = i;
+                system.order += 1;
+            }
+        }
+        for k in 0..system.order {
+            let i = system.unknown[k];
+            let (row, right) = equation(rows, modes[i], i);
+            system.rows[k] = core::array::from_fn(|l| {
+                let j = system.unknown[l];
+                if l < system.order { row[j] } else { T::ZERO }
+            });
+            system.right[k] = right;
+        }
+        system
+    }
+
+    /// Gaussian elimination; gives the determinant.
+    fn eliminate(&mut self) -> Option<T> {
+        let order = self.order;
+        let mut determinant = T::lit(1.0);
+        let size: [f64; N] = core::array::from_fn(|k| {
+            self.rows[k].iter().fold(0.0_f64, |size, entry| size.max(entry.to_f64().abs()))
+        });
+        let mut sizes = size;
+        for k in 0..order {
+            let mut pivot = k;
+            for i in k..order {
+                if ratio(self.rows[i][k], sizes[i]) > ratio(self.rows[pivot][k], sizes[pivot]) {
+                    pivot = i;
+                }
+            }
+            // False for what is not a number.
+            let is_regular = ratio(self.rows[pivot][k], sizes[pivot]) > DEPENDENT;
+            if !is_regular {
+                return None;
+            }
+            if pivot != k {
+                self.rows.swap(k, pivot);
+                self.right.swap(k, pivot);
+                sizes.swap(k, pivot);
+                determinant = -determinant;
+            }
+            let row = self.rows[k];
+            determinant = determinant * row[k];
+            for i in k + 1..order {
+                let factor = self.rows[i][k] / row[k];
+                for j in k + 1..order {
+                    self.rows[i][j] = self.rows[i][j] - factor * row[j];
+                }
+                self.right[i] = self.right[i] - factor * self.right[k];
+            }
+        }
+        Some(determinant)
+    }
+
+    /// The multipliers of all rows of contact behind the elimination.
+    fn substitute(&self) -> [T; N] {
+        let (mut solution, mut lambda) = ([T::ZERO; N], [T::ZERO; N]);
+        for k in (0..self.order).rev() {
+            let mut rest = self.right[k];
+            for j in k + 1..self.order {
+                rest = rest - self.rows[k][j] * solution[j];
+            }
+            solution[k] = rest / self.rows[k][k];
+            lambda[self.unknown[k]] = solution[k];
+        }
+        lambda
+    }
+}
+
+/// The size of an entry beside the largest one of its row.
+fn ratio<T: Scalar>(entry: T, size: f64) -> f64 {
+    entry.to_f64().abs() / size
+}
+
+/// The equation of the row `i`, and its right side. Rows that hold are divided by their diagonal entry.
+fn equation<T: Scalar, const N: usize>(rows: &Rows<T, N>, mode: Mode, i: usize) -> ([T; N], T) {
+    let one = T::lit(1.0);
+    let limit = match mode {
+        Mode::Forwards => rows.kinetic[i].lower,
+        Mode::Backwards => rows.kinetic[i].upper,
+        _ => {
+            let row = rows.delassus[i];
+            return (row.map(|d| d / row[i]), -rows.free[i] / row[i]);
+        }
+    };
+    // lambda_i + sigma by . lambda = -sigma own
+    let sigma: T = mode.sign();
+    let mut row = limit.by.map(|by| sigma * by);
+    row[i] = row[i] + one;
+    (row, -(sigma * limit.own))
+}

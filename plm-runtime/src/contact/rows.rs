@@ -1,0 +1,124 @@
+//! Contact rows at a state: gaps, rates, free accelerations, Delassus operator, limits of friction.
+
+use crate::scalar::Scalar;
+
+/// What a row says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Law<S> {
+    /// A gap is not negative, nor is the push; one of the two is zero.
+    Unilateral {
+        /// The coefficient of restitution, 0 to 1.
+        restitution: S,
+    },
+    /// A force against a slip, within limits.
+    Friction,
+}
+
+impl<S> Law<S> {
+    /// The row has a gap.
+    pub fn is_unilateral(&self) -> bool {
+        matches!(self, Self::Unilateral { .. })
+    }
+}
+
+/// The largest force of friction to one side: `own + by . lambda`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limit<T, const N: usize> {
+    /// What does not depend on contact forces, N or N m. It carries no impulse.
+    pub own: T,
+    /// Factors of the multipliers: a coefficient of friction at the row of its normal force.
+    pub by: [T; N],
+}
+
+impl<T: Scalar, const N: usize> Limit<T, N> {
+    /// No force.
+    #[must_use]
+    pub fn none() -> Self {
+        Self::own(T::ZERO)
+    }
+
+    /// A force of its own.
+    #[must_use]
+    pub fn own(own: T) -> Self {
+        Self { own, by: [T::ZERO; N] }
+    }
+
+    /// `coefficient` times the multiplier of the row `normal`.
+    #[must_use]
+    pub fn of(normal: usize, coefficient: T) -> Self {
+        let by = core::array::from_fn(|row| if row == normal { coefficient } else { T::ZERO });
+        Self { own: T::ZERO, by }
+    }
+
+    /// The limit with these multipliers.
+    pub(super) fn at(&self, lambda: &[T; N]) -> T {
+        self.by.iter().zip(lambda).fold(self.own, |sum, (by, lambda)| by.mul_add(*lambda, sum))
+    }
+}
+
+/// The limits of a friction: its force is between `-lower` and `upper`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Friction<T, const N: usize> {
+    /// What acts against a slip forwards, as a positive number.
+    pub lower: Limit<T, N>,
+    /// What acts against a slip backwards.
+    pub upper: Limit<T, N>,
+}
+
+impl<T: Scalar, const N: usize> Friction<T, N> {
+    /// The same limit on both sides.
+    #[must_use]
+    pub fn both(limit: Limit<T, N>) -> Self {
+        Self { lower: limit, upper: limit }
+    }
+}
+
+/// All rows at a state. Row i has the gap or displacement z_i, its rate w_i v + r_i, and the acceleration c_i + D_ij lambda_j.
+#[derive(Clone, Copy, Debug)]
+pub struct Rows<T, const N: usize> {
+    /// Gaps of unilateral rows, displacements of frictions, m or rad. A friction whose displacement is not given keeps zero here.
+    pub gap: [T; N],
+    /// Their rates, m/s or rad/s.
+    pub rate: [T; N],
+    /// Accelerations c without contact forces, m/s^2 or rad/s^2.
+    pub free: [T; N],
+    /// The Delassus operator D = W M^-1 W^T, 1/kg or 1/(kg m^2).
+    pub delassus: [[T; N]; N],
+    /// Limits while a row slips; of no meaning at unilateral rows.
+    pub kinetic: [Friction<T, N>; N],
+    /// Limits while it sticks.
+    pub adhesion: [Friction<T, N>; N],
+}
+
+impl<T: Scalar, const N: usize> Rows<T, N> {
+    /// Rows of which nothing is known yet: no friction.
+    #[must_use]
+    pub fn none() -> Self {
+        let nothing = Friction::both(Limit::none());
+        Self {
+            gap: [T::ZERO; N],
+            rate: [T::ZERO; N],
+            free: [T::ZERO; N],
+            delassus: [[T::ZERO; N]; N],
+            kinetic: [nothing; N],
+            adhesion: [nothing; N],
+        }
+    }
+
+    /// Gives the friction `row` the same limit while it slips and while it sticks.
+    pub fn set_friction(&mut self, row: usize, limit: Limit<T, N>) {
+        self.set_adhesion(row, limit, limit);
+    }
+
+    /// Gives the friction `row` a limit while it slips and another one while it sticks.
+    pub fn set_adhesion(&mut self, row: usize, kinetic: Limit<T, N>, adhesion: Limit<T, N>) {
+        if let (Some(slips), Some(sticks)) = (self.kinetic.get_mut(row), self.adhesion.get_mut(row)) {
+            (*slips, *sticks) = (Friction::both(kinetic), Friction::both(adhesion));
+        }
+    }
+
+    /// The acceleration of a row with these multipliers.
+    pub(super) fn acceleration(&self, row: usize, lambda: &[T; N]) -> T {
+        self.delassus[row].iter().zip(lambda).fold(self.free[row], |sum, (d, lambda)| d.mul_add(*lambda, sum))
+    }
+}

@@ -1,0 +1,9 @@
+//! Friction and unilateral contact of systems that are written by hand, against closed forms and quadratures.
+#![allow(clippy::unwrap_used, clippy::panic, unreachable_pub, missing_docs, reason = "tests")]
+
+mod bodies;
+mod energy;
+mod friction;
+mod impacts;
+mod laws;
+mod support;
