@@ -1,6 +1,6 @@
 //! Bodies without mass: their motion is that of bodies with any mass, to the bit.
 
-use plm::{Described, Dop853};
+use plm::{Described, Dop853, Stabilise as _};
 
 /// Mechanisms whose bodies have the mass and the inertia that are written, or none.
 macro_rules! driven {
@@ -62,7 +62,7 @@ macro_rules! driven {
                     body bob { mass: 0.5 kg; inertia: 0.01 kg*m^2; port pin: (0, 0.2) m; start angle: 20 deg, locked; }
                     revolute drive(ground.o, crank.o);
                     revolute pin(crank.pin, bob.pin) { damping: 0.01 N*m*s/rad; }
-                    constraint turns: crank.angle = 1 rad*sin(7 rad/s*t);
+                    constraint turns: crank.angle = 1 rad*(1 - cos(7 rad/s*t));
                     output bob.position, bob.velocity, pin.angle, bob.x, bob.y, bob.omega;
                     output bob.alpha, pin.force;
                 }
@@ -111,6 +111,21 @@ fn a_driven_linkage_needs_no_masses() {
 #[test]
 fn a_driven_crank_needs_no_mass_where_a_pendulum_hangs() {
     compare!(Hanging, 8, 3);
+}
+
+#[test]
+fn equilibria_and_linearisations_need_no_masses_of_driven_bodies() {
+    let mut free = (without::Hanging::new(), heavy::Hanging::new());
+    (free.0.start.bob.angle.locked, free.1.start.bob.angle.locked) = (false, false);
+    let hangs =
+        (free.0.stabilise().unwrap().balanced().unwrap(), free.1.stabilise().unwrap().balanced().unwrap());
+    assert!(hangs.0.residuals.is_empty(), "{}", hangs.0);
+    let hangs = (hangs.0.start().unwrap(), hangs.1.start().unwrap());
+    assert!(hangs.0.bob().angle.abs() < 1e-9 && (hangs.0.bob().y + 0.2).abs() < 1e-12, "{:?}", hangs.0.bob());
+    let found = (plm::linearise(&hangs.0).unwrap(), plm::linearise(&hangs.1).unwrap());
+    assert_eq!(found.0.a.shape(), (2, 2));
+    assert!((&found.0.a - &found.1.a).amax() < 1e-9, "{}{}", found.0.a, found.1.a);
+    assert!((&found.0.c - &found.1.c).amax() < 1e-9, "{}{}", found.0.c, found.1.c);
 }
 
 #[test]

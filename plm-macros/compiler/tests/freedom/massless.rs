@@ -153,7 +153,7 @@ fn judge(random: &mut Random, seen: &mut Seen) -> Option<()> {
         assert!(a.acceleration.iter().zip(&b.acceleration).all(|(a, b)| agree(*a, *b)), "{}", about());
     }
     let (a, b) = (one.dynamics(0.0, &x), other.dynamics(0.0, &x));
-    let healthy = [a.last()?, b.last()?].into_iter().all(|health| *health > 1e-9);
+    let healthy = [a.last()?, b.last()?].into_iter().all(|health| *health > 1e-4);
     if !healthy {
         return Some(());
     }
