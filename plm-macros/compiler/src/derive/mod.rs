@@ -19,6 +19,7 @@ mod decisions;
 mod feedback;
 mod forcing;
 mod kinks;
+mod massless;
 mod poles;
 mod range;
 mod switches;
@@ -30,6 +31,7 @@ use plm_cas::{Expr, algebra};
 pub(crate) use branch::Branch;
 pub(crate) use feedback::{Signal, feeds_back};
 pub(crate) use forcing::forcing_terms;
+pub(crate) use massless::Massless;
 pub(crate) use switches::hold_switches;
 pub(crate) use turns::{count_turns, with_turns};
 
@@ -110,10 +112,10 @@ pub(crate) fn derive(model: &Model) -> Equations {
     }
 }
 
-/// `Q` of (4): gravity, `m g` at each G, and the loads of all parts.
+/// `Q` of (4): gravity, `m g` at the G of each body with a mass, and the loads of all parts.
 fn applied_force(model: &Model) -> Vec<Expr> {
     let mut terms: Vec<Vec<Expr>> = vec![Vec::new(); 3 * model.bodies.len()];
-    for (i, body) in model.bodies.iter().enumerate() {
+    for (i, body) in model.bodies.iter().enumerate().filter(|(_, body)| body.has_mass) {
         for (k, gravity) in model.gravity.components().into_iter().enumerate() {
             terms[3 * i + k].push(body.mass * gravity);
         }
