@@ -190,6 +190,28 @@ test("a video is recorded, and either can be cancelled", { skip }, async () => {
   assert.ok(await page.isEnabled("#movie-go"));
 });
 
+test("at every width, light and dark, nothing stands outside, and everything has a name", { skip }, async () => {
+  const shown = `${still}&ghosts=6&centres=1&pair=crank|rocker&centrodes=1&select=body:1&polar=slot&around=crank&measures=distance(crank.b,rod.pin)|angle(coupler.b,coupler.c,rocker.d)`;
+  for (const [width, height] of [[390, 844], [820, 1180], [1200, 800]]) {
+    for (const theme of ["light", "dark"]) {
+      for (const tab of ["tools", "curves"]) {
+        const { page, errors } = await open(address, { width, height, theme, hash: `${shown}&tab=${tab}` });
+        const where = `${tab} ${width} ${theme}`;
+        const wrong = await page.evaluate(() => {
+          const limit = document.documentElement.clientWidth;
+          const seen = [...document.querySelectorAll("#panel :is(button, select, input, canvas, td, p, summary)")].filter((each) => each.checkVisibility() && each.ariaHidden === null);
+          const isOutside = (each) => each.getBoundingClientRect().right > limit + 0.5 || each.getBoundingClientRect().left < -0.5;
+          const isNameless = (each) => !each.matches("td, p") && !(each.getAttribute("aria-label") || each.labels?.length || each.textContent.trim());
+          return seen.filter((each) => isOutside(each) || isNameless(each)).map((each) => each.outerHTML.slice(0, 90));
+        });
+        assert.deepEqual([wrong, errors], [[], []], where);
+        const { words } = await drawn(page, "#picture", { words: theme === "light" ? GREEN : [77, 208, 184] });
+        assert.ok(words > 60, `${where}: ${words}`);
+      }
+    }
+  }
+});
+
 test("what was pulled and set of a live mechanism is undone", { skip: skipLive }, async () => {
   const { page, errors } = await livePage({ isRunning: false });
   const before = await pose(page, 0);

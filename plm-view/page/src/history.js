@@ -52,6 +52,8 @@ export class History {
     this.hasActed = false;
     this.isBusy = false;
     this.states = 0;
+    /** The drag that was kept last: all of it is one deed. @type {import("./app.js").Drag | null} */
+    this.drag = null;
     this.lastAt = -Infinity;
     /** @type {unknown} */
     this.of = null;
@@ -108,8 +110,11 @@ export class History {
 
   /** The mechanism is about to be placed, pulled or begun again: its state before is kept. @param {string} name */
   keepState(name) {
-    const { live } = this.app;
+    const { live, drag } = this.app;
     if (live === null || !live.isInPage || this.isBusy) return;
+    if (drag !== null && drag === this.drag) return;
+    if (drag !== null) this.lastAt = -Infinity;
+    this.drag = drag;
     const last = this.done[this.done.length - 1];
     const [from, to] = [this.states, this.states + 1];
     this.add({ kind: "state", name, from, to });
@@ -142,6 +147,7 @@ export class History {
     target.push(deed);
     this.lastAt = -Infinity;
     this.shown = this.look();
+    app.updateBounds();
     app.change();
   }
 }

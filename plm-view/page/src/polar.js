@@ -81,8 +81,8 @@ export function polarPoints(run, curve) {
  * @param {{palette: Palette, curve: PolarCurve, isAngular: boolean, now: [number, number] | null}} how
  */
 export function drawPolar(pen, area, { largest, pieces }, { palette, curve, isAngular, now }) {
-  const [cx, cy] = [area.x + 0.5 * area.width, area.y + 0.5 * area.height + 6];
-  const radius = Math.max(20, 0.5 * Math.min(area.width - 60, area.height - 52));
+  const [cx, cy] = [area.x + 0.5 * area.width, area.y + 0.5 * area.height + 9];
+  const radius = Math.max(20, 0.5 * Math.min(area.width - 60, area.height - 62));
   const most = largest > 0 ? 1.05 * largest : 1;
   const at = (/** @type {number} */ x, /** @type {number} */ y) => [cx + (x / most) * radius, cy - (y / most) * radius];
   const letters = { colour: palette.faint, size: LETTER };

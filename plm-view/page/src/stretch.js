@@ -7,6 +7,8 @@
 
 /** Poses that differ by less are the same, as a share of how far they move; an angle by less, rad. */
 const SAME_POSE = 0.01;
+/** Rows that are looked at for how far things move. */
+const SAMPLES_OF_SPREAD = 1000;
 
 /**
  * One turn of a body, from a time on, or where there is no whole one behind it the last one before the end; null where the body makes none.
@@ -16,45 +18,37 @@ const SAME_POSE = 0.01;
  * @returns {Stretch | null}
  */
 export function turnOf(run, body, from) {
-  const { times, angles } = unwrapped(run, body);
-  const start = Math.max(0, times.findLastIndex((time) => time <= from));
-  const ahead = crossing(times, angles, start, 1);
-  if (ahead !== null) return { from: times[start], to: ahead };
-  const back = crossing(times, angles, times.length - 1, -1);
-  return back === null ? null : { from: back, to: times[times.length - 1] };
+  if (run.rows < 2) return null;
+  const start = run.momentAt(from).row;
+  const ahead = crossing(run, body, start, 1);
+  if (ahead !== null) return { from: run.time.data[start], to: ahead };
+  const back = crossing(run, body, run.rows - 1, -1);
+  return back === null ? null : { from: back, to: run.end };
 }
 
 /**
- * The time at which an angle is a turn away from that of a row.
- * @param {number[]} times
- * @param {number[]} angles
+ * The time at which the angle of a body is a turn away from that of a row.
+ * @param {Run} run
+ * @param {number} body
  * @param {number} start
  * @param {1 | -1} step
  */
-function crossing(times, angles, start, step) {
-  for (let row = start + step; row >= 0 && row < times.length; row += step) {
-    const far = Math.abs(angles[row] - angles[start]) - 2 * Math.PI;
-    if (far < 0) continue;
-    const before = Math.abs(angles[row - step] - angles[start]) - 2 * Math.PI;
-    return times[row - step] + (before / (before - far)) * (times[row] - times[row - step]);
+function crossing(run, body, start, step) {
+  const [angle, rate] = [6 * body + 2, 6 * body + 5];
+  const whole = 2 * Math.PI;
+  let sum = 0;
+  for (let row = start + step; row >= 0 && row < run.rows; row += step) {
+    const before = row - step;
+    const width = run.time.data[row] - run.time.data[before];
+    const expected = 0.5 * width * (run.poses.at(row, rate) + run.poses.at(before, rate)) || 0;
+    const change = run.poses.at(row, angle) - run.poses.at(before, angle);
+    // It may have lost whole turns between the rows.
+    const turned = change - whole * Math.round((change - expected) / whole);
+    if (!Number.isFinite(turned)) return null;
+    if (Math.abs(sum + turned) >= whole) return run.time.data[before] + ((whole - Math.abs(sum)) / Math.abs(turned)) * width;
+    sum += turned;
   }
   return null;
-}
-
-/** The angle of a body without jumps by whole turns. @param {Run} run @param {number} body */
-export function unwrapped(run, body) {
-  const times = Array.from({ length: run.rows }, (_, row) => run.time.data[row]);
-  let turns = 0;
-  const angles = times.map((_, row) => {
-    const [angle, rate] = [run.poses.at(row, 6 * body + 2), run.poses.at(row, 6 * body + 5)];
-    if (row > 0) {
-      const width = times[row] - times[row - 1];
-      const expected = run.poses.at(row - 1, 6 * body + 2) + 0.5 * width * (run.poses.at(row - 1, 6 * body + 5) + rate || 0);
-      turns += Math.round((expected - angle) / (2 * Math.PI)) || 0;
-    }
-    return angle + 2 * Math.PI * turns;
-  });
-  return { times, angles };
 }
 
 /**
@@ -99,10 +93,10 @@ export function loopOf(run, from) {
   return null;
 }
 
-/** How far a number of the poses goes. @param {Run} run @param {number} column */
+/** How far a number of the poses goes, about. @param {Run} run @param {number} column */
 function spreadOf(run, column) {
   let [low, high] = [Infinity, -Infinity];
-  for (let row = 0; row < run.rows; row++) {
+  for (let row = 0; row < run.rows; row += Math.ceil(run.rows / SAMPLES_OF_SPREAD)) {
     const value = run.poses.at(row, column);
     [low, high] = [Math.min(low, value), Math.max(high, value)];
   }

@@ -87,7 +87,10 @@ export function startMeasure(app, kind) {
 /** @param {App} app */
 function switchPolar(app) {
   const joints = app.run === null ? [] : forceJoints(app.run);
-  if (joints.length === 0) app.say("No force of a joint is recorded.");
+  if (joints.length === 0) {
+    app.say("No force of a joint is recorded. An output such as hinge.force records it.");
+    return;
+  }
   const chosen = app.selected?.kind === "part" ? app.run?.mechanism.parts[app.selected.index].name : undefined;
   app.tools.force = app.tools.force !== "" ? "" : (joints.find((name) => name === chosen) ?? joints[0] ?? "");
   openSheet(app, "curves");

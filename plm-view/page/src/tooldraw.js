@@ -18,7 +18,7 @@ import { quantityText } from "./text.js";
 /** @import {Projection} from "./view.js" */
 
 /**
- * What the picture shows now; `taken`: where values stand already, x y and half their widths.
+ * What the picture shows now; `taken`: where words stand already, x y and half their widths.
  * @typedef {{places: Places, moment: Moment, projection: Projection, palette: Palette, taken: number[][]}} Now
  */
 
@@ -47,19 +47,21 @@ export function drawTools(pen, app, scene, shown) {
 }
 
 /**
- * A cross with a name; whether it is in the picture.
+ * A cross with a name, where it is in the picture.
  * @param {Pen} pen
  * @param {number[]} at pixels
  * @param {string} name
  * @param {Now} now
  */
-function drawCross(pen, [x, y], name, { projection: { area }, palette }) {
+function drawCross(pen, [x, y], name, { projection: { area }, palette, taken }) {
   if (x < area.x || y < area.y || x > area.x + area.width || y > area.y + area.height) return;
   for (const [stroke, width] of /** @type {[string, number][]} */ ([[palette.background, 4], [palette.velocity, 1.8]])) {
     pen.line([x - CROSS, y - CROSS, x + CROSS, y + CROSS], { stroke, width });
     pen.line([x - CROSS, y + CROSS, x + CROSS, y - CROSS], { stroke, width });
   }
-  pen.text(x + 9, y + 11, name, { colour: palette.velocity, size: 12, halo: palette.background });
+  const half = 3.5 * name.length;
+  const line = freeLine(taken, x + 9 + half, y + 11, half);
+  pen.text(x + 9, line, name, { colour: palette.velocity, size: 12, halo: palette.background });
 }
 
 /** Of each body against the ground; of a pair the common one too, and the line on which Kennedy's theorem has all three. @param {Pen} pen @param {App} app @param {Scene} scene @param {Now} now */
@@ -142,13 +144,17 @@ function drawMeasure(pen, scene, measure, now) {
   else drawAngle(pen, scene, measure, now, value, text);
 }
 
+/** The next place from `y` on downwards for words of half a width around `x`, which is taken then. @param {number[][]} taken @param {number} x @param {number} y @param {number} half */
+function freeLine(taken, x, y, half) {
+  let line = y;
+  while (taken.some(([tx, ty, other]) => Math.abs(tx - x) < half + other && Math.abs(ty - line) < 15)) line += 4;
+  taken.push([x, line, half]);
+  return line;
+}
+
 /** A value, farther down where another one stands. @param {Pen} pen @param {number[]} at @param {string} text @param {Now} now */
 function writeValue(pen, [x, y], text, { palette, taken }) {
-  const half = 4 * text.length;
-  let place = y;
-  while (taken.some(([tx, ty, other]) => Math.abs(tx - x) < half + other && Math.abs(ty - place) < 16)) place += 4;
-  taken.push([x, place, half]);
-  pen.text(x, place, text, { colour: palette.ink, size: 13, align: "middle", bold: true, halo: palette.background });
+  pen.text(x, freeLine(taken, x, y, 4 * text.length), text, { colour: palette.ink, size: 13, align: "middle", bold: true, halo: palette.background });
 }
 
 /** @param {Pen} pen @param {Scene} scene @param {Measure} measure @param {Now} now @param {string} text */

@@ -92,6 +92,18 @@ test("a placement, a restart and a reset are undone, with the rows that are stil
   assert.deepEqual(bits(machine.now), placed);
 });
 
+test("one drag is one deed, however slow; the next one is another", { skip: withoutModule }, async (t) => {
+  const { app, live, machine } = await livePage(t);
+  const angle = machine.now[3];
+  const clock = t.mock.method(performance, "now", () => 5000 * (clock.mock.callCount() + 1));
+  for (let drags = 1; drags < 3; drags++) {
+    app.drag = { kind: "place", body: 0, point: [0.5, 0], target: [0, 0], reach: null };
+    for (let step = 1; step < 4; step++) live.place(0, [0.5, 0], [Math.cos(angle + 0.05 * step), Math.sin(angle + 0.05 * step)]);
+    app.drag = null;
+    assert.equal(app.history.done.length, drags);
+  }
+});
+
 test("values that were set go back and forth; a slider that is drawn is one deed", { skip: withoutModule }, async (t) => {
   const { app, live } = await livePage(t);
   const usual = live.settings.parameter[0];

@@ -188,6 +188,15 @@ test("one turn of a crank and the loop of a mechanism have its period", async ()
   assert.ok(Math.abs(turnOf(run, 0, 3.5).from - 2) < 1e-9);
   assert.equal(turnOf(run, 2, 0), null, "a rocker makes no turn");
   assert.equal(turningBody(run, 2, 0), 0);
+  // Rows with angles between -π and π, of a crank that turns backwards.
+  const back = await read(
+    sampled(headOf({ name: "Back", bodies: [bar("crank")] }), timesTo(3, 0.1), (t) => [[0, 0, -2.5 * t]]),
+  );
+  back.poses.data.forEach((value, at) => {
+    if (at % 6 === 2) back.poses.data[at] = Math.atan2(Math.sin(value), Math.cos(value));
+  });
+  const reversed = turnOf(back, 0, 0.2);
+  assert.ok(Math.abs(reversed.to - reversed.from - (2 * Math.PI) / 2.5) < 1e-9, `${reversed.to}`);
   assert.equal(turningBody(await read(ladder()), null, 0), null);
   assert.equal(loopOf(await read(ladder()), 0), null);
 });
