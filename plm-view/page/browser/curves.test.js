@@ -7,7 +7,7 @@ import { headOf, sampled, timesTo, workshop } from "../tests/support/scenes.js";
 import { drawn, open, settle, skip, state, writeRuns } from "./support/browser.js";
 import { everyWay as everyWayOf } from "./support/commands.js";
 
-const CHART = "figure > canvas";
+const CHART = ".charts figure > canvas";
 /** The colours of the first two curves. */
 const [FIRST, SECOND] = [[0, 103, 177], [213, 94, 0]];
 
@@ -36,7 +36,7 @@ async function boxOf(page, rgb) {
   const { frame } = await plot(page, "plot.frame");
   return page.evaluate(
     ([wanted, { x, y, width, height }]) => {
-      const canvas = document.querySelector("figure > canvas");
+      const canvas = document.querySelector(".charts figure > canvas");
       const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
       const box = { left: Infinity, right: -Infinity, low: Infinity, high: -Infinity, count: 0 };
       for (let at = 0; at < data.length; at += 4) {
@@ -53,16 +53,16 @@ async function boxOf(page, rgb) {
 
 test("curves: chosen, read at the cursor, clicked to go there", { skip }, async () => {
   const { page } = await open(addresses.workshop);
-  const one = await drawn(page, "figure > canvas");
+  const one = await drawn(page, ".charts figure > canvas");
   assert.ok(one.ink > 500, `${one.ink}`);
   await page.click(".picker summary");
   await page.fill("input[type=search]", "force.y");
   assert.equal(await page.locator(".offers label").count(), 2);
   await page.check("[data-name='slot.force.y']");
   await settle(page);
-  assert.equal(await page.locator("figure").count(), 2, "a chart for each unit");
+  assert.equal(await page.locator(".charts figure").count(), 2, "a chart for each unit");
   assert.ok(await page.evaluate(() => document.activeElement.dataset.name === "slot.force.y"), "the focus stays");
-  const canvas = page.locator("figure > canvas").first();
+  const canvas = page.locator(".charts figure > canvas").first();
   const before = await drawn(page);
   const box = await canvas.boundingBox();
   await page.mouse.click(box.x + 0.6 * box.width, box.y + 0.5 * box.height);
@@ -77,9 +77,12 @@ test("curves: chosen, read at the cursor, clicked to go there", { skip }, async 
   await page.mouse.move(box.x + 0.9 * box.width, box.y + 10);
   await page.mouse.up();
   assert.ok((await state(page, "app.player.time")) > time, "dragging goes along");
-  await page.click(".legend button >> nth=0");
-  await settle(page);
-  assert.equal(await page.locator("figure").count(), 1);
+  // All that the first chart draws: those of one unit.
+  for (let left = await page.locator(".charts figure >> nth=0 >> .legend .plain").count(); left > 0; left--) {
+    await page.click(".charts figure >> nth=0 >> .legend .plain >> nth=0");
+    await settle(page);
+  }
+  assert.equal(await page.locator(".charts figure").count(), 1);
 });
 
 
@@ -166,7 +169,7 @@ test("a phase plot: a circle is round, and its point goes around with the time",
     assert.ok(Math.abs(found - expected) < 0.06, `${found} instead of ${expected}`);
     // The cursor's point is drawn there, over the curve.
     const ink = await page.evaluate(([x, y]) => {
-      const { data } = document.querySelector("figure > canvas").getContext("2d").getImageData(x - 3, y - 3, 7, 7);
+      const { data } = document.querySelector(".charts figure > canvas").getContext("2d").getImageData(x - 3, y - 3, 7, 7);
       return Array.from({ length: 49 }, (_, at) => data[4 * at + 2]).filter((part) => part === 177).length;
     }, [frame.x + (0.5 + (Math.cos((found * Math.PI) / 2) * 2) / 4.48) * frame.width, frame.y + (0.5 - (Math.sin((found * Math.PI) / 2) * 2) / 4.48) * frame.height].map(Math.round));
     assert.ok(ink > 25, `a point at ${found} s: ${ink} pixels`);
@@ -224,7 +227,7 @@ test("of a million rows no peak is lost, however short", { skip }, async () => {
     const at = await page.evaluate(([t, v]) => {
       const { frame } = window.plmPage.panel.tabs.get("curves").tab.plots[0];
       const [x, y] = [frame.frame.x + t * frame.frame.width, frame.frame.y + (1 - v) * frame.frame.height];
-      const { data } = document.querySelector("figure > canvas").getContext("2d").getImageData(Math.round(x) - 2, Math.round(y) - 8, 5, 17);
+      const { data } = document.querySelector(".charts figure > canvas").getContext("2d").getImageData(Math.round(x) - 2, Math.round(y) - 8, 5, 17);
       return data.filter((part, index) => index % 4 === 3 && part > 60 && data[index - 1] - data[index - 3] > 60).length;
     }, [time, share < 0.5 ? 0.1 : 0.9]);
     assert.ok(at > 8, `a peak at ${time} s: ${at} pixels`);
@@ -237,7 +240,7 @@ test("what is no number is a gap", { skip }, async () => {
   // From 0.5 s to 0.8 s of 2 s.
   const columns = await page.evaluate(() => {
     const { frame } = window.plmPage.panel.tabs.get("curves").tab.plots[0].frame;
-    const { data, width } = document.querySelector("figure > canvas").getContext("2d").getImageData(frame.x, frame.y, frame.width, frame.height);
+    const { data, width } = document.querySelector(".charts figure > canvas").getContext("2d").getImageData(frame.x, frame.y, frame.width, frame.height);
     const isOf = (at) => [0, 103, 177].every((part, index) => Math.abs(part - data[at + index]) < 30) && data[at + 3] > 150;
     const drawn = new Set();
     for (let at = 0; at < data.length; at += 4) if (isOf(at)) drawn.add((at / 4) % width);
