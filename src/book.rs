@@ -62,6 +62,7 @@ pages! {
 pages! {
     FromC = "running/c.md";
     AsAnFmu = "running/fmu.md";
+    TenQuestions = "questions/ten.md";
     FromPython = "running/python.md";
     ThePage = "running/page.md";
 }
