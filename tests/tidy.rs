@@ -9,10 +9,8 @@ use plm_compiler::diag::Code;
 
 #[path = "tidy/old_words.rs"]
 mod old_words;
-#[path = "support/words.rs"]
+#[path = "tidy/words.rs"]
 mod words;
-
-use old_words::OLD_WORDS;
 
 /// A file above this is shown (`cargo test --test tidy -- --nocapture`): it may be two rooms.
 const LONG_FILE: usize = 400;

@@ -74,7 +74,7 @@ pub(crate) fn all(root: &Path) -> Result<Vec<Drawing>, Box<dyn Error>> {
     Ok(drawings)
 }
 
-/// What is missing, if parts of the library have no figure: their names and what to do.
+/// Parts of the library without a figure, and how to draw them.
 ///
 /// # Errors
 /// The library cannot be read.

@@ -142,7 +142,7 @@ fn loops_in_several_charts() {
 }
 
 #[test]
-fn absolute_coordinates_are_settled_lane_by_lane() {
+fn absolute_coordinates_are_projected_lane_by_lane() {
     let mechanisms = AROUND.map(|s| {
         let mut mechanism = triple_rocker_absolute::FourBars::new();
         mechanism.start.crank.omega.value = 10.0 + 10.0 * s;

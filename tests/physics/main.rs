@@ -7,6 +7,7 @@ mod absolute;
 mod compliance;
 mod feedback;
 mod manual;
+mod massless;
 mod physics;
 mod references;
 #[path = "../support/standard.rs"]

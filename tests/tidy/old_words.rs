@@ -1,7 +1,7 @@
 //! Words that are names no more.
 
 /// Words that have given way to those of docs/src/theory/vocabulary.md: where, the word, what stands instead.
-pub(crate) const OLD_WORDS: [(&str, &str, &str); 37] = [
+pub(crate) const OLD_WORDS: [(&str, &str, &str); 64] = [
     ("plm-macros/compiler/src/", "driver", "independent coordinate"),
     ("plm-macros/compiler/src/", "drivers", "independent"),
     ("plm-macros/compiler/src/", "survey", "remember_pose"),
@@ -39,4 +39,31 @@ pub(crate) const OLD_WORDS: [(&str, &str, &str); 37] = [
     ("plm-runtime/src/charts/", "followed", "iterated"),
     ("plm-runtime/src/charts/", "areas", "determinants"),
     ("plm-runtime/src/charts/", "counted", "revolutions"),
+    ("plm-macros/compiler/src/formulate/", "rung", "formulation"),
+    ("plm-macros/compiler/src/check/", "rung", "formulation"),
+    ("plm-macros/compiler/src/resolve/", "rung", "formulation"),
+    ("tests/formulations/", "rung", "formulation"),
+    ("examples/work_precision/", "rung", "formulation"),
+    ("plm-macros/compiler/src/formulate/", "class", "orientation"),
+    ("plm-macros/compiler/src/formulate/", "heading", "absolute angle"),
+    ("plm-macros/compiler/src/formulate/", "slide", "displacement"),
+    ("plm-macros/compiler/src/formulate/", "given", "explicit row"),
+    ("plm-macros/compiler/src/formulate/", "spare", "redundant row"),
+    ("plm-macros/compiler/src/formulate/", "loose", "free coordinate"),
+    ("plm-macros/compiler/src/derive/", "causes", "forcing terms"),
+    ("plm-macros/compiler/src/", "draft", "unresolved model"),
+    ("plm-macros/compiler/src/", "things", "declarations"),
+    ("plm-macros/compiler/src/resolve/", "settle", "finalise"),
+    ("plm-macros/compiler/src/", "habits", "foreign syntax"),
+    ("plm-macros/compiler/src/", "flaw", "lexical error"),
+    ("plm-macros/compiler/src/", "mended", "recovered"),
+    ("plm-macros/compiler/src/", "figures", "numeric table"),
+    ("plm-macros/", "piece", "fragment"),
+    ("plm-macros/compiler/src/emit/", "rolled", "rerolled"),
+    ("plm-macros/compiler/src/emit/", "families", "indexed accessors"),
+    ("plm-foreign/", "border", "ffi"),
+    ("plm-foreign/src/fmi/", "trouble", "error"),
+    ("plm-foreign/src/ffi/", "trouble", "error"),
+    ("src/live", "trouble", "error"),
+    ("plm-analysis/src/stabilise/", "look", "evaluation"),
 ];

@@ -36,7 +36,7 @@ const TEXTS: [Text; 9] = [
         what: "what is emitted, and the bits of first steps: tests/snapshots/",
         is_compared: true,
         variable: BLESS,
-        command: "cargo test --test snapshots",
+        command: "cargo test --test emitted --test snapshots",
     },
     Text {
         name: "figures",

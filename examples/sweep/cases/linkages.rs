@@ -13,7 +13,7 @@ const OFFSETS: (f64, f64) = (1e-15, 1e-2);
 /// Starts next to flat are spread over these, rad.
 const FLAT: (f64, f64) = (1e-9, 1e-1);
 
-/// Where two circles meet, to the left of the line from the first centre to the second, or to the right.
+/// Intersection of two circles, to the left of the line from the first centre to the second, or to the right.
 fn meet(a: [f64; 2], ra: f64, b: [f64; 2], rb: f64, left: bool) -> Option<[f64; 2]> {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
     let square = dx * dx + dy * dy;

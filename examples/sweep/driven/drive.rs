@@ -107,7 +107,7 @@ impl Drive {
     }
 }
 
-/// Where two circles meet, to the left of the line from the first centre to the second, or to the right.
+/// Intersection of two circles, to the left of the line from the first centre to the second, or to the right.
 fn meet(a: [f64; 2], ra: f64, b: [f64; 2], rb: f64, left: bool) -> [f64; 2] {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
     let square = dx * dx + dy * dy;

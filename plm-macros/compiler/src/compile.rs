@@ -9,14 +9,14 @@ use std::cell::RefCell;
 use plm_cas::{Expr, Graph, algebra};
 
 use crate::check;
-use crate::derive::{count_turns, derive, hold_switches, with_turns};
+use crate::derive::{Massless, count_turns, derive, hold_switches, with_turns};
 use crate::diag::Diagnostics;
 use crate::emit::{self, Code, Place};
 use crate::fallback;
 use crate::formulate::{Program, formulate, reduce};
 use crate::front::{self, Reading};
 use crate::model::{Model, Output};
-use crate::numeric::{Reach, Scene, assemble};
+use crate::numeric::{Assembly, Reach, Scene, assemble, freedom};
 use crate::oracle::Oracle;
 use crate::report::Report;
 use crate::token::Sources;
@@ -105,9 +105,13 @@ fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnos
     let scene = Scene::declared(&model, &equations, &absolute);
     let start = assemble(&scene, Reach::Full);
     let reduced = reduce(&scene, Some(&start));
+    let massless = massless(&scene, &start);
     let mut program = Program::new(&model, &equations, absolute, reduced);
     if let Some((outputs, from)) = observed {
-        let outputs = import(outputs, &from, (&held, &revolutions));
+        let mut outputs = import(outputs, &from, (&held, &revolutions));
+        if let Some(massless) = &massless {
+            outputs = massless.without_forces(outputs);
+        }
         program.observe(&outputs, &equations);
         model.outputs.extend(outputs);
     }
@@ -118,6 +122,7 @@ fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnos
 
     let scene = Scene::declared(&model, &equations, &program.absolute);
     check::check_pairs(&scene, sink);
+    check::check_massless(&scene, massless.as_ref(), &start, sink);
     check::check_formulation(&model, &program, sink);
     check::check_start(&scene, &start, sink);
     sink.allow(&model.allowed);
@@ -127,6 +132,13 @@ fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnos
     let code = emit::emit(&model, &equations, &program, &report, place);
     let oracle = Oracle { graph: RefCell::default(), model, equations, program };
     Some(Expansion { code: Some(code), report: Some(report), oracle: Some(oracle), ..Expansion::default() })
+}
+
+/// The bodies without mass, and what depends on their masses.
+fn massless(scene: &Scene, start: &Assembly) -> Option<Massless> {
+    let mut massless = Massless::new(scene.model, scene.equations)?;
+    massless.repeats = start.is_closed() && freedom(scene, start) > massless.freedom;
+    Some(massless)
 }
 
 /// `None` if there are errors.

@@ -226,6 +226,8 @@ pub struct Body {
     pub inertia: Expr,
     /// Where the inertia was written.
     pub inertia_span: Span,
+    /// Are mass and inertia declared? Else both are numbers that no result may depend on.
+    pub has_mass: bool,
     /// Symbols of (x, y, theta) of G: m, m, rad.
     pub q: [Expr; 3],
     /// Symbols of their rates: m/s, m/s, rad/s.
@@ -346,6 +348,11 @@ pub struct State {
 }
 
 impl Model {
+    /// Has each body a mass?
+    pub fn has_masses(&self) -> bool {
+        self.bodies.iter().all(|body| body.has_mass)
+    }
+
     /// Number of switches that depend on the state, and of kinks: what is looked at in every step.
     pub fn watched(&self) -> usize {
         self.guards() + self.kinks.len()

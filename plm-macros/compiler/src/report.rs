@@ -39,6 +39,8 @@ pub struct Report {
     pub taken: Taken,
     /// The formulation in lines of text, with coordinates and method.
     pub formulation: Vec<String>,
+    /// Bodies without mass.
+    pub massless: Vec<String>,
     /// Numbers in the state.
     pub state: usize,
     /// Size of the scene, m.
@@ -80,6 +82,7 @@ impl Report {
         let coordinates = equations.q.len();
         let taken = taken(model, reduced.as_ref().map_err(String::as_str));
         let mechanical = program.reduced().map_or(2 * coordinates, |reduced| 2 * reduced.freedom());
+        let massless = model.bodies.iter().filter(|body| !body.has_mass).map(|body| body.name.text.clone());
         Report {
             name: model.name.text.clone(),
             bodies: model.bodies.len(),
@@ -90,6 +93,7 @@ impl Report {
             freedom: coordinates as isize - equations.phi.len() as isize,
             rank: None,
             formulation: formulation(model, program.reduced(), &taken),
+            massless: massless.collect_vec(),
             taken,
             state: mechanical + equations.x.len(),
             length: scene.length,
@@ -186,6 +190,12 @@ impl Report {
             self.bodies, self.parts, self.coordinates, self.constraints, self.freedom
         )];
         lines.push_all(self.formulation.iter().cloned());
+        if !self.massless.is_empty() {
+            let massless = self.massless.join("`, `");
+            lines.push(format!(
+                "Bodies without mass: `{massless}`; no energy, and no force that depends on their masses."
+            ));
+        }
         lines.push(format!("State: {} numbers, {} bytes in f64.", self.state, 8 * self.state));
         if self.constraints > 0 {
             let workspace = 8 * self.constraints * (self.coordinates + self.constraints);

@@ -8,7 +8,7 @@
 use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::{Expr, algebra};
 
-use crate::model::{Model, Port};
+use crate::model::{Body, Model, Port};
 use crate::numeric::value;
 use crate::units::DisplayUnit;
 
@@ -45,7 +45,8 @@ impl NumericTable {
         let mut table =
             NumericTable { all: Vec::new(), bodies: Vec::new(), ground: Vec::new(), parts: Vec::new() };
         for body in &model.bodies {
-            let first = table.push([body.mass, body.inertia, body.depth.unwrap_or(Expr::ZERO)]);
+            let first = table.push_masses(body);
+            table.push([body.depth.unwrap_or(Expr::ZERO)]);
             body.ports.iter().for_each(|port| {
                 table.push(place(port));
             });
@@ -65,6 +66,15 @@ impl NumericTable {
             table.parts.push(first);
         }
         table
+    }
+
+    /// Adds mass and inertia of a body, no number where it has none.
+    fn push_masses(&mut self, body: &Body) -> usize {
+        if body.has_mass {
+            return self.push([body.mass, body.inertia]);
+        }
+        self.all.push_all([Entry::Constant(f64::NAN), Entry::Constant(f64::NAN)]);
+        self.all.len() - 2
     }
 
     /// Adds numbers and returns the index of the first.

@@ -94,14 +94,14 @@ pub trait Described: Mechanism + Ports {
         ""
     }
 
-    /// Mass of a body, kg.
+    /// Mass of a body, kg; `None` if it was declared without.
     fn mass(&self, body: usize) -> Option<Number<Self>> {
-        self.constant(Self::TABLES.bodies.get(body)?.first)
+        self.declared(Self::TABLES.bodies.get(body)?.first)
     }
 
-    /// Moment of inertia of a body about its centre of gravity, kg m^2.
+    /// Moment of inertia of a body about its centre of gravity, kg m^2; `None` if it was declared without.
     fn inertia(&self, body: usize) -> Option<Number<Self>> {
-        self.constant(Self::TABLES.bodies.get(body)?.first + 1)
+        self.declared(Self::TABLES.bodies.get(body)?.first + 1)
     }
 
     /// Depth of a body for pictures, m; 0 where none was declared.
@@ -168,6 +168,12 @@ pub trait Described: Mechanism + Ports {
     #[doc(hidden)]
     fn constant(&self, index: usize) -> Option<Number<Self>> {
         self.figure(Number::<Self>::lit(0.0), index)
+    }
+
+    /// A number that the time does not change, if it was declared: the others are no numbers in the tables.
+    #[doc(hidden)]
+    fn declared(&self, index: usize) -> Option<Number<Self>> {
+        self.constant(index).filter(|number| !number.to_f64().is_nan())
     }
 
     /// Three numbers of the tables.

@@ -18,7 +18,7 @@ pub(crate) struct Beginning<M: System> {
 #[derive(Clone, Copy)]
 pub(crate) struct History<M: System> {
     /// Where the last step of a method with dense output began; nothing is known of it after a change from outside. With steps
-    /// of fixed length, a state around which no guard can come to zero (`events::calm`).
+    /// of fixed length, a state around which no guard can come to zero (`events::guard_free`).
     pub(crate) beginning: Option<Beginning<M>>,
     /// How many steps each state has limited, where they are counted.
     pub(crate) counts: Option<M::X>,

@@ -6,7 +6,7 @@ use plm_runtime::{Adams, Cause, Dop853, Dopri5, Mechanism, Notice, Rk4};
 use crate::mechanisms::{contradictory_pendulum, double_pendulum, four_bar};
 
 #[test]
-fn a_drifted_state_is_settled_to_rounding() {
+fn a_drifted_state_is_projected_to_rounding() {
     let m = four_bar();
     let found = assemble(&m, 0.0).unwrap();
     for size in [1e-3, 1e-6, 1e-9, 1e-12] {
@@ -42,7 +42,7 @@ fn projection_moves_heavy_bodies_less() {
 }
 
 #[test]
-fn what_cannot_be_settled_is_said() {
+fn a_state_that_cannot_be_projected_is_a_fault() {
     let m = contradictory_pendulum();
     let (mut q, mut v) = ([1.0, 0.0, 0.0], [0.0; 3]);
     let fault = project(&m, 3.0, &mut q, &mut v).unwrap_err();
@@ -51,7 +51,7 @@ fn what_cannot_be_settled_is_said() {
 }
 
 #[test]
-fn fixed_steps_are_settled_seldom_and_enough() {
+fn fixed_steps_are_projected_seldom_and_enough() {
     let mut sim = double_pendulum::<f64>().start_with(Rk4::new(2e-3)).unwrap();
     let mut worst: f64 = 0.0;
     for _ in 0..500 {
@@ -65,7 +65,7 @@ fn fixed_steps_are_settled_seldom_and_enough() {
 }
 
 #[test]
-fn without_drift_to_speak_of_nothing_is_settled() {
+fn without_drift_to_speak_of_nothing_is_projected() {
     let mut sim = double_pendulum::<f64>().start_with(Rk4::new(1e-4)).unwrap();
     sim.step(0.1).unwrap();
     assert_eq!(sim.stats().projected, 0);

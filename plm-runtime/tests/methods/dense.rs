@@ -93,7 +93,7 @@ fn a_changed_input_is_felt_at_once() {
 }
 
 #[test]
-fn a_settled_step_is_interpolated_to_where_it_was_settled() {
+fn a_projected_step_is_interpolated_to_where_it_was_projected() {
     // Tolerances at which nearly every step is projected: samples just before and at the ends of steps must meet.
     let mut sim = double_pendulum::<f64>().start_with(Dopri5::new(1e-5)).unwrap();
     let mut last: Option<(f64, [f64; 12])> = None;

@@ -41,7 +41,7 @@ const RUN_SHAPE = {
   name: "string",
   mechanism: {
     name: "string",
-    bodies: [{ name: "string", mass: "number", inertia: "number", depth: "number", ports: [PORT_SHAPE] }],
+    bodies: [{ name: "string", mass: "number|null", inertia: "number|null", depth: "number", ports: [PORT_SHAPE] }],
     ground: [PORT_SHAPE],
     parts: [{ name: "string", kind: "string", frames: [{ argument: "string", body: "number?", port: "number?" }] }],
     "parameters?": [{ name: "string", unit: "string", factor: "number", value: "number" }],
@@ -86,7 +86,12 @@ function fillRun(run) {
   mechanism.parameters ??= [];
   mechanism.inputs ??= [];
   mechanism.states ??= [];
-  for (const body of mechanism.bodies) body.contour ??= null;
+  for (const body of mechanism.bodies) {
+    body.contour ??= null;
+    // JSON has no NaN: a body without mass.
+    body.mass ??= NaN;
+    body.inertia ??= NaN;
+  }
   for (const port of mechanism.ground) port.depth ??= 0;
   for (const part of mechanism.parts) {
     part.pair ??= null;
@@ -118,8 +123,9 @@ function checkFrame(frame, mechanism, part) {
  */
 function checkShape(value, shape, place) {
   if (typeof shape === "string") {
-    const type = shape.replace("?", "");
+    const type = shape.replace("?", "").replace("|null", "");
     const mayMiss = shape.endsWith("?") && (value === null || value === undefined);
+    if (shape.endsWith("|null") && value === null) return;
     if (!mayMiss && typeof value !== type) throw shapeError(place, type, value);
   } else if (Array.isArray(shape)) {
     if (!Array.isArray(value)) throw shapeError(place, "list", value);

@@ -186,7 +186,7 @@ export class Live {
    */
   stiffness(body, [u, v]) {
     const { bodies } = this.mechanism;
-    const total = bodies.reduce((sum, { mass }) => sum + mass, 0);
+    const total = bodies.reduce((sum, { mass }) => sum + (mass || 0), 0);
     const { mass, inertia } = bodies[body];
     const felt = Math.max(1 / (1 / mass + (u * u + v * v) / inertia) || 0, 0.01 * total);
     const stiffness = Math.min((4 * 9.81 * total) / this.size(), felt * FASTEST_SWING ** 2);

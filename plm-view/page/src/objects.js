@@ -4,7 +4,7 @@ import { element, setText } from "./dom.js";
 import { sameItem } from "./draw.js";
 import { POSE_MEMBERS } from "./run.js";
 import { framePose } from "./solid.js";
-import { quantityText } from "./text.js";
+import { givenText, quantityText } from "./text.js";
 
 /** @import {App} from "./app.js" */
 /** @import {Frame, Mechanism} from "./format.js" */
@@ -70,8 +70,8 @@ export class Objects {
     const { app } = this;
     const body = /** @type {Mechanism} */ (app.run?.mechanism).bodies[index];
     const rows = [
-      factRow("mass", quantityText(body.mass, "kg")),
-      factRow("moment of inertia about G", quantityText(body.inertia, "kg*m^2")),
+      factRow("mass", givenText(body.mass, "kg")),
+      factRow("moment of inertia about G", givenText(body.inertia, "kg*m^2")),
       factRow("depth", quantityText(body.depth, "m")),
       ...POSE_MEMBERS.map(([member, unit], axis) => {
         const read = () => this.poseNow(index, axis);

@@ -77,6 +77,15 @@ export function quantityText(value, unit) {
 }
 
 /**
+ * A quantity that a declaration may leave out.
+ * @param {number} value NaN where it was left out
+ * @param {string} unit
+ */
+export function givenText(value, unit) {
+  return Number.isNaN(value) ? "not given" : quantityText(value, unit);
+}
+
+/**
  * A time for reading along: as many decimals as the duration of the run asks for.
  * @param {number} seconds
  * @param {number} duration

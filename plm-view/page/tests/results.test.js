@@ -1,7 +1,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { readContents } from "../src/format.js";
 import { readNpy } from "../src/npy.js";
 import { readResults } from "../src/results.js";
+import { givenText } from "../src/text.js";
 import { checkSum, readZip } from "../src/zip.js";
 import { makeNpy, makeNpz, makeZip, resultsFiles } from "./support/npz.js";
 import { doublePendulum, workshop } from "./support/scenes.js";
@@ -113,6 +115,17 @@ test("foreign files are refused in words", async () => {
       return true;
     });
   }
+});
+
+test("a body may have no mass", async () => {
+  const copy = JSON.parse(resultsFiles([doublePendulum({ end: 0.1 })])[0][1].toString());
+  const [body] = copy.runs[0].mechanism.bodies;
+  // As serde writes NaN.
+  [body.mass, body.inertia] = [null, null];
+  const contents = readContents(Buffer.from(JSON.stringify(copy)));
+  assert.ok(Number.isNaN(contents.runs[0].mechanism.bodies[0].mass));
+  assert.equal(givenText(contents.runs[0].mechanism.bodies[0].inertia, "kg*m^2"), "not given");
+  assert.equal(givenText(2, "kg"), "2 kg");
 });
 
 test("a damaged array is told", async () => {

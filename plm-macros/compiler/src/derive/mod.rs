@@ -19,6 +19,7 @@ mod decisions;
 mod feedback;
 mod forcing;
 mod kinks;
+mod massless;
 mod poles;
 mod range;
 mod switches;
@@ -30,6 +31,7 @@ use plm_cas::{Expr, algebra};
 pub(crate) use branch::Branch;
 pub(crate) use feedback::{Signal, feeds_back};
 pub(crate) use forcing::forcing_terms;
+pub(crate) use massless::Massless;
 pub(crate) use switches::hold_switches;
 pub(crate) use turns::{count_turns, with_turns};
 

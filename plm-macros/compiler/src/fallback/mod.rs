@@ -316,6 +316,7 @@ fn body(name: Name) -> Body {
         mass_span: span,
         inertia: one,
         inertia_span: span,
+        has_mass: true,
         q,
         v,
         a,

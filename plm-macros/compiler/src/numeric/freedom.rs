@@ -18,6 +18,16 @@ const NEXT_TO: f64 = 0.03;
 /// Poses that assembly takes further away than this are of another kind.
 const FAR: f64 = 0.5;
 
+/// Can a body move at an assembled start, as far as constraints go? A row for each of its coordinates adds to the rank then.
+pub(crate) fn moves(scene: &Scene, found: &Assembly, body: usize) -> bool {
+    let constraints = Constraints::new(scene);
+    let rank = |held: bool| {
+        let of_body = |k: usize| held && k / 3 == body;
+        constraints.rank(&found.q, &(0..found.q.len()).map(of_body).collect_vec()).value()
+    };
+    rank(true) > rank(false)
+}
+
 /// Coordinates less rank, for an assembled start.
 pub(crate) fn freedom(scene: &Scene, found: &Assembly) -> usize {
     let (coordinates, rows) = (scene.equations.q.len(), scene.equations.phi.len());

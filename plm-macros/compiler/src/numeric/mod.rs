@@ -17,7 +17,7 @@ mod values;
 
 pub(crate) use assembly::{Assembly, Reach, assemble};
 pub(crate) use branch::asked;
-pub(crate) use freedom::freedom;
+pub(crate) use freedom::{freedom, moves};
 pub(crate) use random::Random;
 pub(crate) use rank::{Row, rank};
 pub(crate) use scene::Scene;

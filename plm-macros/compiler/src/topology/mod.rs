@@ -7,6 +7,7 @@
 mod blocks;
 mod cycles;
 mod independent;
+mod influence;
 mod matching;
 #[cfg(test)]
 mod scenes;
@@ -15,3 +16,4 @@ mod strong;
 pub(crate) use blocks::{Block, Equation};
 pub(crate) use cycles::{Forest, shortest_cycle_basis, spanning_forest};
 pub(crate) use independent::{Choice, independent_sets};
+pub(crate) use influence::{Influence, structural_rank};

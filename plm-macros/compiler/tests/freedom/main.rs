@@ -8,6 +8,7 @@
 
 mod charts;
 mod free_bodies;
+mod massless;
 mod motion;
 mod poses;
 mod reasons;

@@ -31,7 +31,7 @@ fn constraints(emission: &Emission) -> TokenStream {
     };
     let update = turns::update(emission);
     let stabilisation = (!emission.is_reduced()).then(|| stabilisation(emission));
-    let energy = (!knows_time(emission)).then(|| {
+    let energy = (!knows_time(emission) && emission.model.has_masses()).then(|| {
         quote! {
             fn energy(&self, t: S, u: &Self::U, x: &[S; #length]) -> Option<rt::Energy<S>> {
                 let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);

@@ -18,9 +18,8 @@ pub(crate) fn outputs(emission: &Emission) -> TokenStream {
     let (bindings, functions) = (emission.bindings(Origin::State), &emission.program.outputs);
     let poses = poses(emission);
     let user = (0..emission.model.outputs.len()).map(|index| user_output(emission, &bindings, index));
-    let [kinetic, gravity, power] =
-        [&functions.kinetic_energy, &functions.gravity_energy, &functions.load_power]
-            .map_each(|function| body(emission, &bindings, function));
+    let power = body(emission, &bindings, &functions.load_power);
+    let energies = emission.model.has_masses().then(|| energies(emission, &bindings));
     let indexed_accessors = indexed_accessors::accessors(emission);
     let branches = branches(emission, &bindings);
     let table = table(emission);
@@ -34,15 +33,7 @@ pub(crate) fn outputs(emission: &Emission) -> TokenStream {
             #poses
             #(#user)*
 
-            /// Kinetic energy of all bodies, J.
-            pub fn kinetic_energy(&self) -> S {
-                #kinetic
-            }
-
-            /// Potential energy of gravity above the origin, J.
-            pub fn gravity_energy(&self) -> S {
-                #gravity
-            }
+            #energies
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
@@ -52,6 +43,24 @@ pub(crate) fn outputs(emission: &Emission) -> TokenStream {
             #branches
             #table
             #observed
+        }
+    }
+}
+
+/// Kinetic energy, and potential energy of gravity.
+fn energies(emission: &Emission, bindings: &Bindings) -> TokenStream {
+    let functions = &emission.program.outputs;
+    let [kinetic, gravity] = [&functions.kinetic_energy, &functions.gravity_energy]
+        .map_each(|function| body(emission, bindings, function));
+    quote! {
+        /// Kinetic energy of all bodies, J.
+        pub fn kinetic_energy(&self) -> S {
+            #kinetic
+        }
+
+        /// Potential energy of gravity above the origin, J.
+        pub fn gravity_energy(&self) -> S {
+            #gravity
         }
     }
 }

@@ -5,7 +5,7 @@ use plm_cas::{Expr, Number};
 
 use crate::collect::MapEach;
 use crate::diag::{Code, help_similar};
-use crate::model::{Name, Start};
+use crate::model::{Name, Port, Start};
 use crate::resolve::Resolver;
 use crate::resolve::declarations::frame::{Placement, UnresolvedPort};
 use crate::resolve::names::ScopeId;
@@ -51,6 +51,16 @@ pub(crate) fn positive_help(name: &str, dimension: Dimension) -> String {
          other masses carry the body (the book, E0402)",
         dimension.si_unit()
     )
+}
+
+/// Mass and inertia that equations hold of a body without any, kg and kg m^2. No result depends on them, and the
+/// elimination is well conditioned where the inertia is the mass times the square of the body's size.
+pub(crate) fn assumed_mass(ports: &[Port]) -> [Expr; 2] {
+    // The exponent of two, which is the same on every host.
+    let exponent = |at: f64| (at.abs().to_bits() >> 52) as i32 - 1023;
+    let places = ports.iter().flat_map(|port| port.at.components()).filter_map(Expr::as_number);
+    let sizes = places.filter(|at| !at.is_zero()).map(|at| exponent(at.to_f64()));
+    [Expr::ONE, Expr::from(2).powi(2 * sizes.max().unwrap_or(0).clamp(-15, 15))]
 }
 
 impl<'a> Resolver<'a> {
@@ -150,6 +160,12 @@ impl<'a> Resolver<'a> {
                 .note_at(first.span, "it is given first here");
         }
         Some(value)
+    }
+
+    /// Does a body declare a mass or an inertia? One of them needs the other.
+    pub(crate) fn names_mass(&self, body: usize) -> bool {
+        let fields = &self.unresolved.bodies[body].ast.fields;
+        fields.iter().any(|(ident, _)| ident.text == "mass" || ident.text == "inertia")
     }
 
     /// The mass or the inertia, and where it stands. An assumed value keeps a mistake from causing others.

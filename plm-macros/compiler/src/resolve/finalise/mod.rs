@@ -6,13 +6,14 @@ mod output;
 mod placeholders;
 pub(super) mod warnings;
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
 use crate::diag::Code;
 use crate::model::{Body, Decisions, FrameRef, Input, Model, Name, Param, Port, Row};
 use crate::resolve::Resolver;
+use crate::resolve::declarations::body::assumed_mass;
 use crate::resolve::declarations::declare::UnresolvedField;
 use crate::resolve::values::{Eval, Reads, all};
 use crate::syntax::ast::{self, Mechanism};
@@ -124,28 +125,35 @@ impl<'a> Resolver<'a> {
     }
 
     fn evaluate_body(&mut self, body: usize) -> Eval<Body> {
-        let mass = self.body_quantity(body, "mass", Dimension::MASS);
-        let inertia = self.body_quantity(body, "inertia", Dimension::INERTIA);
+        let has_mass = self.names_mass(body);
+        let declared = has_mass.then(|| {
+            let mass = self.body_quantity(body, "mass", Dimension::MASS);
+            (mass, self.body_quantity(body, "inertia", Dimension::INERTIA))
+        });
         let starts = self.starts(body);
         let contour = self.contour(body);
         let (depth, scope) = (self.body_field(body, "depth"), self.unresolved.bodies[body].scope);
         let depth = self.depth(scope, depth);
         let ports = self.evaluate_ports(Some(body));
         let placement = self.placement(body)?;
-        let ((mass, mass_span), (inertia, inertia_span)) = (mass?, inertia?);
         let [x, y, angle, vx, vy, omega] = starts?;
-        let state = &self.unresolved.bodies[body];
+        let (ports, state) = (ports?, &self.unresolved.bodies[body]);
+        let ((mass, mass_span), (inertia, inertia_span)) = match declared {
+            Some((mass, inertia)) => (mass?, inertia?),
+            None => assumed_mass(&ports).map_each(|value| (value, state.name.span)).into(),
+        };
         Ok(Body {
             name: state.name.clone(),
             mass,
             mass_span,
             inertia,
             inertia_span,
+            has_mass,
             q: state.q,
             v: state.v,
             a: state.a,
             centre: if placement.drawing { Vec2::ZERO } else { placement.centre },
-            ports: ports?,
+            ports,
             start: [x, y, angle],
             start_velocity: [vx, vy, omega],
             contour: contour?,

@@ -130,12 +130,16 @@ impl<'a> Resolver<'a> {
                 let names: Vec<&str> = ports.iter().map(String::as_str).collect_vec();
                 let message = format!("unknown port `{name}` of `{of}`");
                 let diagnostic = self.error(scope, Code::UnknownPort, span, message);
+                // A member, where no port is near.
+                let is_port = body.is_none() || nearest(name, names.iter().copied()).is_some();
+                let members = if is_port { Vec::new() } else { Member::names(Owner::Body) };
+                let member = nearest(name, members.iter().copied());
+                if let Some(near) = member {
+                    diagnostic.help(format!("a member with a similar name exists: `{near}`"));
+                }
                 help_similar(diagnostic, name, "port", &format!("ports of `{of}`"), &names);
-                if body.is_some() && nearest(name, names.iter().copied()).is_none() {
-                    diagnostic.note(format!(
-                        "beside its ports a body has {}",
-                        Member::names(Owner::Body).join(", ")
-                    ));
+                if member.is_none() && !members.is_empty() {
+                    diagnostic.note(format!("beside its ports a body has {}", members.join(", ")));
                 }
             }
             Value::Frame(_) => {
