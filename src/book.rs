@@ -13,6 +13,9 @@ pages! {
     Readme = "../../README.md";
     LookAtIt = "look-at-it.md";
     GettingStarted = "getting-started.md";
+    Kinematics = "questions/kinematics.md";
+    InverseDynamics = "questions/inverse-dynamics.md";
+    Gradients = "questions/gradients.md";
     GeneratedCode = "generated-code.md";
     Bodies = "language/bodies.md";
     Outputs = "language/outputs.md";
@@ -33,12 +36,15 @@ pages! {
 #[cfg(feature = "analysis")]
 pages! {
     Modes = "running/modes.md";
+    Statics = "questions/statics.md";
+    Feedback = "questions/feedback.md";
     Linearise = "running/linearise.md";
 }
 
 #[cfg(feature = "view")]
 pages! {
     Results = "running/results.md";
+    FromAFile = "questions/from-a-file.md";
 }
 
 #[cfg(feature = "lanes")]
@@ -56,6 +62,7 @@ pages! {
 pages! {
     FromC = "running/c.md";
     AsAnFmu = "running/fmu.md";
+    TenQuestions = "questions/ten.md";
     FromPython = "running/python.md";
     ThePage = "running/page.md";
 }

@@ -9,6 +9,8 @@
 //! | `plm,items` | items of the mechanism [`EXAMPLE`], with which it compiles without a word, but that nothing reads a name |
 //! | `plm,E0301` | a declaration that gives this code, and no other |
 //!
+//! What a program of the chapter `questions` prints, in a `console` block, stands in that program as an assertion.
+//!
 //! The `text` block right behind one with codes is what the compiler says, the block `text,reactions` is that function of
 //! the manual's double pendulum; `PLM_BLESS=1` writes both anew.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
@@ -160,6 +162,26 @@ fn every_declaration_of_the_book_gives_what_it_says() {
     }
     assert!(wrong.is_empty(), "{wrong}");
     assert!(checked > 80, "only {checked} blocks were found");
+}
+
+#[test]
+fn programs_assert_the_answers_that_pages_show() {
+    let mut checked = 0;
+    for page in pages().iter().filter(|page| page.parent().unwrap().ends_with("questions")) {
+        let text = fs::read_to_string(page).unwrap();
+        let lines: Vec<&str> = text.lines().collect();
+        let blocks = blocks(&lines);
+        let of = |word| blocks.iter().filter(move |block| block.words[0] == word);
+        let programs: String = of("rust").map(|block| block.text(&lines)).collect();
+        for answer in of("console").flat_map(|block| &lines[block.first..block.end]) {
+            if !answer.starts_with("$ ") {
+                let asserted = format!("assert_eq!(answer, {answer:?});");
+                assert!(programs.contains(&asserted), "{}: no program has {asserted}", page.display());
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked >= 6, "only {checked} answers were found");
 }
 
 #[test]
