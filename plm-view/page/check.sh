@@ -39,6 +39,11 @@ if [ -z "${PLM_MANUAL:-}" ] && manual=$(cd "$target/debug/examples" 2>/dev/null 
     export PLM_MANUAL=$manual/manual
 fi
 
+# The page of the README's moving pictures: the example `four_bar`.
+if [ -z "${PLM_FOUR_BAR:-}" ] && four_bar=$(cd "$target/debug/examples" 2>/dev/null && pwd) && [ -x "$four_bar/four_bar" ]; then
+    export PLM_FOUR_BAR=$four_bar/four_bar
+fi
+
 if [ "${1:-}" = --book ]; then
     exec node browser/book.js
 fi

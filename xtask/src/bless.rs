@@ -16,7 +16,7 @@ struct Text {
 
 const BLESS: Option<(&str, &str)> = Some(("PLM_BLESS", "1"));
 
-const TEXTS: [Text; 9] = [
+const TEXTS: [Text; 11] = [
     Text {
         name: "ui",
         what: "what rustc prints for wrong declarations: tests/ui/**/*.stderr",
@@ -65,6 +65,20 @@ const TEXTS: [Text; 9] = [
         is_compared: false,
         variable: None,
         command: "bash docs/gallery.sh",
+    },
+    Text {
+        name: "hero",
+        what: "the README's moving pictures",
+        is_compared: false,
+        variable: None,
+        command: "bash docs/hero.sh",
+    },
+    Text {
+        name: "work-precision",
+        what: "charts of accuracy against speed and their summary, of the stored runs",
+        is_compared: false,
+        variable: None,
+        command: "cargo run --example work_precision -- --redraw docs/src/images/work-precision",
     },
     Text {
         name: "machines",

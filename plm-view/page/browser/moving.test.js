@@ -1,9 +1,15 @@
 // Moving pictures of pages: what the browser decodes is what the page shows, nothing is cut off, and the loop has no seam.
 
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { workshop } from "../tests/support/scenes.js";
-import { movingPicture } from "./moving.js";
+import { HERO } from "./hero.js";
+import { framesOf, movingPicture } from "./moving.js";
 import { open, skip, writeRuns } from "./support/browser.js";
 import { address as live, skip as withoutLive } from "./support/livepage.js";
 
@@ -39,6 +45,32 @@ async function decoded(file, colours) {
   );
 }
 
+/** Pixels of some frames of a file, RGBA. */
+async function pixelsOf(file, wanted) {
+  const { page } = await open(address);
+  const texts = await page.evaluate(
+    async ([text, indices]) => {
+      const data = Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0));
+      const decoder = new ImageDecoder({ data, type: "image/webp" });
+      await decoder.tracks.ready;
+      await decoder.completed;
+      const found = [];
+      for (const frameIndex of indices) {
+        const { image } = await decoder.decode({ frameIndex });
+        const context = new OffscreenCanvas(image.displayWidth, image.displayHeight).getContext("2d");
+        context.drawImage(image, 0, 0);
+        const pixels = context.getImageData(0, 0, image.displayWidth, image.displayHeight).data;
+        let bytes = "";
+        for (let at = 0; at < pixels.length; at += 0x8000) bytes += String.fromCharCode(...pixels.subarray(at, at + 0x8000));
+        found.push(btoa(bytes));
+      }
+      return found;
+    },
+    [Buffer.from(file).toString("base64"), wanted],
+  );
+  return texts.map((text) => Buffer.from(text, "base64"));
+}
+
 const differing = (a, b) => a.pixels.reduce((sum, word, at) => sum + Number(word !== b.pixels[at]), 0);
 
 test("a moving picture holds the motion, whole and without a seam", { skip }, async () => {
@@ -69,3 +101,30 @@ test("a page that computes is run as far as it is shown", { skip: skip || withou
   const { frames } = await decoded(file, []);
   assert.ok(differing(frames[0], frames[4]) > 20, "it moves");
 });
+
+const program = process.env["PLM_FOUR_BAR"];
+const withoutFourBar =
+  program !== undefined && existsSync(program) ? false : "skipped: PLM_FOUR_BAR names no program; `cargo build --example four_bar` builds it";
+
+/** Share of the pixels that differ clearly. */
+const MOST_DIFFERENT = 0.01;
+const EVERY = 23;
+
+for (const { file, options } of HERO) {
+  test(`${file} of the README is not stale`, { skip: skip || withoutFourBar }, async () => {
+    const folder = mkdtempSync(join(tmpdir(), "plm-hero-"));
+    const html = join(folder, "four_bar.html");
+    execFileSync(program, ["--view", html]);
+    const { raw, tab } = await framesOf(pathToFileURL(html).href, options, EVERY);
+    await tab.close();
+    const stored = readFileSync(fileURLToPath(new URL(`../../../docs/src/images/${file}`, import.meta.url)));
+    const kept = await pixelsOf(stored, raw.map((_, at) => EVERY * at));
+    for (const [at, { data }] of raw.entries()) {
+      const before = kept[at];
+      assert.equal(before.length, data.length);
+      let different = 0;
+      for (let k = 0; k < data.length; k += 4) different += Number([0, 1, 2].some((part) => Math.abs(data[k + part] - before[k + part]) > 48));
+      assert.ok(different < (MOST_DIFFERENT * data.length) / 4, `frame ${EVERY * at}: ${different} pixels; run \`bash docs/hero.sh\`, and look at what it makes`);
+    }
+  });
+}
