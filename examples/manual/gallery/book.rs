@@ -10,8 +10,8 @@ const HEAD: &str = "\
 The demos of the [manual](manual.md#demos), as the page shows them, and the manual's curves. The commands under each write its page,
 one HTML file that moves; with `--live` it holds the mechanism itself, to be turned and pulled ([The page](running/page.md)).
 
-The curves have the manual's quantities, units and final times. Pictures are what the page draws of the runs: red is what stands on the
-ground, blue what joins two bodies. `bash docs/gallery.sh` makes all of them, and this page.
+The curves have the manual's quantities, units and final times. Pictures are what the page draws of the runs: bodies have colours, the
+ground is grey. `bash docs/gallery.sh` makes all of them, and this page.
 ";
 
 /// The whole page.
