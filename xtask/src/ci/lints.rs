@@ -70,7 +70,7 @@ pub(super) fn what_tests_do_not_compile(place: &Place) -> Result {
 }
 
 pub(super) fn documentation(place: &Place) -> Result {
-    let doc = place.command("cargo doc --no-deps --workspace --features").arg(FEATURES);
+    let doc = place.command("cargo doc --no-deps --workspace --features").arg(format!("{FEATURES},view"));
     doc.set("RUSTDOCFLAGS", "-D warnings").run()
 }
 
