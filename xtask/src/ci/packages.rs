@@ -29,7 +29,7 @@ plm::mechanism! {
 }
 
 fn main() -> std::process::ExitCode {
-    plm::view::run(Pendulum::new(), 1.0, 0.01)
+    plm::view::Program::new(Pendulum::new()).until(1.0).main()
 }
 ";
 
@@ -78,11 +78,12 @@ pub(super) fn all(place: &Place) -> Result {
 pub(super) fn programs(place: &Place) -> Result {
     let empty = Empty::new()?;
     let packages = packed(place, &empty.0)?;
-    let options = [["--c", "library"], ["--live", "live.html"]];
-    program(place, &empty.0, &packages, ", features = [\"view\"]", PENDULUM)?
-        .arg("--")
-        .args(options.concat())
-        .run()
+    let options: [&[&str]; 2] = [&["--c", "library"], &["--view", "live.html", "--live"]];
+    for options in options {
+        let run = program(place, &empty.0, &packages, ", features = [\"view\"]", PENDULUM)?;
+        run.arg("--").args(options).run()?;
+    }
+    Ok(())
 }
 
 /// Packages of all crates that are published, unpacked in a folder.
