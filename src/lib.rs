@@ -29,6 +29,61 @@
 //!     Ok(())
 //! }
 //! ```
+//!
+//! # What to read first
+//!
+//! 1. [`mechanism!`] lists what a declaration may hold. Each mechanism is a type with a module of its own, whose documentation has the
+//!    table of its equations: `cargo doc` shows it beside the other items of your crate.
+//! 2. [`Start`] assembles a mechanism: it closes the joints from the start values and gives a simulation. [`BodyStart`] says where a
+//!    body begins and what assembly must keep.
+//! 3. [`Sim`] is a running simulation: it steps, runs to a time, samples, saves and resumes.
+//! 4. [`Dop853`] is the method of integration that `start` takes. `start_with` takes another: [`Dopri5`], [`Vern9`], [`Adams`] and
+//!    [`RadauIia5`] control their error; [`Rk4`], [`SemiImplicitEuler`], [`Gauss`] and [`Ros34Pw2`] have fixed steps.
+//! 5. [`Fault`] says when, where and why a run ended, and [`Notice`] what is doubtful about one that did not.
+//! 6. [`Described`] tells of a mechanism by number: bodies, joints, parameters with their units, and every quantity that can be
+//!    observed. Recorders, C, FMUs and Python are written with it.
+//!
+//! The book has the whole language, each part with its equations, recipes, and a page for each diagnostic. It stands beside the sources,
+//! in `docs/`: `mdbook serve docs --open` shows it.
+//!
+//! # Features
+//!
+//! | feature | what it adds |
+//! |---|---|
+//! | `std` | on unless switched off: square roots by the processor, [`read_starts`], [`live`]; the bits of results are the same without |
+//! | `analysis` | [`linearise`], [`stabilise`], and [`StartAuto`], which chooses a method by eigenvalues |
+//! | `view` | [`view`]: results files, charts, drawings, whole programs with options, and a page that moves |
+//! | `foreign` | [`foreign`]: objects for C and C++; with `analysis` also [`python`] |
+//! | `fmi` | FMUs of FMI 2.0 and 3.0 in [`foreign`] |
+//! | `batch` | [`batch`] and [`study`]: runs over parameter values on all cores, studies on many machines |
+//! | `lanes` | [`Batch`]: eight simulations side by side in vector registers |
+//! | `processor-sqrt-f32` | without std: square roots of `f32` by an instruction of the processor (unsafe code, in `plm-processor`) |
+//! | `processor-sqrt-f64` | the same for `f64` too |
+//! | `fma` | fused multiply-add: faster, and the one feature for use that changes bits; it needs a `target-cpu` that has the instruction |
+//! | `sweep` | for tests of `plm` itself: the example of that name, with a few mechanisms |
+//! | `sweep-all` | the same with all mechanisms |
+//! | `vary-tolerances` | for tests of `plm` itself: tolerances that can be set at run time |
+//!
+//! # Targets
+//!
+//! Generated code and runtime need no std and no allocator:
+//!
+//! ```toml
+//! [dependencies]
+//! plm-planar = { version = "0.1.0", default-features = false }
+//! ```
+// Without a feature its items are not there to be linked to.
+#![cfg_attr(
+    not(all(
+        feature = "analysis",
+        feature = "batch",
+        feature = "foreign",
+        feature = "lanes",
+        feature = "view"
+    )),
+    allow(rustdoc::broken_intra_doc_links, reason = "the table of features")
+)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![no_std]
 
 // Emitted paths begin with `::plm`, in this package's own tests too.
@@ -68,6 +123,7 @@ pub use starts::{BadStarts, StartProblem, read_starts};
 
 /// Results: recordings of runs, files, charts; what records a mechanism, and whole programs over one.
 #[cfg(feature = "view")]
+#[doc(inline)]
 pub use plm_program as view;
 
 /// What a package of Python has of a mechanism: a run by number, by a method that is named, which can be ended on its way.
@@ -76,4 +132,5 @@ pub use plm_python::run as python;
 
 /// For C and other languages: objects in memory of the caller, numbers by kind and index, errors as codes with a text.
 #[cfg(feature = "foreign")]
+#[doc(inline)]
 pub use plm_foreign as foreign;

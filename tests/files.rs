@@ -1,12 +1,16 @@
-//! The book's list of source files and the picture of the architecture are those that the sources give.
+//! The book's list of source files and the picture of the architecture are those that the sources give; packages have what they need.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use std::path::Path;
 
 #[path = "../xtask/src/architecture.rs"]
 mod architecture;
+#[path = "files/contract.rs"]
+mod contract;
 #[path = "../xtask/src/index.rs"]
 mod index;
+#[path = "files/packages.rs"]
+mod packages;
 
 fn same(path: &str, made: &str) {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -6,6 +6,7 @@
 //! library of any mechanism.
 //!
 //! This crate has unsafe code: what it dereferences it looks at first, as far as a pointer can be looked at.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![no_std]
 
 #[cfg(feature = "fmi")]

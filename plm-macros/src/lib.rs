@@ -11,7 +11,37 @@ use plm_compiler::{Code, Expansion, compile, names_only, without_panic};
 use proc_macro2::TokenStream;
 use syn::parse::Parser;
 
-/// Declares a planar mechanism; the language is described in the documentation of `plm`.
+/// Declares a planar mechanism.
+///
+/// A declaration is a name, which becomes a type, and items in any order. `plm`'s front page has one with its program.
+///
+/// | item | meaning |
+/// |---|---|
+/// | `gravity: 9.81 m/s^2;`, `gravity: (0, -9.81) m/s^2;` | acceleration of gravity; without it there is none |
+/// | `formulation: absolute;`, `loops` or `tree` | orders a formulation; without it the least one that the mechanism allows is taken |
+/// | `stabilisation: projection;` or `baumgarte(0.1 s);` | how constraints are kept; projection unless said otherwise, `baumgarte` alone has 0.1 s |
+/// | `code: rolled;` or `unrolled` | orders whether what repeats itself stands in loops; without it the number of operations decides |
+/// | `emit: step(rk4, linearly_implicit);` | the code holds a step of fixed length by itself; `semi_implicit_euler` is the third |
+/// | `param k: N/m = 1e4 N/m;` | a number that can change between runs; without a default `new` takes it |
+/// | `input drive: N*m = 0;` | a number that can change while it runs |
+/// | `let span = 0.3 m + offset;` | a name for an expression |
+/// | `state p: Pa = 0;` and `rate p = …;` | a first-order state |
+/// | `ground { port o: (0, 0) m; }` | points of the ground |
+/// | `body arm { … }` | a body |
+/// | `revolute pin(arm.a, rod.b) { … }` | a part in use: its kind, its name, what it joins, its parameters |
+/// | `constraint name: a = b;` | a constraint of the mechanism itself |
+/// | `require loaded: rod.y < 2 m;` | a requirement: where it stops to hold, the run ends |
+/// | `node port: oil = pressure;` | a node |
+/// | `domain heat { … }` | a domain of your own |
+/// | `repeat i in 0..8 { … }` | items several times |
+/// | `output arm.angle in deg;` | what to look at |
+/// | `observe arm, shoulder;`, `observe all;` | everything by name |
+/// | `joint name(…) { … }`, `part name(…) { … }` | parts of your own |
+/// | `allow(W0001);` | switches a warning off |
+///
+/// Each number has its unit, as in `0.3 m` or `50 kN*s/m`; an expression whose units do not agree is an error. The kinds of parts are
+/// those of the parts library (joints, springs, dampers, stops, cylinders, sensors, shafts, hydraulics, signals); a misspelt one is
+/// answered with those that exist.
 #[proc_macro]
 pub fn mechanism(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     let input = shallow(input.into());

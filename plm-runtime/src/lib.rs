@@ -34,6 +34,7 @@
 //!
 //! Symbols: q coordinates, v = q', a = v', phi(t, q) = 0 constraints, phi_q their Jacobian, phi_q v = nu,
 //! phi_q a = gamma, M a + phi_q^T lambda = Q; the reaction of the joints is -phi_q^T lambda.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![no_std]
 
 pub mod absolute;
@@ -50,6 +51,8 @@ pub mod dual;
 pub mod enclosure;
 pub mod events;
 pub mod fault;
+#[doc(hidden)]
+pub mod generated;
 pub mod held;
 pub mod lanes;
 pub mod limits;

@@ -2,6 +2,7 @@
 
 mod chores;
 mod lints;
+mod packages;
 mod tests;
 
 use std::collections::BTreeMap;
@@ -56,6 +57,7 @@ const STEPS: &[Step] = &[
         parts: &[
             plain("book", "mdBook", chores::install_mdbook),
             plain("oldest", "oldest Rust", lints::oldest_rust),
+            plain("packages", "packages", packages::all),
             plain("chain", "chain of 64 at opt-level 0 and 3", chores::chain),
             part("sweep", "sweep", chores::sweep),
         ],
@@ -65,7 +67,10 @@ const STEPS: &[Step] = &[
     Step::Here(plain("lints", "other lints", lints::what_tests_do_not_compile)),
     Step::Here(part("fused", "fused multiply-add", tests::fused)),
     Step::Here(part("documentation", "documentation", lints::documentation)),
-    Step::Join { group: "others", title: "oldest Rust, chain of 64 at opt-level 0 and 3, mdBook, sweep" },
+    Step::Join {
+        group: "others",
+        title: "oldest Rust, packages, chain of 64 at opt-level 0 and 3, mdBook, sweep",
+    },
     // Both have target folders of their own, so that they wait for no other build, and mostly one core.
     Step::Begin {
         group: "targets",
@@ -81,6 +86,10 @@ const STEPS: &[Step] = &[
 
 /// What takes longer, or needs more than a fresh machine has.
 const MORE: &[Step] = &[
+    Step::Here(plain("licences", "licences", chores::licences)),
+    Step::Here(plain("systems", "Windows and macOS", lints::other_systems)),
+    Step::Here(plain("docs-rs", "documentation as on docs.rs", lints::docs_rs)),
+    Step::Here(plain("package-programs", "programs of packages", packages::programs)),
     Step::Here(part("fmu", "FMU", |place| place.command("bash tests/fmu.sh").run())),
     Step::Here(part("python", "Python", |place| place.command("bash tests/python.sh").run())),
     Step::Here(plain("seven-machines", "seven machines", |place| {

@@ -17,6 +17,7 @@
 //! the same bits, unless `processor-sqrt-f32` or `processor-sqrt-f64` says that the processor has an instruction (in the crate
 //! plm-processor, whose assembly is unsafe). With the feature `fma` polynomials are evaluated with one rounding a term: other bits, within the same
 //! bounds of error.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![no_std]
 #![forbid(unsafe_code)]
 // Coefficients stand as tools/minimax.py prints them.

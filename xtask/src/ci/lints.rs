@@ -70,8 +70,33 @@ pub(super) fn what_tests_do_not_compile(place: &Place) -> Result {
 }
 
 pub(super) fn documentation(place: &Place) -> Result {
-    let doc = place.command("cargo doc --no-deps --workspace --features").arg(FEATURES);
+    let doc = place.command("cargo doc --no-deps --workspace --features").arg(format!("{FEATURES},view"));
     doc.set("RUSTDOCFLAGS", "-D warnings").run()
+}
+
+/// What docs.rs shows, with the names of features: by the nightly toolchain, as there.
+pub(super) fn docs_rs(place: &Place) -> Result {
+    if !place.command("cargo +nightly --version").works() {
+        return place.say("NOT CHECKED: the nightly toolchain cannot be had on this machine");
+    }
+    let features = format!("{FEATURES},view");
+    let doc = place.command("cargo +nightly doc --no-deps -p plm-planar --features").arg(features);
+    let doc = doc.arg("--target-dir").arg(place.target.join("docs-rs")).args(AS_PLAIN_PACKAGES);
+    doc.set("RUSTDOCFLAGS", "--cfg docsrs -D warnings").run()
+}
+
+/// All crates for the systems that this machine is not: types and borrows; nothing is linked or run, tests are left out.
+pub(super) fn other_systems(place: &Place) -> Result {
+    for target in ["x86_64-pc-windows-gnu", "aarch64-apple-darwin"] {
+        if !place.command("rustup target add").arg(target).works() {
+            place.say(&format!("NOT CHECKED: the target {target} cannot be had on this machine"))?;
+            continue;
+        }
+        let check = place.command("cargo check --workspace --exclude plm-peers --target").arg(target);
+        let check = check.arg("--features").arg(format!("{FEATURES},view"));
+        check.arg("--target-dir").arg(place.target.join("systems")).args(AS_PLAIN_PACKAGES).run()?;
+    }
+    Ok(())
 }
 
 /// The library, the macro and the compiler behind it, by the oldest rustc that is declared.

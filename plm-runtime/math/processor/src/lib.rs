@@ -7,6 +7,7 @@
 //! other way.
 //!
 //! An instruction that the processor has not is refused by rustc or its assembler; no program comes of it.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![no_std]
 
 #[cfg(test)]
