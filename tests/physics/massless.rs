@@ -133,5 +133,10 @@ fn a_body_without_mass_says_so() {
     let (without, heavy) = (without::FourBar::new(), heavy::FourBar::new());
     let known = |k| (without.mass(k), without.inertia(k), heavy.mass(k), heavy.inertia(k));
     assert_eq!(known(1), (None, None, Some(7.0), Some(0.3)));
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("massless.npz");
+    plm::view::Recorder::new(&without.start().unwrap()).recording().write(&path).unwrap();
+    let run = &plm::view::Results::read(&path).unwrap().runs[0];
+    let crank = &run.about.mechanism.bodies[0];
+    assert!(crank.mass.is_nan() && crank.inertia.is_nan() && crank.ports[0].x == -0.05);
     assert_eq!(<without::FourBar as Described>::TABLES.parameters.len(), 1);
 }

@@ -69,7 +69,7 @@ impl Oracle {
     pub fn accelerations(&self, time: f64, x: &[f64]) -> Option<Vec<f64>> {
         let chart = self.program.reduced()?.first()?;
         let reactions = chart.reactions.as_ref()?;
-        let mut state = self.run(&chart.project, time, &self.state(), x);
+        let mut state = self.run(&chart.from_pose, time, &self.state(), x);
         state.extend_from_slice(x.get(2 * self.equations.q.len()..)?);
         let mut accelerations = self.run(reactions, time, &self.state_in(chart, &[]), &state);
         accelerations.truncate(self.equations.q.len());
@@ -82,7 +82,7 @@ impl Oracle {
         let mut remembered = remember_pose.unwrap_or_else(|| vec![1.0]);
         let square = remembered.pop()?;
         let (coordinates, absolute) = (chart.y.len(), 2 * self.equations.q.len());
-        let mut state = self.run(&chart.project, time, &self.state(), x);
+        let mut state = self.run(&chart.from_pose, time, &self.state(), x);
         state.truncate(2 * coordinates);
         let in_coordinates = state.clone();
         state.extend_from_slice(x.get(absolute..)?);

@@ -211,7 +211,7 @@ fn projection(emission: &Emission, name: &TokenStream, chart: &Chart) -> TokenSt
         emission,
         "The joint coordinates and their rates at a pose that closes the joints.",
         &quote!(fn #name(&self, t: S, q: &[S; #nq], v: &[S; #nq], x: &mut [S; #length])),
-        (&chart.project, Origin::Pose),
+        (&chart.from_pose, Origin::Pose),
     )
 }
 

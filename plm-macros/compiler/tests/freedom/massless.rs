@@ -3,6 +3,8 @@
 //! Constraints are added that prescribe some coordinates, and some bodies lose their masses. A body is refused if and only if it
 //! can move. What no diagnostic names, poses, accelerations and reactions, is compared for two choices of the masses.
 
+use std::fmt::Write as _;
+
 use plm_compiler::diag::Code;
 use plm_compiler::token::Sources;
 use plm_compiler::{Expansion, compile};
@@ -60,9 +62,11 @@ impl Driven {
         for (k, (coordinate, rate)) in self.drives.iter().enumerate() {
             let (member, unit) = [("x", "m"), ("y", "m"), ("angle", "rad")][coordinate % 3];
             let (body, from) = (coordinate / 3 + 1, poses[*coordinate]);
-            text += &format!(
-                "    constraint d{k}: b{body}.{member} = {from:?} {unit} + {rate:?} {unit}/s^2*t*t;\n"
-            );
+            writeln!(
+                text,
+                "    constraint d{k}: b{body}.{member} = {from:?} {unit} + {rate:?} {unit}/s^2*t*t;"
+            )
+            .unwrap();
         }
         text += &outputs.concat();
         text + "}\n"

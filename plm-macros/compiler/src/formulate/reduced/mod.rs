@@ -13,9 +13,10 @@ mod joints;
 mod layout;
 mod linearised;
 mod motion;
+mod pose;
 mod tree;
 
-use crate::collect::{CollectVec, PushAll};
+use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
 
 use self::charts::Scheme;
@@ -30,6 +31,7 @@ use self::layout::{Layout, loads};
 use self::motion::Motion;
 use self::motion::memory::Memory;
 use self::motion::solution::measure;
+use self::pose::{from_pose, pose};
 use self::tree::augmented::augmented;
 use super::function::{Function, Place, Section, stored};
 use super::linearised::{Linearised, by_time, orders_step};
@@ -124,7 +126,7 @@ pub(crate) struct Chart {
     /// `a` of all bodies and `lambda` of all rows; of trees alone.
     pub(crate) reactions: Option<Function>,
     /// `x` of a state in absolute coordinates.
-    pub(crate) project: Function,
+    pub(crate) from_pose: Function,
     /// `memory` of a state, returning the same as `rate`; of loops alone.
     pub(crate) remember: Option<Function>,
     /// `memory` of a pose and velocity in this chart, returning the square of the measure; of loops alone.
@@ -254,7 +256,7 @@ impl Layout<'_> {
         };
         let guards = switches::guards(model, &motion.substitution);
         let pose = pose(model, &motion).optimise();
-        let project = project(model, equations, coordinates, &motion.independent)
+        let from_pose = from_pose(model, equations, coordinates, &motion.independent)
             .substitute(&model.released)
             .optimise();
         let linearised = match large {
@@ -279,7 +281,7 @@ impl Layout<'_> {
             jacobian,
             guards,
             pose,
-            project,
+            from_pose,
             remember,
             remember_pose,
             groups: scheme.groups.iter().map(described).collect_vec(),
@@ -368,41 +370,4 @@ impl Layout<'_> {
         }
         Function { sections, results }.optimise()
     }
-}
-
-/// Pose and velocity of every body.
-fn pose(model: &Model, motion: &Motion) -> Function {
-    let coordinates = motion.coordinates;
-    let (mut q, mut v) = (Vec::new(), Vec::new());
-    for body in 0..model.bodies.len() {
-        let absolute_angle = coordinates.absolute_angles[body];
-        q.push_all(motion.position[body].components());
-        q.push(motion.angle(absolute_angle));
-        v.push_all(motion.velocity[body].components());
-        v.push(motion.omega[absolute_angle.orientation]);
-    }
-    let mut results = stored("q", q.iter());
-    results.extend(stored("v", v.iter()));
-    if !motion.solutions.is_empty() {
-        results.push((Place::Value, measure(&motion.solutions)));
-    }
-    Function::of_results(results)
-}
-
-/// The coordinates and their rates at a pose.
-fn project(
-    model: &Model,
-    equations: &Equations,
-    coordinates: &Coordinates,
-    independent: &[usize],
-) -> Function {
-    let values: Vec<Expr> = independent
-        .iter()
-        .map(|&unknown| motion::of_pose(model, coordinates, coordinates.unknowns[unknown]))
-        .collect_vec();
-    let mut flow: Vec<(Expr, Expr)> =
-        equations.q.iter().copied().zip(equations.v.iter().copied()).collect_vec();
-    flow.push((model.time, Expr::ONE));
-    let rates = algebra::directionals(&values, &flow);
-    Function::of_results(stored("x", values.iter().chain(&rates)))
 }
