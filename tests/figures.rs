@@ -5,6 +5,8 @@
 mod blocks;
 #[path = "../examples/figures/draw.rs"]
 mod draw;
+#[path = "support/readme.rs"]
+mod readme;
 
 use std::fs;
 use std::path::Path;

@@ -88,7 +88,7 @@ pub(super) fn not_closed(model: &Model, found: &Assembly, length: f64, diagnosti
             1 => String::new(),
             starts => format!("no pose was found from {starts} starts; "),
         };
-        diagnostic.note(format!("{tried}so much is missing at least, with all others closed"));
+        diagnostic.note(format!("{tried}so much is missing at least, all others closed"));
     }
     if !others.is_empty() {
         diagnostic.note(format!("open too: {}", joined(&others)));

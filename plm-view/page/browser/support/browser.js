@@ -121,6 +121,23 @@ export async function openedIn(address, limit = 1000) {
   return best;
 }
 
+/** CPU time of a page until its first frames are drawn, ms: what a machine that does nothing else would take at most. */
+export async function workOf(address) {
+  const { page } = await open(address);
+  const session = await page.context().newCDPSession(page);
+  await session.send("Performance.enable", { timeDomain: "threadTicks" });
+  const taken = async () => {
+    const { metrics } = await session.send("Performance.getMetrics");
+    return 1000 * metrics.find(({ name }) => name === "TaskDuration").value;
+  };
+  const before = await taken();
+  await open(address);
+  const after = await taken();
+  await session.detach();
+  // Another process begins at 0.
+  return after >= before ? after - before : after;
+}
+
 /** A page is used again and again: to make one takes longer than most tests. @type {any} */
 let used = null;
 /** @type {{requests: string[], errors: string[]}} */
