@@ -28,10 +28,7 @@ import { View } from "./view.js";
  * @typedef {{grab: (kind: Drag["kind"], body: number, projection: Projection, x: number, y: number) => boolean,
  *   move: (projection: Projection, x: number, y: number) => void, letGo: () => void}} Grip
  */
-/** @typedef {{kind: "error" | "fault" | "warning" | "note", text: string}} Message */
-
-/** How long, ms, what is over soon is shown. */
-const SAID_FOR = 3000;
+/** @typedef {{kind: "error" | "fault" | "warning" | "note", text: string, isBrief?: boolean}} Message */
 
 export class App {
   constructor() {
@@ -85,8 +82,6 @@ export class App {
     this.window = null;
     /** @type {Message[]} */
     this.messages = [];
-    /** What was said last. @type {Message | null} */
-    this.said = null;
     /** The mechanism itself, if the page holds it. @type {import("./live.js").Live | null} */
     this.live = null;
     /** @type {Drag | null} */
@@ -144,21 +139,6 @@ export class App {
   tell(kind, text) {
     if (!this.messages.some((message) => message.text === text)) this.messages.push({ kind, text });
     this.change();
-  }
-
-  /** Tells something that is over soon. @param {string} text */
-  say(text) {
-    const isOther = (/** @type {Message} */ message) => message !== this.said;
-    this.messages = this.messages.filter(isOther);
-    /** @type {Message} */
-    const said = { kind: "note", text };
-    this.said = said;
-    this.messages.push(said);
-    this.change();
-    setTimeout(() => {
-      this.messages = this.messages.filter((message) => message !== said);
-      this.change();
-    }, SAID_FOR);
   }
 
   /**

@@ -1,5 +1,7 @@
 // History: what was set, placed and shown, as values, so that it can be undone and done again.
 
+import { say } from "./say.js";
+
 /** @import {App} from "./app.js" */
 
 /** What is shown and can be undone, and how it is called. The view, the time and the colours are left alone. */
@@ -120,7 +122,7 @@ export class History {
     this.add({ kind: "state", name, from, to });
     if (this.done[this.done.length - 1] === last) return;
     this.states += 2;
-    live.keep(from);
+    live.states.keep(from);
   }
 
   undo() {
@@ -137,12 +139,12 @@ export class History {
   go(source, target, side) {
     const { app } = this;
     const deed = source.pop();
-    app.say(deed === undefined ? `Nothing to ${side === "from" ? "undo" : "do again"}` : `${side === "from" ? "Undone" : "Done again"}: ${deed.name}`);
+    say(app, deed === undefined ? `Nothing to ${side === "from" ? "undo" : "do again"}` : `${side === "from" ? "Undone" : "Done again"}: ${deed.name}`);
     if (deed === undefined) return;
     this.isBusy = true;
     if (deed.kind === "set") app.live?.set(deed.of, deed.index, deed[side]);
     else if (deed.kind === "show") for (const [member, value] of Object.entries(deed[side])) ownerOf(app, member)[member] = structuredClone(value);
-    else app.live?.comeBack(deed[side], deed[side === "from" ? "to" : "from"]);
+    else app.live?.states.comeBack(deed[side], deed[side === "from" ? "to" : "from"]);
     this.isBusy = false;
     target.push(deed);
     this.lastAt = -Infinity;

@@ -3,6 +3,7 @@
 // A live source adds a `Run` by `app.addRun`, appends rows, calls `app.rowsAppended`, and adds its tab by `panel.add`.
 
 import { FollowCamera } from "./followcamera.js";
+import { KeptStates } from "./keptstates.js";
 import { Run } from "./run.js";
 import { BAR, Scene } from "./scene.js";
 import { readShape } from "./shape.js";
@@ -53,10 +54,7 @@ export class Live {
     this.turned = "";
     /** @type {Pull | null} */
     this.pulled = null;
-    /** How often it has begun, and how often it had when a state was kept. */
-    this.era = 0;
-    /** @type {Map<number, number>} */
-    this.eras = new Map();
+    this.states = new KeptStates(this);
     /** What it has opened, in words. */
     this.opened = "";
     /** Rises with the settings. */
@@ -132,34 +130,6 @@ export class Live {
     this.pause();
     this.app.player.isFollowing = true;
     this.send({ kind: "step", dt, count });
-  }
-
-  /** Its state is kept under a number. @param {number} id */
-  keep(id) {
-    this.eras.set(id, this.era);
-    this.send({ kind: "keep", id });
-  }
-
-  /** To a state that was kept; the one now is kept under another number. @param {number} id @param {number} now */
-  comeBack(id, now) {
-    this.app.grip?.letGo();
-    this.pause();
-    this.show();
-    this.keep(now);
-    this.send({ kind: "return", id });
-  }
-
-  /** Rows behind the moment to which it has come back were never computed. @param {Float64Array} numbers @param {number} id */
-  return(numbers, id) {
-    const { run, app } = this;
-    const [time] = numbers;
-    if (this.eras.get(id) !== this.era || time < run.start || time > run.end) run.clear();
-    else run.dropAfter(time);
-    this.era = this.eras.get(id) ?? this.era;
-    if (run.rows === 0 || run.end < time) this.append(numbers);
-    app.player.isFollowing = app.run === run;
-    app.rowsAppended(run);
-    app.change();
   }
 
   /** Begins again with the parameters as they are. */
@@ -275,7 +245,7 @@ export class Live {
       this.trim();
       this.app.rowsAppended(this.run);
     } else if (message.kind === "ahead") this.seeAhead(message.numbers, message.width);
-    else if (message.kind === "returned") this.return(message.numbers, message.id);
+    else if (message.kind === "returned") this.states.arrive(message.numbers, message.id);
     else if (message.kind === "began") this.begin(message.numbers, message.isAssembled);
     else if (message.kind === "settings") this.take(message);
     else if (message.kind === "trouble") {
@@ -353,7 +323,7 @@ export class Live {
       const isRecording = this.recordsFrom !== null;
       this.stopRecording();
       run.clear();
-      this.era += 1;
+      this.states.era += 1;
       this.append(numbers);
       if (isRecording) this.recordsFrom = run.start;
       if (!isAssembled) standStill(run);

@@ -1,6 +1,7 @@
 // Tools as rows of the table of commands.
 
 import { forceJoints } from "./polar.js";
+import { say } from "./say.js";
 import { ghostCount } from "./tools.js";
 
 /** @import {App} from "./app.js" */
@@ -80,7 +81,7 @@ export function startMeasure(app, kind) {
   const isOn = app.mode === kind;
   app.mode = !isOn ? kind : app.live === null ? "pan" : "pull";
   [app.marks, app.window] = [[], null];
-  if (!isOn) app.say(kind === "distance" ? "Press on two points." : "Press on two bodies, or on three points.");
+  if (!isOn) say(app, kind === "distance" ? "Press on two points." : "Press on two bodies, or on three points.");
   app.change();
 }
 
@@ -88,7 +89,7 @@ export function startMeasure(app, kind) {
 function switchPolar(app) {
   const joints = app.run === null ? [] : forceJoints(app.run);
   if (joints.length === 0) {
-    app.say("No force of a joint is recorded. An output such as hinge.force records it.");
+    say(app, "No force of a joint is recorded. An output such as hinge.force records it.");
     return;
   }
   const chosen = app.selected?.kind === "part" ? app.run?.mechanism.parts[app.selected.index].name : undefined;

@@ -3,6 +3,7 @@
 import { element, setText } from "./dom.js";
 import { MOST_GHOSTS } from "./ghosts.js";
 import { bodyMark, isWhole, measured, measureName, measureOf, namedMarks, unitOf } from "./measure.js";
+import { say } from "./say.js";
 import { quantityText } from "./text.js";
 import { setGhosts, startMeasure } from "./toolcommands.js";
 import { removeMeasure } from "./toolpick.js";
@@ -84,7 +85,7 @@ export class ToolPanel {
     const kind = marks.length === 3 || marks.some(({ point }) => point === null) ? "angle" : "distance";
     const isOneSort = new Set(marks.map(({ point }) => point === null)).size === 1 && new Set(marks).size === marks.length;
     if (!isOneSort || !isWhole(kind, marks)) {
-      app.say("Choose two or three points, or two bodies.");
+      say(app, "Choose two or three points, or two bodies.");
       return;
     }
     const name = measureName({ kind, marks });
