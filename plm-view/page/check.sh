@@ -2,6 +2,7 @@
 # All tests of the page: installs what they need, then the modules, their types, and the page in a browser.
 #
 #     bash plm-view/page/check.sh --install  # no more than that
+#     bash plm-view/page/check.sh --book     # instead, makes the pictures of the page in the book anew
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -31,6 +32,15 @@ fi
 # The served page's test takes the example of plm-planar where `cargo test` has built it; without it it says so.
 if [ -z "${PLM_SERVED:-}" ] && served=$(cd "$target/debug/examples" 2>/dev/null && pwd) && [ -x "$served/served" ]; then
     export PLM_SERVED=$served/served
+fi
+
+# The runs of the pictures of the manual's demos: the example `manual` where it is built.
+if [ -z "${PLM_MANUAL:-}" ] && manual=$(cd "$target/debug/examples" 2>/dev/null && pwd) && [ -x "$manual/manual" ]; then
+    export PLM_MANUAL=$manual/manual
+fi
+
+if [ "${1:-}" = --book ]; then
+    exec node browser/book.js
 fi
 
 printf '== types\n'

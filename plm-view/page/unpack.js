@@ -1,4 +1,4 @@
-// Unpacks the script of a live page and starts it.
+// Unpacks the script of a page and starts it.
 
 const packed = Uint8Array.from(atob(document.getElementById("packed")?.textContent ?? ""), (letter) => letter.charCodeAt(0));
 const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate-raw"));

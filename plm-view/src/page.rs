@@ -17,7 +17,7 @@ use bundle::Kind;
 /// The page before anything is put into it.
 const TEMPLATE: &str = include_str!("../page/page.html");
 const STYLE: &str = include_str!("../page/style.css");
-/// In a live page the script stands deflated, because with the module it would be too large; this starts it.
+/// The script stands deflated in a page that is a file, which makes the file smaller by a fifth or more; this starts it.
 const UNPACK: &str = include_str!("../page/unpack.js");
 
 /// A page that shows results: one HTML file for any browser, without network.
@@ -58,11 +58,12 @@ impl Page {
 
     /// The text of the file.
     pub fn to_html(&self) -> String {
-        if self.module.is_empty() {
-            return self.filled(&bundle::script(Kind::Results), "");
+        let kind = if self.module.is_empty() { Kind::Results } else { Kind::Live };
+        let mut packed = element("packed", bundle::script(kind).as_bytes());
+        if !self.module.is_empty() {
+            packed += &element("module", &self.module);
         }
-        let script = element("packed", bundle::script(Kind::Live).as_bytes());
-        self.filled(&bundle::without_noise(UNPACK), &(script + &element("module", &self.module)))
+        self.filled(&bundle::without_noise(UNPACK), &packed)
     }
 
     /// The text of the page as a running program serves it.
@@ -171,7 +172,7 @@ mod tests {
 
     #[test]
     fn nothing_is_asked_of_a_network() {
-        // The script of a live page stands packed in it.
+        // The script stands packed in it.
         let html = Page::new(&[], "x").with_module(&[0]).to_html()
             + &[Kind::Results, Kind::Live].map(bundle::script).concat();
         let addresses: Vec<&str> = html.split("http").skip(1).collect();

@@ -7,7 +7,7 @@ import { test } from "node:test";
 import { COMMANDS } from "../src/commands.js";
 import { doublePendulum, workshop } from "../tests/support/scenes.js";
 import { drawn, frames, open, settle, skip, state, writeRuns } from "./support/browser.js";
-import { changes, everyWay as everyWayOf, pressKey, time } from "./support/commands.js";
+import { changes, everyWay as everyWayOf, isOn, press, pressKey, time } from "./support/commands.js";
 
 
 const addresses = skip ? {} : {
@@ -36,11 +36,11 @@ test("play and stop", { skip }, async () => {
       await page.waitForFunction(() => window.plmPage.app.player.time > 0.05);
       await settle(page);
     }, message);
-    assert.equal(await page.getAttribute("#do-play", "aria-pressed"), "true");
+    assert.ok(await isOn(page, "play"), message);
   });
   for (const id of ["stop", "toggle"]) {
     await everyWay(id, async (page, act, message) => {
-      await page.click("#do-play");
+      await press(page, "play");
       await page.waitForFunction(() => window.plmPage.app.player.time > 0);
       await page.focus("#picture");
       await act();
@@ -54,12 +54,12 @@ test("play and stop", { skip }, async () => {
 test("loop begins anew, and without it the end is the end", { skip }, async () => {
   await everyWay("loop", async (page, act, message) => {
     await act();
-    await page.click("#do-play");
+    await press(page, "play");
     await page.waitForFunction(() => window.plmPage.app.player.time < 3.5);
     assert.ok(await state(page, "app.player.isPlaying"), message);
   }, { hash: "#t=3.8" });
   const { page } = await open(addresses.workshop, { hash: "#t=3.8" });
-  await page.click("#do-play");
+  await press(page, "play");
   await page.waitForFunction(() => !window.plmPage.app.player.isPlaying);
   assert.equal(await time(page), 4);
 });
@@ -74,7 +74,7 @@ test("speed", { skip }, async () => {
   const { page } = await open(addresses.workshop);
   await page.selectOption("#speed", "0.1");
   const began = await page.evaluate(() => performance.now());
-  await page.click("#do-play");
+  await press(page, "play");
   await page.waitForFunction(() => window.plmPage.app.player.time > 0.01);
   const [shown, passed] = await page.evaluate((from) => [window.plmPage.app.player.time, performance.now() - from], began);
   assert.ok(shown <= 0.1e-3 * passed, `a tenth of the time that passed: ${shown} s in ${passed} ms`);
@@ -86,7 +86,7 @@ test("clear, reload, open, exit", { skip }, async () => {
     const { ink } = await drawn(page);
     assert.equal(ink, 0, `${message}: ${ink} pixels are left`);
     assert.ok(await page.isVisible("#empty"), message);
-    assert.ok(await page.isDisabled("#do-play"), message);
+    assert.ok(await page.isDisabled("#do-toggle"), message);
   });
   await everyWay("reload", async (page, act, message) => {
     const before = await drawn(page);
@@ -181,7 +181,7 @@ test("theme, panel, options, help", { skip }, async () => {
     assert.ok(passed > 480, `${message}: six frames in ${passed} ms at a rate of 10 in a second`);
   });
   const { page } = await open(addresses.workshop);
-  await page.click("#do-options");
+  await press(page, "options");
   await page.uncheck("#plain-keys");
   await page.keyboard.press("Escape");
   await page.focus("#picture");

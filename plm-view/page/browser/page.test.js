@@ -6,9 +6,9 @@ import { fileURLToPath } from "node:url";
 import { test } from "node:test";
 import { makeNpz } from "../tests/support/npz.js";
 import { doublePendulum, headOf, workshop } from "../tests/support/scenes.js";
-import { drawn, middleOf, open, openedIn, settle, shot, skip, state, until, writePage, writeRuns } from "./support/browser.js";
+import { BODIES, drawn, middleOf, open, openedIn, settle, shot, skip, state, until, writePage, writeRuns } from "./support/browser.js";
+import { press } from "./support/commands.js";
 
-const BLUE = [108, 158, 224];
 const fault = { time: 2, part: "rocker_pin", text: "the mechanism cannot be assembled: the loop of coupler and rocker stays open by 3.2 mm" };
 
 const addresses = skip ? {} : {
@@ -37,8 +37,8 @@ test("it opens with one request and no error, and draws, in under a second", { s
   for (const name of ["pendulum", "workshop", "fault", "batch"]) {
     const { page, requests, errors } = await open(addresses[name]);
     assert.deepEqual([requests, errors], [[addresses[name]], []], name);
-    const { blue, ink } = await drawn(page, "#picture", { blue: BLUE });
-    assert.ok(blue > 1500 && ink > 3000, `${name}: ${ink}`);
+    const { bodies, ink } = await drawn(page, "#picture", { bodies: BODIES });
+    assert.ok(bodies > 1500 && ink > 3000, `${name}: ${ink}`);
     const ready = await openedIn(addresses[name]);
     assert.ok(ready < 1000, `${name} is drawn after ${ready} ms`);
   }
@@ -132,8 +132,11 @@ test("the time line is dragged, and moved by keys", { skip }, async () => {
 });
 
 test("paths of points", { skip }, async () => {
-  const { page } = await open(addresses.pendulum, { hash: "#select=body:1&tab=objects&t=2" });
   const PURPLE = [123, 31, 162];
+  const { page: usual } = await open(addresses.pendulum, { hash: "#t=2" });
+  assert.deepEqual(await state(usual, "app.traces"), ["forearm.tip"], "one is drawn");
+  assert.ok((await drawn(usual, "#picture", { path: PURPLE })).path > 100);
+  const { page } = await open(addresses.pendulum, { hash: "#select=body:1&tab=objects&t=2&paths=" });
   assert.equal((await drawn(page, "#picture", { path: PURPLE })).path, 0);
   await page.check("[aria-label='Path of forearm.tip']");
   await settle(page);
@@ -142,9 +145,9 @@ test("paths of points", { skip }, async () => {
 
 test("the address keeps what is shown, and a link shows it", { skip }, async () => {
   const { page } = await open(addresses.workshop);
-  await page.click("#do-isometric");
+  await press(page, "isometric");
   await page.keyboard.press("ArrowRight");
-  await page.click("#do-forces");
+  await press(page, "forces");
   await page.waitForFunction(() => location.hash.includes("forces=1") && location.hash.includes("t=0.05"));
   const hash = await page.evaluate(() => location.hash);
   const before = await drawn(page);
@@ -196,7 +199,7 @@ test("it follows its window", { skip }, async () => {
     assert.equal(canvas, stage);
     await page.keyboard.press("x");
     await settle(page);
-    const { x, y, count } = await middleOf(page, BLUE);
+    const { x, y, count } = await middleOf(page, BODIES);
     assert.ok(count > 500 && x > 0 && x < stage && y > 0 && y < height, `${width}: ${x} ${y}`);
   }
 });
@@ -211,17 +214,40 @@ test("everything has a role and a name, and Tab reaches it", { skip }, async () 
       .map((each) => each.outerHTML.slice(0, 100)),
   );
   assert.deepEqual(nameless, []);
-  for (const [role, name] of [["button", "Play"], ["toolbar", "Animate"], ["slider", "Time"], ["tab", "Objects"], ["listbox", "Objects"], ["img", "Picture of Workshop, run run"], ["combobox", "Speed"]]) {
+  for (const [role, name] of [["button", "Play"], ["toolbar", "Time"], ["toolbar", "Tools"], ["button", "Forces"], ["slider", "Time"], ["tab", "Objects"], ["listbox", "Objects"], ["img", "Picture of Workshop, run run"], ["combobox", "Speed"]]) {
     assert.ok((await page.getByRole(role, { name, exact: true }).count()) > 0, `${role} ${name}`);
   }
   const reached = new Set();
-  for (let press = 0; press < 60; press++) {
+  let before = 0;
+  for (let stop = 1; stop < 60; stop++) {
     await page.keyboard.press("Tab");
-    reached.add(await page.evaluate(() => document.activeElement.id));
+    const id = await page.evaluate(() => document.activeElement.id);
+    if (id === "picture" && !reached.has(id)) before = stop;
+    reached.add(id);
   }
-  for (const id of ["do-open", "do-isometric", "picture", "tab-objects", "do-play", "time", "speed", "arrows"]) {
+  assert.equal(before, 2, "one stop before the picture");
+  for (const id of ["do-forces", "picture", "tab-objects", "do-start", "time", "speed", "arrows"]) {
     assert.ok(reached.has(id), `${id} is not reached by Tab`);
   }
+  // The other buttons of a toolbar are reached by arrow keys, and what is in the menu too.
+  await page.focus("#do-forces");
+  const along = [];
+  for (let press = 0; press < 6; press++) {
+    along.push(await page.evaluate(() => document.activeElement.id));
+    await page.keyboard.press("ArrowRight");
+  }
+  assert.deepEqual(along, ["do-forces", "do-velocities", "do-extents", "do-png", "do-panel", "do-menu"]);
+  await page.keyboard.press("End");
+  await page.keyboard.press("Enter");
+  const items = await page.evaluate(() => document.querySelectorAll("#menu [role^=menuitem]").length);
+  const chosen = new Set();
+  for (let press = 0; press < items; press++) {
+    chosen.add(await page.evaluate(() => document.activeElement.id));
+    await page.keyboard.press("ArrowDown");
+  }
+  assert.ok(chosen.size === items && chosen.has("do-isometric"), `${chosen.size} of ${items}`);
+  await page.keyboard.press("Escape");
+  assert.equal(await page.evaluate(() => document.activeElement.id), "do-menu");
   // The objects are chosen in their list by keys.
   await page.getByRole("listbox", { name: "Objects" }).focus();
   await page.keyboard.press("Home");

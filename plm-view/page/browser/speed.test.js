@@ -3,7 +3,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { chain } from "../tests/support/scenes.js";
-import { open, skip, writeRuns } from "./support/browser.js";
+import { open, skip, state, writeRuns } from "./support/browser.js";
+import { press } from "./support/commands.js";
 
 /** Frames of which the middle one counts. */
 const FRAMES = 40;
@@ -32,12 +33,25 @@ const measure = (page) =>
     return { script: scripts.sort((a, b) => a - b)[count >> 1], rate };
   }, FRAMES);
 
+test("60 frames a second with three paths and all arrows", { skip }, async () => {
+  const { page } = await open(writeRuns("arrows40", [chain(40, { end: 20, rate: 200 })]), { hash: "#paths=bar0.b|bar20.b|bar39.b&forces=1&velocities=1" });
+  assert.equal(await state(page, "app.traces.length"), 3);
+  let best = { script: Infinity, rate: 0 };
+  for (let attempt = 0; attempt < 4 && best.rate < 57; attempt++) {
+    const found = await measure(page);
+    if (found.rate > best.rate) best = found;
+  }
+  console.log(`40 bodies, three paths, all arrows: ${best.script.toFixed(1)} ms of script a frame, ${best.rate.toFixed(0)} frames a second`);
+  // The rate is the machine's while others use it; what the page takes of a frame is its own.
+  assert.ok(best.script < 8, `${best.script} ms`);
+});
+
 for (const [count, limit] of Object.entries(LIMITS)) {
   test(`a frame of ${count} bodies takes less than ${limit} ms of script`, { skip }, async () => {
     const address = writeRuns(`chain${count}`, [chain(Number(count), { end: 4, rate: 50 })]);
     for (const view of ["front", "isometric"]) {
       const { page } = await open(address);
-      await page.click(`#do-${view}`);
+      await press(page, view);
       let best = { script: Infinity, rate: 0 };
       // Other programs may keep the machine busy.
       for (let attempt = 0; attempt < 4 && best.script > limit; attempt++) {

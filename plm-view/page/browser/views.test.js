@@ -4,11 +4,10 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { COMMANDS } from "../src/commands.js";
 import { workshop } from "../tests/support/scenes.js";
-import { drawn, middleOf, open, settle, skip, state, writeRuns } from "./support/browser.js";
-import { button, changes, everyWay as everyWayOf, pressKey } from "./support/commands.js";
+import { BODIES, drawn, middleOf, open, settle, skip, state, writeRuns } from "./support/browser.js";
+import { changes, everyWay as everyWayOf, isOn, press, pressKey } from "./support/commands.js";
 
 
-const BLUE = [108, 158, 224];
 const address = skip ? "" : writeRuns("views", [workshop()]);
 const everyWay = (id, check, how = {}) => everyWayOf(id, check, { address, ...how });
 
@@ -17,7 +16,7 @@ test("views", { skip }, async () => {
   for (const id of ["isometric", "back", "left", "right", "top", "bottom"]) {
     await everyWay(id, async (page, act, message) => {
       await changes(page, act, message);
-      assert.equal(await page.getAttribute(button(id), "aria-pressed"), "true", message);
+      assert.ok(await isOn(page, id), message);
       pictures.set(id, (await drawn(page)).hash);
     });
   }
@@ -25,17 +24,17 @@ test("views", { skip }, async () => {
   await everyWay("front", changes, { hash: "#view=30,20,200,0.8,0.3,0" });
   await everyWay("extents", async (page, act, message) => {
     await changes(page, act, message, 1000);
-    const { x, y, count } = await middleOf(page, BLUE);
+    const { x, y, count } = await middleOf(page, BODIES);
     assert.ok(count > 3000 && x > 100 && x < 700 && y > 100 && y < 700, `${message}: bodies at ${x} ${y}`);
   }, { hash: "#view=0,0,40,6,0.3,0" });
 });
 
 test("frames instead of surfaces", { skip }, async () => {
   await everyWay("wire", async (page, act, message) => {
-    const before = await drawn(page, "#picture", { blue: BLUE });
+    const before = await drawn(page, "#picture", { bodies: BODIES });
     await act();
-    const after = await drawn(page, "#picture", { blue: BLUE });
-    assert.ok(before.blue > 5000 && after.blue < 0.2 * before.blue && after.ink > 2000, `${message} ${after.blue}`);
+    const after = await drawn(page, "#picture", { bodies: BODIES });
+    assert.ok(before.bodies > 5000 && after.bodies < 0.2 * before.bodies && after.ink > 2000, `${message} ${after.bodies}`);
   });
 });
 
@@ -67,11 +66,11 @@ test("dragging pans, orbits, zooms", { skip }, async () => {
     await settle(page);
   };
   await everyWay("pan", async (page, act, message) => {
-    await page.click("#do-orbit");
+    await press(page, "orbit");
     await act();
-    const before = await middleOf(page, BLUE);
+    const before = await middleOf(page, BODIES);
     await changes(page, () => drag(page, 60, 30), message);
-    const after = await middleOf(page, BLUE);
+    const after = await middleOf(page, BODIES);
     assert.ok(Math.hypot(after.x - before.x - 60, after.y - before.y - 30) < 2, `${message} ${after.x - before.x}`);
   });
   await everyWay("orbit", async (page, act, message) => {

@@ -2,10 +2,13 @@
 
 import { LAYOUTS } from "./commands.js";
 import { SPEEDS } from "./player.js";
+import { usualCurves } from "./runview.js";
+import { changedSettings, showSettings } from "./settings.js";
+import { showTools, toolParts } from "./tools.js";
 
 /** @import {App, Layout, Mode} from "./app.js" */
 
-const MODES = ["pan", "orbit", "zoom", "window", "info"];
+const MODES = ["pan", "orbit", "zoom", "window", "info", "distance", "angle"];
 /** Of a page with the mechanism itself, too. */
 const LIVE_MODES = [...MODES, "pull", "place"];
 
@@ -19,18 +22,20 @@ export function addressOf(app) {
   const put = (/** @type {string} */ name, /** @type {string | number} */ value, /** @type {string | number} */ usual) => {
     if (value !== usual) parts.set(name, String(value));
   };
-  put("t", rounded(player.isFollowing ? player.start : player.time), rounded(player.start));
-  put("view", [view.azimuth, view.elevation, view.scale, ...view.target].map(rounded).join(","), "");
+  // A link to what plays begins to play; one to a moment has its time, be it the first.
+  if (!player.isFollowing && !player.isPlaying) parts.set("t", String(rounded(player.time)));
+  const isFront = view.azimuth === 0 && view.elevation === 0;
+  if (!app.isFitted || !isFront) parts.set("view", [view.azimuth, view.elevation, view.scale, ...view.target].map(rounded).join(","));
   put("mode", app.mode, app.live === null ? "pan" : "pull");
   put("wire", Number(app.isWire), 0);
   put("run", app.run?.name ?? "", app.runViews[0]?.run.name ?? "");
   put("layout", app.layout, "one");
   put("hidden", app.runViews.filter((shown) => !shown.isShown).map(({ run }) => run.name).join("|"), "");
   put("select", app.selected === null ? "" : `${app.selected.kind}:${app.selected.index}`, "");
-  parts.set("curves", app.curves.join("|"));
+  put("curves", app.curves.join("|"), usualCurves(app.run).join("|"));
   put("against", app.across ?? "", "");
   put("log", app.logUnits.map((unit) => unit || "1").join("|"), "");
-  put("paths", app.traces.join("|"), "");
+  put("paths", app.traces.join("|"), app.usualTraces.join("|"));
   put("forces", Number(app.showsForces), 0);
   put("velocities", Number(app.showsVelocities), 0);
   put("arrows", rounded(app.arrowFactor), 1);
@@ -42,6 +47,7 @@ export function addressOf(app) {
   put("theme", app.theme, "auto");
   put("tab", app.tab, app.live === null ? "curves" : "live");
   put("panel", Number(app.hasPanel), 1);
+  for (const [name, value] of [...toolParts(app), ...changedSettings(app)]) parts.set(name, value);
   return parts.toString();
 }
 
@@ -61,15 +67,18 @@ export function showAddress(app, hash) {
   for (const shown of app.runViews) shown.isShown = !hidden.includes(shown.run.name);
   app.updateBounds();
   showSwitches(app, parts);
+  showTools(app, parts);
   app.isViewGiven = parts.has("view");
   if (app.isViewGiven) showView(app, numbers(parts.get("view")));
   else if (layout !== null) app.zoomToExtents();
   if (parts.has("curves")) app.curves = known(app, names(parts.get("curves")));
   app.across = known(app, names(parts.get("against")))[0] ?? null;
   app.logUnits = names(parts.get("log")).map((unit) => (unit === "1" ? "" : unit));
-  app.traces = names(parts.get("paths"));
+  app.isPathGiven = parts.has("paths");
+  if (app.isPathGiven) app.traces = names(parts.get("paths"));
   const [kind, index] = (parts.get("select") ?? "").split(":");
   app.selected = app.items().find((item) => item.kind === kind && item.index === Number(index)) ?? null;
+  showSettings(app, parts);
   if (parts.has("t")) player.seek(Number(parts.get("t")) || 0);
   if (parts.get("play") === "1") player.play();
   app.change();
@@ -135,7 +144,7 @@ function rounded(value) {
 const ADDRESS_EVERY = 300;
 
 /**
- * Keeps the address up to date, but not while the run plays.
+ * Keeps the address up to date; while the run plays without its time.
  * @param {App} app
  * @returns {() => void} to be called after every frame
  */
@@ -143,7 +152,7 @@ export function addressKeeper(app) {
   let isWaiting = false;
   let written = "";
   return () => {
-    if (isWaiting || app.player.isPlaying || app.run === null) return;
+    if (isWaiting || app.run === null) return;
     isWaiting = true;
     setTimeout(() => {
       isWaiting = false;

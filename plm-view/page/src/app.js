@@ -1,10 +1,14 @@
 // What is shown, as plain data, and what can be done with it. It knows nothing of elements of the page.
 
+import { History } from "./history.js";
+import { addMeasures } from "./measure.js";
+import { tellingPoint } from "./opening.js";
 import { onBackground, DARK, LIGHT } from "./palette.js";
 import { Player } from "./player.js";
 import { readResults } from "./results.js";
 import { growArrows, sceneOf, usualCurves } from "./runview.js";
 import { timeText, withShortNumbers } from "./text.js";
+import { usualTools } from "./tools.js";
 import { View } from "./view.js";
 
 /** @import {Run} from "./run.js" */
@@ -12,7 +16,7 @@ import { View } from "./view.js";
 /** @import {Item} from "./solid.js" */
 /** @import {Area, PresetName, Projection} from "./view.js" */
 
-/** @typedef {"pan" | "orbit" | "zoom" | "window" | "info" | "pull" | "place"} Mode what dragging does */
+/** @typedef {"pan" | "orbit" | "zoom" | "window" | "info" | "pull" | "place" | "distance" | "angle"} Mode what dragging does */
 /** @typedef {"one" | "overlay" | "side"} Layout how several runs are shown */
 /**
  * A body that is pulled or placed: a point of it in its axes, and where it is to go, in absolute axes; or how far it is
@@ -25,6 +29,9 @@ import { View } from "./view.js";
  *   move: (projection: Projection, x: number, y: number) => void, letGo: () => void}} Grip
  */
 /** @typedef {{kind: "error" | "fault" | "warning" | "note", text: string}} Message */
+
+/** How long, ms, what is over soon is shown. */
+const SAID_FOR = 3000;
 
 export class App {
   constructor() {
@@ -46,8 +53,10 @@ export class App {
     this.across = null;
     /** Units whose charts have a logarithmic axis. @type {string[]} */
     this.logUnits = [];
-    /** Names of points. @type {string[]} */
+    /** Names of points whose paths are drawn. @type {string[]} */
     this.traces = [];
+    /** The path that is drawn before anybody has chosen one. @type {string[]} */
+    this.usualTraces = [];
     this.showsForces = false;
     this.showsVelocities = false;
     /** Joints whose force has an arrow; null: all. @type {string[] | null} */
@@ -57,6 +66,10 @@ export class App {
     this.hasArrowKey = true;
     /** Length of arrows against the usual one. */
     this.arrowFactor = 1;
+    this.tools = usualTools();
+    /** What is picked for a measure that is not whole. @type {import("./measure.js").Mark[]} */
+    this.marks = [];
+    this.history = new History(this);
     /** @type {"auto" | "light" | "dark"} */
     this.theme = "auto";
     this.prefersDark = false;
@@ -72,14 +85,22 @@ export class App {
     this.window = null;
     /** @type {Message[]} */
     this.messages = [];
+    /** What was said last. @type {Message | null} */
+    this.said = null;
     /** The mechanism itself, if the page holds it. @type {import("./live.js").Live | null} */
     this.live = null;
     /** @type {Drag | null} */
     this.drag = null;
     /** @type {Grip | null} */
     this.grip = null;
+    /** Where the mouse is over the picture while nothing is held, in pixels. @type {{x: number, y: number} | null} */
+    this.pointer = null;
     /** Whether the address told where to look from. */
     this.isViewGiven = false;
+    /** Whether it told which paths to draw. */
+    this.isPathGiven = false;
+    /** The view as it was when it showed everything last. */
+    this.fitted = "";
     this.madeBy = "";
     /** The file that is shown, or was before it was cleared. @type {Uint8Array | null} */
     this.bytes = null;
@@ -115,6 +136,7 @@ export class App {
   /** Something is to be drawn, and panels are to be built anew. */
   change() {
     this.revision += 1;
+    for (const { run } of this.runViews) addMeasures(run, this.tools.measures);
     this.touch();
   }
 
@@ -122,6 +144,21 @@ export class App {
   tell(kind, text) {
     if (!this.messages.some((message) => message.text === text)) this.messages.push({ kind, text });
     this.change();
+  }
+
+  /** Tells something that is over soon. @param {string} text */
+  say(text) {
+    const isOther = (/** @type {Message} */ message) => message !== this.said;
+    this.messages = this.messages.filter(isOther);
+    /** @type {Message} */
+    const said = { kind: "note", text };
+    this.said = said;
+    this.messages.push(said);
+    this.change();
+    setTimeout(() => {
+      this.messages = this.messages.filter((message) => message !== said);
+      this.change();
+    }, SAID_FOR);
   }
 
   /**
@@ -154,7 +191,8 @@ export class App {
     const names = new Set(this.run?.quantities().map(({ name }) => name));
     this.curves = this.curves.filter((name) => names.has(name));
     if (this.across !== null && !names.has(this.across)) this.across = null;
-    this.traces = [];
+    [this.traces, this.usualTraces, this.isPathGiven] = [[], [], false];
+    this.drawUsualPath(this.run);
     if (this.curves.length === 0) this.curves = usualCurves(this.run);
     this.player.stop();
     this.player.chosenStep = null;
@@ -164,12 +202,20 @@ export class App {
     this.tellFault();
   }
 
+  /** Draws the path that tells most of a run. @param {Run | null} run */
+  drawUsualPath(run) {
+    const point = tellingPoint(run);
+    const isUsual = this.traces.join() === this.usualTraces.join();
+    this.usualTraces = point === null ? [] : [point];
+    if (isUsual && !this.isPathGiven) this.traces = [...this.usualTraces];
+  }
+
   /**
    * A further run, which may be live: its rows may grow, and `rowsAppended` tells that.
    * @param {Run} run
    */
   addRun(run) {
-    this.runViews.push({ run, ...sceneOf(run), isShown: true });
+    this.runViews.push({ run, ...sceneOf(run), isShown: true, ahead: null });
     this.updateBounds();
     this.change();
   }
@@ -289,13 +335,19 @@ export class App {
     const drawn = this.visible().filter(({ run }) => run.rows > 0);
     // A run that is about to begin will be where the others are.
     const known = drawn.length > 0 ? drawn : this.runViews.filter(({ run }) => run.rows > 0);
-    const boxes = known.map(({ scene }) => scene.extents());
+    const boxes = known.flatMap(({ scene, ahead }) => [scene.extents(), ...(ahead === null ? [] : [ahead])]);
     if (boxes.length > 0) {
       const low = [0, 1, 2].map((axis) => Math.min(...boxes.map((box) => box.low[axis])));
       const high = [0, 1, 2].map((axis) => Math.max(...boxes.map((box) => box.high[axis])));
       this.view.fit({ low, high }, this.areas()[0]);
+      this.fitted = JSON.stringify(this.view);
     }
     this.touch();
+  }
+
+  /** Whether the view shows everything, as nobody has moved it. */
+  get isFitted() {
+    return JSON.stringify(this.view) === this.fitted;
   }
 
   /** @param {PresetName} name */
@@ -357,27 +409,5 @@ export class App {
     if (at < 0) list.push(name);
     else list.splice(at, 1);
     this.change();
-  }
-
-  /**
-   * The times of events of the active run, of its fault too, in rising order.
-   * @returns {number[]}
-   */
-  eventTimes() {
-    const { run } = this;
-    if (run === null) return [];
-    const times = run.events.map(({ time }) => time);
-    if (run.fault !== null) times.push(run.fault.time);
-    return [...new Set(times)].sort((a, b) => a - b);
-  }
-
-  /** @param {number} direction 1 or -1 */
-  jumpToEvent(direction) {
-    const { time } = this.player;
-    const times = this.eventTimes();
-    const next = direction > 0 ? times.find((at) => at > time) : times.findLast((at) => at < time);
-    this.player.stop();
-    if (next !== undefined) this.player.seek(next);
-    this.touch();
   }
 }

@@ -1,30 +1,65 @@
-// All that can be done, once: buttons, keys and the table of keys are made from this list.
+// All that can be done, once: buttons, the menu, keys and the table of keys are made from this list. A command with an icon that is
+// no labelled button stands in the menu, under the title of its group.
 
 import { savePng, saveSvg } from "./picture.js";
+import { jumpToEvent } from "./runview.js";
+import { TOOL_COMMANDS } from "./toolcommands.js";
+import { dropMeasures } from "./toolpick.js";
 import { PRESETS } from "./view.js";
 
 /** @import {App, Layout, Mode} from "./app.js" */
 /** @import {PresetName} from "./view.js" */
 
 /**
- * @typedef {{openFile: () => void, openOptions: () => void, openHelp: () => void, leave: () => void}} Dialogs what needs elements
+ * @typedef {{openFile: () => void, openOptions: () => void, openHelp: () => void, openMovie: () => void, leave: () => void}} Dialogs what needs elements
  * of the page
  * @typedef {{id: string, name: string, group: string, icon: string | null, keys: string[],
  *   run: (app: App, dialogs: Dialogs) => void, isOn?: (app: App) => boolean}} Command
  */
 
-/** Groups in the order in which they are shown; those of buttons are the toolbars. */
+/** Groups in the order in which the menu and the table of keys show them. */
 export const GROUPS = {
-  file: "File",
-  camera: "Camera mode",
-  view: "View",
   show: "Show",
+  view: "View",
+  tools: "Tools",
+  edit: "Edit",
+  camera: "Dragging",
+  animate: "Time",
+  live: "Live",
+  file: "File",
   page: "Page",
-  animate: "Animate",
-  live: "Alive",
   move: "Move the view by keys",
   panel: "Panel and objects",
 };
+
+/**
+ * Where the labelled buttons stand, and the word on each.
+ * @typedef {{place: "tools" | "transport", id: string, label: string}} Labelled
+ */
+
+/** Of a page of results. @type {Labelled[]} */
+const LABELLED = [
+  { place: "tools", id: "forces", label: "Forces" },
+  { place: "tools", id: "velocities", label: "Velocities" },
+  { place: "tools", id: "extents", label: "Fit" },
+  { place: "tools", id: "png", label: "Save" },
+  { place: "tools", id: "panel", label: "Panel" },
+  { place: "transport", id: "start", label: "Start" },
+  { place: "transport", id: "toggle", label: "Play" },
+];
+
+/** Of a page with the mechanism itself, other buttons in some places. @type {{[id: string]: {id: string, label: string}}} */
+const LIVE_INSTEAD = { png: { id: "pull", label: "Pull" }, start: { id: "restart", label: "Restart" } };
+
+/** The seven labelled buttons. @param {App} app @returns {Labelled[]} */
+export function labelledButtons(app) {
+  if (app.live === null) return LABELLED;
+  const offered = new Set(commandsOf(app).map(({ id }) => id));
+  return LABELLED.map((button) => {
+    const instead = LIVE_INSTEAD[button.id];
+    return instead !== undefined && offered.has(instead.id) ? { ...button, ...instead } : button;
+  });
+}
 
 /** @type {(id: string, name: string, keys: string[], run: Command["run"]) => Command} */
 const fileCommand = (id, name, keys, run) => ({ id, name, group: "file", icon: id, keys, run });
@@ -63,17 +98,17 @@ const panelCommand = (id, name, key, run) => ({ id, name, group: "panel", icon: 
 /** @type {Command[]} */
 export const COMMANDS = [
   fileCommand("open", "Open a results file", ["Ctrl+O", "O"], (_, dialogs) => dialogs.openFile()),
-  fileCommand("reload", "Reload, at the start", ["Ctrl+R", "R"], (app) => void app.reload()),
+  fileCommand("reload", "Show the file anew, from its start", ["Ctrl+R", "R"], (app) => void app.reload()),
   fileCommand("clear", "Clear the window", ["Ctrl+N", "N"], (app) => app.clear()),
-  fileCommand("exit", "Exit", ["Ctrl+Q", "Q"], (_, dialogs) => dialogs.leave()),
+  fileCommand("exit", "Close the page", ["Ctrl+Q", "Q"], (_, dialogs) => dialogs.leave()),
 
-  cameraCommand("pan", "Pan", "M"),
-  cameraCommand("orbit", "Orbit", "T"),
-  cameraCommand("zoom", "Zoom", "Z"),
+  cameraCommand("pan", "Dragging moves", "M"),
+  cameraCommand("orbit", "Dragging turns", "T"),
+  cameraCommand("zoom", "Dragging zooms", "Z"),
   cameraCommand("window", "Zoom to window", "W"),
   cameraCommand("info", "Object information", "I"),
 
-  { id: "extents", name: "Zoom to extents", group: "view", icon: "extents", keys: ["X", "0"], run: (app) => app.zoomToExtents() },
+  { id: "extents", name: "Show everything", group: "view", icon: "extents", keys: ["X", "0"], run: (app) => app.zoomToExtents() },
   viewCommand("isometric", "Isometric", "7"),
   viewCommand("front", "Front", "1"),
   viewCommand("back", "Back", "2"),
@@ -106,11 +141,14 @@ export const COMMANDS = [
     ...animateCommand("loop", "Loop", ["L"], "loop", ({ player }) => (player.isLooping = !player.isLooping)),
     isOn: (app) => app.player.isLooping,
   },
-  animateCommand("toggle", "Play or stop", ["Space"], null, (app) => (app.isPlaying ? app.stop() : app.play())),
+  {
+    ...animateCommand("toggle", "Play or pause", ["Space"], "play", (app) => (app.isPlaying ? app.stop() : app.play())),
+    isOn: (app) => app.isPlaying,
+  },
   animateCommand("slower", "Slower", ["<"], null, (app) => app.player.changeSpeed(-1)),
   animateCommand("faster", "Faster", [">"], null, (app) => app.player.changeSpeed(1)),
-  animateCommand("event before", "Jump to the event before", ["["], null, (app) => app.jumpToEvent(-1)),
-  animateCommand("event after", "Jump to the next event", ["]"], null, (app) => app.jumpToEvent(1)),
+  animateCommand("event before", "Jump to the event before", ["["], null, (app) => jumpToEvent(app, -1)),
+  animateCommand("event after", "Jump to the next event", ["]"], null, (app) => jumpToEvent(app, 1)),
 
   moveCommand("Shift+ArrowLeft", "Pan to the left", (app) => nudge(app, -1, 0)),
   moveCommand("Shift+ArrowRight", "Pan to the right", (app) => nudge(app, 1, 0)),
@@ -123,7 +161,7 @@ export const COMMANDS = [
   moveCommand("+", "Zoom in", (app) => enlarge(app, 1.25)),
   moveCommand("-", "Zoom out", (app) => enlarge(app, 0.8)),
   moveCommand("Enter", "Zoom to the window", applyWindow),
-  moveCommand("Escape", "Let go: window, selection", letGo),
+  moveCommand("Escape", "Let go: window, measures, selection", letGo),
 
   panelCommand("next object", "Next object", ".", (app) => app.selectNext(1)),
   panelCommand("object before", "Object before", ",", (app) => app.selectNext(-1)),
@@ -135,6 +173,7 @@ export const COMMANDS = [
   panelCommand("phase plot", "Curves against the first of them, or over the time", "Shift+X", switchAcross),
   panelCommand("run after", "Next run", "PageDown", (app) => app.activate(app.active + 1)),
   panelCommand("run before", "Run before", "PageUp", (app) => app.activate(app.active - 1)),
+  ...TOOL_COMMANDS,
 ];
 
 /** @type {(id: string, name: string, key: string, icon: string | null, run: Command["run"]) => Command} */
@@ -144,8 +183,8 @@ const liveCommand = (id, name, key, icon, run) => ({ id, name, group: "live", ic
 export const LIVE_COMMANDS = [
   { ...liveCommand("pull", "Pull a body", "H", "pull", (app) => setMode(app, "pull")), isOn: (app) => app.mode === "pull" },
   { ...liveCommand("place", "Place a body", "Shift+H", "place", (app) => setMode(app, "place")), isOn: (app) => app.mode === "place" },
-  liveCommand("restart", "Begin again", "Shift+B", "restart", (app) => app.live?.restart()),
-  liveCommand("reset", "Begin again as declared", "Shift+D", null, (app) => app.live?.reset()),
+  liveCommand("restart", "Restart: from the first moment, with the values as they are set", "Shift+B", "restart", (app) => app.live?.restart()),
+  liveCommand("reset", "Reset: from the first moment, with the values as declared", "Shift+D", "reload", (app) => app.live?.reset()),
   { ...liveCommand("record", "Record", "Shift+C", "record", (app) => app.live?.record()), isOn: (app) => (app.live?.recordsFrom ?? null) !== null },
   liveCommand("live tab", "Live", "Shift+L", null, (app) => openTab(app, "live")),
 ];
@@ -223,6 +262,7 @@ function applyWindow(app) {
 /** @param {App} app */
 function letGo(app) {
   if (app.window !== null) app.window = null;
+  else if (dropMeasures(app)) return;
   else if (app.selected !== null) app.select(null);
 }
 

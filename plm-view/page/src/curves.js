@@ -6,6 +6,7 @@ import { chartLabel, chartsOf, curvesSvg, missingText } from "./charts.js";
 import { element, fitCanvas, saveBlob, setText } from "./dom.js";
 import { CanvasPen } from "./pen.js";
 import { fileStem } from "./picture.js";
+import { PolarPlot } from "./polarpanel.js";
 import { quantityText, withUnit } from "./text.js";
 
 /** @import {App} from "./app.js" */
@@ -51,11 +52,13 @@ export class Curves {
     /** The run whose quantities `across` offers. @type {Run | null} */
     this.offered = null;
     this.charts = element("div", { class: "charts" });
+    this.polar = new PolarPlot(app);
     root.append(
       element("details", { class: "picker" }, this.summary, this.filter, this.offers),
       element("label", { class: "across" }, "Against", this.across),
       this.charts,
       element("div", { class: "row" }, element("button", { type: "button", onclick: () => saveCurves(this.app) }, "Save curves (SVG)")),
+      this.polar.root,
     );
   }
 
@@ -72,6 +75,7 @@ export class Curves {
     // One range may ask for more room on the left of all.
     if (stale.length > 0) this.paint();
     for (const plot of this.plots) this.draw(plot);
+    this.polar.update();
   }
 
   /** Curves that grow are painted now and then. */

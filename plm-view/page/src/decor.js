@@ -22,19 +22,17 @@ import { quantityText } from "./text.js";
 export function drawAxes(pen, projection, palette) {
   const { area, right, up, toViewer } = projection;
   const [x, y, length] = [area.x + 46, area.y + area.height - 46, 26];
-  const colours = [palette.tones.ground, palette.trace[4], palette.tones.joint];
   // From the farthest; axes that are equally far keep their order in spite of rounding.
   const nearness = toViewer.map((share) => Math.round(1e6 * share));
   const order = [0, 1, 2].sort((a, b) => nearness[a] - nearness[b]);
   for (const axis of order) {
-    const colour = typeof colours[axis] === "string" ? colours[axis] : `rgb(${colours[axis].join(",")})`;
     const [dx, dy] = [right[axis], -up[axis]];
     if (Math.hypot(dx, dy) < 0.05) {
-      pen.polygon(circleOutline(x, y, 3.5), { fill: colour });
+      pen.polygon(circleOutline(x, y, 3.5), { fill: palette.faint });
       pen.text(x - 13, y + 9, "xyz"[axis], { colour: palette.ink, size: 12, align: "middle", halo: palette.background });
       continue;
     }
-    drawArrow(pen, [x, y], [x + length * dx, y + length * dy], colour);
+    drawArrow(pen, [x, y], [x + length * dx, y + length * dy], palette.faint);
     const [tx, ty] = [x + (length + 10) * dx, y + (length + 10) * dy];
     pen.text(tx, ty, "xyz"[axis], { colour: palette.ink, size: 12, align: "middle", halo: palette.background });
   }
@@ -106,6 +104,23 @@ function drawName(pen, x, y, name, palette) {
   const box = [left, top, left + width, top, left + width, top + 16, left, top + 16];
   pen.polygon(box, { fill: palette.background, opacity: 0.85 });
   pen.text(left + 3, top + 8, name, { colour: palette.ink, size: 12 });
+}
+
+/**
+ * A name beside the mouse, inside of the picture.
+ * @param {Pen} pen
+ * @param {number} x
+ * @param {number} y
+ * @param {string} text
+ * @param {import("./view.js").Area} area
+ * @param {Palette} palette
+ */
+export function drawLabel(pen, x, y, text, area, palette) {
+  const width = 7.5 * text.length + 16;
+  const left = Math.max(area.x, Math.min(x + 14, area.x + area.width - width - 4));
+  const top = Math.max(area.y + 4, y - 34);
+  pen.polygon([left, top, left + width, top, left + width, top + 24, left, top + 24], { fill: palette.background, stroke: palette.faint });
+  pen.text(left + 0.5 * width, top + 12, text, { colour: palette.ink, size: 13, align: "middle" });
 }
 
 /**

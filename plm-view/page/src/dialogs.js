@@ -61,7 +61,7 @@ export function openOptions(app) {
 }
 
 /** @param {string} name @param {HTMLElement} control @param {...HTMLElement} more */
-function optionRow(name, control, ...more) {
+export function optionRow(name, control, ...more) {
   return element("div", { class: "row" }, element("label", { for: control.id }, name), control, ...more);
 }
 
@@ -91,7 +91,7 @@ export function openHelp(app) {
  * @param {string} title
  * @param {HTMLElement[]} contents
  */
-function showDialog(title, contents) {
+export function showDialog(title, contents) {
   // At the top: what a dialog opens with is what can be pressed first.
   const close = element("button", { type: "button", onclick: () => dialog.close() }, "Close");
   const head = element("div", { class: "head" }, element("h2", {}, title), close);

@@ -99,7 +99,7 @@ export function listenToDragKeys(app) {
 }
 
 /** A direction of the screen in absolute axes. @param {App} app @param {number[]} direction */
-function onScreen(app, [dx, dy]) {
+function alongScreen(app, [dx, dy]) {
   const [right, up] = app.view.axes();
   return [dx * right[0] + dy * up[0], dx * right[1] + dy * up[1]];
 }
@@ -120,7 +120,7 @@ function centreOf(app, body) {
  */
 function pullByKeys(app, live, body, down) {
   const sum = [...down].reduce(([x, y], key) => [x + (ARROW_KEYS[key]?.[0] ?? 0), y + (ARROW_KEYS[key]?.[1] ?? 0)], [0, 0]);
-  const along = onScreen(app, sum);
+  const along = alongScreen(app, sum);
   const { stiffness } = live.stiffness(body, [0, 0]);
   const reach = along.map((part) => KEY_PULL * live.size() * part);
   const hold = { body, point: [0, 0], target: [0, 0] };
@@ -131,7 +131,7 @@ function pullByKeys(app, live, body, down) {
 
 /** @param {App} app @param {Live} live @param {number} body @param {string} key */
 function placeByKey(app, live, body, key) {
-  const along = onScreen(app, ARROW_KEYS[key] ?? [0, 0]);
+  const along = alongScreen(app, ARROW_KEYS[key] ?? [0, 0]);
   const step = KEY_STEP * live.size();
   const [x, y] = centreOf(app, body);
   live.place(body, [0, 0], [x + step * along[0], y + step * along[1]], TURN_KEYS[key] ?? 0);

@@ -11,8 +11,9 @@ import { lightOn, placePieces } from "./place.js";
 /** @import {Projection} from "./view.js" */
 
 /**
- * How a scene is painted: as surfaces or as frames; in its own colours, or all in the colour of another run.
- * @typedef {{palette: Palette, isWire: boolean, selected: Item | null, ghost: Rgb | null}} Manner
+ * How a scene is painted: as surfaces or as frames; in its own colours, or all in the colour of another run; each body in a
+ * colour of its own, or all in one where runs have theirs.
+ * @typedef {{palette: Palette, isWire: boolean, selected: Item | null, ghost: Rgb | null, isPlain?: boolean}} Manner
  */
 
 /** Walls of smaller pieces (in pixels) are painted in one colour. */
@@ -44,15 +45,21 @@ export function sameItem(a, b) {
   return a !== null && b !== null && a.kind === b.kind && a.index === b.index;
 }
 
+/** @param {Palette} palette @param {number} body -1: the ground @returns {Rgb} */
+export function bodyColour({ bodies, tones }, body) {
+  return body < 0 ? tones.ground : bodies[body % bodies.length];
+}
+
 /**
  * @param {Pen} pen
  * @param {Placed} placed
  * @param {number} face light on it
  * @param {Manner} manner
  */
-function drawPlaced(pen, placed, face, { palette, isWire, ghost }) {
+function drawPlaced(pen, placed, face, { palette, isWire, ghost, isPlain = false }) {
   const { piece, near } = placed;
-  const rgb = ghost ?? palette.tones[piece.tone];
+  const own = piece.tone === "body" && !isPlain ? bodyColour(palette, piece.body) : palette.tones[piece.tone];
+  const rgb = ghost ?? own;
   const opacity = ghost === null ? 1 : 0.5;
   if (piece.isLine) {
     if (!isWire && ghost === null) pen.line(near, { stroke: rgbText(palette.edge), width: 3.4 });

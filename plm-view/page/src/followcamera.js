@@ -7,6 +7,8 @@ import { View } from "./view.js";
 
 /** So often, ms, it is looked at. */
 const LOOK_EVERY = 250;
+/** Behind the last of several starts, ms, it is looked ahead: a slider that is moved begins anew again and again. */
+const REST = 300;
 
 export class FollowCamera {
   /** @param {App} app */
@@ -15,11 +17,16 @@ export class FollowCamera {
     /** The view as it was chosen here. @type {View | null} */
     this.chosen = null;
     this.lookedAt = 0;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    this.waiting = undefined;
   }
 
   /** At a start the view is chosen anew, but not while a body is placed. */
   begin() {
-    if (this.chosen !== null && this.isOwn() && this.app.mode !== "place") this.choose();
+    if (this.chosen === null || !this.isOwn() || this.app.mode === "place") return;
+    this.choose();
+    clearTimeout(this.waiting);
+    this.waiting = setTimeout(() => this.app.live?.lookAhead(), REST);
   }
 
   isOwn() {

@@ -22,11 +22,17 @@ export function keyName({ key, ctrlKey, metaKey, altKey, shiftKey }) {
  * @param {Dialogs} dialogs
  */
 export function listenToKeys(app, dialogs) {
+  document.addEventListener("input", ({ target }) => {
+    if (target instanceof HTMLInputElement) target.dataset["typed"] = "";
+  });
+  document.addEventListener("change", ({ target }) => {
+    if (target instanceof HTMLInputElement) delete target.dataset["typed"];
+  });
   /** @type {Map<string, Command>} */
   const commandOfKey = new Map(commandsOf(app).flatMap((command) => command.keys.map((key) => [key, command])));
   document.addEventListener("keydown", (event) => {
     const target = event.target instanceof HTMLElement ? event.target : document.body;
-    if (document.querySelector("dialog[open]") !== null) return;
+    if (event.defaultPrevented || document.querySelector("dialog[open]") !== null) return;
     const name = keyName(event);
     const command = commandOfKey.get(name);
     if (command === undefined || belongsTo(target, name)) return;
@@ -48,9 +54,12 @@ export function belongsTo(target, name) {
     return target.id !== "time" && /^(Arrow|Home|End|Page)/.test(name);
   }
   if (target instanceof HTMLInputElement && target.type !== "checkbox" && target.type !== "radio") {
-    return !name.startsWith("Ctrl+") || /^Ctrl\+(A|C|V|X|Z|Arrow)/.test(name);
+    // Undoing belongs to a field while something is typed into it.
+    if (/^Ctrl\+(Z|Y|Shift\+Z)$/.test(name)) return target.dataset["typed"] !== undefined;
+    return !name.startsWith("Ctrl+") || /^Ctrl\+(A|C|V|X|Arrow)/.test(name);
   }
   if (target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement) return !name.startsWith("Ctrl+");
+  if (/^menuitem/.test(target.getAttribute("role") ?? "")) return !name.startsWith("Ctrl+");
   if (target.getAttribute("role") === "tab" || target instanceof HTMLInputElement) return /^(Arrow|Home|End|Space)/.test(name);
   const isPressed = target instanceof HTMLButtonElement || target instanceof HTMLAnchorElement || target.tagName === "SUMMARY";
   return isPressed && (name === "Space" || name === "Enter");

@@ -4,7 +4,7 @@
 
 import { FollowCamera } from "./followcamera.js";
 import { Run } from "./run.js";
-import { BAR } from "./scene.js";
+import { BAR, Scene } from "./scene.js";
 import { readShape } from "./shape.js";
 import { workerText } from "./worker.js";
 
@@ -14,6 +14,8 @@ import { workerText } from "./worker.js";
 
 /** Without a recording so much is kept, s. */
 export const LIVE_WINDOW = 20;
+/** So far, s, it is looked ahead before the view is chosen. */
+const LOOK_AHEAD = 6;
 /** How often a pulled body swings at most, rad/s: a force that is renewed every 10 ms follows it well. */
 const FASTEST_SWING = 40;
 /** Damping of a pull, as a share of the critical one. */
@@ -33,6 +35,8 @@ export class Live {
     this.isRunning = false;
     this.isAssembled = false;
     this.isBroken = false;
+    /** Whether it runs in this page, and nowhere else. */
+    this.isInPage = true;
     /** Why nothing is heard of it, in words. */
     this.gone = "";
     /** What can be done with its bodies. @type {string[]} */
@@ -47,6 +51,12 @@ export class Live {
     this.followCamera = new FollowCamera(app);
     /** The parameter that was turned last, and its value: what is open then is due to it. */
     this.turned = "";
+    /** @type {Pull | null} */
+    this.pulled = null;
+    /** How often it has begun, and how often it had when a state was kept. */
+    this.era = 0;
+    /** @type {Map<number, number>} */
+    this.eras = new Map();
     /** What it has opened, in words. */
     this.opened = "";
     /** Rises with the settings. */
@@ -124,27 +134,59 @@ export class Live {
     this.send({ kind: "step", dt, count });
   }
 
+  /** Its state is kept under a number. @param {number} id */
+  keep(id) {
+    this.eras.set(id, this.era);
+    this.send({ kind: "keep", id });
+  }
+
+  /** To a state that was kept; the one now is kept under another number. @param {number} id @param {number} now */
+  comeBack(id, now) {
+    this.app.grip?.letGo();
+    this.pause();
+    this.show();
+    this.keep(now);
+    this.send({ kind: "return", id });
+  }
+
+  /** Rows behind the moment to which it has come back were never computed. @param {Float64Array} numbers @param {number} id */
+  return(numbers, id) {
+    const { run, app } = this;
+    const [time] = numbers;
+    if (this.eras.get(id) !== this.era || time < run.start || time > run.end) run.clear();
+    else run.dropAfter(time);
+    this.era = this.eras.get(id) ?? this.era;
+    if (run.rows === 0 || run.end < time) this.append(numbers);
+    app.player.isFollowing = app.run === run;
+    app.rowsAppended(run);
+    app.change();
+  }
+
   /** Begins again with the parameters as they are. */
   restart() {
+    this.app.history.keepState("restart");
     this.show();
     this.send({ kind: "restart" });
   }
 
   /** Begins again as declared. */
   reset() {
+    this.app.history.keepState("reset");
     this.show();
     this.send({ kind: "reset" });
   }
 
   /** @param {"parameter" | "input"} kind @param {number} index @param {number} value SI */
   set(kind, index, value) {
-    if (!Number.isFinite(value) || value === this.settings[kind][index]) return;
+    const before = this.settings[kind][index];
+    if (!Number.isFinite(value) || value === before) return;
     this.settings[kind][index] = value;
     this.send({ kind, index, value });
     const list = kind === "parameter" ? this.mechanism.parameters : this.mechanism.inputs;
     const { name, factor, unit } = list[index];
     const shown = `${Number((value / factor).toPrecision(6))} ${unit}`.trim();
     if (kind === "parameter") this.turned = `${name} ${shown}`;
+    if (Number.isFinite(before)) this.app.history.add({ kind: "set", name: `${name} = ${shown}`, of: kind, index, from: before, to: value });
     this.note(name, `${name} = ${shown}`);
   }
 
@@ -159,6 +201,8 @@ export class Live {
 
   /** @param {Pull | null} pull */
   pull(pull) {
+    if (pull !== null && this.pulled === null) this.app.history.keepState(`pull ${this.mechanism.bodies[pull.body].name}`);
+    this.pulled = pull;
     this.send({ kind: "pull", pull });
   }
 
@@ -170,6 +214,7 @@ export class Live {
    */
   place(body, point, target, turn = 0) {
     if (this.isRunning) this.pause();
+    this.app.history.keepState(`place ${this.mechanism.bodies[body].name}`);
     /** @type {ToWorker} */
     const wanted = { kind: "place", body, point, target, turn };
     // Of many that come while one is worked out the last alone counts.
@@ -229,7 +274,9 @@ export class Live {
       for (let at = 0; at < message.numbers.length; at += message.width) this.append(message.numbers.subarray(at, at + message.width));
       this.trim();
       this.app.rowsAppended(this.run);
-    } else if (message.kind === "began") this.begin(message.numbers, message.isAssembled);
+    } else if (message.kind === "ahead") this.seeAhead(message.numbers, message.width);
+    else if (message.kind === "returned") this.return(message.numbers, message.id);
+    else if (message.kind === "began") this.begin(message.numbers, message.isAssembled);
     else if (message.kind === "settings") this.take(message);
     else if (message.kind === "trouble") {
       const { trouble } = message;
@@ -262,9 +309,27 @@ export class Live {
     this.app.tell("error", text);
   }
 
-  /** @param {Float64Array} numbers as `plm_read` gives them */
-  append(numbers) {
-    const { run, mechanism } = this;
+  /** Asks what it will do: the view and the path are chosen by that. */
+  lookAhead() {
+    this.send({ kind: "ahead", duration: LOOK_AHEAD });
+  }
+
+  /** @param {Float64Array} numbers of rows @param {number} width */
+  seeAhead(numbers, width) {
+    const { app, followCamera } = this;
+    const shown = app.runViews.find(({ run }) => run === this.run);
+    const ahead = Run.empty({ ...this.run.head, mechanism: this.mechanism });
+    for (let at = 0; at < numbers.length; at += width) this.append(numbers.subarray(at, at + width), ahead);
+    if (shown === undefined || ahead.rows < 2) return;
+    shown.ahead = new Scene(ahead).extents();
+    app.drawUsualPath(ahead);
+    if (followCamera.chosen !== null && followCamera.isOwn() && app.drag === null) followCamera.choose();
+    app.change();
+  }
+
+  /** @param {Float64Array} numbers as `plm_read` gives them @param {Run} [run] */
+  append(numbers, run = this.run) {
+    const { mechanism } = this;
     const [bodies, ground] = [6 * mechanism.bodies.length, 3 * mechanism.ground.length];
     const places = numbers.subarray(1 + bodies, 1 + bodies + ground);
     run.append(numbers[0], numbers.subarray(1, 1 + bodies), numbers.subarray(1 + bodies + ground), places);
@@ -288,12 +353,15 @@ export class Live {
       const isRecording = this.recordsFrom !== null;
       this.stopRecording();
       run.clear();
+      this.era += 1;
       this.append(numbers);
       if (isRecording) this.recordsFrom = run.start;
       if (!isAssembled) standStill(run);
     }
     if (app.run === run) app.player.isFollowing = true;
     app.rowsAppended(run);
+    if (isFirst) app.drawUsualPath(run);
+    if (isFirst && isAssembled) this.lookAhead();
     if (isAssembled && !isFirst) this.followCamera.begin();
     // Where a recorded run told how large it is, the view is chosen already.
     if (isFirst && app.runViews.every((shown) => shown.run.isLive) && !app.isViewGiven) this.followCamera.choose();
@@ -336,7 +404,7 @@ function liveHead(head) {
   const live = structuredClone(head);
   // The page pulls by parts and inputs of its own.
   live.mechanism.parts = live.mechanism.parts.filter(({ kind }) => kind !== "plm_pull");
-  return { ...live, name: "live", method: "alive in a page", events: [], fault: null };
+  return { ...live, name: "live", method: "runs in this page", events: [], fault: null };
 }
 
 function startWorker() {

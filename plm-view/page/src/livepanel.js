@@ -3,8 +3,9 @@
 import { setMode } from "./commands.js";
 import { element, saveBlob, setText } from "./dom.js";
 import { LIVE_WINDOW } from "./live.js";
-import { fromSi, niceNear, toSi } from "./numbers.js";
+import { fromSi, niceNear } from "./numbers.js";
 import { fileStem } from "./picture.js";
+import { valueOf } from "./settings.js";
 import { timeText, typeset } from "./text.js";
 import { csvText, resultsFile } from "./write.js";
 
@@ -38,11 +39,12 @@ export class LivePanel {
         "div",
         { class: "row" },
         this.go,
-        actButton("live-restart", "Restart", () => live.restart(), "Begin again with the parameters as they are"),
-        actButton("live-reset", "Reset", () => live.reset(), "Begin again as declared"),
+        actButton("live-restart", "Restart", () => live.restart(), "From the first moment, with the values as they are set below (Shift+B)"),
+        actButton("live-reset", "Reset", () => live.reset(), "From the first moment, with all values as declared (Shift+D)"),
         this.record,
       ),
       this.state,
+      element("p", { class: "hint" }, "Restart begins again and keeps the values below; Reset takes back the declared ones."),
       ...(live.modes.length > 0 ? [this.byHand()] : []),
       ...this.dialGroup("Parameters", "parameter", live.mechanism.parameters),
       ...this.dialGroup("Inputs", "input", live.mechanism.inputs),
@@ -136,22 +138,12 @@ export class LivePanel {
     const shown = fromSi(this.live.settings[kind][index] ?? NaN, factor);
     if (!Number.isFinite(shown)) return;
     // What is being typed is not overwritten.
-    if (document.activeElement !== field) field.value = String(shown);
+    if (document.activeElement !== field || field.dataset["typed"] === undefined) field.value = String(shown);
     if (document.activeElement === slider && Math.abs(Number(slider.value) - shown) <= 0.51 * Number(slider.step)) return;
     if (shown > Number(slider.max)) slider.max = String(shown);
     if (shown < Number(slider.min)) slider.min = String(shown);
     slider.value = String(shown);
   }
-}
-
-/**
- * What is asked for, SI; the usual value to the last bit where it is that.
- * @param {number} shown in the unit
- * @param {number} factor
- * @param {number} usual SI
- */
-export function valueOf(shown, factor, usual) {
-  return shown === fromSi(usual, factor) ? usual : toSi(shown, factor);
 }
 
 /** From 0 to twice the usual value, in a hundred steps to each side; around 0 by a span. @param {number} usual @param {number} span */

@@ -5,11 +5,16 @@ import { App } from "./app.js";
 import { openHelp, openOptions } from "./dialogs.js";
 import { byId } from "./dom.js";
 import { chooseFile, embeddedResults, listenToDrops } from "./files.js";
+import { listenToDeeds } from "./history.js";
 import { listenToKeys } from "./keys.js";
+import { makeMenu } from "./menu.js";
+import { playByItself } from "./opening.js";
+import { openMovie } from "./moviedialog.js";
 import { Panel } from "./panel.js";
 import { listenToPointers } from "./pointer.js";
 import { Stage } from "./stage.js";
 import { Timeline } from "./timeline.js";
+import { ToolPanel } from "./toolpanel.js";
 import { makeToolbars } from "./toolbar.js";
 
 /** @import {Dialogs} from "./commands.js" */
@@ -24,6 +29,7 @@ function assemblePage(app) {
     openFile: () => chooseFile(app),
     openOptions: () => openOptions(app),
     openHelp: () => openHelp(app),
+    openMovie: () => openMovie(app),
     leave: () => {
       window.close();
       // A page that was opened by hand may not close itself.
@@ -46,14 +52,15 @@ function assemblePage(app) {
     speed: byId("speed", HTMLSelectElement),
   });
   const panel = new Panel(app, byId("panel", HTMLElement));
-  const showButtons = makeToolbars(app, dialogs, [
-    [byId("tools", HTMLElement), ["file", "camera", "live", "view", "show", "page"]],
-    [byId("transport", HTMLElement), ["animate"]],
-  ]);
+  panel.add("tools", "Tools", (sheet) => new ToolPanel(app, sheet, dialogs.openMovie));
+  listenToDeeds(app.history);
+  const [tools, transport] = [byId("tools", HTMLElement), byId("transport", HTMLElement)];
+  const showButtons = makeToolbars(app, dialogs, { tools, transport });
+  const showMenu = makeMenu(app, dialogs, tools);
   listenToKeys(app, dialogs);
   listenToPointers(app, canvas);
   listenToDrops(app);
-  return { stage, panel, parts: [...(app.live === null ? [] : [app.live]), { update: showButtons }, panel, stage, timeline] };
+  return { stage, panel, parts: [app.history, ...(app.live === null ? [] : [app.live]), { update: showButtons }, { update: showMenu }, panel, stage, timeline] };
 }
 
 /**
@@ -123,6 +130,7 @@ export async function startPage(wake) {
   app.zoomToExtents();
   app.live?.followCamera.choose();
   if (address.length > 1) showAddress(app, address);
+  playByItself(app, address);
   const frames = runFrames(app, draw);
   // For tests, and for who wants more.
   Object.assign(window, { plmPage: { app, panel, frames } });

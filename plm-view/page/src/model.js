@@ -2,7 +2,8 @@
 
 import { element } from "./dom.js";
 import { factRow } from "./objects.js";
-import { quantityText } from "./text.js";
+import { fromSi } from "./numbers.js";
+import { typeset } from "./text.js";
 
 /** @import {App} from "./app.js" */
 /** @import {Parameter, Report} from "./format.js" */
@@ -30,7 +31,7 @@ export class Model {
     const facts = [
       ...(mechanism.report === null ? [] : reportRows(mechanism.report)),
       factRow("method", run.head.method || "not recorded"),
-      factRow("rows", String(run.rows)),
+      factRow("moments", `${run.rows} recorded`),
       factRow("made by", madeBy || "not recorded"),
     ];
     this.root.replaceChildren(
@@ -45,13 +46,33 @@ export class Model {
 
 /** @param {Report} report */
 function reportRows(report) {
-  const operations = Object.entries(report.operations ?? {}).filter(([, count]) => count > 0);
   return [
     factRow("degrees of freedom", String(report.degrees_of_freedom)),
     factRow("formulation", report.formulation),
     factRow("because", report.reason),
-    factRow("operations a rate", operations.map(([name, count]) => `${count} ${name}`).join(", ")),
+    factRow("to evaluate the equations once", operationsText(report.operations ?? {})),
   ];
+}
+
+/** What operations are called, one and several. @type {{[name: string]: [string, string]}} */
+const OPERATIONS = {
+  add: ["addition", "additions"],
+  mul: ["multiplication", "multiplications"],
+  div: ["division", "divisions"],
+  sqrt: ["square root", "square roots"],
+  sin_cos: ["sine with its cosine", "sines with their cosines"],
+  other: ["other operation", "other operations"],
+};
+
+/** @param {{[name: string]: number}} operations */
+function operationsText(operations) {
+  const counted = Object.entries(operations).filter(([, count]) => count > 0);
+  return counted.map(([name, count]) => `${count} ${OPERATIONS[name]?.[count === 1 ? 0 : 1] ?? name}`).join(", ");
+}
+
+/** A value as it would be typed. @param {number} value SI @param {number} factor @param {string} unit */
+function exactText(value, factor, unit) {
+  return `${String(fromSi(value, factor)).replace("-", "−")} ${typeset(unit)}`.trim();
 }
 
 /** @param {Parameter[]} parameters */
@@ -59,8 +80,8 @@ function parameterTable(parameters) {
   if (parameters.length === 0) return element("p", { class: "hint" }, "None.");
   const rows = parameters.map(({ name, unit, factor, value, default: usual }) => {
     const isChanged = value !== usual;
-    const text = quantityText(value / factor, unit);
-    const note = isChanged ? ` (usually ${quantityText(usual / factor, unit)})` : "";
+    const text = exactText(value, factor, unit);
+    const note = isChanged ? ` (declared: ${exactText(usual, factor, unit)})` : "";
     return element("tr", { class: isChanged ? "changed" : null }, element("th", { scope: "row" }, name), element("td", {}, text + note));
   });
   return element("table", {}, element("tbody", {}, ...rows));

@@ -51,6 +51,23 @@ export function hermite(share, width, a, rateA, b, rateB) {
 }
 
 /**
+ * The rate of that cubic; of the straight line where the samples have no rates.
+ * @param {number} share of the interval, 0 to 1
+ * @param {number} width of the interval
+ * @param {number} a value at its beginning
+ * @param {number} rateA
+ * @param {number} b value at its end
+ * @param {number} rateB
+ */
+export function hermiteRate(share, width, a, rateA, b, rateB) {
+  if (share === 0 && Number.isFinite(rateA)) return rateA;
+  const slope = (b - a) / width;
+  const rest = 1 - share;
+  const rate = rest * (1 - 3 * share) * rateA + share * (3 * share - 2) * rateB + 6 * share * rest * slope;
+  return Number.isFinite(rate) ? rate : slope;
+}
+
+/**
  * The number of the form 1, 2 or 5 times a power of ten that is nearest to `width` > 0.
  * @param {number} width
  */
@@ -84,12 +101,16 @@ export function toSi(value, factor) {
 }
 
 /**
- * A value of SI in a unit, with 15 digits: 350 and not 349.99999999999994. The two roundings of the conversion stand behind them, so
+ * A value of SI in a unit: the shortest decimal that is within the roundings of a few operations, 350 and not 349.99999999999994, so
  * that a decimal of up to 14 digits is shown as it was typed.
  * @param {number} value
  * @param {number} factor
  */
 export function fromSi(value, factor) {
   const shown = value / factor;
+  for (let digits = 1; digits <= 15 && Number.isFinite(shown); digits++) {
+    const short = Number(shown.toPrecision(digits));
+    if (Math.abs(short - shown) <= 4 * Number.EPSILON * Math.abs(shown)) return short;
+  }
   return Number.isFinite(shown) ? Number(shown.toPrecision(15)) : shown;
 }

@@ -5,6 +5,7 @@ import { sameItem } from "./draw.js";
 import { POSE_MEMBERS } from "./run.js";
 import { framePose } from "./solid.js";
 import { quantityText } from "./text.js";
+import { scaleOf } from "./units.js";
 
 /** @import {App} from "./app.js" */
 /** @import {Frame, Mechanism} from "./format.js" */
@@ -72,12 +73,12 @@ export class Objects {
     const rows = [
       factRow("mass", quantityText(body.mass, "kg")),
       factRow("moment of inertia about G", quantityText(body.inertia, "kg*m^2")),
-      factRow("depth", quantityText(body.depth, "m")),
-      ...POSE_MEMBERS.map(([member, unit], axis) => {
-        const read = () => this.poseNow(index, axis);
-        const isAngle = unit.startsWith("rad");
-        const text = () => quantityText(isAngle ? (read() * 180) / Math.PI : read(), unit.replace("rad", "deg"));
-        return element("tr", {}, element("th", { scope: "row" }, memberName(member)), this.live(text));
+      factRow("depth", this.lengthText(body.depth)),
+      ...POSE_MEMBERS.flatMap(([member, unit], axis) => {
+        // Where G is stands among the points.
+        if (axis < 2) return [];
+        const text = () => this.shown(`${body.name}.${member}`, unit, this.poseNow(index, axis));
+        return [element("tr", {}, element("th", { scope: "row" }, memberName(member)), this.live(text))];
       }),
     ];
     return [
@@ -85,6 +86,18 @@ export class Objects {
       element("h3", {}, "Points"),
       this.pointTable(index),
     ];
+  }
+
+  /** A value in the declared unit. @param {string} name @param {string} si @param {number} value SI */
+  shown(name, si, value) {
+    const { run } = this.app;
+    const { unit, factor } = run === null ? { unit: si, factor: 1 } : scaleOf(run, name, si);
+    return quantityText(value / factor, unit);
+  }
+
+  /** @param {number} length m */
+  lengthText(length) {
+    return this.shown("", "m", length);
   }
 
   /** @param {number} body @param {number} axis */
@@ -110,7 +123,7 @@ export class Objects {
         onchange: () => app.toggleName(app.traces, full),
       });
       const place = (/** @type {number} */ axis) =>
-        this.live(() => quantityText(this.frameNow({ argument: "", body: index, port })[axis], "m"));
+        this.live(() => this.shown(`${full}.${"xy"[axis]}`, "m", this.frameNow({ argument: "", body: index, port })[axis]));
       return element("tr", {}, element("th", { scope: "row" }, name), place(0), place(1), element("td", {}, box));
     });
     const heads = ["point", "x", "y", "path"].map((text) => element("th", { scope: "col" }, text));
@@ -131,7 +144,7 @@ export class Objects {
     const mechanism = /** @type {Mechanism} */ (app.run?.mechanism);
     const part = mechanism.parts[index];
     const frames = part.frames.map((frame) => factRow(frame.argument, frameName(mechanism, frame)));
-    const sizes = Object.entries(part.sizes).map(([name, size]) => factRow(name.replaceAll("_", " "), quantityText(size, "m")));
+    const sizes = Object.entries(part.sizes).map(([name, size]) => factRow(name.replaceAll("_", " "), this.lengthText(size)));
     const own = (app.run?.quantities() ?? []).filter(({ name }) => name.startsWith(`${part.name}.`));
     const values = own.map((quantity) => {
       const text = () => {
@@ -158,11 +171,11 @@ export class Objects {
   /** @param {number} index of a port of the ground */
   portFacts(index) {
     const port = /** @type {Mechanism} */ (this.app.run?.mechanism).ground[index];
-    const place = (/** @type {number} */ axis) => () => quantityText(this.frameNow({ argument: "", body: null, port: index })[axis], "m");
+    const place = (/** @type {number} */ axis) => () => this.lengthText(this.frameNow({ argument: "", body: null, port: index })[axis]);
     const rows = ["x", "y"].map((name, axis) =>
       element("tr", {}, element("th", { scope: "row" }, name), this.live(place(axis))),
     );
-    return [element("table", {}, element("tbody", {}, ...rows, factRow("depth", quantityText(port.depth, "m"))))];
+    return [element("table", {}, element("tbody", {}, ...rows, factRow("depth", this.lengthText(port.depth))))];
   }
 }
 
@@ -186,7 +199,7 @@ function frameName(mechanism, { body, port }) {
 
 /** @param {string} member */
 function memberName(member) {
-  return { angle: "angle", x: "x of G", y: "y of G", omega: "angular velocity" }[member] ?? `${member} of G`;
+  return { angle: "angle", omega: "angular velocity" }[member] ?? `${member} of G`;
 }
 
 /** @param {string} name @param {string} value */

@@ -6,8 +6,11 @@
 /**
  * @typedef {{name: "light" | "dark", background: string, ink: string, faint: string, grid: string, edge: Rgb,
  *   tones: {[tone in Tone]: Rgb}, select: string, force: string, velocity: string, trace: string[], curves: string[],
- *   ghosts: Rgb[], fault: string}} Palette
+ *   bodies: Rgb[], ghosts: Rgb[], fault: string}} Palette
  */
+
+// Red is for faults alone. Bodies have colours that differ for eyes without red, green or blue cones, too
+// (tests/palette.test.js); the ground is grey.
 
 /** @type {Palette} */
 export const LIGHT = {
@@ -19,18 +22,19 @@ export const LIGHT = {
   edge: [24, 48, 92],
   tones: {
     body: [108, 158, 224],
-    ground: [214, 58, 52],
-    joint: [36, 84, 178],
+    ground: [104, 110, 120],
+    joint: [44, 52, 66],
     mount: [170, 176, 186],
     cylinder: [126, 138, 156],
     rod: [204, 210, 219],
     groove: [238, 241, 246],
     spring: [70, 84, 106],
   },
+  bodies: [[108, 158, 224], [237, 193, 77], [128, 114, 230], [189, 233, 184], [196, 125, 4], [106, 216, 249], [192, 168, 111]],
   select: "#e08700",
   force: "#c2185b",
   velocity: "#00796b",
-  trace: ["#7b1fa2", "#00838f", "#b26a00", "#c62828", "#2e7d32", "#4527a0"],
+  trace: ["#7b1fa2", "#00838f", "#b26a00", "#ad1457", "#2e7d32", "#4527a0"],
   // Okabe and Ito's colours, darkened where they would be faint on white.
   curves: ["#0067b1", "#d55e00", "#008a63", "#b8578f", "#a07800", "#1283b8", "#8a2be2", "#444444"],
   ghosts: [[226, 150, 70], [84, 172, 130], [178, 128, 200], [150, 150, 84], [206, 116, 138], [90, 170, 190]],
@@ -47,18 +51,19 @@ export const DARK = {
   edge: [10, 16, 30],
   tones: {
     body: [96, 146, 214],
-    ground: [232, 84, 76],
-    joint: [58, 104, 204],
+    ground: [150, 157, 168],
+    joint: [222, 228, 238],
     mount: [108, 116, 130],
     cylinder: [128, 140, 158],
     rod: [196, 203, 214],
     groove: [34, 40, 50],
     spring: [176, 188, 206],
   },
+  bodies: [[96, 146, 214], [254, 164, 8], [109, 92, 206], [170, 197, 143], [154, 100, 24], [114, 197, 249], [181, 141, 94]],
   select: "#ffb74d",
   force: "#ff6f9f",
   velocity: "#4dd0b8",
-  trace: ["#ce93d8", "#4dd0e1", "#ffca6a", "#ef9a9a", "#a5d6a7", "#b39ddb"],
+  trace: ["#ce93d8", "#4dd0e1", "#ffca6a", "#f48fb1", "#a5d6a7", "#b39ddb"],
   curves: ["#5fb0f0", "#ff9a56", "#3fd0a0", "#e79ac4", "#e8c34a", "#9ad7ff", "#c79bff", "#c8ccd4"],
   ghosts: [[214, 142, 70], [76, 158, 120], [164, 118, 186], [148, 148, 84], [190, 106, 128], [84, 158, 178]],
   fault: "#ff7b72",

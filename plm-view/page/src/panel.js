@@ -24,7 +24,7 @@ export class Panel {
     root.append(this.buttons);
     this.add("curves", "Curves", (sheet) => new Curves(app, sheet));
     this.add("objects", "Objects", (sheet) => new Objects(app, sheet));
-    this.add("runs", "Runs, events", (sheet) => new Runs(app, sheet));
+    this.add("runs", "Runs", (sheet) => new Runs(app, sheet));
     this.add("model", "Model", (sheet) => new Model(app, sheet));
   }
 

@@ -8,8 +8,9 @@ import { placePieces } from "./place.js";
 /** @import {Item, Places} from "./solid.js" */
 /** @import {Projection} from "./view.js" */
 
-/** How near, in pixels, is near enough for a line or a small piece. */
+/** How near, in pixels, is near enough for a line or a small piece: for a mouse, and for a finger. */
 const REACH = 5;
+export const FINGER_REACH = 22;
 
 /**
  * @param {Scene} scene
@@ -17,13 +18,20 @@ const REACH = 5;
  * @param {Projection} projection
  * @param {number} x
  * @param {number} y
+ * @param {{reach?: number, kind?: Item["kind"] | null}} [how] how near is near enough, and what alone is looked for
  * @returns {Item | null}
  */
-export function pickItem(scene, places, projection, x, y) {
-  const placed = placePieces(scene, places, projection).reverse();
+export function pickItem(scene, places, projection, x, y, { reach = REACH, kind = null } = {}) {
+  const all = placePieces(scene, places, projection).reverse();
+  const placed = kind === null ? all : all.filter(({ piece }) => piece.item.kind === kind);
   const hit = placed.find((candidate) => isHit(candidate, x, y));
-  const near = hit ?? placed.find((candidate) => borderDistance(candidate, x, y) < REACH);
-  return near?.piece.item ?? null;
+  if (hit !== undefined) return hit.piece.item;
+  let [nearest, distance] = [/** @type {Item | null} */ (null), reach];
+  for (const candidate of placed) {
+    const away = borderDistance(candidate, x, y);
+    if (away < distance) [nearest, distance] = [candidate.piece.item, away];
+  }
+  return nearest;
 }
 
 /** @param {Placed} placed @param {number} x @param {number} y */

@@ -4,8 +4,10 @@ import { drawArrowKey, drawArrows } from "./arrows.js";
 import { drawAxes, drawFault, drawDrag, drawScaleBar, drawSelection } from "./decor.js";
 import { saveBlob } from "./dom.js";
 import { drawScene } from "./draw.js";
+import { drawGhosts } from "./ghosts.js";
 import { CanvasPen, SvgPen } from "./pen.js";
 import { pickItem } from "./pick.js";
+import { drawTools } from "./tooldraw.js";
 import { drawTrace, tracePath, tracePoints } from "./traces.js";
 
 /** @import {App} from "./app.js" */
@@ -56,10 +58,12 @@ function drawRun(pen, app, { run, scene, forces, velocities }, area) {
   const projection = app.view.projection(area);
   if (run.rows === 0) return;
   const time = Math.min(Math.max(app.player.time, run.start), run.end);
+  if (app.tools.ghosts > 0 && !isGhost) drawGhosts(pen, scene, app.tools.ghosts, { projection, palette, isWire: app.isWire });
   const places = scene.at(time);
   const moment = run.momentAt(time);
   const ghost = isGhost ? ghostColour(app, run) : null;
-  drawScene(pen, scene, places, projection, { palette, isWire: app.isWire, selected: isGhost ? null : selected, ghost });
+  const isPlain = app.layout === "overlay" && app.visible().length > 1;
+  drawScene(pen, scene, places, projection, { palette, isWire: app.isWire, selected: isGhost ? null : selected, ghost, isPlain });
   const points = app.traces.length > 0 ? tracePoints(run) : [];
   app.traces.forEach((name, at) => {
     const point = points.find((candidate) => candidate.name === name);
@@ -73,6 +77,7 @@ function drawRun(pen, app, { run, scene, forces, velocities }, area) {
   if (app.showsForces) drawArrows(pen, scene, forces, { ...how, colour: palette.force, only: app.forcesOf });
   if (app.drag !== null && run.isLive) drawDrag(pen, scene, app.drag, places, projection, palette);
   if (selected !== null) drawSelection(pen, scene, selected, places, projection, palette);
+  drawTools(pen, app, scene, { places, moment, projection, palette });
   if (run.fault !== null && time >= run.fault.time) drawFault(pen, scene, run.fault.part, places, projection, palette);
   if (app.hasArrowKey) drawKeys(pen, app, { scene, forces, velocities }, area);
 }
@@ -144,9 +149,10 @@ function drawWindow(pen, { x, y, width, height }, palette) {
  * @param {App} app
  * @param {number} x
  * @param {number} y
+ * @param {{reach?: number, kind?: Item["kind"] | null}} [how]
  * @returns {{index: number, item: Item | null}}
  */
-export function pickAt(app, x, y) {
+export function pickAt(app, x, y, how) {
   const shown = app.visible();
   const areas = app.areas();
   for (let at = shown.length - 1; at >= 0; at--) {
@@ -155,7 +161,7 @@ export function pickAt(app, x, y) {
     const { run, scene } = shown[at];
     if (run.rows === 0) continue;
     const places = scene.at(Math.min(app.player.time, run.end));
-    const item = pickItem(scene, places, app.view.projection(area), x, y);
+    const item = pickItem(scene, places, app.view.projection(area), x, y, how);
     if (item !== null || app.layout !== "overlay") return { index: app.runViews.indexOf(shown[at]), item };
   }
   return { index: app.active, item: null };

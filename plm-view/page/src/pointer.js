@@ -1,6 +1,9 @@
 // Mouse, pen and fingers on the picture.
 
+import { FINGER_REACH } from "./pick.js";
 import { pickAt } from "./picture.js";
+import { measuring, pressMeasure } from "./toolpick.js";
+import { choosePair } from "./tools.js";
 
 /** @import {App, Mode} from "./app.js" */
 /** @import {Area} from "./view.js" */
@@ -15,9 +18,12 @@ class Drag {
   /**
    * @param {Spot} from
    * @param {Mode} mode
+   * @param {boolean} isFinger
    */
-  constructor(from, mode) {
+  constructor(from, mode, isFinger) {
     this.from = from;
+    /** A finger is less exact than a mouse. */
+    this.how = isFinger ? { reach: FINGER_REACH } : {};
     this.last = from;
     this.mode = mode;
     this.hasMoved = false;
@@ -42,12 +48,17 @@ export function listenToPointers(app, canvas) {
     canvas.setPointerCapture(event.pointerId);
     down.set(event.pointerId, spot(event));
     app.grip?.letGo();
-    drag = down.size === 1 ? new Drag(spot(event), modeOf(app, event)) : null;
+    drag = down.size === 1 ? new Drag(spot(event), modeOf(app, event), event.pointerType === "touch") : null;
     if (drag?.mode === "pull" || drag?.mode === "place") startHand(app, drag);
   });
   canvas.addEventListener("pointermove", (event) => {
     const before = down.get(event.pointerId);
-    if (before === undefined) return;
+    // A finger that does not press is nowhere.
+    app.pointer = before === undefined && event.pointerType !== "touch" ? spot(event) : null;
+    if (before === undefined) {
+      app.touch();
+      return;
+    }
     const at = spot(event);
     if (down.size === 2) pinch(app, down, event.pointerId, at);
     down.set(event.pointerId, at);
@@ -63,6 +74,10 @@ export function listenToPointers(app, canvas) {
   };
   canvas.addEventListener("pointerup", release);
   canvas.addEventListener("pointercancel", release);
+  canvas.addEventListener("pointerleave", () => {
+    app.pointer = null;
+    app.touch();
+  });
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
   canvas.addEventListener("dblclick", () => app.zoomToExtents());
   canvas.addEventListener(
@@ -108,7 +123,7 @@ function areaAt(app, { x, y }) {
 /** Takes hold of the body under the pointer; where there is none, dragging pans. @param {App} app @param {Drag} drag */
 function startHand(app, drag) {
   const { x, y } = drag.from;
-  const { index, item } = pickAt(app, x, y);
+  const { index, item } = pickAt(app, x, y, { ...drag.how, kind: "body" });
   const isHeld = item?.kind === "body" && app.runViews[index].run.isLive;
   const kind = drag.mode === "place" ? "place" : "pull";
   if (!isHeld || !app.grip?.grab(kind, item.index, app.view.projection(areaAt(app, drag.from)), x, y)) drag.mode = "pan";
@@ -125,7 +140,7 @@ function moveDrag(app, drag, at) {
     app.grip?.move(app.view.projection(areaAt(app, drag.from)), at.x, at.y);
     return;
   }
-  if (drag.mode === "pan" || drag.mode === "info") app.view.pan(dx, dy);
+  if (drag.mode === "pan" || drag.mode === "info" || measuring(app) !== null) app.view.pan(dx, dy);
   else if (drag.mode === "orbit") app.view.orbit(dx, dy);
   // As in the manual: upwards enlarges.
   else if (drag.mode === "zoom") app.view.zoom(Math.exp(-0.01 * dy), fromX, fromY);
@@ -136,9 +151,15 @@ function moveDrag(app, drag, at) {
 function endDrag(app, drag, button) {
   if (!drag.hasMoved) {
     if (button !== 0) return;
-    const { index, item } = pickAt(app, drag.from.x, drag.from.y);
+    if (measuring(app) !== null) {
+      pressMeasure(app, drag.from.x, drag.from.y, drag.how);
+      return;
+    }
+    const before = app.selected?.kind === "body" ? app.selected.index : null;
+    const { index, item } = pickAt(app, drag.from.x, drag.from.y, drag.how);
     if (index !== app.active) app.activate(index);
     app.select(item);
+    choosePair(app, before);
     if (item !== null && app.mode === "info") {
       app.hasPanel = true;
       app.tab = "objects";

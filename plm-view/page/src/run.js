@@ -1,6 +1,7 @@
 // A run: what plm.json says of it, and its arrays. Rows may be appended while it is shown.
 
 import { hermite, lastNotAbove } from "./numbers.js";
+import { scaleOf } from "./units.js";
 
 /** @import {Mechanism, RunHead} from "./format.js" */
 
@@ -76,6 +77,8 @@ export class Run {
     this.ground = tables.ground;
     /** Whether rows may still come. */
     this.isLive = false;
+    /** What is measured in the picture. @type {Quantity[]} */
+    this.measures = [];
     /** Rises with every change of its rows. */
     this.version = 0;
   }
@@ -126,6 +129,14 @@ export class Run {
 
   tables() {
     return [this.time, this.poses, this.values, this.ground];
+  }
+
+  /** Leaves out what was after a time. @param {number} time */
+  dropAfter(time) {
+    this.version += 1;
+    const count = lastNotAbove(this.time.data, this.rows, time) + 1;
+    for (const table of this.tables()) if (table !== null) table.rows = Math.min(table.rows, count);
+    while (this.events.length > 0 && this.events[this.events.length - 1].time > time) this.events.pop();
   }
 
   /** Leaves out what was before a time. @param {number} time */
@@ -214,7 +225,7 @@ export class Run {
   }
 
   /**
-   * All that can be drawn as a curve: the columns, then poses that no column has.
+   * All that can be drawn as a curve: the columns, then poses that no column has, then what is measured.
    * @returns {Quantity[]}
    */
   quantities() {
@@ -228,10 +239,12 @@ export class Run {
     this.mechanism.bodies.forEach((body, index) => {
       POSE_MEMBERS.forEach(([member, unit], axis) => {
         const name = `${body.name}.${member}`;
-        if (!known.has(name)) list.push({ name, unit, read: (row) => poses.at(row, 6 * index + axis) });
+        if (known.has(name)) return;
+        const scale = scaleOf(this, name, unit);
+        list.push({ name, unit: scale.unit, read: (row) => poses.at(row, 6 * index + axis) / scale.factor });
       });
     });
-    return list;
+    return [...list, ...this.measures];
   }
 }
 

@@ -3,10 +3,16 @@
 import { forceField, velocityField } from "./arrows.js";
 import { Scene } from "./scene.js";
 
+/** @import {App} from "./app.js" */
 /** @import {ArrowField} from "./arrows.js" */
 /** @import {Run} from "./run.js" */
 
-/** @typedef {{run: Run, scene: Scene, forces: ArrowField, velocities: ArrowField, isShown: boolean}} RunView */
+/** @import {Box} from "./view.js" */
+
+/**
+ * `ahead`: where a live run will go.
+ * @typedef {{run: Run, scene: Scene, forces: ArrowField, velocities: ArrowField, isShown: boolean, ahead: Box | null}} RunView
+ */
 
 /** What is drawn of a run. @param {Run} run */
 export function sceneOf(run) {
@@ -34,4 +40,23 @@ export function growArrows(shown) {
       if (Number.isFinite(size)) field.largest = Math.max(field.largest, size);
     }
   }
+}
+
+/**
+ * The times of events of a run, of its fault too, in rising order.
+ * @param {Run} run
+ * @returns {number[]}
+ */
+function eventTimes({ events, fault }) {
+  const times = events.map(({ time }) => time);
+  if (fault !== null) times.push(fault.time);
+  return [...new Set(times)].sort((a, b) => a - b);
+}
+
+/** @param {App} app @param {number} direction 1 or -1 */
+export function jumpToEvent({ run, player }, direction) {
+  const times = run === null ? [] : eventTimes(run);
+  const next = direction > 0 ? times.find((at) => at > player.time) : times.findLast((at) => at < player.time);
+  player.stop();
+  if (next !== undefined) player.seek(next);
 }

@@ -21,6 +21,7 @@ export class ServedLive extends Live {
     super(app, head, new Uint8Array(0), program);
     this.run.head.method = head.method;
     this.program = program;
+    this.isInPage = false;
     this.modes = pulls ? ["pull"] : [];
     this.known = kindOf(head);
     /** By which start of the program its rows are. */
@@ -31,6 +32,9 @@ export class ServedLive extends Live {
 
   /** What a program does is not for a page to end that looks at something else. */
   unseen() {}
+
+  /** A program cannot be asked what it will do. */
+  lookAhead() {}
 
   /** Whether it runs is known once the program says so: until then its rows come in. */
   ask() {}

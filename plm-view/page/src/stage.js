@@ -1,9 +1,10 @@
 // The picture on the page: its canvas, what is told over it, what a screen reader hears of it.
 
+import { drawLabel } from "./decor.js";
 import { element, fitCanvas, setText } from "./dom.js";
 import { itemTitle } from "./objects.js";
 import { CanvasPen } from "./pen.js";
-import { drawPicture } from "./picture.js";
+import { drawPicture, pickAt } from "./picture.js";
 
 /** @import {App} from "./app.js" */
 
@@ -20,8 +21,11 @@ export class Stage {
 
   /** Measures the picture, which the view has to know before it can show everything. */
   measure() {
+    const { app } = this;
     const { clientWidth: width, clientHeight: height } = this.parts.stage;
-    this.app.area = { x: 0, y: 0, width: Math.max(1, width), height: Math.max(1, height) };
+    if (app.area.width === width && app.area.height === height) return;
+    app.area = { x: 0, y: 0, width: Math.max(1, width), height: Math.max(1, height) };
+    if (app.isFitted) app.zoomToExtents();
   }
 
   update() {
@@ -31,13 +35,26 @@ export class Stage {
     const context = fitCanvas(parts.canvas, width, height);
     context.fillStyle = app.palette.background;
     context.fillRect(0, 0, width, height);
-    drawPicture(new CanvasPen(context), app);
+    const pen = new CanvasPen(context);
+    drawPicture(pen, app);
+    this.nameHovered(pen);
     parts.canvas.dataset["mode"] = app.mode;
     parts.empty.hidden = app.run !== null;
     if (this.told !== app.revision) {
       this.told = app.revision;
       this.tell();
     }
+  }
+
+  /** The name of what is under the mouse. @param {CanvasPen} pen */
+  nameHovered(pen) {
+    const { app } = this;
+    const { pointer, drag } = app;
+    const hovered = pointer === null || drag !== null ? null : pickAt(app, pointer.x, pointer.y);
+    this.parts.canvas.dataset["over"] = hovered?.item?.kind ?? "";
+    if (pointer === null || hovered === null || hovered.item === null) return;
+    const { mechanism } = app.runViews[hovered.index].run;
+    drawLabel(pen, pointer.x, pointer.y, itemTitle(mechanism, hovered.item), app.area, app.palette);
   }
 
   tell() {

@@ -1,5 +1,7 @@
 // Paths of points: of ports, or of the centre of gravity.
 
+import { lastNotAbove } from "./numbers.js";
+
 /** @import {Pen} from "./pen.js" */
 /** @import {Run} from "./run.js" */
 /** @import {Scene} from "./scene.js" */
@@ -68,11 +70,43 @@ export function tracePath(run, point) {
  * @param {{body: number, time: number, projection: Projection, colour: string}} how
  */
 export function drawTrace(pen, scene, path, { body, time, projection, colour }) {
-  const z = scene.levels.bodies[body];
-  path.line.forEach((line, at) => {
-    const points = projection.line(line, z);
+  for (const { points, times } of seenPath(path, projection, scene.levels.bodies[body])) {
     pen.line(points, { stroke: colour, width: 1.2, opacity: 0.35 });
-    const travelled = path.times[at].filter((when) => when <= time).length;
+    const travelled = 1 + lastNotAbove(times, times.length, time);
     if (travelled > 1) pen.line(points.slice(0, 2 * travelled), { stroke: colour, width: 2 });
-  });
+  }
+}
+
+/** Points nearer than this, in pixels, are one. */
+const NEAR = 0.5;
+
+/** @typedef {{points: number[], times: number[]}} ScreenLine */
+
+/** Paths as they were seen last: most frames look from the same place. @type {WeakMap<TracePath, {seen: string, lines: ScreenLine[]}>} */
+const seenPaths = new WeakMap();
+
+/** @param {TracePath} path @param {Projection} projection @param {number} z */
+function seenPath(path, projection, z) {
+  const { x0, y0, xx, xy, xz, yx, yy, yz } = projection;
+  const seen = [x0, y0, xx, xy, xz, yx, yy, yz, z].join();
+  const known = seenPaths.get(path);
+  if (known?.seen === seen) return known.lines;
+  const lines = path.line.map((line, at) => thinned(projection.line(line, z), path.times[at]));
+  seenPaths.set(path, { seen, lines });
+  return lines;
+}
+
+/** @param {number[]} all @param {number[]} when @returns {ScreenLine} */
+function thinned(all, when) {
+  /** @type {ScreenLine} */
+  const kept = { points: [all[0], all[1]], times: [when[0]] };
+  const last = when.length - 1;
+  for (let at = 1; at <= last; at++) {
+    const [x, y] = [all[2 * at], all[2 * at + 1]];
+    const before = kept.points.length - 2;
+    if (at < last && Math.abs(x - kept.points[before]) < NEAR && Math.abs(y - kept.points[before + 1]) < NEAR) continue;
+    kept.points.push(x, y);
+    kept.times.push(when[at]);
+  }
+  return kept;
 }

@@ -24,10 +24,18 @@
  * @typedef {{kind: "load", wasm: Uint8Array, parameters: number, inputs: number} | {kind: "run" | "pause" | "restart" | "reset"}
  *   | {kind: "speed", speed: number} | {kind: "step", dt: number, count: number}
  *   | {kind: "parameter" | "input", index: number, value: number} | {kind: "pull", pull: Pull | null}
- *   | {kind: "place", body: number, point: number[], target: number[], turn: number}} ToWorker
- * @typedef {{kind: "rows", width: number, numbers: Float64Array} | {kind: "began", numbers: Float64Array, isAssembled: boolean}
+ *   | {kind: "place", body: number, point: number[], target: number[], turn: number}
+ *   | {kind: "ahead", duration: number} | {kind: "keep" | "return", id: number}} ToWorker
+ * @typedef {{kind: "rows", width: number, numbers: Float64Array} | {kind: "ahead", width: number, numbers: Float64Array}
+ *   | {kind: "returned", numbers: Float64Array, id: number}
+ *   | {kind: "began", numbers: Float64Array, isAssembled: boolean}
  *   | {kind: "trouble", trouble: Trouble | null} | {kind: "placed"} | {kind: "broken", text: string}
  *   | {kind: "settings", parameters: number[], inputs: number[], shape: Float64Array, sizeNames: string}} FromWorker
+ */
+
+/**
+ * All of a module's memory that is not 0, with what the machine knows besides.
+ * @typedef {{blocks: [number, Uint8Array][], inputs: Map<number, number>, isAssembled: boolean, isStuck: boolean}} KeptState
  */
 
 export class LiveMachine {
@@ -51,6 +59,8 @@ export class LiveMachine {
     /** It cannot go on until something is changed. */
     this.isStuck = false;
     this.told = "null";
+    /** @type {Map<number, KeptState>} */
+    this.kept = new Map();
   }
 
   read() {
@@ -124,6 +134,37 @@ export class LiveMachine {
     this.tellSettings();
   }
 
+  /**
+   * Keeps the state as it is: memory between two calls of a module is all that it has.
+   * @param {number} id
+   */
+  keep(id) {
+    const size = 1024;
+    const memory = new Uint8Array(this.exports.memory.buffer);
+    /** @type {KeptState} */
+    const state = { blocks: [], inputs: new Map(this.inputs), isAssembled: this.isAssembled, isStuck: this.isStuck };
+    for (let at = 0; at < memory.length; at += size) {
+      const block = memory.subarray(at, at + size);
+      if (block.some((byte) => byte !== 0)) state.blocks.push([at, block.slice()]);
+    }
+    this.kept.delete(id);
+    this.kept.set(id, state);
+    // The oldest are forgotten, as the page has forgotten them.
+    for (const old of this.kept.keys()) if (this.kept.size > 200) this.kept.delete(old);
+  }
+
+  /** @param {number} id of a state that is kept */
+  comeBack(id) {
+    const state = this.kept.get(id);
+    if (state === undefined) return;
+    const memory = new Uint8Array(this.exports.memory.buffer).fill(0);
+    for (const [at, block] of state.blocks) memory.set(block, at);
+    [this.inputs, this.isAssembled, this.isStuck, this.pull] = [new Map(state.inputs), state.isAssembled, state.isStuck, null];
+    this.send({ kind: "returned", numbers: this.read(), id });
+    this.tellTrouble();
+    this.tellSettings();
+  }
+
   /** @param {"parameter" | "input"} kind @param {number} index @param {number} value SI */
   set(kind, index, value) {
     const { exports } = this;
@@ -141,6 +182,27 @@ export class LiveMachine {
       // Whether it can be assembled so is known at once.
       if (kind === "parameter") this.tellTrouble();
     }
+  }
+
+  /**
+   * What another instance of the module does from the start on, with the settings of this one: rows for so many seconds, or for as
+   * many as it computes in `most` ms.
+   * @param {LiveExports} other
+   * @param {number} duration s
+   * @param {number} most
+   */
+  tellAhead(other, duration, most) {
+    for (let index = 0; index < this.counts.parameters; index++) other.plm_set_parameter(index, this.exports.plm_parameter(index));
+    const began = performance.now();
+    if (other.plm_restart() !== 1) return;
+    for (const [index, value] of this.inputs) other.plm_set_input(index, value);
+    const ahead = new LiveMachine(other, this.counts, this.post);
+    const numbers = [...ahead.read()];
+    const width = numbers.length;
+    for (let time = 0; time < duration && performance.now() - began < most && other.plm_step(0.01) === 1; time += 0.01) {
+      numbers.push(...ahead.read());
+    }
+    this.send({ kind: "ahead", width, numbers: new Float64Array(numbers) });
   }
 
   /** Goes on by `dt`, s. @param {number} dt */
@@ -218,6 +280,8 @@ export function liveWorker(scope) {
   const longestStep = 0.01;
   /** One turn computes no longer, ms: messages wait meanwhile. */
   const longestTurn = 40;
+  /** @type {WebAssembly.Module | null} */
+  let module = null;
   /** @type {LiveMachine | null} */
   let machine = null;
   let isRunning = false;
@@ -263,8 +327,13 @@ export function liveWorker(scope) {
     else if (message.kind === "restart" || message.kind === "reset") on.begin(message.kind);
     else if (message.kind === "parameter" || message.kind === "input") on.set(message.kind, message.index, message.value);
     else if (message.kind === "pull") on.setPull(message.pull);
+    else if (message.kind === "keep") on.keep(message.id);
+    else if (message.kind === "return") on.comeBack(message.id);
     else if (message.kind === "place") on.place(message.body, message.point, message.target, message.turn);
-    else if (message.kind === "step") {
+    else if (message.kind === "ahead" && module !== null) {
+      const { exports } = new WebAssembly.Instance(module, {});
+      on.tellAhead(/** @type {any} */ (exports), message.duration, 2 * longestTurn);
+    } else if (message.kind === "step") {
       on.isStuck &&= !on.isAssembled;
       for (let left = message.count; left > 0; left--) on.step(message.dt);
       on.flush();
@@ -282,8 +351,10 @@ export function liveWorker(scope) {
     }
     const isLoaded = WebAssembly.instantiate(/** @type {Uint8Array<ArrayBuffer>} */ (data.wasm), {});
     isLoaded.then(
-      ({ instance }) =>
+      (loaded) =>
         guarded(() => {
+          const { instance } = loaded;
+          module = loaded.module;
           const on = new LiveMachine(/** @type {any} */ (instance.exports), data, (message) => scope.postMessage(message));
           machine = on;
           on.begin("restart");

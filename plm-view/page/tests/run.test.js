@@ -45,7 +45,7 @@ test("at a time of two rows the second holds", () => {
 test("quantities are the columns, then poses that no column has", () => {
   const run = runOf([0, 2], (t) => [t, 0, 0], () => [1, 0, 0], [{ name: "b.angle", unit: "deg" }]);
   const names = run.quantities().map(({ name, unit }) => `${name} ${unit}`);
-  assert.deepEqual(names, ["b.angle deg", "b.x m", "b.y m", "b.velocity.x m/s", "b.velocity.y m/s", "b.omega rad/s"]);
+  assert.deepEqual(names, ["b.angle deg", "b.x m", "b.y m", "b.velocity.x m/s", "b.velocity.y m/s", "b.omega deg/s"]);
   assert.equal(run.valueAt(run.quantities()[1], run.momentAt(0.5)), 0.5);
 });
 

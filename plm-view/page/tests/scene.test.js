@@ -41,7 +41,7 @@ test("a hull has corners alone", () => {
   assert.deepEqual(hull, [[0, 0], [2, 0], [2, 2], [0, 2]]);
 });
 
-test("joints to the ground are red, others blue", async () => {
+test("joints to the ground are of its tone, others of another", async () => {
   const scene = await sceneOf(workshop());
   const tones = (name) => [...new Set(piecesOf(scene, name).map(({ tone }) => tone))].sort();
   assert.deepEqual(tones("crank_pin"), ["ground", "mount"]);

@@ -6,6 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after } from "node:test";
+import { LIGHT } from "../../src/palette.js";
 import { makeNpz } from "../../tests/support/npz.js";
 
 const CHROMIUM = [process.env["CHROMIUM"], "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
@@ -73,28 +74,37 @@ export const withoutPage = (name) =>
 export const writeRuns = (name, runs, title) => writePage(name, makeNpz(runs), title);
 
 /**
- * Opens a page; every request and every error of it is kept.
+ * Opens a page, which plays by itself only where that is asked for; every request and every error of it is kept.
  * @returns {Promise<{page: any, requests: string[], errors: string[]}>}
  */
-export async function open(address, { width = 1200, height = 800, theme = "light", hash = "" } = {}) {
+export async function open(address, { width = 1200, height = 800, theme = "light", hash = "", plays = false } = {}) {
   if (used === null || used.isClosed()) used = await newPage();
   const page = used;
   heard = { requests: [], errors: [] };
   await page.setViewportSize({ width, height });
-  await page.emulateMedia({ colorScheme: theme });
+  // Who asks for less motion starts it: most tests look at a moment.
+  await page.emulateMedia({ colorScheme: theme, reducedMotion: plays ? "no-preference" : "reduce" });
   // Over another page, so that an address which differs behind # alone loads anew.
   await page.goto("about:blank");
   heard.requests.length = 0;
   await page.goto(address + hash);
-  await page.waitForFunction(() => "plmPage" in window);
+  const begun = page.waitForFunction(() => "plmPage" in window);
+  // A script that ends with an error never begins.
+  const failed = new Promise((_, reject) => page.once("pageerror", reject));
+  failed.catch(() => {});
+  await Promise.race([begun, failed]);
+  begun.catch(() => {});
   await settle(page);
   return { page, ...heard };
 }
 
-/** From the beginning of opening to the first frame, ms: the best of a few, because other programs keep the machine busy. */
-export async function openedIn(address) {
+/**
+ * From the beginning of opening to the first frame, ms: the best of a few, because other programs keep the machine busy, and the first
+ * one warms the browser.
+ */
+export async function openedIn(address, limit = 1000) {
   let best = Infinity;
-  for (let attempt = 0; attempt < 5 && best > 1000; attempt++) {
+  for (let attempt = 0; attempt < 5 && best > limit; attempt++) {
     const { page } = await open(address);
     best = Math.min(best, await page.evaluate(() => performance.getEntriesByName("first frame")[0].startTime));
   }
@@ -148,7 +158,11 @@ export async function until(page, holds, message) {
   }
 }
 
-/** What is on a canvas: a number of its pixels, how many differ from the background, and how many have each of some colours. */
+/** The colours of bodies, on a light page. */
+export const BODIES = LIGHT.bodies;
+
+/** What is on a canvas: a number of its pixels, how many differ from the background, and how many have each of some colours, or one
+ * of a list of colours. */
 export async function drawn(page, selector = "#picture", colours = {}) {
   return page.evaluate(
     ([target, wanted]) => {
@@ -160,14 +174,14 @@ export async function drawn(page, selector = "#picture", colours = {}) {
       const back = [data[0], data[1], data[2], data[3]];
       let [hash, ink] = [0, 0];
       const counts = Object.fromEntries(Object.keys(wanted).map((name) => [name, 0]));
-      const colours = Object.entries(wanted);
+      const colours = Object.entries(wanted).map(([name, rgb]) => [name, Array.isArray(rgb[0]) ? rgb : [rgb]]);
       for (let pixel = 0; pixel < words.length; pixel++) {
         hash = (Math.imul(hash, 31) + words[pixel]) | 0;
         // Most of a picture is background.
         if (words[pixel] === words[0]) continue;
         const at = 4 * pixel;
         if (!near(at, back, 8) || Math.abs(data[at + 3] - back[3]) > 8) ink++;
-        for (const [name, rgb] of colours) if (near(at, rgb, 12)) counts[name]++;
+        for (const [name, list] of colours) if (list.some((rgb) => near(at, rgb, 12))) counts[name]++;
       }
       return { hash, ink, back, ...counts };
     },
@@ -175,7 +189,7 @@ export async function drawn(page, selector = "#picture", colours = {}) {
   );
 }
 
-/** The middle of what is drawn in a colour, in pixels of the page. */
+/** The middle of what is drawn in a colour, or in one of a list, in pixels of the page. */
 export async function middleOf(page, rgb) {
   return page.evaluate((wanted) => {
     const canvas = document.querySelector("#picture");
@@ -183,7 +197,7 @@ export async function middleOf(page, rgb) {
     const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
     let [x, y, count] = [0, 0, 0];
     for (let at = 0; at < data.length; at += 4) {
-      if (wanted.some((part, index) => Math.abs(part - data[at + index]) > 12)) continue;
+      if (wanted.every((rgb) => rgb.some((part, index) => Math.abs(part - data[at + index]) > 12))) continue;
       x += (at / 4) % width;
       y += Math.floor(at / 4 / width);
       count++;
@@ -191,7 +205,7 @@ export async function middleOf(page, rgb) {
     const box = canvas.getBoundingClientRect();
     const ratio = width / box.width;
     return { x: box.left + x / count / ratio, y: box.top + y / count / ratio, count };
-  }, rgb);
+  }, Array.isArray(rgb[0]) ? rgb : [rgb]);
 }
 
 /**

@@ -6,9 +6,24 @@ import { drawn, open, settle, state } from "./browser.js";
 
 export const button = (id) => `#do-${id.replace(" ", "-")}`;
 
+/** Presses the button of a command; where it has none, the menu has its item. */
+export async function press(page, id) {
+  if (!(await page.locator(button(id)).isVisible())) await page.click("#do-menu");
+  await page.click(button(id));
+}
+
+/** Whether a command is shown to be on, by its button or in the menu. */
+export async function isOn(page, id) {
+  if (await page.locator(button(id)).isVisible()) return (await page.getAttribute(button(id), "aria-pressed")) === "true";
+  await page.click("#do-menu");
+  const checked = await page.getAttribute(button(id), "aria-checked");
+  await page.keyboard.press("Escape");
+  return checked === "true";
+}
+
 /** How each command is used: by its button and by each of its keys that reaches a page. */
 const waysOf = (command) => [
-  ...(command.icon === null ? [] : [{ how: "mouse", use: (page) => page.click(button(command.id)) }]),
+  ...(command.icon === null ? [] : [{ how: "mouse", use: (page) => press(page, command.id) }]),
   ...command.keys
     // These the browser keeps for itself; the second key does the same.
     .filter((key) => !["Ctrl+N", "Ctrl+Q"].includes(key))

@@ -15,7 +15,7 @@ export const address = skip
 
 /** The page when it runs, or when it stands at its start. */
 export async function livePage({ isRunning = true, ...how } = {}) {
-  const { page, requests, errors } = await open(address, how);
+  const { page, requests, errors } = await open(address, { plays: true, ...how });
   await page.waitForFunction(() => window.plmPage.app.live.run.rows > 3);
   if (!isRunning) {
     await page.click("#live-go");
