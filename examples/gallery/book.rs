@@ -5,11 +5,10 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use plm::Fault;
 use serde_json::{Value, json};
 
 use crate::list::{ARM, MACHINES, Machine};
-use crate::sheet::{Line, decimals};
+use crate::sheet::{Line, Sheet, decimals};
 
 const HEAD: &str = "\
 # Machines
@@ -32,22 +31,19 @@ cargo run --release --example gallery -- --pages pages --live   # a live page of
 `bash docs/gallery.sh` makes the pictures and this page.
 ";
 
-/// The whole page.
-///
-/// # Errors
-/// A fault of a machine whose figures are asked for.
-pub fn text() -> Result<String, Fault> {
+/// The whole page, with the sheets of the machines in their order.
+pub fn text(sheets: &[Sheet]) -> String {
     let mut text = HEAD.to_owned();
     for machine in MACHINES {
         thumbnail(&mut text, machine.name, machine.title);
     }
     thumbnail(&mut text, ARM.name, ARM.title);
-    for machine in MACHINES {
-        section(&mut text, &machine)?;
+    for (machine, sheet) in MACHINES.iter().zip(sheets) {
+        section(&mut text, machine, sheet);
     }
     let _ = write!(text, "\n<a id=\"{}\"></a>\n\n## {}\n\n{}\n", ARM.name, ARM.title, ARM.text);
     commands(&mut text, "manual", ARM.demo, ARM.name);
-    Ok(text + TAIL)
+    text + TAIL
 }
 
 /// Light or dark, as the reader has it. Writing into a text does not fail.
@@ -60,19 +56,18 @@ fn thumbnail(text: &mut String, name: &str, title: &str) {
     );
 }
 
-fn section(text: &mut String, machine: &Machine) -> Result<(), Fault> {
+fn section(text: &mut String, machine: &Machine, sheet: &Sheet) {
     let Machine { name, title, source, text: told, .. } = machine;
     let _ = write!(text, "\n<a id=\"{name}\"></a>\n\n## {title}\n\n{told}\n\nSource: {source}.\n\n");
     let _ = writeln!(text, "| held by a test | known value | to |\n|---|---|---|");
-    for line in (machine.sheet)()?.lines {
-        let Line { name, unit, known, .. } = &line;
+    for line in &sheet.lines {
+        let Line { name, unit, known, .. } = line;
         let unit = if *unit == "-" { String::new() } else { format!(" {unit}") };
         let digits = decimals(line.tolerance());
         let known = if *known == 0.0 { "0".to_owned() } else { format!("{known:.digits$}") };
         let _ = writeln!(text, "| {name} | {known}{unit} | {:e}{unit} |", line.tolerance());
     }
     commands(text, "gallery", name, name);
-    Ok(())
 }
 
 fn commands(text: &mut String, example: &str, machine: &str, name: &str) {
@@ -89,7 +84,8 @@ fn commands(text: &mut String, example: &str, machine: &str, name: &str) {
 /// # Errors
 /// A fault of a machine, a file that cannot be written.
 pub fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
-    fs::write(folder.join("machines.md"), text()?)?;
+    let sheets = MACHINES.iter().map(|machine| (machine.sheet)()).collect::<Result<Vec<_>, _>>()?;
+    fs::write(folder.join("machines.md"), text(&sheets))?;
     let arm =
         Pictured { page: format!("{}.html", ARM.name), name: ARM.name, paths: ARM.paths, loops: ARM.loops };
     let all = MACHINES.iter().map(|machine| {
@@ -113,7 +109,7 @@ impl Pictured {
     /// Both pictures of it. A long motion has more frames.
     fn entries(&self) -> [Value; 2] {
         let [from, period] = self.loops;
-        let frames = if period > 5.0 { 60 } else { 40 };
+        let frames = if period > 5.0 { 50 } else { 40 };
         [("light", ""), ("dark", "-dark")].map(|(scheme, suffix)| {
             json!({
                 "page": self.page,

@@ -61,7 +61,7 @@ const TEXTS: [Text; 11] = [
     },
     Text {
         name: "gallery",
-        what: "curves and pictures of the demos, and their page in the book",
+        what: "curves and pictures of demos and machines, and their pages in the book",
         is_compared: false,
         variable: None,
         command: "bash docs/gallery.sh",

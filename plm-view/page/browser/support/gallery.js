@@ -8,11 +8,16 @@ import { open, settle } from "./browser.js";
 /** More would be slow to load beside others. */
 const MOST_BYTES = 60_000;
 
-/** @typedef {{page: string, file: string, shows: string, size: [number, number], moving?: Record<string, string>}} Picture */
+/** @typedef {{page: string, file: string, shows: string, size: [number, number]}} Picture */
 
 /** The pictures that `manual --gallery FOLDER` has listed; those of whole pages are `book.js`'s. @returns {Picture[]} */
 export function galleryPictures(folder) {
-  return JSON.parse(readFileSync(join(folder, "pictures.json"), "utf8")).filter(({ file }) => !file.endsWith(".png"));
+  return JSON.parse(readFileSync(join(folder, "pictures.json"), "utf8")).filter(({ file }) => file.endsWith(".svg"));
+}
+
+/** Those that move, of the machines, which `gallery --gallery FOLDER` has listed. @returns {{page: string, file: string, moving: Record<string, string>}[]} */
+export function movingPictures(folder) {
+  return JSON.parse(readFileSync(join(folder, "pictures.json"), "utf8")).filter(({ moving }) => moving !== undefined);
 }
 
 /** The text of a picture as its page saves it now. @param {string} folder @param {Picture} picture @returns {Promise<string>} */
