@@ -15,8 +15,9 @@ const HEAD: &str = "\
 
 Mechanisms that people know. A picture leads to the machine: its source, a figure that is known from elsewhere and held by a test,
 and the commands that run it. With `--live` the page holds the mechanism itself: parameters are sliders, and bodies can be pulled
-([The page](running/page.md)). Each is one file of less than 80 lines in `examples/gallery/machines`, to be copied; its last function is a whole
-program. The demos of the manual have their own [gallery](gallery.md).
+where nothing prescribes their motion ([The page](running/page.md)). Each is one file of less than 80 lines in
+`examples/gallery/machines`, to be copied; the comment on its last function has the line of a whole program. The demos of the
+manual have their own [gallery](gallery.md).
 
 ";
 
