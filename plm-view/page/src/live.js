@@ -50,6 +50,8 @@ export class Live {
     this.settings = { parameter: [], input: [] };
     this.speed = 1;
     this.followCamera = new FollowCamera(app);
+    /** The settings with which it was looked ahead. */
+    this.lookedFor = "";
     /** The parameter that was turned last, and its value: what is open then is due to it. */
     this.turned = "";
     /** @type {Pull | null} */
@@ -281,6 +283,11 @@ export class Live {
 
   /** Asks what it will do: the view and the path are chosen by that. */
   lookAhead() {
+    const { parameters, inputs } = this.mechanism;
+    const values = [...parameters.map(({ value }) => value), ...inputs.map((input, at) => this.settings.input[at] ?? input.default ?? 0)];
+    // With the same settings it will do the same.
+    if (values.join() === this.lookedFor) return;
+    this.lookedFor = values.join();
     this.send({ kind: "ahead", duration: LOOK_AHEAD });
   }
 
