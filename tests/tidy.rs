@@ -7,6 +7,8 @@ use std::path::{Path, PathBuf};
 
 use plm_compiler::diag::Code;
 
+#[path = "tidy/file_names.rs"]
+mod file_names;
 #[path = "tidy/old_words.rs"]
 mod old_words;
 #[path = "support/words.rs"]

@@ -86,6 +86,9 @@ const STEPS: &[Step] = &[
 
 /// What takes longer, or needs more than a fresh machine has.
 const MORE: &[Step] = &[
+    Step::Here(plain("licences", "licences", chores::licences)),
+    Step::Here(plain("systems", "Windows and macOS", lints::other_systems)),
+    Step::Here(plain("docs-rs", "documentation as on docs.rs", lints::docs_rs)),
     Step::Here(plain("package-programs", "programs of packages", packages::programs)),
     Step::Here(part("fmu", "FMU", |place| place.command("bash tests/fmu.sh").run())),
     Step::Here(part("python", "Python", |place| place.command("bash tests/python.sh").run())),

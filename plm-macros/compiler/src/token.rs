@@ -195,8 +195,11 @@ impl Sources {
         Sources::default()
     }
 
-    /// Adds a text; gives its index. What is no token, and brackets without partners, are errors of its parser.
+    /// Adds a text; gives its index. What is no token, and brackets without partners, are errors of its parser. Lines may end as on
+    /// Windows.
     pub fn add_text(&mut self, name: &str, text: &str) -> u32 {
+        // rustc reads its sources in the same way.
+        let text = &text.replace("\r\n", "\n");
         if let Ok(stream) = text.parse() {
             return self.add(name, stream, Some(text.to_owned()));
         }

@@ -9,6 +9,7 @@ use crate::ci::tests::example;
 use crate::place::Place;
 
 const MDBOOK: &str = "0.5.4";
+const CARGO_DENY: &str = "0.20.2";
 
 /// A live page holds the mechanism as WebAssembly; without the target its tests say that they were skipped.
 pub(super) fn add_wasm(place: &Place) -> Result {
@@ -44,14 +45,27 @@ pub(super) fn chain(place: &Place) -> Result {
 }
 
 pub(super) fn install_mdbook(place: &Place) -> Result {
+    install(place, "mdbook", MDBOOK, "mdbook v")
+}
+
+/// A tool of Rust in a folder of the target folder, unless it is there: `said` is what stands before its version in what it says.
+fn install(place: &Place, tool: &str, version: &str, said: &str) -> Result {
     let tools = place.target.join("tools");
-    let version = place.command("").arg(tools.join("bin/mdbook")).arg("--version").text();
-    if version.is_ok_and(|version| version.trim() == format!("mdbook v{MDBOOK}")) {
+    let there = place.command("").arg(tools.join("bin").join(tool)).arg("--version").text();
+    if there.is_ok_and(|there| there.trim() == format!("{said}{version}")) {
         return Ok(());
     }
-    let install = place.command("cargo install mdbook --locked --no-default-features --debug --version");
-    let install = install.arg(MDBOOK).arg("--root").arg(&tools);
+    let install =
+        place.command("cargo install --locked --no-default-features --debug --version").arg(version);
+    let install = install.arg(tool).arg("--root").arg(&tools);
     install.arg("--target-dir").arg(tools.join("build")).run()
+}
+
+/// Licences, versions and sources of dependencies, by `deny.toml`.
+pub(super) fn licences(place: &Place) -> Result {
+    install(place, "cargo-deny", CARGO_DENY, "cargo-deny ")?;
+    let deny = place.command("").arg(place.target.join("tools/bin/cargo-deny"));
+    deny.args(["check", "licenses", "bans", "sources"]).run()
 }
 
 pub(super) fn book(place: &Place) -> Result {

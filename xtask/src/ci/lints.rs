@@ -74,6 +74,32 @@ pub(super) fn documentation(place: &Place) -> Result {
     doc.set("RUSTDOCFLAGS", "-D warnings").run()
 }
 
+/// What docs.rs shows, with the names of features: by the nightly toolchain, as there.
+pub(super) fn docs_rs(place: &Place) -> Result {
+    if !place.command("cargo +nightly --version").works() {
+        return place.say("NOT CHECKED: the nightly toolchain cannot be had on this machine");
+    }
+    let features = format!("{FEATURES},view");
+    let doc = place.command("cargo +nightly doc --no-deps -p plm-planar --features").arg(features);
+    let doc = doc.arg("--target-dir").arg(place.target.join("docs-rs")).args(AS_PLAIN_PACKAGES);
+    doc.set("RUSTDOCFLAGS", "--cfg docsrs -D warnings").run()
+}
+
+/// All crates for the systems that this machine is not: types and borrows, nothing is linked or run.
+pub(super) fn other_systems(place: &Place) -> Result {
+    for target in ["x86_64-pc-windows-gnu", "aarch64-apple-darwin"] {
+        if !place.command("rustup target add").arg(target).works() {
+            place.say(&format!("NOT CHECKED: the target {target} cannot be had on this machine"))?;
+            continue;
+        }
+        let check =
+            place.command("cargo check --workspace --exclude plm-peers --all-targets --target").arg(target);
+        let check = check.arg("--features").arg(format!("{FEATURES},view"));
+        check.arg("--target-dir").arg(place.target.join("systems")).args(AS_PLAIN_PACKAGES).run()?;
+    }
+    Ok(())
+}
+
 /// The library, the macro and the compiler behind it, by the oldest rustc that is declared.
 pub(super) fn oldest_rust(place: &Place) -> Result {
     let manifest = fs::read_to_string(place.root.join("Cargo.toml")).map_err(|why| why.to_string())?;

@@ -5,6 +5,7 @@
 mod bodies;
 mod declarations;
 mod expressions;
+mod line_ends;
 mod malformed_input;
 mod nodes;
 mod observe;
