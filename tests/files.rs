@@ -5,6 +5,8 @@ use std::path::Path;
 
 #[path = "../xtask/src/architecture.rs"]
 mod architecture;
+#[path = "files/contract.rs"]
+mod contract;
 #[path = "../xtask/src/index.rs"]
 mod index;
 #[path = "files/packages.rs"]

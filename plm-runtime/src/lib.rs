@@ -49,6 +49,8 @@ pub mod dual;
 pub mod enclosure;
 pub mod events;
 pub mod fault;
+#[doc(hidden)]
+pub mod generated;
 pub mod held;
 pub mod lanes;
 pub mod limits;

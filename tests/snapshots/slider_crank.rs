@@ -41,10 +41,12 @@ mod plm_slider_crank_ {
 
     mod code_ {
         use super::type_::SliderCrank;
-        use ::plm::runtime as rt;
-        use ::plm::runtime::lanes::Two;
-        use ::plm::runtime::{BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start};
-        use ::plm::runtime::{absolute, described};
+        use ::plm::runtime::generated as rt;
+        use ::plm::runtime::generated::lanes::Two;
+        use ::plm::runtime::generated::{
+            BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start,
+        };
+        use ::plm::runtime::generated::{absolute, described};
 
         /// Start values, SI units.
         #[derive(Clone, Copy, Debug, PartialEq)]

@@ -189,12 +189,12 @@ fn module(emission: &Emission) -> TokenStream {
             }
             mod code_ {
                 use super::type_::#import;
-                use #path::runtime::{
+                use #path::runtime::generated::{
                     BodyStart, BodyState, Fault, Method, Operations, Real, Scalar, Sim, Start
                 };
-                use #path::runtime as rt;
-                use #path::runtime::{absolute, described};
-                use #path::runtime::lanes::Two;
+                use #path::runtime::generated as rt;
+                use #path::runtime::generated::{absolute, described};
+                use #path::runtime::generated::lanes::Two;
 
                 #(#items)*
             }

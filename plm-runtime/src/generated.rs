@@ -1,0 +1,104 @@
+//! Contract of generated code: all items of this crate that the code of `mechanism!` names.
+//!
+//! It is no promise to users. Items may change or go with every release; the crates of a release ask for each other exactly, so that
+//! generated code and runtime always belong together. What is documented outside of this module is for users, and changes by the rules of
+//! semantic versions.
+//!
+//! `plm-macros/compiler/src/emit/` writes the code. Whatever it names in a new way has to be named here too; whatever stands here and is
+//! named no more fails `cargo test --test files`.
+
+pub use crate::double_double::DoubleDouble;
+pub use crate::dual::Dual;
+pub use crate::enclosure::Enclosed;
+pub use crate::fault::{Cause, Fault, Names};
+pub use crate::held::Held;
+pub use crate::limits::{Least, Limit};
+pub use crate::linear::Linear;
+pub use crate::mechanism::{InPlace, Mechanism, Moment};
+pub use crate::method::Method;
+pub use crate::ports::Ports;
+pub use crate::scalar::{Real, Scalar};
+pub use crate::sim::Sim;
+pub use crate::start::{BodyStart, Start, StartValues};
+pub use crate::statics::Statics;
+pub use crate::system::{Constraints, Drift, Energy, Events, Health, Labels, Rate, Updated};
+pub use crate::vector::Vector;
+pub use crate::{Assembly, BodyState, Described, Observed, Operations};
+
+pub mod absolute {
+    pub use crate::absolute::{
+        Absolute, Acceleration, Branch, Crossing, accelerate, assemble, balance, check_carried, drift,
+        flat_part, join, jump, opening, phi_q_matrix, project_state, renew, residuals, split,
+    };
+}
+
+pub mod charts {
+    pub use crate::charts::{
+        Charted, Continuation, ContinuationData, OfLoops, Revolutions, are_calm, are_short, crossed, enter,
+        flat_part, full, hold, is_calm, is_free, look, name_of, not_regular, pose, update,
+    };
+}
+
+pub mod compact {
+    pub use crate::compact::{
+        below, bodies, chosen, frames, names, numbers, pairs, parts, pivots, places, singles, terms,
+    };
+}
+
+pub mod described {
+    pub use crate::described::{
+        Body, Frame, GroundPort, Motion, Part, Quantity, Reads, Report, Tables, nearest,
+    };
+}
+
+pub mod events {
+    pub use crate::events::{holds, switch_where_due};
+}
+
+pub mod held {
+    pub use crate::held::Loops;
+}
+
+pub mod lanes {
+    pub use crate::lanes::{Pack, Two};
+}
+
+pub mod limits {
+    pub use crate::limits::{check, check_numbers, fingerprint};
+}
+
+pub mod linalg {
+    pub use crate::linalg::{Derivatives, Mixed, Pattern, Patterned, Sparse};
+}
+
+pub mod linear {
+    pub use crate::linear::{Colours, by_directions, finite};
+}
+
+pub mod method {
+    pub use crate::method::Ros34Pw2Formula;
+}
+
+pub mod singular {
+    pub use crate::singular::{ExtendedPrecision, NearSingular, Never, refine};
+}
+
+pub mod start {
+    pub use crate::start::write_starts;
+}
+
+pub mod step {
+    pub use crate::step::{rk4, singular, solvable, step, take};
+}
+
+pub mod system {
+    pub use crate::system::rate_aside;
+}
+
+pub mod turns {
+    pub use crate::turns::{add, all_near, are_due, unwind, whole};
+}
+
+pub mod workspace {
+    pub use crate::workspace::of;
+}
