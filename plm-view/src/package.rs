@@ -157,10 +157,10 @@ impl Package<'_> {
     /// # Errors
     /// A file that cannot be written.
     pub fn write(&self, folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
-        self.write_with(folder, &self.plm.display().to_string(), "")
+        self.write_with(folder, &format!("path = {:?}", self.plm.display().to_string()), "")
     }
 
-    /// Writes it with plm at a path, and further lines of its workspace.
+    /// Writes it with what its manifest says of where plm is, a path or a version, and further lines of its workspace.
     ///
     /// # Errors
     /// A file that cannot be written.
@@ -186,7 +186,7 @@ impl Package<'_> {
              [profile.release]\nopt-level = {level}\nlto = true\ncodegen-units = 1\npanic = \"{panic}\"\nstrip = {strip}\n\n\
              [profile.release.build-override]\nstrip = false\n\n\
              [workspace]\n{workspace}\n[dependencies]\n\
-             plm = {{ package = \"plm-planar\", path = {plm:?}, default-features = {has_std}, \
+             plm = {{ package = \"plm-planar\", {plm}, default-features = {has_std}, \
              features = {features:?} }}\n{further}",
             self.name
         );

@@ -219,3 +219,22 @@ fn the_macro_documents_every_item_of_the_language() {
     assert!(items.len() > 15, "items were read: {items:?}");
     fail_with("items that the documentation of `mechanism!` lacks", &missing);
 }
+
+/// Whoever hosts the repository runs the stages that there are.
+#[test]
+fn the_workflow_and_the_release_name_stages_of_ci() {
+    let stages = read("xtask/src/ci.rs");
+    let mut wrong = Vec::new();
+    for page in
+        [".github/workflows/ci.yml", "docs/src/internals/releasing.md", "CONTRIBUTING.md", "ARCHITECTURE.md"]
+    {
+        let text = read(page);
+        for rest in text.split("--only ").skip(1) {
+            let names = rest.split(['\n', '`', '#']).next().unwrap().split_whitespace();
+            let unknown =
+                names.filter(|name| *name != "NAME..." && !stages.contains(&format!("(\"{name}\", ")));
+            wrong.extend(unknown.map(|name| format!("{page}: {name}")));
+        }
+    }
+    fail_with("stages that `cargo xtask ci --list` does not have", &wrong);
+}

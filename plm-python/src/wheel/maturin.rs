@@ -64,19 +64,30 @@ fn try_wheel(package: &Package<'_>, folder: &Path, texts: &Texts) -> Result<Buil
 fn try_source(package: &Package<'_>, folder: &Path, built: &Path, texts: &Texts) -> Result<Built, String> {
     // A file that is needed no more would be packed too.
     let _ = fs::remove_dir_all(folder);
-    package.write_with(folder, "plm", "exclude = [\"plm\"]\n").map_err(|error| error.to_string())?;
+    // Where plm comes from a registry its crates stand apart, and other machines get them from there too.
+    let is_checkout = package.plm.join(FOLDERS[1]).is_dir();
+    let (source, workspace) = if is_checkout {
+        ("path = \"plm\"".to_owned(), "exclude = [\"plm\"]\n")
+    } else {
+        (format!("version = \"={}\"", env!("CARGO_PKG_VERSION")), "")
+    };
+    package.write_with(folder, &source, workspace).map_err(|error| error.to_string())?;
     write_all(folder, texts)?;
     copy(&built.join("Cargo.lock"), &folder.join("Cargo.lock"))?;
-    let plm = folder.join("plm");
-    for file in FILES {
-        copy(&package.plm.join(file), &plm.join(file))?;
-    }
-    for below in FOLDERS {
-        copy_all(&package.plm.join(below), &plm.join(below))?;
+    if is_checkout {
+        copy_plm(package.plm, &folder.join("plm"))?;
     }
     let mut maturin = command("maturin".into());
     maturin.args(["sdist", "--manifest-path"]).arg(folder.join("Cargo.toml"));
     made(maturin, &folder.join("dist"))
+}
+
+/// Copies what of plm a package needs.
+fn copy_plm(from: &Path, to: &Path) -> Result<(), String> {
+    for file in FILES {
+        copy(&from.join(file), &to.join(file))?;
+    }
+    FOLDERS.iter().try_for_each(|below| copy_all(&from.join(below), &to.join(below)))
 }
 
 /// The target that is this machine, and flags by which rustc leaves the places of its sources out of what it compiles. They go

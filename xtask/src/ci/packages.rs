@@ -29,7 +29,7 @@ plm::mechanism! {
 }
 
 fn main() -> std::process::ExitCode {
-    plm::view::run(Pendulum::new(), 1.0, 0.01)
+    plm::view::Program::new(Pendulum::new()).until(1.0).main()
 }
 ";
 
@@ -78,11 +78,12 @@ pub(super) fn all(place: &Place) -> Result {
 pub(super) fn programs(place: &Place) -> Result {
     let empty = Empty::new()?;
     let packages = packed(place, &empty.0)?;
-    let options = [["--c", "library"], ["--live", "live.html"]];
-    program(place, &empty.0, &packages, ", features = [\"view\"]", PENDULUM)?
-        .arg("--")
-        .args(options.concat())
-        .run()
+    let options: [&[&str]; 2] = [&["--c", "library"], &["--view", "live.html", "--live"]];
+    for options in options {
+        let run = program(place, &empty.0, &packages, ", features = [\"view\"]", PENDULUM)?;
+        run.arg("--").args(options).run()?;
+    }
+    Ok(())
 }
 
 /// Packages of all crates that are published, unpacked in a folder.
@@ -145,7 +146,7 @@ fn readme<'a>(place: &'a Place, empty: &Path, packages: &[Package]) -> Result<Ta
     program(place, empty, packages, "", code)
 }
 
-/// `cargo run` for a program in a folder of its own, whose manifest is a user's. The packages stand for those of the registry.
+/// `cargo run` for a program in a folder of its own, whose manifest is a user's.
 fn program<'a>(
     place: &'a Place,
     empty: &Path,
@@ -167,13 +168,24 @@ fn program<'a>(
     fs::create_dir_all(folder.join("src")).map_err(|why| format!("{}: {why}", folder.display()))?;
     write("Cargo.toml", &manifest)?;
     write("src/main.rs", main)?;
-    let mut run = place.command("cargo run --quiet --target-dir").arg(place.target.join("packages/user"));
-    for package in packages {
-        let source = package.folder.to_string_lossy().replace('\\', "/");
-        run = run.arg("--config").arg(format!("patch.crates-io.{}.path = \"{source}\"", package.name));
-    }
+    settings(empty, packages)?;
+    let run = place.command("cargo run --quiet --target-dir").arg(place.target.join("packages/user"));
     // A path that is absolute is not looked for in the repository.
     Ok(run.in_folder(&folder.to_string_lossy()))
+}
+
+/// Settings of cargo above the user's folder, so that what a program builds beside itself has them too: the packages stand for
+/// those of the registry.
+fn settings(empty: &Path, packages: &[Package]) -> Result {
+    let mut settings = "[patch.crates-io]\n".to_owned();
+    for package in packages {
+        let source = package.folder.to_string_lossy().replace('\\', "/");
+        settings.extend([&package.name, " = { path = \"", &source, "\" }\n"]);
+    }
+    let folder = empty.join(".cargo");
+    let failed = |why: std::io::Error| format!("{}: {why}", folder.display());
+    fs::create_dir_all(&folder).map_err(failed)?;
+    fs::write(folder.join("config.toml"), settings).map_err(failed)
 }
 
 fn read(path: &Path) -> Result<String> {
