@@ -16,7 +16,7 @@ use plm::view::{Options, Program};
 plm::mechanism! {
     /// A driver and a Maltese cross.
     pub Geneva {
-        param speed: rad/s = 30 rev/min;
+        param speed: rev/min = 30 rev/min;
         let distance = 100 mm;
         let pin = distance*sin(45 deg);
         ground { port driver: (0, 0) mm; port cross: (100, 0) mm; }

@@ -19,7 +19,7 @@ plm::mechanism! {
 
     /// Jansen's walker.
     pub Jansen {
-        param speed: rad/s = -20 rev/min;
+        param speed: rev/min = -20 rev/min;
         gravity: 9.81 m/s^2;
         body chassis {
             mass: 20 kg; inertia: 2 kg*m^2; port axle: (0, 0) cm; port hip[0]: (-38, -7.8) cm; port hip[1]: (38, -7.8) cm;

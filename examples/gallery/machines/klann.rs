@@ -14,7 +14,7 @@ use plm::view::{Options, Program};
 plm::mechanism! {
     /// A pair of Klann's legs, half a turn apart; the frame is held.
     pub Klann {
-        param speed: rad/s = 15 rev/min;
+        param speed: rev/min = 15 rev/min;
         ground {
             port o: (0, 0) m;
             port high[0]: (-0.233, 0.616) m; port high[1]: (0.233, 0.616) m;

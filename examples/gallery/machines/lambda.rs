@@ -15,7 +15,7 @@ use plm::view::{Options, Program};
 plm::mechanism! {
     /// Chebyshev's lambda on a motor.
     pub Lambda {
-        param speed: rad/s = 15 rev/min;
+        param speed: rev/min = 15 rev/min;
         ground { port o: (0, 0) mm; port c: (200, 0) mm; }
         body crank {
             mass: 5 kg; inertia: disc(5 kg, 0.1 m); port o: (0, 0) mm; port a: (100, 0) mm;

@@ -25,7 +25,7 @@ plm::mechanism! {
 
     /// A pumpjack with its counterweight, on a motor that slips.
     pub Pumpjack {
-        param speed: rad/s = 12 rev/min;
+        param speed: rev/min = 12 rev/min;
         param weight: kg = 1600 kg;
         gravity: 9.81 m/s^2;
         ground { port skid: (0, 0) m; port well: (-3, 0) m, axis: 90 deg; port leaves: (-3, 4.2) m; }

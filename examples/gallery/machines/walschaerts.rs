@@ -16,7 +16,7 @@ use plm::view::{Options, Program};
 plm::mechanism! {
     /// A locomotive's gear on a motor.
     pub Walschaerts {
-        param speed: rad/s = -15 rev/min;
+        param speed: rev/min = -15 rev/min;
         param gear: mm = 150 mm;
         let die = 1700 mm - sqrt((1700 mm)^2 - gear^2);
         ground { port driver: (0, 0) mm; port trailing: (-1750, 0) mm; port guide: (2500, 0) mm; port trunnion: (1250, 420) mm; port chest: (2950, 360) mm; }

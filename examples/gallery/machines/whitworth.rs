@@ -15,7 +15,7 @@ use plm::view::{Options, Program};
 plm::mechanism! {
     /// Whitworth's quick return on a motor.
     pub Whitworth {
-        param speed: rad/s = 15 rev/min;
+        param speed: rev/min = 15 rev/min;
         ground { port o: (0, 0) mm; port pivot: (0, -50) mm; port rail: (380, -50) mm; }
         body crank {
             mass: 10 kg; inertia: disc(10 kg, 0.12 m); port o: (0, 0) mm; port pin: (100, 0) mm; depth: -20 mm;

@@ -14,7 +14,7 @@ use plm::view::{Options, Program};
 plm::mechanism! {
     /// A motor and two wipers.
     pub Wiper {
-        param speed: rad/s = 40 rev/min;
+        param speed: rev/min = 40 rev/min;
         param crank_length: m = 45 mm;
         let lever = turn((60, 0) mm, -5 deg);
         ground { port motor: (300, -160) mm; port left: (0, -160) mm; port right: (550, -160) mm; }
