@@ -116,9 +116,9 @@ pub fn klann() -> Result<Sheet, Fault> {
     };
     let mut sheet = Sheet::new("klann");
     let (front, back) = (foot(0.0)?, foot(180.0)?);
-    // The patent's lengths have four digits.
-    sheet.theory("stride of half a turn, as in the patent", front[0] - back[0], "m", 1.0, 5e-4);
-    sheet.theory("height between its ends, as in the patent", front[1] - back[1], "m", 0.0, 5e-4);
+    // Lengths are in units of the stride of half a turn, with four digits.
+    sheet.theory("stride of half a turn, the unit of its lengths", front[0] - back[0], "m", 1.0, 5e-4);
+    sheet.theory("height between its ends", front[1] - back[1], "m", 0.0, 5e-4);
     Ok(sheet)
 }
 
@@ -237,9 +237,9 @@ pub fn andrews() -> Result<Sheet, Fault> {
     let mut sheet = Sheet::new("andrews");
     let mut sim = Andrews::new().start_with(Dop853::new(1e-11))?;
     sim.step(0.03)?;
-    sheet.model("beta after 0.03 s", sim.k1_angle(), "rad", 15.810_771_196_3, 1e-8);
-    sheet.model("gamma after 0.03 s", sim.k3_angle(), "rad", 0.040_822_240_130_7, 1e-9);
-    sheet.model("delta after 0.03 s", sim.k5_angle(), "rad", 0.524_409_965_880_5, 1e-9);
+    sheet.model("beta after 0.03 s", sim.k1_angle(), "rad", 15.810_771_195_153_707, 1e-9);
+    sheet.model("gamma after 0.03 s", sim.k3_angle(), "rad", 0.040_822_240_119_645_8, 1e-9);
+    sheet.model("delta after 0.03 s", sim.k5_angle(), "rad", 0.524_409_965_879_954_1, 1e-9);
     Ok(sheet)
 }
 

@@ -1,7 +1,7 @@
 //! Klann's linkage: a pair of legs on one crank in place of a wheel.
 //!
-//! Source: J. Klann, Walking Device, US patent 6 260 862, 2001, with the numbers of its figure 2 (29 is the crank pin, 27 the
-//! elbow, 35 the knee, 37 the hip, 33 the foot; 9 and 11 are the axles of the rockers, 15 the crank), in metres here:
+//! Source: J. Klann, Walking Device, US patent 6 260 862, 2001, with the numbers of its figure 2: 29 is the crank pin, 27 the elbow, 35 the
+//! knee, 37 the hip, 33 the foot; 9 and 11 are the axles of the rockers, 15 the crank. The stride is the unit of its lengths, in metres here:
 //!
 //! | 15-29 | 29-27 | 27-35 | 29-35 | 11-27 | 9-37 | 35-37 | 35-33 | 37-33 | 9 | 11 | 15 |
 //! |---|---|---|---|---|---|---|---|---|---|---|---|
