@@ -22,9 +22,9 @@ fn sources(folder: &Path) -> String {
 /// The items of the contract, as paths inside of its module.
 fn items(contract: &str) -> Vec<String> {
     let (mut items, mut module) = (Vec::new(), String::new());
-    let code: String =
-        contract.lines().filter(|line| !line.starts_with("//")).map(|line| format!("{line}\n")).collect();
-    for statement in code.split_inclusive([';', '{', '}']).collect::<String>().split("pub ").skip(1) {
+    let code: Vec<&str> = contract.lines().filter(|line| !line.starts_with("//")).collect();
+    let code = code.join("\n");
+    for statement in code.split("pub ").skip(1) {
         if let Some(name) = statement.strip_prefix("mod ") {
             module = format!("{}::", name.split([' ', '{']).next().unwrap());
         } else if let Some(path) = statement.strip_prefix("use crate::") {
