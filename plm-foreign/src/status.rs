@@ -126,7 +126,8 @@ impl From<&Fault> for Status {
             | Cause::Flat
             | Cause::ChangePoint
             | Cause::Undecided { .. }
-            | Cause::Singular { .. } => Self::Pose,
+            | Cause::Singular { .. }
+            | Cause::Sunk { .. } => Self::Pose,
             Cause::Required | Cause::NotMet { .. } => Self::Required,
             Cause::Zeno { .. }
             | Cause::Jump { .. }
@@ -135,7 +136,6 @@ impl From<&Fault> for Status {
             | Cause::Impact { .. }
             | Cause::NoMode { .. }
             | Cause::TooManyContacts { .. } => Self::Switching,
-            Cause::Sunk { .. } => Self::Pose,
             Cause::StepTooSmall { .. }
             | Cause::TimeTooCoarse { .. }
             | Cause::StepTooLong { .. }
