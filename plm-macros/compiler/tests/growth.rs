@@ -125,7 +125,7 @@ fn of_many_mistakes_the_first_are_told_and_the_others_counted() {
     let wrong: Vec<String> = (0..250).map(|i| format!("output w{i} = nope{i};\n")).collect();
     let wrong = wrong.concat();
     let mut sources = Sources::new();
-    sources.add_text("declaration", &format!("pub P {{ param late: kg = 1 m; {wrong} body b {{}} }}"));
+    sources.add_text("declaration", &format!("pub P {{ param late: kg = 1 m; {wrong} body b {{ mass: 1 kg; }} body c {{ inertia: 1 kg*m^2; }} }}"));
     let found = compile(&mut sources).diagnostics;
     let of = |code: &str| found.iter().filter(|one| one.code.id() == code).count();
     assert_eq!((of("E0201"), of("E0301"), of("E0401")), (100, 1, 2));
