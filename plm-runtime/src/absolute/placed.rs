@@ -18,7 +18,7 @@ const IN_PLACE: f64 = 0.25;
 const NEARER: f64 = 0.5;
 /// Damped steps to the places, and the part of the violation that each takes away.
 const PLACING: (u32, f64) = (60, 1e-9);
-/// The same to a closed pose.
+/// Damped steps to a closed pose, likewise.
 const CLOSING: (u32, f64) = (60, 1e-3);
 
 /// A closed pose, or one that turns the bodies less from the start values, where it turns them far and moves them from their places.
@@ -36,6 +36,19 @@ pub(super) fn nearer<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     if !is_doubted(&pose.q) || moves(&pose.q, start).all(|(k, by)| k % 3 == 2 || by.abs() <= place) {
         return pose;
     }
+    from_places(m, t, pose, (start, free), &is_doubted)
+}
+
+/// The pose, or one that steps reach from where joints put the bodies at the declared angles.
+#[cold]
+#[inline(never)]
+fn from_places<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    mut pose: Pose<S, NQ, NC>,
+    (start, free): (&[S; NQ], &[S; NQ]),
+    is_doubted: &impl Fn(&[S; NQ]) -> bool,
+) -> Pose<S, NQ, NC> {
     let mut measure = Measure::new(m, &Vector::from_fn(|k| if k % 3 == 2 { S::ZERO } else { free.at(k) }));
     let mut q = *start;
     measure.descend(m, t, &mut q, PLACING);

@@ -93,6 +93,7 @@ fn distance<S: Real, const NQ: usize>(q: &[S; NQ], start: &[S; NQ]) -> S {
 }
 
 /// Takes off whole turns from the start values, where joints are closed without them too.
+#[inline(never)]
 pub(super) fn unwind<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,

@@ -15,7 +15,7 @@ const IN_PLACE: f64 = 0.25;
 const NEARER: f64 = 0.5;
 /// Damped steps to the places, and the part of the violation that each takes away.
 const PLACING: (usize, f64) = (60, 1e-9);
-/// The same to a closed pose.
+/// Damped steps to a closed pose, likewise.
 const CLOSING: (usize, f64) = (60, 1e-3);
 
 /// A closed pose, or one that turns the bodies less from the start values, where it turns them far and moves them from their places.

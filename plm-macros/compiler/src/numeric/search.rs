@@ -82,7 +82,7 @@ pub(super) fn search(
     (best.map(|(_, _, pose)| pose).ok_or(least.1), tried)
 }
 
-/// What closed poses are sought by.
+/// Search for closed poses of a scene next to its start.
 #[derive(Clone, Copy)]
 pub(super) struct Search<'a> {
     pub(super) constraints: &'a Constraints<'a>,
