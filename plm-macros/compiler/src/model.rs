@@ -7,6 +7,7 @@
 //! Coordinates stand at the centre of gravity G of each body: `q = (x, y, theta)` per body, in the order of
 //! declaration (manual, section 4.3.4: "the state variables of a body are calculated at the center of gravity").
 
+mod contact;
 mod held;
 mod instance;
 mod joint;
@@ -18,6 +19,7 @@ use crate::sorted::SortedSet;
 use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
+pub use contact::{Contact, ContactLaw, Impacts};
 pub use held::{Comparison, Counted, Decisions, End, Jump, Steady, Switch};
 pub use instance::{Instance, Size};
 pub use joint::{FrameRef, Pair, Part, Turn};
@@ -74,6 +76,10 @@ pub struct Model {
     pub rows: Vec<Row>,
     /// Rows of joints with a compliance: no constraints, their `lambda` is an expression, and it stands in the loads.
     pub compliant: Vec<Row>,
+    /// Rows of contact: no constraints, their forces stand in the loads.
+    pub contacts: Vec<Contact>,
+    /// The law of impact.
+    pub impacts: Impacts,
     /// Values beside masses and inertias that only some numbers make sense for.
     pub limits: Vec<Limit>,
     /// Generalised forces on bodies.

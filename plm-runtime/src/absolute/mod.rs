@@ -21,6 +21,7 @@ mod jump;
 mod lack;
 mod nearest;
 mod newton;
+mod placed;
 mod project;
 mod redundancy;
 mod renew;

@@ -14,7 +14,9 @@ use std::fmt::Write;
 
 use crate::front::Reading;
 use crate::library::Library;
-use crate::model::{Body, Decisions, Input, Model, Name, Output, Param, Stabilisation, Start, State, Step};
+use crate::model::{
+    Body, Decisions, Impacts, Input, Model, Name, Output, Param, Stabilisation, Start, State, Step,
+};
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, IndexedName, Item, ItemKind, Operator};
 use crate::units::{Dimension, DisplayUnit};
@@ -70,6 +72,8 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         parts: Vec::new(),
         rows: Vec::new(),
         compliant: Vec::new(),
+        contacts: Vec::new(),
+        impacts: Impacts::default(),
         limits: Vec::new(),
         jumps: Vec::new(),
         released: Vec::new(),

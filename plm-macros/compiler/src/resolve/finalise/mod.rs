@@ -11,7 +11,7 @@ use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
 use crate::diag::Code;
-use crate::model::{Body, Decisions, FrameRef, Input, Model, Name, Param, Port, Row};
+use crate::model::{Body, Decisions, FrameRef, Impacts, Input, Model, Name, Param, Port, Row};
 use crate::resolve::Resolver;
 use crate::resolve::declarations::body::assumed_mass;
 use crate::resolve::declarations::declare::UnresolvedField;
@@ -71,6 +71,8 @@ impl<'a> Resolver<'a> {
             parts: self.unresolved.parts,
             rows,
             compliant,
+            contacts: Vec::new(),
+            impacts: Impacts::default(),
             limits: self.unresolved.limits,
             comparisons: self.unresolved.comparisons,
             jumps: Vec::new(),
