@@ -3,17 +3,23 @@
 
 #[path = "../examples/work_precision/beside.rs"]
 mod beside;
+#[path = "../examples/contact_peers/chart.rs"]
+mod chart;
 #[path = "../examples/work_precision/measure.rs"]
 #[allow(dead_code, reason = "the program measures more")]
 mod measure;
 #[path = "../examples/work_precision/report.rs"]
 #[allow(dead_code, reason = "the program draws as well")]
 mod report;
+#[path = "../examples/contact_peers/runs.rs"]
+mod runs;
 #[path = "../examples/work_precision/stored.rs"]
 mod stored;
 #[path = "../examples/work_precision/summary.rs"]
 #[allow(dead_code, reason = "the program draws as well")]
 mod summary;
+#[path = "../examples/contact_peers/tables.rs"]
+mod tables;
 
 use measure::{Bench, Effort, Line, Look, Outcome, Point, Scene};
 use plm_peers::{Peer, Run, Setting};
@@ -157,4 +163,61 @@ fn the_summary_shows_the_stored_runs() {
         drawn == include_str!("../docs/src/images/work-precision/summary.svg"),
         "the summary is not that of the runs; `--redraw docs/src/images/work-precision` of the example draws it"
     );
+}
+
+fn contact_runs() -> Vec<runs::Run> {
+    runs::read(include_str!("../docs/src/images/contact-peers/runs.csv")).unwrap()
+}
+
+#[test]
+fn the_picture_and_tables_of_contact_are_those_of_the_runs() {
+    let runs = contact_runs();
+    let is_same = chart::svg(&runs) == include_str!("../docs/src/images/contact-peers/chart.svg")
+        && tables::all(&runs) == include_str!("../docs/src/images/contact-peers/tables.txt");
+    assert!(is_same, "the example contact_peers draws them: `-- docs/src/images/contact-peers`");
+}
+
+/// What the page says in words: plm sticks exactly, its errors follow the tolerance, and no other program comes as near.
+#[test]
+fn the_page_on_contact_says_what_was_measured() {
+    let runs = contact_runs();
+    let finest = |scene: &str, program: &str, settings: &str| {
+        *runs::line(&runs, scene, program, settings).last().unwrap()
+    };
+    for scene in ["oscillator", "ball", "rocking", "slider-crank"] {
+        let ours = runs::line(&runs, scene, "plm", "DOP853");
+        assert_eq!(ours.len(), 5);
+        let least = ours.last().unwrap().error.unwrap();
+        for (program, settings, _) in &runs::LINES[1..] {
+            for run in runs::line(&runs, scene, program, settings) {
+                assert!(run.error.is_none_or(|error| error > 100.0 * least), "{scene}: {program}");
+            }
+        }
+        // The longest run of ours is shorter than the finest of each other program.
+        let slowest = ours.iter().map(|run| run.seconds).fold(0.0, f64::max);
+        for (program, settings, _) in &runs::LINES[1..] {
+            let line = runs::line(&runs, scene, program, settings);
+            assert!(line.last().is_none_or(|run| run.seconds > slowest), "{scene}: {program}");
+        }
+    }
+    for scene in ["block", "oscillator"] {
+        assert!(runs::line(&runs, scene, "plm", "DOP853").iter().all(|run| run.creep == Some(0.0)));
+    }
+    let page = include_str!("../docs/src/running/contact-peers.md");
+    let says = |figure: String| assert!(page.contains(&figure), "the page does not say `{figure}`");
+    for scene in ["oscillator", "rocking", "slider-crank"] {
+        says(format!("{:.0e}", finest(scene, "plm", "DOP853").error.unwrap()));
+    }
+    let block = |program: &str, settings: &str| runs::line(&runs, "block", program, settings);
+    let creeps = block("MuJoCo", "stiff").iter().filter_map(|run| run.creep).collect::<Vec<_>>();
+    says(format!("{:.0} µm/s", creeps[0]));
+    says(format!("{:.0} µm/s", creeps[creeps.len() - 1]));
+    assert!(block("Siconos", "Moreau-Jean").iter().all(|run| run.creep == Some(0.0)));
+    says(format!("{:.2} %", 100.0 * finest("ball", "Siconos", "Moreau-Jean").gain.unwrap().abs()));
+    says(format!("{:.2} %", 100.0 * finest("ball", "Rapier2D", "tight").gain.unwrap().abs()));
+    says(format!("{:.0e} rad", finest("slider-crank", "Rapier2D", "tight").error.unwrap()));
+    says(format!("{:.1} %", 100.0 * finest("ball", "Box2D", "tight").gain.unwrap()));
+    says(format!("{:.0} %", 100.0 * finest("rocking", "Box2D", "tight").gain.unwrap().abs()));
+    says(format!("{} steps", block("plm", "DOP853")[0].steps));
+    says(format!("{} steps", block("plm", "DOP853")[4].steps));
 }

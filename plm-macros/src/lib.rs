@@ -20,6 +20,7 @@ use syn::parse::Parser;
 /// | `gravity: 9.81 m/s^2;`, `gravity: (0, -9.81) m/s^2;` | acceleration of gravity; without it there is none |
 /// | `formulation: absolute;`, `loops` or `tree` | orders a formulation; without it the least one that the mechanism allows is taken |
 /// | `stabilisation: projection;` or `baumgarte(0.1 s);` | how constraints are kept; projection unless said otherwise, `baumgarte` alone has 0.1 s |
+/// | `impacts: poisson;`, `newton` or `sequential` | the law of impact of contacts |
 /// | `code: rolled;` or `unrolled` | orders whether what repeats itself stands in loops; without it the number of operations decides |
 /// | `emit: step(rk4, linearly_implicit);` | the code holds a step of fixed length by itself; `semi_implicit_euler` is the third |
 /// | `param k: N/m = 1e4 N/m;` | a number that can change between runs; without a default `new` takes it |
@@ -30,6 +31,8 @@ use syn::parse::Parser;
 /// | `body arm { … }` | a body |
 /// | `revolute pin(arm.a, rod.b) { … }` | a part in use: its kind, its name, what it joins, its parameters |
 /// | `constraint name: a = b;` | a constraint of the mechanism itself |
+/// | `unilateral tip: rod.b.y >= 0;` | a gap that pushes where it is closed |
+/// | `friction slip: rate(rod.b.x) within 3 N;` | a friction that sticks and slips |
 /// | `require loaded: rod.y < 2 m;` | a requirement: where it stops to hold, the run ends |
 /// | `node port: oil = pressure;` | a node |
 /// | `domain heat { … }` | a domain of your own |

@@ -211,6 +211,10 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
         self.chain(self.value.abs(), self.value.signum0())
     }
     #[inline]
+    fn as_zero(self) -> Self {
+        Self { value: self.value.as_zero(), ..self }
+    }
+    #[inline]
     fn lt(self, other: Self) -> bool {
         self.value < other.value
     }

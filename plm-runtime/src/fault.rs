@@ -171,6 +171,11 @@ pub enum Cause {
         /// By how much, m or rad.
         by: f64,
     },
+    /// The mechanism has rows of contact, which this analysis does not solve.
+    NoContact {
+        /// The analysis.
+        by: &'static str,
+    },
     /// An interval ends before it begins, or is not a number.
     Interval {
         /// Its length, s.

@@ -45,6 +45,13 @@ pub mod compact {
     };
 }
 
+pub mod contact {
+    pub use crate::contact::{
+        Contacts, Held, ImpactLaw, Law, Load, Rows, Status, begin, drift, guard_count, guards, guards_within,
+        project, settle, state_was_set, switch_behind, update, with_multipliers,
+    };
+}
+
 pub mod described {
     pub use crate::described::{
         Body, Frame, GroundPort, Motion, Part, Quantity, Reads, Report, Tables, nearest,

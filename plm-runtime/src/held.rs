@@ -5,7 +5,7 @@ use crate::words::{InWords, Words};
 
 /// What is held over a step; the rate is smooth in time and state as long as this stays.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Held<I, W, T, L> {
+pub struct Held<I, W, T, L, C = ()> {
     /// The inputs.
     pub input: I,
     /// Of each switch the side that is held: -1 where its condition holds, else 1.
@@ -14,6 +14,8 @@ pub struct Held<I, W, T, L> {
     pub turns: T,
     /// What is held of the loops: [`OfLoops`](crate::charts::OfLoops) where they are solved in charts, else nothing.
     pub of_loops: L,
+    /// What is held of the contact rows: [`contact::Held`](crate::contact::Held) where there are some, else nothing.
+    pub contact: C,
 }
 
 /// What whoever knows a mechanism by its contracts alone may ask of what is held.
@@ -22,7 +24,7 @@ pub trait Discrete {
     const CHARTED: bool;
 }
 
-impl<I, W, T, L> Discrete for Held<I, W, T, L> {
+impl<I, W, T, L, C> Discrete for Held<I, W, T, L, C> {
     const CHARTED: bool = size_of::<L>() > 0;
 }
 
@@ -62,8 +64,10 @@ impl<S> Loops<S> for () {
     }
 }
 
-/// Switches, turns, loops. The inputs have a type of the mechanism's own: they are shown by [`Ports`](crate::Ports).
-impl<S: Real, I, const W: usize, const T: usize, L: InWords> InWords for Held<I, [S; W], [i32; T], L> {
+/// Switches, turns, loops, contacts. The inputs have a type of the mechanism's own: they are shown by [`Ports`](crate::Ports).
+impl<S: Real, I, const W: usize, const T: usize, L: InWords, C: InWords> InWords
+    for Held<I, [S; W], [i32; T], L, C>
+{
     fn each(&mut self, words: &mut impl Words) {
         words.numbers(&mut self.switches);
         for turns in &mut self.turns {
@@ -72,5 +76,6 @@ impl<S: Real, I, const W: usize, const T: usize, L: InWords> InWords for Held<I,
             *turns = number as i32;
         }
         self.of_loops.each(words);
+        self.contact.each(words);
     }
 }

@@ -141,6 +141,13 @@ pub trait Scalar:
     #[must_use]
     fn abs(self) -> Self;
 
+    /// Zero, with the derivatives of this number where it has some.
+    #[inline]
+    #[must_use]
+    fn as_zero(self) -> Self {
+        Self::ZERO
+    }
+
     /// `self < other`.
     fn lt(self, other: Self) -> Self::Mask;
     /// `a` where the mask is set, `b` elsewhere.

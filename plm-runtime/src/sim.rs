@@ -2,6 +2,7 @@
 
 mod changes;
 mod clock;
+mod contacts;
 mod count;
 mod fast;
 mod notice;
@@ -175,9 +176,10 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         if h_alpha > 0.5 {
             return Some(Notice::StiffStabilisation { h_alpha });
         }
-        let conditions = self.stats.passed_over;
-        let long = || Notice::of_errors(&self.stats());
-        long().or_else(|| (conditions > 0).then_some(Notice::PassedOver { conditions }))
+        let (conditions, events) = (self.stats.passed_over, self.contact_stats().ambiguous);
+        Notice::of_errors(&self.stats())
+            .or_else(|| (conditions > 0).then_some(Notice::PassedOver { conditions }))
+            .or_else(|| (events > 0).then_some(Notice::AmbiguousContact { events }))
     }
 
     /// Ends the run, before the step, where a loop passes a pose in which it could go on in several ways; if not, the run

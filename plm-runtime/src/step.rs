@@ -123,7 +123,7 @@ fn arrive<M: Mechanism>(
 
 /// Commits the events at the end of a step.
 fn switched<M: Mechanism>(context: &mut Context<'_, M>, before: M::S) -> Result<(), Fault> {
-    events::switch_at_end(context)?;
+    events::switch_at_end(context, context.time - before)?;
     if !is_before_instants(context.system, &context.held, (before, context.time)) {
         let (mut after, mut x) = (context.held, context.x);
         context.system.switch_at_time(context.time, &mut after, &mut x)?;

@@ -2,6 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 #![allow(clippy::excessive_precision, reason = "the scenes' numbers are written as they were published")]
 
+#[path = "../../plm-runtime/tests/contact/block.rs"]
+#[allow(dead_code)] // Other tests use more of it.
+mod block;
 mod numbers;
 #[path = "../support/random.rs"]
 mod random;
@@ -203,6 +206,20 @@ fn conditions_of_loops_switch_lane_by_lane() {
     }
     bars(AROUND.map(|s| struck_in_loops::FourBars { at: 1.6 + s, ..struck_in_loops::FourBars::new() }));
     bars(AROUND.map(|s| struck_absolute::FourBars { at: 1.6 + s, ..struck_absolute::FourBars::new() }));
+}
+
+/// Each is in modes of its own, and steps by itself.
+#[test]
+fn mechanisms_with_contact_step_by_themselves() {
+    let mechanisms = AROUND.map(|s| block::Block {
+        incline: 0.3 * s,
+        mu: 0.3 + 0.5 * s,
+        e: 0.5 + s,
+        until: 1.0,
+        start: [0.0, 0.5 + s, 0.3 - s, 0.0],
+    });
+    let stats = agree(mechanisms, Rk4::new(1e-3), &[0.1, 0.5, 1.0], unchanged);
+    assert!(stats.iter().all(|stats| stats.switches > 0), "{stats:?}");
 }
 
 #[test]

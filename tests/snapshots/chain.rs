@@ -594,7 +594,7 @@ mod plm_chain_ {
 
         impl<S: Real> Chain<S> {
             fn holding_(input: Input<S>) -> Held<S> {
-                rt::Held { input, switches: [S::lit(1.0); 0], turns: [0; 5], of_loops: () }
+                rt::Held { input, switches: [S::lit(1.0); 0], turns: [0; 5], of_loops: (), contact: () }
             }
 
             fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 10]), Fault> {
@@ -1138,7 +1138,8 @@ mod plm_chain_ {
                 let of_count =
                     |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
                 let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
-                rt::Held { input, switches, turns, of_loops }
+                let contact = ();
+                rt::Held { input, switches, turns, of_loops, contact }
             }
 
             const WATCHED: bool = false;

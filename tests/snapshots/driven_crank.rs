@@ -354,6 +354,7 @@ mod plm_driven_crank_ {
             const REVOLUTIONS: &'static [rt::charts::Revolutions] =
                 &[rt::charts::Revolutions { coordinates: &[&[]], angles: &[1], iterated: &[] }];
             const LOOSE: bool = false;
+            type Contact = ();
             type Continuation = rt::charts::Continuation<S, 0, 2, 1, 0>;
             type Q = [S; 9];
             const CHARTS: usize = 1;
@@ -622,6 +623,7 @@ mod plm_driven_crank_ {
                         chart: 0,
                         continuation: rt::charts::ContinuationData::nothing(),
                     },
+                    contact: (),
                 }
             }
 
@@ -1089,7 +1091,8 @@ mod plm_driven_crank_ {
                 let of_count =
                     |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
                 let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
-                rt::Held { input, switches, turns, of_loops }
+                let contact = ();
+                rt::Held { input, switches, turns, of_loops, contact }
             }
 
             const WATCHED: bool = false;

@@ -366,6 +366,7 @@ mod plm_four_bar_ {
                 rt::charts::Revolutions { coordinates: &[&[], &[0], &[]], angles: &[1], iterated: &[] },
             ];
             const LOOSE: bool = false;
+            type Contact = ();
             type Continuation = rt::charts::Continuation<S, 1, 3, 1, 0>;
             type Q = [S; 9];
             const CHARTS: usize = 3;
@@ -783,6 +784,7 @@ mod plm_four_bar_ {
                         chart: 0,
                         continuation: rt::charts::ContinuationData::nothing(),
                     },
+                    contact: (),
                 }
             }
 
@@ -1265,7 +1267,8 @@ mod plm_four_bar_ {
                 let of_count =
                     |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
                 let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
-                rt::Held { input, switches, turns, of_loops }
+                let contact = ();
+                rt::Held { input, switches, turns, of_loops, contact }
             }
 
             const WATCHED: bool = false;

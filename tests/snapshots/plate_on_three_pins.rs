@@ -450,6 +450,7 @@ mod plm_plate_on_three_pins_ {
             const REVOLUTIONS: &'static [rt::charts::Revolutions] =
                 &[rt::charts::Revolutions { coordinates: &[&[]], angles: &[3], iterated: &[0] }];
             const LOOSE: bool = false;
+            type Contact = ();
             type Continuation = rt::charts::Continuation<S, 0, 4, 1, 4>;
             type Q = [S; 12];
             const CHARTS: usize = 1;
@@ -1020,6 +1021,7 @@ mod plm_plate_on_three_pins_ {
                         chart: 0,
                         continuation: rt::charts::ContinuationData::nothing(),
                     },
+                    contact: (),
                 }
             }
 
@@ -1764,7 +1766,8 @@ mod plm_plate_on_three_pins_ {
                 let of_count =
                     |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
                 let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
-                rt::Held { input, switches, turns, of_loops }
+                let contact = ();
+                rt::Held { input, switches, turns, of_loops, contact }
             }
 
             const WATCHED: bool = false;

@@ -541,7 +541,7 @@ mod plm_slider_crank_ {
 
         impl<S: Real> SliderCrank<S> {
             fn holding_(input: Input<S>) -> Held<S> {
-                rt::Held { input, switches: [S::lit(1.0); 0], turns: [0; 2], of_loops: () }
+                rt::Held { input, switches: [S::lit(1.0); 0], turns: [0; 2], of_loops: (), contact: () }
             }
 
             fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 18]), Fault> {
@@ -955,7 +955,8 @@ mod plm_slider_crank_ {
                 let of_count =
                     |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
                 let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
-                rt::Held { input, switches, turns, of_loops }
+                let contact = ();
+                rt::Held { input, switches, turns, of_loops, contact }
             }
 
             const WATCHED: bool = true;

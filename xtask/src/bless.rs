@@ -16,7 +16,7 @@ struct Text {
 
 const BLESS: Option<(&str, &str)> = Some(("PLM_BLESS", "1"));
 
-const TEXTS: [Text; 11] = [
+const TEXTS: [Text; 12] = [
     Text {
         name: "ui",
         what: "what rustc prints for wrong declarations: tests/ui/**/*.stderr",
@@ -79,6 +79,13 @@ const TEXTS: [Text; 11] = [
         is_compared: false,
         variable: None,
         command: "cargo run --example work_precision -- --redraw docs/src/images/work-precision",
+    },
+    Text {
+        name: "contact-peers",
+        what: "picture and tables of contact beside other programs, of the stored runs",
+        is_compared: false,
+        variable: None,
+        command: "cargo run --example contact_peers -- docs/src/images/contact-peers",
     },
     Text {
         name: "machines",

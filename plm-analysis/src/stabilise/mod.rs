@@ -48,7 +48,8 @@ pub trait Stabilise: Statics + Linear<Lifted<1>: Statics> + System<S = f64> {
     /// [`stabilise`].
     ///
     /// # Errors
-    /// When the mechanism cannot be assembled; [`Cause::Singular`] when its equations are not finite there.
+    /// When the mechanism cannot be assembled; [`Cause::Singular`] when its equations are not finite there; [`Cause::NoContact`] when
+    /// it has rows of contact.
     fn stabilise(self) -> Result<Equilibrium<Self>, Fault> {
         search(self, Setting { time: 0.0, inputs: None })
     }
@@ -78,6 +79,9 @@ where
 }
 
 fn search<M: Stabilise>(of: M, setting: Setting<M>) -> Result<Equilibrium<M>, Fault> {
+    if M::CONTACTS > 0 {
+        return Err(Fault::new(setting.time, Cause::NoContact { by: "stabilise" }));
+    }
     let singular = Fault::new(setting.time, Cause::Singular { rows: Residuals::<M>::NC });
     let (_, before) = Residuals::at_start(of, &setting)?;
     let (mut mechanism, mut iterations, mut stopped) = (of, 0, None);

@@ -19,13 +19,13 @@ use crate::sorted::SortedSet;
 use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
-pub use contact::{Contact, ContactLaw, Impacts};
+pub use contact::{Contact, ContactLaw, Impacts, Reaction};
 pub use held::{Comparison, Counted, Decisions, End, Jump, Steady, Switch};
 pub use instance::{Instance, Size};
 pub use joint::{FrameRef, Pair, Part, Turn};
 pub use step::Step;
 
-use crate::diag::Use;
+use crate::diag::{Code, Use};
 use crate::span::Span;
 use crate::units::{Dimension, DisplayUnit};
 
@@ -321,6 +321,8 @@ pub struct Limit {
     pub unit: String,
     /// It may be zero.
     pub or_zero: bool,
+    /// The code of the mistake that it is where it is known to be wrong.
+    pub code: Code,
     /// Where it was written.
     pub span: Span,
 }

@@ -2,7 +2,7 @@
 
 use crate::collect::CollectVec;
 use crate::library::{DOMAINS, PARTS};
-use crate::model::{Formulation, Repetitions, Step};
+use crate::model::{Formulation, Impacts, Repetitions, Step};
 use crate::resolve::{FUNCTIONS, Member, Owner, RESERVED};
 use crate::sorted::SortedSet;
 use crate::syntax::{BODY_WORDS, INNER_WORDS, item_words};
@@ -35,7 +35,9 @@ pub fn constants() -> [&'static str; 2] {
 pub fn options() -> Vec<&'static str> {
     let formulations = Formulation::NAMES.iter().map(|(name, _)| *name);
     let repetitions = Repetitions::NAMES.iter().map(|(name, _)| *name);
-    formulations.chain(repetitions).chain(Step::NAMES.iter().map(|(name, _)| *name)).collect_vec()
+    let steps = Step::NAMES.iter().map(|(name, _)| *name);
+    let impacts = Impacts::NAMES.iter().map(|(name, _)| *name);
+    formulations.chain(repetitions).chain(steps).chain(impacts).collect_vec()
 }
 
 /// Names of the functions, in the order of their table.

@@ -21,8 +21,8 @@ use token_texts::token_texts;
 /// Disturbed declarations of one run.
 const CASES: u64 = 3000;
 
-/// Right declarations that reach every pass: loops, redundancy, drawing coordinates, states, inputs, parts, repetition.
-const RIGHT: [&str; 3] = [
+/// Right declarations that reach every pass: loops, redundancy, drawing coordinates, states, inputs, parts, repetition, contact.
+const RIGHT: [&str; 4] = [
     "pub FourBar {
         gravity: 9.81 m/s^2; stabilisation: baumgarte(0.1 s); param k: N*m/rad = 2 N*m/rad; input lift: N = 3 N;
         ground { port a: (0, 0) m; port d: (1, 0) m, angle: 30 deg; }
@@ -61,6 +61,20 @@ const RIGHT: [&str; 3] = [
         let length = norm(bar[2].b.position) / max(abs(bar[0].x), 1 mm);
         output length, hook.force, bar[1].y;
         repeat i in 0..2 { observe bar[i], pin[i + 1]; }
+    }",
+    "pub Walker {
+        gravity: 9.81 m/s^2; impacts: newton; param e: 1 = 0.2; input grip: N = 4 N;
+        part foot(sole: frame) { param mu: 1; unilateral gap: sole.y >= 0 { restitution: 0.1; } friction slip: rate(sole.x) within mu*reaction(gap) { static: 2*mu*reaction(gap) + 1 N; } output push = reaction(gap); }
+        ground { port o: (0, 1) m; }
+        body leg { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0.5) m; port b: (0, -0.5) m; start angle: 10 deg; }
+        body toe { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0.2) m; port b: (0.1, -0.2) m; start x: 2 m; }
+        revolute hip(ground.o, leg.a);
+        foot left(leg.b) { mu: 0.3; }
+        foot right(toe.b) { mu: 0.5; }
+        unilateral knee: leg.angle <= 40 deg { restitution: e; }
+        friction belt: rate(leg.angle) within -1 N*m .. 0.2 m*grip;
+        output left.push, belt = reaction(belt), toe.ay;
+        observe right, leg;
     }",
 ];
 

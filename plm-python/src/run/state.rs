@@ -41,7 +41,8 @@ impl<M: Runnable> Run<M> {
         let (held, x) = if <M::U as plm_runtime::held::Discrete>::CHARTED {
             closed::<M>(state, &x)?
         } else {
-            let mut x = x;
+            let (mut held, mut x) = (held, x);
+            state.mechanism().state_was_set(time, &mut held, &mut x)?;
             state.mechanism().project(time, &held, &mut x)?;
             (held, x)
         };

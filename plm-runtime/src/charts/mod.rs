@@ -32,7 +32,16 @@ use crate::vector::Vector;
 
 /// A mechanism whose loops are solved in closed form; implemented by generated code.
 pub trait Charted:
-    System<U = Held<Self::Input, Self::Switches, Self::Turns, OfLoops<Self::Continuation, Self::Q>>, S: Real>
+    System<
+        U = Held<
+            Self::Input,
+            Self::Switches,
+            Self::Turns,
+            OfLoops<Self::Continuation, Self::Q>,
+            Self::Contact,
+        >,
+        S: Real,
+    >
 {
     /// The inputs.
     type Input: Copy;
@@ -40,6 +49,8 @@ pub trait Charted:
     type Switches: Copy;
     /// Whole turns, by count.
     type Turns: Copy + AsMut<[i32]>;
+    /// What is held of the contact rows.
+    type Contact: Copy;
     /// Continuation data, a [`Continuation`].
     type Continuation: ContinuationData<Self::S>;
     /// Pose or velocity of all bodies.

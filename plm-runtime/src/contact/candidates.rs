@@ -1,9 +1,10 @@
 //! The next modes of the rows, by enumeration: multipliers and accelerations (or impulses and rates) of every combination, and all
 //! inequalities (F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts, Wiley 1996).
 
+use super::loads::Load;
 use super::margins::stick;
 use super::modes::Mode;
-use super::multipliers::multipliers;
+use super::multipliers::{Multipliers, multipliers};
 use super::rows::Rows;
 use crate::linalg::Lu;
 use crate::scalar::Real;
@@ -49,6 +50,8 @@ pub(super) struct Solution<S, const N: usize> {
     pub(super) modes: [Mode; N],
     /// Rows that rest although they are no constraints: others hold them.
     pub(super) carried: [bool; N],
+    /// Signs of the reactions that bound frictions.
+    pub(super) negative: [bool; N],
     pub(super) lambda: [S; N],
     pub(super) determinant: S,
     /// How far the rows that hold are from their limits, as a share of the terms of their forces.
@@ -169,8 +172,31 @@ pub(super) fn is_off<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; 
     let (kinetic, adhesion) = (&rows.kinetic[row], &rows.adhesion[row]);
     [&kinetic.lower, &kinetic.upper, &adhesion.lower, &adhesion.upper].iter().all(|limit| {
         let is_open = |(k, by): (usize, &S)| *by == S::ZERO || matches!(modes[k], Mode::Open | Mode::Off);
-        limit.own == S::ZERO && limit.by.iter().enumerate().all(is_open)
+        let is_own = limit.own != S::ZERO || limit.share != S::ZERO;
+        !is_own && limit.by.iter().enumerate().all(is_open)
     })
+}
+
+/// The multipliers of a combination, and the rows with the signs that reactions have with them.
+fn signed<S: Real, const N: usize>(
+    rows: &Rows<S, N>,
+    modes: &[Mode; N],
+) -> Option<(Rows<S, N>, Multipliers<S, N>)> {
+    let (mut rows, mut flips) = (*rows, 0);
+    loop {
+        let found = multipliers(&rows, modes)?;
+        let is_wrong = |row: &usize| {
+            let none = S::lit(MARGINAL) * rows.terms(*row, &found.lambda);
+            matches!(rows.load[*row], Load::Line { .. }) && rows.size(*row, &found.lambda) < -none
+        };
+        let Some(row) = (0..N).find(is_wrong).filter(|_| flips <= 2 * N) else {
+            return Some((rows, found));
+        };
+        if let Load::Line { negative } = &mut rows.load[row] {
+            *negative = !*negative;
+        }
+        flips += 1;
+    }
 }
 
 /// Multipliers and accelerations of a combination, and its inequalities.
@@ -179,11 +205,12 @@ fn solve<S: Real, const N: usize>(
     allowed: &[Allowed; N],
     modes: [Mode; N],
 ) -> Option<(Solution<S, N>, Margins<S, N>)> {
-    let found = multipliers(rows, &modes)?;
+    let (rows, found) = &signed(rows, &modes)?;
     let lambda = found.lambda;
     let acceleration = core::array::from_fn(|i| rows.acceleration(i, &lambda));
     let (determinant, slack, carried) = (found.determinant, S::lit(1.0), [false; N]);
-    let mut solution = Solution { modes, carried, lambda, determinant, slack, acceleration };
+    let negative = rows.load.map(Load::is_negative);
+    let mut solution = Solution { modes, carried, negative, lambda, determinant, slack, acceleration };
     let mut margins = Margins { value: [S::ZERO; N], size: [None; N] };
     for (i, mode) in modes.iter().enumerate() {
         let rests = matches!(allowed[i], Allowed::Touching | Allowed::Resting);

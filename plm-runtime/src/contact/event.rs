@@ -7,16 +7,16 @@
 
 use super::candidates::{Allowed, Found, MARGINAL, Margins, Solution, enumerate};
 use super::impact::{ImpactLaw, Impulses, impulses};
-use super::margins::{PER_ROW, margins, stick};
+use super::loads::Load;
+use super::margins::{PER_ROW, SIGN, margins, stick};
 use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
-use super::project::stop;
+use super::project::{project, stop};
 use super::rows::{Law, Rows};
-use super::{Contacts, moved, rows_at};
+use super::{Contacts, Modal, lambda_of, moved};
 use crate::dual::Dual;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
-use crate::system::Events;
 use crate::vector::Vector;
 
 /// A gap below this fraction of the length of the mechanism is closed.
@@ -33,6 +33,8 @@ const MOST_IMPACTS: u32 = 30;
 const MOST_PAIRS: u32 = 1000;
 /// A margin that is zero within this time is zero, s: times of events are known so well.
 const AT_ONCE: f64 = 1e-10;
+/// A margin of this fraction of its terms is never marginal: near a pose where a row has no direction rates have no bound.
+const MOST_MARGINAL: f64 = 1e-4;
 /// The rate of a margin is none below this fraction of its terms.
 const NO_RATE: f64 = 1e-9;
 
@@ -41,8 +43,12 @@ const NO_RATE: f64 = 1e-9;
 pub struct Outcome {
     /// Impacts.
     pub impacts: u32,
+    /// Gaps that were open before and are closed from now on; none where a run begins.
+    pub closures: u32,
     /// The rows may go on with other accelerations as well.
     pub is_ambiguous: bool,
+    /// More rows rest than there are freedoms: accelerations are unique, multipliers are not.
+    pub is_undetermined: bool,
 }
 
 /// Commits the event of the guard `index`: impacts, and the modes that apply from now on.
@@ -56,7 +62,45 @@ pub fn switch<M: Contacts<N>, const N: usize>(
     x: &mut M::X,
     index: usize,
 ) -> Result<Outcome, Fault> {
-    Event { system, t, due: Some(index / PER_ROW).filter(|row| *row < N) }.commit(u, x)
+    switch_behind(system, t, u, x, (index, M::S::ZERO))
+}
+
+/// The same where the guard has passed zero within a step of the length `step`, s, that was not ended there: a slip that the row can
+/// have got since, and a flight as short as a step, are none.
+///
+/// # Errors
+/// As [`switch`].
+pub fn switch_behind<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: M::S,
+    u: &mut M::U,
+    x: &mut M::X,
+    (index, step): (usize, M::S),
+) -> Result<Outcome, Fault> {
+    let due = Some(index / PER_ROW).filter(|row| *row < N);
+    if let Some(row) = due.filter(|_| index % PER_ROW == SIGN) {
+        // It is zero: the way that it goes decides.
+        let lambda = lambda_of(&system.rows_at(t, u, x), u.modes());
+        let rows = moving_rows(system, (t, u), x, &lambda);
+        let lambda = multipliers(&rows, &u.modes().of).map_or([Dual::ZERO; N], |found| found.lambda);
+        let [reaction, _] = rows.reaction_at(row, &lambda);
+        u.modes_mut().negative[row] = reaction.tangents[0] < M::S::ZERO;
+    }
+    let turns = index % PER_ROW == SIGN;
+    Event { system, t, due, turns, step, begins: false }.commit(u, x)
+}
+
+/// Finds the modes anew behind an event that is none of the rows: forces, motions or parameters may have jumped.
+///
+/// # Errors
+/// As [`switch`].
+pub fn update<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: M::S,
+    u: &mut M::U,
+    x: &mut M::X,
+) -> Result<Outcome, Fault> {
+    Event { system, t, due: None, turns: false, step: M::S::ZERO, begins: false }.commit(u, x)
 }
 
 /// Finds the modes of a state where a run begins.
@@ -69,8 +113,8 @@ pub fn begin<M: Contacts<N>, const N: usize>(
     u: &mut M::U,
     x: &mut M::X,
 ) -> Result<Outcome, Fault> {
-    let event = Event { system, t, due: None };
-    let rows = rows_at(system, t, u, x);
+    let event = Event { system, t, due: None, turns: false, step: M::S::ZERO, begins: true };
+    let rows = system.rows_at(t, u, x);
     let deepest = (0..N)
         .filter(|i| system.law(*i).is_unilateral())
         .reduce(|a, b| if rows.gap[b] < rows.gap[a] { b } else { a });
@@ -86,16 +130,25 @@ struct Event<'a, M: Contacts<N>, const N: usize> {
     t: M::S,
     /// The row whose guard has passed zero.
     due: Option<usize>,
+    /// It was that of the sign of its reaction.
+    turns: bool,
+    /// How long ago it may have done so, s.
+    step: M::S,
+    /// A run begins.
+    begins: bool,
 }
 
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     fn commit(&self, u: &mut M::U, x: &mut M::X) -> Result<Outcome, Fault> {
         let laws = core::array::from_fn(|row| self.system.law(row));
+        let rows = self.system.rows_at(self.t, u, x);
         // Before the impacts, behind which rates may be rounding alone.
-        let none = rounding(&rows_at(self.system, self.t, u, x));
-        let impacts = self.impacts(&laws, none, u, x)?;
-        let rows = rows_at(self.system, self.t, u, x);
-        let allowed = self.allowed(&laws, none, &rows, u);
+        let none = rounding(&rows);
+        let (mut rows, impacts) = self.impacts(&laws, (none, rows), u, x)?;
+        if let Some(row) = self.due.filter(|_| self.turns) {
+            rows.load[row] = Load::Turned { negative: u.modes().negative[row] };
+        }
+        let allowed = self.allowed(&laws, (none, impacts), &rows, u);
         let (solution, is_ambiguous) = match enumerate(&rows, &allowed, |solution, margins| {
             self.admits(u, x, solution, margins)
         }) {
@@ -109,25 +162,45 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
                 );
             }
         };
-        let place = rows.gap;
+        let before = *u.modes();
         let orientation = if solution.determinant < M::S::ZERO { M::S::lit(-1.0) } else { M::S::lit(1.0) };
-        *M::modes_mut(u) = Modes { of: solution.modes, carried: solution.carried, place, orientation };
-        stop(self.system, self.t, u, x);
-        Ok(Outcome { impacts, is_ambiguous })
+        let Solution { modes: of, carried, negative, .. } = solution;
+        // One that sticks on stays in its place.
+        let sticks_on = |i: usize| before.of[i] == Mode::Sticks && of[i] == Mode::Sticks;
+        let place = core::array::from_fn(|i| if sticks_on(i) { before.place[i] } else { rows.gap[i] });
+        let after = Modes { of, carried, place, orientation, negative };
+        *u.modes_mut() = after;
+        // A gap that closes may be a tolerance away from zero: no step is to find that. One that is farther away is left to the steps.
+        let is_near = |i: usize| of[i] != Mode::Closed || rows.gap[i].abs() <= self.closed();
+        if (0..N).all(is_near) {
+            project(self.system, self.t, u, x)?;
+        } else {
+            stop(self.system, (self.t, u, &rows), x);
+        }
+        let closes = |i: &usize| laws[*i].is_unilateral() && before.is_open(*i) && !after.is_open(*i);
+        let closures = if self.begins { 0 } else { (0..N).filter(closes).count() as u32 };
+        let outcome = Outcome { impacts, closures, is_ambiguous, is_undetermined: after.are_undetermined() };
+        u.count(&outcome, self.begins);
+        Ok(outcome)
     }
 
-    /// Impacts of all rows that touch, until none approaches.
-    fn impacts(&self, laws: &[Law<M::S>; N], none: M::S, u: &M::U, x: &mut M::X) -> Result<u32, Fault> {
+    /// Impacts of all rows that touch, until none approaches; gives the rows behind them, and how many impacts there were.
+    fn impacts(
+        &self,
+        laws: &[Law<M::S>; N],
+        (none, mut rows): (M::S, Rows<M::S, N>),
+        u: &M::U,
+        x: &mut M::X,
+    ) -> Result<(Rows<M::S, N>, u32), Fault> {
         let law = self.system.impact_law();
         let most = if law == ImpactLaw::Sequential { MOST_PAIRS } else { MOST_IMPACTS };
         let mut count = 0;
         loop {
-            let rows = rows_at(self.system, self.t, u, x);
             let touches = self.touches(laws, &rows, u);
             let approaches = |i: &usize| {
                 touches[*i] && laws[*i].is_unilateral() && rows.rate[*i] < -self.resting(&rows, *i).max(none)
             };
-            let Some(row) = (0..N).find(approaches) else { return Ok(count) };
+            let Some(row) = (0..N).find(approaches) else { return Ok((rows, count)) };
             if count >= most {
                 return Err(self.fault(row, Cause::Impact { tried: count }));
             }
@@ -136,12 +209,13 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
                 return Err(self.fault(row, Cause::Impact { tried: count }));
             };
             moved(self.system, (self.t, u), x, &impulses);
+            rows = self.system.rows_at(self.t, u, x);
         }
     }
 
     /// Gaps that are closed, and frictions.
     fn touches(&self, laws: &[Law<M::S>; N], rows: &Rows<M::S, N>, u: &M::U) -> [bool; N] {
-        let modes = M::modes(u);
+        let modes = u.modes();
         core::array::from_fn(|i| {
             let was_closed = modes.of[i] == Mode::Closed || modes.carried[i];
             !laws[i].is_unilateral() || was_closed || self.due == Some(i) || rows.gap[i] <= self.closed()
@@ -149,14 +223,27 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     }
 
     /// The modes that each row may have, by its gap and its rate.
-    fn allowed(&self, laws: &[Law<M::S>; N], none: M::S, rows: &Rows<M::S, N>, u: &M::U) -> [Allowed; N] {
+    fn allowed(
+        &self,
+        laws: &[Law<M::S>; N],
+        (none, impacts): (M::S, u32),
+        rows: &Rows<M::S, N>,
+        u: &M::U,
+    ) -> [Allowed; N] {
         let touches = self.touches(laws, rows, u);
         core::array::from_fn(|i| {
+            let is_due = self.due == Some(i);
             if laws[i].is_unilateral() {
-                let rests = touches[i] && rows.rate[i] <= self.resting(rows, i).max(none);
+                let short = if is_due { self.short(rows, i) } else { M::S::ZERO };
+                let rests = touches[i] && rows.rate[i] <= self.resting(rows, i).max(none).max(short);
                 return if rests { Allowed::Touching } else { Allowed::Only(Mode::Open) };
             }
-            let none = none.max(self.no_slip(rows, u));
+            let since = if is_due && impacts == 0 && u.modes().of[i].slips() {
+                self.step * acceleration::<M, N>(rows, u)
+            } else {
+                M::S::ZERO
+            };
+            let none = none.max(self.no_slip(rows, u)).max(since);
             match rows.rate[i] {
                 slip if slip > none => Allowed::Only(Mode::Forwards),
                 slip if slip < -none => Allowed::Only(Mode::Backwards),
@@ -168,16 +255,9 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     /// Are the inequalities of a combination met, those that are marginal also from here on?
     fn admits(&self, u: &M::U, x: &M::X, solution: &Solution<M::S, N>, margins: &Margins<M::S, N>) -> bool {
         let mut held = *u;
-        let modes = M::modes_mut(&mut held);
-        (modes.of, modes.carried) = (solution.modes, solution.carried);
-        let mut motion = *x;
-        let _ = self.system.free_rate(self.t, &held, x, &mut motion);
-        let response = self.system.response(self.t, &held, x, &solution.lambda);
-        motion.add([(M::S::lit(1.0), &response)]);
-        let rows: Rows<Dual<M::S, 1>, N> = self
-            .system
-            .rows(Dual::variable(self.t, 0), &held, &|i| Dual { value: x.at(i), tangents: [motion.at(i)] });
-        go_on(&rows, solution, margins)
+        let modes = held.modes_mut();
+        (modes.of, modes.carried, modes.negative) = (solution.modes, solution.carried, solution.negative);
+        go_on(&moving_rows(self.system, (self.t, &held), x, &solution.lambda), solution, margins)
     }
 
     fn closed(&self) -> M::S {
@@ -190,21 +270,16 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         (M::S::lit(2.0) * rows.free[row].abs() * height).sqrt()
     }
 
-    /// Slower than this a friction does not slip.
-    fn no_slip(&self, rows: &Rows<M::S, N>, u: &M::U) -> M::S {
-        let speed = (Self::acceleration(rows, u) * self.system.length()).sqrt();
-        M::S::lit(NO_SLIP) * speed
+    /// Slower than this the flight of a row whose impact was not located would end within a step, or below zero where it has begun.
+    fn short(&self, rows: &Rows<M::S, N>, row: usize) -> M::S {
+        let (zero, pull) = (M::S::ZERO, rows.free[row].abs());
+        let depth = if self.step > zero { (-rows.gap[row]).max(zero) } else { zero };
+        (M::S::lit(0.5) * self.step * pull).max((M::S::lit(2.0) * pull * depth).sqrt())
     }
 
-    /// The largest term of an acceleration of the rows, with the forces of the modes until now.
-    fn acceleration(rows: &Rows<M::S, N>, u: &M::U) -> M::S {
-        let lambda = multipliers(rows, &M::modes(u).of).map_or([M::S::ZERO; N], |found| found.lambda);
-        (0..N).fold(M::S::ZERO, |largest, i| {
-            let terms = rows.delassus[i].iter().zip(&lambda);
-            terms.fold(largest.max(rows.free[i].abs()), |largest, (d, lambda)| {
-                largest.max((*d * *lambda).abs())
-            })
-        })
+    /// Slower than this a friction does not slip.
+    fn no_slip(&self, rows: &Rows<M::S, N>, u: &M::U) -> M::S {
+        M::S::lit(NO_SLIP) * speed(self.system, rows, u)
     }
 
     /// The row that a fault names.
@@ -214,8 +289,37 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     }
 
     fn fault(&self, row: usize, cause: Cause) -> Fault {
-        Fault::of_part(self.t.to_f64(), self.system.row_name(row), cause)
+        Fault::of_part(self.t.to_f64(), self.system.contact_name(row), cause)
     }
+}
+
+/// The speed that the accelerations of the rows give over the length of the mechanism.
+pub(super) fn speed<M: Contacts<N>, const N: usize>(system: &M, rows: &Rows<M::S, N>, u: &M::U) -> M::S {
+    (acceleration::<M, N>(rows, u) * system.length()).sqrt()
+}
+
+/// The largest term of an acceleration of the rows, with the forces of the modes until now.
+fn acceleration<M: Contacts<N>, const N: usize>(rows: &Rows<M::S, N>, u: &M::U) -> M::S {
+    let lambda = multipliers(rows, &u.modes().of).map_or([M::S::ZERO; N], |found| found.lambda);
+    (0..N).fold(M::S::ZERO, |largest, i| {
+        let terms = rows.delassus[i].iter().zip(&lambda);
+        terms.fold(largest.max(rows.free[i].abs()), |largest, (d, lambda)| largest.max((*d * *lambda).abs()))
+    })
+}
+
+/// The rows with their rates of change, where contact forces are `lambda`.
+fn moving_rows<M: Contacts<N>, const N: usize>(
+    system: &M,
+    (t, u): (M::S, &M::U),
+    x: &M::X,
+    lambda: &[M::S; N],
+) -> Rows<Dual<M::S, 1>, N> {
+    let mut motion = *x;
+    let _ = system.free_rate(t, u, x, &mut motion);
+    let response = system.response(t, u, x, lambda);
+    motion.add([(M::S::lit(1.0), &response)]);
+    let moving = |i: usize| Dual { value: x.at(i), tangents: [motion.at(i)] };
+    system.rows(Dual::variable(t, 0), u, &moving, &Dual::constant)
 }
 
 /// Rounding of the rates.
@@ -238,21 +342,35 @@ fn go_on<S: Real, const N: usize>(
     let lambda = found.lambda;
     (0..N).all(|i| {
         let (value, Some(terms)) = (margins.value[i], margins.size[i]) else { return true };
-        let acceleration = rows.acceleration(i, &lambda);
-        let (margin, size) = match solution.modes[i] {
-            Mode::Closed => (lambda[i], size(rows, i, &lambda) / rows.delassus[i][i].value),
+        // Forces times D_ii: where a row has no direction D is zero, and the force that would hold it has no end.
+        let (acceleration, own) = (rows.acceleration(i, &lambda), rows.delassus[i][i]);
+        let (margin, to_acceleration) = match solution.modes[i] {
+            Mode::Closed => (held_force(rows, i, &lambda)[i], own.value),
             Mode::Sticks => {
-                let [lower, upper] = stick(rows, i, &lambda);
-                let nearer = if lower.value < upper.value { lower } else { upper };
-                (nearer, size(rows, i, &lambda) / rows.delassus[i][i].value)
+                let [lower, upper] = stick(&rows.times(i, own), i, &held_force(rows, i, &lambda));
+                (if lower.value < upper.value { lower } else { upper }, own.value)
             }
-            Mode::Backwards => (-acceleration, size(rows, i, &lambda)),
-            _ => (acceleration, size(rows, i, &lambda)),
+            Mode::Backwards => (-acceleration, S::lit(1.0)),
+            _ => (acceleration, S::lit(1.0)),
         };
-        let slope = margin.tangents[0];
-        let none = (S::lit(MARGINAL) * terms).max(S::lit(AT_ONCE) * slope.abs());
+        let (value, terms) = (value * to_acceleration, terms * to_acceleration);
+        let (slope, size) = (margin.tangents[0], size(rows, i, &lambda));
+        let at_once = (S::lit(AT_ONCE) * slope.abs()).min(S::lit(MOST_MARGINAL) * terms);
+        let none = (S::lit(MARGINAL) * terms).max(at_once);
         value > none || value >= -none && slope >= -S::lit(NO_RATE) * size
     })
+}
+
+/// Multipliers times D_ii, that of the row i itself from its equation: D_ii lambda_i = -(c_i + sum over j != i of D_ij lambda_j).
+fn held_force<S: Real, const N: usize>(
+    rows: &Rows<Dual<S, 1>, N>,
+    i: usize,
+    lambda: &[Dual<S, 1>; N],
+) -> [Dual<S, 1>; N] {
+    let others = core::array::from_fn(|j| if j == i { Dual::ZERO } else { lambda[j] });
+    let mut forces = others.map(|lambda| lambda * rows.delassus[i][i]);
+    forces[i] = -rows.acceleration(i, &others);
+    forces
 }
 
 /// The size of the terms of the rate of an acceleration.
@@ -264,16 +382,18 @@ fn size<S: Real, const N: usize>(rows: &Rows<Dual<S, 1>, N>, row: usize, lambda:
     terms.fold(rows.free[row].value.abs() + rows.free[row].tangents[0].abs(), moved)
 }
 
-/// Guards of the rows in the modes held, for [`Events::guards`].
-pub fn guards<M: Contacts<N> + Events, const N: usize>(
+/// Guards of the rows in the modes held, for [`Events::guards`](crate::Events::guards): gives each of the
+/// [`guard_count`](super::guard_count) with its index.
+pub fn guards<M: Contacts<N>, const N: usize>(
     system: &M,
     t: M::S,
     u: &M::U,
     x: &M::X,
-    g: &mut M::G,
+    each: &mut impl FnMut(usize, M::S),
 ) {
-    let (rows, modes) = (rows_at(system, t, u, x), M::modes(u));
-    if !margins(&rows, (modes, modes.orientation), &mut |i, margin| g.set(i, margin)) {
-        g.set(PER_ROW * N, M::S::lit(-1.0));
+    let (rows, modes) = (system.rows_at(t, u, x), u.modes());
+    if !margins(&rows, (modes, modes.orientation), each) {
+        (0..PER_ROW * N).for_each(|index| each(index, M::S::ZERO));
+        each(PER_ROW * N, M::S::lit(-1.0));
     }
 }

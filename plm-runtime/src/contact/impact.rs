@@ -58,6 +58,7 @@ fn without_own_limits<S: Real, const N: usize>(rows: &Rows<S, N>) -> Rows<S, N> 
     for friction in problem.kinetic.iter_mut().chain(&mut problem.adhesion) {
         (friction.lower.own, friction.upper.own) = (S::ZERO, S::ZERO);
     }
+    problem.reaction.as_flattened_mut().iter_mut().for_each(|reaction| reaction.own = S::ZERO);
     problem
 }
 
@@ -103,6 +104,9 @@ fn poisson<S: Real, const N: usize>(
             for limit in [&mut friction.lower, &mut friction.upper] {
                 *limit = Limit { own: limit.at(&back), ..*limit };
             }
+        }
+        for reaction in &mut expansion.reaction[i] {
+            reaction.own = reaction.at(&back);
         }
     }
     match solve(&expansion, laws, touches) {

@@ -1,14 +1,17 @@
 //! Margins of the modes: numbers that are positive as long as a mode applies.
 
+use super::loads::Load;
 use super::modes::{Mode, Modes};
 use super::multipliers::{Multipliers, multipliers};
 use super::rows::Rows;
 use crate::scalar::Scalar;
 
-/// Margins of each row. A row that sticks has two, for the limits to both sides.
-pub const PER_ROW: usize = 2;
+/// Margins of each row. A friction that sticks has two, for the limits to both sides, and one for the sign of its reaction.
+pub const PER_ROW: usize = 3;
+/// The place of the last one among them.
+pub(super) const SIGN: usize = 2;
 
-/// The number of guards that `rows` contact rows have: two each, and the determinant of the active rows.
+/// The number of guards that `rows` contact rows have: three each, and the determinant of the active rows.
 #[must_use]
 pub const fn guard_count(rows: usize) -> usize {
     PER_ROW * rows + 1
@@ -33,6 +36,8 @@ pub(super) fn margins<T: Scalar, const N: usize>(
         };
         each(PER_ROW * row, first);
         each(PER_ROW * row + 1, second);
+        let is_bounded = matches!(rows.load[row], Load::Line { .. }) && !matches!(mode, Mode::Off);
+        each(PER_ROW * row + SIGN, if is_bounded { rows.size(row, &lambda) } else { far });
     }
     each(PER_ROW * N, orientation * determinant);
     true
@@ -41,5 +46,6 @@ pub(super) fn margins<T: Scalar, const N: usize>(
 /// How far a row that sticks is from either limit.
 pub(super) fn stick<T: Scalar, const N: usize>(rows: &Rows<T, N>, row: usize, lambda: &[T; N]) -> [T; 2] {
     let adhesion = &rows.adhesion[row];
-    [lambda[row] + adhesion.lower.at(lambda), adhesion.upper.at(lambda) - lambda[row]]
+    let [lower, upper] = [&adhesion.lower, &adhesion.upper].map(|limit| rows.limit(row, limit, lambda));
+    [lambda[row] + lower, upper - lambda[row]]
 }

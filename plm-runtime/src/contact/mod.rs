@@ -6,50 +6,65 @@
 //! Unilateral Contacts, 1996; V. Acary, B. Brogliato, Numerical Methods for Nonsmooth Dynamical Systems, 2008).
 //!
 //! A system has [`Contacts`], and its contracts call the functions of this module: [`rate`], [`guards`], [`guards_within`], [`switch`],
-//! [`project`], [`drift`], [`begin`].
+//! [`switch_behind`], [`state_was_set`], [`update`], [`project`], [`drift`], [`begin`].
 
 mod candidates;
+mod changed;
 mod event;
+mod held;
 mod impact;
+mod loads;
 mod margins;
 mod modes;
 mod multipliers;
 mod project;
 mod rows;
+mod status;
 
-pub use self::event::{Outcome, begin, guards, switch};
+pub use self::changed::state_was_set;
+pub use self::event::{Outcome, begin, guards, switch, switch_behind, update};
+pub use self::held::{Held, Modal};
 pub use self::impact::ImpactLaw;
+pub use self::loads::{Affine, Load};
 pub use self::margins::{PER_ROW, guard_count};
 pub use self::modes::{Mode, Modes};
 pub use self::project::{drift, project};
 pub use self::rows::{Friction, Law, Limit, Rows};
+pub use self::status::{Counts, Status};
 use crate::enclosure::Enclosed;
+use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
-use crate::system::{Health, Rate};
+use crate::system::{Drift, Health, Rate, System};
 use crate::vector::Vector;
 
 /// Free accelerations and those of contact forces balance within so many roundings.
 const BALANCE_ULPS: f64 = 32.0;
 
-/// A system with `N` contact rows.
-pub trait Contacts<const N: usize>: Rate<S: Real> {
+/// A system with `N` contact rows. Its discrete state has their [`Modes`].
+pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, N>> {
     /// What a row says.
     fn law(&self, row: usize) -> Law<Self::S>;
 
-    /// Gaps, rates, free accelerations, D and limits of all rows, in any numbers: time and state are given in them.
-    fn rows<T: Scalar>(&self, t: T, u: &Self::U, x: &impl Fn(usize) -> T) -> Rows<T, N>;
+    /// Gaps, rates, free accelerations, D and limits of all rows, in any numbers: time and state are given in them, and `constant` makes
+    /// one of a parameter or an input. They do not depend on the modes.
+    fn rows<T: Scalar>(
+        &self,
+        t: T,
+        u: &Self::U,
+        x: &impl Fn(usize) -> T,
+        constant: &impl Fn(Self::S) -> T,
+    ) -> Rows<T, N>;
+
+    /// The rows in the numbers of the system.
+    fn rows_at(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Rows<Self::S, N> {
+        self.rows(t, u, &|i| x.at(i), &|number| number)
+    }
 
     /// The rate of the state without contact forces.
     fn free_rate(&self, t: Self::S, u: &Self::U, x: &Self::X, dx: &mut Self::X) -> Health<Self::S>;
 
     /// What contact forces add to the rate: M^-1 W^T lambda in the places of the velocities, zero elsewhere.
     fn response(&self, t: Self::S, u: &Self::U, x: &Self::X, lambda: &[Self::S; N]) -> Self::X;
-
-    /// The modes in the discrete state.
-    fn modes(u: &Self::U) -> &Modes<Self::S, N>;
-
-    /// The modes in the discrete state, to be changed.
-    fn modes_mut(u: &mut Self::U) -> &mut Modes<Self::S, N>;
 
     /// The law of impact.
     fn impact_law(&self) -> ImpactLaw {
@@ -61,27 +76,31 @@ pub trait Contacts<const N: usize>: Rate<S: Real> {
         Self::S::lit(1.0)
     }
 
-    /// The name of a row, for faults.
-    fn row_name(&self, row: usize) -> &'static str {
-        let _ = row;
-        ""
+    /// Projects the state onto the constraints of the joints, where there are some.
+    ///
+    /// # Errors
+    /// When the projection does not converge.
+    fn project_joints(&self, t: Self::S, u: &Self::U, x: &mut Self::X) -> Result<(), Fault> {
+        let _ = (t, u, x);
+        Ok(())
     }
-}
 
-/// The rows at a state.
-pub fn rows_at<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &M::X) -> Rows<M::S, N> {
-    system.rows(t, u, &|i| x.at(i))
+    /// How far the state is from the constraints of the joints.
+    fn drift_of_joints(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Drift<Self::S> {
+        let _ = (t, u, x);
+        Drift { phi: Self::S::ZERO, phi_dot: Self::S::ZERO }
+    }
 }
 
 /// The multipliers at a state in the modes held: pushes and frictions, N or N m. Not a number where they are not unique.
 pub fn reactions<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &M::X) -> [M::S; N] {
-    lambda_of(&rows_at(system, t, u, x), M::modes(u))
+    lambda_of(&system.rows_at(t, u, x), u.modes())
 }
 
 /// The multipliers in the modes held; not a number where they are not unique.
-fn lambda_of<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &Modes<S, N>) -> [S; N] {
+fn lambda_of<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &Modes<T, N>) -> [T; N] {
     let found = multipliers::multipliers(rows, &modes.of);
-    found.map_or([S::lit(f64::NAN); N], |found| found.lambda)
+    found.map_or([T::lit(f64::NAN); N], |found| found.lambda)
 }
 
 /// The rate with the contact forces of the modes held, for [`Rate::rate`].
@@ -93,25 +112,45 @@ pub fn rate<M: Contacts<N>, const N: usize>(
     dx: &mut M::X,
 ) -> Health<M::S> {
     let health = system.free_rate(t, u, x, dx);
-    let response = system.response(t, u, x, &without_noise(system, t, u, x));
-    *dx = dx.map2(&response, balanced);
+    let lambda = without_noise(&system.rows_at(t, u, x), u.modes());
+    let response = system.response(t, u, x, &lambda);
+    *dx = dx.map2(&response, |free, response| balanced(free + response, response));
     health
 }
 
-/// The multipliers, without those that are rounding of the others: lambda_i sqrt(D_ii) has the same unit in every row.
-fn without_noise<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &M::X) -> [M::S; N] {
-    let rows = rows_at(system, t, u, x);
-    let lambda = lambda_of(&rows, M::modes(u));
-    let sizes: [M::S; N] = core::array::from_fn(|i| lambda[i].abs() * rows.delassus[i][i].sqrt());
-    let least = sizes.iter().fold(M::S::ZERO, |largest, size| largest.max(*size));
-    let least = M::S::lit(BALANCE_ULPS) * M::S::EPSILON * least;
-    core::array::from_fn(|i| if sizes[i] <= least { M::S::ZERO } else { lambda[i] })
+/// The discrete state with the multipliers of a moment, in the modes held: a generated rate computes with it. They are not
+/// numbers where they are not unique.
+#[must_use]
+pub fn with_multipliers<T: Scalar, const N: usize>(rows: &Rows<T, N>, held: &Held<T, N>) -> Held<T, N> {
+    Held { lambda: without_noise(rows, &held.modes), ..*held }
 }
 
-/// The sum of two accelerations; zero where they balance but for rounding, so that what is held stays where it is.
-fn balanced<S: Real>(free: S, response: S) -> S {
-    let sum = free + response;
-    if sum.abs() <= S::lit(BALANCE_ULPS) * S::EPSILON * response.abs() { S::ZERO } else { sum }
+/// The multipliers, without those that are rounding of the others: lambda_i sqrt(D_ii) has the same unit in every row.
+fn without_noise<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &Modes<T, N>) -> [T; N] {
+    let lambda = lambda_of(rows, modes);
+    let sizes: [T; N] = core::array::from_fn(|i| lambda[i].abs() * rows.delassus[i][i].sqrt());
+    let largest = sizes.iter().fold(T::ZERO, |largest, size| largest.max(*size));
+    let least = T::lit(BALANCE_ULPS * T::PRECISION) * largest;
+    // One that is not a number stays so.
+    core::array::from_fn(|i| T::select(sizes[i].lt(least), lambda[i].as_zero(), lambda[i]))
+}
+
+/// Takes accelerations that are rounding out of a rate that a generated mechanism has computed with these multipliers, so that what
+/// is held stays where it is. `response` gives what multipliers add to the rate.
+pub fn settle<T: Scalar, X: Vector<T>, const N: usize>(
+    dx: &mut X,
+    held: &Held<T, N>,
+    response: impl FnOnce(&[T; N]) -> X,
+) {
+    if held.modes.of.iter().any(|mode| mode.holds()) {
+        *dx = dx.map2(&response(&held.lambda), balanced);
+    }
+}
+
+/// An acceleration; zero where that of contact forces, a part of it, balances the rest but for rounding.
+fn balanced<T: Scalar>(sum: T, response: T) -> T {
+    let none = T::lit(BALANCE_ULPS * T::PRECISION) * response.abs();
+    T::select(sum.abs().lt(none), sum.as_zero(), sum)
 }
 
 /// Guards over an interval, for [`Events::guards_within`](crate::Events::guards_within).
@@ -122,8 +161,13 @@ pub fn guards_within<M: Contacts<N>, const N: usize>(
     x: &impl Fn(usize) -> Enclosed<M::S>,
     each: &mut impl FnMut(usize, Enclosed<M::S>),
 ) -> bool {
-    let modes = M::modes(u);
-    margins::margins(&system.rows(t, u, x), (modes, Enclosed::constant(modes.orientation)), each)
+    let modes = u.modes();
+    let rows = system.rows(t, u, x, &Enclosed::constant);
+    // Newton's steps give no enclosure of what they converge to.
+    if rows.load.contains(&Load::Plane) {
+        return false;
+    }
+    margins::margins(&rows, (modes, Enclosed::constant(modes.orientation)), each)
 }
 
 /// Adds the response to impulses to the velocities.

@@ -30,6 +30,30 @@ impl Mode {
         matches!(self, Self::Forwards | Self::Backwards)
     }
 
+    /// In saved runs.
+    pub(super) fn number(self) -> u64 {
+        match self {
+            Self::Open => 0,
+            Self::Closed => 1,
+            Self::Off => 2,
+            Self::Sticks => 3,
+            Self::Forwards => 4,
+            Self::Backwards => 5,
+        }
+    }
+
+    /// The mode with this number; open for any other number.
+    pub(super) fn of_number(number: u64) -> Self {
+        match number {
+            1 => Self::Closed,
+            2 => Self::Off,
+            3 => Self::Sticks,
+            4 => Self::Forwards,
+            5 => Self::Backwards,
+            _ => Self::Open,
+        }
+    }
+
     /// -1 or 1, the sign of the slip; zero where there is none.
     pub(super) fn sign<T: Scalar>(self) -> T {
         T::lit(match self {
@@ -51,13 +75,21 @@ pub struct Modes<S, const N: usize> {
     pub place: [S; N],
     /// The sign of the determinant of the active rows when the modes were chosen.
     pub orientation: S,
+    /// The reaction that bounds a friction is negative.
+    pub negative: [bool; N],
 }
 
 impl<S: Scalar, const N: usize> Modes<S, N> {
     /// Everything is open.
     #[must_use]
     pub fn open() -> Self {
-        Self { of: [Mode::Open; N], carried: [false; N], place: [S::ZERO; N], orientation: S::lit(1.0) }
+        Self {
+            of: [Mode::Open; N],
+            carried: [false; N],
+            place: [S::ZERO; N],
+            orientation: S::lit(1.0),
+            negative: [false; N],
+        }
     }
 
     /// The gap `row` is open: it neither pushes nor rests.

@@ -3,7 +3,7 @@
 //! Rows that hold have no acceleration, D_i lambda = -c_i; rows that slip have the limit of their friction,
 //! lambda_i = -sigma (own + by . lambda). The system is not symmetric; it is solved with partial pivoting (G. H. Golub, C. F. Van Loan,
 //! Matrix Computations, 4th ed., algorithm 3.4.1). Pivots are chosen by values, so that numbers with derivatives, and
-//! enclosures, are eliminated in the order of the values.
+//! enclosures, are eliminated in the order of the values. Limits that are shares of a reaction in the plane take Newton's steps.
 
 use super::modes::Mode;
 use super::rows::Rows;
@@ -11,6 +11,12 @@ use crate::scalar::Scalar;
 
 /// A pivot below this fraction of the largest entry of its row depends on others.
 const DEPENDENT: f64 = 1e-10;
+/// Steps of Newton's method at most; from a cold start it takes three or four.
+const MOST_STEPS: u32 = 12;
+/// Unit vectors that change by less are at their solution one step later, and their derivatives two.
+const NEAR: f64 = 1e-8;
+/// Steps behind that.
+const BEHIND: u32 = 2;
 
 /// The multipliers, and the determinant of their system; that of no row is 1.
 #[derive(Clone, Copy, Debug)]
@@ -34,13 +40,39 @@ pub(super) fn multipliers<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,
     modes: &[Mode; N],
 ) -> Option<Multipliers<T, N>> {
-    let mut system = System::of(rows, modes);
-    let determinant = system.eliminate()?;
-    Some(Multipliers { lambda: system.substitute(), determinant })
+    let mut directions = directions(rows, modes, &[T::ZERO; N]);
+    let mut left = MOST_STEPS;
+    while left > 0 {
+        left -= 1;
+        let mut system = System::of(rows, (modes, &directions));
+        let determinant = system.eliminate()?;
+        let found = Multipliers { lambda: system.substitute(), determinant };
+        let next = self::directions(rows, modes, &found.lambda);
+        let apart = |(one, other): (&T, &T)| (one.to_f64() - other.to_f64()).abs();
+        let changes = directions.as_flattened().iter().zip(next.as_flattened()).map(apart);
+        let change = changes.fold(0.0, f64::max);
+        if change == 0.0 || left == 0 && change <= NEAR {
+            return Some(found);
+        }
+        if change <= NEAR {
+            left = left.min(BEHIND);
+        }
+        directions = next;
+    }
+    None
+}
+
+/// The unit vectors of the reactions that bound rows which slip.
+fn directions<T: Scalar, const N: usize>(
+    rows: &Rows<T, N>,
+    modes: &[Mode; N],
+    lambda: &[T; N],
+) -> [[T; 2]; N] {
+    core::array::from_fn(|row| if modes[row].slips() { rows.direction(row, lambda) } else { [T::ZERO; 2] })
 }
 
 impl<T: Scalar, const N: usize> System<T, N> {
-    fn of(rows: &Rows<T, N>, modes: &[Mode; N]) -> Self {
+    fn of(rows: &Rows<T, N>, (modes, directions): (&[Mode; N], &[[T; 2]; N])) -> Self {
         let mut system = Self { rows: [[T::ZERO; N]; N], right: [T::ZERO; N], unknown: [0; N], order: 0 };
         for (i, mode) in modes.iter().enumerate() {
             if mode.holds() || mode.slips() {
@@ -50,7 +82,7 @@ impl<T: Scalar, const N: usize> System<T, N> {
         }
         for k in 0..system.order {
             let i = system.unknown[k];
-            let (row, right) = equation(rows, modes[i], i);
+            let (row, right) = equation(rows, (modes[i], directions[i]), i);
             system.rows[k] = core::array::from_fn(|l| {
                 let j = system.unknown[l];
                 if l < system.order { row[j] } else { T::ZERO }
@@ -120,17 +152,22 @@ fn ratio<T: Scalar>(entry: T, size: f64) -> f64 {
 }
 
 /// The equation of the row `i`, and its right side. Rows that hold are divided by their diagonal entry.
-fn equation<T: Scalar, const N: usize>(rows: &Rows<T, N>, mode: Mode, i: usize) -> ([T; N], T) {
+fn equation<T: Scalar, const N: usize>(
+    rows: &Rows<T, N>,
+    (mode, direction): (Mode, [T; 2]),
+    i: usize,
+) -> ([T; N], T) {
     let one = T::lit(1.0);
     let limit = match mode {
-        Mode::Forwards => rows.kinetic[i].lower,
-        Mode::Backwards => rows.kinetic[i].upper,
+        Mode::Forwards => &rows.kinetic[i].lower,
+        Mode::Backwards => &rows.kinetic[i].upper,
         _ => {
             let row = rows.delassus[i];
             return (row.map(|d| d / row[i]), -rows.free[i] / row[i]);
         }
     };
     // lambda_i + sigma by . lambda = -sigma own
+    let limit = rows.along(i, limit, direction);
     let sigma: T = mode.sign();
     let mut row = limit.by.map(|by| sigma * by);
     row[i] = row[i] + one;

@@ -2,7 +2,8 @@
 
 use super::multipliers::multipliers;
 use super::rows::Rows;
-use super::{Contacts, modes::Mode, moved, rows_at};
+use super::{Contacts, Modal, modes::Mode, moved};
+use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
 use crate::vector::Vector;
@@ -10,44 +11,61 @@ use crate::vector::Vector;
 /// Newton's steps for positions.
 const MOST_STEPS: u32 = 4;
 
-/// Takes the rates of rows that hold out of the velocities.
-pub(super) fn stop<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &mut M::X) {
-    let rows = rows_at(system, t, u, x);
-    if let Some(impulses) = held(&rows, M::modes(u).of, rows.rate) {
+/// Takes the rates of rows that hold out of the velocities; `rows` are those of the state.
+pub(super) fn stop<M: Contacts<N>, const N: usize>(
+    system: &M,
+    (t, u, rows): (M::S, &M::U, &Rows<M::S, N>),
+    x: &mut M::X,
+) {
+    if let Some(impulses) = held(rows, u.modes().of, rows.rate) {
         moved(system, (t, u), x, &impulses);
     }
 }
 
-/// Leads rows that hold back to their places, and takes their rates out of the velocities.
-pub fn project<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &mut M::X) {
-    for _ in 0..MOST_STEPS {
-        let rows = rows_at(system, t, u, x);
+/// Projects the joints, leads rows that hold back to their places, and takes their rates out of the velocities.
+///
+/// # Errors
+/// Those of [`Contacts::project_joints`].
+pub fn project<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: M::S,
+    u: &M::U,
+    x: &mut M::X,
+) -> Result<(), Fault> {
+    let mut steps = 0;
+    loop {
+        system.project_joints(t, u, x)?;
+        let rows = system.rows_at(t, u, x);
         let away = away::<M, N>(system, &rows, u);
-        if away.iter().all(|z| z.abs() <= M::S::EPSILON * system.length()) {
-            break;
-        }
-        let Some(multipliers) = held(&rows, M::modes(u).of, away) else { break };
+        let are_near = away.iter().all(|z| z.abs() <= M::S::EPSILON * system.length());
+        let multipliers =
+            if are_near || steps == MOST_STEPS { None } else { held(&rows, u.modes().of, away) };
+        let Some(multipliers) = multipliers else {
+            stop(system, (t, u, &rows), x);
+            return Ok(());
+        };
         let response = system.response(t, u, x, &multipliers);
         for i in 0..M::NQ {
             x.set(i, x.at(i) + response.at(M::NQ + i));
         }
+        steps += 1;
     }
-    stop(system, t, u, x);
 }
 
-/// How far the rows that hold are from their places.
+/// How far the joints are from closed, and the rows that hold from their places: the larger of both.
 pub fn drift<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &M::X) -> Drift<M::S> {
-    let rows = rows_at(system, t, u, x);
+    let joints = system.drift_of_joints(t, u, x);
+    let rows = system.rows_at(t, u, x);
     let away = away::<M, N>(system, &rows, u);
-    let largest = |numbers: &[M::S; N]| numbers.iter().fold(M::S::ZERO, |sum, z| sum.max(z.abs()));
+    let largest = |least: M::S, numbers: &[M::S; N]| numbers.iter().fold(least, |sum, z| sum.max(z.abs()));
     let rate: [M::S; N] =
-        core::array::from_fn(|i| if M::modes(u).of[i].holds() { rows.rate[i] } else { M::S::ZERO });
-    Drift { phi: largest(&away), phi_dot: largest(&rate) }
+        core::array::from_fn(|i| if u.modes().of[i].holds() { rows.rate[i] } else { M::S::ZERO });
+    Drift { phi: largest(joints.phi, &away), phi_dot: largest(joints.phi_dot, &rate) }
 }
 
 /// Displacements of the rows that hold.
 fn away<M: Contacts<N>, const N: usize>(system: &M, rows: &Rows<M::S, N>, u: &M::U) -> [M::S; N] {
-    let modes = M::modes(u);
+    let modes = u.modes();
     core::array::from_fn(|i| match modes.of[i] {
         Mode::Closed if system.law(i).is_unilateral() => rows.gap[i],
         Mode::Sticks => rows.gap[i] - modes.place[i],

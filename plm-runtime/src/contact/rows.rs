@@ -1,5 +1,6 @@
 //! Contact rows at a state: gaps, rates, free accelerations, Delassus operator, limits of friction.
 
+use super::loads::{Affine, Load};
 use crate::scalar::Scalar;
 
 /// What a row says.
@@ -21,13 +22,15 @@ impl<S> Law<S> {
     }
 }
 
-/// The largest force of friction to one side: `own + by . lambda`.
+/// The largest force of friction to one side: `own + by . lambda + share |R|`, R being the reaction of the row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit<T, const N: usize> {
     /// What does not depend on contact forces, N or N m. It carries no impulse.
     pub own: T,
     /// Factors of the multipliers: a coefficient of friction at the row of its normal force.
     pub by: [T; N],
+    /// The coefficient of friction at the reaction.
+    pub share: T,
 }
 
 impl<T: Scalar, const N: usize> Limit<T, N> {
@@ -40,17 +43,17 @@ impl<T: Scalar, const N: usize> Limit<T, N> {
     /// A force of its own.
     #[must_use]
     pub fn own(own: T) -> Self {
-        Self { own, by: [T::ZERO; N] }
+        Self { own, by: [T::ZERO; N], share: T::ZERO }
     }
 
     /// `coefficient` times the multiplier of the row `normal`.
     #[must_use]
     pub fn of(normal: usize, coefficient: T) -> Self {
         let by = core::array::from_fn(|row| if row == normal { coefficient } else { T::ZERO });
-        Self { own: T::ZERO, by }
+        Self { own: T::ZERO, by, share: T::ZERO }
     }
 
-    /// The limit with these multipliers.
+    /// The part of the limit that is affine in the multipliers.
     pub(super) fn at(&self, lambda: &[T; N]) -> T {
         self.by.iter().zip(lambda).fold(self.own, |sum, (by, lambda)| by.mul_add(*lambda, sum))
     }
@@ -88,6 +91,10 @@ pub struct Rows<T, const N: usize> {
     pub kinetic: [Friction<T, N>; N],
     /// Limits while it sticks.
     pub adhesion: [Friction<T, N>; N],
+    /// Reactions that bound frictions, N or N m: one component along a line, or two.
+    pub reaction: [[Affine<T, N>; 2]; N],
+    /// What these reactions are.
+    pub load: [Load; N],
 }
 
 impl<T: Scalar, const N: usize> Rows<T, N> {
@@ -102,6 +109,8 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
             delassus: [[T::ZERO; N]; N],
             kinetic: [nothing; N],
             adhesion: [nothing; N],
+            reaction: [[Affine::zero(); 2]; N],
+            load: [Load::Nothing; N],
         }
     }
 

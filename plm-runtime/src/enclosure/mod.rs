@@ -232,6 +232,11 @@ impl<S: Real> Scalar for Enclosed<S> {
         }
         if self.value.low < S::ZERO { -self } else { self }
     }
+    /// Itself: what encloses it encloses zero with its derivatives where it is chosen as such.
+    #[inline]
+    fn as_zero(self) -> Self {
+        self
+    }
     #[inline]
     fn lt(self, other: Self) -> Outcome {
         Outcome {

@@ -137,7 +137,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             let count = if is_new { 0 } else { boundary.switched.count_ones() };
             self.chattering.count(context, boundary.switched, count)?;
         }
-        self.switch_due(method, context, Some(boundary))?;
+        self.switch_due(method, context, (Some(boundary), S::ZERO))?;
         if boundary.decided != 0 {
             let here = guards_here(context)?;
             let own = |i: usize| {
@@ -248,13 +248,14 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         })
     }
 
-    /// Holds the other side of the condition that is due; without dense output of all that are past their guards.
+    /// Holds the other side of the condition that is due; without dense output of all that are past their
+    /// guards, behind a step of the length `step`.
     #[inline]
     pub(crate) fn switch<M: System<S = S, G = G>, I: Method<M>>(
         &mut self,
         method: &mut I,
         context: &mut Context<'_, M>,
-        event: Event,
+        (event, step): (Event, S),
     ) -> Result<(), Fault> {
         if G::LEN == 0 {
             return Ok(());
@@ -264,7 +265,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
                 context.stats.passed_over += passed_over;
                 required(context, index)?;
             }
-            return self.switch_due(method, context, None);
+            return self.switch_due(method, context, (None, step));
         }
         if !I::DENSE {
             return Ok(());
@@ -309,7 +310,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         &mut self,
         method: &mut impl Method<M>,
         context: &mut Context<'_, M>,
-        boundary: Option<Boundary>,
+        (boundary, within): (Option<Boundary>, S),
     ) -> Result<(), Fault> {
         let here = guards_here(context)?;
         self.modes = match self.modes {
@@ -318,7 +319,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         };
         self.release(&here);
         let Some(Switched { conditions, count }) =
-            switch_violated(context, &here, (boundary, self.residual))?
+            switch_violated(context, &here, (boundary, self.residual), within)?
         else {
             return Ok(());
         };

@@ -22,14 +22,14 @@ pub fn switch_where_due<M: System<S: Real>>(
     x: &mut M::X,
 ) -> Result<u32, Fault> {
     let mut switched = 0;
-    switch_each((system, M::G::fill(M::S::ZERO)), t, u, x, |_| switched += 1)?;
+    switch_each((system, M::G::fill(M::S::ZERO), M::S::ZERO), t, u, x, |_| switched += 1)?;
     Ok(switched)
 }
 
 /// The same, where guards are violated below their `edges`; gives `each` that switches. A guard that its own event leaves violated, as
-/// that of a ball which has bounced, triggers it again only below where it was left.
+/// that of a ball which has bounced, triggers it again only below where it was left. The guards have passed zero `within` this time.
 pub(crate) fn switch_each<M: System<S: Real>>(
-    (system, mut edges): (&M, M::G),
+    (system, mut edges, within): (&M, M::G, M::S),
     t: M::S,
     u: &mut M::U,
     x: &mut M::X,
@@ -40,7 +40,7 @@ pub(crate) fn switch_each<M: System<S: Real>>(
         let mut any = false;
         for i in 0..M::G::LEN {
             if is_below(system, &guards(system, t, u, x), &edges, i) {
-                system.switch(t, u, x, i)?;
+                system.switch_behind(t, u, x, (i, within))?;
                 edges.set(i, guards(system, t, u, x).at(i).min(M::S::ZERO));
                 each(i);
                 any = true;
@@ -73,11 +73,12 @@ pub(super) struct Switched {
 
 /// Commits the events of the conditions whose guards `here`, at the state reached, are violated; gives those that switched. A guard is
 /// violated below its `residual`. Behind a step no constraint row may jump; behind a change from outside, with a `boundary`, what was
-/// decided there stays.
+/// decided there stays. Guards have passed zero `within` the last step.
 pub(super) fn switch_violated<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     here: &M::G,
     (boundary, residual): (Option<Boundary>, M::G),
+    within: M::S,
 ) -> Result<Option<Switched>, Fault> {
     let decided = boundary.map_or(0, |boundary| boundary.decided);
     let edge = |i: usize| if decided & bit(i) == 0 { residual.at(i) } else { -M::S::INFINITY };
@@ -99,7 +100,7 @@ pub(super) fn switch_violated<M: System<S: Real>>(
     }
     let (mut after, mut x) = (context.held, context.x);
     let mut switched = Switched { conditions: 0, count: 0 };
-    switch_each((context.system, edges), context.time, &mut after, &mut x, |index| {
+    switch_each((context.system, edges, within), context.time, &mut after, &mut x, |index| {
         switched.conditions |= bit(index);
         switched.count += 1;
     })?;
@@ -110,14 +111,17 @@ pub(super) fn switch_violated<M: System<S: Real>>(
     Ok(Some(switched))
 }
 
-/// Commits the events at the end of a step by itself.
+/// Commits the events at the end of a step by itself, of the length `step`.
 #[inline]
-pub(crate) fn switch_at_end<M: System<S: Real>>(context: &mut Context<'_, M>) -> Result<(), Fault> {
+pub(crate) fn switch_at_end<M: System<S: Real>>(
+    context: &mut Context<'_, M>,
+    step: M::S,
+) -> Result<(), Fault> {
     if M::G::LEN == 0 {
         return Ok(());
     }
     let here = guards_here(context)?;
-    switch_violated(context, &here, (None, M::G::fill(M::S::ZERO))).map(|_| ())
+    switch_violated(context, &here, (None, M::G::fill(M::S::ZERO)), step).map(|_| ())
 }
 
 /// Are all guards satisfied at a state?

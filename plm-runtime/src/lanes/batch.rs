@@ -19,7 +19,7 @@ use crate::sim::{Clock, Sim};
 ///
 /// Each ends with the bits that it would have if it ran alone. A lane that needs more than straight-line code makes that
 /// step alone: where a solution without pivoting is unhealthy, where an event is possible, and as long as it is in another chart than
-/// most. One that stops with a fault does not stop the others.
+/// most. Mechanisms with contact rows make all steps alone, since each has modes of its own. One that stops with a fault does not stop the others.
 ///
 /// It dereferences to the array of simulations.
 #[derive(Clone, Copy)]
@@ -95,7 +95,8 @@ where
         let latest = |sim: &&Sim<M, _>| {
             sim.state.time() == time && end > time && end.is_finite() && sim.clock.after(time, dt) == clock
         };
-        let Some(first) = self.sims.iter().find(latest) else { return ([false; LANES], clock) };
+        let first = self.sims.iter().find(latest).filter(|_| M::CONTACTS == 0);
+        let Some(first) = first else { return ([false; LANES], clock) };
         let joins = |sim: &Sim<M, FixedStep<f64, F>>| {
             let free = sim.state.mechanism().next_time_event(time, &sim.state.held()).is_none();
             free && !sim.changed && latest(&sim) && sim.method.longest_step == first.method.longest_step

@@ -163,6 +163,10 @@ impl<S: Scalar> Scalar for Two<S> {
         self.each(S::abs)
     }
     #[inline(always)]
+    fn as_zero(self) -> Self {
+        self.each(S::as_zero)
+    }
+    #[inline(always)]
     fn lt(self, other: Self) -> [S::Mask; 2] {
         let (Self([a, b]), Self([c, d])) = (self, other);
         [a.lt(c), b.lt(d)]

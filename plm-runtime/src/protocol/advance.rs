@@ -217,7 +217,8 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
             method.turned();
         }
         let before = self.modes();
-        self.guarded.detector.switch(self.method, self.context, event)?;
+        let step = self.context.time - from.time;
+        self.guarded.detector.switch(self.method, self.context, (event, step))?;
         self.show_events(
             before,
             if let Event::At(index) = event { Trigger::Condition(index) } else { Trigger::Due },

@@ -36,6 +36,12 @@ pub enum Notice {
         /// How often.
         conditions: u64,
     },
+    /// Contact rows went on in one of several ways, at each of which all laws of contact are satisfied: the motion from there on is
+    /// one of several, as with large coefficients of friction.
+    AmbiguousContact {
+        /// At how many events.
+        events: u64,
+    },
     /// Steps of fixed length are so long that a step errs by more than three thousandths of the size of a state, or all of them together
     /// by more than a tenth: the motion is a rough one, and may be another one. Shorter steps, or a method that chooses them by
     /// their error. Both are estimates of what the steps add; what a motion makes of that may be more or less.
@@ -75,6 +81,11 @@ impl fmt::Display for Notice {
                 f,
                 "conditions came and went within steps of equal length, {conditions} times: shorter steps, or a method \
                  with dense output"
+            ),
+            Self::AmbiguousContact { events } => write!(
+                f,
+                "contacts could go on in several ways that satisfy all their laws, at {events} events: the motion is one of \
+                 several"
             ),
             Self::LongSteps { largest, sum, step } => write!(
                 f,

@@ -127,7 +127,7 @@ where
             Trigger::Due => {
                 // The events were committed: they do not fail here.
                 let _ = events::switch_each(
-                    (context.system, M::G::fill(M::S::ZERO)),
+                    (context.system, M::G::fill(M::S::ZERO), M::S::ZERO),
                     context.time,
                     &mut held,
                     &mut x,

@@ -1,5 +1,6 @@
 //! Events of a motion: guards, kinks, time events, and what they change.
 
+use crate::contact;
 use crate::enclosure::Enclosed;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
@@ -28,6 +29,22 @@ pub trait Events: Rate {
     fn switch(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X, index: usize) -> Result<(), Fault> {
         let _ = (t, u, x, index);
         Ok(())
+    }
+
+    /// As [`switch`](Self::switch), of the condition `index` whose guard has passed zero within a step of the length `step`, s: methods
+    /// without dense output do not locate events, and so far the motion has gone on. The length is zero where nothing has.
+    ///
+    /// # Errors
+    /// As [`switch`](Self::switch).
+    fn switch_behind(
+        &self,
+        t: Self::S,
+        u: &mut Self::U,
+        x: &mut Self::X,
+        (index, step): (usize, Self::S),
+    ) -> Result<(), Fault> {
+        let _ = step;
+        self.switch(t, u, x, index)
     }
 
     /// A condition switches where its guard passes zero and goes on to below minus this: within the band nothing does.
@@ -98,6 +115,25 @@ pub trait Events: Rate {
     fn matters(&self, u: &Self::U, index: usize, unknown: u64) -> bool {
         let _ = (u, index, unknown);
         true
+    }
+
+    /// Number of [contact rows](crate::contact). Simulations of a mechanism with some step one by one, each in modes of its own.
+    const CONTACTS: usize = 0;
+
+    /// What the contact rows do.
+    fn contacts(u: &Self::U) -> contact::Status<'_> {
+        let _ = u;
+        contact::Status::default()
+    }
+
+    /// Brings up to date what the discrete state says of the state, which may have been set from outside: rows of contact that hold may
+    /// have been moved away.
+    ///
+    /// # Errors
+    /// As [`switch`](Self::switch).
+    fn state_was_set(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X) -> Result<(), Fault> {
+        let _ = (t, u, x);
+        Ok(())
     }
 
     /// A jump that the discrete state demands: of rows whose condition has another side in `after` than in `u`; without that, of

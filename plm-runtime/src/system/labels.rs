@@ -27,6 +27,12 @@ pub trait Labels: Rate {
         ""
     }
 
+    /// The contact row with this index, `foot.tip`.
+    fn contact_name(&self, row: usize) -> &'static str {
+        let _ = row;
+        ""
+    }
+
     /// All conditions as they were written, by index, for faults that name several.
     fn conditions(&self) -> &'static [&'static str] {
         &[]

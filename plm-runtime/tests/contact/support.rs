@@ -104,6 +104,7 @@ macro_rules! system {
                 t: T,
                 _u: &Self::U,
                 x: &impl Fn(usize) -> T,
+                _constant: &impl Fn(f64) -> T,
             ) -> plm_runtime::contact::Rows<T, $n> {
                 $crate::support::rows(self, t, x)
             }
@@ -125,12 +126,6 @@ macro_rules! system {
                 let moved: [f64; $nq] = $crate::support::response(self, t, &|i| x[i], lambda);
                 core::array::from_fn(|i| if i < $nq { 0.0 } else { moved[i - $nq] })
             }
-            fn modes(u: &Self::U) -> &plm_runtime::contact::Modes<f64, $n> {
-                u
-            }
-            fn modes_mut(u: &mut Self::U) -> &mut plm_runtime::contact::Modes<f64, $n> {
-                u
-            }
             fn impact_law(&self) -> plm_runtime::contact::ImpactLaw {
                 $crate::support::Scene::impacts(self)
             }
@@ -138,8 +133,7 @@ macro_rules! system {
 
         impl plm_runtime::Constraints for $scene {
             fn project(&self, t: f64, u: &Self::U, x: &mut Self::X) -> Result<(), plm_runtime::Fault> {
-                plm_runtime::contact::project::<Self, $n>(self, t, u, x);
-                Ok(())
+                plm_runtime::contact::project::<Self, $n>(self, t, u, x)
             }
             fn drift(&self, t: f64, u: &Self::U, x: &Self::X) -> plm_runtime::Drift<f64> {
                 plm_runtime::contact::drift::<Self, $n>(self, t, u, x)
@@ -149,7 +143,7 @@ macro_rules! system {
         impl plm_runtime::Events for $scene {
             type G = [f64; plm_runtime::contact::guard_count($n)];
             fn guards(&self, t: f64, u: &Self::U, x: &Self::X, g: &mut Self::G) {
-                plm_runtime::contact::guards::<Self, $n>(self, t, u, x, g);
+                plm_runtime::contact::guards::<Self, $n>(self, t, u, x, &mut |i, margin| g[i] = margin);
             }
             fn switch(
                 &self,
@@ -159,6 +153,15 @@ macro_rules! system {
                 index: usize,
             ) -> Result<(), plm_runtime::Fault> {
                 plm_runtime::contact::switch::<Self, $n>(self, t, u, x, index).map(|_| ())
+            }
+            fn switch_behind(
+                &self,
+                t: f64,
+                u: &mut Self::U,
+                x: &mut Self::X,
+                at: (usize, f64),
+            ) -> Result<(), plm_runtime::Fault> {
+                plm_runtime::contact::switch_behind::<Self, $n>(self, t, u, x, at).map(|_| ())
             }
             fn guards_within(
                 &self,

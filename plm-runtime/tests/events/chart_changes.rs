@@ -35,7 +35,13 @@ fn continuation(coordinate: f64, t: f64, other: f64) -> Continuation {
 }
 
 fn in_chart(chart: usize, continuation: Continuation) -> Bound {
-    Held { input: (), switches: (), turns: [], of_loops: OfLoops::InChart { chart, continuation } }
+    Held {
+        input: (),
+        switches: (),
+        turns: [],
+        of_loops: OfLoops::InChart { chart, continuation },
+        contact: (),
+    }
 }
 
 /// The chart and what is remembered.
@@ -73,6 +79,7 @@ impl Charted for Bead {
     type Input = ();
     type Switches = ();
     type Turns = [i32; 0];
+    type Contact = ();
     type Continuation = Continuation;
     type Q = [f64; 2];
     const CHARTS: usize = 2;

@@ -17,7 +17,13 @@ type Continuation = charts::Continuation<f64, 1, 0, 1, 1>;
 type Bound = Held<(), (), [i32; 0], OfLoops<Continuation, [f64; 1]>>;
 
 fn held(continuation: Continuation) -> Bound {
-    Held { input: (), switches: (), turns: [], of_loops: OfLoops::InChart { chart: 0, continuation } }
+    Held {
+        input: (),
+        switches: (),
+        turns: [],
+        of_loops: OfLoops::InChart { chart: 0, continuation },
+        contact: (),
+    }
 }
 
 /// The link as it is remembered.
@@ -52,6 +58,7 @@ impl Charted for Link {
     type Input = ();
     type Switches = ();
     type Turns = [i32; 0];
+    type Contact = ();
     type Continuation = Continuation;
     type Q = [f64; 1];
     const CHARTS: usize = 1;

@@ -42,9 +42,12 @@ pub(super) fn check_limits(scene: &Scene, diagnostics: &mut Diagnostics) -> bool
         let (what, part, unit) = (&limit.what, &limit.part, &limit.unit);
         let message = format!("the {what} of `{part}` must be {wanted}, found {found} {unit}");
         diagnostics
-            .error(Code::NotPositive, limit.span, message)
+            .error(limit.code, limit.span, message)
             .note("this is its value with the defaults of the parameters")
-            .help("give them others: at the start those that are set then are looked at (the book, E0402)");
+            .help(format!(
+                "give them others: at the start those that are set then are looked at (the book, {})",
+                limit.code
+            ));
     }
     are_kept
 }

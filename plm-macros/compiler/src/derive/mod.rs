@@ -14,6 +14,7 @@
 //! derivative of `phi`, and the bracket of (3) is the second.
 
 mod branch;
+mod contact;
 mod cuts;
 mod decisions;
 mod feedback;
@@ -29,6 +30,7 @@ use crate::collect::CollectVec;
 use plm_cas::{Expr, algebra};
 
 pub(crate) use branch::Branch;
+pub(crate) use contact::ContactRow;
 pub(crate) use feedback::{Signal, feeds_back};
 pub(crate) use forcing::forcing_terms;
 pub(crate) use massless::Massless;
@@ -70,6 +72,8 @@ pub(crate) struct Equations {
     pub(crate) x_dot: Vec<Expr>,
     /// Which mirror image a pose is, joint by joint.
     pub(crate) branches: Vec<Branch>,
+    /// Rows of contact, in the order of the model.
+    pub(crate) contacts: Vec<ContactRow>,
 }
 
 /// Derives the equations of motion of a model.
@@ -82,16 +86,12 @@ pub(crate) fn derive(model: &Model) -> Equations {
     let mut gamma = Vec::with_capacity(phi.len());
     let columns = Columns::new(model);
     for &phi in &phi {
-        let held = columns.of(phi);
-        let coordinates: Vec<Expr> = held.iter().map(|&column| q[column]).collect_vec();
-        let entries = algebra::gradient(phi, &coordinates).into_iter();
-        phi_q.push(entries.map(|(k, entry)| (held[k], entry)).collect_vec());
-        let mut flow: Vec<(Expr, Expr)> = held.iter().map(|&column| (q[column], v[column])).collect_vec();
-        flow.push((model.time, Expr::ONE));
-        let rate = phi.directional(&flow); // (1)
+        let (entries, rate, second) = along_motion(model, (&q, &v), &columns, phi);
+        phi_q.push(entries);
         phi_dot.push(rate);
-        gamma.push(-rate.directional(&flow)); // (3)
+        gamma.push(-second);
     }
+    let contacts = contact::rows(model, (&q, &v), &columns);
     let mut force = applied_force(model);
     let signals = feedback::signals(model, &mut force);
     Equations {
@@ -109,7 +109,26 @@ pub(crate) fn derive(model: &Model) -> Equations {
         phi_q,
         phi_dot,
         gamma,
+        contacts,
     }
+}
+
+/// The derivatives of a function of pose and time by the coordinates, its rate (1), and what its second derivative (3) has
+/// beside the accelerations.
+fn along_motion(
+    model: &Model,
+    (q, v): (&[Expr], &[Expr]),
+    columns: &Columns,
+    phi: Expr,
+) -> (SparseRow, Expr, Expr) {
+    let held = columns.of(phi);
+    let coordinates: Vec<Expr> = held.iter().map(|&column| q[column]).collect_vec();
+    let entries = algebra::gradient(phi, &coordinates).into_iter();
+    let entries = entries.map(|(k, entry)| (held[k], entry)).collect_vec();
+    let mut flow: Vec<(Expr, Expr)> = held.iter().map(|&column| (q[column], v[column])).collect_vec();
+    flow.push((model.time, Expr::ONE));
+    let rate = phi.directional(&flow);
+    (entries, rate, rate.directional(&flow))
 }
 
 /// `Q` of (4): gravity, `m g` at the G of each body with a mass, and the loads of all parts.

@@ -14,7 +14,7 @@ use super::decisions::decisions;
 use super::forcing_terms;
 use super::kinks::{self, Kink, root};
 use super::poles::hold_poles;
-use crate::model::{Jump, Model, Switch};
+use crate::model::{Contact, Jump, Model, Switch};
 
 /// Puts the side of every condition at which a force, a rate or an acceleration jumps, or that asks for the time alone, in
 /// its place. Gives each condition and what stands for it.
@@ -81,6 +81,9 @@ fn substitute(model: &mut Model, pairs: &[(Expr, Expr)]) {
     }
     for output in &mut model.outputs {
         output.components = algebra::substitute(&output.components, pairs);
+    }
+    for place in model.contacts.iter_mut().flat_map(Contact::expressions_mut) {
+        *place = algebra::substitute(&[*place], pairs)[0];
     }
 }
 

@@ -87,6 +87,7 @@ catalogue! {
     BadIndex = "E0414", "an index out of range";
     BadContour = "E0415", "a contour that cannot be drawn";
     JumpingMotion = "E0416", "a prescribed motion jumps";
+    ContactNumber = "E0417", "a restitution or a bound of friction that cannot be";
 
     // E05: topology, mobility, assembly.
     SelfJoint = "E0501", "a joint joins a body with itself";

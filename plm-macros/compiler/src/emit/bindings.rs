@@ -55,6 +55,10 @@ impl Emission<'_> {
         for (k, counted) in model.turns.iter().enumerate() {
             bindings.push((counted.symbol, format!("S::of_turns({held}.turns[{k}])")));
         }
+        for (k, contact) in model.contacts.iter().enumerate() {
+            let multipliers = if of_state { "contact" } else { "u.contact.lambda" };
+            bindings.push((contact.lambda, format!("{multipliers}[{k}]")));
+        }
         bindings.push((model.time, time.to_owned()));
         bindings.push((model.most_growth, "lit(S::MOST_GROWTH)".to_owned()));
         bindings.push((model.agreement, "lit(S::AGREEMENT)".to_owned()));

@@ -7,6 +7,7 @@ use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 use quote::format_ident;
 
 use super::bindings::Origin;
+use super::contract::contact;
 use super::contract::rate::is_short;
 use super::{Emission, Form, Sizes, docs, lower, memory, number};
 use crate::formulate::{Chart, Function, Reduced};
@@ -193,7 +194,10 @@ fn tree(emission: &Emission, chart: &Chart) -> TokenStream {
 /// `<const DIRECT: bool>`: of angles in the state whose sines and cosines need no branch, and of loops that are closed.
 pub(super) fn is_straight(emission: &Emission) -> bool {
     let is_reduced = !matches!(emission.form, Form::Absolute);
-    is_reduced && emission.model.steps.contains(&Step::Rk4) && is_short(emission)
+    !contact::are_there(emission)
+        && is_reduced
+        && emission.model.steps.contains(&Step::Rk4)
+        && is_short(emission)
 }
 
 /// The coordinates that are angles, by their places in the state: `DIRECT` tells of these.

@@ -111,7 +111,8 @@ pub(crate) fn emit(
         shown: names::token(&shown, span),
         fields: Fields::new(model, place),
         sizes: Sizes::new(equations, reduced),
-        may_be_singular: contract::singular::may_be_singular(model, equations, form),
+        may_be_singular: model.contacts.is_empty()
+            && contract::singular::may_be_singular(model, equations, form),
         rerolled: report.rerolls(),
         texts: Texts::default(),
     };
@@ -146,6 +147,7 @@ fn module(emission: &Emission) -> TokenStream {
         item::input::declared,
         contract::charted::charted,
         contract::rate::rate,
+        contract::contact::contacts,
         contract::system::system,
         contract::singular::extended,
         item::state::pose,

@@ -6,6 +6,7 @@
 
 mod absolute;
 mod colours;
+mod contact;
 mod function;
 mod ldl;
 mod linearised;
@@ -19,6 +20,7 @@ mod switches;
 
 pub(crate) use absolute::{Absolute, coordinate_name, eliminates_beyond, formulate};
 pub(crate) use colours::Reads;
+pub(crate) use contact::ContactFunctions;
 pub(crate) use function::{Function, Place};
 pub(crate) use linearised::{Augmented, Linearised, Part, Term};
 pub(crate) use program::{Program, reduce};

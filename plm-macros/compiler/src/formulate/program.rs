@@ -80,7 +80,9 @@ pub(crate) fn reduce(scene: &Scene, start: Option<&Assembly>) -> Result<Reduced,
             start.is_closed().then(|| freedom(&elsewhere, &start))
         })
     };
-    let known = Known { length, assembled: &assembled, freedom_elsewhere: &freedom_elsewhere };
+    let lambda = absolute.multipliers();
+    let known =
+        Known { length, lambda: &lambda, assembled: &assembled, freedom_elsewhere: &freedom_elsewhere };
     let reduced = reduced::formulate(model, equations, known)?;
     if model.formulation.is_some() { Ok(reduced) } else { cheaper(reduced, absolute) }
 }

@@ -3,6 +3,7 @@
 use plm_cas::Expr;
 
 use super::Declared;
+use crate::collect::CollectVec;
 use crate::span::Span;
 use crate::units::DisplayUnit;
 
@@ -17,7 +18,7 @@ pub struct Contact {
     pub displacement: Expr,
     /// Symbol of its multiplier: the push, never negative, or the friction, N or N m. Outputs and bounds of frictions may hold it.
     pub lambda: Expr,
-    /// What it says.
+    /// The law of its force.
     pub law: ContactLaw,
     /// `m` or `rad`.
     pub unit: DisplayUnit,
@@ -27,7 +28,7 @@ pub struct Contact {
     pub declared: Declared,
 }
 
-/// What a row of contact says.
+/// The law of a row of contact.
 #[derive(Clone, Debug)]
 pub enum ContactLaw {
     /// A gap is not negative, nor is the push; one of the two is zero.
@@ -35,23 +36,47 @@ pub enum ContactLaw {
         /// The coefficient of restitution, 0 to 1.
         restitution: Expr,
     },
-    /// A force against the slip, between `-lower` and `upper`, N or N m; affine in the multipliers of unilateral rows.
+    /// A force against the slip, between `-lower` and `upper`, N or N m; affine in the multipliers of unilateral rows and in
+    /// `size`.
     Friction {
         /// `[lower, upper]` while it slips.
         kinetic: [Expr; 2],
         /// `[lower, upper]` while it sticks.
         adhesion: [Expr; 2],
+        /// The reaction of joints that the limits read by its size.
+        reaction: Option<Reaction>,
     },
 }
 
-impl ContactLaw {
-    /// Its expressions.
-    pub fn expressions_mut(&mut self) -> Vec<&mut Expr> {
-        match self {
-            ContactLaw::Unilateral { restitution } => vec![restitution],
-            ContactLaw::Friction { kinetic, adhesion } => kinetic.iter_mut().chain(adhesion).collect(),
+impl Contact {
+    /// The reaction of joints that bounds it.
+    pub(crate) fn reaction(&self) -> Option<&Reaction> {
+        match &self.law {
+            ContactLaw::Unilateral { .. } => None,
+            ContactLaw::Friction { reaction, .. } => reaction.as_ref(),
         }
     }
+
+    /// Its expressions.
+    pub(crate) fn expressions_mut(&mut self) -> Vec<&mut Expr> {
+        let of_law: Vec<&mut Expr> = match &mut self.law {
+            ContactLaw::Unilateral { restitution } => vec![restitution],
+            ContactLaw::Friction { kinetic, adhesion, reaction } => {
+                let components = reaction.iter_mut().flat_map(|reaction| &mut reaction.components);
+                kinetic.iter_mut().chain(adhesion).chain(components).collect_vec()
+            }
+        };
+        [&mut self.displacement].into_iter().chain(of_law).collect_vec()
+    }
+}
+
+/// A reaction of joints that bounds a friction.
+#[derive(Clone, Debug)]
+pub struct Reaction {
+    /// Stands in the limits for its size, N or N m.
+    pub size: Expr,
+    /// Its one component along a line, or its two in the plane: linear in multipliers of joints.
+    pub components: Vec<Expr>,
 }
 
 /// The law of impact.

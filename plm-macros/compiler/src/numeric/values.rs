@@ -62,8 +62,11 @@ pub(crate) fn varied(model: &Model, seed: u64) -> Option<Vec<(Expr, f64)>> {
     (!model.params.is_empty()).then_some(values)
 }
 
-/// Adds the sides of the switches at a state whose other symbols have values.
+/// Adds what is held over a step, at a state whose other symbols have values: the sides of the switches, and no contact forces.
 pub(crate) fn add_switches(model: &Model, values: &mut Vec<(Expr, f64)>) {
+    let sizes = model.contacts.iter().filter_map(|contact| Some(contact.reaction()?.size));
+    let lambda = model.contacts.iter().map(|contact| contact.lambda);
+    values.push_all(lambda.chain(sizes).map(|symbol| (symbol, 0.0)));
     let differences: Vec<Expr> = model.switches.iter().map(|switch| switch.difference).collect_vec();
     // All by one tape, unless one reads the side of another.
     let together = algebra::tape(&differences).eval(values).ok();

@@ -242,6 +242,12 @@ pub(super) fn instead_of_item(word: &str) -> Option<&'static str> {
         "var" | "val" | "mut" => {
             "a name for an expression is a `let`; what changes as it runs is a `state` or an `input`"
         }
+        "contact" | "gap" | "inequality" | "stop" | "obstacle" => {
+            "what must not be negative is `unilateral name: gap >= 0;`"
+        }
+        "coulomb" | "dry_friction" | "stick" => {
+            "a friction is `friction name: rate(displacement) within bound;`"
+        }
         "if" | "when" | "else" => "a condition stands in a value: `if t < 1 s then 1 N else 0 N`",
         "for" | "while" | "loop" => "repetitions are `repeat i in 0..8 { … }`",
         "der" | "ddt" => "the rate of a state is `rate name = …;`",

@@ -5,6 +5,7 @@ use syn::ext::IdentExt;
 use syn::{Token, token};
 
 use super::body::{Body, Port};
+use super::contact::{Friction, Unilateral};
 use super::domain::{Domain, Node};
 use super::expr::{Expr, ExprKind};
 use super::foreign_syntax::{behind_value, instead_of_item};
@@ -45,6 +46,8 @@ pub enum ItemKind {
     Emit(Vec<Ident>),
     /// `stabilisation: projection;` or `baumgarte(expr);`
     Stabilisation(Ident, Option<Expr>),
+    /// `impacts: newton;`
+    Impacts(Ident),
     /// `allow(W0002, …);`
     Allow(Vec<Ident>),
     /// `param name: unit = expr;`
@@ -71,6 +74,10 @@ pub enum ItemKind {
     Instance(Instance),
     /// `constraint name: expr = expr;`
     Constraint(IndexedName, Expr, Expr),
+    /// `unilateral name: expr >= expr { restitution: expr; }`
+    Unilateral(Box<Unilateral>),
+    /// `friction name: rate(expr) within expr .. expr { static: expr .. expr; }`
+    Friction(Box<Friction>),
     /// `require name: condition;`
     Require(IndexedName, Expr),
     /// `force on b from a: expr;`, `torque on b: expr;`, `flow on b from a: expr;`
@@ -131,6 +138,9 @@ const WORDS: &[(&str, Option<Context>, Reader)] = &[
     }),
     ("code", Some(Mechanism), |input, _| input.field_name("`rolled` or `unrolled`").map(ItemKind::Code)),
     ("emit", Some(Mechanism), |input, _| steps(input)),
+    ("impacts", Some(Mechanism), |input, _| {
+        input.field_name("`poisson`, `newton` or `sequential`").map(ItemKind::Impacts)
+    }),
     ("allow", Some(Mechanism), |input, _| allow(input)),
     ("joint", Some(Mechanism), |input, Head { docs, .. }| {
         Definition::parse(input, true, docs.clone()).map(ItemKind::Definition)
@@ -156,6 +166,8 @@ const WORDS: &[(&str, Option<Context>, Reader)] = &[
     ("body", None, |input, _| Body::parse(input).map(ItemKind::Body)),
     ("node", None, |input, _| Node::parse(input).map(ItemKind::Node)),
     ("constraint", None, |input, _| constraint(input)),
+    ("unilateral", None, |input, _| Unilateral::parse(input).map(|row| ItemKind::Unilateral(Box::new(row)))),
+    ("friction", None, |input, _| Friction::parse(input).map(|row| ItemKind::Friction(Box::new(row)))),
     ("require", None, |input, _| requirement(input)),
     ("output", None, |input, _| input.listed(Output::parse).map(ItemKind::Output)),
     ("repeat", None, |input, Head { context, .. }| Repeat::parse(input, *context).map(ItemKind::Repeat)),

@@ -9,6 +9,7 @@
 //! item := "gravity" ":" expr ";"                                    in a mechanism
 //!       | "formulation" ":" ("tree" | "loops" | "absolute") ";"
 //!       | "stabilisation" ":" ("projection" | "baumgarte" ["(" expr ")"]) ";"
+//!       | "impacts" ":" ("poisson" | "newton" | "sequential") ";"
 //!       | "code" ":" ("rolled" | "unrolled") ";"
 //!       | "emit" ":" "step" "(" NAME { "," NAME } ")" ";"
 //!       | "allow" "(" CODE { "," CODE } ")" ";"
@@ -25,6 +26,8 @@
 //!       | "body" name "{" { field | port | start } "}"
 //!       | NAME name "(" exprs ")" (";" | "{" { name { "." name } ":" expr ["," "locked"] ";" } "}")
 //!       | "constraint" NAME ":" expr "=" expr ";"
+//!       | "unilateral" name ":" expr (">=" | "<=") expr (";" | "{" { "restitution" ":" expr ";" } "}")
+//!       | "friction" name ":" "rate" "(" expr ")" "within" bound (";" | "{" { "static" ":" bound ";" } "}")
 //!       | "require" NAME ":" expr ";"
 //!       | "output" output { "," output } ";"
 //!       | "repeat" NAME "in" expr ".." ["="] expr "{" { item } "}"
@@ -32,6 +35,7 @@
 //!         | "contour" ":" (expr { "," expr } | STRING) ";"
 //! port   := "port" name ":" expr ["," ("angle" | "axis") ":" expr] ["," "depth" ":" expr] ";"
 //! start  := "start" NAME ":" expr ["," "locked"] ";"
+//! bound  := expr [".." expr]
 //! output := [name "="] expr ["in" unit]
 //! name   := NAME { "[" expr "]" }
 //! ```
@@ -44,6 +48,7 @@
 //! bounded: a stack overflow cannot be caught.
 
 mod body;
+mod contact;
 mod declaration;
 mod domain;
 mod expr;
@@ -65,6 +70,7 @@ mod value;
 /// The tree of a declaration, as written: names are not bound, but units are known (their table is closed).
 pub mod ast {
     pub use super::body::{Body, Contour, Port, Start};
+    pub use super::contact::{Bound, Friction, Unilateral};
     pub use super::declaration::{Declaration, Mechanism, Shared};
     pub use super::domain::{Domain, Node, Quantity};
     pub use super::expr::{Expr, ExprKind, Link};

@@ -78,6 +78,11 @@ impl Operator {
         }
     }
 
+    /// Does it compare two numbers?
+    pub fn compares(self) -> bool {
+        self.precedence() == Operator::Less.precedence()
+    }
+
     /// As it is written.
     pub fn text(self) -> &'static str {
         match self {

@@ -19,7 +19,7 @@ use crate::diag::{Code, nearest};
 use crate::units::{self, DisplayUnit, UnitFactor, is_unit, names};
 
 /// Words that may follow a number without being a unit.
-const WORDS: &[&str] = &["then", "else", "and", "or", "in"];
+const WORDS: &[&str] = &["then", "else", "and", "or", "in", "within"];
 
 /// Largest exponent of a unit.
 const MAX_EXPONENT: i32 = 9;
@@ -141,8 +141,13 @@ fn behind_unit_name(cursor: Cursor) -> Option<Cursor> {
     let (name, behind) = cursor.ident()?;
     let holds_on = behind.group(Delimiter::Parenthesis).is_some()
         || behind.group(Delimiter::Bracket).is_some()
-        || behind.punct().is_some_and(|(mark, _)| mark.as_char() == '.');
+        || is_point(behind) && !behind.punct().is_some_and(|(_, next)| is_point(next));
     (is_unit(&name.unraw().to_string()) && !holds_on).then_some(behind)
+}
+
+/// Does a point stand here? Two of them are `..`, and no member follows.
+fn is_point(cursor: Cursor) -> bool {
+    cursor.punct().is_some_and(|(mark, _)| mark.as_char() == '.')
 }
 
 /// Does a group open here that is wholly a unit?

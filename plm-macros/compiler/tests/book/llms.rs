@@ -27,6 +27,8 @@ Rules that are easily missed:
 * `locked` stands behind a value at the start that assembly must not move.
 * The order of items is free. Names are of snake case; that of the mechanism is of a type.
 * What is read outside of the declaration must be an `output` or be named in `observe`.
+* A stop, a floor, a belt is a row: `unilateral tip: rod.b.y >= 0;` pushes, `friction slip: rate(rod.b.x) within 0.3*reaction(tip);`
+  sticks and slips.
 * `param` is a field of the mechanism, `input` a field of `sim.input`; both in SI units.
 ";
 

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod bodies;
+mod contacts;
 mod declarations;
 mod expressions;
 mod line_ends;

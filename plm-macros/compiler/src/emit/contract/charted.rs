@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::format_ident;
 
 use super::super::{Emission, Form, Sizes, memory, number, quoted};
-use super::turns;
+use super::{contact, turns};
 use crate::formulate::Reduced;
 
 /// `Charted`, if loops are solved in charts.
@@ -15,6 +15,7 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
     let Some(reduced) = emission.loops() else { return TokenStream::new() };
     let [charts, switches] = [reduced.charts.len(), emission.model.switches.len()].map_each(number);
     let memory = memory(reduced, &quote!(S));
+    let contact = contact::held(emission);
     let turning = reduced.turning.iter().map(|&body| &emission.model.bodies[body].name.text);
     let turning = emission.text(quoted(turning));
     let followed = emission.text(quoted(reduced.followed.iter().map(|(name, _)| name)));
@@ -43,6 +44,7 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
             type Input = Input<S>;
             type Switches = [S; #switches];
             #counted
+            type Contact = #contact;
             type Continuation = #memory;
             type Q = [S; #nq];
             const CHARTS: usize = #charts;

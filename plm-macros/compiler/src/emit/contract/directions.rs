@@ -5,6 +5,7 @@ use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
 use super::super::{Emission, Form, Sizes, number};
+use super::contact;
 use crate::formulate::{Chart, Reads};
 
 /// Directions that one evaluation has at most; no more, so that what belongs to a number stays in a few registers.
@@ -13,7 +14,8 @@ const MOST: usize = 4;
 /// The full matrix where implicit methods take it by dual numbers, in the directions that it needs; none where it is one
 /// direction for each column, four at once.
 pub(super) fn directions(emission: &Emission) -> Option<TokenStream> {
-    if emission.sparse().is_some() {
+    // What solves for contact forces reads more than the rate by itself.
+    if emission.sparse().is_some() || contact::are_there(emission) {
         return None;
     }
     let colours = reads(emission)?.colours();

@@ -2,6 +2,8 @@
 
 pub(super) mod absolute;
 pub(super) mod charted;
+pub(super) mod contact;
+mod contact_events;
 pub(super) mod described;
 mod directions;
 pub(super) mod limits;

@@ -5,7 +5,7 @@ use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
 use super::super::{Emission, number};
-use super::turns;
+use super::{contact, turns};
 
 /// `Pack`.
 pub(crate) fn pack(emission: &Emission) -> TokenStream {
@@ -17,6 +17,11 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
     let none = inputs.is_empty().then(|| quote!(none: core::marker::PhantomData,));
     let Lanes { watched, calm: (is_calm, are_calm), are_short, look } = lanes(emission);
     let length = &emission.sizes.length;
+    let contact = if contact::are_there(emission) {
+        quote!(let contact = rt::contact::Held::packed(&first.contact, all.map(|held| &held.contact), &number);)
+    } else {
+        quote!(let contact = ();)
+    };
     let modes = (emission.model.guards() > 0).then(|| {
         quote! {
             for (wide, &one) in wide.switches.iter_mut().zip(&one.switches) {
@@ -47,7 +52,8 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
                     all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()))
                 };
                 let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
-                rt::Held { input, switches, turns, of_loops }
+                #contact
+                rt::Held { input, switches, turns, of_loops, contact }
             }
 
             const WATCHED: bool = #watched;

@@ -8,7 +8,7 @@ use quote::format_ident;
 use super::super::function::is_straight;
 use super::super::{Emission, Form, Sizes, number};
 use super::charted::in_held;
-use super::{pairs, system};
+use super::{contact, pairs, system};
 use crate::formulate::Reduced;
 
 /// Operations up to which a rate is copied into every stage of a method: a dozen stages then stay in a processor's cache for
@@ -41,6 +41,9 @@ pub(crate) fn rate(emission: &Emission) -> TokenStream {
         },
         Form::Loops(reduced) => in_chart(reduced, direct.as_ref()),
     };
+    if contact::are_there(emission) {
+        return with_contact(emission, &rate);
+    }
     let [pair, parts] = pairs::pairs(emission);
     let short = is_short(emission).then(|| {
         quote!(
@@ -69,6 +72,40 @@ pub(crate) fn rate(emission: &Emission) -> TokenStream {
         }
 
         #parts
+    }
+}
+
+/// The rate with the contact forces of the modes that are held.
+fn with_contact(emission: &Emission, rate: &TokenStream) -> TokenStream {
+    let Emission { name, sizes: Sizes { length, second_order, .. }, .. } = emission;
+    let (typical, freedom) = (typical(emission), number(second_order / 2));
+    quote! {
+        impl<S: Scalar> rt::Rate for #name<S> {
+            type S = S;
+            type X = [S; #length];
+            type U = Held<S>;
+            const NQ: usize = #freedom;
+
+            fn rate(&self, t: S, u: &Self::U, x: &[S; #length], dx: &mut [S; #length]) -> rt::Health<S> {
+                let u = &self.loaded_(t, u, x);
+                let health = self.rate_holding_(t, u, x, dx);
+                rt::contact::settle(dx, &u.contact, |lambda| self.contact_response_(t, u, x, lambda));
+                health
+            }
+
+            #[inline]
+            fn typical(&self) -> [S; #length] {
+                #typical.map(S::lit)
+            }
+        }
+
+        impl<S: Scalar> #name<S> {
+            /// The rate with the multipliers of contact that are held.
+            #[inline]
+            fn rate_holding_(&self, t: S, u: &Held<S>, x: &[S; #length], dx: &mut [S; #length]) -> rt::Health<S> {
+                #rate
+            }
+        }
     }
 }
 

@@ -9,11 +9,16 @@ use super::super::bindings::Origin;
 use super::super::function::body;
 use super::super::{Emission, Sizes, number, pose_at, quoted};
 use super::charted::in_held;
+use super::contact;
+use super::contact_events::Beside;
 use crate::model::{Decisions, End, Model, Switch};
 
 /// Guards and kinks, which every step evaluates, at a time and over an interval.
 pub(super) fn watched(emission: &Emission) -> TokenStream {
     let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
+    let Beside { take, guards: contact_guards, index: place, within: contact_within, .. } =
+        Beside::new(emission);
+    let total = number(model.guards() + Beside::guards_of(emission));
     let [guards, kinks, all] = [model.guards(), model.kinks.len(), model.watched()].map_each(number);
     let full = quote!(self.switching(t, u, &rt::charts::full(self, t, u, x), g));
     let [here, within] = [(quote!(self), full), (quote!(mechanism), TokenStream::new())]
@@ -29,14 +34,15 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
     quote! {
         const KINKS: usize = #kinks;
 
-        fn guards(&self, t: S, u: &Self::U, x: &[S; #length], g: &mut [S; #guards]) {
+        fn guards(&self, t: S, u: &Self::U, x: &[S; #length], g: &mut [S; #total]) {
             let mut all = [S::lit(0.0); #all];
             let out = g;
             let g = &mut all;
             #here;
-            for (guard, value) in out.iter_mut().zip(all) {
+            for (guard, value) in out.iter_mut().zip(all)#take {
                 *guard = value;
             }
+            #contact_guards
         }
 
         fn kinks(&self, t: S, u: &Self::U, x: &[S; #length], each: &mut impl FnMut(usize, S)) {
@@ -63,9 +69,9 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
             let within = |u: &Held<rt::Enclosed<S>>, x: &[rt::Enclosed<S>; #length], g: &mut [rt::Enclosed<S>; #all]| #within;
             within(&held, &core::array::from_fn(x), &mut guards);
             for (index, guard) in guards.into_iter().enumerate() {
-                each(index, guard);
+                each(#place, guard);
             }
-            true
+            #contact_within
         }
     }
 }
@@ -82,7 +88,7 @@ fn switching(emission: &Emission, mechanism: &TokenStream, free: &TokenStream) -
 
 /// Events of the switches that depend on the state. One that must hold does not change: it ends the run.
 pub(super) fn switch(emission: &Emission) -> TokenStream {
-    let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
+    let model = emission.model;
     let of_state = model.switches.iter().filter(|switch| switch.instant.is_none());
     let required: Vec<_> = of_state
         .enumerate()
@@ -111,6 +117,7 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
         })
     });
     let ends: Vec<String> = ends.collect_vec();
+    let Beside { head, switch: next, .. } = Beside::new(emission);
     let end = (!ends.is_empty()).then(|| {
         let ends = emission.text(ends.join(" "));
         quote! {
@@ -125,14 +132,12 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
     quote! {
         #must_hold
         #end
-        fn switch(
-            &self, _t: S, u: &mut Self::U, _x: &mut [S; #length], index: usize
-        ) -> Result<(), Fault> {
+        #head {
             #only
             if let Some(side) = u.switches.get_mut(index) {
                 *side = -*side;
             }
-            Ok(())
+            #next
         }
     }
 }
@@ -140,9 +145,11 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
 /// Names of the conditions of the state, and their texts.
 pub(super) fn names(emission: &Emission) -> TokenStream {
     let model = emission.model;
-    let names = emission.text(quoted(model.switches.iter().take(model.guards()).map(|switch| &switch.name)));
-    let texts = emission.text(quoted(texts(model)));
-    let guards = number(model.guards());
+    let of_contact = contact::names_of_guards(emission);
+    let names = model.switches.iter().take(model.guards()).map(|switch| &switch.name);
+    let names = emission.text(quoted(names.chain(of_contact)));
+    let texts = emission.text(quoted(texts(model).chain(contact::names_of_guards(emission).cloned())));
+    let guards = number(model.guards() + Beside::guards_of(emission));
     quote! {
         fn guard_name(&self, index: usize) -> &'static str {
             const NAMES: [&str; #guards] = [#names];
@@ -169,6 +176,7 @@ fn texts(model: &Model) -> impl Iterator<Item = String> {
 /// Which conditions and kinks matter, given the sides that are held.
 pub(super) fn matters(emission: &Emission) -> TokenStream {
     let Decisions { nodes, roots } = &emission.model.decisions;
+    let contact = Beside::new(emission).matters;
     let [watched, count] = [roots.len(), nodes.len()].map_each(number);
     let roots = emission.list(roots.iter().map(usize::to_string));
     let nodes = emission.list(nodes.iter().map(|(side, yes, no)| format!("({side}, {yes}, {no})")));
@@ -178,6 +186,7 @@ pub(super) fn matters(emission: &Emission) -> TokenStream {
         fn matters(&self, u: &Self::U, index: usize, unknown: u64) -> bool {
             const ROOTS: [u16; #watched] = [#roots];
             const NODES: [(u8, u16, u16); #count] = [#nodes];
+            #contact
             let root = ROOTS.get(index).copied().unwrap_or(1);
             rt::events::holds(&NODES, root, &u.switches, unknown)
         }
@@ -187,6 +196,8 @@ pub(super) fn matters(emission: &Emission) -> TokenStream {
 /// When switches of the time alone change, and which sides of them apply.
 pub(super) fn known_times(emission: &Emission) -> TokenStream {
     let (guards, Sizes { length, .. }) = (emission.model.guards(), &emission.sizes);
+    let next = Beside::new(emission).switch_at_time;
+    let state = if contact::are_there(emission) { quote!(x) } else { quote!(_x) };
     let count = number(emission.model.switches.len() - guards);
     let guards = number(guards);
     quote! {
@@ -196,12 +207,13 @@ pub(super) fn known_times(emission: &Emission) -> TokenStream {
             at.into_iter().filter(|at| *at > t).reduce(S::min)
         }
 
-        fn switch_at_time(&self, t: S, u: &mut Self::U, _x: &mut [S; #length]) -> Result<(), Fault> {
+        fn switch_at_time(&self, t: S, u: &mut Self::U, #state: &mut [S; #length]) -> Result<(), Fault> {
             let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
             self.instants(u, &mut at, &mut slope);
             for ((side, at), slope) in u.switches.iter_mut().skip(#guards).zip(at).zip(slope) {
                 *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
             }
+            #next
             Ok(())
         }
     }

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 
 use super::super::lower::inline;
 use super::super::{Emission, Form, Sizes, number, quoted, table_compression};
-use super::{switches, turns};
+use super::{contact, contact_events, switches, turns};
 use crate::formulate::{Chart, coordinate_name};
 use crate::model::Stabilisation;
 
@@ -30,7 +30,11 @@ fn constraints(emission: &Emission) -> TokenStream {
         Form::Loops(_) => in_charts(emission),
     };
     let update = turns::update(emission);
-    let stabilisation = (!emission.is_reduced()).then(|| stabilisation(emission));
+    let stabilisation = if contact::are_there(emission) {
+        Some(contact_events::project(emission))
+    } else {
+        (!emission.is_reduced()).then(|| stabilisation(emission))
+    };
     let energy = (!knows_time(emission) && emission.model.has_masses()).then(|| {
         quote! {
             fn energy(&self, t: S, u: &Self::U, x: &[S; #length]) -> Option<rt::Energy<S>> {
@@ -54,6 +58,9 @@ fn constraints(emission: &Emission) -> TokenStream {
 fn events(emission: &Emission) -> TokenStream {
     let Emission { model, name, .. } = emission;
     let guards = number(model.guards());
+    if contact::are_there(emission) {
+        return contact_events::events(emission);
+    }
     let watched = (model.watched() > 0).then(|| switches::watched(emission));
     let matters = (!model.decisions.roots.is_empty()).then(|| switches::matters(emission));
     let switch = (model.guards() > 0).then(|| switches::switch(emission));
@@ -77,7 +84,8 @@ fn labels(emission: &Emission) -> TokenStream {
     let part_of_state = part_of_state(emission);
     let names = table_compression::names(emission, &names_of_state(emission));
     let names_in_charts = names_in_charts(emission);
-    let conditions = (model.guards() > 0).then(|| switches::names(emission));
+    let contacts = contact::labels(emission);
+    let conditions = (model.guards() > 0 || contact::are_there(emission)).then(|| switches::names(emission));
     quote! {
         impl<S: Real> rt::Labels for #name<S> {
             fn part_of_state(&self, index: usize) -> &'static str {
@@ -93,6 +101,7 @@ fn labels(emission: &Emission) -> TokenStream {
             }
             #names_in_charts
             #conditions
+            #contacts
         }
     }
 }
@@ -131,11 +140,12 @@ fn by_rank(emission: &Emission) -> TokenStream {
             }
         }
     });
+    let held = if contact::are_there(emission) { quote!(&self.loaded_(t, u, x)) } else { quote!(u) };
     quote! {
         fn rate_by_rank(
             &self, t: S, u: &Self::U, x: &[S; #length], dx: &mut [S; #length]
         ) -> Result<(), Fault> {
-            let solution = self.accelerate(t, u, x)?;
+            let solution = self.accelerate(t, #held, x)?;
             let (_, v): ([S; #nq], [S; #nq]) = absolute::split(x);
             absolute::join(&v, &solution.a, dx);
             #first_order
@@ -171,7 +181,7 @@ fn in_charts(emission: &Emission) -> TokenStream {
 }
 
 /// Stabilisation of the constraints in absolute coordinates.
-fn stabilisation(emission: &Emission) -> TokenStream {
+pub(super) fn stabilisation(emission: &Emission) -> TokenStream {
     let Sizes { length, .. } = &emission.sizes;
     match emission.model.stabilisation {
         Stabilisation::Projection => quote! {

@@ -4,6 +4,7 @@ use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
+use super::super::contract::contact;
 use super::super::lower::inline;
 use super::super::{Emission, docs, memory, number};
 
@@ -37,13 +38,19 @@ pub(super) fn of_loops(emission: &Emission) -> TokenStream {
     })
 }
 
+/// The type of what is held of contact, behind a comma, where there is contact.
+pub(super) fn of_contact(emission: &Emission) -> Option<TokenStream> {
+    let held = contact::held(emission);
+    contact::are_there(emission).then(|| quote!(, #held))
+}
+
 /// `Held`.
 pub(crate) fn held(emission: &Emission) -> TokenStream {
-    let of_loops = of_loops(emission);
+    let (of_loops, of_contact) = (of_loops(emission), of_contact(emission));
     let [switches, turns] = [emission.model.switches.len(), emission.model.turns.len()].map_each(number);
     quote! {
         /// Discrete state: constant during a step.
-        type Held<S> = rt::Held<Input<S>, [S; #switches], [<S as Scalar>::Turns; #turns], #of_loops>;
+        type Held<S> = rt::Held<Input<S>, [S; #switches], [<S as Scalar>::Turns; #turns], #of_loops #of_contact>;
     }
 }
 

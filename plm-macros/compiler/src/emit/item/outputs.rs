@@ -118,16 +118,18 @@ fn poses(emission: &Emission) -> TokenStream {
 
 /// The line that gives an accessor of `State` two arrays, as far as it reads them.
 fn arrays(text: &str, [first, second]: [&str; 2], from: &str) -> String {
-    let reads = |array: &str| {
-        text.match_indices(array).any(|(at, _)| {
-            let (before, behind) = (&text[..at], &text[at + array.len()..]);
-            !before.ends_with(|c: char| c.is_alphanumeric() || c == '_') && behind.starts_with(['[', ';'])
-        })
-    };
-    match [first, second].map_each(|array| if reads(array) { array } else { "_" }) {
+    match [first, second].map_each(|array| if reads(text, array) { array } else { "_" }) {
         ["_", "_"] => String::new(),
         [first, second] => format!("let ({first}, {second}) = {from};\n"),
     }
+}
+
+/// Does the text read this array?
+fn reads(text: &str, array: &str) -> bool {
+    text.match_indices(array).any(|(at, _)| {
+        let (before, behind) = (&text[..at], &text[at + array.len()..]);
+        !before.ends_with(|c: char| c.is_alphanumeric() || c == '_') && behind.starts_with(['[', ';'])
+    })
 }
 
 /// The type of an output.
@@ -166,13 +168,14 @@ fn user_output(emission: &Emission, bindings: &Bindings, index: usize) -> TokenS
 }
 
 fn body(emission: &Emission, bindings: &Bindings, function: &Function) -> TokenStream {
-    let reserved = ["lit", "value", "a", "lambda", "q", "v"];
+    let reserved = ["lit", "value", "a", "lambda", "q", "v", "contact"];
     let rerolled = emission.rerolled;
     let around = Around { reserved: &reserved, by_reference: false, scalar: "S", direct: None, rerolled };
     let (text, _) = statements(function, bindings, &around);
     let solved = arrays(&text, ["a", "lambda"], "self.solved_()");
     let pose = arrays(&text, ["q", "v"], "self.pose_()");
-    emission.text(solved + &pose + &text)
+    let contact = if reads(&text, "contact") { "let contact = self.loaded_().contact.lambda;\n" } else { "" };
+    emission.text(contact.to_owned() + &solved + &pose + &text)
 }
 
 /// The turns that tell the mirror images of loops apart.

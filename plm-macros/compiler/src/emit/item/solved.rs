@@ -3,6 +3,7 @@
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
+use super::super::contract::contact;
 use super::super::{Emission, Sizes};
 use crate::derive::feeds_back;
 
@@ -11,16 +12,22 @@ pub(crate) fn solved(emission: &Emission) -> TokenStream {
     if emission.reactions().is_some() { of_tree(emission) } else { of_absolute(emission) }
 }
 
+/// The discrete state, with the forces of contact where there are some.
+fn loaded(emission: &Emission) -> TokenStream {
+    if contact::are_there(emission) { quote!(&self.loaded_()) } else { quote!(&self.held) }
+}
+
 /// By the backward pass of a tree, whose reactions nothing leaves undetermined.
 fn of_tree(emission: &Emission) -> TokenStream {
     let Sizes { nq, nc, .. } = &emission.sizes;
+    let held = loaded(emission);
     let solved = emission.reads_solution().then(|| {
         quote! {
             /// Accelerations and multipliers.
             #[inline]
             fn solved_(&self) -> ([S; #nq], [S; #nc]) {
                 let (mut a, mut lambda) = ([S::lit(0.0); #nq], [S::lit(0.0); #nc]);
-                self.mechanism.reactions(self.time, &self.held, &self.x, &mut a, &mut lambda);
+                self.mechanism.reactions(self.time, #held, &self.x, &mut a, &mut lambda);
                 (a, lambda)
             }
         }
@@ -39,6 +46,7 @@ fn of_tree(emission: &Emission) -> TokenStream {
 /// By absolute coordinates, and by rank where elimination is unhealthy.
 fn of_absolute(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { nq, nc, full, .. }, .. } = emission;
+    let held = loaded(emission);
     // Forces that read the unknowns are known for independent constraints alone.
     let refusal = feeds_back(emission.model)
         .then(|| quote!(return Err(Fault::new(t.to_f64(), rt::Cause::Singular { rows: #nc }));));
@@ -62,7 +70,7 @@ fn of_absolute(emission: &Emission) -> TokenStream {
             /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
             fn solved_(&self) -> ([S; #nq], [S; #nc]) {
                 let (mut dx, mut lambda) = ([S::lit(0.0); #full], [S::lit(0.0); #nc]);
-                let (u, x) = (&self.held, self.absolute_());
+                let (u, x) = (#held, self.absolute_());
                 let health = self.mechanism.dynamics(self.time, u, &x, &mut dx, &mut lambda);
                 if !rt::Health(health).is_good() {
                     if let Ok(solution) = self.mechanism.accelerate(self.time, u, &x) {
@@ -75,7 +83,7 @@ fn of_absolute(emission: &Emission) -> TokenStream {
 
             /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
             pub fn undetermined(&self) -> [bool; #nc] {
-                match self.mechanism.accelerate(self.time, &self.held, &self.absolute_()) {
+                match self.mechanism.accelerate(self.time, #held, &self.absolute_()) {
                     Ok(solution) => solution.undetermined,
                     Err(_) => [true; #nc],
                 }

@@ -5,6 +5,7 @@ use crate::emit::template::quote;
 use plm_cas::algebra;
 use proc_macro2::TokenStream;
 
+use super::super::contract::contact;
 use super::super::contract::{limits, statics::MOST_LINES};
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, Form, Sizes, docs, number, table_compression};
@@ -261,9 +262,10 @@ fn holding(emission: &Emission) -> TokenStream {
         Form::Tree(_) | Form::Absolute => quote!(()),
     };
     let [count, turns] = [emission.model.switches.len(), emission.model.turns.len()].map_each(number);
+    let contact = if contact::are_there(emission) { quote!(rt::contact::Held::open()) } else { quote!(()) };
     quote! {
         fn holding_(input: Input<S>) -> Held<S> {
-            rt::Held { input, switches: [S::lit(1.0); #count], turns: [0; #turns], of_loops: #of_loops }
+            rt::Held { input, switches: [S::lit(1.0); #count], turns: [0; #turns], of_loops: #of_loops, contact: #contact }
         }
     }
 }
@@ -275,6 +277,10 @@ fn begin(emission: &Emission) -> TokenStream {
         .then(|| quote!(rt::Events::switch_at_time(self, t, &mut held, &mut x)?;));
     let switch =
         (model.guards() > 0).then(|| quote!(rt::events::switch_where_due(self, t, &mut held, &mut x)?;));
+    let contact = contact::are_there(emission).then(|| {
+        let count = contact::count(emission);
+        quote!(rt::contact::begin::<Self, #count>(self, t, &mut held, &mut x)?;)
+    });
     let mut repeats = None;
     let enter = match emission.form {
         Form::Loops(reduced) => {
@@ -300,5 +306,6 @@ fn begin(emission: &Emission) -> TokenStream {
         #enter
         #pass
         #switch
+        #contact
     }
 }

@@ -6,12 +6,12 @@ use proc_macro2::TokenStream;
 
 use super::super::contract::turns;
 use super::super::{Emission, Form, Sizes, number};
-use super::input::of_loops;
+use super::input::{of_contact, of_loops};
 
 /// `State`.
 pub(crate) fn state(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
-    let of_loops = of_loops(emission);
+    let (of_loops, of_contact) = (of_loops(emission), of_contact(emission));
     let [switches, turns] = [emission.model.switches.len(), emission.model.turns.len()].map_each(number);
     quote! {
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
@@ -19,7 +19,7 @@ pub(crate) fn state(emission: &Emission) -> TokenStream {
         pub struct State<S = f64> {
             /// The mechanism with its parameters.
             pub mechanism: #name<S>,
-            held: rt::Held<Input<S>, [S; #switches], [i32; #turns], #of_loops>,
+            held: rt::Held<Input<S>, [S; #switches], [i32; #turns], #of_loops #of_contact>,
             time: S,
             x: [S; #length],
         }

@@ -30,7 +30,8 @@ use plm_cas::{Expr, algebra};
 use self::motion::motion;
 use self::normal::min_norm;
 use super::colours::Reads;
-use super::function::{Function, stored};
+use super::contact::ContactFunctions;
+use super::function::{Function, Place, stored};
 use super::linearised::{Linearised, orders_step};
 use super::order::minimum_degree;
 use super::outputs::{self, Outputs};
@@ -42,6 +43,8 @@ use crate::model::{Model, Stabilisation};
 pub(crate) struct Absolute {
     /// `dx` and `lambda`, returning Health: the right-hand side.
     pub(crate) dynamics: Function,
+    /// Rows of contact, if there are any.
+    pub(crate) contact: Option<ContactFunctions>,
     /// `phi`, m or rad by row.
     pub(crate) phi: Function,
     /// `phi_dot = phi_q v - nu`, m/s or rad/s by row.
@@ -91,8 +94,10 @@ pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
     free.extend(stored("gamma", stabilised(model, equations).iter()));
     // Assembly and projection hold no switches.
     let released = |function: Function| function.substitute(&model.released);
+    let contact = motion.contact(model, equations);
     Absolute {
         dynamics: motion.dynamics(equations, &x_dot),
+        contact,
         phi: released(Function::of_array("phi", &equations.phi)),
         phi_dot: released(Function::of_array("phi_dot", &equations.phi_dot)),
         phi_q: released(Function::of_array("phi_q", &entries)),
@@ -133,6 +138,14 @@ pub(crate) fn eliminates_beyond(most: usize, equations: &Equations) -> bool {
 }
 
 impl Absolute {
+    /// Multipliers of the joints at a state.
+    pub(super) fn multipliers(&self) -> Vec<Expr> {
+        let results = self.dynamics.results.iter();
+        results
+            .filter_map(|(place, value)| matches!(place, Place::Element("lambda", _)).then_some(*value))
+            .collect_vec()
+    }
+
     /// Shares what each function computes more than once. Guards and outputs are small, and share when they are laid out.
     pub(crate) fn optimise(self) -> Absolute {
         Absolute {
@@ -157,7 +170,7 @@ impl Absolute {
     /// Adds the linearised equations where they are wanted.
     pub(crate) fn linearise(&mut self, model: &Model, equations: &Equations) {
         let large = 2 * equations.q.len() + equations.x.len() > MOST_FULL;
-        if !(large || orders_step(model)) {
+        if !(large || orders_step(model)) || !model.contacts.is_empty() {
             return;
         }
         let Some(augmented) = linearised::linearised(model, equations) else { return };

@@ -7,6 +7,7 @@ use super::feedback;
 use super::normal::Normal;
 use super::{coordinate_name, stabilised};
 use crate::derive::Equations;
+use crate::formulate::contact::{Accelerated, ContactFunctions, functions};
 use crate::formulate::function::{Function, Place, Section, stored};
 use crate::formulate::ldl::{Factor, factorise};
 use crate::model::Model;
@@ -57,6 +58,13 @@ pub(super) fn motion(model: &Model, equations: &Equations, inverse_mass: &[Expr]
 }
 
 impl Motion {
+    /// The rows of contact.
+    pub(super) fn contact(&self, model: &Model, equations: &Equations) -> Option<ContactFunctions> {
+        let (bodies, second) = (&self.acceleration, &self.acceleration);
+        let motion = Accelerated { bodies, second, substitution: &self.read, reactions: &self.lambda };
+        functions(model, equations, &motion)
+    }
+
     /// The right-hand side: `dx = [v, a, x_dot]` and `lambda`, returning Health.
     pub(super) fn dynamics(self, equations: &Equations, x_dot: &[Expr]) -> Function {
         let mut results = stored("dx", equations.v.iter().chain(&self.acceleration).chain(x_dot));

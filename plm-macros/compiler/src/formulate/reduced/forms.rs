@@ -34,7 +34,8 @@ fn laid_out<T>(model: &Model, then: impl FnOnce(Layout, &Motion, &Scheme) -> T) 
     let memory = Memory::new(&coordinates, (scheme.independent.len(), 0), &[]);
     let length = Expr::ONE;
     let motion = kinematics(model, &coordinates, &scheme, &memory, length);
-    let layout = Layout { model, equations: &equations, coordinates: &coordinates, memory: &memory, length };
+    let (equations, lambda) = (&equations, &equations.lambda[..]);
+    let layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length, lambda };
     then(layout, &motion, &scheme)
 }
 

@@ -17,6 +17,8 @@ pub(crate) struct Layout<'a> {
     pub(crate) coordinates: &'a Coordinates,
     pub(crate) memory: &'a Memory,
     pub(crate) length: Expr,
+    /// Multipliers of the joints in absolute coordinates.
+    pub(crate) lambda: &'a [Expr],
 }
 
 /// Applied forces and torques at each G, without gravity, as functions of the coordinates.

@@ -3,6 +3,7 @@
 
 mod bodies;
 mod charts;
+mod contact;
 mod dense;
 #[cfg(test)]
 mod forms;
@@ -33,6 +34,7 @@ use self::motion::memory::Memory;
 use self::motion::solution::measure;
 use self::pose::{from_pose, pose};
 use self::tree::augmented::augmented;
+use super::contact::ContactFunctions;
 use super::function::{Function, Place, Section, stored};
 use super::linearised::{Linearised, by_time, orders_step};
 use super::switches;
@@ -123,6 +125,8 @@ pub(crate) struct Chart {
     pub(crate) guards: Function,
     /// `q`, `v` of all bodies; with loops, returning the same.
     pub(crate) pose: Function,
+    /// Rows of contact, if there are any.
+    pub(crate) contact: Option<ContactFunctions>,
     /// `a` of all bodies and `lambda` of all rows; of trees alone.
     pub(crate) reactions: Option<Function>,
     /// `x` of a state in absolute coordinates.
@@ -151,7 +155,7 @@ struct Form {
 /// Why the mechanism has neither: words that go on "absolute coordinates because …".
 pub(crate) fn formulate(model: &Model, equations: &Equations, known: Known) -> Result<Reduced, String> {
     let coordinates = Coordinates::new(model)?;
-    let schemes = schemes(model, equations, &coordinates, known)?;
+    let schemes = schemes(model, equations, &coordinates, &known)?;
     let freedom = schemes.first().map_or(0, |scheme| scheme.independent.len());
     if freedom > MOST_DENSE && schemes.iter().any(|scheme| !scheme.groups.is_empty()) {
         return Err(format!("it has {freedom} degrees of freedom"));
@@ -162,7 +166,8 @@ pub(crate) fn formulate(model: &Model, equations: &Equations, known: Known) -> R
     iterated.dedup();
     let memory = Memory::new(&coordinates, (freedom, dyads), &iterated);
     let length = Expr::from(plm_cas::Number::from_f64(known.length));
-    let mut layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length };
+    let lambda = known.lambda;
+    let mut layout = Layout { model, equations, coordinates: &coordinates, memory: &memory, length, lambda };
     let charts = schemes.iter().map(|scheme| layout.chart(scheme)).collect_vec();
     let turning = coordinates.unknowns.iter().filter_map(|unknown| unknown.turning_body()).collect_vec();
     let owner = |unknown: usize| {
@@ -186,7 +191,7 @@ fn schemes(
     model: &Model,
     equations: &Equations,
     coordinates: &Coordinates,
-    Known { assembled, freedom_elsewhere, .. }: Known,
+    Known { assembled, freedom_elsewhere, .. }: &Known,
 ) -> Result<Vec<Scheme>, String> {
     let counted = charts::schemes(model, coordinates);
     if coordinates.is_tree() {
@@ -231,10 +236,12 @@ impl Layout<'_> {
         let loops = scheme.loops().next().is_some();
         let mut forms = self.forms(&motion, scheme);
         forms.sort_by_cached_key(|form| form.rate.tape().count().total());
-        let dense = forms.iter_mut().find_map(|form| form.dense.take());
+        let dense = forms.iter_mut().find_map(|form| form.dense.take()).filter(|_| model.contacts.is_empty());
         let Form { method, rate, .. } = forms.swap_remove(0);
         let tree = scheme.groups.is_empty();
-        let large = tree.then(|| augmented(model, equations, &motion)).flatten();
+        // What solves for contact forces is differentiated by dual numbers.
+        let differentiated = model.contacts.is_empty();
+        let large = (tree && differentiated).then(|| augmented(model, equations, &motion)).flatten();
         let names: Vec<String> =
             motion.independent.iter().map(|&unknown| motion.names[unknown].clone()).collect_vec();
         let parts = names.iter().map(|name| owner(name).to_owned());
@@ -245,6 +252,7 @@ impl Layout<'_> {
         // Where a pose is read nothing is held.
         let remember_pose = loops.then(|| self.remember_pose(scheme).substitute(&model.released));
         let reactions = if loops { None } else { self.reactions(&motion, &rate) };
+        let contact = self.contact(&motion, &rate);
         let described = |group: &Group| {
             let names: Vec<&str> =
                 group.unknowns().into_iter().map(|unknown| motion.names[unknown].as_str()).collect_vec();
@@ -275,6 +283,7 @@ impl Layout<'_> {
             y_dot: motion.of_independent(&motion.rate),
             method,
             rate,
+            contact,
             reactions,
             linearised,
             by_time,

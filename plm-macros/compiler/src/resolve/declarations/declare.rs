@@ -8,6 +8,7 @@ use crate::collect::PushAll;
 use crate::diag::Code;
 use crate::model::Name;
 use crate::resolve::Resolver;
+use crate::resolve::declarations::contact::WrittenContact;
 use crate::resolve::names::{ScopeId, Thunk};
 use crate::resolve::values::expect::Wanted;
 use crate::resolve::values::{Nature, Quantity, Reads};
@@ -39,6 +40,7 @@ impl<'a> Resolver<'a> {
                 ItemKind::Stabilisation(method, time) => {
                     self.declare_stabilisation(scope, method, time.as_ref());
                 }
+                ItemKind::Impacts(law) => self.declare_impacts(scope, law),
                 ItemKind::Allow(codes) => self.declare_allowed(codes),
                 ItemKind::Param(value) => self.declare_value(scope, item, value, Reads::PARAM),
                 ItemKind::Input(value) => self.declare_value(scope, item, value, Reads::INPUT),
@@ -50,6 +52,10 @@ impl<'a> Resolver<'a> {
                 ItemKind::Body(body) => self.declare_body(scope, body),
                 ItemKind::Instance(instance) => self.declare_instance(scope, instance, part),
                 ItemKind::Constraint(name, left, right) => self.declare_row(scope, name, [left, right], part),
+                ItemKind::Unilateral(row) => {
+                    self.declare_contact(scope, WrittenContact::Unilateral(row), part);
+                }
+                ItemKind::Friction(row) => self.declare_contact(scope, WrittenContact::Friction(row), part),
                 ItemKind::Require(name, condition) => self.declare_requirement(scope, name, condition),
                 ItemKind::Load(load) => self.declare_load(scope, load, part),
                 ItemKind::Node(node) => self.declare_node(scope, node),

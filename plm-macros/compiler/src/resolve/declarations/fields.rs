@@ -132,11 +132,13 @@ const ELSEWHERE: &[(&str, &str)] = &[
 const INSTEAD: &[(&[&str], &str)] = &[
     (
         &["limits", "limit", "stop", "stops", "range", "min", "max", "lower", "upper"],
-        "a joint has no stops of its own: they are a stiff spring in its `drive` (the book, Recipes: mechanics, Stops)",
+        "a joint has no stops of its own: a rigid one is a row, `unilateral name: b.angle <= 90 deg;`, one that gives way a stiff spring in \
+         its `drive` (the book, Recipes: mechanics, Stops)",
     ),
     (
         &["friction", "coulomb", "mu", "dry_friction"],
-        "friction is a law in the joint's `drive` that reads its `speed` (the book, Recipes: mechanics, Friction)",
+        "a friction that sticks is a row, `friction name: rate(b.angle) within 1 N*m;`, one that creeps a law in the joint's `drive` that \
+         reads its `speed` (the book, Recipes: mechanics, Friction)",
     ),
     (
         &["motor", "speed", "velocity", "omega", "angle", "position", "displacement"],

@@ -70,10 +70,10 @@ impl<'a> Resolver<'a> {
         };
         let value = match ast.quantity.text.as_str() {
             "torque" => {
-                self.eval_number(scope, &ast.value, Dimension::TORQUE, Reads::ALL).map(Applied::Torque)
+                self.eval_number(scope, &ast.value, Dimension::TORQUE, Reads::ACTING).map(Applied::Torque)
             }
             "force" => self
-                .eval_vector(scope, &ast.value, Dimension::FORCE, Reads::ALL)
+                .eval_vector(scope, &ast.value, Dimension::FORCE, Reads::ACTING)
                 .map(|force| Applied::Force(force.value)),
             other => {
                 let message = format!("`{other}` does not act on a frame");

@@ -2,6 +2,7 @@
 
 pub(super) mod body;
 pub(super) mod branch;
+pub(super) mod contact;
 pub(super) mod declare;
 mod fields;
 pub(super) mod frame;
@@ -16,6 +17,7 @@ pub(super) mod state;
 
 use crate::model::{Comparison, Limit, Part};
 use crate::resolve::declarations::body::UnresolvedBody;
+use crate::resolve::declarations::contact::UnresolvedContact;
 use crate::resolve::declarations::declare::UnresolvedField;
 use crate::resolve::declarations::frame::UnresolvedPort;
 use crate::resolve::declarations::load::{Action, UnresolvedLoad};
@@ -46,6 +48,7 @@ pub(crate) struct UnresolvedModel<'a> {
     /// The parts of the mechanism; what they contain counts as theirs, but for joints.
     pub(crate) parts: Vec<Part>,
     pub(crate) rows: Vec<UnresolvedRow<'a>>,
+    pub(crate) contacts: Vec<UnresolvedContact<'a>>,
     pub(crate) requirements: Vec<Requirement<'a>>,
     /// Comparisons as they were written.
     pub(crate) comparisons: Vec<Comparison>,

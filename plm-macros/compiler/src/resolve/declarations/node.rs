@@ -136,7 +136,7 @@ impl<'a> Resolver<'a> {
         match value {
             Value::Node(other) if std::ptr::eq(self.unresolved.nodes[other].domain, domain) => Ok(value),
             Value::Scalar(..) => {
-                let wanted = Wanted::Number(domain.across.unit.dimension, Reads::ALL);
+                let wanted = Wanted::Number(domain.across.unit.dimension, Reads::ACTING);
                 if let Value::Scalar(across) = self.wanted(scope, expr, value, wanted)? {
                     let nature = Nature::derived(across.nature.dimension, across.nature.reads);
                     self.unresolved.nodes[node].across = Some(Quantity { nature, ..across });
@@ -235,7 +235,7 @@ impl<'a> Resolver<'a> {
             help_similar(diagnostic, &name.text, "quantity", "what acts on it", &names);
             return Err(Failed);
         };
-        let value = self.eval_number(scope, &ast.value, domain.through[k].unit.dimension, Reads::ALL)?;
+        let value = self.eval_number(scope, &ast.value, domain.through[k].unit.dimension, Reads::ACTING)?;
         self.unresolved.nodes[node].through[k].terms.push(value);
         if let Some(from) = from {
             self.unresolved.nodes[from].through[k].terms.push(-value);

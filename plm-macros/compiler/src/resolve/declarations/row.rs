@@ -5,7 +5,7 @@ use plm_cas::Expr;
 use crate::diag::Code;
 use crate::model::{Declared, Name, Part};
 use crate::resolve::Resolver;
-use crate::resolve::names::ScopeId;
+use crate::resolve::names::{RowId, ScopeId};
 use crate::resolve::values::lazy::Lazy;
 use crate::resolve::values::{Eval, Failed, Reads};
 use crate::span::Span;
@@ -25,6 +25,16 @@ pub(crate) struct UnresolvedRow<'a> {
     value: Lazy<RowValue>,
 }
 
+/// A row whose name is bound.
+pub(crate) struct NamedRow {
+    /// Full name.
+    pub(crate) name: String,
+    pub(crate) part: usize,
+    pub(crate) span: Span,
+    /// Symbol of its multiplier.
+    pub(crate) lambda: Expr,
+}
+
 /// Value of a row.
 #[derive(Clone, Copy)]
 pub(crate) struct RowValue {
@@ -41,16 +51,39 @@ impl<'a> Resolver<'a> {
         [left, right]: [&'a ast::Expr; 2],
         part: Option<usize>,
     ) {
+        let id = RowId::Constraint(self.unresolved.rows.len());
+        let Some(row) = self.name_row(scope, name, id, "constraint", part) else { return };
+        self.unresolved.rows.push(UnresolvedRow {
+            scope,
+            left,
+            right,
+            name: row.name,
+            part: row.part,
+            span: row.span,
+            lambda: row.lambda,
+            value: Lazy::Waiting,
+        });
+    }
+
+    /// Binds the name of a row. `word` is the kind of the part that it is at the top of the mechanism. `None` if the name is none.
+    pub(crate) fn name_row(
+        &mut self,
+        scope: ScopeId,
+        name: &'a ast::IndexedName,
+        id: RowId,
+        word: &str,
+        part: Option<usize>,
+    ) -> Option<NamedRow> {
         if self.needs_index(scope, name) {
-            return;
+            return None;
         }
-        let Ok(key) = self.key(scope, name) else { return };
+        let key = self.key(scope, name).ok()?;
         let home = self.names.home(scope);
         let full = format!("{}{key}", self.names.prefix(scope));
         if let Some((_, first)) = self.names.scopes[home].rows.get(&key) {
             let first = *first;
             self.duplicate(scope, &key, name.ident.span, first);
-            return;
+            return None;
         }
         let span = match self.names.instance(scope) {
             Some(_) => self.unresolved.parts[part.unwrap_or(0)].name.span,
@@ -58,7 +91,7 @@ impl<'a> Resolver<'a> {
         };
         let part = part.unwrap_or_else(|| {
             let name = Name { text: full.clone(), span };
-            let kind = "constraint".to_string();
+            let kind = word.to_string();
             self.unresolved.parts.push(Part {
                 name,
                 kind,
@@ -70,18 +103,8 @@ impl<'a> Resolver<'a> {
             self.unresolved.parts.len() - 1
         });
         let lambda = Expr::symbol(format!("lambda_{full}"));
-        self.names.scopes[home].rows.insert(key, (self.unresolved.rows.len(), name.ident.span));
-        let value = Lazy::Waiting;
-        self.unresolved.rows.push(UnresolvedRow {
-            scope,
-            left,
-            right,
-            name: full,
-            part,
-            span,
-            lambda,
-            value,
-        });
+        self.names.scopes[home].rows.insert(key, (id, name.ident.span));
+        Some(NamedRow { name: full, part, span, lambda })
     }
 
     /// Where a row was written.

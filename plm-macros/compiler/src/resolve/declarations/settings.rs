@@ -1,4 +1,5 @@
-//! Settings of the whole mechanism: gravity, the formulation, how constraints are kept, which warnings are allowed.
+//! Settings of the whole mechanism: gravity, the formulation, how constraints are kept, the law of impact, which warnings are
+//! allowed.
 
 use crate::collect::MapEach;
 use crate::sorted::SortedMap;
@@ -7,7 +8,7 @@ use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Number};
 
 use crate::diag::Code;
-use crate::model::{Formulation, Repetitions, Stabilisation, Step};
+use crate::model::{Formulation, Impacts, Repetitions, Stabilisation, Step};
 use crate::resolve::Resolver;
 use crate::resolve::names::{ScopeId, SlotId, Thunk};
 use crate::resolve::values::expect::Wanted;
@@ -24,6 +25,8 @@ pub(crate) struct Settings<'a> {
     stabilisation: Option<(&'a Ident, Option<&'a ast::Expr>)>,
     pub(crate) formulation: Option<(Formulation, Span)>,
     pub(crate) repetitions: Option<(Repetitions, Span)>,
+    /// The law of impact.
+    pub(crate) impacts: Option<(Impacts, Span)>,
     /// Steps that the code is to hold, and where they are asked for.
     pub(crate) steps: SortedMap<Step, Span>,
     /// Codes of warnings.
@@ -86,6 +89,17 @@ impl<'a> Resolver<'a> {
         } else {
             let known = Repetitions::NAMES.map_each(|(name, _)| name);
             self.unknown_option(scope, &repetitions.text, repetitions.span, &known);
+        }
+    }
+
+    /// `impacts: newton;`
+    pub(crate) fn declare_impacts(&mut self, scope: ScopeId, law: &'a Ident) {
+        if let Some((_, first)) = self.unresolved.settings.impacts {
+            self.said_twice(scope, law.span, "the law of impact", first);
+        } else if let Some(known) = Impacts::named(&law.text) {
+            self.unresolved.settings.impacts = Some((known, law.span));
+        } else {
+            self.unknown_option(scope, &law.text, law.span, &Impacts::NAMES.map_each(|(name, _)| name));
         }
     }
 

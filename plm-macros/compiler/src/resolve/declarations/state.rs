@@ -124,7 +124,7 @@ impl<'a> Resolver<'a> {
             return None;
         };
         let dimension = unit.dimension.over(Dimension::TIME);
-        let rate = self.eval_number(rate.scope, rate.value, dimension, Reads::ALL);
+        let rate = self.eval_number(rate.scope, rate.value, dimension, Reads::ACTING);
         let (start, rate) = (start.ok()?, rate.ok()?);
         Some(State { name, symbol, rate, start, locked, unit })
     }

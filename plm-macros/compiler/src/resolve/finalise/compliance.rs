@@ -10,7 +10,7 @@ use crate::sorted::SortedMap;
 use plm_cas::{Expr, algebra};
 
 use crate::diag::Code;
-use crate::model::{Limit, Load, Output, Row, State};
+use crate::model::{Contact, Limit, Load, Output, Row, State};
 use crate::resolve::Resolver;
 use crate::resolve::names::ScopeId;
 use crate::resolve::values::{Eval, Failed, Reads};
@@ -44,6 +44,7 @@ impl<'a> Resolver<'a> {
         loads: &mut Vec<Load>,
         states: &mut [State],
         outputs: &mut [Output],
+        contacts: &mut [Contact],
     ) -> Eval<(Vec<Row>, Vec<Row>)> {
         let mut multipliers: SortedMap<usize, Expr> = SortedMap::new();
         let mut all_found = Ok(());
@@ -61,7 +62,8 @@ impl<'a> Resolver<'a> {
         let mut stands_for = Vec::new();
         for (&row, &lambda) in &multipliers {
             let Row { part, phi, lambda: symbol, .. } = rows[row];
-            self.push(phi, lambda, part, loads);
+            // The force `-phi_q^T lambda` on every body that the row holds.
+            self.push_force(phi, part, |entry| -(entry * lambda), loads);
             // What gives way is no pair that coordinates could follow.
             self.unresolved.parts[part].pair = None;
             rows[row].lambda = lambda;
@@ -75,6 +77,9 @@ impl<'a> Resolver<'a> {
         }
         for output in outputs {
             output.components = algebra::substitute(&output.components, &stands_for);
+        }
+        for place in contacts.iter_mut().flat_map(Contact::expressions_mut) {
+            *place = algebra::substitute(&[*place], &stands_for)[0];
         }
         let (soft, rigid): (Vec<_>, Vec<_>) =
             rows.into_iter().enumerate().partition(|(row, _)| multipliers.contains_key(row));
@@ -159,7 +164,15 @@ impl<'a> Resolver<'a> {
         let Some(number) = value.as_number() else {
             let (part, unit) = (self.names.instances[word.instance].name.clone(), dimension.si_unit());
             let (what, span) = (name.to_owned(), expr.span);
-            self.unresolved.limits.push(Limit { part, what, value, unit, or_zero, span });
+            self.unresolved.limits.push(Limit {
+                part,
+                what,
+                value,
+                unit,
+                or_zero,
+                code: Code::NotPositive,
+                span,
+            });
             return Ok(value);
         };
         if !number.is_negative() && (or_zero || !number.is_zero()) {
@@ -174,18 +187,5 @@ impl<'a> Resolver<'a> {
             diagnostic.help("leave it out: without a compliance the joint is rigid");
         }
         Err(Failed)
-    }
-
-    /// The force `-phi_q^T lambda` on every body that a row holds.
-    fn push(&mut self, phi: Expr, lambda: Expr, part: usize, loads: &mut Vec<Load>) {
-        for body in 0..self.unresolved.bodies.len() {
-            let mut force = [Expr::ZERO; 3];
-            for (axis, entry) in algebra::gradient(phi, &self.unresolved.bodies[body].q) {
-                force[axis] = -(entry * lambda);
-            }
-            if force != [Expr::ZERO; 3] {
-                loads.push(Load { body, part, force });
-            }
-        }
     }
 }

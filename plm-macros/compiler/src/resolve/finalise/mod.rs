@@ -1,9 +1,11 @@
 //! The model from its unresolved, when every name is bound.
 
 pub(super) mod compliance;
+mod contact;
 mod observe;
 mod output;
 mod placeholders;
+mod reaction;
 pub(super) mod warnings;
 
 use crate::collect::{CollectVec, MapEach};
@@ -34,13 +36,18 @@ impl<'a> Resolver<'a> {
         let ground = self.evaluate_ports(None);
         let rows = self.evaluate_rows();
         let mut loads = self.evaluate_loads();
+        let mut contacts = self.evaluate_contacts(&mut loads);
         let mut states = self.evaluate_states();
         let mut outputs = self.evaluate_outputs();
         self.evaluate_observed(&mut outputs);
         let mut switches = self.evaluate_requirements();
-        self.replace_placeholders(&mut states, &mut loads, &mut outputs, &mut switches);
+        if let Ok(contacts) = &mut contacts {
+            self.replace_placeholders(&mut states, &mut loads, &mut outputs, &mut switches, contacts);
+        }
         loads.retain(|load| load.force != [Expr::ZERO; 3]);
-        let rows = rows.and_then(|rows| self.apply_compliances(rows, &mut loads, &mut states, &mut outputs));
+        let of_contact = contacts.as_deref_mut().unwrap_or_default();
+        let rows = rows
+            .and_then(|rows| self.apply_compliances(rows, &mut loads, &mut states, &mut outputs, of_contact));
         // Last of all, so that pictures have no part in the order in which terms are made.
         let instances = self.evaluate_instances();
         self.warn(declaration, mechanism);
@@ -71,8 +78,8 @@ impl<'a> Resolver<'a> {
             parts: self.unresolved.parts,
             rows,
             compliant,
-            contacts: Vec::new(),
-            impacts: Impacts::default(),
+            contacts: contacts.ok()?,
+            impacts: self.unresolved.settings.impacts.map_or_else(Impacts::default, |(law, _)| law),
             limits: self.unresolved.limits,
             comparisons: self.unresolved.comparisons,
             jumps: Vec::new(),

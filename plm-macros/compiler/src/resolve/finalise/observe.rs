@@ -1,7 +1,7 @@
 //! Observed quantities: every one of a body, a port, a node or a part, by name.
 //!
 //! Actions of a part on the bodies of its ports are found from its loads and constraint rows, so that they hold for every
-//! part: `Q - phi_q^T lambda`, summed over all that the part contains, carried to the point of the port. What it does to
+//! part: `Q - phi_q^T lambda`, of contacts `+z_q^T lambda`, summed over all that the part contains, carried to the point of the port. What it does to
 //! the ground keeps the balance: constraints hold when everything is moved together, ground included.
 //!
 //! Observed quantities are outputs that are not declared. They have a graph of their own, so that the step keeps its bits.
@@ -16,7 +16,7 @@ use crate::diag::Code;
 use crate::model::{FrameRef, Name, Output};
 use crate::resolve::Resolver;
 use crate::resolve::declarations::load::Action;
-use crate::resolve::names::ScopeId;
+use crate::resolve::names::{RowId, ScopeId};
 use crate::resolve::values::member_table::{Member, Owner};
 use crate::resolve::values::{Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::span::Span;
@@ -26,7 +26,7 @@ use crate::units::{Dimension, DisplayUnit};
 /// Actions of the parts, and on whom.
 struct Actions {
     /// Rows of each part, with those of the parts that it contains.
-    rows: Vec<Vec<usize>>,
+    rows: Vec<Vec<RowId>>,
     /// Forces and torques of each part, with those of the parts that it contains.
     applied: Vec<Vec<Action>>,
     /// Whose coordinate a symbol is.
@@ -188,7 +188,10 @@ impl<'a> Resolver<'a> {
         let count = self.names.instances.len();
         let (mut rows, mut applied) = (vec![Vec::new(); count], vec![Vec::new(); count]);
         for (row, state) in self.unresolved.rows.iter().enumerate() {
-            self.names.around(state.scope).for_each(|part: usize| rows[part].push(row));
+            self.names.around(state.scope).for_each(|part: usize| rows[part].push(RowId::Constraint(row)));
+        }
+        for (row, state) in self.unresolved.contacts.iter().enumerate() {
+            self.names.around(state.scope).for_each(|part: usize| rows[part].push(RowId::Contact(row)));
         }
         for action in &self.unresolved.applied {
             self.names.around(action.scope).for_each(|part: usize| applied[part].push(*action));
@@ -217,16 +220,19 @@ impl<'a> Resolver<'a> {
         Ok((Vec2::new(x, y), torque))
     }
 
-    /// `-phi_q^T lambda` of one row on a body as force and torque about a point, an arm from G; on the ground, about a
+    /// `-phi_q^T lambda` of one row, `+z_q^T lambda` of a contact, on a body as force and torque about a point, an arm from G; on the ground, about a
     /// point of the plane, the opposite of the sum over all bodies.
     fn reaction_on(
         &mut self,
         body: Option<usize>,
         about: Vec2,
-        row: usize,
+        row: RowId,
         coordinates: &SortedMap<Expr, (usize, usize)>,
     ) -> Eval<[Expr; 3]> {
-        let (phi, lambda) = (self.row(row)?.phi, self.unresolved.rows[row].lambda);
+        let (phi, lambda) = match row {
+            RowId::Constraint(row) => (self.row(row)?.phi, self.unresolved.rows[row].lambda),
+            RowId::Contact(row) => (self.displacement(row)?.value, -self.unresolved.contacts[row].lambda),
+        };
         let mut terms = [const { Vec::new() }; 3];
         let held = algebra::symbols(&[phi]);
         let touched: SortedSet<usize> =

@@ -75,7 +75,8 @@ impl<'a> Resolver<'a> {
             .iter()
             .map(|row| row.scope)
             .chain(self.unresolved.states.iter().map(|state| state.scope));
-        for scope in others.chain(self.unresolved.nodes.iter().map(|node| node.scope)) {
+        let contacts = self.unresolved.contacts.iter().map(|contact| contact.scope);
+        for scope in others.chain(contacts).chain(self.unresolved.nodes.iter().map(|node| node.scope)) {
             if let Some(instance) = self.names.around(scope).last() {
                 acts.insert(instance, true);
             }

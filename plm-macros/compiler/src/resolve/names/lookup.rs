@@ -12,7 +12,7 @@ use plm_cas::Expr;
 use crate::diag::{Code, help_similar};
 use crate::resolve::Resolver;
 use crate::resolve::names::unknown::instead_of;
-use crate::resolve::names::{ScopeId, Slot, SlotId, Thunk};
+use crate::resolve::names::{RowId, ScopeId, Slot, SlotId, Thunk};
 use crate::resolve::values::{Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::span::Span;
 use crate::syntax::ast::{self, Ident, IndexedName};
@@ -104,8 +104,8 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// A constraint row of this part.
-    pub(crate) fn lookup_row(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<usize> {
+    /// A row of this part.
+    pub(crate) fn lookup_row(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<RowId> {
         let ast::ExprKind::Name(name) = &expr.kind else {
             self.error(scope, Code::UnknownRow, expr.span, "the name of a constraint row is expected");
             return Err(Failed);

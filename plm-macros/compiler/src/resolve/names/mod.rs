@@ -46,12 +46,19 @@ pub(crate) struct Scope<'a> {
     pub(crate) parent: Option<ScopeId>,
     /// Names of values, parts, bodies.
     pub(crate) names: SortedMap<Cow<'a, str>, SlotId>,
-    /// Names of constraint rows.
-    pub(crate) rows: SortedMap<Cow<'a, str>, (usize, Span)>,
+    /// Names of rows.
+    pub(crate) rows: SortedMap<Cow<'a, str>, (RowId, Span)>,
     /// Outputs of a part.
     pub(crate) outputs: SortedMap<Cow<'a, str>, SlotId>,
     /// The part whose inside this is.
     instance: Option<usize>,
+}
+
+/// A row: index into the list of its kind.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum RowId {
+    Constraint(usize),
+    Contact(usize),
 }
 
 /// A named value.
@@ -139,7 +146,7 @@ impl<'a> Names<'a> {
         std::iter::successors(Some(scope), |scope| self.scopes[*scope].parent)
     }
 
-    /// All names that can be seen, in the order of declaration; constraints, which only `reaction` reads, behind the others.
+    /// All names that can be seen, in the order of declaration; rows, which only `reaction` reads, behind the others.
     pub(crate) fn visible(&self, scope: ScopeId) -> Vec<String> {
         let scopes = self.outwards(scope);
         let mut names: Vec<(&str, SlotId)> = scopes
@@ -148,9 +155,10 @@ impl<'a> Names<'a> {
             .collect_vec();
         sort_by_key(&mut names, |(_, slot)| *slot);
         let rows = &self.scopes[self.home(scope)].rows;
-        let mut rows: Vec<(&str, usize)> =
+        let mut rows: Vec<(&str, RowId)> =
             rows.iter().map(|(name, row)| (name.as_ref(), row.0)).collect_vec();
         sort_by_key(&mut rows, |(_, row)| *row);
-        names.into_iter().chain(rows).map(|(name, _)| name.to_string()).collect_vec()
+        let rows = rows.into_iter().map(|(name, _)| name);
+        names.into_iter().map(|(name, _)| name).chain(rows).map(str::to_string).collect_vec()
     }
 }

@@ -4,7 +4,7 @@ use crate::collect::CollectVec;
 use crate::diag::{Code, help_similar, nearest};
 use crate::library::of_manual;
 use crate::resolve::Resolver;
-use crate::resolve::names::ScopeId;
+use crate::resolve::names::{RowId, ScopeId};
 use crate::resolve::values::Failed;
 use crate::resolve::values::expect::text_of;
 use crate::syntax::ast::{self, IndexedName};
@@ -25,6 +25,14 @@ const ELSEWHERE: &[(&[&str], &str)] = &[
     (&["gear", "gears", "rack", "belt"], "a gear is a row: `constraint name: b.angle = ratio*a.angle;`"),
     (&["torque", "moment", "couple"], "a torque on a body is `force name(body.port) { torque: 1 N*m; }`"),
     (&["load", "wrench", "thruster"], "a force at a port is `force`"),
+    (
+        &["contact", "stop", "bumper", "obstacle", "collision"],
+        "what must not be negative is a row: `unilateral name: gap >= 0;`",
+    ),
+    (
+        &["coulomb", "dry_friction", "brake", "clutch"],
+        "a friction is a row: `friction name: rate(displacement) within bound;`",
+    ),
     (&["mass", "link", "bar", "rod", "rigid_body"], "what has a mass is a `body`"),
     (&["fn", "def", "function"], "a formula is a `let`, and what acts on bodies a `part`"),
     (&["plmbod"], "the manual's bodies are `body name { … }`"),
@@ -60,13 +68,20 @@ impl Resolver<'_> {
             return Failed;
         }
         let home = self.names.home(scope);
-        let is_row = self.names.scopes[home].rows.contains_key(key);
+        let row = self.names.scopes[home].rows.get(key).map(|(row, _)| *row);
         let outside = self.names.instance(scope).is_some() && self.names.find(0, key).is_some();
         let names: Vec<&str> = names.iter().map(String::as_str).collect_vec();
         let is_near = nearest(key, names.iter().copied()).is_some();
         let diagnostic = self.error(scope, Code::UnknownName, span, format!("unknown name `{key}`"));
-        if is_row {
-            diagnostic.help(format!("`{key}` is a constraint: what holds it is `reaction({key})`"));
+        if let Some(row) = row {
+            diagnostic.help(match row {
+                RowId::Constraint(_) => {
+                    format!("`{key}` is a constraint: what holds it is `reaction({key})`")
+                }
+                RowId::Contact(_) => {
+                    format!("`{key}` is a row of contact: its force is `reaction({key})`")
+                }
+            });
             return Failed;
         }
         if outside {

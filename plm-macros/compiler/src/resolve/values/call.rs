@@ -6,8 +6,9 @@ use plm_cas::{Expr, Number};
 
 use crate::diag::{Code, help_similar};
 use crate::resolve::Resolver;
-use crate::resolve::names::ScopeId;
+use crate::resolve::declarations::contact::WrittenContact;
 use crate::resolve::names::unknown::function_elsewhere;
+use crate::resolve::names::{RowId, ScopeId};
 use crate::resolve::values::function_table::{FUNCTIONS, Function, Gives, Meaning, OfOne};
 use crate::resolve::values::{Eval, Failed, Form, Nature, Quantity, Reads, Scalar, Value, Vector};
 use crate::span::Span;
@@ -186,7 +187,7 @@ impl<'a> Resolver<'a> {
         Ok(Quantity::new(found, nature.scaled(angle.nature, nature.dimension)).into())
     }
 
-    /// The multipliers of constraint rows of this part.
+    /// The multipliers of rows of this part.
     fn reaction(&mut self, scope: ScopeId, rows: &'a [ast::Expr]) -> Eval<Value> {
         let x = self.multiplier(scope, &rows[0]);
         let Some(second) = rows.get(1) else { return x.map(Value::Scalar) };
@@ -198,8 +199,21 @@ impl<'a> Resolver<'a> {
 
     /// The multiplier of a row. Times the row's residual it is an energy, which gives its dimension.
     fn multiplier(&mut self, scope: ScopeId, row: &'a ast::Expr) -> Eval<Scalar> {
-        let row = self.lookup_row(scope, row)?;
-        let dimension = Dimension::TORQUE.over(self.row(row)?.dimension).plain();
-        Ok(Quantity::new(self.unresolved.rows[row].lambda, Nature::derived(dimension, Reads::REACTION)))
+        let (lambda, dimension, reads) = match self.lookup_row(scope, row)? {
+            RowId::Constraint(row) => {
+                let dimension = Dimension::TORQUE.over(self.row(row)?.dimension).plain();
+                (self.unresolved.rows[row].lambda, dimension, Reads::REACTION)
+            }
+            RowId::Contact(contact) => {
+                let dimension = self.displacement(contact)?.of_multiplier();
+                let contact = &self.unresolved.contacts[contact];
+                let reads = match contact.written {
+                    WrittenContact::Unilateral(_) => Reads::PUSH,
+                    WrittenContact::Friction(_) => Reads::FRICTION,
+                };
+                (contact.lambda, dimension, reads)
+            }
+        };
+        Ok(Quantity::new(lambda, Nature::derived(dimension, reads)))
     }
 }

@@ -172,7 +172,7 @@ impl Condition {
     }
 
     /// Its truth, if that is known at compile time.
-    fn known(&self) -> Option<bool> {
+    pub(crate) fn known(&self) -> Option<bool> {
         match self {
             Condition::Known(holds) => Some(*holds),
             Condition::Less(..) => None,

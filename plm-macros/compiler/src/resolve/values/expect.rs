@@ -1,12 +1,14 @@
 //! Expectations of a place, and the error when something else stands there.
 
+use crate::collect::CollectVec;
 use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Number};
 
 use crate::diag::Code;
 use crate::resolve::Resolver;
-use crate::resolve::names::ScopeId;
+use crate::resolve::names::{ScopeId, Thunk};
 use crate::resolve::values::{Additive, Eval, Failed, Form, Nature, Quantity, Reads, Scalar, Value, Vector};
+use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind};
 use crate::units::Dimension;
 
@@ -140,7 +142,7 @@ impl<'a> Resolver<'a> {
     fn suits<T: Additive>(
         &mut self,
         scope: ScopeId,
-        expr: &ast::Expr,
+        expr: &'a ast::Expr,
         found: Quantity<T>,
         dimension: Dimension,
         reads: Reads,
@@ -148,6 +150,59 @@ impl<'a> Resolver<'a> {
         self.fits(scope, expr, found, dimension)?;
         self.reads_only(scope, expr, found.nature.reads, reads)?;
         Ok(found)
+    }
+
+    /// The smallest part of an expression that reads any of these, and its scope: where one side of an operation alone does so, that
+    /// side. In a part of the library it is what the use of the part has set.
+    pub(crate) fn culprit(&mut self, scope: ScopeId, expr: &'a ast::Expr, of: Reads) -> (ScopeId, Span) {
+        let mut reading = Vec::new();
+        for part in self.operands(scope, expr) {
+            if self.reads_any(scope, part, of) {
+                reading.push(part);
+            }
+        }
+        if let [part] = reading[..] {
+            return self.culprit(scope, part, of);
+        }
+        let is_of_library = expr.span.source != 0;
+        let slot = match &expr.kind {
+            ExprKind::Name(name) if is_of_library => {
+                self.key(scope, name).ok().and_then(|key| self.names.find(scope, &key))
+            }
+            _ => None,
+        };
+        match slot.and_then(|slot| self.names.slots[slot].thunk) {
+            Some(Thunk { scope, expr, .. }) => self.culprit(scope, expr, of),
+            None => (scope, expr.span),
+        }
+    }
+
+    /// Operands of an operation, arguments of a function; of a choice that is made already, what is chosen.
+    fn operands(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Vec<&'a ast::Expr> {
+        match &expr.kind {
+            ExprKind::Neg(inner) => vec![inner],
+            ExprKind::Pair(x, y) | ExprKind::Power(x, y) => vec![x, y],
+            ExprKind::Chain(first, links) => {
+                std::iter::once(&**first).chain(links.iter().map(|link| &link.operand)).collect_vec()
+            }
+            ExprKind::Call(function, arguments) if function.text != "reaction" && function.text != "rate" => {
+                // Points of a table are no vectors.
+                arguments.iter().filter(|of| !matches!(of.kind, ExprKind::Pair(..))).collect_vec()
+            }
+            ExprKind::If(condition, yes, no) => match self.condition(scope, condition) {
+                Ok((condition, _)) => match condition.known() {
+                    Some(holds) => vec![if holds { yes } else { no }],
+                    None => vec![yes, no],
+                },
+                Err(Failed) => Vec::new(),
+            },
+            _ => Vec::new(),
+        }
+    }
+
+    /// Does an expression read any of these?
+    pub(crate) fn reads_any(&mut self, scope: ScopeId, expr: &'a ast::Expr, of: Reads) -> bool {
+        self.eval(scope, expr).is_ok_and(|value| value.reads().has(of))
     }
 
     /// A whole number that is known now.
@@ -228,10 +283,13 @@ impl<'a> Resolver<'a> {
         Err(Failed)
     }
 
-    fn reads_only(&mut self, scope: ScopeId, expr: &ast::Expr, reads: Reads, allowed: Reads) -> Eval<()> {
+    fn reads_only(&mut self, scope: ScopeId, expr: &'a ast::Expr, reads: Reads, allowed: Reads) -> Eval<()> {
         let beyond = reads.beyond(allowed);
         if beyond == Reads::NOTHING {
             return Ok(());
+        }
+        if allowed == Reads::ACTING {
+            return Err(self.acts_by_contact(scope, expr, beyond));
         }
         let message = format!("this reads {}", beyond.describe());
         let diagnostic = self
@@ -241,6 +299,17 @@ impl<'a> Resolver<'a> {
             diagnostic.note(why).help(instead);
         }
         Err(Failed)
+    }
+
+    /// A force or a rate reads what a contact does.
+    fn acts_by_contact(&mut self, scope: ScopeId, expr: &'a ast::Expr, beyond: Reads) -> Failed {
+        let (scope, span) = self.culprit(scope, expr, beyond);
+        let what = if beyond.has(Reads::PUSH) { "the push of a contact" } else { "a friction" };
+        let message = format!("a force or a rate reads {what}, which is not known before they are");
+        self.error(scope, Code::Feedback, span, message)
+            .note("outputs read it, and bounds of frictions read pushes")
+            .help("a friction is a row of its own: `friction name: rate(…) within mu*reaction(row);`");
+        Failed
     }
 }
 

@@ -62,6 +62,16 @@ impl Value {
         }
     }
 
+    /// Reads of a number, a vector or a condition.
+    pub(crate) fn reads(&self) -> Reads {
+        match self {
+            Value::Scalar(x) => x.nature.reads,
+            Value::Vector(v) => v.nature.reads,
+            Value::Condition(_, reads) => *reads,
+            _ => Reads::NOTHING,
+        }
+    }
+
     /// With its article.
     pub(crate) fn kind(&self) -> &'static str {
         match self {

@@ -23,6 +23,10 @@ impl Reads {
     pub(crate) const VELOCITY: Reads = Reads(32);
     pub(crate) const ACCELERATION: Reads = Reads(64);
     pub(crate) const REACTION: Reads = Reads(128);
+    /// The push of a unilateral row.
+    pub(crate) const PUSH: Reads = Reads(256);
+    /// The force of a friction row.
+    pub(crate) const FRICTION: Reads = Reads(512);
 
     /// Reads that are known before the run: parameters.
     pub(crate) const FIXED: Reads = Reads::PARAM;
@@ -32,10 +36,14 @@ impl Reads {
     pub(crate) const GEOMETRY: Reads = Reads::SCHEDULED.and(Reads::POSITION);
     /// Reads that are known at a state: everything but the unknowns of the equations of motion.
     pub(crate) const KNOWN: Reads = Reads::GEOMETRY.and(Reads::INPUT).and(Reads::STATE).and(Reads::VELOCITY);
+    /// Reads that a force or a rate may have: all but what contacts do, which is not known before they are solved.
+    pub(crate) const ACTING: Reads = Reads::KNOWN.and(Reads::ACCELERATION).and(Reads::REACTION);
+    /// Reads that the bound of a friction may have.
+    pub(crate) const BOUND: Reads = Reads::KNOWN.and(Reads::PUSH);
     /// Everything.
-    pub(crate) const ALL: Reads = Reads(255);
+    pub(crate) const ALL: Reads = Reads(1023);
 
-    const NAMES: [(Reads, &'static str); 8] = [
+    const NAMES: [(Reads, &'static str); 10] = [
         (Reads::PARAM, "parameters"),
         (Reads::INPUT, "inputs"),
         (Reads::TIME, "the time"),
@@ -44,6 +52,8 @@ impl Reads {
         (Reads::VELOCITY, "velocities"),
         (Reads::ACCELERATION, "accelerations"),
         (Reads::REACTION, "reactions"),
+        (Reads::PUSH, "pushes of contacts"),
+        (Reads::FRICTION, "frictions"),
     ];
 
     pub(crate) const fn and(self, other: Reads) -> Reads {

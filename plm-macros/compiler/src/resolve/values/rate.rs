@@ -24,7 +24,8 @@ impl<'a> Resolver<'a> {
     }
 
     fn nature_of_rate(&mut self, scope: ScopeId, argument: &ast::Expr, nature: Nature) -> Eval<Nature> {
-        let unknown = Reads::INPUT.and(Reads::ACCELERATION).and(Reads::REACTION);
+        let contact = Reads::PUSH.and(Reads::FRICTION);
+        let unknown = Reads::INPUT.and(Reads::ACCELERATION).and(Reads::REACTION).and(contact);
         let mut reads = nature.reads;
         if reads.has(unknown) {
             let of = reads.beyond(reads.beyond(unknown)).describe();
@@ -40,7 +41,7 @@ impl<'a> Resolver<'a> {
         }
         if nature.reads.has(Reads::STATE) {
             // The rate of a state may read anything, what is not known before the motion is solved too.
-            reads = reads.and(Reads::ALL);
+            reads = reads.and(Reads::ACTING);
         }
         Ok(Nature::derived(nature.dimension.over(Dimension::TIME), reads))
     }

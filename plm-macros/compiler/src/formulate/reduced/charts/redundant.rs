@@ -40,6 +40,8 @@ pub(crate) struct Assembled {
 pub(crate) struct Known<'a> {
     /// The size of the scene, m.
     pub(crate) length: f64,
+    /// Multipliers of the joints in absolute coordinates.
+    pub(crate) lambda: &'a [Expr],
     /// The start, if the joints close.
     pub(crate) assembled: &'a dyn Fn() -> Option<Assembled>,
     /// Coordinates less the rank of `phi_q` with other values of the parameters, if there are any and the joints close then.
@@ -101,7 +103,14 @@ fn closes(
     let size = Expr::from(plm_cas::Number::from_f64(length));
     let motion = kinematics(model, coordinates, scheme, &memory, size);
     let remember_pose = {
-        let mut layout = Layout { model, equations, coordinates, memory: &memory, length: size };
+        let mut layout = Layout {
+            model,
+            equations,
+            coordinates,
+            memory: &memory,
+            length: size,
+            lambda: &equations.lambda,
+        };
         layout.remember_pose(scheme)
     };
     let values_of = |roots: &[Expr], values: &[(Expr, f64)]| numeric::run(&algebra::tape(roots), values);

@@ -18,12 +18,8 @@ impl Layout<'_> {
     /// `a` of all bodies and `lambda` of all rows, where `rate` gives the accelerations of the coordinates; nothing if some
     /// body is held by more than its own equations can tell apart.
     pub(crate) fn reactions(&mut self, motion: &Motion, rate: &Function) -> Option<Function> {
-        let (n, bodies) = (motion.independent.len(), self.model.bodies.len());
-        let of_independent: Vec<Expr> =
-            rate.results.iter().skip(n).take(n).map(|&(_, value)| value).collect_vec();
-        let second = second_derivatives(motion, &of_independent);
-        let acceleration = self.accelerations(motion, &second);
-        let a: Vec<Expr> = acceleration.iter().flat_map(|a| a.0).collect_vec();
+        let bodies = self.model.bodies.len();
+        let a = self.accelerations_of_bodies(motion, &of_coordinates(motion, rate));
         let phi_q = self.phi_q(motion);
         let force = algebra::substitute(&self.equations.force, &motion.substitution);
         let mut left: Vec<Vec<Expr>> = Vec::with_capacity(3 * bodies);
@@ -37,6 +33,12 @@ impl Layout<'_> {
         let mut results = stored("a", a.iter());
         results.extend(stored("lambda", lambda.iter()));
         Some(Function { sections, results }.optimise())
+    }
+
+    /// `a` of all bodies, three each, where the coordinates have these accelerations.
+    pub(crate) fn accelerations_of_bodies(&self, motion: &Motion, of_coordinates: &[Expr]) -> Vec<Expr> {
+        let second = second_derivatives(motion, of_coordinates);
+        self.accelerations(motion, &second).iter().flat_map(|a| a.0).collect_vec()
     }
 
     /// `lambda`, and the order of its solution; `left` are the sums of the terms of `Q - M a`.
@@ -192,6 +194,12 @@ fn solve(columns: &[Spatial], asked: Spatial, pairs: bool) -> Option<Vec<Expr>> 
         _ => return None,
     }
     Some(lambda)
+}
+
+/// The accelerations of the coordinates in the results of a rate.
+pub(crate) fn of_coordinates(motion: &Motion, rate: &Function) -> Vec<Expr> {
+    let n = motion.independent.len();
+    rate.results.iter().skip(n).take(n).map(|&(_, value)| value).collect_vec()
 }
 
 /// Second derivatives of all unknowns from those of the coordinates.

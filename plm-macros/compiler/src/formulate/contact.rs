@@ -1,0 +1,143 @@
+//! Rows of contact where the motion is known: gaps, rates, accelerations without contact forces, Delassus operator, limits.
+//!
+//! The forces of contact stand in the loads with their multipliers as symbols, so that every formulation gives accelerations that
+//! are affine in them, `a = a_0 + sum_j a_j lambda_j`. With `z'' = w a + zeta`
+//!
+//! ```text
+//! (1)  c_i  = w_i a_0 + zeta_i
+//! (2)  D_ij = d(w_i a)/d lambda_j
+//! ```
+//!
+//! (F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 4).
+
+use crate::collect::{CollectVec, PushAll};
+use plm_cas::{Expr, algebra};
+
+use super::function::{Function, Place};
+use crate::derive::Equations;
+use crate::model::{ContactLaw, Model};
+
+/// Functions of the rows of contact.
+pub(crate) struct ContactFunctions {
+    /// `rows`.
+    pub(crate) rows: Function,
+    /// `dx`: what multipliers add to the rate, at its velocities.
+    pub(crate) response: Function,
+}
+
+/// A motion whose accelerations are known.
+pub(super) struct Accelerated<'a> {
+    /// Accelerations of all bodies, three each.
+    pub(super) bodies: &'a [Expr],
+    /// Accelerations of the coordinates of the state.
+    pub(super) second: &'a [Expr],
+    /// Values for the symbols of the model.
+    pub(super) substitution: &'a [(Expr, Expr)],
+    /// Multipliers of the joints, in the order of the rows.
+    pub(super) reactions: &'a [Expr],
+}
+
+/// The functions of the rows of contact; none if there are no rows.
+pub(super) fn functions(
+    model: &Model,
+    equations: &Equations,
+    motion: &Accelerated,
+) -> Option<ContactFunctions> {
+    if model.contacts.is_empty() {
+        return None;
+    }
+    let lambda: Vec<Expr> = model.contacts.iter().map(|contact| contact.lambda).collect_vec();
+    let without: Vec<(Expr, Expr)> = lambda.iter().map(|&symbol| (symbol, Expr::ZERO)).collect_vec();
+    let mut results = kinematics(model, equations, motion, &lambda);
+    results.extend(limits(model, motion, &lambda));
+    results.extend(reactions(model, equations, motion, &lambda));
+    let rows = Function::of_results(results).substitute(&without);
+    Some(ContactFunctions { rows: without_zeros(rows).optimise(), response: response(motion, &lambda) })
+}
+
+/// Gaps, rates, (1) with the multipliers still in it, and (2).
+fn kinematics(
+    model: &Model,
+    equations: &Equations,
+    motion: &Accelerated,
+    lambda: &[Expr],
+) -> Vec<(Place, Expr)> {
+    let here = |expr: Expr| algebra::substitute(&[expr], motion.substitution)[0];
+    let mut results = Vec::new();
+    for (i, (contact, row)) in model.contacts.iter().zip(&equations.contacts).enumerate() {
+        let terms = row.direction.iter().map(|&(k, entry)| here(entry) * motion.bodies[k]);
+        let along: Expr = terms.sum();
+        results.push((Place::Path(format!("rows.gap[{i}]")), here(contact.displacement)));
+        results.push((Place::Path(format!("rows.rate[{i}]")), here(row.rate)));
+        results.push((Place::Path(format!("rows.free[{i}]")), along + here(row.bias)));
+        let columns = lambda.iter().enumerate();
+        results.push_all(
+            columns.map(|(j, &lambda)| (Place::Path(format!("rows.delassus[{i}][{j}]")), along.diff(lambda))),
+        );
+    }
+    results
+}
+
+/// Limits of frictions, each what it is by itself and its factors of the multipliers.
+fn limits(model: &Model, motion: &Accelerated, lambda: &[Expr]) -> Vec<(Place, Expr)> {
+    let mut results = Vec::new();
+    for (i, contact) in model.contacts.iter().enumerate() {
+        let ContactLaw::Friction { kinetic, adhesion, reaction } = &contact.law else { continue };
+        for (which, limits) in [("kinetic", kinetic), ("adhesion", adhesion)] {
+            let limits = algebra::substitute(limits, motion.substitution);
+            for (side, limit) in ["lower", "upper"].into_iter().zip(limits) {
+                let place = format!("rows.{which}[{i}].{side}");
+                let Some(size) = reaction.as_ref().map(|reaction| reaction.size) else {
+                    results.extend(affine(&place, limit, lambda));
+                    continue;
+                };
+                let own = algebra::substitute(&[limit], &[(size, Expr::ZERO)])[0];
+                results.extend(affine(&place, own, lambda));
+                results.push((Place::Path(format!("{place}.share")), limit.diff(size)));
+            }
+        }
+    }
+    results
+}
+
+/// Reactions of joints that bound frictions.
+fn reactions(
+    model: &Model,
+    equations: &Equations,
+    motion: &Accelerated,
+    lambda: &[Expr],
+) -> Vec<(Place, Expr)> {
+    let joints = equations.lambda.iter().copied().zip(motion.reactions.iter().copied());
+    let known: Vec<(Expr, Expr)> = joints.chain(motion.substitution.iter().copied()).collect_vec();
+    let mut results = Vec::new();
+    for (i, contact) in model.contacts.iter().enumerate() {
+        let components = contact.reaction().map(|reaction| algebra::substitute(&reaction.components, &known));
+        for (k, component) in components.into_iter().flatten().enumerate() {
+            results.extend(affine(&format!("rows.reaction[{i}][{k}]"), component, lambda));
+        }
+    }
+    results
+}
+
+/// An affine function of the multipliers; those that are left in its own part become zero later.
+fn affine(place: &str, value: Expr, lambda: &[Expr]) -> Vec<(Place, Expr)> {
+    let mut results = vec![(Place::Path(format!("{place}.own")), value)];
+    let factors = lambda.iter().enumerate();
+    results
+        .push_all(factors.map(|(j, &lambda)| (Place::Path(format!("{place}.by[{j}]")), value.diff(lambda))));
+    results
+}
+
+/// Accelerations of the coordinates by the multipliers alone.
+fn response(motion: &Accelerated, lambda: &[Expr]) -> Function {
+    let n = motion.second.len();
+    let sum = |second: Expr| lambda.iter().map(|&lambda| lambda * second.diff(lambda)).sum::<Expr>();
+    let results = motion.second.iter().zip(n..).map(|(&second, k)| (Place::Element("dx", k), sum(second)));
+    without_zeros(Function::of_results(results.collect_vec())).optimise()
+}
+
+/// A function that stores no zeros: they are there before.
+fn without_zeros(mut function: Function) -> Function {
+    function.results.retain(|(_, value)| !value.is_zero());
+    function
+}

@@ -1,0 +1,51 @@
+//! Contact rows behind a change from outside: a row that holds may have been moved away, or got a velocity.
+
+use super::event::{speed, update};
+use super::modes::{Mode, Modes};
+use super::{Contacts, Modal};
+use crate::fault::Fault;
+use crate::scalar::Scalar;
+
+/// A row that holds has been moved if it is off its place by more than this fraction of the length of the mechanism, or if its rate is
+/// more than this fraction of the speed that free acceleration gives over that length. What integration leaves is less.
+const MOVED: f64 = 1e-5;
+
+/// Finds the modes anew where a row that holds has been moved by whoever has set the state: it is open there, or sticks in its new
+/// place, or moves on. Where none has, nothing is changed.
+///
+/// # Errors
+/// As [`switch`](super::switch).
+pub fn state_was_set<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: M::S,
+    u: &mut M::U,
+    x: &mut M::X,
+) -> Result<(), Fault> {
+    let rows = system.rows_at(t, u, x);
+    let mut modes: Modes<M::S, N> = *u.modes();
+    let [far, fast] = [system.length(), speed::<M, N>(system, &rows, u)].map(|size| M::S::lit(MOVED) * size);
+    let mut any = false;
+    for row in 0..N {
+        let is_carried = modes.carried[row];
+        if !(modes.of[row].holds() || is_carried) {
+            continue;
+        }
+        any |= rows.rate[row].abs() > fast;
+        let is_gap = system.law(row).is_unilateral();
+        let place = if is_gap { M::S::ZERO } else { modes.place[row] };
+        if (rows.gap[row] - place).abs() <= far {
+            continue;
+        }
+        any = true;
+        if is_gap {
+            (modes.of[row], modes.carried[row]) = (Mode::Open, false);
+        } else {
+            modes.place[row] = rows.gap[row];
+        }
+    }
+    if any {
+        *u.modes_mut() = modes;
+        update(system, t, u, x)?;
+    }
+    Ok(())
+}

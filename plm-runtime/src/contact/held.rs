@@ -1,0 +1,127 @@
+//! Discrete state of contact rows in a generated mechanism: modes, multipliers, counters.
+//!
+//! Generated code for `N` rows, `rt` being [`generated`](crate::generated); `tests/contact/block.rs` has all of it for one mechanism.
+//! `g` is the number of the mechanism's own conditions, `C` is `rt::contact::guard_count(N)`.
+//!
+//! * The discrete state has `rt::contact::Held<S, N>` as its `contact`: `open()` where it is made, `packed(&first.contact, all.map(|held|
+//!   &held.contact), &number)` in `pack_held`. In charts, `Charted::Contact` is this type.
+//! * Two functions for any [`Scalar`]: the [`Rows`](super::Rows) at a state, which read neither modes nor multipliers, and the
+//!   `response`, which is what multipliers add to the rate. The motion reads `u.contact.lambda` as it reads inputs.
+//! * `Rate::rate`: where [`has_forces`](Held::has_forces), the rows, and a copy of `u` with
+//!   [`with_multipliers`](super::with_multipliers); the motion with that copy; [`settle`](super::settle). The rate by rank and outputs
+//!   need such a copy too. Derivatives come from running all of it on [`Dual`](crate::Dual) numbers: multipliers depend on the state.
+//! * [`Contacts<N>`](super::Contacts), with `rows` by `pack` and `pack_held` and `rows_at` without; `project_joints` and `drift_of_joints`
+//!   are what `project` and `drift` of the mechanism were without contact.
+//! * `Constraints`: [`project`](super::project), [`drift`](super::drift).
+//! * `Events`: `G` has `g + C` numbers, `CONTACTS` is `N`, `contacts` gives `u.contact.status()`. [`guards`](super::guards) and
+//!   [`guards_within`](super::guards_within) give numbers `0..C`, to which `g` is added; kinks come behind them. From `g` on
+//!   `switch_behind` is [`switch_behind`](super::switch_behind) of `index - g`, and `switch` is the same with a step of zero. An own
+//!   condition and `switch_at_time` call [`update`](super::update) behind their change. In `matters` the guards of contact have the root 1.
+//! * `Labels`: `contact_name` has the rows; `guard_name` of the guard `g + i` that of the row `i / 3`.
+//! * [`begin`](super::begin) is the last thing of a start; `state_was_set` is [`state_was_set`](super::state_was_set). A `renew` needs
+//!   no more.
+
+use super::event::Outcome;
+use super::modes::{Mode, Modes};
+use super::status::{Counts, Status};
+use crate::held;
+use crate::scalar::{Real, Scalar};
+use crate::words::{InWords, Words};
+
+/// Discrete state of `N` contact rows; changed only at events.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Held<S, const N: usize> {
+    /// The modes of the rows.
+    pub modes: Modes<S, N>,
+    /// The multipliers, N or N m. The rate computes with a copy that has those of its moment; the state of a run has zeros.
+    pub lambda: [S; N],
+    /// Events of contact since the run began.
+    pub counts: Counts,
+}
+
+impl<S: Scalar, const N: usize> Held<S, N> {
+    /// Every gap is open.
+    #[must_use]
+    pub fn open() -> Self {
+        Self { modes: Modes::open(), lambda: [S::ZERO; N], counts: Counts::default() }
+    }
+
+    /// The states `all` as one in other numbers, each made by `number`. The modes are those of the `first`.
+    pub fn packed<T: Scalar, const K: usize>(
+        first: &Self,
+        all: [&Self; K],
+        number: &impl Fn([S; K]) -> T,
+    ) -> Held<T, N> {
+        let Self { modes: Modes { of, carried, negative, .. }, counts, .. } = *first;
+        let place = core::array::from_fn(|row| number(all.map(|one| one.modes.place[row])));
+        let orientation = number(all.map(|one| one.modes.orientation));
+        let lambda = core::array::from_fn(|row| number(all.map(|one| one.lambda[row])));
+        Held { modes: Modes { of, carried, place, orientation, negative }, lambda, counts }
+    }
+
+    /// Some row pushes or rubs; else multipliers are zero, as they are held.
+    pub fn has_forces(&self) -> bool {
+        self.modes.of.iter().any(|mode| mode.holds() || mode.slips())
+    }
+
+    /// What the rows do.
+    pub fn status(&self) -> Status<'_> {
+        Status { modes: &self.modes.of, carried: &self.modes.carried, counts: self.counts }
+    }
+}
+
+/// Modes, rows that others hold, signs of reactions, places, orientation, multipliers. What was counted is not shown.
+impl<S: Real, const N: usize> InWords for Held<S, N> {
+    fn each(&mut self, words: &mut impl Words) {
+        let Modes { of, carried, place, orientation, negative } = &mut self.modes;
+        for mode in of {
+            let mut number = mode.number();
+            words.word(&mut number);
+            *mode = Mode::of_number(number);
+        }
+        for flag in carried.iter_mut().chain(negative) {
+            words.flag(flag);
+        }
+        words.numbers(place);
+        words.number(orientation);
+        words.numbers(&mut self.lambda);
+    }
+}
+
+/// A discrete state that has the modes of `N` contact rows.
+pub trait Modal<S, const N: usize> {
+    /// The modes.
+    fn modes(&self) -> &Modes<S, N>;
+
+    /// The modes, to be changed.
+    fn modes_mut(&mut self) -> &mut Modes<S, N>;
+
+    /// Counts an event; from zero on where a run begins.
+    fn count(&mut self, outcome: &Outcome, begins: bool) {
+        let _ = (outcome, begins);
+    }
+}
+
+impl<S, const N: usize> Modal<S, N> for Modes<S, N> {
+    fn modes(&self) -> &Self {
+        self
+    }
+    fn modes_mut(&mut self) -> &mut Self {
+        self
+    }
+}
+
+impl<S, I, W, T, L, const N: usize> Modal<S, N> for held::Held<I, W, T, L, Held<S, N>> {
+    fn modes(&self) -> &Modes<S, N> {
+        &self.contact.modes
+    }
+    fn modes_mut(&mut self) -> &mut Modes<S, N> {
+        &mut self.contact.modes
+    }
+    fn count(&mut self, outcome: &Outcome, begins: bool) {
+        if begins {
+            self.contact.counts = Counts::default();
+        }
+        self.contact.counts.add(outcome);
+    }
+}

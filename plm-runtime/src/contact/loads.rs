@@ -1,0 +1,123 @@
+//! Reactions of joints that bound frictions: forces R that are affine in the multipliers, whose size |R| is not.
+//!
+//! Newton's method on |R| replaces it by e . R with the unit vector e of the last R, since |R| + e . dR = e . (R + dR). For a reaction
+//! along one line e is a sign, which is held over a step; at its change the rate bends.
+
+use super::rows::{Limit, Rows};
+use crate::scalar::Scalar;
+
+/// An affine function of the multipliers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Affine<T, const N: usize> {
+    /// Without contact forces.
+    pub own: T,
+    /// Factors of the multipliers.
+    pub by: [T; N],
+}
+
+impl<T: Scalar, const N: usize> Affine<T, N> {
+    /// Zero.
+    pub(super) fn zero() -> Self {
+        Self { own: T::ZERO, by: [T::ZERO; N] }
+    }
+
+    /// Its value.
+    pub(super) fn at(&self, lambda: &[T; N]) -> T {
+        self.by.iter().zip(lambda).fold(self.own, |sum, (by, lambda)| by.mul_add(*lambda, sum))
+    }
+}
+
+/// The kind of the reaction that bounds a friction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Load {
+    /// There is none.
+    Nothing,
+    /// A force along a line; its sign is held.
+    Line {
+        /// It is negative.
+        negative: bool,
+    },
+    /// The same where an event has decided the sign of a force that is zero.
+    Turned {
+        /// It becomes negative.
+        negative: bool,
+    },
+    /// A force in the plane.
+    Plane,
+}
+
+impl Load {
+    /// The sign that is held is negative.
+    pub(super) fn is_negative(self) -> bool {
+        matches!(self, Self::Line { negative: true } | Self::Turned { negative: true })
+    }
+}
+
+impl<T: Scalar, const N: usize> Rows<T, N> {
+    /// The reaction of a row.
+    pub(super) fn reaction_at(&self, row: usize, lambda: &[T; N]) -> [T; 2] {
+        let [x, y] = &self.reaction[row];
+        [x.at(lambda), y.at(lambda)]
+    }
+
+    /// The unit vector e with |R| = e . R.
+    pub(super) fn direction(&self, row: usize, lambda: &[T; N]) -> [T; 2] {
+        match self.load[row] {
+            Load::Nothing => [T::ZERO; 2],
+            Load::Line { negative } | Load::Turned { negative } => {
+                [T::lit(if negative { -1.0 } else { 1.0 }), T::ZERO]
+            }
+            Load::Plane => {
+                let [x, y] = self.reaction_at(row, lambda);
+                let size = (x * x + y * y).sqrt();
+                if size.to_f64() > 0.0 { [x / size, y / size] } else { [T::ZERO; 2] }
+            }
+        }
+    }
+
+    /// |R|; negative where the sign that is held does not apply.
+    pub(super) fn size(&self, row: usize, lambda: &[T; N]) -> T {
+        if self.load[row] == Load::Nothing {
+            return T::ZERO;
+        }
+        let ([x, y], [along, across]) = (self.reaction_at(row, lambda), self.direction(row, lambda));
+        x * along + y * across
+    }
+
+    /// The size of the terms of a reaction.
+    pub(super) fn terms(&self, row: usize, lambda: &[T; N]) -> T {
+        let of = |component: &Affine<T, N>| {
+            let terms = component.by.iter().zip(lambda);
+            terms.fold(component.own.abs(), |sum, (by, lambda)| sum + (*by * *lambda).abs())
+        };
+        let [x, y] = &self.reaction[row];
+        of(x) + of(y)
+    }
+
+    /// A limit of the friction `row` with these multipliers.
+    pub(super) fn limit(&self, row: usize, limit: &Limit<T, N>, lambda: &[T; N]) -> T {
+        limit.share.mul_add(self.size(row, lambda), limit.at(lambda))
+    }
+
+    /// A limit with e . R in the place of |R|: own part, and factors of the multipliers.
+    pub(super) fn along(&self, row: usize, limit: &Limit<T, N>, [along, across]: [T; 2]) -> Affine<T, N> {
+        let ([x, y], share) = (&self.reaction[row], limit.share);
+        let sum = |own: T, x: T, y: T| own + share * (along * x + across * y);
+        let by = core::array::from_fn(|j| sum(limit.by[j], x.by[j], y.by[j]));
+        Affine { own: sum(limit.own, x.own, y.own), by }
+    }
+
+    /// With the limits and the reaction of a row for multipliers times `factor`.
+    pub(super) fn times(&self, row: usize, factor: T) -> Self {
+        let mut rows = *self;
+        for friction in [&mut rows.kinetic[row], &mut rows.adhesion[row]] {
+            for limit in [&mut friction.lower, &mut friction.upper] {
+                limit.own = limit.own * factor;
+            }
+        }
+        for reaction in &mut rows.reaction[row] {
+            reaction.own = reaction.own * factor;
+        }
+        rows
+    }
+}

@@ -1,0 +1,134 @@
+//! Bodies that fly, strike, bounce and let go.
+
+use plm::{Dop853, mechanism};
+
+use crate::near;
+
+mechanism! {
+    pub Ball {
+        gravity: 9.81 m/s^2;
+        body ball { mass: 1 kg; inertia: 1 kg*m^2; start y: 1 m; }
+        unilateral floor: ball.y >= 0 m { restitution: 0.5; }
+        output push = reaction(floor);
+    }
+}
+
+/// t_n+1 = t_n + 2 e^n sqrt(2 h/g); bouncing ends at t_1 (1 + e)/(1 - e).
+#[test]
+fn a_ball_bounces_and_comes_to_rest() {
+    let mut sim = Ball::new().start_with(Dop853::new(1e-11)).unwrap();
+    let (first, e): (f64, f64) = ((2.0_f64 / 9.81).sqrt(), 0.5);
+    let mut begins = first;
+    for n in 1..6 {
+        let flight = 2.0 * e.powi(n) * first;
+        sim.step_to(begins + 0.5 * flight).unwrap();
+        near(sim.ball().y, e.powi(2 * n), 1e-10);
+        assert_eq!(sim.push(), 0.0);
+        begins += flight;
+    }
+    sim.step_to(first * (1.0 + e) / (1.0 - e) + 1e-4).unwrap();
+    assert!(sim.ball().y.abs() < 1e-15 && sim.ball().vy == 0.0, "{:?}", sim.ball());
+    near(sim.push(), 9.81, 1e-13);
+}
+
+mechanism! {
+    pub Pendulum {
+        gravity: 9.81 m/s^2;
+        ground { port pivot: (0, 0) m; }
+        body bob {
+            mass: 1 kg;
+            inertia: 1e-12 kg*m^2;
+            port pivot: (0, 1) m;
+            start angle: 60 deg, locked;
+        }
+        revolute hinge(ground.pivot, bob.pivot);
+        unilateral wall: bob.angle >= 0 rad { restitution: 0.7; }
+    }
+}
+
+/// 1 - cos theta_n+1 = e^2 (1 - cos theta_n); impact times by elliptic integrals.
+#[test]
+fn a_pendulum_strikes_a_wall_at_its_lowest_point() {
+    let mut sim = Pendulum::new().start_with(Dop853::new(1e-11)).unwrap();
+    let times =
+        [0.538_218_666_720_129, 1.574_285_377_335_238_3, 2.592_900_903_225_063_4, 3.603_434_181_165_172];
+    let amplitudes = [0.715_142_207_291_020_5, 0.495_039_385_067_631_84, 0.344_704_052_068_480_26];
+    for (two, amplitude) in times.windows(2).zip(amplitudes) {
+        sim.step_to(0.5 * (two[0] + two[1])).unwrap();
+        near(sim.bob().angle, amplitude, 1e-9);
+    }
+}
+
+mechanism! {
+    pub Ladder {
+        gravity: 9.81 m/s^2;
+        body ladder {
+            mass: 3 kg;
+            inertia: 1 kg*m^2;
+            port top: (0, 1) m;
+            port foot: (0, -1) m;
+            start angle: 15 deg;
+            start x: sin(15 deg)*(1 m);
+            start y: cos(15 deg)*(1 m);
+        }
+        unilateral wall: ladder.top.x >= 0 m;
+        unilateral floor: ladder.foot.y >= 0 m;
+        output push = reaction(wall);
+    }
+}
+
+/// cos theta = 2/3 cos theta_0 where the wall is left (theta from the vertical); then the foot slides on at its speed.
+#[test]
+fn a_ladder_leaves_the_wall() {
+    let mut sim = Ladder::new().start_with(Dop853::new(1e-12)).unwrap();
+    let leaves = 0.698_777_341_146_781_6;
+    sim.step_to(leaves - 1e-6).unwrap();
+    assert!(sim.push() > 0.0);
+    sim.step_to(leaves).unwrap();
+    near(sim.ladder().angle, 49.912_963_091_516_716_f64.to_radians(), 1e-10);
+    near(sim.ladder().omega, 2.176_664_002_079_301_3, 1e-10);
+    sim.step_to(leaves + 0.1).unwrap();
+    assert_eq!(sim.push(), 0.0);
+    near(sim.ladder().vx, 1.401_663_983_174_746_2, 1e-9);
+}
+
+mechanism! {
+    pub Block {
+        gravity: 9.81 m/s^2;
+        param friction = 5;
+        body block {
+            mass: 1 kg;
+            inertia: (0.1*0.1 + 0.5*0.5)/3*(1 kg*m^2);
+            port left: (-0.1, -0.5) m;
+            port right: (0.1, -0.5) m;
+        }
+        unilateral left: block.left.y >= 0 m;
+        unilateral right: block.right.y >= 0 m;
+        friction slides_left: rate(block.left.x) within friction*reaction(left);
+        friction slides_right: rate(block.right.x) within friction*reaction(right);
+    }
+}
+
+/// G. W. Housner, Bull. Seismol. Soc. Am. 53, 1963: times of impact and amplitudes, by quadrature.
+#[test]
+fn a_block_rocks() {
+    let mut block = Block::new();
+    let tilt: f64 = 0.5 * 0.2_f64.atan();
+    block.start.block.angle.value = tilt;
+    // The left corner stays where it was.
+    let (sin, cos) = tilt.sin_cos();
+    block.start.block.x.value = -0.1 + 0.1 * cos - 0.5 * sin;
+    block.start.block.y.value = 0.1 * sin + 0.5 * cos;
+    let mut sim = block.start_with(Dop853::new(1e-11)).unwrap();
+    let times = [0.347_093_586_788_881_3, 0.950_920_536_477_668_3, 1.487_939_643_105_267];
+    let amplitudes = [0.083_339_113_164_354_69, 0.071_253_454_724_768_92];
+    sim.step_to(times[0] - 1e-6).unwrap();
+    assert!(sim.block().angle.abs() < 1e-5, "{:?}", sim.block());
+    near(sim.block().omega.abs(), 0.648_049_012_267_532_3, 1e-5);
+    for (two, amplitude) in times.windows(2).zip(amplitudes) {
+        sim.step_to(0.5 * (two[0] + two[1])).unwrap();
+        near(sim.block().angle.abs(), amplitude, 1e-9);
+    }
+    sim.step_to(10.0).unwrap();
+    assert!(sim.block().angle.abs() < 1e-12, "{:?}", sim.block());
+}

@@ -1,0 +1,168 @@
+//! Friction that sticks and slips.
+
+use plm::{Dop853, mechanism};
+
+use crate::near;
+
+mechanism! {
+    part hand(on: body) {
+        param force: N;
+        force on on: (force, 0 N);
+    }
+    pub Block {
+        gravity: 9.81 m/s^2;
+        param push: N = 29 N;
+        body block { mass: 10 kg; inertia: 1 kg*m^2; }
+        constraint level: block.angle = 0;
+        hand hand(block) { force: push; }
+        unilateral floor: block.y >= 0 m;
+        friction slip: rate(block.x) within 0.3*reaction(floor);
+        output push_of_floor = reaction(floor);
+        output drag = reaction(slip);
+    }
+}
+
+/// 29 N of 29.43 N: nothing moves, in few steps. 30 N: it accelerates.
+#[test]
+fn a_block_near_its_bound_stays_for_an_hour() {
+    let mut sim = Block::new().start_with(Dop853::new(1e-11)).unwrap();
+    sim.step_to(3600.0).unwrap();
+    assert_eq!((sim.block().x, sim.block().vx), (0.0, 0.0));
+    assert!(sim.stats().steps < 20, "{:?}", sim.stats());
+    near(sim.push_of_floor(), 98.1, 1e-12);
+    near(sim.drag(), -29.0, 1e-12);
+
+    let mut sim = Block { push: 30.0, ..Block::new() }.start_with(Dop853::new(1e-11)).unwrap();
+    sim.step_to(2.0).unwrap();
+    near(sim.block().x, 0.5 * (30.0 - 29.43) / 10.0 * 4.0, 1e-12);
+}
+
+mechanism! {
+    part spring_to_origin(on: body) {
+        force on on: (-(100 N/m)*on.x, 0 N);
+    }
+    pub Oscillator {
+        param kinetic: N = 0.981 N;
+        param adhesion: N = 0.981 N;
+        param belt: m/s = 0 m/s;
+        body mass { mass: 1 kg; inertia: 1 kg*m^2; start x: 0.1 m; }
+        constraint level: mass.angle = 0;
+        constraint height: mass.y = 0;
+        spring_to_origin spring(mass);
+        friction slip: rate(mass.x - belt*t) within kinetic { static: adhesion; }
+        output drag = reaction(slip);
+    }
+}
+
+/// J. P. Den Hartog: amplitudes fall by 2 mu N / k, until the mass rests within mu N / k.
+#[test]
+fn a_coulomb_oscillator_comes_to_rest() {
+    let mut sim = Oscillator::new().start_with(Dop853::new(1e-12)).unwrap();
+    let half = core::f64::consts::PI / 10.0;
+    for (k, turn) in [0.1, -0.08038, 0.06076, -0.04114, 0.02152, -0.0019].into_iter().enumerate() {
+        sim.step_to(half * k as f64).unwrap();
+        near(sim.mass().x, turn, 1e-10);
+    }
+    sim.step_to(1.6).unwrap();
+    let (place, steps) = (sim.mass().x, sim.stats().steps);
+    sim.step(3600.0).unwrap();
+    assert_eq!((sim.mass().x, sim.mass().vx), (place, 0.0));
+    assert!(sim.stats().steps - steps < 20);
+    near(sim.drag(), 100.0 * place, 1e-12);
+}
+
+/// Static above kinetic friction: it sticks to the belt, breaks away, and is caught.
+#[test]
+fn a_mass_on_a_belt_sticks_and_slips() {
+    let mut belt = Oscillator { kinetic: 0.25 * 9.81, adhesion: 0.4 * 9.81, belt: 0.1, ..Oscillator::new() };
+    belt.start.mass.x.value = 0.0;
+    belt.start.mass.vx.value = 0.1;
+    let mut sim = belt.start_with(Dop853::new(1e-12)).unwrap();
+    let (first, slips, period) = (0.3924, 0.433_536_962_770_418_6, 0.727_836_962_770_418_5);
+    for k in 0..10 {
+        let begun = first + f64::from(k) * period;
+        sim.step_to(begun).unwrap();
+        near(sim.mass().x, 0.03924, 1e-9);
+        sim.step_to(begun + slips).unwrap();
+        near(sim.mass().x, 0.00981, 1e-9);
+        sim.step_to(begun + slips + 0.1).unwrap();
+        near(sim.mass().x, 0.01981, 1e-9);
+    }
+}
+
+mechanism! {
+    pub Disc {
+        gravity: 9.81 m/s^2;
+        body disc { mass: 2 kg; inertia: 1 kg*m^2; start y: 1 m; start vx: 5 m/s; }
+        unilateral floor: disc.y >= 1 m;
+        friction slip: rate(disc.x + (1 m)*disc.angle) within 0.2*reaction(floor);
+    }
+}
+
+/// v_0 becomes v_0/(1 + c) at v_0 c/(mu g (1 + c)), c = I/(m r^2); then it rolls.
+#[test]
+fn a_disc_that_was_thrown_begins_to_roll() {
+    let mut sim = Disc::new().start_with(Dop853::new(1e-12)).unwrap();
+    let (time, way, speed) = (0.849_473_326_537_546_7, 3.539_471_920_906_444_6, 10.0 / 3.0);
+    sim.step_to(time).unwrap();
+    near(sim.disc().x, way, 1e-5);
+    sim.step_to(time + 2.0).unwrap();
+    near(sim.disc().vx, speed, 1e-12);
+    near(sim.disc().x, 3.539_471_935_1 + 2.0 * speed, 1e-6);
+    near(sim.disc().omega, -speed, 1e-12);
+}
+
+mechanism! {
+    pub Pendulum {
+        gravity: 9.81 m/s^2;
+        ground { port pivot: (0, 0) m; }
+        body bob { mass: 1 kg; inertia: 1e-14 kg*m^2; port pivot: (0, 1) m; start angle: 60 deg, locked; }
+        revolute hinge(ground.pivot, bob.pivot);
+        friction drag: rate(bob.angle) within 0.2 N*m;
+    }
+}
+
+/// m g l (cos theta' - cos theta) = T (theta - theta') from turn to turn.
+#[test]
+fn a_pendulum_with_a_rough_hinge_loses_its_work() {
+    let mut sim = Pendulum::new().start_with(Dop853::new(1e-12)).unwrap();
+    let turns = [-0.998_334_532_278_349_8, 0.950_310_223_978_209_7, -0.903_052_596_006_498_4];
+    let mut found = Vec::new();
+    let mut before = -1.0;
+    while found.len() < 3 {
+        sim.step(1e-3).unwrap();
+        if (sim.bob().omega > 0.0) != (before > 0.0) {
+            found.push(sim.bob().angle);
+        }
+        before = sim.bob().omega;
+    }
+    for (found, turn) in found.iter().zip(turns) {
+        near(*found, turn, 1e-5);
+    }
+}
+
+mechanism! {
+    part motor(on: body) {
+        param torque: N*m;
+        torque on on: torque;
+    }
+    pub Clutch {
+        param engine: N*m = 30 N*m;
+        body first { mass: 1 kg; inertia: 0.2 kg*m^2; start omega: 200 rad/s; }
+        body second { mass: 1 kg; inertia: 0.5 kg*m^2; start omega: 20 rad/s; }
+        motor engine_(first) { torque: engine; }
+        friction plates: rate(first.angle - second.angle) within 50 N*m;
+        output torque = reaction(plates);
+    }
+}
+
+/// With 30 N m of the engine the plates lock at 0.9 s and 110 rad/s, and carry 21.43 N m.
+#[test]
+fn a_clutch_locks() {
+    let mut sim = Clutch::new().start_with(Dop853::new(1e-12)).unwrap();
+    sim.step_to(0.9).unwrap();
+    near(sim.first().omega, 110.0, 1e-9);
+    sim.step_to(1.0).unwrap();
+    near(sim.first().omega, sim.second().omega, 1e-12);
+    near(sim.torque(), -21.428_571_428_571_43, 1e-10);
+}

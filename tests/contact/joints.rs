@@ -1,0 +1,127 @@
+//! Friction that the reactions of joints bound.
+
+use plm::{Dop853, Fault, mechanism};
+
+use crate::near;
+
+mechanism! {
+    /// An arm on a horizontal table, with friction in the pin that holds it.
+    pub Arm {
+        ground { port centre: (0, 0) m; }
+        body arm { mass: 1 kg; inertia: 0.5 kg*m^2; port centre: (-1, 0) m; start x: 1 m; start vy: 3 m/s; start omega: 3 rad/s; }
+        revolute ring(ground.centre, arm.centre);
+        friction rub: rate((1 m)*arm.angle) within 0.2*norm(ring.force);
+        output drag = reaction(rub);
+    }
+}
+
+/// The pin carries m r omega^2 inwards and m r alpha along the way, so that alpha = -k omega^2 with k = s/sqrt(1 - s^2), s = mu m r r'/J (r' the
+/// radius of the pin, 1 m), J about the pin; and omega = omega_0/(1 + k omega_0 t).
+#[test]
+fn an_arm_is_braked_by_the_reaction_of_its_pin() {
+    let mut sim = Arm::new().start_with(Dop853::new(1e-12)).unwrap();
+    sim.step_to(5.0).unwrap();
+    let share = 0.2 / 1.5;
+    let k: f64 = share / (1.0_f64 - share * share).sqrt();
+    near(sim.arm().omega, 3.0 / (1.0 + 15.0 * k), 1e-10);
+    near(sim.arm().angle, (1.0 + 15.0 * k).ln() / k, 1e-9);
+    near(sim.drag(), -1.5 * k * sim.arm().omega.powi(2), 1e-10);
+}
+
+macro_rules! slider_crank {
+    ($name:ident, $formulation:ident) => {
+        mechanism! {
+            pub $name {
+                gravity: 9.81 m/s^2;
+                formulation: $formulation;
+                param mu = 0.2;
+                ground { port o: (0, 0) m; port rail: (0, 0) m, axis: 0 deg; }
+                body crank {
+                    mass: 1 kg; inertia: 0.01 kg*m^2;
+                    port o: (0, 0) m; port a: (0.1, 0) m;
+                    start angle: 40 deg, locked;
+                    start omega: 30 rad/s, locked;
+                }
+                body rod {
+                    mass: 0.5 kg; inertia: 0.004 kg*m^2;
+                    port a: (-0.15, 0) m; port b: (0.15, 0) m;
+                    start x: 0.2 m; start angle: -12 deg;
+                }
+                body slider { mass: 2 kg; inertia: 0.01 kg*m^2; port b: (0, 0) m; start x: 0.36 m; }
+                revolute o(ground.o, crank.o);
+                revolute a(crank.a, rod.a);
+                revolute b(rod.b, slider.b);
+                prismatic rail(ground.rail, slider.b);
+                friction rub: rate(slider.x) within mu*norm(rail.force);
+                output drag = reaction(rub);
+                output normal = norm(rail.force);
+            }
+        }
+    };
+}
+
+slider_crank!(InCharts, loops);
+slider_crank!(InAbsolute, absolute);
+
+/// Crank, drag, normal force, every 0.05 s.
+macro_rules! course {
+    ($mechanism:expr) => {{
+        let run = || -> Result<Vec<[f64; 4]>, Fault> {
+            let mut sim = $mechanism.start_with(Dop853::new(1e-11))?;
+            let mut rows = Vec::new();
+            for k in 1..=40 {
+                sim.step_to(0.05 * f64::from(k))?;
+                rows.push([sim.crank().angle, sim.crank().omega, sim.drag(), sim.normal()]);
+            }
+            Ok(rows)
+        };
+        run().unwrap()
+    }};
+}
+
+#[test]
+fn a_slider_crank_rubs_the_same_in_all_coordinates() {
+    let (charts, absolute) = (course!(InCharts::new()), course!(InAbsolute::new()));
+    for (one, other) in charts.iter().zip(&absolute) {
+        near(one[2].abs(), 0.2 * one[3].abs(), 1e-9);
+        for (one, other) in one.iter().zip(other) {
+            near(*one, *other, 1e-7 * (1.0 + other.abs()));
+        }
+    }
+}
+
+mechanism! {
+    /// A crank that turns against dry friction of its slider.
+    pub Rubbing {
+        param friction: N = 3 N;
+        ground { port o: (0, 0) m; port rail: (0, 0) m, axis: 0 deg; }
+        body crank {
+            mass: 1 kg; inertia: 0.04 kg*m^2;
+            port o: (0, 0) m; port a: (0.1, 0) m;
+            start angle: 0 deg, locked;
+            start omega: 20 rad/s, locked;
+        }
+        body rod { mass: 0.5 kg; inertia: 0.004 kg*m^2; port a: (-0.15, 0) m; port b: (0.15, 0) m; start x: 0.25 m; }
+        body slider { mass: 2 kg; inertia: 0.01 kg*m^2; port b: (0, 0) m; start x: 0.4 m; }
+        revolute o(ground.o, crank.o);
+        revolute a(crank.a, rod.a);
+        revolute b(rod.b, slider.b);
+        prismatic rail(ground.rail, slider.b);
+        friction rub: rate(slider.x) within friction;
+    }
+}
+
+/// The energy falls by the friction times the way, also through dead centres, where the row has no direction.
+#[test]
+fn friction_of_a_slider_does_its_work_through_dead_centres() {
+    let mut sim = Rubbing::new().start_with(Dop853::new(1e-11)).unwrap();
+    let before = sim.kinetic_energy();
+    for k in 1..=400 {
+        sim.step_to(0.0025 * f64::from(k)).unwrap();
+        let half_turns = (sim.crank().angle / core::f64::consts::PI).floor();
+        let dead_centre = if half_turns % 2.0 == 0.0 { 0.4 } else { 0.2 };
+        let way = 0.2 * half_turns + (sim.slider().x - dead_centre).abs();
+        near(before - sim.kinetic_energy(), 3.0 * way, 1e-9);
+    }
+    assert!(sim.crank().angle > 15.0, "{:?}", sim.crank());
+}

@@ -1,0 +1,13 @@
+//! Friction and unilateral contact in declarations, against closed forms.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+
+mod flights;
+mod friction;
+mod joints;
+mod loops;
+
+/// Asserts that two numbers differ by `within` at most.
+#[track_caller]
+fn near(found: f64, known: f64, within: f64) {
+    assert!((found - known).abs() <= within, "{found} is not {known}: {:e}", found - known);
+}
