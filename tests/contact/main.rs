@@ -5,6 +5,7 @@ mod flights;
 mod friction;
 mod joints;
 mod loops;
+mod mixed;
 
 /// Asserts that two numbers differ by `within` at most.
 #[track_caller]
