@@ -3,11 +3,7 @@
 #![allow(clippy::excessive_precision, reason = "references are written as they were published")]
 
 mod assembly;
-mod drawn;
-#[path = "../support/random.rs"]
-mod random;
 mod robust;
 mod scenes;
 mod starts;
-mod turned_starts;
 mod workspace_limits;

@@ -10,12 +10,11 @@ use super::branch;
 use super::disagree::disagreement;
 use super::lack::lack;
 use super::newton::{assembly_step, refused};
-use super::placed::nearer;
 use super::project::descend;
 use super::redundancy::{Dependencies, beside};
 use super::renew::open;
 use super::scale::Scale;
-use super::search::{search, unwind};
+use super::search::search;
 use crate::fault::{Cause, Fault, Names};
 use crate::linalg::largest;
 use crate::scalar::Real;
@@ -45,9 +44,7 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     let start = m.start_position();
     let free = start.map(freedom_of);
     let pose = close(m, t, &start, &free)?;
-    let mut pose = branch::find(m, t, pose, (&start, &free))?;
-    // Mirrored bodies may have turned further than half a turn.
-    unwind(m, t, &mut pose, (&start.map(|s| s.value), &free));
+    let pose = branch::find(m, t, pose, (&start, &free))?;
     let refined = m.refine(t, &pose.q);
     let q = refined.map_or(pose.q, |(q, _)| q);
     let here = Dependencies::at(m, t, &q, &free).ok_or_else(|| undecided(m, (t, &q), &free))?;
@@ -107,7 +104,7 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     check_finite::<S, M, NQ, NC>(t, &q0)?;
     let pose = newton(m, t, &q0, free);
     if pose.is_closed(m) {
-        return Ok(nearer(m, t, pose, (&q0, free)));
+        return Ok(pose);
     }
     // Locks that are too many are the likelier mistake than joints that do not fit.
     if let Some(at_start) = Dependencies::at(m, t, &q0, free) {

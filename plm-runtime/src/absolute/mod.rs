@@ -21,7 +21,6 @@ mod jump;
 mod lack;
 mod nearest;
 mod newton;
-mod placed;
 mod project;
 mod redundancy;
 mod renew;

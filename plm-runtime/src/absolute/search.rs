@@ -93,17 +93,13 @@ fn distance<S: Real, const NQ: usize>(q: &[S; NQ], start: &[S; NQ]) -> S {
 }
 
 /// Takes off whole turns from the start values, where joints are closed without them too.
-#[inline(never)]
-pub(super) fn unwind<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+fn unwind<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
     pose: &mut Pose<S, NQ, NC>,
     (start, free): (&[S; NQ], &[S; NQ]),
 ) {
-    let (turn, half) = (S::lit(core::f64::consts::TAU), S::lit(core::f64::consts::PI));
-    if (2..NQ).step_by(3).all(|k| (pose.q.at(k) - start.at(k)).abs() <= half) {
-        return;
-    }
+    let turn = S::lit(core::f64::consts::TAU);
     // All bodies together, since joints may hold their angles against each other; else one by one.
     for only in (0..=NQ / 3).map(|body| body.checked_sub(1)) {
         let mut q = pose.q;

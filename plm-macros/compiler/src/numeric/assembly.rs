@@ -9,10 +9,9 @@ use plm_cas::Expr;
 use super::branch;
 use super::constraints::{Closed, Constraints, are_closed};
 use super::lack::lack;
-use super::placed::nearer;
 use super::rank::Rank;
 use super::scene::Scene;
-use super::search::{Search, Searched, search};
+use super::search::{Searched, search};
 use super::values::value;
 use crate::model::{Body, Model};
 
@@ -82,17 +81,17 @@ pub(crate) fn assemble(scene: &Scene, reach: Reach) -> Assembly {
     let constraints = Constraints::new(scene);
     let start = start_position(scene);
     let limits = |q: &[f64]| limits(scene.model, scene.length, q);
-    let by = Search { constraints: &constraints, start: &start, limits: &limits };
+    let close = |q: Vec<f64>| constraints.close(q, &start.locked, limits);
     let asked = branch::asked(scene);
     let missed = |q: &[f64]| branch::missed(&asked, q);
-    let is_closed = |closed: &Closed| by.is_closed(closed);
+    let is_closed = |closed: &Closed| are_closed(&closed.phi, &limits(&closed.q));
     let (rows, mut searched) = (scene.model.rows.len(), None);
     let mut others = || {
-        let (found, tried) = search(by, &missed);
+        let (found, tried) = search(&constraints, &start, &limits, &missed);
         searched = Some(tried);
         found
     };
-    let mut nearest = by.close(start.values.clone());
+    let mut nearest = close(start.values.clone());
     // Locks that are too many are the likelier mistake than joints that do not fit.
     let ties_locks =
         |q: &[f64]| constraints.rank(q, &start.locked).dependent.iter().any(|(row, _)| *row >= rows);
@@ -100,24 +99,16 @@ pub(crate) fn assemble(scene: &Scene, reach: Reach) -> Assembly {
         nearest.phi.iter().all(|phi| phi.is_finite())
             && !(ties_locks(&start.values) && ties_locks(&nearest.q))
     };
-    if reach == Reach::Full {
-        if is_closed(&nearest) {
-            nearest = nearer(&by, nearest);
-        } else if fits() {
-            nearest = others().unwrap_or_else(|q| lack(&constraints, q, &start.locked, nearest.steps));
-        }
+    if reach == Reach::Full && !is_closed(&nearest) && fits() {
+        nearest = others().unwrap_or_else(|q| lack(&constraints, q, &start.locked, nearest.steps));
     }
     let by_search = |before: usize| {
         let found = (reach == Reach::Full).then(&mut others)?.ok();
         found.filter(|found| missed(&found.q) < before)
     };
-    let near = |q: Vec<f64>| Some(by.close(q)).filter(is_closed);
-    if is_closed(&nearest) {
-        nearest = branch::find(&asked, nearest, &start, near, by_search);
-        // Mirrored bodies may have turned further than half a turn.
-        by.unwind(&mut nearest);
-    }
-    let Closed { q, phi, steps } = nearest;
+    let near = |q: Vec<f64>| Some(close(q)).filter(is_closed);
+    let Closed { q, phi, steps } =
+        if is_closed(&nearest) { branch::find(&asked, nearest, &start, near, by_search) } else { nearest };
     let Start { values: mut v, locked: velocity_locked } = start_velocity(scene, &q);
     let phi_dot = constraints.phi_dot(&q, &v);
     for (velocity, dv) in v.iter_mut().zip(constraints.step(&q, &velocity_locked, &phi_dot)) {

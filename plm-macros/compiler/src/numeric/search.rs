@@ -35,11 +35,13 @@ pub(crate) struct Searched {
 /// Of the poses that close the joints, the one that misses the fewest images and is nearest to the start values; where none
 /// was found, the one at which the joints are open least.
 pub(super) fn search(
-    search: Search,
+    constraints: &Constraints,
+    start: &Start,
+    limits: &dyn Fn(&[f64]) -> Vec<f64>,
     missed: &dyn Fn(&[f64]) -> usize,
 ) -> (Result<Closed, Vec<f64>>, Searched) {
-    let Search { constraints, start, .. } = search;
     let mut measure = Measure::new(constraints, &start.locked);
+    let search = Search { constraints, start, limits };
     let mut others = Others { state: 7, share: 0.0, with_places: true };
     let mut best: Option<(usize, f64, Closed)> = None;
     let mut least = (f64::INFINITY, start.values.clone());
@@ -82,31 +84,24 @@ pub(super) fn search(
     (best.map(|(_, _, pose)| pose).ok_or(least.1), tried)
 }
 
-/// Search for closed poses of a scene next to its start.
-#[derive(Clone, Copy)]
-pub(super) struct Search<'a> {
-    pub(super) constraints: &'a Constraints<'a>,
-    pub(super) start: &'a Start,
-    /// Bounds of `phi` of each row.
-    pub(super) limits: &'a dyn Fn(&[f64]) -> Vec<f64>,
+struct Search<'a> {
+    constraints: &'a Constraints<'a>,
+    start: &'a Start,
+    limits: &'a dyn Fn(&[f64]) -> Vec<f64>,
 }
 
 impl Search<'_> {
-    pub(super) fn close(&self, q: Vec<f64>) -> Closed {
+    fn close(&self, q: Vec<f64>) -> Closed {
         self.constraints.close(q, &self.start.locked, self.limits)
     }
 
-    pub(super) fn is_closed(&self, pose: &Closed) -> bool {
+    fn is_closed(&self, pose: &Closed) -> bool {
         are_closed(&pose.phi, &(self.limits)(&pose.q))
     }
 
     /// Takes off whole turns from the start values, where joints are closed without them too.
-    pub(super) fn unwind(&self, pose: &mut Closed) {
-        let (bodies, half) = (pose.q.len() / 3, std::f64::consts::PI);
-        let near = |k: usize| (pose.q[k] - self.start.values[k]).abs() <= half;
-        if (0..bodies).all(|body| near(3 * body + 2)) {
-            return;
-        }
+    fn unwind(&self, pose: &mut Closed) {
+        let bodies = pose.q.len() / 3;
         // All bodies together, since joints may hold their angles against each other; else one by one.
         for only in (0..=bodies).map(|body| body.checked_sub(1)) {
             let mut q = pose.q.clone();
