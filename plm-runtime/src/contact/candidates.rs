@@ -177,22 +177,23 @@ pub(super) fn is_off<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; 
     })
 }
 
-/// The multipliers of a combination, and the rows with the signs that reactions have with them.
+/// The multipliers of a combination, and the rows with the signs that reactions have with them, where these are others.
 fn signed<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     modes: &[Mode; N],
-) -> Option<(Rows<S, N>, Multipliers<S, N>)> {
-    let (mut rows, mut flips) = (*rows, 0);
+) -> Option<(Option<Rows<S, N>>, Multipliers<S, N>)> {
+    let (mut turned, mut flips) = (None, 0);
     loop {
-        let found = multipliers(&rows, modes)?;
+        let present = turned.as_ref().unwrap_or(rows);
+        let found = multipliers(present, modes)?;
         let is_wrong = |row: &usize| {
-            let none = S::lit(MARGINAL) * rows.terms(*row, &found.lambda);
-            matches!(rows.load[*row], Load::Line { .. }) && rows.size(*row, &found.lambda) < -none
+            let none = S::lit(MARGINAL) * present.terms(*row, &found.lambda);
+            matches!(present.load[*row], Load::Line { .. }) && present.size(*row, &found.lambda) < -none
         };
         let Some(row) = (0..N).find(is_wrong).filter(|_| flips <= 2 * N) else {
-            return Some((rows, found));
+            return Some((turned, found));
         };
-        if let Load::Line { negative } = &mut rows.load[row] {
+        if let Load::Line { negative } = &mut turned.get_or_insert(*rows).load[row] {
             *negative = !*negative;
         }
         flips += 1;
@@ -205,7 +206,8 @@ fn solve<S: Real, const N: usize>(
     allowed: &[Allowed; N],
     modes: [Mode; N],
 ) -> Option<(Solution<S, N>, Margins<S, N>)> {
-    let (rows, found) = &signed(rows, &modes)?;
+    let (turned, found) = signed(rows, &modes)?;
+    let rows = turned.as_ref().unwrap_or(rows);
     let lambda = found.lambda;
     let acceleration = core::array::from_fn(|i| rows.acceleration(i, &lambda));
     let (determinant, slack, carried) = (found.determinant, S::lit(1.0), [false; N]);

@@ -5,10 +5,11 @@
 //! 3. The next modes by enumeration. A marginal inequality is decided by its rate along the candidate.
 //! 4. Rows that hold have no rate any more; a friction that sticks remembers its place.
 
-use super::candidates::{Allowed, Found, MARGINAL, Margins, Solution, enumerate};
+use super::candidates::{Allowed, Found, Margins, Solution, enumerate};
 use super::impact::{ImpactLaw, Impulses, impulses};
 use super::loads::Load;
-use super::margins::{PER_ROW, SIGN, margins, stick};
+use super::marginal::go_on;
+use super::margins::{PER_ROW, SIGN, margins};
 use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
 use super::project::{project, stop};
@@ -31,12 +32,6 @@ const RATE_ULPS: f64 = 4096.0;
 const MOST_IMPACTS: u32 = 30;
 /// Impacts of pairs one after the other, at most.
 const MOST_PAIRS: u32 = 1000;
-/// A margin that is zero within this time is zero, s: times of events are known so well.
-const AT_ONCE: f64 = 1e-10;
-/// A margin of this fraction of its terms is never marginal: near a pose where a row has no direction rates have no bound.
-const MOST_MARGINAL: f64 = 1e-4;
-/// The rate of a margin is none below this fraction of its terms.
-const NO_RATE: f64 = 1e-9;
 
 /// What an event did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -77,8 +72,8 @@ pub fn switch_behind<M: Contacts<N>, const N: usize>(
     x: &mut M::X,
     (index, step): (usize, M::S),
 ) -> Result<Outcome, Fault> {
-    let due = Some(index / PER_ROW).filter(|row| *row < N);
-    if let Some(row) = due.filter(|_| index % PER_ROW == SIGN) {
+    let occasion = Occasion::of(index, N);
+    if let Occasion::Sign { row } = occasion {
         // It is zero: the way that it goes decides.
         let lambda = lambda_of(&system.rows_at(t, u, x), u.modes());
         let rows = moving_rows(system, (t, u), x, &lambda);
@@ -86,8 +81,7 @@ pub fn switch_behind<M: Contacts<N>, const N: usize>(
         let [reaction, _] = rows.reaction_at(row, &lambda);
         u.modes_mut().negative[row] = reaction.tangents[0] < M::S::ZERO;
     }
-    let turns = index % PER_ROW == SIGN;
-    Event { system, t, due, turns, step, begins: false }.commit(u, x)
+    Event { system, t, occasion, step }.commit(u, x)
 }
 
 /// Finds the modes anew behind an event that is none of the rows: forces, motions or parameters may have jumped.
@@ -100,7 +94,7 @@ pub fn update<M: Contacts<N>, const N: usize>(
     u: &mut M::U,
     x: &mut M::X,
 ) -> Result<Outcome, Fault> {
-    Event { system, t, due: None, turns: false, step: M::S::ZERO, begins: false }.commit(u, x)
+    Event { system, t, occasion: Occasion::Change, step: M::S::ZERO }.commit(u, x)
 }
 
 /// Finds the modes of a state where a run begins.
@@ -113,7 +107,7 @@ pub fn begin<M: Contacts<N>, const N: usize>(
     u: &mut M::U,
     x: &mut M::X,
 ) -> Result<Outcome, Fault> {
-    let event = Event { system, t, due: None, turns: false, step: M::S::ZERO, begins: true };
+    let event = Event { system, t, occasion: Occasion::Start, step: M::S::ZERO };
     let rows = system.rows_at(t, u, x);
     let deepest = (0..N)
         .filter(|i| system.law(*i).is_unilateral())
@@ -124,18 +118,45 @@ pub fn begin<M: Contacts<N>, const N: usize>(
     event.commit(u, x)
 }
 
+/// The reason for finding modes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Occasion {
+    /// A run begins.
+    Start,
+    /// A change that is none of the rows.
+    Change,
+    /// The guard of a row has passed zero.
+    Guard { row: usize },
+    /// The sign of the reaction that bounds a row changes.
+    Sign { row: usize },
+}
+
+impl Occasion {
+    /// Of a guard among those of `rows` rows; the last one is that of the determinant.
+    fn of(index: usize, rows: usize) -> Self {
+        match (index / PER_ROW, index % PER_ROW) {
+            (row, _) if row >= rows => Self::Change,
+            (row, SIGN) => Self::Sign { row },
+            (row, _) => Self::Guard { row },
+        }
+    }
+
+    /// The row that it is of.
+    fn row(self) -> Option<usize> {
+        match self {
+            Self::Start | Self::Change => None,
+            Self::Guard { row } | Self::Sign { row } => Some(row),
+        }
+    }
+}
+
 /// An event at a time.
 struct Event<'a, M: Contacts<N>, const N: usize> {
     system: &'a M,
     t: M::S,
-    /// The row whose guard has passed zero.
-    due: Option<usize>,
-    /// It was that of the sign of its reaction.
-    turns: bool,
-    /// How long ago it may have done so, s.
+    occasion: Occasion,
+    /// The time since the guard may have passed zero, s.
     step: M::S,
-    /// A run begins.
-    begins: bool,
 }
 
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
@@ -145,7 +166,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         // Before the impacts, behind which rates may be rounding alone.
         let none = rounding(&rows);
         let (mut rows, impacts) = self.impacts(&laws, (none, rows), u, x)?;
-        if let Some(row) = self.due.filter(|_| self.turns) {
+        if let Occasion::Sign { row } = self.occasion {
             rows.load[row] = Load::Turned { negative: u.modes().negative[row] };
         }
         let allowed = self.allowed(&laws, (none, impacts), &rows, u);
@@ -170,7 +191,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let place = core::array::from_fn(|i| if sticks_on(i) { before.place[i] } else { rows.gap[i] });
         let after = Modes { of, carried, place, orientation, negative };
         *u.modes_mut() = after;
-        // A gap that closes may be a tolerance away from zero: no step is to find that. One that is farther away is left to the steps.
+        // A gap that closes may be a tolerance away from zero: no step is to find that. Farther away it is left to the steps.
         let is_near = |i: usize| of[i] != Mode::Closed || rows.gap[i].abs() <= self.closed();
         if (0..N).all(is_near) {
             project(self.system, self.t, u, x)?;
@@ -178,9 +199,10 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             stop(self.system, (self.t, u, &rows), x);
         }
         let closes = |i: &usize| laws[*i].is_unilateral() && before.is_open(*i) && !after.is_open(*i);
-        let closures = if self.begins { 0 } else { (0..N).filter(closes).count() as u32 };
+        let begins = self.occasion == Occasion::Start;
+        let closures = if begins { 0 } else { (0..N).filter(closes).count() as u32 };
         let outcome = Outcome { impacts, closures, is_ambiguous, is_undetermined: after.are_undetermined() };
-        u.count(&outcome, self.begins);
+        u.count(&outcome, begins);
         Ok(outcome)
     }
 
@@ -218,7 +240,8 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let modes = u.modes();
         core::array::from_fn(|i| {
             let was_closed = modes.of[i] == Mode::Closed || modes.carried[i];
-            !laws[i].is_unilateral() || was_closed || self.due == Some(i) || rows.gap[i] <= self.closed()
+            let is_due = self.occasion.row() == Some(i);
+            !laws[i].is_unilateral() || was_closed || is_due || rows.gap[i] <= self.closed()
         })
     }
 
@@ -232,7 +255,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     ) -> [Allowed; N] {
         let touches = self.touches(laws, rows, u);
         core::array::from_fn(|i| {
-            let is_due = self.due == Some(i);
+            let is_due = self.occasion.row() == Some(i);
             if laws[i].is_unilateral() {
                 let short = if is_due { self.short(rows, i) } else { M::S::ZERO };
                 let rests = touches[i] && rows.rate[i] <= self.resting(rows, i).max(none).max(short);
@@ -285,7 +308,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     /// The row that a fault names.
     fn row(&self, allowed: &[Allowed; N]) -> usize {
         let first = allowed.iter().position(|row| *row == Allowed::Touching);
-        self.due.or(first).unwrap_or(0)
+        self.occasion.row().or(first).unwrap_or(0)
     }
 
     fn fault(&self, row: usize, cause: Cause) -> Fault {
@@ -330,56 +353,6 @@ fn rounding<S: Real, const N: usize>(rows: &Rows<S, N>) -> S {
 
 fn touching<const N: usize>(allowed: &[Allowed; N]) -> usize {
     allowed.iter().filter(|row| **row == Allowed::Touching).count()
-}
-
-/// True if every margin is positive, or zero and not falling.
-fn go_on<S: Real, const N: usize>(
-    rows: &Rows<Dual<S, 1>, N>,
-    solution: &Solution<S, N>,
-    margins: &Margins<S, N>,
-) -> bool {
-    let Some(found) = multipliers(rows, &solution.modes) else { return false };
-    let lambda = found.lambda;
-    (0..N).all(|i| {
-        let (value, Some(terms)) = (margins.value[i], margins.size[i]) else { return true };
-        // Forces times D_ii: where a row has no direction D is zero, and the force that would hold it has no end.
-        let (acceleration, own) = (rows.acceleration(i, &lambda), rows.delassus[i][i]);
-        let (margin, to_acceleration) = match solution.modes[i] {
-            Mode::Closed => (held_force(rows, i, &lambda)[i], own.value),
-            Mode::Sticks => {
-                let [lower, upper] = stick(&rows.times(i, own), i, &held_force(rows, i, &lambda));
-                (if lower.value < upper.value { lower } else { upper }, own.value)
-            }
-            Mode::Backwards => (-acceleration, S::lit(1.0)),
-            _ => (acceleration, S::lit(1.0)),
-        };
-        let (value, terms) = (value * to_acceleration, terms * to_acceleration);
-        let (slope, size) = (margin.tangents[0], size(rows, i, &lambda));
-        let at_once = (S::lit(AT_ONCE) * slope.abs()).min(S::lit(MOST_MARGINAL) * terms);
-        let none = (S::lit(MARGINAL) * terms).max(at_once);
-        value > none || value >= -none && slope >= -S::lit(NO_RATE) * size
-    })
-}
-
-/// Multipliers times D_ii, that of the row i itself from its equation: D_ii lambda_i = -(c_i + sum over j != i of D_ij lambda_j).
-fn held_force<S: Real, const N: usize>(
-    rows: &Rows<Dual<S, 1>, N>,
-    i: usize,
-    lambda: &[Dual<S, 1>; N],
-) -> [Dual<S, 1>; N] {
-    let others = core::array::from_fn(|j| if j == i { Dual::ZERO } else { lambda[j] });
-    let mut forces = others.map(|lambda| lambda * rows.delassus[i][i]);
-    forces[i] = -rows.acceleration(i, &others);
-    forces
-}
-
-/// The size of the terms of the rate of an acceleration.
-fn size<S: Real, const N: usize>(rows: &Rows<Dual<S, 1>, N>, row: usize, lambda: &[Dual<S, 1>; N]) -> S {
-    let terms = rows.delassus[row].iter().zip(lambda);
-    let moved = |sum: S, (d, lambda): (&Dual<S, 1>, &Dual<S, 1>)| {
-        sum + (d.value * lambda.value).abs() + (d.value * lambda.tangents[0]).abs()
-    };
-    terms.fold(rows.free[row].value.abs() + rows.free[row].tangents[0].abs(), moved)
 }
 
 /// Guards of the rows in the modes held, for [`Events::guards`](crate::Events::guards): gives each of the

@@ -5,7 +5,8 @@
 //!
 //! * The discrete state has `rt::contact::Held<S, N>` as its `contact`: `open()` where it is made, `packed(&first.contact, all.map(|held|
 //!   &held.contact), &number)` in `pack_held`. In charts, `Charted::Contact` is this type.
-//! * Two functions for any [`Scalar`]: the [`Rows`](super::Rows) at a state, which read neither modes nor multipliers, and the
+//! * Two functions for any [`Scalar`]: the [`Rows`](super::Rows) at a state, which read no multipliers, and of the modes the signs of
+//!   reactions alone, and the
 //!   `response`, which is what multipliers add to the rate. The motion reads `u.contact.lambda` as it reads inputs.
 //! * `Rate::rate`: where [`has_forces`](Held::has_forces), the rows, and a copy of `u` with
 //!   [`with_multipliers`](super::with_multipliers); the motion with that copy; [`settle`](super::settle). The rate by rank and outputs

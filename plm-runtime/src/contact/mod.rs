@@ -14,6 +14,7 @@ mod event;
 mod held;
 mod impact;
 mod loads;
+mod marginal;
 mod margins;
 mod modes;
 mod multipliers;
@@ -46,7 +47,7 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
     fn law(&self, row: usize) -> Law<Self::S>;
 
     /// Gaps, rates, free accelerations, D and limits of all rows, in any numbers: time and state are given in them, and `constant` makes
-    /// one of a parameter or an input. They do not depend on the modes.
+    /// one of a parameter or an input. Of the modes they read the signs of reactions alone.
     fn rows<T: Scalar>(
         &self,
         t: T,

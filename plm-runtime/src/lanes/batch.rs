@@ -19,7 +19,8 @@ use crate::sim::{Clock, Sim};
 ///
 /// Each ends with the bits that it would have if it ran alone. A lane that needs more than straight-line code makes that
 /// step alone: where a solution without pivoting is unhealthy, where an event is possible, and as long as it is in another chart than
-/// most. Mechanisms with contact rows make all steps alone, since each has modes of its own. One that stops with a fault does not stop the others.
+/// most. Mechanisms with contact rows make all steps alone, since each has modes of its own. One that stops with a fault does not stop
+/// the others.
 ///
 /// It dereferences to the array of simulations.
 #[derive(Clone, Copy)]

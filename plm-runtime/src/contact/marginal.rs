@@ -1,0 +1,68 @@
+//! Inequalities of a combination of modes that are marginal: one that is zero holds if it does not fall along the motion.
+//!
+//! The order is lexicographic, value before rate (F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996).
+
+use super::candidates::{MARGINAL, Margins, Solution};
+use super::margins::stick;
+use super::modes::Mode;
+use super::multipliers::multipliers;
+use super::rows::Rows;
+use crate::dual::Dual;
+use crate::scalar::{Real, Scalar};
+
+/// A margin that is zero within this time is zero, s: times of events are known so well.
+const AT_ONCE: f64 = 1e-10;
+/// A margin of this fraction of its terms is never marginal: near a pose where a row has no direction rates have no bound.
+const MOST_MARGINAL: f64 = 1e-4;
+/// The rate of a margin is none below this fraction of its terms.
+const NO_RATE: f64 = 1e-9;
+
+/// True if every margin is positive, or zero and not falling.
+pub(super) fn go_on<S: Real, const N: usize>(
+    rows: &Rows<Dual<S, 1>, N>,
+    solution: &Solution<S, N>,
+    margins: &Margins<S, N>,
+) -> bool {
+    let Some(found) = multipliers(rows, &solution.modes) else { return false };
+    let lambda = found.lambda;
+    (0..N).all(|i| {
+        let (value, Some(terms)) = (margins.value[i], margins.size[i]) else { return true };
+        // Forces times D_ii: where a row has no direction D is zero, and the force that would hold it has no end.
+        let (acceleration, own) = (rows.acceleration(i, &lambda), rows.delassus[i][i]);
+        let (margin, to_acceleration) = match solution.modes[i] {
+            Mode::Closed => (held_force(rows, i, &lambda)[i], own.value),
+            Mode::Sticks => {
+                let [lower, upper] = stick(&rows.times(i, own), i, &held_force(rows, i, &lambda));
+                (if lower.value < upper.value { lower } else { upper }, own.value)
+            }
+            Mode::Backwards => (-acceleration, S::lit(1.0)),
+            _ => (acceleration, S::lit(1.0)),
+        };
+        let (value, terms) = (value * to_acceleration, terms * to_acceleration);
+        let (slope, size) = (margin.tangents[0], size(rows, i, &lambda));
+        let at_once = (S::lit(AT_ONCE) * slope.abs()).min(S::lit(MOST_MARGINAL) * terms);
+        let none = (S::lit(MARGINAL) * terms).max(at_once);
+        value > none || value >= -none && slope >= -S::lit(NO_RATE) * size
+    })
+}
+
+/// Multipliers times D_ii, that of the row i itself from its equation: D_ii lambda_i = -(c_i + sum over j != i of D_ij lambda_j).
+fn held_force<S: Real, const N: usize>(
+    rows: &Rows<Dual<S, 1>, N>,
+    i: usize,
+    lambda: &[Dual<S, 1>; N],
+) -> [Dual<S, 1>; N] {
+    let others = core::array::from_fn(|j| if j == i { Dual::ZERO } else { lambda[j] });
+    let mut forces = others.map(|lambda| lambda * rows.delassus[i][i]);
+    forces[i] = -rows.acceleration(i, &others);
+    forces
+}
+
+/// The size of the terms of the rate of an acceleration.
+fn size<S: Real, const N: usize>(rows: &Rows<Dual<S, 1>, N>, row: usize, lambda: &[Dual<S, 1>; N]) -> S {
+    let terms = rows.delassus[row].iter().zip(lambda);
+    let moved = |sum: S, (d, lambda): (&Dual<S, 1>, &Dual<S, 1>)| {
+        sum + (d.value * lambda.value).abs() + (d.value * lambda.tangents[0]).abs()
+    };
+    terms.fold(rows.free[row].value.abs() + rows.free[row].tangents[0].abs(), moved)
+}
