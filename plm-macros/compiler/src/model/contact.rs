@@ -22,9 +22,9 @@ pub struct Contact {
     pub law: ContactLaw,
     /// `m` or `rad`.
     pub unit: DisplayUnit,
-    /// Where it stands: the part in the declaration.
+    /// Place of its part in the declaration.
     pub span: Span,
-    /// Where it was written.
+    /// Place of the row itself.
     pub declared: Declared,
 }
 

@@ -168,7 +168,7 @@ fn made() -> String {
         writeln!(text, "* units: {}", words::units().into_iter().map(named).collect::<Vec<_>>().join(", "));
     let _ = writeln!(
         text,
-        "* options of `formulation`, `code` and `emit: step(…)`: {}",
+        "* options of `formulation`, `code`, `emit: step(…)` and `impacts`: {}",
         words::options().join(", ")
     );
     library(&mut text);

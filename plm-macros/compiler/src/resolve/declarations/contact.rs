@@ -35,7 +35,7 @@ impl<'a> WrittenContact<'a> {
         }
     }
 
-    /// Where its displacement stands.
+    /// The place of its displacement.
     fn span(self) -> Span {
         match self {
             WrittenContact::Unilateral(row) => {
@@ -112,7 +112,7 @@ impl<'a> Resolver<'a> {
         });
     }
 
-    /// Where a row was written.
+    /// The place of a row.
     pub(crate) fn contact_declared(&self, contact: usize) -> Declared {
         let UnresolvedContact { scope, written, .. } = self.unresolved.contacts[contact];
         Declared { span: written.span(), uses: self.names.uses(scope) }

@@ -15,6 +15,9 @@ use crate::span::Span;
 use crate::syntax::ast;
 use crate::units::{Dimension, DisplayUnit};
 
+/// The scope of the mechanism, where steps are ordered.
+const MECHANISM: ScopeId = 0;
+
 /// A friction whose bound is worked out.
 #[derive(Clone, Copy)]
 struct Bounded {
@@ -27,6 +30,9 @@ struct Bounded {
 impl<'a> Resolver<'a> {
     /// All rows of contact; their forces go to the loads.
     pub(crate) fn evaluate_contacts(&mut self, loads: &mut Vec<Load>) -> Eval<Vec<Contact>> {
+        if !self.unresolved.contacts.is_empty() {
+            self.refuse_steps();
+        }
         let contacts = all((0..self.unresolved.contacts.len()).map(|contact| self.contact(contact)))?;
         for contact in &contacts {
             let lambda = contact.lambda;
@@ -38,7 +44,6 @@ impl<'a> Resolver<'a> {
     fn contact(&mut self, contact: usize) -> Eval<Contact> {
         let UnresolvedContact { scope, written, .. } = self.unresolved.contacts[contact];
         let displacement = self.displacement(contact);
-        self.refuse_steps(scope);
         let law = match written {
             WrittenContact::Unilateral(row) => self.unilateral(contact, row),
             WrittenContact::Friction(row) => displacement.and_then(|displacement: Displacement| {
@@ -62,10 +67,10 @@ impl<'a> Resolver<'a> {
     }
 
     /// An ordered step solves for no contact forces.
-    fn refuse_steps(&mut self, scope: ScopeId) {
+    fn refuse_steps(&mut self) {
         for (_, span) in std::mem::take(&mut self.unresolved.settings.steps) {
             let message = "a mechanism with contact has no steps of its own";
-            self.error(scope, Code::MisplacedItem, span, message)
+            self.error(MECHANISM, Code::MisplacedItem, span, message)
                 .help("leave it out: `start()` and `start_with` run the mechanism with its events");
         }
     }
