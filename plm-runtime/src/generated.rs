@@ -59,7 +59,7 @@ pub mod described {
 }
 
 pub mod events {
-    pub use crate::events::{holds, switch_where_due};
+    pub use crate::events::{Sets, begin, change, holds, switch_where_due, with_velocities};
 }
 
 pub mod held {

@@ -8,6 +8,7 @@
 //! declaration (manual, section 4.3.4: "the state variables of a body are calculated at the center of gravity").
 
 mod contact;
+mod event;
 mod held;
 mod instance;
 mod joint;
@@ -20,6 +21,7 @@ use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
 pub use contact::{Contact, ContactLaw, Impacts, Reaction};
+pub use event::{Target, When};
 pub use held::{Comparison, Counted, Decisions, End, Jump, Steady, Switch};
 pub use instance::{Instance, Size};
 pub use joint::{FrameRef, Pair, Part, Turn};
@@ -86,6 +88,8 @@ pub struct Model {
     pub loads: Vec<Load>,
     /// First-order states.
     pub states: Vec<State>,
+    /// Events that set states.
+    pub whens: Vec<When>,
     /// Conditions whose side is held over a step: of the state first, then of the time. Requirements are there from the
     /// beginning, derivation finds the others.
     pub switches: Vec<Switch>,

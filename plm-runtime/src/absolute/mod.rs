@@ -38,6 +38,7 @@ pub use nearest::flat_part;
 pub(crate) use nearest::{close, lead, nearest, smallest_pivot};
 pub use project::{balance, drift, opening, project, project_state, residuals};
 pub(crate) use redundancy::beside;
+pub(crate) use renew::allow;
 pub use renew::renew;
 
 use crate::scalar::Real;

@@ -37,15 +37,29 @@ pub fn renew<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         let pose = newton(m, t, q, &free);
         *q = if is_closed(&pose.q, &pose.phi) { pose.q } else { damped(m, t, q, &free)? };
     }
+    allow(m, t, q, v, &free)
+}
+
+/// Changes velocities to the nearest ones that the joints allow, in the metric of `1/weights`; one with the weight 0 stays.
+///
+/// # Errors
+/// [`Cause::VelocityOpen`], [`Cause::Workspace`].
+pub(crate) fn allow<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+    v: &mut [S; NQ],
+    weights: &[S; NQ],
+) -> Result<(), Fault> {
     let scale = Scale::of_velocity(m, q, v);
     let phi_dot = m.phi_dot(t, q, v);
     if !scale.is_closed::<M, NQ, NC>(&phi_dot) {
         let (least, worst) = (S::EPSILON, |r: &[S; NC]| scale.worst::<M, NQ, NC>(r));
         let left =
-            descend((least, worst), v, |v| m.phi_dot(t, q, v), |_, r| assembly_step(m, t, q, &free, r));
+            descend((least, worst), v, |v| m.phi_dot(t, q, v), |_, r| assembly_step(m, t, q, weights, r));
         if !scale.is_closed::<M, NQ, NC>(&left) {
             let open = || open(t, &left, &M::PARTS, |gap| Cause::VelocityOpen { gap });
-            return Err(refused(m, (t, q), &free).unwrap_or_else(open));
+            return Err(refused(m, (t, q), weights).unwrap_or_else(open));
         }
     }
     Ok(())

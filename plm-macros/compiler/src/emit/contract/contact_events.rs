@@ -4,7 +4,7 @@ use crate::emit::template::quote;
 use proc_macro2::{Literal, TokenStream};
 
 use super::super::{Emission, Sizes, number};
-use super::{contact, switches, system};
+use super::{contact, sets, switches, system};
 use crate::model::Stabilisation;
 
 /// Guards of each row, and one for the determinant of the active rows: `rt::contact::guard_count`.
@@ -114,9 +114,11 @@ impl Beside {
     pub(super) fn new(emission: &Emission) -> Beside {
         let length = &emission.sizes.length;
         if !contact::are_there(emission) {
+            let [t, x] =
+                if sets::are_there(emission) { [quote!(t), quote!(x)] } else { [quote!(_t), quote!(_x)] };
             let head = quote! {
                 fn switch(
-                    &self, _t: S, u: &mut Self::U, _x: &mut [S; #length], index: usize
+                    &self, #t: S, u: &mut Self::U, #x: &mut [S; #length], index: usize
                 ) -> Result<(), Fault>
             };
             let (index, within, switch) = (quote!(index), quote!(true), quote!(Ok(())));

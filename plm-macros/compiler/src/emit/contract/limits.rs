@@ -101,15 +101,20 @@ fn shaping<'a>(emission: &'a Emission) -> Vec<&'a Ident> {
     params.filter(|(param, _)| read.contains(&param.symbol)).map(|(_, field)| field).collect_vec()
 }
 
+/// From the pose `q` and velocity `v` to the state `x`.
+pub(super) fn into_state(emission: &Emission, held: &TokenStream) -> TokenStream {
+    match emission.form {
+        Form::Loops(_) => quote!(rt::charts::enter(self, t, #held, (&q, &v), x)),
+        Form::Tree(_) => quote!(self.to_chart(t, &q, &v, x)),
+        Form::Absolute => quote!(absolute::join(&q, &v, x)),
+    }
+}
+
 /// `fingerprint` and `renew`, where parameters shape the mechanism.
 pub(super) fn renew(emission: &Emission) -> Option<TokenStream> {
     let Sizes { nq, length, .. } = &emission.sizes;
     let (shaping, pose) = (shaping(emission), pose_at("held"));
-    let back = match emission.form {
-        Form::Loops(_) => quote!(rt::charts::enter(self, t, held, (&q, &v), x)),
-        Form::Tree(_) => quote!(self.to_chart(t, &q, &v, x)),
-        Form::Absolute => quote!(absolute::join(&q, &v, x)),
-    };
+    let back = into_state(emission, &quote!(held));
     (!shaping.is_empty()).then(|| {
         quote! {
             fn fingerprint(&self) -> u64 {

@@ -11,6 +11,7 @@ use super::super::{Emission, Sizes, number, pose_at, quoted};
 use super::charted::in_held;
 use super::contact;
 use super::contact_events::Beside;
+use super::sets;
 use crate::model::{Decisions, End, Model, Switch};
 
 /// Guards and kinks, which every step evaluates, at a time and over an interval.
@@ -129,15 +130,19 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
             }
         }
     });
+    let changes = quote! {
+        if let Some(side) = u.switches.get_mut(index) {
+            *side = -*side;
+        }
+        #next
+    };
+    let changes = sets::followed(emission, changes);
     quote! {
         #must_hold
         #end
         #head {
             #only
-            if let Some(side) = u.switches.get_mut(index) {
-                *side = -*side;
-            }
-            #next
+            #changes
         }
     }
 }
@@ -197,9 +202,16 @@ pub(super) fn matters(emission: &Emission) -> TokenStream {
 pub(super) fn known_times(emission: &Emission) -> TokenStream {
     let (guards, Sizes { length, .. }) = (emission.model.guards(), &emission.sizes);
     let next = Beside::new(emission).switch_at_time;
-    let state = if contact::are_there(emission) { quote!(x) } else { quote!(_x) };
+    let reads_state = contact::are_there(emission) || sets::are_there(emission);
+    let state = if reads_state { quote!(x) } else { quote!(_x) };
     let count = number(emission.model.switches.len() - guards);
-    let guards = number(guards);
+    let sides = sides_at_time(emission);
+    let changes = quote! {
+        #sides
+        #next
+        Ok(())
+    };
+    let changes = sets::followed(emission, changes);
     quote! {
         fn next_time_event(&self, t: S, u: &Self::U) -> Option<S> {
             let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
@@ -208,13 +220,20 @@ pub(super) fn known_times(emission: &Emission) -> TokenStream {
         }
 
         fn switch_at_time(&self, t: S, u: &mut Self::U, #state: &mut [S; #length]) -> Result<(), Fault> {
-            let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
-            self.instants(u, &mut at, &mut slope);
-            for ((side, at), slope) in u.switches.iter_mut().skip(#guards).zip(at).zip(slope) {
-                *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
-            }
-            #next
-            Ok(())
+            #changes
+        }
+    }
+}
+
+/// The sides of conditions on the time alone, at the time `t`.
+pub(in super::super) fn sides_at_time(emission: &Emission) -> TokenStream {
+    let guards = emission.model.guards();
+    let [count, guards] = [emission.model.switches.len() - guards, guards].map_each(number);
+    quote! {
+        let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
+        self.instants(u, &mut at, &mut slope);
+        for ((side, at), slope) in u.switches.iter_mut().skip(#guards).zip(at).zip(slope) {
+            *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
         }
     }
 }

@@ -65,6 +65,10 @@ pub(crate) struct Absolute {
     pub(crate) guards: Function,
     /// `at` and `slope` of conditions that depend on the time alone.
     pub(crate) instants: Function,
+    /// `holds` of the conditions of events.
+    pub(crate) events: Function,
+    /// `set`: the values that events give.
+    pub(crate) values_set: Function,
     /// `jump`: what rows do where conditions change, five terms each.
     pub(crate) jumps: Function,
     /// Outputs.
@@ -102,6 +106,8 @@ pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
         phi_dot: released(Function::of_array("phi_dot", &equations.phi_dot)),
         phi_q: released(Function::of_array("phi_q", &entries)),
         min_norm: released(min_norm(equations, &weights, &r, model.most_growth)),
+        events: switches::events(model),
+        values_set: switches::values_set(model),
         jumps: switches::jumps(model),
         inverse_mass: Function::of_array("inverse_mass", &inverse_mass),
         free: Function::of_results(free),

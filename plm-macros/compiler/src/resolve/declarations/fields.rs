@@ -177,9 +177,10 @@ fn requirements(items: &[Item]) -> Vec<&str> {
 
 fn field_name(item: &ItemKind) -> Option<&str> {
     match item {
-        ItemKind::Param(value) | ItemKind::Input(value) | ItemKind::State(value) => {
-            Some(&value.name.ident.text)
-        }
+        ItemKind::Param(value)
+        | ItemKind::Input(value)
+        | ItemKind::State(value)
+        | ItemKind::Discrete(value) => Some(&value.name.ident.text),
         ItemKind::Choice(choice) => Some(&choice.name.text),
         _ => None,
     }

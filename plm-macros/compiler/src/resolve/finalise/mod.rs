@@ -41,8 +41,10 @@ impl<'a> Resolver<'a> {
         let mut outputs = self.evaluate_outputs();
         self.evaluate_observed(&mut outputs);
         let mut switches = self.evaluate_requirements();
+        let mut whens = self.evaluate_whens();
         if let Ok(contacts) = &mut contacts {
-            self.replace_placeholders(&mut states, &mut loads, &mut outputs, &mut switches, contacts);
+            let events = (&mut switches[..], &mut whens[..]);
+            self.replace_placeholders(&mut states, &mut loads, &mut outputs, events, contacts);
         }
         loads.retain(|load| load.force != [Expr::ZERO; 3]);
         let of_contact = contacts.as_deref_mut().unwrap_or_default();
@@ -90,6 +92,7 @@ impl<'a> Resolver<'a> {
             instances: instances.ok()?,
             files: self.files.keys().cloned().collect_vec(),
             switches,
+            whens,
             decisions: Decisions::default(),
             kinks: Vec::new(),
             turns: Vec::new(),
