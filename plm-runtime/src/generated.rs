@@ -47,8 +47,8 @@ pub mod compact {
 
 pub mod contact {
     pub use crate::contact::{
-        Contacts, Held, ImpactLaw, Law, Load, Rows, Status, begin, drift, guard_count, guards, guards_within,
-        project, settle, state_was_set, switch_behind, update, with_multipliers,
+        Contacts, Held, ImpactLaw, Law, Load, Rows, Status, appear, begin, drift, guard_count, guards,
+        guards_within, project, settle, state_was_set, switch_behind, update, with_multipliers,
     };
 }
 

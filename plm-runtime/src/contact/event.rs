@@ -14,7 +14,7 @@ use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
 use super::project::{project, stop};
 use super::rows::{Law, Rows};
-use super::{Contacts, Modal, lambda_of, moved};
+use super::{Contacts, Modal, existing, lambda_of, moved};
 use crate::dual::Dual;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
@@ -97,6 +97,20 @@ pub fn update<M: Contacts<N>, const N: usize>(
     Event { system, t, occasion: Occasion::Change, step: M::S::ZERO }.commit(u, x)
 }
 
+/// Looks at rows that did not exist before an event, and do now.
+///
+/// # Errors
+/// [`Cause::Sunk`] where the gap of one is negative.
+pub fn appear<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: M::S,
+    (u, x): (&M::U, &M::X),
+    existed: [bool; N],
+) -> Result<(), Fault> {
+    let event = Event { system, t, occasion: Occasion::Change, step: M::S::ZERO };
+    event.is_above(u, x, |row| !existed[row])
+}
+
 /// Finds the modes of a state where a run begins.
 ///
 /// # Errors
@@ -108,13 +122,7 @@ pub fn begin<M: Contacts<N>, const N: usize>(
     x: &mut M::X,
 ) -> Result<Outcome, Fault> {
     let event = Event { system, t, occasion: Occasion::Start, step: M::S::ZERO };
-    let rows = system.rows_at(t, u, x);
-    let deepest = (0..N)
-        .filter(|i| system.law(*i).is_unilateral())
-        .reduce(|a, b| if rows.gap[b] < rows.gap[a] { b } else { a });
-    if let Some(row) = deepest.filter(|row| rows.gap[*row] < -event.closed()) {
-        return Err(event.fault(row, Cause::Sunk { by: -rows.gap[row].to_f64() }));
-    }
+    event.is_above(u, x, |_| true)?;
     event.commit(u, x)
 }
 
@@ -206,6 +214,18 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         Ok(outcome)
     }
 
+    /// The gaps of the rows `of` which it is asked are not negative.
+    fn is_above(&self, u: &M::U, x: &M::X, of: impl Fn(usize) -> bool) -> Result<(), Fault> {
+        let rows = self.system.rows_at(self.t, u, x);
+        let deepest = (0..N)
+            .filter(|i| of(*i) && self.system.law(*i).is_unilateral() && self.system.exists(u, *i))
+            .reduce(|a, b| if rows.gap[b] < rows.gap[a] { b } else { a });
+        match deepest.filter(|row| rows.gap[*row] < -self.closed()) {
+            Some(row) => Err(self.fault(row, Cause::Sunk { by: -rows.gap[row].to_f64() })),
+            None => Ok(()),
+        }
+    }
+
     /// Impacts of all rows that touch, until none approaches; gives the rows behind them, and how many impacts there were.
     fn impacts(
         &self,
@@ -241,6 +261,9 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         core::array::from_fn(|i| {
             let was_closed = modes.of[i] == Mode::Closed || modes.carried[i];
             let is_due = self.occasion.row() == Some(i);
+            if !self.system.exists(u, i) {
+                return false;
+            }
             !laws[i].is_unilateral() || was_closed || is_due || rows.gap[i] <= self.closed()
         })
     }
@@ -256,6 +279,9 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let touches = self.touches(laws, rows, u);
         core::array::from_fn(|i| {
             let is_due = self.occasion.row() == Some(i);
+            if !self.system.exists(u, i) {
+                return Allowed::Only(if laws[i].is_unilateral() { Mode::Open } else { Mode::Off });
+            }
             if laws[i].is_unilateral() {
                 let short = if is_due { self.short(rows, i) } else { M::S::ZERO };
                 let rests = touches[i] && rows.rate[i] <= self.resting(rows, i).max(none).max(short);
@@ -365,7 +391,7 @@ pub fn guards<M: Contacts<N>, const N: usize>(
     each: &mut impl FnMut(usize, M::S),
 ) {
     let (rows, modes) = (system.rows_at(t, u, x), u.modes());
-    if !margins(&rows, (modes, modes.orientation), each) {
+    if !margins(&rows, (modes, modes.orientation), &mut existing(system, u, each)) {
         (0..PER_ROW * N).for_each(|index| each(index, M::S::ZERO));
         each(PER_ROW * N, M::S::lit(-1.0));
     }

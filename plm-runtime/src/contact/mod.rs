@@ -23,7 +23,7 @@ mod rows;
 mod status;
 
 pub use self::changed::state_was_set;
-pub use self::event::{Outcome, begin, guards, switch, switch_behind, update};
+pub use self::event::{Outcome, appear, begin, guards, switch, switch_behind, update};
 pub use self::held::{Held, Modal};
 pub use self::impact::ImpactLaw;
 pub use self::loads::{Affine, Load};
@@ -55,6 +55,12 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
         x: &impl Fn(usize) -> T,
         constant: &impl Fn(Self::S) -> T,
     ) -> Rows<T, N>;
+
+    /// Does a row exist? Where it does not, its gap is open, and its friction off.
+    fn exists(&self, u: &Self::U, row: usize) -> bool {
+        let _ = (u, row);
+        true
+    }
 
     /// The rows in the numbers of the system.
     fn rows_at(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Rows<Self::S, N> {
@@ -168,7 +174,21 @@ pub fn guards_within<M: Contacts<N>, const N: usize>(
     if rows.load.contains(&Load::Plane) {
         return false;
     }
-    margins::margins(&rows, (modes, Enclosed::constant(modes.orientation)), each)
+    let orientation = Enclosed::constant(modes.orientation);
+    margins::margins(&rows, (modes, orientation), &mut existing(system, u, each))
+}
+
+/// Margins of rows that do not exist are far.
+fn existing<'a, M: Contacts<N>, T: Scalar, const N: usize>(
+    system: &'a M,
+    u: &'a M::U,
+    each: &'a mut impl FnMut(usize, T),
+) -> impl FnMut(usize, T) + 'a {
+    move |index, margin| {
+        let row = index / PER_ROW;
+        let exists = row >= N || system.exists(u, row);
+        each(index, if exists { margin } else { T::lit(1.0) });
+    }
 }
 
 /// Adds the response to impulses to the velocities.

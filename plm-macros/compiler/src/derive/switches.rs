@@ -55,11 +55,12 @@ pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
     pairs
 }
 
-/// Switches of all comparisons in the conditions of events, whatever else reads them.
+/// Switches of all comparisons in the conditions of events and of rows of contact, whatever else reads them.
 fn hold_events(model: &mut Model) -> Vec<(Expr, Expr)> {
     let mut pairs: Vec<(Expr, Expr)> = Vec::new();
-    let conditions = model.whens.iter().map(|when| (when.condition, when.text.clone()));
-    for (condition, name) in conditions.collect_vec() {
+    let of_events = model.whens.iter().map(|when| (when.condition, when.text.clone()));
+    let of_rows = model.contacts.iter().filter_map(|row| Some((row.exists?, row.name.clone())));
+    for (condition, name) in of_events.chain(of_rows).collect_vec() {
         for expr in algebra::reachable(&[condition]) {
             let Node::Less(a, b) = expr.node() else { continue };
             if pairs.iter().all(|pair| pair.0 != expr) {

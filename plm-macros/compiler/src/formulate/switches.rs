@@ -36,6 +36,12 @@ pub(crate) fn events(model: &Model) -> Function {
     Function::of_array("holds", &conditions).optimise()
 }
 
+/// `exist` of the rows of contact: 1, or 0.
+pub(crate) fn rows_exist(model: &Model) -> Function {
+    let exist: Vec<Expr> = model.contacts.iter().map(|row| row.exists.unwrap_or(Expr::ONE)).collect_vec();
+    Function::of_array("exist", &exist).optimise()
+}
+
 /// `set`: the values that events give, one event after the other.
 pub(crate) fn values_set(model: &Model) -> Function {
     let values: Vec<Expr> =

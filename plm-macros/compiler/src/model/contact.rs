@@ -18,14 +18,27 @@ pub struct Contact {
     pub displacement: Expr,
     /// Symbol of its multiplier: the push, never negative, or the friction, N or N m. Outputs and bounds of frictions may hold it.
     pub lambda: Expr,
+    /// Symbol for 1 where a gap is open, where a friction sticks, else 0; events and outputs may hold it.
+    pub mode: Expr,
     /// The law of its force.
     pub law: ContactLaw,
+    /// 1 where it exists, else 0; nothing where it always does.
+    pub exists: Option<Expr>,
     /// `m` or `rad`.
     pub unit: DisplayUnit,
     /// Place of its part in the declaration.
     pub span: Span,
     /// Place of the row itself.
     pub declared: Declared,
+}
+
+/// What a row of contact may do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ContactMode {
+    /// A gap is open.
+    Open,
+    /// A friction sticks.
+    Sticking,
 }
 
 /// The law of a row of contact.
@@ -57,6 +70,14 @@ impl Contact {
         }
     }
 
+    /// The mode for which its symbol stands.
+    pub(crate) fn kind_of_mode(&self) -> ContactMode {
+        match self.law {
+            ContactLaw::Unilateral { .. } => ContactMode::Open,
+            ContactLaw::Friction { .. } => ContactMode::Sticking,
+        }
+    }
+
     /// Its expressions.
     pub(crate) fn expressions_mut(&mut self) -> Vec<&mut Expr> {
         let of_law: Vec<&mut Expr> = match &mut self.law {
@@ -66,7 +87,7 @@ impl Contact {
                 kinetic.iter_mut().chain(adhesion).chain(components).collect_vec()
             }
         };
-        [&mut self.displacement].into_iter().chain(of_law).collect_vec()
+        [&mut self.displacement].into_iter().chain(of_law).chain(self.exists.as_mut()).collect_vec()
     }
 }
 

@@ -118,7 +118,7 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
         })
     });
     let ends: Vec<String> = ends.collect_vec();
-    let Beside { head, switch: next, .. } = Beside::new(emission);
+    let Beside { head, switch: next, appearance: [exist, appear], .. } = Beside::new(emission);
     let end = (!ends.is_empty()).then(|| {
         let ends = emission.text(ends.join(" "));
         quote! {
@@ -131,9 +131,11 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
         }
     });
     let changes = quote! {
+        #exist
         if let Some(side) = u.switches.get_mut(index) {
             *side = -*side;
         }
+        #appear
         #next
     };
     let changes = sets::followed(emission, changes);
@@ -201,13 +203,15 @@ pub(super) fn matters(emission: &Emission) -> TokenStream {
 /// When switches of the time alone change, and which sides of them apply.
 pub(super) fn known_times(emission: &Emission) -> TokenStream {
     let (guards, Sizes { length, .. }) = (emission.model.guards(), &emission.sizes);
-    let next = Beside::new(emission).switch_at_time;
+    let Beside { switch_at_time: next, appearance: [exist, appear], .. } = Beside::new(emission);
     let reads_state = contact::are_there(emission) || sets::are_there(emission);
     let state = if reads_state { quote!(x) } else { quote!(_x) };
     let count = number(emission.model.switches.len() - guards);
     let sides = sides_at_time(emission);
     let changes = quote! {
+        #exist
         #sides
+        #appear
         #next
         Ok(())
     };

@@ -67,6 +67,8 @@ pub(crate) struct Absolute {
     pub(crate) instants: Function,
     /// `holds` of the conditions of events.
     pub(crate) events: Function,
+    /// `exist` of the rows of contact.
+    pub(crate) rows_exist: Function,
     /// `set`: the values that events give.
     pub(crate) values_set: Function,
     /// `jump`: what rows do where conditions change, five terms each.
@@ -107,6 +109,7 @@ pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
         phi_q: released(Function::of_array("phi_q", &entries)),
         min_norm: released(min_norm(equations, &weights, &r, model.most_growth)),
         events: switches::events(model),
+        rows_exist: switches::rows_exist(model),
         values_set: switches::values_set(model),
         jumps: switches::jumps(model),
         inverse_mass: Function::of_array("inverse_mass", &inverse_mass),

@@ -51,11 +51,11 @@ impl<'a> Resolver<'a> {
     /// 1 where a condition of events holds, else 0.
     pub(crate) fn event_condition(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Expr> {
         let (condition, reads) = self.condition(scope, expr)?;
-        let beyond = reads.beyond(Reads::KNOWN);
+        let beyond = reads.beyond(Reads::EVENT);
         if beyond != Reads::NOTHING {
             let message = format!("the condition of an event reads {}", beyond.describe());
             self.error(scope, Code::NotConstant, expr.span, message)
-                .note(format!("it may read {}", Reads::KNOWN.describe()));
+                .note(format!("it may read {}", Reads::EVENT.describe()));
             return Err(Failed);
         }
         if let Some(holds) = condition.known() {
@@ -81,7 +81,7 @@ impl<'a> Resolver<'a> {
         let place = self.target(scope, target);
         let dimension = place.as_ref().map_or(Dimension::NUMBER, |(_, dimension)| *dimension);
         let (place, _) = place?;
-        Ok((place, self.eval_number(scope, value, dimension, Reads::KNOWN)?))
+        Ok((place, self.eval_number(scope, value, dimension, Reads::EVENT)?))
     }
 
     /// A state, or a velocity of a body.

@@ -51,15 +51,18 @@ impl<'a> Resolver<'a> {
                 self.friction(Bounded { contact, scope, dimension }, row)
             }),
         };
-        let (displacement, law) = (displacement?, law?);
+        let exists = written.when().map(|when| self.event_condition(scope, when)).transpose();
+        let (displacement, law, exists) = (displacement?, law?, exists?);
         let declared = self.contact_declared(contact);
-        let UnresolvedContact { name, part, span, lambda, .. } = &self.unresolved.contacts[contact];
+        let UnresolvedContact { name, part, span, lambda, mode, .. } = &self.unresolved.contacts[contact];
         Ok(Contact {
             name: name.clone(),
             part: *part,
             displacement: displacement.value,
             lambda: *lambda,
+            mode: *mode,
             law,
+            exists,
             unit: DisplayUnit::si(displacement.dimension),
             span: *span,
             declared,
