@@ -49,3 +49,37 @@ fn a_block_leaves_its_table_and_lands() {
     near(sim.stopped(), 0.5 + leaves * fall, 1e-10);
     near(sim.block().x, sim.stopped(), 1e-15);
 }
+
+mechanism! {
+    part press(on: body) {
+        input force: N = 0 N;
+        force on on: (force, 0 N);
+    }
+    /// A block that a growing force draws from its magnet: the row is there until it is torn off.
+    pub Magnet {
+        allow(W0002);
+        param strength: N = 5 N;
+        discrete holds: 1 = 1;
+        discrete torn: s = 0;
+        body block { mass: 2 kg; inertia: 1 kg*m^2; }
+        constraint level: block.angle = 0;
+        constraint height: block.y = 0;
+        press press(block) { force: 1 N/s*t; }
+        unilateral hook: block.x <= 0 { when: holds > 0.5; }
+        when reaction(hook) > strength { holds = 0; torn = t; }
+        output torn, pull = reaction(hook);
+    }
+}
+
+/// Torn at 5 s; then x = (t^3 - 75 t + 250)/12.
+#[test]
+fn a_hook_tears_at_its_strength() {
+    let mut sim = Magnet::new().start_with(Dop853::new(1e-12)).unwrap();
+    sim.step_to(4.9).unwrap();
+    near(sim.pull(), 4.9, 1e-12);
+    near(sim.block().x, 0.0, 0.0);
+    sim.step_to(7.0).unwrap();
+    near(sim.torn(), 5.0, 1e-10);
+    near(sim.pull(), 0.0, 0.0);
+    near(sim.block().x, (343.0 - 75.0 * 7.0 + 250.0) / 12.0, 1e-10);
+}

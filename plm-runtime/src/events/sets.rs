@@ -24,17 +24,26 @@ pub trait Sets<const W: usize>: System<S: Real> {
     /// Does the condition of each event hold, with the sides that are held?
     fn holds(&self, u: &Self::U) -> [bool; W];
 
-    /// Sets what the event `index` sets, each value worked out by the state before; then contacts find their modes anew.
+    /// Sets what the event `index` sets, each value worked out by the state before.
     ///
     /// # Errors
-    /// When joints do not allow the velocities, or contacts have no mode.
+    /// When joints do not allow the velocities.
     fn set(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X, index: usize) -> Result<(), Fault>;
+
+    /// Finds the modes of contacts anew, where something was set since the discrete state was `before`.
+    ///
+    /// # Errors
+    /// When contacts have no mode.
+    fn settle(&self, t: Self::S, before: &Self::U, u: &mut Self::U, x: &mut Self::X) -> Result<(), Fault> {
+        let _ = (t, before, u, x);
+        Ok(())
+    }
 }
 
 /// Commits a `change` of sides or modes, then the events that become true by it.
 ///
 /// # Errors
-/// Those of the change and of [`Sets::set`]; [`Cause::Zeno`] where events follow each other without end.
+/// Those of the change and of [`Sets`]; [`Cause::Zeno`] where events follow each other without end.
 pub fn change<M: Sets<W>, const W: usize>(
     system: &M,
     t: M::S,
@@ -42,23 +51,32 @@ pub fn change<M: Sets<W>, const W: usize>(
     x: &mut M::X,
     change: impl FnOnce(&mut M::U, &mut M::X) -> Result<(), Fault>,
 ) -> Result<(), Fault> {
+    let beginning = *u;
     let mut held = system.holds(u);
     let mut before = differences(system, t, u, x);
     change(u, x)?;
+    let mut is_settled = true;
     for _ in 0..MOST_ROUNDS {
-        follow(system, t, u, x, &before);
+        is_settled &= !follow(system, t, u, x, &before);
         let now = system.holds(u);
-        if (0..W).all(|k| held[k] || !now[k]) {
-            return Ok(());
-        }
-        before = differences(system, t, u, x);
-        for k in (0..W).filter(|k| now[*k] && !held[*k]) {
-            system.set(t, u, x, k)?;
-        }
+        let due: [bool; W] = core::array::from_fn(|k| now[k] && !held[k]);
         held = now;
+        before = differences(system, t, u, x);
+        if due.contains(&true) {
+            for k in (0..W).filter(|k| due[*k]) {
+                system.set(t, u, x, k)?;
+            }
+            is_settled = false;
+        } else if is_settled {
+            return Ok(());
+        } else {
+            // Contacts read the sides that follow what was set.
+            system.settle(t, &beginning, u, x)?;
+            is_settled = true;
+        }
     }
-    let due = |k: usize| k < M::CONDITIONS && changed(&before, &differences(system, t, u, x), k);
-    let marks: [bool; 64] = core::array::from_fn(due);
+    let after = differences(system, t, u, x);
+    let marks: [bool; 64] = core::array::from_fn(|k| k < M::CONDITIONS && changed(&before, &after, k));
     let conditions = Names::marked(system.conditions(), &marks);
     let first = marks.iter().position(|due| *due).unwrap_or(0);
     let cause = Cause::Zeno { events: MOST_ROUNDS, within: 0.0, conditions };
@@ -92,23 +110,26 @@ fn changed<G: Vector<S>, S: Real>(before: &G, after: &G, k: usize) -> bool {
     before.at(k) != after.at(k)
 }
 
-/// Gives conditions whose values have jumped the sides of the new ones. That of the event itself has not: its value is rounding.
-fn follow<M: Sets<W>, const W: usize>(system: &M, t: M::S, u: &mut M::U, x: &M::X, before: &M::G) {
+/// Gives conditions whose values have jumped the sides of the new ones; whether any has got another one. That of the event itself has
+/// not jumped: its value is rounding.
+fn follow<M: Sets<W>, const W: usize>(system: &M, t: M::S, u: &mut M::U, x: &M::X, before: &M::G) -> bool {
+    let mut has_followed = false;
     for _ in 0..=M::CONDITIONS {
         let after = differences(system, t, u, x);
         let mut any = false;
         for k in (0..M::CONDITIONS).filter(|k| changed(before, &after, *k) && !system.must_hold(*k)) {
             let side = M::S::lit(if after.at(k) < M::S::ZERO { -1.0 } else { 1.0 });
-            let is_other = side != M::sides(u)[k];
-            any |= is_other;
-            if is_other {
+            if side != M::sides(u)[k] {
                 M::sides(u)[k] = side;
+                any = true;
             }
         }
+        has_followed |= any;
         if !any {
-            return;
+            break;
         }
     }
+    has_followed
 }
 
 /// Velocities of all bodies where some have got other ones, by number: what joints demand of the rest costs the least change in the

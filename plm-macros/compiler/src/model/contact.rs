@@ -32,7 +32,7 @@ pub struct Contact {
     pub declared: Declared,
 }
 
-/// What a row of contact may do.
+/// A mode of rows of contact that events and outputs may ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ContactMode {
     /// A gap is open.

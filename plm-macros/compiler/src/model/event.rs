@@ -4,20 +4,20 @@ use plm_cas::Expr;
 
 use crate::span::Span;
 
-/// What happens at the moment at which a condition becomes true.
+/// An event: the moment at which a condition becomes true, and the values that are set then.
 #[derive(Clone, Debug)]
 pub struct When {
     /// The condition as it was written.
     pub text: String,
     /// 1 where it holds, else 0.
     pub condition: Expr,
-    /// What gets other values, and these; all are worked out before any is set.
+    /// The targets and their values; all are worked out before any is set.
     pub set: Vec<(Target, Expr)>,
     /// Place of the condition.
     pub span: Span,
 }
 
-/// What an event may set.
+/// A target of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// A first-order or discrete state: an index into [`Model::states`](super::Model::states).

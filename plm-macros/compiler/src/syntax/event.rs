@@ -17,7 +17,7 @@ use crate::diag::Code;
 pub struct When {
     /// At the moment at which it becomes true.
     pub condition: Expr,
-    /// What gets other values.
+    /// Targets and values.
     pub assignments: Vec<Assignment>,
 }
 
@@ -40,6 +40,9 @@ impl When {
         });
         if !input.peek(token::Brace) && matches!(condition.kind, ExprKind::Unknown) {
             return Err(Reported);
+        }
+        if !input.peek(token::Brace) {
+            return Err(input.expected_but("`{`", "write `when condition { state = value; }`"));
         }
         let mut assignments = Vec::new();
         input.group(Delimiter::Brace, "`{`", |input| {

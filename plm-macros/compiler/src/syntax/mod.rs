@@ -26,8 +26,8 @@
 //!       | "body" name "{" { field | port | start } "}"
 //!       | NAME name "(" exprs ")" (";" | "{" { name { "." name } ":" expr ["," "locked"] ";" } "}")
 //!       | "constraint" NAME ":" expr "=" expr ";"
-//!       | "unilateral" name ":" expr (">=" | "<=") expr (";" | "{" { "restitution" ":" expr ";" } "}")
-//!       | "friction" name ":" "rate" "(" expr ")" "within" bound (";" | "{" { "static" ":" bound ";" } "}")
+//!       | "unilateral" name ":" expr (">=" | "<=") expr (";" | "{" { ("restitution" | "when") ":" expr ";" } "}")
+//!       | "friction" name ":" "rate" "(" expr ")" "within" bound (";" | "{" { "static" ":" bound ";" | "when" ":" expr ";" } "}")
 //!       | "require" NAME ":" expr ";"
 //!       | "when" expr "{" { path "=" expr ";" } "}"
 //!       | "output" output { "," output } ";"

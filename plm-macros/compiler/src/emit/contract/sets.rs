@@ -7,6 +7,7 @@ use proc_macro2::{Literal, TokenStream};
 use super::super::bindings::Origin;
 use super::super::function::function;
 use super::super::{Emission, Sizes, number};
+use super::contact;
 use super::contact_events::Beside;
 use super::limits::into_state;
 use crate::model::{Target, When};
@@ -43,7 +44,7 @@ pub(crate) fn sets(emission: &Emission) -> TokenStream {
     }
     let Emission { name, model, sizes: Sizes { length, .. }, .. } = emission;
     let (functions, count, conditions) = (functions(emission), count(emission), number(model.guards()));
-    let events = events(emission);
+    let (events, settle) = (events(emission), settle(emission));
     quote! {
         #functions
 
@@ -66,6 +67,7 @@ pub(crate) fn sets(emission: &Emission) -> TokenStream {
                 let set = state.values_set_(&q, &v);
                 #events
             }
+            #settle
         }
     }
 }
@@ -108,7 +110,7 @@ fn functions(emission: &Emission) -> TokenStream {
     }
 }
 
-/// What each event does with its values, by its number.
+/// The values of each event where they belong, by its number.
 fn events(emission: &Emission) -> TokenStream {
     let whens = &emission.model.whens;
     let begins = whens.iter().scan(0, |next, when| {
@@ -121,15 +123,40 @@ fn events(emission: &Emission) -> TokenStream {
         quote!(#k => { #event })
     });
     let arms = arms.collect_vec();
-    let contact = Beside::new(emission).switch_at_time;
     quote! {
         match index {
             #(#arms)*
             _ => {}
         }
-        #contact
         Ok(())
     }
+}
+
+/// The next modes of contacts, where there are some.
+fn settle(emission: &Emission) -> Option<TokenStream> {
+    let length = &emission.sizes.length;
+    let Beside { switch_at_time: update, appearance: [exist, appear], .. } = Beside::new(emission);
+    contact::are_there(emission).then(|| {
+        let exist = (!exist.is_empty()).then(|| {
+            quote! {
+                let existed = {
+                    let u = before;
+                    #exist
+                    existed
+                };
+            }
+        });
+        quote! {
+            fn settle(
+                &self, t: S, before: &Held<S>, u: &mut Held<S>, x: &mut [S; #length]
+            ) -> Result<(), Fault> {
+                #exist
+                #appear
+                #update
+                Ok(())
+            }
+        }
+    })
 }
 
 fn event(emission: &Emission, when: &When, begins: usize) -> TokenStream {

@@ -2,6 +2,7 @@
 
 use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
+use plm_cas::algebra;
 use proc_macro2::TokenStream;
 use quote::format_ident;
 
@@ -22,6 +23,14 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
     let total = number(model.guards() + Beside::guards_of(emission));
     let [guards, kinks, all] = [model.guards(), model.kinks.len(), model.watched()].map_each(number);
     let full = quote!(self.switching(t, u, &rt::charts::full(self, t, u, x), g));
+    let reads_contact = reads_contact(model);
+    let loaded = reads_contact.then(|| quote!(let u = &self.loaded_(t, u, x);));
+    // Enclosures of multipliers are wide: events that read them are looked for by samples.
+    let unknown = reads_contact.then(|| {
+        quote! {
+            return false;
+        }
+    });
     let [here, within] = [(quote!(self), full), (quote!(mechanism), TokenStream::new())]
         .map_each(|(of, free)| switching(emission, &of, &quote!({ #free })));
     // Without a chart the state stands in what is held, and does not move with `x`.
@@ -39,6 +48,7 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
             let mut all = [S::lit(0.0); #all];
             let out = g;
             let g = &mut all;
+            #loaded
             #here;
             for (guard, value) in out.iter_mut().zip(all)#take {
                 *guard = value;
@@ -49,6 +59,7 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
         fn kinks(&self, t: S, u: &Self::U, x: &[S; #length], each: &mut impl FnMut(usize, S)) {
             let mut all = [S::lit(0.0); #all];
             let g = &mut all;
+            #loaded
             #here;
             for (index, value) in all.into_iter().skip(#guards).enumerate() {
                 each(index, value);
@@ -63,6 +74,7 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
             each: &mut impl FnMut(usize, rt::Enclosed<S>),
         ) -> bool {
             #only
+            #unknown
             use rt::lanes::Pack;
             let constant = |[s]: [S; 1]| rt::Enclosed::constant(s);
             let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
@@ -75,6 +87,13 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
             #contact_within
         }
     }
+}
+
+/// Does a condition of the state read forces of contact?
+fn reads_contact(model: &Model) -> bool {
+    let differences = model.switches.iter().map(|switch| switch.difference);
+    let read = algebra::symbols(&differences.collect_vec());
+    model.contacts.iter().any(|row| read.contains(&row.lambda))
 }
 
 /// The call of the guards' function of a mechanism that is called so, with `g` as its last argument; `free` stands for it where

@@ -7,7 +7,7 @@ use crate::model::{Target, When};
 use crate::resolve::Resolver;
 use crate::resolve::declarations::state::StateKind;
 use crate::resolve::names::ScopeId;
-use crate::resolve::values::expect::text_of;
+use crate::resolve::values::condition::side_text;
 use crate::resolve::values::{Eval, Failed, Reads};
 use crate::syntax::ast;
 use crate::units::Dimension;
@@ -27,7 +27,8 @@ impl<'a> Resolver<'a> {
     }
 
     fn when(&mut self, scope: ScopeId, ast: &'a ast::When) -> Eval<When> {
-        let condition = self.event_condition(scope, &ast.condition);
+        let allowed = Reads::EVENT.and(Reads::PUSH).and(Reads::FRICTION);
+        let condition = self.event_condition(scope, &ast.condition, ("an event", allowed));
         let mut set = Vec::new();
         let mut failed = false;
         for assignment in &ast.assignments {
@@ -48,14 +49,19 @@ impl<'a> Resolver<'a> {
         Ok(When { text, condition, set, span })
     }
 
-    /// 1 where a condition of events holds, else 0.
-    pub(crate) fn event_condition(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Expr> {
+    /// 1 where a condition of an event or of a row of contact holds, else 0.
+    pub(crate) fn event_condition(
+        &mut self,
+        scope: ScopeId,
+        expr: &'a ast::Expr,
+        (of, allowed): (&str, Reads),
+    ) -> Eval<Expr> {
         let (condition, reads) = self.condition(scope, expr)?;
-        let beyond = reads.beyond(Reads::EVENT);
+        let beyond = reads.beyond(allowed);
         if beyond != Reads::NOTHING {
-            let message = format!("the condition of an event reads {}", beyond.describe());
+            let message = format!("the condition of {of} reads {}", beyond.describe());
             self.error(scope, Code::NotConstant, expr.span, message)
-                .note(format!("it may read {}", Reads::EVENT.describe()));
+                .note(format!("it may read {}", allowed.describe()));
             return Err(Failed);
         }
         if let Some(holds) = condition.known() {
@@ -69,10 +75,10 @@ impl<'a> Resolver<'a> {
     /// A condition as it was written, where that is short.
     fn condition_text(&self, expr: &ast::Expr) -> String {
         let known = self.unresolved.comparisons.last().map(|last| last.text.clone());
-        text_of(expr).or(known).unwrap_or_default()
+        side_text(expr).or(known).unwrap_or_default()
     }
 
-    /// What is set, and its value.
+    /// A target, and its value.
     fn assignment(
         &mut self,
         scope: ScopeId,
@@ -92,14 +98,16 @@ impl<'a> Resolver<'a> {
             return Ok((found, named.nature.dimension));
         }
         let reads = named.nature.reads;
-        let help = if reads.has(Reads::VELOCITY) {
+        let help = if reads.beyond(Reads::KNOWN) != Reads::NOTHING {
+            "it follows from forces; what can be set is a velocity"
+        } else if reads.has(Reads::VELOCITY) {
             "of a body whose origin is not its centre of gravity `omega` can be set"
         } else if reads.has(Reads::POSITION) {
             "joints would open; what can be set is a velocity"
         } else {
             "declare it as `discrete name: unit = value;`"
         };
-        let message = match text_of(expr) {
+        let message = match side_text(expr) {
             Some(text) => format!("an event cannot set `{text}`"),
             None => "an event cannot set this".to_owned(),
         };

@@ -51,7 +51,10 @@ impl<'a> Resolver<'a> {
                 self.friction(Bounded { contact, scope, dimension }, row)
             }),
         };
-        let exists = written.when().map(|when| self.event_condition(scope, when)).transpose();
+        let exists = written
+            .when()
+            .map(|when| self.event_condition(scope, when, ("a row of contact", Reads::EVENT)))
+            .transpose();
         let (displacement, law, exists) = (displacement?, law?, exists?);
         let declared = self.contact_declared(contact);
         let UnresolvedContact { name, part, span, lambda, mode, .. } = &self.unresolved.contacts[contact];

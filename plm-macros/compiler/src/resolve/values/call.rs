@@ -220,7 +220,7 @@ impl<'a> Resolver<'a> {
         Ok(Quantity::new(lambda, Nature::derived(dimension, reads)))
     }
 
-    /// What a row of contact does: it is open, or it sticks.
+    /// The condition that a row of contact is open, or sticks.
     fn mode(&mut self, scope: ScopeId, mode: ContactMode, row: &'a ast::Expr) -> Eval<Value> {
         let found = self.lookup_row(scope, row)?;
         let contact = match found {

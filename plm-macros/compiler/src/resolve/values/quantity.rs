@@ -28,7 +28,7 @@ impl Reads {
     /// The force of a friction row.
     pub(crate) const FRICTION: Reads = Reads(512);
 
-    /// What a row of contact does: open, sticking.
+    /// Modes of rows of contact: open, sticking.
     pub(crate) const MODE: Reads = Reads(1024);
 
     /// Reads that are known before the run: parameters.
