@@ -135,6 +135,7 @@ impl From<&Fault> for Status {
             | Cause::Domain { .. }
             | Cause::Impact { .. }
             | Cause::NoMode { .. }
+            | Cause::NotUnique { .. }
             | Cause::NoContact { .. }
             | Cause::TooManyContacts { .. } => Self::Switching,
             Cause::StepTooSmall { .. }

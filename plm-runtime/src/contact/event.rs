@@ -5,13 +5,14 @@
 //! 3. The next modes by enumeration. A marginal inequality is decided by its rate along the candidate.
 //! 4. Rows that hold have no rate any more; a friction that sticks remembers its place.
 
-use super::candidates::{Allowed, Found, Margins, Solution, enumerate};
+use super::candidates::{self, Allowed, Found, Margins, Solution, enumerate};
 use super::impact::{ImpactLaw, Impulses, impulses};
 use super::loads::Load;
-use super::marginal::go_on;
+use super::marginal::broken;
 use super::margins::{PER_ROW, SIGN, margins};
 use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
+use super::paradox::{self, lost};
 use super::project::{project, stop};
 use super::rows::{Law, Rows};
 use super::{Contacts, Modal, lambda_of, moved};
@@ -129,13 +130,15 @@ enum Occasion {
     Guard { row: usize },
     /// The sign of the reaction that bounds a row changes.
     Sign { row: usize },
+    /// The determinant of the active rows passes zero.
+    Determinant,
 }
 
 impl Occasion {
     /// Of a guard among those of `rows` rows; the last one is that of the determinant.
     fn of(index: usize, rows: usize) -> Self {
         match (index / PER_ROW, index % PER_ROW) {
-            (row, _) if row >= rows => Self::Change,
+            (row, _) if row >= rows => Self::Determinant,
             (row, SIGN) => Self::Sign { row },
             (row, _) => Self::Guard { row },
         }
@@ -144,7 +147,7 @@ impl Occasion {
     /// The row that it is of.
     fn row(self) -> Option<usize> {
         match self {
-            Self::Start | Self::Change => None,
+            Self::Start | Self::Change | Self::Determinant => None,
             Self::Guard { row } | Self::Sign { row } => Some(row),
         }
     }
@@ -163,6 +166,10 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     fn commit(&self, u: &mut M::U, x: &mut M::X) -> Result<Outcome, Fault> {
         let laws = core::array::from_fn(|row| self.system.law(row));
         let rows = self.system.rows_at(self.t, u, x);
+        let comes_by_motion = !matches!(self.occasion, Occasion::Start | Occasion::Change);
+        if let Some((row, p)) = lost(&rows, u.modes()).filter(|_| comes_by_motion) {
+            return Err(self.fault(row, Cause::NotUnique { p: p.to_f64() }));
+        }
         // Before the impacts, behind which rates may be rounding alone.
         let none = rounding(&rows);
         let (mut rows, impacts) = self.impacts(&laws, (none, rows), u, x)?;
@@ -170,21 +177,22 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             rows.load[row] = Load::Turned { negative: u.modes().negative[row] };
         }
         let allowed = self.allowed(&laws, (none, impacts), &rows, u);
-        let (solution, is_ambiguous) = match enumerate(&rows, &allowed, |solution, margins| {
-            self.admits(u, x, solution, margins)
-        }) {
-            Found::Modes(solution, is_ambiguous) => (solution, is_ambiguous),
-            Found::Nothing => {
-                return Err(self.fault(self.row(&allowed), Cause::NoMode { touching: touching(&allowed) }));
-            }
-            Found::TooMany => {
-                return Err(
-                    self.fault(self.row(&allowed), Cause::TooManyContacts { touching: touching(&allowed) })
-                );
-            }
-        };
+        let (solution, is_ambiguous) =
+            match enumerate(&rows, &allowed, |solution, margins| self.broken(u, x, solution, margins)) {
+                Found::Modes(solution, is_ambiguous) => (solution, is_ambiguous),
+                Found::Nothing => {
+                    let p = paradox::share(&rows, &candidates::most_holding(&allowed))
+                        .map_or(f64::NAN, |p| p.to_f64());
+                    let touching = touching(&allowed);
+                    return Err(self.fault(self.row(&allowed), Cause::NoMode { touching, p }));
+                }
+                Found::TooMany => {
+                    return Err(self
+                        .fault(self.row(&allowed), Cause::TooManyContacts { touching: touching(&allowed) }));
+                }
+            };
         let before = *u.modes();
-        let orientation = if solution.determinant < M::S::ZERO { M::S::lit(-1.0) } else { M::S::lit(1.0) };
+        let orientation = M::S::lit(1.0) / solution.determinant;
         let Solution { modes: of, carried, negative, .. } = solution;
         // One that sticks on stays in its place.
         let sticks_on = |i: usize| before.of[i] == Mode::Sticks && of[i] == Mode::Sticks;
@@ -275,12 +283,18 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         })
     }
 
-    /// Are the inequalities of a combination met, those that are marginal also from here on?
-    fn admits(&self, u: &M::U, x: &M::X, solution: &Solution<M::S, N>, margins: &Margins<M::S, N>) -> bool {
+    /// The inequalities of a combination that are not met, or are marginal and not met from here on.
+    fn broken(
+        &self,
+        u: &M::U,
+        x: &M::X,
+        solution: &Solution<M::S, N>,
+        margins: &Margins<M::S, N>,
+    ) -> [bool; N] {
         let mut held = *u;
         let modes = held.modes_mut();
         (modes.of, modes.carried, modes.negative) = (solution.modes, solution.carried, solution.negative);
-        go_on(&moving_rows(self.system, (self.t, &held), x, &solution.lambda), solution, margins)
+        broken(&moving_rows(self.system, (self.t, &held), x, &solution.lambda), solution, margins)
     }
 
     fn closed(&self) -> M::S {

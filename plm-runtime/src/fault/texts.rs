@@ -84,6 +84,7 @@ impl fmt::Display for Cause {
             }
             Self::Impact { .. }
             | Self::NoMode { .. }
+            | Self::NotUnique { .. }
             | Self::TooManyContacts { .. }
             | Self::Sunk { .. }
             | Self::NoContact { .. } => contact(f, self),
@@ -161,9 +162,19 @@ fn contact(f: &mut fmt::Formatter<'_>, cause: &Cause) -> fmt::Result {
             f,
             "its impact has no solution after {tried} impulses at one time; a smaller coefficient of restitution or of friction"
         ),
-        Cause::NoMode { touching } => write!(
+        Cause::NoMode { touching, p } if *p < 0.0 => write!(
             f,
-            "no forces of {touching} closed gaps and their friction satisfy all laws: what slides digs in (Painleve's paradox); less \
+            "no forces of {touching} closed gaps and their friction satisfy all laws: what slides digs in, p = D_nn - sigma mu D_nt is \
+             {p:.3} of D_nn (Painleve's paradox); less friction, or a contact that gives way"
+        ),
+        Cause::NoMode { touching, .. } => write!(
+            f,
+            "no forces of {touching} closed gaps and their friction satisfy all laws; less friction, or a contact that gives way"
+        ),
+        Cause::NotUnique { p } => write!(
+            f,
+            "it slips to where contact has no unique acceleration, p = D_nn - sigma mu D_nt passes zero ({p:.1e} of D_nn): beyond, sliding \
+             on, lifting off and an impact satisfy all laws, and rigid bodies leave open which (Painleve's paradox); less \
              friction, or a contact that gives way"
         ),
         Cause::TooManyContacts { touching } => write!(

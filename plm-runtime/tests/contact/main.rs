@@ -8,4 +8,6 @@ mod friction;
 mod generated;
 mod impacts;
 mod laws;
+mod many;
+mod painleve;
 mod support;
