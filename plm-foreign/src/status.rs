@@ -136,6 +136,7 @@ impl From<&Fault> for Status {
             | Cause::Impact { .. }
             | Cause::NoMode { .. }
             | Cause::NotUnique { .. }
+            | Cause::ImpactGains { .. }
             | Cause::NoContact { .. }
             | Cause::TooManyContacts { .. } => Self::Switching,
             Cause::StepTooSmall { .. }

@@ -156,6 +156,13 @@ pub enum Cause {
         /// Impacts that were tried at this time.
         tried: u32,
     },
+    /// An impact gains energy, as Newton's law can. The part is a row that approaches.
+    ImpactGains {
+        /// By how much, J.
+        by: f64,
+        /// What impulses and rates turn over, J.
+        of: f64,
+    },
     /// No forces of contact and friction satisfy all their laws: a body that slides digs in (Painleve). The part is a row that touches.
     NoMode {
         /// Rows that touch.

@@ -54,6 +54,7 @@ mod tests {
             Cause::Impact { tried: 3 },
             Cause::NoMode { touching: 2, p: -0.1 },
             Cause::NotUnique { p: -1e-12 },
+            Cause::ImpactGains { by: 0.1, of: 2.0 },
             Cause::TooManyContacts { touching: 9 },
             Cause::Sunk { by: 0.1 },
             Cause::NoContact { by: "stabilise" },

@@ -55,6 +55,8 @@ pub(super) struct Solution<S, const N: usize> {
     pub(super) negative: [bool; N],
     pub(super) lambda: [S; N],
     pub(super) determinant: S,
+    /// Steps of Newton's method.
+    pub(super) newton: u32,
     /// How far the rows that hold are from their limits, as a share of the terms of their forces.
     pub(super) slack: S,
     /// Accelerations of all rows.
@@ -217,7 +219,9 @@ pub(super) fn solve<S: Real, const N: usize>(
     let acceleration = core::array::from_fn(|i| rows.acceleration(i, &lambda));
     let (determinant, slack, carried) = (found.determinant, S::lit(1.0), [false; N]);
     let negative = rows.load.map(Load::is_negative);
-    let mut solution = Solution { modes, carried, negative, lambda, determinant, slack, acceleration };
+    let newton = found.newton;
+    let mut solution =
+        Solution { modes, carried, negative, lambda, determinant, newton, slack, acceleration };
     let mut margins = Margins { value: [S::ZERO; N], size: [None; N] };
     for (i, mode) in modes.iter().enumerate() {
         let rests = matches!(allowed[i], Allowed::Touching | Allowed::Resting);

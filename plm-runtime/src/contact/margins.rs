@@ -26,7 +26,7 @@ pub(super) fn margins<T: Scalar, const N: usize>(
     (modes, orientation): (&Modes<impl Scalar, N>, T),
     each: &mut impl FnMut(usize, T),
 ) -> bool {
-    let Some(Multipliers { lambda, determinant }) = multipliers(rows, &modes.of) else { return false };
+    let Some(Multipliers { lambda, determinant, .. }) = multipliers(rows, &modes.of) else { return false };
     let far = T::lit(1.0);
     for (row, mode) in modes.of.iter().enumerate() {
         let [first, second] = match mode {

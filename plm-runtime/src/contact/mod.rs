@@ -8,6 +8,7 @@
 //! A system has [`Contacts`], and its contracts call the functions of this module: [`rate`], [`guards`], [`guards_within`], [`switch`],
 //! [`switch_behind`], [`state_was_set`], [`update`], [`project`], [`drift`], [`begin`].
 
+mod booked;
 mod candidates;
 mod changed;
 mod event;
@@ -23,8 +24,10 @@ mod pivots;
 mod project;
 mod rows;
 mod status;
+mod strikes;
 mod walk;
 
+pub use self::booked::{Booked, ImpactEnergy, Impulse};
 pub use self::changed::state_was_set;
 pub use self::event::{Outcome, begin, guards, switch, switch_behind, update};
 pub use self::held::{Held, Modal};

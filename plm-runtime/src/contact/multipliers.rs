@@ -24,6 +24,8 @@ pub(super) struct Multipliers<T, const N: usize> {
     pub(super) lambda: [T; N],
     /// With the rows that hold divided by the diagonal entries of D.
     pub(super) determinant: T,
+    /// Steps of Newton's method behind the first solution.
+    pub(super) newton: u32,
 }
 
 /// The system of the active rows.
@@ -59,12 +61,12 @@ fn multipliers_above<T: Scalar, const N: usize>(
     least: f64,
 ) -> Option<Multipliers<T, N>> {
     let mut directions = directions(rows, modes, &[T::ZERO; N]);
-    let mut left = MOST_STEPS;
+    let (mut left, mut newton) = (MOST_STEPS, 0);
     while left > 0 {
         left -= 1;
         let mut system = System::of(rows, (modes, &directions));
         let determinant = system.eliminate(least)?;
-        let found = Multipliers { lambda: system.substitute(), determinant };
+        let found = Multipliers { lambda: system.substitute(), determinant, newton };
         let next = self::directions(rows, modes, &found.lambda);
         let apart = |(one, other): (&T, &T)| (one.to_f64() - other.to_f64()).abs();
         let changes = directions.as_flattened().iter().zip(next.as_flattened()).map(apart);
@@ -76,6 +78,7 @@ fn multipliers_above<T: Scalar, const N: usize>(
             left = left.min(BEHIND);
         }
         directions = next;
+        newton += 1;
     }
     None
 }

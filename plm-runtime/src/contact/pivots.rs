@@ -316,12 +316,11 @@ impl<S: Real, const N: usize> Tableau<S, N> {
             Allowed::Resting => match [0, 1].map(|pair| is_basic(Variable::rate(i, pair))) {
                 [false, true] => Mode::Sticks,
                 [true, true] => Mode::Forwards,
-                [false, false] => Mode::Backwards,
                 // Both bounds are zero.
                 [true, false] if self.value(Variable::rate(i, 0)) >= self.value(Variable::force(i, 1)) => {
                     Mode::Forwards
                 }
-                [true, false] => Mode::Backwards,
+                [_, false] => Mode::Backwards,
             },
         })
     }

@@ -78,8 +78,7 @@ fn settled<S: Real, const N: usize>(
         (Allowed::Touching | Allowed::Only(Mode::Open | Mode::Closed), mode) => mode,
         _ if is_off(rows, &modes, i) => Mode::Off,
         (Allowed::Resting, Mode::Off) => Mode::Sticks,
-        (Allowed::Only(mode), _) => mode,
-        (_, mode) => mode,
+        (Allowed::Only(mode), _) | (Allowed::Resting, mode) => mode,
     })
 }
 

@@ -85,14 +85,11 @@ impl fmt::Display for Cause {
             Self::Impact { .. }
             | Self::NoMode { .. }
             | Self::NotUnique { .. }
+            | Self::ImpactGains { .. }
             | Self::TooManyContacts { .. }
             | Self::Sunk { .. }
             | Self::NoContact { .. } => contact(f, self),
-            // A number so small would fill lines with zeros.
-            Self::Interval { length } if length.abs() < 1e-5 && *length != 0.0 => {
-                write!(f, "an interval of {length:e} s cannot be integrated")
-            }
-            Self::Interval { length } => write!(f, "an interval of {length} s cannot be integrated"),
+            Self::Interval { length } => interval(f, *length),
             Self::Drift { phi, phi_dot } => drift(f, *phi, *phi_dot),
             Self::Redundant { count, locks, joints } => redundant(f, *count, "position", locks, joints),
             Self::VelocityRedundant { count, locks, joints } => {
@@ -114,6 +111,15 @@ impl fmt::Display for Cause {
             }
         }
     }
+}
+
+/// How long an interval is that is none.
+fn interval(f: &mut fmt::Formatter<'_>, length: f64) -> fmt::Result {
+    // A number so small would fill lines with zeros.
+    if length.abs() < 1e-5 && length != 0.0 {
+        return write!(f, "an interval of {length:e} s cannot be integrated");
+    }
+    write!(f, "an interval of {length} s cannot be integrated")
 }
 
 /// What repeats what, and why that may be.
@@ -161,6 +167,11 @@ fn contact(f: &mut fmt::Formatter<'_>, cause: &Cause) -> fmt::Result {
         Cause::Impact { tried } => write!(
             f,
             "its impact has no solution after {tried} impulses at one time; a smaller coefficient of restitution or of friction"
+        ),
+        Cause::ImpactGains { by, of } => write!(
+            f,
+            "its impact would gain {by:.6e} J, of {of:.6e} J that the impulses turn over: Newton's law with friction, or of several \
+             contacts; Poisson's law never does"
         ),
         Cause::NoMode { touching, p } if *p < 0.0 => write!(
             f,
