@@ -87,6 +87,22 @@ fn a_block_bounces_and_is_pulled() {
     assert_eq!((stats.sticks, stats.slips, stats.newton), (2, 1, 0), "{stats:?}");
 }
 
+/// Case C01: its impacts are at t_n+1 = t_n + 2 e^n sqrt(2 h/g).
+#[test]
+fn a_block_strikes_at_its_times() {
+    let mut sim = start(Block { e: 0.5, start: [0.0, 1.0, 0.0, 0.0], ..LEVEL });
+    let (mut time, mut flight) = ((2.0 / GRAVITY).sqrt(), (2.0 / GRAVITY).sqrt());
+    for n in 1..12 {
+        sim.step_to(time + 0.5 * flight).unwrap();
+        let impulse = sim.impulse("tip").unwrap();
+        assert!((impulse.time - time).abs() < 1e-13, "{n}: {impulse:?} {time}");
+        let struck = 1.5 * MASS * GRAVITY * if n == 1 { time } else { flight };
+        assert!((impulse.size - struck).abs() < 1e-12 * struck.max(1.0), "{n}: {impulse:?} {struck}");
+        time += flight;
+        flight *= 0.5;
+    }
+}
+
 /// Thrown along the table it strikes with friction: mu times the normal impulse while it slips, or all of its momentum.
 #[test]
 fn an_impact_rubs() {
