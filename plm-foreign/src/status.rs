@@ -135,6 +135,8 @@ impl From<&Fault> for Status {
             | Cause::Domain { .. }
             | Cause::Impact { .. }
             | Cause::NoMode { .. }
+            | Cause::NotUnique { .. }
+            | Cause::ImpactGains { .. }
             | Cause::NoContact { .. }
             | Cause::TooManyContacts { .. } => Self::Switching,
             Cause::StepTooSmall { .. }

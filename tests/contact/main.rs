@@ -7,6 +7,7 @@ mod friction;
 mod joints;
 mod loops;
 mod mixed;
+mod painleve;
 
 /// Asserts that two numbers differ by `within` at most.
 #[track_caller]

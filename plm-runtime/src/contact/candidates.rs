@@ -6,6 +6,7 @@ use super::margins::stick;
 use super::modes::Mode;
 use super::multipliers::{Multipliers, multipliers};
 use super::rows::Rows;
+use super::walk::walk;
 use crate::linalg::Lu;
 use crate::scalar::Real;
 
@@ -13,7 +14,7 @@ use crate::scalar::Real;
 pub(super) const MARGINAL: f64 = 1e-9;
 /// A row that rests depends on others if its own part of D is below this fraction of its diagonal entry.
 const DEPENDENT: f64 = 1e-9;
-/// So many combinations are tried at most.
+/// So many combinations are tried; more of them are searched by pivots.
 const MOST_CANDIDATES: u32 = 1 << 14;
 
 /// The modes that a row may have.
@@ -54,6 +55,8 @@ pub(super) struct Solution<S, const N: usize> {
     pub(super) negative: [bool; N],
     pub(super) lambda: [S; N],
     pub(super) determinant: S,
+    /// Steps of Newton's method.
+    pub(super) newton: u32,
     /// How far the rows that hold are from their limits, as a share of the terms of their forces.
     pub(super) slack: S,
     /// Accelerations of all rows.
@@ -68,7 +71,7 @@ pub(super) enum Found<S, const N: usize> {
     Modes(Solution<S, N>, bool),
     /// No combination satisfies all inequalities.
     Nothing,
-    /// There are too many combinations.
+    /// There are too many combinations, and pivots have led to no solution.
     TooMany,
 }
 
@@ -82,32 +85,31 @@ pub(super) struct Margins<S, const N: usize> {
 }
 
 impl<S: Real, const N: usize> Margins<S, N> {
-    /// None is negative but for rounding.
-    pub(super) fn are_met(&self) -> bool {
-        // False for what is not a number.
-        let is_met =
-            |(value, size): (&S, &Option<S>)| size.is_none_or(|size| *value >= -(S::lit(MARGINAL) * size));
-        self.value.iter().zip(&self.size).all(is_met)
+    /// Those that are negative, but for rounding.
+    pub(super) fn broken(&self) -> [bool; N] {
+        // True for what is not a number.
+        let is_met = |value: S, size: S| value >= -(S::lit(MARGINAL) * size);
+        core::array::from_fn(|i| self.size[i].is_some_and(|size| !is_met(self.value[i], size)))
     }
 }
 
-/// Tries all combinations. `admits` says of each whether its inequalities are met.
+/// Tries all combinations, or goes from one to the next where they are too many. `broken` says of each whose inequalities are not met.
 pub(super) fn enumerate<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     allowed: &[Allowed; N],
-    mut admits: impl FnMut(&Solution<S, N>, &Margins<S, N>) -> bool,
+    mut broken: impl FnMut(&Solution<S, N>, &Margins<S, N>) -> [bool; N],
 ) -> Found<S, N> {
     let allowed = &near(rows, allowed);
     let count = allowed.iter().fold(1_u32, |count, row| count.saturating_mul(row.modes().len() as u32));
     if count > MOST_CANDIDATES {
-        return Found::TooMany;
+        return walk(rows, allowed, broken);
     }
     let mut best: Option<(Solution<S, N>, usize)> = None;
     let mut is_ambiguous = false;
     for number in 0..count {
         let Some(modes) = combination(rows, allowed, number) else { continue };
         let Some((solution, margins)) = solve(rows, allowed, modes) else { continue };
-        if !admits(&solution, &margins) {
+        if broken(&solution, &margins).contains(&true) {
             continue;
         }
         let moving = moving(allowed, &solution);
@@ -125,13 +127,18 @@ pub(super) fn enumerate<S: Real, const N: usize>(
     best.map_or(Found::Nothing, |(solution, _)| Found::Modes(solution, is_ambiguous))
 }
 
-/// Frictions of gaps that are open have one mode: what is far costs nothing.
-fn near<S: Real, const N: usize>(rows: &Rows<S, N>, allowed: &[Allowed; N]) -> [Allowed; N] {
-    let most_closed = core::array::from_fn(|i| match allowed[i] {
+/// The combination in which everything holds that may.
+pub(super) fn most_holding<const N: usize>(allowed: &[Allowed; N]) -> [Mode; N] {
+    allowed.map(|row| match row {
         Allowed::Only(mode) => mode,
         Allowed::Touching => Mode::Closed,
         Allowed::Resting => Mode::Sticks,
-    });
+    })
+}
+
+/// Frictions of gaps that are open have one mode: what is far costs nothing.
+fn near<S: Real, const N: usize>(rows: &Rows<S, N>, allowed: &[Allowed; N]) -> [Allowed; N] {
+    let most_closed = most_holding(allowed);
     core::array::from_fn(|i| {
         let is_friction =
             matches!(allowed[i], Allowed::Resting | Allowed::Only(Mode::Forwards | Mode::Backwards));
@@ -201,7 +208,7 @@ fn signed<S: Real, const N: usize>(
 }
 
 /// Multipliers and accelerations of a combination, and its inequalities.
-fn solve<S: Real, const N: usize>(
+pub(super) fn solve<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     allowed: &[Allowed; N],
     modes: [Mode; N],
@@ -212,7 +219,9 @@ fn solve<S: Real, const N: usize>(
     let acceleration = core::array::from_fn(|i| rows.acceleration(i, &lambda));
     let (determinant, slack, carried) = (found.determinant, S::lit(1.0), [false; N]);
     let negative = rows.load.map(Load::is_negative);
-    let mut solution = Solution { modes, carried, negative, lambda, determinant, slack, acceleration };
+    let newton = found.newton;
+    let mut solution =
+        Solution { modes, carried, negative, lambda, determinant, newton, slack, acceleration };
     let mut margins = Margins { value: [S::ZERO; N], size: [None; N] };
     for (i, mode) in modes.iter().enumerate() {
         let rests = matches!(allowed[i], Allowed::Touching | Allowed::Resting);

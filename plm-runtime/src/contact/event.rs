@@ -5,45 +5,68 @@
 //! 3. The next modes by enumeration. A marginal inequality is decided by its rate along the candidate.
 //! 4. Rows that hold have no rate any more; a friction that sticks remembers its place.
 
-use super::candidates::{Allowed, Found, Margins, Solution, enumerate};
-use super::impact::{ImpactLaw, Impulses, impulses};
+use super::booked::Booked;
+use super::candidates::{self, Allowed, Found, Margins, Solution, enumerate};
 use super::loads::Load;
-use super::marginal::go_on;
+use super::marginal::broken;
 use super::margins::{PER_ROW, SIGN, margins};
 use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
+use super::paradox::{self, lost};
 use super::project::{project, stop};
 use super::rows::{Law, Rows};
-use super::{Contacts, Modal, existing, lambda_of, moved};
+use super::sunk::above;
+use super::{Contacts, Modal, existing, lambda_of};
 use crate::dual::Dual;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
 /// A gap below this fraction of the length of the mechanism is closed.
-const CLOSED: f64 = 1e-9;
+pub(super) const CLOSED: f64 = 1e-9;
 /// A flight of a height below so many roundings of the length is none.
 const LOWEST_FLIGHT: f64 = 1000.0;
 /// A slip is none below this fraction of the speed that the free acceleration gives over the length of the mechanism.
 const NO_SLIP: f64 = 1e-10;
 /// A rate of so many roundings of the largest one, before the impacts of the event, is none.
 const RATE_ULPS: f64 = 4096.0;
-/// Impacts one after the other, at most.
-const MOST_IMPACTS: u32 = 30;
-/// Impacts of pairs one after the other, at most.
-const MOST_PAIRS: u32 = 1000;
 
 /// What an event did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Outcome {
     /// Impacts.
     pub impacts: u32,
-    /// Gaps that were open before and are closed from now on; none where a run begins.
+    /// Gaps that were open before and are closed from now on. These four are none where a run begins.
     pub closures: u32,
+    /// Gaps that were closed before and are open from now on.
+    pub openings: u32,
+    /// Frictions that stick from now on.
+    pub sticks: u32,
+    /// Frictions that slip from now on, or the other way.
+    pub slips: u32,
+    /// Steps of Newton's method for reactions in the plane.
+    pub newton: u32,
     /// The rows may go on with other accelerations as well.
     pub is_ambiguous: bool,
     /// More rows rest than there are freedoms: accelerations are unique, multipliers are not.
     pub is_undetermined: bool,
+}
+
+impl Outcome {
+    /// Counts the rows that do something else than before.
+    fn compare<S: Scalar, const N: usize>(&mut self, before: &Modes<S, N>, after: &Modes<S, N>) {
+        let sticks = |modes: &Modes<S, N>, i: usize| modes.is_sticking(i);
+        for i in 0..N {
+            let (was, is) = (before.of[i], after.of[i]);
+            let is_gap = matches!(is, Mode::Open | Mode::Closed);
+            let opens = is_gap && after.is_open(i);
+            self.openings += u32::from(opens && (was == Mode::Closed || before.carried[i]));
+            self.closures += u32::from(is_gap && !opens && before.is_open(i));
+            let has_stuck = sticks(before, i);
+            self.sticks += u32::from(!is_gap && sticks(after, i) && !has_stuck);
+            self.slips += u32::from(is.slips() && !after.carried[i] && (was != is || before.carried[i]));
+        }
+    }
 }
 
 /// Commits the event of the guard `index`: impacts, and the modes that apply from now on.
@@ -97,20 +120,6 @@ pub fn update<M: Contacts<N>, const N: usize>(
     Event { system, t, occasion: Occasion::Change, step: M::S::ZERO }.commit(u, x)
 }
 
-/// Looks at rows that did not exist before an event, and do now.
-///
-/// # Errors
-/// [`Cause::Sunk`] where the gap of one is negative.
-pub fn appear<M: Contacts<N>, const N: usize>(
-    system: &M,
-    t: M::S,
-    (u, x): (&M::U, &M::X),
-    existed: [bool; N],
-) -> Result<(), Fault> {
-    let event = Event { system, t, occasion: Occasion::Change, step: M::S::ZERO };
-    event.is_above(u, x, |row| !existed[row])
-}
-
 /// Finds the modes of a state where a run begins.
 ///
 /// # Errors
@@ -122,7 +131,7 @@ pub fn begin<M: Contacts<N>, const N: usize>(
     x: &mut M::X,
 ) -> Result<Outcome, Fault> {
     let event = Event { system, t, occasion: Occasion::Start, step: M::S::ZERO };
-    event.is_above(u, x, |_| true)?;
+    above((system, t), u, x, |_| true)?;
     event.commit(u, x)
 }
 
@@ -137,13 +146,15 @@ enum Occasion {
     Guard { row: usize },
     /// The sign of the reaction that bounds a row changes.
     Sign { row: usize },
+    /// The determinant of the active rows passes zero.
+    Determinant,
 }
 
 impl Occasion {
     /// Of a guard among those of `rows` rows; the last one is that of the determinant.
     fn of(index: usize, rows: usize) -> Self {
         match (index / PER_ROW, index % PER_ROW) {
-            (row, _) if row >= rows => Self::Change,
+            (row, _) if row >= rows => Self::Determinant,
             (row, SIGN) => Self::Sign { row },
             (row, _) => Self::Guard { row },
         }
@@ -152,16 +163,16 @@ impl Occasion {
     /// The row that it is of.
     fn row(self) -> Option<usize> {
         match self {
-            Self::Start | Self::Change => None,
+            Self::Start | Self::Change | Self::Determinant => None,
             Self::Guard { row } | Self::Sign { row } => Some(row),
         }
     }
 }
 
 /// An event at a time.
-struct Event<'a, M: Contacts<N>, const N: usize> {
-    system: &'a M,
-    t: M::S,
+pub(super) struct Event<'a, M: Contacts<N>, const N: usize> {
+    pub(super) system: &'a M,
+    pub(super) t: M::S,
     occasion: Occasion,
     /// The time since the guard may have passed zero, s.
     step: M::S,
@@ -170,29 +181,35 @@ struct Event<'a, M: Contacts<N>, const N: usize> {
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     fn commit(&self, u: &mut M::U, x: &mut M::X) -> Result<Outcome, Fault> {
         let laws = core::array::from_fn(|row| self.system.law(row));
-        let rows = self.system.rows_at(self.t, u, x);
+        let mut rows = self.system.rows_at(self.t, u, x);
+        let comes_by_motion = !matches!(self.occasion, Occasion::Start | Occasion::Change);
+        if let Some((row, p)) = lost(&rows, u.modes()).filter(|_| comes_by_motion) {
+            return Err(self.fault(row, Cause::NotUnique { p: p.to_f64() }));
+        }
         // Before the impacts, behind which rates may be rounding alone.
         let none = rounding(&rows);
-        let (mut rows, impacts) = self.impacts(&laws, (none, rows), u, x)?;
+        let struck = self.impacts(&laws, (none, &mut rows), u, x)?;
+        let impacts = struck.count;
         if let Occasion::Sign { row } = self.occasion {
             rows.load[row] = Load::Turned { negative: u.modes().negative[row] };
         }
         let allowed = self.allowed(&laws, (none, impacts), &rows, u);
-        let (solution, is_ambiguous) = match enumerate(&rows, &allowed, |solution, margins| {
-            self.admits(u, x, solution, margins)
-        }) {
-            Found::Modes(solution, is_ambiguous) => (solution, is_ambiguous),
-            Found::Nothing => {
-                return Err(self.fault(self.row(&allowed), Cause::NoMode { touching: touching(&allowed) }));
-            }
-            Found::TooMany => {
-                return Err(
-                    self.fault(self.row(&allowed), Cause::TooManyContacts { touching: touching(&allowed) })
-                );
-            }
-        };
+        let (solution, is_ambiguous) =
+            match enumerate(&rows, &allowed, |solution, margins| self.broken(u, x, solution, margins)) {
+                Found::Modes(solution, is_ambiguous) => (solution, is_ambiguous),
+                Found::Nothing => {
+                    let p = paradox::share(&rows, &candidates::most_holding(&allowed))
+                        .map_or(f64::NAN, Scalar::to_f64);
+                    let touching = touching(&allowed);
+                    return Err(self.fault(self.row(&allowed), Cause::NoMode { touching, p }));
+                }
+                Found::TooMany => {
+                    return Err(self
+                        .fault(self.row(&allowed), Cause::TooManyContacts { touching: touching(&allowed) }));
+                }
+            };
         let before = *u.modes();
-        let orientation = if solution.determinant < M::S::ZERO { M::S::lit(-1.0) } else { M::S::lit(1.0) };
+        let orientation = M::S::lit(1.0) / solution.determinant;
         let Solution { modes: of, carried, negative, .. } = solution;
         // One that sticks on stays in its place.
         let sticks_on = |i: usize| before.of[i] == Mode::Sticks && of[i] == Mode::Sticks;
@@ -206,57 +223,24 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         } else {
             stop(self.system, (self.t, u, &rows), x);
         }
-        let closes = |i: &usize| laws[*i].is_unilateral() && before.is_open(*i) && !after.is_open(*i);
         let begins = self.occasion == Occasion::Start;
-        let closures = if begins { 0 } else { (0..N).filter(closes).count() as u32 };
-        let outcome = Outcome { impacts, closures, is_ambiguous, is_undetermined: after.are_undetermined() };
+        let mut outcome = Outcome { impacts, newton: solution.newton, is_ambiguous, ..Outcome::default() };
+        outcome.is_undetermined = after.are_undetermined();
+        if !begins {
+            outcome.compare(&before, &after);
+        }
         u.count(&outcome, begins);
+        if let Some(booked) = u.booked() {
+            if begins {
+                *booked = Booked::nothing();
+            }
+            booked.book(self.t.to_f64(), &struck);
+        }
         Ok(outcome)
     }
 
-    /// The gaps of the rows `of` which it is asked are not negative.
-    fn is_above(&self, u: &M::U, x: &M::X, of: impl Fn(usize) -> bool) -> Result<(), Fault> {
-        let rows = self.system.rows_at(self.t, u, x);
-        let deepest = (0..N)
-            .filter(|i| of(*i) && self.system.law(*i).is_unilateral() && self.system.exists(u, *i))
-            .reduce(|a, b| if rows.gap[b] < rows.gap[a] { b } else { a });
-        match deepest.filter(|row| rows.gap[*row] < -self.closed()) {
-            Some(row) => Err(self.fault(row, Cause::Sunk { by: -rows.gap[row].to_f64() })),
-            None => Ok(()),
-        }
-    }
-
-    /// Impacts of all rows that touch, until none approaches; gives the rows behind them, and how many impacts there were.
-    fn impacts(
-        &self,
-        laws: &[Law<M::S>; N],
-        (none, mut rows): (M::S, Rows<M::S, N>),
-        u: &M::U,
-        x: &mut M::X,
-    ) -> Result<(Rows<M::S, N>, u32), Fault> {
-        let law = self.system.impact_law();
-        let most = if law == ImpactLaw::Sequential { MOST_PAIRS } else { MOST_IMPACTS };
-        let mut count = 0;
-        loop {
-            let touches = self.touches(laws, &rows, u);
-            let approaches = |i: &usize| {
-                touches[*i] && laws[*i].is_unilateral() && rows.rate[*i] < -self.resting(&rows, *i).max(none)
-            };
-            let Some(row) = (0..N).find(approaches) else { return Ok((rows, count)) };
-            if count >= most {
-                return Err(self.fault(row, Cause::Impact { tried: count }));
-            }
-            count += 1;
-            let Impulses::Found(impulses) = impulses(&rows, laws, (law, touches)) else {
-                return Err(self.fault(row, Cause::Impact { tried: count }));
-            };
-            moved(self.system, (self.t, u), x, &impulses);
-            rows = self.system.rows_at(self.t, u, x);
-        }
-    }
-
     /// Gaps that are closed, and frictions.
-    fn touches(&self, laws: &[Law<M::S>; N], rows: &Rows<M::S, N>, u: &M::U) -> [bool; N] {
+    pub(super) fn touches(&self, laws: &[Law<M::S>; N], rows: &Rows<M::S, N>, u: &M::U) -> [bool; N] {
         let modes = u.modes();
         core::array::from_fn(|i| {
             let was_closed = modes.of[i] == Mode::Closed || modes.carried[i];
@@ -301,12 +285,18 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         })
     }
 
-    /// Are the inequalities of a combination met, those that are marginal also from here on?
-    fn admits(&self, u: &M::U, x: &M::X, solution: &Solution<M::S, N>, margins: &Margins<M::S, N>) -> bool {
+    /// The inequalities of a combination that are not met, or are marginal and not met from here on.
+    fn broken(
+        &self,
+        u: &M::U,
+        x: &M::X,
+        solution: &Solution<M::S, N>,
+        margins: &Margins<M::S, N>,
+    ) -> [bool; N] {
         let mut held = *u;
         let modes = held.modes_mut();
         (modes.of, modes.carried, modes.negative) = (solution.modes, solution.carried, solution.negative);
-        go_on(&moving_rows(self.system, (self.t, &held), x, &solution.lambda), solution, margins)
+        broken(&moving_rows(self.system, (self.t, &held), x, &solution.lambda), solution, margins)
     }
 
     fn closed(&self) -> M::S {
@@ -314,7 +304,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     }
 
     /// Slower than this a row rests: its flight would be lower than rounding.
-    fn resting(&self, rows: &Rows<M::S, N>, row: usize) -> M::S {
+    pub(super) fn resting(&self, rows: &Rows<M::S, N>, row: usize) -> M::S {
         let height = M::S::lit(LOWEST_FLIGHT) * M::S::EPSILON * self.system.length();
         (M::S::lit(2.0) * rows.free[row].abs() * height).sqrt()
     }
@@ -337,7 +327,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         self.occasion.row().or(first).unwrap_or(0)
     }
 
-    fn fault(&self, row: usize, cause: Cause) -> Fault {
+    pub(super) fn fault(&self, row: usize, cause: Cause) -> Fault {
         Fault::of_part(self.t.to_f64(), self.system.contact_name(row), cause)
     }
 }

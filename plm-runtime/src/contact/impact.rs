@@ -130,5 +130,5 @@ fn solve<S: Real, const N: usize>(
         (false, Law::Unilateral { .. }) => Allowed::Only(Mode::Open),
         (false, Law::Friction) => Allowed::Only(Mode::Off),
     });
-    enumerate(problem, &allowed, |_, margins| margins.are_met())
+    enumerate(problem, &allowed, |_, margins| margins.broken())
 }

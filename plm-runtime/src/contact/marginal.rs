@@ -12,21 +12,23 @@ use crate::scalar::{Real, Scalar};
 
 /// A margin that is zero within this time is zero, s: times of events are known so well.
 const AT_ONCE: f64 = 1e-10;
-/// A margin of this fraction of its terms is never marginal: near a pose where a row has no direction rates have no bound.
+/// A margin of this fraction of its terms, and of the accelerations of all rows, is never marginal: near a pose where a row has no
+/// direction rates have no bound.
 const MOST_MARGINAL: f64 = 1e-4;
 /// The rate of a margin is none below this fraction of its terms.
 const NO_RATE: f64 = 1e-9;
 
-/// True if every margin is positive, or zero and not falling.
-pub(super) fn go_on<S: Real, const N: usize>(
+/// The margins that are negative, or zero and falling.
+pub(super) fn broken<S: Real, const N: usize>(
     rows: &Rows<Dual<S, 1>, N>,
     solution: &Solution<S, N>,
     margins: &Margins<S, N>,
-) -> bool {
-    let Some(found) = multipliers(rows, &solution.modes) else { return false };
+) -> [bool; N] {
+    let Some(found) = multipliers(rows, &solution.modes) else { return [true; N] };
     let lambda = found.lambda;
-    (0..N).all(|i| {
-        let (value, Some(terms)) = (margins.value[i], margins.size[i]) else { return true };
+    let largest = largest(rows);
+    core::array::from_fn(|i| {
+        let (value, Some(terms)) = (margins.value[i], margins.size[i]) else { return false };
         // Forces times D_ii: where a row has no direction D is zero, and the force that would hold it has no end.
         let (acceleration, own) = (rows.acceleration(i, &lambda), rows.delassus[i][i]);
         let (margin, to_acceleration) = match solution.modes[i] {
@@ -40,9 +42,19 @@ pub(super) fn go_on<S: Real, const N: usize>(
         };
         let (value, terms) = (value * to_acceleration, terms * to_acceleration);
         let (slope, size) = (margin.tangents[0], size(rows, i, &lambda));
-        let at_once = (S::lit(AT_ONCE) * slope.abs()).min(S::lit(MOST_MARGINAL) * terms);
+        let most = S::lit(MOST_MARGINAL) * terms.max(largest * own.value.sqrt());
+        let at_once = (S::lit(AT_ONCE) * slope.abs()).min(most);
         let none = (S::lit(MARGINAL) * terms).max(at_once);
-        value > none || value >= -none && slope >= -S::lit(NO_RATE) * size
+        let is_met = value > none || value >= -none && slope >= -S::lit(NO_RATE) * size;
+        !is_met
+    })
+}
+
+/// The largest acceleration without contact forces: over sqrt(D_ii) it has the same unit in every row.
+fn largest<S: Real, const N: usize>(rows: &Rows<Dual<S, 1>, N>) -> S {
+    (0..N).fold(S::ZERO, |largest, i| {
+        let (free, own) = (rows.free[i].value.abs(), rows.delassus[i][i].value);
+        if own > S::ZERO { largest.max(free / own.sqrt()) } else { largest }
     })
 }
 

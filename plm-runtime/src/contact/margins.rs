@@ -11,6 +11,9 @@ pub const PER_ROW: usize = 3;
 /// The place of the last one among them.
 pub(super) const SIGN: usize = 2;
 
+/// A slip may take so much from the determinant since the modes were chosen: nearer to zero forces are rounding, where they have no bound.
+pub(super) const UNIQUE: f64 = 1e-8;
+
 /// The number of guards that `rows` contact rows have: three each, and the determinant of the active rows.
 #[must_use]
 pub const fn guard_count(rows: usize) -> usize {
@@ -23,7 +26,7 @@ pub(super) fn margins<T: Scalar, const N: usize>(
     (modes, orientation): (&Modes<impl Scalar, N>, T),
     each: &mut impl FnMut(usize, T),
 ) -> bool {
-    let Some(Multipliers { lambda, determinant }) = multipliers(rows, &modes.of) else { return false };
+    let Some(Multipliers { lambda, determinant, .. }) = multipliers(rows, &modes.of) else { return false };
     let far = T::lit(1.0);
     for (row, mode) in modes.of.iter().enumerate() {
         let [first, second] = match mode {
@@ -39,7 +42,8 @@ pub(super) fn margins<T: Scalar, const N: usize>(
         let is_bounded = matches!(rows.load[row], Load::Line { .. }) && !matches!(mode, Mode::Off);
         each(PER_ROW * row + SIGN, if is_bounded { rows.size(row, &lambda) } else { far });
     }
-    each(PER_ROW * N, orientation * determinant);
+    let least = if modes.of.iter().any(|mode| mode.slips()) { UNIQUE } else { 0.0 };
+    each(PER_ROW * N, orientation * determinant - T::lit(least));
     true
 }
 

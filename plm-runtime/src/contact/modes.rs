@@ -73,7 +73,7 @@ pub struct Modes<S, const N: usize> {
     pub carried: [bool; N],
     /// Where a friction sticks: its displacement, m or rad.
     pub place: [S; N],
-    /// The sign of the determinant of the active rows when the modes were chosen.
+    /// One over the determinant of the active rows when the modes were chosen.
     pub orientation: S,
     /// The reaction that bounds a friction is negative.
     pub negative: [bool; N],
