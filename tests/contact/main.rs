@@ -8,6 +8,7 @@ mod joints;
 mod loops;
 mod mixed;
 mod painleve;
+mod release;
 
 /// Asserts that two numbers differ by `within` at most.
 #[track_caller]

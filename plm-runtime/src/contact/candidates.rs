@@ -235,6 +235,9 @@ pub(super) fn solve<S: Real, const N: usize>(
             _ if !rests => continue,
             _ => (acceleration[i], terms),
         };
+        if mode.holds() && matches!(allowed[i], Allowed::Only(_)) {
+            continue;
+        }
         if mode.holds() {
             solution.slack = solution.slack.min(value / size);
         } else if value.abs() <= S::lit(MARGINAL) * size && depends(rows, &modes, i) {

@@ -217,7 +217,8 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let after = Modes { of, carried, place, orientation, negative };
         *u.modes_mut() = after;
         // A gap that closes may be a tolerance away from zero: no step is to find that. Farther away it is left to the steps.
-        let is_near = |i: usize| of[i] != Mode::Closed || rows.gap[i].abs() <= self.closed();
+        let is_far = |i: usize| laws[i].is_unilateral() && rows.gap[i].abs() > self.closed();
+        let is_near = |i: usize| of[i] != Mode::Closed || !is_far(i);
         if (0..N).all(is_near) {
             project(self.system, self.t, u, x)?;
         } else {
@@ -263,8 +264,8 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let touches = self.touches(laws, rows, u);
         core::array::from_fn(|i| {
             let is_due = self.occasion.row() == Some(i);
-            if !self.system.exists(u, i) {
-                return Allowed::Only(if laws[i].is_unilateral() { Mode::Open } else { Mode::Off });
+            if let Some(mode) = laws[i].fixed(self.system.exists(u, i)) {
+                return Allowed::Only(mode);
             }
             if laws[i].is_unilateral() {
                 let short = if is_due { self.short(rows, i) } else { M::S::ZERO };

@@ -6,7 +6,6 @@
 //! depend on contact forces carry no impulse.
 
 use super::candidates::{Allowed, Found, Solution, enumerate};
-use super::modes::Mode;
 use super::rows::{Law, Limit, Rows};
 use crate::scalar::Real;
 
@@ -91,7 +90,7 @@ fn poisson<S: Real, const N: usize>(
     };
     let back: [S; N] = core::array::from_fn(|i| match laws[i] {
         Law::Unilateral { restitution } => restitution * compression.lambda[i],
-        Law::Friction => S::ZERO,
+        Law::Friction | Law::Constraint => S::ZERO,
     });
     if back.iter().all(|impulse| *impulse == S::ZERO) {
         return Impulses::Found(compression.lambda);
@@ -124,11 +123,10 @@ fn solve<S: Real, const N: usize>(
     laws: &[Law<S>; N],
     touches: &[bool; N],
 ) -> Found<S, N> {
-    let allowed = core::array::from_fn(|i| match (touches[i], laws[i]) {
-        (true, Law::Unilateral { .. }) => Allowed::Touching,
-        (true, Law::Friction) => Allowed::Resting,
-        (false, Law::Unilateral { .. }) => Allowed::Only(Mode::Open),
-        (false, Law::Friction) => Allowed::Only(Mode::Off),
+    let allowed = core::array::from_fn(|i| match laws[i].fixed(touches[i]) {
+        Some(mode) => Allowed::Only(mode),
+        None if laws[i].is_unilateral() => Allowed::Touching,
+        None => Allowed::Resting,
     });
     enumerate(problem, &allowed, |_, margins| margins.broken())
 }

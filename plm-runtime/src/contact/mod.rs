@@ -200,7 +200,7 @@ pub fn guards_within<M: Contacts<N>, const N: usize>(
     margins::margins(&rows, (modes, orientation), &mut existing(system, u, each))
 }
 
-/// Margins of rows that do not exist are far.
+/// Margins of rows that do not exist are far, and so are those of constraints.
 fn existing<'a, M: Contacts<N>, T: Scalar, const N: usize>(
     system: &'a M,
     u: &'a M::U,
@@ -208,8 +208,8 @@ fn existing<'a, M: Contacts<N>, T: Scalar, const N: usize>(
 ) -> impl FnMut(usize, T) + 'a {
     move |index, margin| {
         let row = index / PER_ROW;
-        let exists = row >= N || system.exists(u, row);
-        each(index, if exists { margin } else { T::lit(1.0) });
+        let has_margins = row >= N || system.exists(u, row) && !system.law(row).is_constraint();
+        each(index, if has_margins { margin } else { T::lit(1.0) });
     }
 }
 

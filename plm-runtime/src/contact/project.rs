@@ -36,7 +36,7 @@ pub fn project<M: Contacts<N>, const N: usize>(
     loop {
         system.project_joints(t, u, x)?;
         let rows = system.rows_at(t, u, x);
-        let away = away::<M, N>(system, &rows, u);
+        let away = away::<M, N>(&rows, u);
         let are_near = away.iter().all(|z| z.abs() <= M::S::EPSILON * system.length());
         let multipliers =
             if are_near || steps == MOST_STEPS { None } else { held(&rows, u.modes().of, away) };
@@ -56,7 +56,7 @@ pub fn project<M: Contacts<N>, const N: usize>(
 pub fn drift<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &M::X) -> Drift<M::S> {
     let joints = system.drift_of_joints(t, u, x);
     let rows = system.rows_at(t, u, x);
-    let away = away::<M, N>(system, &rows, u);
+    let away = away::<M, N>(&rows, u);
     let largest = |least: M::S, numbers: &[M::S; N]| numbers.iter().fold(least, |sum, z| sum.max(z.abs()));
     let rate: [M::S; N] =
         core::array::from_fn(|i| if u.modes().of[i].holds() { rows.rate[i] } else { M::S::ZERO });
@@ -64,10 +64,10 @@ pub fn drift<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &
 }
 
 /// Displacements of the rows that hold.
-fn away<M: Contacts<N>, const N: usize>(system: &M, rows: &Rows<M::S, N>, u: &M::U) -> [M::S; N] {
+fn away<M: Contacts<N>, const N: usize>(rows: &Rows<M::S, N>, u: &M::U) -> [M::S; N] {
     let modes = u.modes();
     core::array::from_fn(|i| match modes.of[i] {
-        Mode::Closed if system.law(i).is_unilateral() => rows.gap[i],
+        Mode::Closed => rows.gap[i],
         Mode::Sticks => rows.gap[i] - modes.place[i],
         _ => M::S::ZERO,
     })

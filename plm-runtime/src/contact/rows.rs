@@ -1,6 +1,7 @@
 //! Contact rows at a state: gaps, rates, free accelerations, Delassus operator, limits of friction.
 
 use super::loads::{Affine, Load};
+use super::modes::Mode;
 use crate::scalar::Scalar;
 
 /// What a row says.
@@ -13,9 +14,26 @@ pub enum Law<S> {
     },
     /// A force against a slip, within limits.
     Friction,
+    /// A constraint while the row exists: closed, with a force of either sign.
+    Constraint,
 }
 
 impl<S> Law<S> {
+    /// The row is a constraint while it exists.
+    pub fn is_constraint(&self) -> bool {
+        matches!(self, Self::Constraint)
+    }
+
+    /// The modes of a row that exists no more, and of a constraint that does.
+    pub(super) fn fixed(&self, exists: bool) -> Option<Mode> {
+        match (self, exists) {
+            (Self::Constraint, true) => Some(Mode::Closed),
+            (Self::Unilateral { .. } | Self::Constraint, false) => Some(Mode::Open),
+            (Self::Friction, false) => Some(Mode::Off),
+            _ => None,
+        }
+    }
+
     /// The row has a gap.
     pub fn is_unilateral(&self) -> bool {
         matches!(self, Self::Unilateral { .. })

@@ -29,7 +29,12 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         loop {
             let touches = self.touches(laws, rows, u);
             let approaches = |i: &usize| {
-                touches[*i] && laws[*i].is_unilateral() && rows.rate[*i] < -self.resting(rows, *i).max(none)
+                let least = -self.resting(rows, *i).max(none);
+                match laws[*i] {
+                    Law::Unilateral { .. } => touches[*i] && rows.rate[*i] < least,
+                    Law::Constraint => touches[*i] && -rows.rate[*i].abs() < least,
+                    Law::Friction => false,
+                }
             };
             let Some(row) = (0..N).find(approaches) else { return Ok(struck) };
             if struck.count >= most {

@@ -18,7 +18,10 @@ pub fn appear<M: Contacts<N>, const N: usize>(
     above((system, t), u, x, |row| !existed[row])
 }
 
-/// Gaps of the rows `of` which it is asked are not negative.
+/// A constraint that begins to exist may be open by this fraction of the length of the mechanism: it is led back. Starts are rounded.
+const ROUNDED: f64 = 1e-4;
+
+/// Gaps of the rows `of` which it is asked are not negative, and constraints among them closed.
 pub(super) fn above<M: Contacts<N>, const N: usize>(
     (system, t): (&M, M::S),
     u: &M::U,
@@ -26,7 +29,13 @@ pub(super) fn above<M: Contacts<N>, const N: usize>(
     of: impl Fn(usize) -> bool,
 ) -> Result<(), Fault> {
     let rows = system.rows_at(t, u, x);
-    let is_asked = |row: &usize| of(*row) && system.exists(u, *row) && system.law(*row).is_unilateral();
+    let is_new = |row: &usize| of(*row) && system.exists(u, *row);
+    let is_open = |row: &usize| rows.gap[*row].abs() > M::S::lit(ROUNDED) * system.length();
+    if let Some(row) = (0..N).filter(is_new).filter(|row| system.law(*row).is_constraint()).find(is_open) {
+        let cause = Cause::Open { gap: rows.gap[row].abs().to_f64() };
+        return Err(Fault::of_part(t.to_f64(), system.contact_name(row), cause));
+    }
+    let is_asked = |row: &usize| is_new(row) && system.law(*row).is_unilateral();
     let deepest = (0..N).filter(is_asked).reduce(|a, b| if rows.gap[b] < rows.gap[a] { b } else { a });
     match deepest.filter(|row| rows.gap[*row] < -M::S::lit(CLOSED) * system.length()) {
         Some(row) => {

@@ -49,6 +49,8 @@ pub enum ContactLaw {
         /// The coefficient of restitution, 0 to 1.
         restitution: Expr,
     },
+    /// A constraint while the row exists.
+    Constraint,
     /// A force against the slip, between `-lower` and `upper`, N or N m; affine in the multipliers of unilateral rows and in
     /// `size`.
     Friction {
@@ -65,7 +67,7 @@ impl Contact {
     /// The reaction of joints that bounds it.
     pub(crate) fn reaction(&self) -> Option<&Reaction> {
         match &self.law {
-            ContactLaw::Unilateral { .. } => None,
+            ContactLaw::Unilateral { .. } | ContactLaw::Constraint => None,
             ContactLaw::Friction { reaction, .. } => reaction.as_ref(),
         }
     }
@@ -73,7 +75,7 @@ impl Contact {
     /// The mode for which its symbol stands.
     pub(crate) fn kind_of_mode(&self) -> ContactMode {
         match self.law {
-            ContactLaw::Unilateral { .. } => ContactMode::Open,
+            ContactLaw::Unilateral { .. } | ContactLaw::Constraint => ContactMode::Open,
             ContactLaw::Friction { .. } => ContactMode::Sticking,
         }
     }
@@ -82,6 +84,7 @@ impl Contact {
     pub(crate) fn expressions_mut(&mut self) -> Vec<&mut Expr> {
         let of_law: Vec<&mut Expr> = match &mut self.law {
             ContactLaw::Unilateral { restitution } => vec![restitution],
+            ContactLaw::Constraint => Vec::new(),
             ContactLaw::Friction { kinetic, adhesion, reaction } => {
                 let components = reaction.iter_mut().flat_map(|reaction| &mut reaction.components);
                 kinetic.iter_mut().chain(adhesion).chain(components).collect_vec()

@@ -185,6 +185,28 @@ impl<T> Beside<T> {
     }
 }
 
+impl Input<'_> {
+    /// The end of a constraint: `;`, or `{ when: condition; }`
+    pub(super) fn condition_of_row(self) -> Result<Option<Expr>> {
+        if !self.peek(token::Brace) {
+            self.semicolon()?;
+            return Ok(None);
+        }
+        let mut when = None;
+        self.group(Delimiter::Brace, "`{`", |input| {
+            while !input.is_empty() {
+                let start = input.position();
+                let found = known(input, "a constraint", "when");
+                if found.and_then(|()| once(input, &mut when, "when", Expr::parse)).is_err() {
+                    input.recover(start);
+                }
+            }
+            Ok(())
+        })?;
+        Ok(when)
+    }
+}
+
 /// `word: value;`, which may stand once.
 fn once<T>(input: Input, place: &mut Option<T>, word: &str, read: fn(Input) -> Result<T>) -> Result<()> {
     let start = input.position();
@@ -211,6 +233,7 @@ fn known(input: Input, row: &str, word: &str) -> Result<()> {
     match (later(found), nearest(found, [word, "when"])) {
         (Some(help), _) => diagnostic.help(help),
         (None, Some(near)) => diagnostic.help(format!("write `{near}: …;`")),
+        (None, None) if word == "when" => diagnostic.note("in its braces stands `when: …;`"),
         (None, None) => diagnostic.note(format!("in its braces stand `{word}: …;` and `when: …;`")),
     };
     Err(Reported)

@@ -5,6 +5,7 @@
 //! ```
 
 use proc_macro2::Delimiter;
+use syn::ext::IdentExt;
 use syn::{Token, token};
 
 use super::expr::{Expr, ExprKind, Link};
@@ -20,6 +21,9 @@ pub struct When {
     /// Targets and values.
     pub assignments: Vec<Assignment>,
 }
+
+/// Words that let go of a joint elsewhere.
+const RELEASES: [&str; 4] = ["release", "detach", "remove", "disconnect"];
 
 /// `target = value;`
 #[derive(Clone, Debug)]
@@ -61,6 +65,13 @@ impl When {
 
 impl Assignment {
     fn parse(input: Input) -> Result<Assignment> {
+        let word = input.next();
+        if RELEASES.contains(&word) && input.peek2(syn::Ident::peek_any) {
+            let help = "give the joint a condition, `{ when: holds > 0.5; }`, and set it here: `holds = 0;`";
+            let message = format!("`{word}` sets nothing");
+            input.error(Code::UnexpectedToken, input.here(), message).help(help);
+            return Err(Reported);
+        }
         let target = Expr::parse(input)?;
         if let ExprKind::Chain(left, links) = &target.kind
             && let [Link { operator: Operator::Equal, operand }] = &links[..]

@@ -77,8 +77,8 @@ pub enum ItemKind {
     Body(Body),
     /// `kind name(args) { fields }`
     Instance(Instance),
-    /// `constraint name: expr = expr;`
-    Constraint(IndexedName, Expr, Expr),
+    /// `constraint name: expr = expr { when: condition; }`
+    Constraint(IndexedName, Expr, Expr, Option<Expr>),
     /// `unilateral name: expr >= expr { restitution: expr; }`
     Unilateral(Box<Unilateral>),
     /// `friction name: rate(expr) within expr .. expr { static: expr .. expr; }`

@@ -25,7 +25,7 @@
 //!       | ("let" | "rate") name "=" expr ";"
 //!       | "body" name "{" { field | port | start } "}"
 //!       | NAME name "(" exprs ")" (";" | "{" { name { "." name } ":" expr ["," "locked"] ";" } "}")
-//!       | "constraint" NAME ":" expr "=" expr ";"
+//!       | "constraint" NAME ":" expr "=" expr (";" | "{" "when" ":" expr ";" "}")
 //!       | "unilateral" name ":" expr (">=" | "<=") expr (";" | "{" { ("restitution" | "when") ":" expr ";" } "}")
 //!       | "friction" name ":" "rate" "(" expr ")" "within" bound (";" | "{" { "static" ":" bound ";" | "when" ":" expr ";" } "}")
 //!       | "require" NAME ":" expr ";"

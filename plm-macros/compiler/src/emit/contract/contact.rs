@@ -266,6 +266,7 @@ fn laws(emission: &Emission) -> TokenStream {
             format!("rt::contact::Law::Unilateral {{ restitution: {} }}", inline(*restitution, &bindings))
         }
         ContactLaw::Friction { .. } => "rt::contact::Law::Friction".to_owned(),
+        ContactLaw::Constraint => "rt::contact::Law::Constraint".to_owned(),
     });
     let laws = laws.enumerate().map(|(row, law)| format!("{row} => {law}")).collect_vec();
     let (literals, laws) = emission.values(laws);

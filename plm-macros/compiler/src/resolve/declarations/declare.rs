@@ -54,7 +54,9 @@ impl<'a> Resolver<'a> {
                 ItemKind::Ground(ports) => self.declare_ground(scope, ports),
                 ItemKind::Body(body) => self.declare_body(scope, body),
                 ItemKind::Instance(instance) => self.declare_instance(scope, instance, part),
-                ItemKind::Constraint(name, left, right) => self.declare_row(scope, name, [left, right], part),
+                ItemKind::Constraint(name, left, right, when) => {
+                    self.declare_row(scope, name, ([left, right], when.as_ref()), part);
+                }
                 ItemKind::Unilateral(row) => {
                     self.declare_contact(scope, WrittenContact::Unilateral(row), part);
                 }

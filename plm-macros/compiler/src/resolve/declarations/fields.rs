@@ -6,6 +6,7 @@ use crate::diag::{Code, help_similar};
 use crate::resolve::Resolver;
 use crate::resolve::declarations::branch::{BRANCH, tells_branches};
 use crate::resolve::finalise::compliance::WORDS;
+use crate::resolve::finalise::release::WHEN;
 use crate::resolve::names::{Names, ScopeId};
 use crate::syntax::ast::{Field, Instance, Item, ItemKind};
 
@@ -79,6 +80,7 @@ impl<'a> Resolver<'a> {
             definition.items.iter().filter_map(|item| field_name(&item.kind)).collect_vec();
         if definition.is_joint {
             known.push_all(WORDS);
+            known.push(WHEN);
         }
         if tells_branches(definition) {
             known.push(BRANCH);

@@ -6,6 +6,7 @@ mod observe;
 mod output;
 mod placeholders;
 mod reaction;
+pub(super) mod release;
 pub(super) mod warnings;
 
 use crate::collect::{CollectVec, MapEach};
@@ -17,7 +18,7 @@ use crate::model::{Body, Decisions, FrameRef, Impacts, Input, Model, Name, Param
 use crate::resolve::Resolver;
 use crate::resolve::declarations::body::assumed_mass;
 use crate::resolve::declarations::declare::UnresolvedField;
-use crate::resolve::values::{Eval, Reads, all};
+use crate::resolve::values::{Eval, Failed, Reads, all};
 use crate::syntax::ast::{self, Mechanism};
 use crate::units::{Dimension, DisplayUnit};
 
@@ -50,6 +51,11 @@ impl<'a> Resolver<'a> {
         let of_contact = contacts.as_deref_mut().unwrap_or_default();
         let rows = rows
             .and_then(|rows| self.apply_compliances(rows, &mut loads, &mut states, &mut outputs, of_contact));
+        let rows = rows.and_then(|(rows, compliant)| {
+            let of_contact = contacts.as_mut().map_err(|Failed| Failed)?;
+            let rows = self.apply_conditions(rows, &mut loads, (&states, &mut outputs), of_contact)?;
+            Ok((rows, compliant))
+        });
         // Last of all, so that pictures have no part in the order in which terms are made.
         let instances = self.evaluate_instances();
         self.warn(declaration, mechanism);
