@@ -1,8 +1,9 @@
 //! Friction and unilateral contact by model exchange and by co-simulation.
 
 use plm::runtime::Described;
-use plm::{Dop853, Sim};
+use plm::{Dop853, Moment, Sim};
 use plm_foreign::fmi::{Call, Instance, Interface, Variable};
+use plm_foreign::{By, Entry, Kind, Object, Status, header};
 
 use super::{Importer, exchanged};
 
@@ -120,6 +121,40 @@ fn a_saved_instance_goes_on_in_the_modes_that_it_had() {
             assert_eq!(one.to_bits(), two.to_bits(), "{variable:?}, t = {until}");
         }
         instance.set(Variable::Input(0), force(until)).unwrap();
+    }
+}
+
+/// What C calls: the bits of a run, what rows do, and their names in the header.
+#[test]
+fn an_object_of_c_has_the_bits_of_a_run_and_tells_its_modes() {
+    let (mut object, mut sim) = (Object::new(Thrown::new()), Thrown::new().start().unwrap());
+    assert_eq!(object.get(Kind::Contact, 0).unwrap_err().status(), Status::NotStarted);
+    object.start().unwrap();
+    for k in 1..=50 {
+        let until = 0.05 * f64::from(k);
+        object.step_to(until).unwrap();
+        sim.step_to(until).unwrap();
+        assert_eq!(object.state().unwrap().x(), sim.state().x());
+        let mode = |row| object.get(Kind::Contact, row).unwrap();
+        let modes: Vec<f64> = sim.contacts().map(|(_, mode)| mode.number() as f64).collect();
+        assert_eq!(vec![mode(0), mode(1)], modes);
+        // The place, the height and their velocities are left in a flight, the height is not on the floor.
+        let directions =
+            modes.iter().fold(4, |left, mode| left - if [1.0, 3.0].contains(mode) { 2 } else { 0 });
+        assert_eq!(object.linearised().unwrap().directions(), directions);
+        object.set(Kind::Input, 0, force(until)).unwrap();
+        sim.input.pull = force(until);
+    }
+    assert_eq!(object.set(Kind::Contact, 0, 1.0).unwrap_err().status(), Status::ReadOnly);
+    let mut text = String::new();
+    header(&Thrown::new(), Entry { name: "thrown", methods: &[By::Dop853] }, &mut text).unwrap();
+    for line in [
+        "PLM_CONTACT = 8",
+        "PLM_STICKS = 3,",
+        "THROWN_CONTACT_FLOOR = 0, /* floor */",
+        "THROWN_CONTACT_SLIP = 1 /* slip */",
+    ] {
+        assert!(text.contains(line), "{line}");
     }
 }
 
