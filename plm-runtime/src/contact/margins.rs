@@ -11,6 +11,9 @@ pub const PER_ROW: usize = 3;
 /// The place of the last one among them.
 pub(super) const SIGN: usize = 2;
 
+/// A friction without a force gets one where its bound, N or N m, is more than one part in so many.
+const NO_BOUND: f64 = 1e12;
+
 /// The number of guards that `rows` contact rows have: three each, and the determinant of the active rows.
 #[must_use]
 pub const fn guard_count(rows: usize) -> usize {
@@ -30,7 +33,7 @@ pub(super) fn margins<T: Scalar, const N: usize>(
             _ if modes.is_carried(row) => [far, far],
             Mode::Open => [rows.gap[row], far],
             Mode::Closed => [lambda[row], far],
-            Mode::Off => [far, far],
+            Mode::Off => [far - T::lit(NO_BOUND) * bound(rows, row, &lambda), far],
             Mode::Sticks => stick(rows, row, &lambda),
             Mode::Forwards | Mode::Backwards => [mode.sign::<T>() * rows.rate[row], far],
         };
@@ -41,6 +44,12 @@ pub(super) fn margins<T: Scalar, const N: usize>(
     }
     each(PER_ROW * N, orientation * determinant);
     true
+}
+
+/// The limits of a friction to both sides together, with the share of a reaction as it is; zero where none can have a force.
+fn bound<T: Scalar, const N: usize>(rows: &Rows<T, N>, row: usize, lambda: &[T; N]) -> T {
+    let [lower, upper] = [&rows.adhesion[row].lower, &rows.adhesion[row].upper];
+    lower.at(lambda) + lower.share + (upper.at(lambda) + upper.share)
 }
 
 /// How far a row that sticks is from either limit.
