@@ -135,7 +135,7 @@ impl From<&Fault> for Status {
             | Cause::Domain { .. }
             | Cause::Impact { .. }
             | Cause::NoMode { .. }
-            | Cause::NoContact { .. }
+            | Cause::Slips
             | Cause::TooManyContacts { .. } => Self::Switching,
             Cause::StepTooSmall { .. }
             | Cause::TimeTooCoarse { .. }

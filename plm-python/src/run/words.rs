@@ -55,7 +55,7 @@ mod tests {
             Cause::NoMode { touching: 2 },
             Cause::TooManyContacts { touching: 9 },
             Cause::Sunk { by: 0.1 },
-            Cause::NoContact { by: "stabilise" },
+            Cause::Slips,
             Cause::Redundant { count, locks, joints },
             Cause::VelocityRedundant { count, locks, joints },
             Cause::Repeats { joints },

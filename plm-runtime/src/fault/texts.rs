@@ -86,7 +86,7 @@ impl fmt::Display for Cause {
             | Self::NoMode { .. }
             | Self::TooManyContacts { .. }
             | Self::Sunk { .. }
-            | Self::NoContact { .. } => contact(f, self),
+            | Self::Slips => contact(f, self),
             // A number so small would fill lines with zeros.
             Self::Interval { length } if length.abs() < 1e-5 && *length != 0.0 => {
                 write!(f, "an interval of {length:e} s cannot be integrated")
@@ -173,9 +173,9 @@ fn contact(f: &mut fmt::Formatter<'_>, cause: &Cause) -> fmt::Result {
         Cause::Sunk { by } => {
             write!(f, "the gap is negative at the start, by {by}; a start that leaves it open")
         }
-        Cause::NoContact { by } => {
-            write!(f, "{by} solves no contact; a run with damping comes to rest on it")
-        }
+        Cause::Slips => f.write_str(
+            "it slips with all the friction that it has, where all else could rest; more friction, or a stop",
+        ),
         _ => Ok(()),
     }
 }
