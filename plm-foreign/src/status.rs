@@ -137,7 +137,7 @@ impl From<&Fault> for Status {
             | Cause::NoMode { .. }
             | Cause::NotUnique { .. }
             | Cause::ImpactGains { .. }
-            | Cause::NoContact { .. }
+            | Cause::Slips
             | Cause::TooManyContacts { .. } => Self::Switching,
             Cause::StepTooSmall { .. }
             | Cause::TimeTooCoarse { .. }

@@ -186,11 +186,8 @@ pub enum Cause {
         /// By how much, m or rad.
         by: f64,
     },
-    /// The mechanism has rows of contact, which this analysis does not solve.
-    NoContact {
-        /// The analysis.
-        by: &'static str,
-    },
+    /// No static equilibrium: the friction slips where all else could rest. The part is its row.
+    Slips,
     /// An interval ends before it begins, or is not a number.
     Interval {
         /// Its length, s.

@@ -48,7 +48,7 @@ pub mod compact {
 pub mod contact {
     pub use crate::contact::{
         Contacts, Held, ImpactLaw, Law, Load, Rows, Status, appear, begin, drift, guard_count, guards,
-        guards_within, project, settle, state_was_set, switch_behind, update, with_multipliers,
+        guards_within, held_rows, project, settle, state_was_set, switch_behind, update, with_multipliers,
     };
 }
 

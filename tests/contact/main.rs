@@ -1,6 +1,7 @@
 //! Friction and unilateral contact in declarations, against closed forms.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
+mod around;
 mod existence;
 mod flights;
 mod friction;

@@ -57,7 +57,7 @@ mod tests {
             Cause::ImpactGains { by: 0.1, of: 2.0 },
             Cause::TooManyContacts { touching: 9 },
             Cause::Sunk { by: 0.1 },
-            Cause::NoContact { by: "stabilise" },
+            Cause::Slips,
             Cause::Redundant { count, locks, joints },
             Cause::VelocityRedundant { count, locks, joints },
             Cause::Repeats { joints },

@@ -18,6 +18,7 @@
 //!   [`guards_within`](super::guards_within) give numbers `0..C`, to which `g` is added; kinks come behind them. From `g` on
 //!   `switch_behind` is [`switch_behind`](super::switch_behind) of `index - g`, and `switch` is the same with a step of zero. An own
 //!   condition and `switch_at_time` call [`update`](super::update) behind their change. In `matters` the guards of contact have the root 1.
+//! * `Linear`: `held_rows` is [`held_rows`](super::held_rows).
 //! * `Labels`: `contact_name` has the rows; `guard_name` of the guard `g + i` that of the row `i / 3`.
 //! * [`begin`](super::begin) is the last thing of a start; `state_was_set` is [`state_was_set`](super::state_was_set). A `renew` needs
 //!   no more.

@@ -13,6 +13,8 @@ pub(super) const SIGN: usize = 2;
 
 /// A slip may take so much from the determinant since the modes were chosen: nearer to zero forces are rounding, where they have no bound.
 pub(super) const UNIQUE: f64 = 1e-8;
+/// A friction without a force gets one where its bound, N or N m, is more than one part in so many.
+const NO_BOUND: f64 = 1e12;
 
 /// The number of guards that `rows` contact rows have: three each, and the determinant of the active rows.
 #[must_use]
@@ -33,7 +35,7 @@ pub(super) fn margins<T: Scalar, const N: usize>(
             _ if modes.is_carried(row) => [far, far],
             Mode::Open => [rows.gap[row], far],
             Mode::Closed => [lambda[row], far],
-            Mode::Off => [far, far],
+            Mode::Off => [far - T::lit(NO_BOUND) * bound(rows, row, &lambda), far],
             Mode::Sticks => stick(rows, row, &lambda),
             Mode::Forwards | Mode::Backwards => [mode.sign::<T>() * rows.rate[row], far],
         };
@@ -45,6 +47,12 @@ pub(super) fn margins<T: Scalar, const N: usize>(
     let least = if modes.of.iter().any(|mode| mode.slips()) { UNIQUE } else { 0.0 };
     each(PER_ROW * N, orientation * determinant - T::lit(least));
     true
+}
+
+/// The limits of a friction to both sides together, with the share of a reaction as it is; zero where none can have a force.
+fn bound<T: Scalar, const N: usize>(rows: &Rows<T, N>, row: usize, lambda: &[T; N]) -> T {
+    let [lower, upper] = [&rows.adhesion[row].lower, &rows.adhesion[row].upper];
+    lower.at(lambda) + lower.share + (upper.at(lambda) + upper.share)
 }
 
 /// How far a row that sticks is from either limit.

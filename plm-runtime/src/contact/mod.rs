@@ -36,7 +36,7 @@ pub use self::impact::ImpactLaw;
 pub use self::loads::{Affine, Load};
 pub use self::margins::{PER_ROW, guard_count};
 pub use self::modes::{Mode, Modes};
-pub use self::project::{drift, project};
+pub use self::project::{drift, held_rows, project};
 pub use self::rows::{Friction, Law, Limit, Rows};
 pub use self::status::{Counts, Status};
 pub use self::sunk::appear;

@@ -30,8 +30,12 @@ impl Mode {
         matches!(self, Self::Forwards | Self::Backwards)
     }
 
-    /// In saved runs.
-    pub(super) fn number(self) -> u64 {
+    /// All modes, in the order of their numbers.
+    pub const ALL: [Self; 6] =
+        [Self::Open, Self::Closed, Self::Off, Self::Sticks, Self::Forwards, Self::Backwards];
+
+    /// Its number, in saved runs and in other languages.
+    pub fn number(self) -> u64 {
         match self {
             Self::Open => 0,
             Self::Closed => 1,

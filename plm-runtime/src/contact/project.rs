@@ -63,6 +63,22 @@ pub fn drift<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &
     Drift { phi: largest(joints.phi, &away), phi_dot: largest(joints.phi_dot, &rate) }
 }
 
+/// Gives `row` the displacement and the rate of each row that holds, for [`Linear::held_rows`](crate::Linear::held_rows).
+pub fn held_rows<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: M::S,
+    u: &M::U,
+    x: &M::X,
+    row: &mut impl FnMut(M::S),
+) {
+    let rows = system.rows_at(t, u, x);
+    let away = away::<M, N>(&rows, u);
+    for i in (0..N).filter(|i| u.modes().of[*i].holds()) {
+        row(away[i]);
+        row(rows.rate[i]);
+    }
+}
+
 /// Displacements of the rows that hold.
 fn away<M: Contacts<N>, const N: usize>(rows: &Rows<M::S, N>, u: &M::U) -> [M::S; N] {
     let modes = u.modes();

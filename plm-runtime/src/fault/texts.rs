@@ -88,7 +88,7 @@ impl fmt::Display for Cause {
             | Self::ImpactGains { .. }
             | Self::TooManyContacts { .. }
             | Self::Sunk { .. }
-            | Self::NoContact { .. } => contact(f, self),
+            | Self::Slips => contact(f, self),
             Self::Interval { length } => interval(f, *length),
             Self::Drift { phi, phi_dot } => drift(f, *phi, *phi_dot),
             Self::Redundant { count, locks, joints } => redundant(f, *count, "position", locks, joints),
@@ -195,9 +195,9 @@ fn contact(f: &mut fmt::Formatter<'_>, cause: &Cause) -> fmt::Result {
         Cause::Sunk { by } => {
             write!(f, "the gap is negative at the start, by {by}; a start that leaves it open")
         }
-        Cause::NoContact { by } => {
-            write!(f, "{by} solves no contact; a run with damping comes to rest on it")
-        }
+        Cause::Slips => f.write_str(
+            "it slips with all the friction that it has, where all else could rest; more friction, or a stop",
+        ),
         _ => Ok(()),
     }
 }
