@@ -13,7 +13,7 @@ use super::margins::{PER_ROW, SIGN, margins};
 use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
 use super::paradox::{self, lost};
-use super::project::{project, stop};
+use super::project::{end_flights, project};
 use super::rows::{Law, Rows};
 use super::sunk::above;
 use super::{Contacts, Modal, existing, lambda_of};
@@ -216,13 +216,12 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let place = core::array::from_fn(|i| if sticks_on(i) { before.place[i] } else { rows.gap[i] });
         let after = Modes { of, carried, place, orientation, negative };
         *u.modes_mut() = after;
+        end_flights(self.system, (self.t, u, &rows), x);
         // A gap that closes may be a tolerance away from zero: no step is to find that. Farther away it is left to the steps.
         let is_far = |i: usize| laws[i].is_unilateral() && rows.gap[i].abs() > self.closed();
         let is_near = |i: usize| of[i] != Mode::Closed || !is_far(i);
         if (0..N).all(is_near) {
             project(self.system, self.t, u, x)?;
-        } else {
-            stop(self.system, (self.t, u, &rows), x);
         }
         let begins = self.occasion == Occasion::Start;
         let mut outcome = Outcome { impacts, newton: solution.newton, is_ambiguous, ..Outcome::default() };
