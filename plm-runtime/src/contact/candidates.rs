@@ -25,6 +25,8 @@ pub(super) enum Allowed {
     Touching,
     /// A friction without slip.
     Resting,
+    /// A friction whose slip changes its direction.
+    Turning,
 }
 
 impl Allowed {
@@ -40,7 +42,13 @@ impl Allowed {
             Self::Touching => &[Mode::Closed, Mode::Open],
             // Held by others, it can have no force of its own.
             Self::Resting => &[Mode::Sticks, Mode::Off, Mode::Forwards, Mode::Backwards],
+            Self::Turning => &[Mode::Forwards, Mode::Backwards],
         }
+    }
+
+    /// A friction that is not off.
+    fn is_friction(self) -> bool {
+        matches!(self, Self::Resting | Self::Turning | Self::Only(Mode::Forwards | Mode::Backwards))
     }
 }
 
@@ -131,11 +139,14 @@ fn near<S: Real, const N: usize>(rows: &Rows<S, N>, allowed: &[Allowed; N]) -> [
         Allowed::Only(mode) => mode,
         Allowed::Touching => Mode::Closed,
         Allowed::Resting => Mode::Sticks,
+        Allowed::Turning => Mode::Forwards,
     });
     core::array::from_fn(|i| {
-        let is_friction =
-            matches!(allowed[i], Allowed::Resting | Allowed::Only(Mode::Forwards | Mode::Backwards));
-        if is_friction && is_off(rows, &most_closed, i) { Allowed::Only(Mode::Off) } else { allowed[i] }
+        if allowed[i].is_friction() && is_off(rows, &most_closed, i) {
+            Allowed::Only(Mode::Off)
+        } else {
+            allowed[i]
+        }
     })
 }
 
@@ -156,8 +167,7 @@ fn combination<S: Real, const N: usize>(
     }
     let chosen = modes;
     for (i, row) in allowed.iter().enumerate() {
-        let is_friction = matches!(row, Allowed::Resting | Allowed::Only(Mode::Forwards | Mode::Backwards));
-        if is_friction && is_off(rows, &chosen, i) {
+        if row.is_friction() && is_off(rows, &chosen, i) {
             if !first[i] {
                 return None;
             }
@@ -215,7 +225,7 @@ fn solve<S: Real, const N: usize>(
     let mut solution = Solution { modes, carried, negative, lambda, determinant, slack, acceleration };
     let mut margins = Margins { value: [S::ZERO; N], size: [None; N] };
     for (i, mode) in modes.iter().enumerate() {
-        let rests = matches!(allowed[i], Allowed::Touching | Allowed::Resting);
+        let rests = !matches!(allowed[i], Allowed::Only(_));
         let (terms, inverse) = (size(rows, i, &lambda), S::lit(1.0) / rows.delassus[i][i]);
         let (value, size) = match mode {
             Mode::Closed => (lambda[i], terms * inverse),
