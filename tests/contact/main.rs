@@ -10,6 +10,7 @@ mod loops;
 mod mixed;
 mod painleve;
 mod release;
+mod scenes;
 
 /// Asserts that two numbers differ by `within` at most.
 #[track_caller]

@@ -26,6 +26,8 @@ pub(super) enum Allowed {
     Touching,
     /// A friction without slip.
     Resting,
+    /// A friction whose slip changes its direction.
+    Turning,
 }
 
 impl Allowed {
@@ -41,7 +43,13 @@ impl Allowed {
             Self::Touching => &[Mode::Closed, Mode::Open],
             // Held by others, it can have no force of its own.
             Self::Resting => &[Mode::Sticks, Mode::Off, Mode::Forwards, Mode::Backwards],
+            Self::Turning => &[Mode::Forwards, Mode::Backwards],
         }
+    }
+
+    /// A friction that is not off.
+    fn is_friction(self) -> bool {
+        matches!(self, Self::Resting | Self::Turning | Self::Only(Mode::Forwards | Mode::Backwards))
     }
 }
 
@@ -133,6 +141,7 @@ pub(super) fn most_holding<const N: usize>(allowed: &[Allowed; N]) -> [Mode; N] 
         Allowed::Only(mode) => mode,
         Allowed::Touching => Mode::Closed,
         Allowed::Resting => Mode::Sticks,
+        Allowed::Turning => Mode::Forwards,
     })
 }
 
@@ -140,9 +149,11 @@ pub(super) fn most_holding<const N: usize>(allowed: &[Allowed; N]) -> [Mode; N] 
 fn near<S: Real, const N: usize>(rows: &Rows<S, N>, allowed: &[Allowed; N]) -> [Allowed; N] {
     let most_closed = most_holding(allowed);
     core::array::from_fn(|i| {
-        let is_friction =
-            matches!(allowed[i], Allowed::Resting | Allowed::Only(Mode::Forwards | Mode::Backwards));
-        if is_friction && is_off(rows, &most_closed, i) { Allowed::Only(Mode::Off) } else { allowed[i] }
+        if allowed[i].is_friction() && is_off(rows, &most_closed, i) {
+            Allowed::Only(Mode::Off)
+        } else {
+            allowed[i]
+        }
     })
 }
 
@@ -163,8 +174,7 @@ fn combination<S: Real, const N: usize>(
     }
     let chosen = modes;
     for (i, row) in allowed.iter().enumerate() {
-        let is_friction = matches!(row, Allowed::Resting | Allowed::Only(Mode::Forwards | Mode::Backwards));
-        if is_friction && is_off(rows, &chosen, i) {
+        if row.is_friction() && is_off(rows, &chosen, i) {
             if !first[i] {
                 return None;
             }
@@ -224,7 +234,7 @@ pub(super) fn solve<S: Real, const N: usize>(
         Solution { modes, carried, negative, lambda, determinant, newton, slack, acceleration };
     let mut margins = Margins { value: [S::ZERO; N], size: [None; N] };
     for (i, mode) in modes.iter().enumerate() {
-        let rests = matches!(allowed[i], Allowed::Touching | Allowed::Resting);
+        let rests = !matches!(allowed[i], Allowed::Only(_));
         let (terms, inverse) = (size(rows, i, &lambda), S::lit(1.0) / rows.delassus[i][i]);
         let (value, size) = match mode {
             Mode::Closed => (lambda[i], terms * inverse),

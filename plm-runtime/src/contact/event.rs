@@ -280,6 +280,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             match rows.rate[i] {
                 slip if slip > none => Allowed::Only(Mode::Forwards),
                 slip if slip < -none => Allowed::Only(Mode::Backwards),
+                _ if rows.turns(i, none, self.system.length()) => Allowed::Turning,
                 _ => Allowed::Resting,
             }
         })
