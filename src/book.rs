@@ -30,6 +30,7 @@ pages! {
     Stack = "running/stack.md";
     Targets = "targets.md";
     Equations = "theory/equations.md";
+    ContactTheory = "theory/contact.md";
     MechanicsRecipes = "recipes/mechanics.md";
 }
 

@@ -14,6 +14,10 @@
 
 mod figures;
 mod scenes;
+// They stand beside the other tests; in a program of their own all scenes would be compiled twice.
+#[cfg(test)]
+#[path = "../../tests/stability/mod.rs"]
+mod tests;
 
 use std::error::Error;
 use std::fs;

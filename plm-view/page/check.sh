@@ -55,9 +55,11 @@ printf '== modules\n'
 node --test --test-reporter=dot tests/*.test.js
 
 # The browser opens pages as Rust writes them.
-program=$(cargo build -q -p plm-view --example page --message-format=json |
-    sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | tail -n 1)
-export PLM_PAGE=${PLM_PAGE:-$program}
+if [ -z "${PLM_PAGE:-}" ]; then
+    PLM_PAGE=$(cargo build -q -p plm-view --example page --message-format=json |
+        sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | tail -n 1)
+fi
+export PLM_PAGE
 
 printf '== browser\n'
 node --test --test-reporter=spec --test-concurrency=2 browser/*.test.js

@@ -9,6 +9,7 @@ mod joints;
 mod loops;
 mod mixed;
 mod painleve;
+mod pictures;
 mod release;
 mod scenes;
 

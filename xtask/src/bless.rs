@@ -16,7 +16,7 @@ struct Text {
 
 const BLESS: Option<(&str, &str)> = Some(("PLM_BLESS", "1"));
 
-const TEXTS: [Text; 12] = [
+const TEXTS: [Text; 13] = [
     Text {
         name: "ui",
         what: "what rustc prints for wrong declarations: tests/ui/**/*.stderr",
@@ -44,6 +44,13 @@ const TEXTS: [Text; 12] = [
         is_compared: true,
         variable: None,
         command: "cargo run --example figures",
+    },
+    Text {
+        name: "contact",
+        what: "the pictures of the book's theory of contact",
+        is_compared: true,
+        variable: BLESS,
+        command: "cargo test --test contact pictures",
     },
     Text {
         name: "index",

@@ -59,29 +59,30 @@ const STEPS: &[Step] = &[
             plain("oldest", "oldest Rust", lints::oldest_rust),
             plain("packages", "packages", packages::all),
             plain("chain", "chain of 64 at opt-level 0 and 3", chores::chain),
-            part("sweep", "sweep", chores::sweep),
+            plain("miri", "Miri", lints::miri),
         ],
     },
     Step::Here(part("formatting", "formatting", lints::formatting)),
     Step::Tests,
+    // The tests have built the sweep, and share the target folder and apt with the machines: neither waits for them.
+    Step::Begin {
+        group: "targets",
+        niceness: 19,
+        parts: &[plain("machines", "machines", chores::few_machines), part("sweep", "sweep", chores::sweep)],
+    },
     Step::Here(plain("lints", "other lints", lints::what_tests_do_not_compile)),
     Step::Here(part("fused", "fused multiply-add", tests::fused)),
     Step::Here(part("documentation", "documentation", lints::documentation)),
-    Step::Join {
-        group: "others",
-        title: "oldest Rust, packages, chain of 64 at opt-level 0 and 3, mdBook, sweep",
-    },
-    // Both have target folders of their own, so that they wait for no other build, and mostly one core.
-    Step::Begin {
-        group: "targets",
-        niceness: 5,
-        parts: &[plain("machines", "machines", chores::few_machines), plain("miri", "Miri", lints::miri)],
-    },
     Step::Here(plain("book", "book", chores::book)),
     Step::Here(part("curves", "curves", chores::curves)),
     Step::Here(part("manual", "manual", chores::manual)),
     Step::Here(part("page", "page", chores::page)),
-    Step::Join { group: "targets", title: "machines, Miri" },
+    // Only here, so that no core is idle before.
+    Step::Join {
+        group: "others",
+        title: "mdBook, oldest Rust, packages, chain of 64 at opt-level 0 and 3, Miri",
+    },
+    Step::Join { group: "targets", title: "machines, sweep" },
 ];
 
 /// What takes longer, or needs more than a fresh machine has.

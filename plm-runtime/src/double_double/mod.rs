@@ -26,6 +26,7 @@
 mod constants;
 mod decimal;
 mod functions;
+mod instances;
 mod operators;
 mod scalar;
 

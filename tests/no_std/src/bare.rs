@@ -11,10 +11,10 @@ machine::program!(main);
 
 /// Runs the scene and prints its bits, one number a line in hexadecimal.
 fn main() -> i32 {
-    let outcome = scene::run(machine::print_line);
     if cfg!(feature = "panic") {
-        // The divisor is nothing that the compiler knows.
+        // The divisor is nothing that the compiler knows. Without the scene, whose optimisation takes longer than all else.
         machine::print_line(1 / core::hint::black_box(0));
+        return 0;
     }
-    i32::from(outcome.is_err())
+    i32::from(scene::run(machine::print_line).is_err())
 }

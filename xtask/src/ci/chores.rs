@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::Result;
 use crate::ci::FEATURES;
-use crate::ci::tests::example;
+use crate::ci::tests::{built_example, example};
 use crate::place::Place;
 
 const MDBOOK: &str = "0.5.4";
@@ -87,7 +87,7 @@ pub(super) fn book(place: &Place) -> Result {
 
 /// The book shows the curves that the example draws.
 pub(super) fn curves(place: &Place) -> Result {
-    example(place, "double_pendulum").run()?;
+    example(place, "double_pendulum")?.run()?;
     same("target/plm/double_pendulum.svg".as_ref(), "docs/src/images/double_pendulum.svg".as_ref())
 }
 
@@ -95,11 +95,11 @@ pub(super) fn curves(place: &Place) -> Result {
 pub(super) fn manual(place: &Place) -> Result {
     let (made, shown) = (Path::new("target/plm/gallery"), Path::new("docs/src/images/manual"));
     let failed = |why: std::io::Error| format!("{}: {why}", made.display());
-    example(place, "manual").run()?;
+    example(place, "manual")?.run()?;
     if made.exists() {
         fs::remove_dir_all(made).map_err(failed)?;
     }
-    example(place, "manual").args(["--", "--gallery"]).arg(made).run()?;
+    built_example(place, "manual").arg("--gallery").arg(made).run()?;
     let mut count = 0;
     for entry in fs::read_dir(made).map_err(failed)? {
         let file = entry.map_err(failed)?.path();
@@ -115,15 +115,21 @@ pub(super) fn manual(place: &Place) -> Result {
 }
 
 pub(super) fn page(place: &Place) -> Result {
-    place.command("bash plm-view/page/check.sh").run()
+    example(place, "page")?;
+    let check = place.command("bash plm-view/page/check.sh");
+    check.set("PLM_PAGE", place.target.join("debug/examples/page")).run()
 }
 
-/// Random trees and loops against a reference in higher precision: the one example that is compiled for speed. Level 3 takes
-/// longer to compile than it saves.
+/// The one example that is compiled for speed. Level 3 takes longer to compile than it saves.
+pub(super) fn build_sweep(place: &Place) -> Result {
+    let build = place.command("cargo build --config profile.dev.package.plm-planar.opt-level=2 --workspace");
+    build.arg("--features").arg(format!("{FEATURES},sweep")).args(["--example", "sweep"]).run()
+}
+
+/// Random trees and loops against a reference in higher precision.
 pub(super) fn sweep(place: &Place) -> Result {
-    let run = place.command("cargo run --config profile.dev.package.plm-planar.opt-level=2 --features");
-    let run = run.arg(format!("{FEATURES},sweep")).args(["--example", "sweep", "--"]);
-    run.args(["1000", "--seed", "31", "--double", "--verbose"]).run()
+    build_sweep(place)?;
+    built_example(place, "sweep").args(["1000", "--seed", "31", "--double", "--verbose"]).run()
 }
 
 /// The same bits on two microcontrollers and as WebAssembly, and what a step costs there.

@@ -1,8 +1,8 @@
 //! All tests, with the lints looking on.
 
 use crate::Result;
-use crate::ci::{Ci, FEATURES};
-use crate::place::Place;
+use crate::ci::{Ci, FEATURES, chores};
+use crate::place::{Place, Task};
 
 pub(super) const NAME: &str = "tests";
 
@@ -16,7 +16,7 @@ pub(super) fn tools(place: &Place) -> Result {
 }
 
 /// Two take more than a minute on one core, so that the others run beside them: the disturbed declarations, and the lines of
-/// every method.
+/// every method. While these run the sweep is built, and later no build of it keeps others from the target folder.
 pub(super) fn all(ci: &mut Ci) -> Result {
     let place = ci.place.clone();
     let build = "cargo test --no-run --message-format json-render-diagnostics --workspace --features";
@@ -26,7 +26,8 @@ pub(super) fn all(ci: &mut Ci) -> Result {
     ci.begin("robust", 0, move |place| {
         place.command("").arg(robust).in_folder("plm-macros/compiler").args(["--exact", DISTURBED]).run()
     })?;
-    ci.begin("precision", 0, |place| example(place, "work_precision").args(["--", "--quick"]).run())?;
+    ci.begin("precision", 0, |place| built_example(place, "work_precision").arg("--quick").run())?;
+    chores::build_sweep(&place)?;
     print!("{}", ci.join("tools")?);
     let mut path = place.target.join("clang").into_os_string();
     if let Some(others) = std::env::var_os("PATH") {
@@ -49,9 +50,16 @@ fn executable(messages: &str, test: &str) -> Option<String> {
     Some(path.split_once('"')?.0.to_owned())
 }
 
-/// An example as the tests have built it: numbers are the same at any level of optimisation.
-pub(super) fn example<'a>(place: &'a Place, name: &str) -> crate::place::Task<'a> {
-    place.command("cargo run --features").arg(FEATURES).args(["--example", name])
+/// An example as the tests have built it: numbers are the same at any level of optimisation. For one package alone cargo would choose
+/// other features of its dependencies, and build all of it again.
+pub(super) fn example<'a>(place: &'a Place, name: &str) -> Result<Task<'a>> {
+    place.command("cargo build --workspace --features").arg(FEATURES).args(["--example", name]).run()?;
+    Ok(built_example(place, name))
+}
+
+/// The program of an example, which hears nothing of the lints.
+pub(super) fn built_example<'a>(place: &'a Place, name: &str) -> Task<'a> {
+    place.command("env -u RUSTC_WORKSPACE_WRAPPER").arg(place.target.join("debug/examples").join(name))
 }
 
 /// What fused multiply-add changes; the lints compile the rest with it.

@@ -1,0 +1,18 @@
+//! Operations over `f64`, compiled in this crate.
+
+use super::DoubleDouble;
+use crate::scalar::{Real, Scalar};
+
+impl DoubleDouble<f64> {
+    /// Every operation that is a call, once; nobody calls this. A program that is built without optimisation shares what the compiler puts
+    /// into this crate for it. Where this crate is optimised, as for our tests, motions near singular poses take less time so.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn operations(a: Self, b: Self) -> [Self; 16] {
+        let (sin, cos) = a.sin_cos();
+        let arithmetic =
+            [a + b, a - b, a * b, a / b, a.mul_add(b, a), a.floor(), Self::written(a.high), a.sqrt()];
+        let functions = [sin, cos, a.tan(), a.asin(), a.acos(), a.atan2(b), a.exp(), a.ln()];
+        core::array::from_fn(|i| if i < 8 { arithmetic[i] } else { functions[i - 8] })
+    }
+}
