@@ -276,7 +276,7 @@ pub struct Start {
     pub value: Expr,
     /// Is the assembly forbidden to move it?
     pub locked: bool,
-    /// Was it written by the user (else it is the default 0)?
+    /// Was it written, or follows it from drawing coordinates? Else it is the default 0.
     pub given: bool,
     /// Where.
     pub span: Span,
