@@ -11,6 +11,7 @@ mod contact;
 mod held;
 mod instance;
 mod joint;
+mod limit;
 mod pair;
 mod step;
 
@@ -23,9 +24,10 @@ pub use contact::{Contact, ContactLaw, Impacts, Reaction};
 pub use held::{Comparison, Counted, Decisions, End, Jump, Steady, Switch};
 pub use instance::{Instance, Size};
 pub use joint::{FrameRef, Pair, Part, Turn};
+pub use limit::{Limit, Range};
 pub use step::Step;
 
-use crate::diag::{Code, Use};
+use crate::diag::Use;
 use crate::span::Span;
 use crate::units::{Dimension, DisplayUnit};
 
@@ -306,25 +308,6 @@ impl Row {
     pub fn is_angular(&self) -> bool {
         self.unit.dimension.same(Dimension::NUMBER)
     }
-}
-
-/// A value that depends on parameters and must be positive.
-#[derive(Clone, Debug)]
-pub struct Limit {
-    /// The joint.
-    pub part: String,
-    /// Its name as written: `compliance`.
-    pub what: String,
-    /// Its value, SI.
-    pub value: Expr,
-    /// Its SI unit.
-    pub unit: String,
-    /// It may be zero.
-    pub or_zero: bool,
-    /// The code of the mistake that it is where it is known to be wrong.
-    pub code: Code,
-    /// Where it was written.
-    pub span: Span,
 }
 
 /// A generalised force on one body, already carried to G.

@@ -171,7 +171,15 @@ fn contact(f: &mut fmt::Formatter<'_>, cause: &Cause) -> fmt::Result {
             "{touching} gaps close at once, with friction: more than are told apart; fewer points of contact"
         ),
         Cause::Sunk { by } => {
-            write!(f, "the gap is negative at the start, by {by}; a start that leaves it open")
+            // Differences of rounded numbers end in digits that mean nothing.
+            let (digits, small) = (if *by < 1e-3 { 1 } else { 4 }, *by < 1e-3);
+            f.write_str("the start has sunk in: the gap is negative by ")?;
+            if small {
+                write!(f, "{by:.digits$e}")?
+            } else {
+                write!(f, "{by:.digits$}")?
+            }
+            f.write_str(" m or rad; begin where it is zero or open")
         }
         Cause::NoContact { by } => {
             write!(f, "{by} solves no contact; a run with damping comes to rest on it")
