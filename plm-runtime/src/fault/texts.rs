@@ -172,13 +172,9 @@ fn contact(f: &mut fmt::Formatter<'_>, cause: &Cause) -> fmt::Result {
         ),
         Cause::Sunk { by } => {
             // Differences of rounded numbers end in digits that mean nothing.
-            let (digits, small) = (if *by < 1e-3 { 1 } else { 4 }, *by < 1e-3);
             f.write_str("the start has sunk in: the gap is negative by ")?;
-            if small {
-                write!(f, "{by:.digits$e}")?
-            } else {
-                write!(f, "{by:.digits$}")?
-            }
+            let written = if *by < 1e-3 { write!(f, "{by:.1e}") } else { write!(f, "{by:.4}") };
+            written?;
             f.write_str(" m or rad; begin where it is zero or open")
         }
         Cause::NoContact { by } => {

@@ -16,7 +16,7 @@ pub struct Limit {
     pub value: Expr,
     /// Its SI unit.
     pub unit: String,
-    /// What it may be.
+    /// The values that are allowed.
     pub range: Range,
     /// The code of the mistake that it is where it is known to be wrong.
     pub code: Code,

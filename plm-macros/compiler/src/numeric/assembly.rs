@@ -107,9 +107,8 @@ pub(crate) fn assemble(scene: &Scene, reach: Reach) -> Assembly {
             nearest = nearer(&by, nearest);
         } else if fits() {
             let steps = nearest.steps;
-            nearest = others()
-                .map(|pose| nearer(&by, pose))
-                .unwrap_or_else(|q| lack(&constraints, q, &start.locked, steps));
+            let open = |q| lack(&constraints, q, &start.locked, steps);
+            nearest = others().map_or_else(open, |pose| nearer(&by, pose));
         }
     }
     let by_search = |before: usize| {
