@@ -7,6 +7,6 @@ const plmPatterns = [
     ["", "\\b[A-Za-z_]\\w*(?:\\.[A-Za-z_]\\w*|\\s*\\[[^\\]]*\\])*(?=\\s*:(?!:))"],
     ["title", "\\b[a-z_]\\w*(?=\\s+[A-Za-z_]\\w*(?:\\s*\\[[^\\]]*\\])*\\s*\\()"],
     ["literal", "\\b(?:pi|t)\\b"],
-    ["string", "\\b(?:Hz|J|K|L|MPa|N|Pa|W|ampere|bar|cP|cm|deg|degree|h|henry|kN|kPa|kW|kg|km|m|min|mm|ms|ohm|rad|rev|s|volt)\\b"],
+    ["string", "\\b(?:GPa|Hz|J|K|L|MPa|N|Pa|W|ampere|bar|cP|cm|deg|degree|gram|h|henry|kN|kPa|kW|kg|km|m|min|mm|ms|ohm|rad|rev|s|tonne|um|volt)\\b"],
     ["title", "\\b[A-Z]\\w*(?=\\s*\\{)"],
 ];

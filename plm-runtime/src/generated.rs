@@ -14,7 +14,7 @@ pub use crate::fault::{Cause, Fault, Names};
 pub use crate::held::Held;
 pub use crate::limits::{Least, Limit};
 pub use crate::linear::Linear;
-pub use crate::mechanism::{InPlace, Mechanism, Moment};
+pub use crate::mechanism::{HasMasses, InPlace, Mechanism, Moment};
 pub use crate::method::Method;
 pub use crate::ports::Ports;
 pub use crate::scalar::{Real, Scalar};

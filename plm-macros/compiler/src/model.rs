@@ -12,6 +12,7 @@ mod event;
 mod held;
 mod instance;
 mod joint;
+mod limit;
 mod pair;
 mod step;
 
@@ -25,9 +26,10 @@ pub use event::{Target, When};
 pub use held::{Comparison, Counted, Decisions, End, Jump, Steady, Switch};
 pub use instance::{Instance, Size};
 pub use joint::{FrameRef, Pair, Part, Turn};
+pub use limit::{Limit, Range};
 pub use step::Step;
 
-use crate::diag::{Code, Use};
+use crate::diag::Use;
 use crate::span::Span;
 use crate::units::{Dimension, DisplayUnit};
 
@@ -280,7 +282,7 @@ pub struct Start {
     pub value: Expr,
     /// Is the assembly forbidden to move it?
     pub locked: bool,
-    /// Was it written by the user (else it is the default 0)?
+    /// Was it written, or follows it from drawing coordinates? Else it is the default 0.
     pub given: bool,
     /// Where.
     pub span: Span,
@@ -310,25 +312,6 @@ impl Row {
     pub fn is_angular(&self) -> bool {
         self.unit.dimension.same(Dimension::NUMBER)
     }
-}
-
-/// A value that depends on parameters and must be positive.
-#[derive(Clone, Debug)]
-pub struct Limit {
-    /// The joint.
-    pub part: String,
-    /// Its name as written: `compliance`.
-    pub what: String,
-    /// Its value, SI.
-    pub value: Expr,
-    /// Its SI unit.
-    pub unit: String,
-    /// It may be zero.
-    pub or_zero: bool,
-    /// The code of the mistake that it is where it is known to be wrong.
-    pub code: Code,
-    /// Where it was written.
-    pub span: Span,
 }
 
 /// A generalised force on one body, already carried to G.

@@ -1,12 +1,13 @@
 //! Assembly of a running mechanism whose parameters were changed.
 
 use super::Absolute;
-use super::assemble::newton;
+use super::assemble::{Pose, newton};
 use super::damped::Measure;
 use super::lack::lack;
 use super::newton::{assembly_step, refused};
 use super::project::{descend, widest};
 use super::scale::Scale;
+use super::search::{nearest_turns, unwind};
 use crate::fault::{Cause, Fault};
 use crate::linalg::largest;
 use crate::scalar::Real;
@@ -34,8 +35,13 @@ pub fn renew<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     let is_closed = |q: &[S; NQ], r: &[S; NC]| Scale::of_position(m, q).is_closed::<M, NQ, NC>(r);
     let phi = m.phi(t, q);
     if !is_closed(q, &phi) {
-        let pose = newton(m, t, q, &free);
-        *q = if is_closed(&pose.q, &pose.phi) { pose.q } else { damped(m, t, q, &free)? };
+        let mut pose = newton(m, t, q, &free);
+        if !is_closed(&pose.q, &pose.phi) {
+            pose = damped(m, t, q, &free)?;
+        }
+        // Springs and conditions feel whole turns.
+        unwind(m, t, &mut pose, (q, &free), &nearest_turns);
+        *q = pose.q;
     }
     allow(m, t, q, v, &free)
 }
@@ -93,11 +99,11 @@ fn damped<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     t: S,
     from: &[S; NQ],
     free: &[S; NQ],
-) -> Result<[S; NQ], Fault> {
+) -> Result<Pose<S, NQ, NC>, Fault> {
     let mut q = *from;
     Measure::new(m, free).descend(m, t, &mut q, STEPS);
     let pose = newton(m, t, &q, free);
-    if pose.is_closed(m) { Ok(pose.q) } else { Err(lack(m, (t, q), free, from)) }
+    if pose.is_closed(m) { Ok(pose) } else { Err(lack(m, (t, q), free, from)) }
 }
 
 /// The fault of joints that stay open by a violation.

@@ -193,7 +193,11 @@ fn contact(f: &mut fmt::Formatter<'_>, cause: &Cause) -> fmt::Result {
             "{touching} gaps close at once, with friction: more than are told apart; fewer points of contact"
         ),
         Cause::Sunk { by } => {
-            write!(f, "the gap is negative at the start, by {by}; a start that leaves it open")
+            // Differences of rounded numbers end in digits that mean nothing.
+            f.write_str("the start has sunk in: the gap is negative by ")?;
+            let written = if *by < 1e-3 { write!(f, "{by:.1e}") } else { write!(f, "{by:.4}") };
+            written?;
+            f.write_str(" m or rad; begin where it is zero or open")
         }
         Cause::Slips => f.write_str(
             "it slips with all the friction that it has, where all else could rest; more friction, or a stop",

@@ -7,6 +7,7 @@ use proc_macro2::{Ident, TokenStream};
 
 use super::super::lower::inline;
 use super::super::{Emission, Form, Sizes, number, pose_at};
+use crate::model::Range;
 use crate::units::DisplayUnit;
 
 /// A limited value: of which part, what, its unit, which least, and what it is.
@@ -62,7 +63,12 @@ pub(super) fn check(emission: &Emission) -> TokenStream {
         format!("({:?}, {:?}, self.{field})", param.name.text, DisplayUnit::si(param.unit.dimension).text)
     }));
     let others = model.limits.iter().map(|limit| {
-        let least = if limit.or_zero { "Zero" } else { "Positive" };
+        let least = match limit.range {
+            Range::Positive => "Positive",
+            Range::NotNegative => "Zero",
+            Range::NotPositive => "Negative",
+            Range::Share => "Share",
+        };
         Limited::new(&limit.part, &limit.what, &limit.unit, least, limit.value)
     });
     let all = of_bodies(emission).into_iter().flatten().chain(others).filter(Limited::varies);
