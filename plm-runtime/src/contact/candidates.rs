@@ -12,6 +12,8 @@ use crate::scalar::Real;
 
 /// Relative size below which an inequality is marginal, and two motions are one.
 pub(super) const MARGINAL: f64 = 1e-9;
+/// Roundings of the largest acceleration, or rate of an impact, that are none in any row.
+const ROUNDING: f64 = 32.0;
 /// A row that rests depends on others if its own part of D is below this fraction of its diagonal entry.
 const DEPENDENT: f64 = 1e-9;
 /// So many combinations are tried; more of them are searched by pivots.
@@ -233,9 +235,10 @@ pub(super) fn solve<S: Real, const N: usize>(
     let mut solution =
         Solution { modes, carried, negative, lambda, determinant, newton, slack, acceleration };
     let mut margins = Margins { value: [S::ZERO; N], size: [None; N] };
+    let sizes = sizes(rows, &lambda);
     for (i, mode) in modes.iter().enumerate() {
         let rests = !matches!(allowed[i], Allowed::Only(_));
-        let (terms, inverse) = (size(rows, i, &lambda), S::lit(1.0) / rows.delassus[i][i]);
+        let (terms, inverse) = (sizes[i], S::lit(1.0) / rows.delassus[i][i]);
         let (value, size) = match mode {
             Mode::Closed => (lambda[i], terms * inverse),
             Mode::Sticks => {
@@ -263,6 +266,16 @@ pub(super) fn solve<S: Real, const N: usize>(
         margins.size[i] = Some(size);
     }
     Some((solution, margins))
+}
+
+/// The sizes of the terms of all accelerations, but not below the rounding of the largest one: over sqrt(D_ii) they have one unit.
+fn sizes<S: Real, const N: usize>(rows: &Rows<S, N>, lambda: &[S; N]) -> [S; N] {
+    let terms: [S; N] = core::array::from_fn(|i| size(rows, i, lambda));
+    let roots: [S; N] = core::array::from_fn(|i| rows.delassus[i][i].max(S::ZERO).sqrt());
+    let largest =
+        (0..N).filter(|i| roots[*i] > S::ZERO).fold(S::ZERO, |most, i| most.max(terms[i] / roots[i]));
+    let rounding = S::lit(ROUNDING) * S::EPSILON / S::lit(MARGINAL) * largest;
+    core::array::from_fn(|i| terms[i].max(rounding * roots[i]))
 }
 
 /// The size of the terms of an acceleration.

@@ -24,8 +24,12 @@ use crate::vector::Vector;
 
 /// A gap below this fraction of the length of the mechanism is closed.
 pub(super) const CLOSED: f64 = 1e-9;
+/// One that closes at an event that was located is led to zero from so far away.
+const NEAR: f64 = 1e-6;
 /// A flight of a height below so many roundings of the length is none.
 const LOWEST_FLIGHT: f64 = 1000.0;
+/// A row with a smaller fraction of the own entry of D says nothing of what pulls others.
+const LIGHT: f64 = 1e-6;
 /// A slip is none below this fraction of the speed that the free acceleration gives over the length of the mechanism.
 const NO_SLIP: f64 = 1e-10;
 /// A rate of so many roundings of the largest one, before the impacts of the event, is none.
@@ -217,8 +221,11 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let after = Modes { of, carried, place, orientation, negative };
         *u.modes_mut() = after;
         end_flights(self.system, (self.t, u, &rows), x);
-        // A gap that closes may be a tolerance away from zero: no step is to find that. Farther away it is left to the steps.
-        let is_far = |i: usize| laws[i].is_unilateral() && rows.gap[i].abs() > self.closed();
+        // A gap that closes may be some tolerances away from zero: no step is to find that. Behind a step of fixed length it is left to
+        // the steps where it is farther away.
+        let most =
+            if self.step > M::S::ZERO { self.closed() } else { M::S::lit(NEAR) * self.system.length() };
+        let is_far = |i: usize| laws[i].is_unilateral() && rows.gap[i].abs() > most;
         let is_near = |i: usize| of[i] != Mode::Closed || !is_far(i);
         if (0..N).all(is_near) {
             project(self.system, self.t, u, x)?;
@@ -304,10 +311,16 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         M::S::lit(CLOSED) * self.system.length()
     }
 
-    /// Slower than this a row rests: its flight would be lower than rounding.
+    /// Slower than this a row rests: its flight would be lower than rounding. What pulls it may be what pulls others: a block on a block
+    /// falls as fast as that, until it is held.
     pub(super) fn resting(&self, rows: &Rows<M::S, N>, row: usize) -> M::S {
+        let own = rows.delassus[row][row];
+        let pull = |j: usize| rows.free[j].abs() * (own / rows.delassus[j][j]).sqrt();
+        let pulls =
+            |j: &usize| self.system.law(*j).is_unilateral() && rows.delassus[*j][*j] > M::S::lit(LIGHT) * own;
+        let pull = (0..N).filter(pulls).fold(rows.free[row].abs(), |most, j| most.max(pull(j)));
         let height = M::S::lit(LOWEST_FLIGHT) * M::S::EPSILON * self.system.length();
-        (M::S::lit(2.0) * rows.free[row].abs() * height).sqrt()
+        (M::S::lit(2.0) * pull * height).sqrt()
     }
 
     /// Slower than this the flight of a row whose impact was not located would end within a step, or below zero where it has begun.

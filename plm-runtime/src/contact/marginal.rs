@@ -12,8 +12,7 @@ use crate::scalar::{Real, Scalar};
 
 /// A margin that is zero within this time is zero, s: times of events are known so well.
 const AT_ONCE: f64 = 1e-10;
-/// A margin of this fraction of its terms, and of the accelerations of all rows, is never marginal: near a pose where a row has no
-/// direction rates have no bound.
+/// Near a pose where a row has no direction rates have no bound: there a margin of this fraction of its terms is never marginal.
 const MOST_MARGINAL: f64 = 1e-4;
 /// Such a pose is near if the own entry of D changes by as much as it is within this time, s.
 const TURNS_WITHIN: f64 = 1e-6;
@@ -28,7 +27,6 @@ pub(super) fn broken<S: Real, const N: usize>(
 ) -> [bool; N] {
     let Some(found) = multipliers(rows, &solution.modes) else { return [true; N] };
     let lambda = found.lambda;
-    let largest = largest(rows);
     core::array::from_fn(|i| {
         let (value, Some(terms)) = (margins.value[i], margins.size[i]) else { return false };
         // Forces times D_ii: where a row has no direction D is zero, and the force that would hold it has no end.
@@ -44,22 +42,13 @@ pub(super) fn broken<S: Real, const N: usize>(
         };
         let (value, terms) = (value * to_acceleration, terms * to_acceleration);
         let (slope, size) = (margin.tangents[0], size(rows, i, &lambda));
-        let most = S::lit(MOST_MARGINAL) * terms.max(largest * own.value.sqrt());
         let at_once = S::lit(AT_ONCE) * slope.abs();
         // Terms may be small that are sums of large ones, as for a point that leaves a sphere.
         let turns = S::lit(TURNS_WITHIN) * own.tangents[0].abs() >= own.value.abs();
-        let at_once = if turns { at_once.min(most) } else { at_once };
+        let at_once = if turns { at_once.min(S::lit(MOST_MARGINAL) * terms) } else { at_once };
         let none = (S::lit(MARGINAL) * terms).max(at_once);
         let is_met = value > none || value >= -none && slope >= -S::lit(NO_RATE) * size;
         !is_met
-    })
-}
-
-/// The largest acceleration without contact forces: over sqrt(D_ii) it has the same unit in every row.
-fn largest<S: Real, const N: usize>(rows: &Rows<Dual<S, 1>, N>) -> S {
-    (0..N).fold(S::ZERO, |largest, i| {
-        let (free, own) = (rows.free[i].value.abs(), rows.delassus[i][i].value);
-        if own > S::ZERO { largest.max(free / own.sqrt()) } else { largest }
     })
 }
 
