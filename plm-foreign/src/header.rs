@@ -13,7 +13,7 @@ const FUNCTIONS: &str = include_str!("header.h.txt");
 /// One of a step by itself.
 const STEP: &str = include_str!("header_step.h.txt");
 
-/// What stands above the names of rows of contact.
+/// Words above the names of rows of contact.
 const ROWS: &str = "\
 /* Rows of contact. What one does is its number of the kind PLM_CONTACT: a gap is PLM_OPEN or PLM_CLOSED; a friction is PLM_OFF as long as
    nothing pushes, PLM_STICKS, or slips PLM_FORWARDS or PLM_BACKWARDS. */

@@ -184,7 +184,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
             }
             Kind::Contact => {
                 let mode = M::contacts(&self.state()?.held()).mode(index);
-                mode.map(|mode| M::S::lit(mode.number() as f64))
+                mode.map(|mode| M::S::lit(f64::from(mode.number() as u32)))
             }
             Kind::Body => None,
         };

@@ -99,7 +99,7 @@ pub(super) fn slips<M: Stabilise>(residuals: &Residuals<M>, time: f64) -> Option
     Some(Fault::of_part(time, residuals.mechanism().contact_name(row), Cause::Slips))
 }
 
-/// What is wrong with the forces of rows that hold.
+/// A row that cannot hold as it would have to.
 pub(super) enum Wrong {
     /// A friction would have to give more than it has.
     Slips(Fault),
@@ -107,7 +107,7 @@ pub(super) enum Wrong {
     Pulls(usize),
 }
 
-/// What the rows that hold give, and how much of its bound each uses; or which of them cannot.
+/// Forces of the rows that hold, and how much of its bound each uses; or a row that cannot.
 pub(super) fn supports<M: Stabilise>(
     (task, evaluation): (&Task<M>, &Evaluation),
     time: f64,

@@ -76,7 +76,7 @@ fn by_library(matrix: &DMatrix<f64>) -> Option<(DMatrix<f64>, DVector<f64>, DMat
     (off <= EXACT * s.max()).then(|| (u, s, v_t.transpose()))
 }
 
-/// The same by rotations of two columns each, until all are orthogonal but for rounding (M. R. Hestenes, J. SIAM 6, 1958; G. H. Golub,
+/// Singular values and vectors by rotations of two columns each, until all are orthogonal but for rounding (M. R. Hestenes, J. SIAM 6, 1958; G. H. Golub,
 /// C. F. Van Loan, Matrix Computations, 4th ed., 8.6.3).
 fn by_rotations(mut a: DMatrix<f64>) -> (DMatrix<f64>, DVector<f64>, DMatrix<f64>) {
     let count = a.ncols();

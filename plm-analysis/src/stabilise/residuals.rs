@@ -95,7 +95,7 @@ impl<M: Stabilise> Residuals<M> {
         Self::OWN + self.holding.len()
     }
 
-    /// What is held.
+    /// Discrete state.
     pub(super) fn held(&self) -> &M::U {
         &self.held
     }
@@ -137,7 +137,7 @@ impl<M: Stabilise> Residuals<M> {
         rows
     }
 
-    /// What the mechanism gives at a point: residuals, then displacements of its rows of contact.
+    /// Residuals at a point, then displacements and limits of the rows of contact.
     fn values(&self, point: &Point, v: impl Fn(usize) -> f64) -> Vec<f64> {
         let full = Vector::from_fn(|i| Self::entry(point, i, &v));
         let lambda = Vector::from_fn(|i| entry(&point.lambda, i));
