@@ -13,7 +13,7 @@ use super::margins::{PER_ROW, SIGN, margins};
 use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
 use super::paradox::{self, lost};
-use super::project::{project, stop};
+use super::project::{end_flights, project, stop};
 use super::rows::{Law, Rows};
 use super::{Contacts, Modal, lambda_of};
 use crate::dual::Dual;
@@ -45,7 +45,7 @@ pub struct Outcome {
     pub slips: u32,
     /// Steps of Newton's method for reactions in the plane.
     pub newton: u32,
-    /// The rows may go on with other accelerations as well.
+    /// The rows may go on with other accelerations as well, or with other rates behind an impact.
     pub is_ambiguous: bool,
     /// More rows rest than there are freedoms: accelerations are unique, multipliers are not.
     pub is_undetermined: bool,
@@ -221,14 +221,19 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let place = core::array::from_fn(|i| if sticks_on(i) { before.place[i] } else { rows.gap[i] });
         let after = Modes { of, carried, place, orientation, negative };
         *u.modes_mut() = after;
+        let begins = self.occasion == Occasion::Start;
+        let closes = |i: usize| laws[i].is_unilateral() && before.is_open(i) && !after.is_open(i);
+        if !begins && (impacts > 0 || (0..N).any(closes)) {
+            end_flights(self.system, (self.t, u, &rows), x);
+        }
         // A gap that closes may be a tolerance away from zero: no step is to find that. Farther away it is left to the steps.
         let is_near = |i: usize| of[i] != Mode::Closed || rows.gap[i].abs() <= self.closed();
         if (0..N).all(is_near) {
             project(self.system, self.t, u, x)?;
         } else {
-            stop(self.system, (self.t, u, &rows), x);
+            stop(self.system, (self.t, u, &self.system.rows_at(self.t, u, x)), x);
         }
-        let begins = self.occasion == Occasion::Start;
+        let is_ambiguous = is_ambiguous || struck.is_ambiguous;
         let mut outcome = Outcome { impacts, newton: solution.newton, is_ambiguous, ..Outcome::default() };
         outcome.is_undetermined = after.are_undetermined();
         if !begins {

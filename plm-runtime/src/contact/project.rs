@@ -1,7 +1,7 @@
 //! Rows that hold, at position and velocity level: a friction that sticks stays in its place.
 
-use super::multipliers::multipliers;
-use super::rows::Rows;
+use super::multipliers::{Multipliers, multipliers};
+use super::rows::{Friction, Limit, Rows};
 use super::{Contacts, Modal, modes::Mode, moved};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
@@ -19,6 +19,29 @@ pub(super) fn stop<M: Contacts<N>, const N: usize>(
 ) {
     if let Some(impulses) = held(rows, u.modes().of, rows.rate) {
         moved(system, (t, u), x, &impulses);
+    }
+}
+
+/// Takes the rates of rows that hold out of the velocities behind an event, by impulses that have their share of friction: such a rate is
+/// that of flights which are not followed, and what slides meanwhile rubs by their pushes. `rows` are those of the state.
+pub(super) fn end_flights<M: Contacts<N>, const N: usize>(
+    system: &M,
+    (t, u, rows): (M::S, &M::U, &Rows<M::S, N>),
+    x: &mut M::X,
+) {
+    let modes = &u.modes().of;
+    let Some(Multipliers { lambda, .. }) = multipliers(rows, modes) else { return };
+    let mut problem = Rows { free: rows.rate, ..*rows };
+    for row in 0..N {
+        // The size of a reaction changes along the reaction.
+        let direction = rows.direction(row, &lambda);
+        let Friction { lower, upper } = &mut problem.kinetic[row];
+        for limit in [lower, upper] {
+            *limit = Limit { by: rows.along(row, limit, direction).by, ..Limit::none() };
+        }
+    }
+    if let Some(impulses) = multipliers(&problem, modes) {
+        moved(system, (t, u), x, &impulses.lambda);
     }
 }
 

@@ -13,6 +13,7 @@ pub(crate) struct Body {
     pub(crate) inertia: f64,
     pub(crate) points: [[f64; 2]; 2],
     pub(crate) friction: f64,
+    pub(crate) restitution: f64,
     pub(crate) start: ([f64; 3], [f64; 3]),
 }
 
@@ -41,7 +42,7 @@ pub(crate) fn inverse_mass<T: Scalar>(inertia: f64) -> [[T; 3]; 3] {
 
 impl Scene<3, 4> for Body {
     fn laws(&self) -> [Law<f64>; 4] {
-        let normal = Law::Unilateral { restitution: 0.0 };
+        let normal = Law::Unilateral { restitution: self.restitution };
         [normal, Law::Friction, normal, Law::Friction]
     }
     fn free<T: Scalar>(&self, _t: T, _q: [T; 3], _v: [T; 3]) -> [T; 3] {
@@ -74,6 +75,7 @@ fn rocking(angle: f64) -> Body {
         inertia: (b * b + h * h) / 3.0,
         points: [[-b, -h], [b, -h]],
         friction: 10.0,
+        restitution: 0.0,
         start: ([-b * cos + h * sin, b * sin + h * cos, -angle], [0.0; 3]),
     }
 }
@@ -116,6 +118,7 @@ fn a_cube_slides_without_lifting() {
         inertia: 0.01 / 6.0,
         points: [[-0.05, -0.05], [0.05, -0.05]],
         friction,
+        restitution: 0.0,
         start: ([0.0, 0.05, 0.0], [6.0, 0.0, 0.0]),
     };
     let mut sim = cube(0.5).start_with(Dop853::new(1e-12)).unwrap();
@@ -127,6 +130,26 @@ fn a_cube_slides_without_lifting() {
     assert!(sim.x[2].abs() < 1e-12 && (sim.x[1] - 0.05).abs() < 1e-12, "{:?}", sim.x);
     let tips = cube(1.01).start_with(Dop853::new(1e-12)).unwrap();
     assert_eq!(tips.held.of[0], Mode::Open);
+}
+
+/// A body that is thrown on its centre bounces and slides to rest: all impulses of the floor together are m (g t + v), and friction takes
+/// its share of them, those of the flights too that are too low to be followed.
+#[test]
+fn a_thrown_body_loses_its_speed_to_all_impulses() {
+    for restitution in [0.0, 0.3, 0.8] {
+        let thrown = Body {
+            inertia: 1.0,
+            points: [[0.0, 0.0], [0.0, 1.0]],
+            friction: 0.2,
+            restitution,
+            start: ([0.0, 0.05, 0.0], [5.0, -0.5, 0.0]),
+        };
+        let mut sim = thrown.start_with(Dop853::new(1e-12)).unwrap();
+        sim.step(2.0).unwrap();
+        assert_eq!((sim.held.of[0], sim.x[4]), (Mode::Closed, 0.0));
+        let speed = 5.0 - 0.2 * (GRAVITY * 2.0 + 0.5);
+        assert!((sim.x[3] - speed).abs() < 1e-11, "{restitution}: {:e}", sim.x[3] - speed);
+    }
 }
 
 /// A ladder of 2 m, 1 kg, against a smooth wall on a smooth floor.

@@ -12,6 +12,7 @@ fn rod(degrees: f64, friction: f64, (speed, spin): (f64, f64)) -> Body {
         inertia: 1.0 / 12.0,
         points: [[-0.5, 0.0], [0.5, 0.0]],
         friction,
+        restitution: 0.0,
         start: (
             [0.5 * cos, 0.5 * sin, degrees.to_radians()],
             [-speed - 0.5 * spin * sin, 0.5 * spin * cos, spin],
