@@ -49,12 +49,14 @@ pub(super) struct Struck<S, const N: usize> {
     pub(super) work: S,
     /// How many there were.
     pub(super) count: u32,
+    /// Other impulses with other rates behind them would satisfy all laws as well.
+    pub(super) is_ambiguous: bool,
 }
 
 impl<S: Real, const N: usize> Struck<S, N> {
     /// No impact.
     pub(super) fn nothing() -> Self {
-        Self { impulses: [S::ZERO; N], lost: S::ZERO, work: S::ZERO, count: 0 }
+        Self { impulses: [S::ZERO; N], lost: S::ZERO, work: S::ZERO, count: 0, is_ambiguous: false }
     }
 
     /// Adds an impact between the rates of `before` and `after`; `moved` are those that time alone gives. Gives what it gains and what

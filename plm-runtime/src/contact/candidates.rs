@@ -314,15 +314,20 @@ fn moving<S: Real, const N: usize>(allowed: &[Allowed; N], solution: &Solution<S
     (0..N).filter(moves).count()
 }
 
+/// Accelerations of rows are the same if they differ by less than this fraction of the largest terms.
+const NO_DIFFERENCE: f64 = 1e-12;
+
 /// Are the accelerations of all rows the same?
 fn is_same_motion<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     one: &Solution<S, N>,
     other: &Solution<S, N>,
 ) -> bool {
+    let size = |i: usize| size(rows, i, &one.lambda).max(size(rows, i, &other.lambda));
+    // What is all rounding of the others differs by rounding.
+    let largest = (0..N).fold(S::ZERO, |largest, i| largest.max(size(i)));
     (0..N).all(|i| {
-        let size = size(rows, i, &one.lambda).max(size(rows, i, &other.lambda));
         let apart = (one.acceleration[i] - other.acceleration[i]).abs();
-        apart <= S::lit(4.0 * MARGINAL) * size
+        apart <= (S::lit(4.0 * MARGINAL) * size(i)).max(S::lit(NO_DIFFERENCE) * largest)
     })
 }

@@ -13,7 +13,7 @@ use super::margins::{PER_ROW, SIGN, margins};
 use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
 use super::paradox::{self, lost};
-use super::project::{end_flights, project};
+use super::project::{end_flights, project, stop};
 use super::rows::{Law, Rows};
 use super::sunk::above;
 use super::{Contacts, Modal, existing, lambda_of};
@@ -50,7 +50,7 @@ pub struct Outcome {
     pub slips: u32,
     /// Steps of Newton's method for reactions in the plane.
     pub newton: u32,
-    /// The rows may go on with other accelerations as well.
+    /// The rows may go on with other accelerations as well, or with other rates behind an impact.
     pub is_ambiguous: bool,
     /// More rows rest than there are freedoms: accelerations are unique, multipliers are not.
     pub is_undetermined: bool,
@@ -220,17 +220,22 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let place = core::array::from_fn(|i| if sticks_on(i) { before.place[i] } else { rows.gap[i] });
         let after = Modes { of, carried, place, orientation, negative };
         *u.modes_mut() = after;
-        end_flights(self.system, (self.t, u, &rows), x);
+        let begins = self.occasion == Occasion::Start;
+        let closes = |i: usize| laws[i].is_unilateral() && before.is_open(i) && !after.is_open(i);
+        if !begins && (impacts > 0 || (0..N).any(closes)) {
+            end_flights(self.system, (self.t, u, &rows), x);
+        }
         // A gap that closes may be some tolerances away from zero: no step is to find that. Behind a step of fixed length it is left to
         // the steps where it is farther away.
         let most =
             if self.step > M::S::ZERO { self.closed() } else { M::S::lit(NEAR) * self.system.length() };
         let is_far = |i: usize| laws[i].is_unilateral() && rows.gap[i].abs() > most;
-        let is_near = |i: usize| of[i] != Mode::Closed || !is_far(i);
-        if (0..N).all(is_near) {
+        if (0..N).any(|i| of[i] == Mode::Closed && is_far(i)) {
+            stop(self.system, (self.t, u, &self.system.rows_at(self.t, u, x)), x);
+        } else {
             project(self.system, self.t, u, x)?;
         }
-        let begins = self.occasion == Occasion::Start;
+        let is_ambiguous = is_ambiguous || struck.is_ambiguous;
         let mut outcome = Outcome { impacts, newton: solution.newton, is_ambiguous, ..Outcome::default() };
         outcome.is_undetermined = after.are_undetermined();
         if !begins {

@@ -23,7 +23,8 @@ pub enum ImpactLaw {
 
 /// Impulses of all rows.
 pub(super) enum Impulses<S, const N: usize> {
-    Found([S; N]),
+    /// And whether other impulses, with other rates behind them, satisfy all inequalities as well.
+    Found([S; N], bool),
     /// No combination of modes satisfies all inequalities.
     Nothing,
     /// More rows touch than are enumerated.
@@ -72,7 +73,7 @@ fn newton<S: Real, const N: usize>(
         }
     }
     match solve(&problem, laws, touches) {
-        Found::Modes(Solution { lambda, .. }, _) => Impulses::Found(lambda),
+        Found::Modes(Solution { lambda, .. }, is_ambiguous) => Impulses::Found(lambda, is_ambiguous),
         Found::Nothing => Impulses::Nothing,
         Found::TooMany => Impulses::TooMany,
     }
@@ -83,8 +84,8 @@ fn poisson<S: Real, const N: usize>(
     laws: &[Law<S>; N],
     touches: &[bool; N],
 ) -> Impulses<S, N> {
-    let compression = match solve(problem, laws, touches) {
-        Found::Modes(solution, _) => solution,
+    let (compression, is_ambiguous) = match solve(problem, laws, touches) {
+        Found::Modes(solution, is_ambiguous) => (solution, is_ambiguous),
         Found::Nothing => return Impulses::Nothing,
         Found::TooMany => return Impulses::TooMany,
     };
@@ -93,7 +94,7 @@ fn poisson<S: Real, const N: usize>(
         Law::Friction | Law::Constraint => S::ZERO,
     });
     if back.iter().all(|impulse| *impulse == S::ZERO) {
-        return Impulses::Found(compression.lambda);
+        return Impulses::Found(compression.lambda, is_ambiguous);
     }
     let mut expansion = *problem;
     for i in 0..N {
@@ -109,8 +110,9 @@ fn poisson<S: Real, const N: usize>(
         }
     }
     match solve(&expansion, laws, touches) {
-        Found::Modes(solution, _) => {
-            Impulses::Found(core::array::from_fn(|i| compression.lambda[i] + back[i] + solution.lambda[i]))
+        Found::Modes(solution, is_other) => {
+            let sum = |i: usize| compression.lambda[i] + back[i] + solution.lambda[i];
+            Impulses::Found(core::array::from_fn(sum), is_ambiguous || is_other)
         }
         Found::Nothing => Impulses::Nothing,
         Found::TooMany => Impulses::TooMany,
