@@ -6,6 +6,7 @@ mod friction;
 mod joints;
 mod loops;
 mod mixed;
+mod scenes;
 
 /// Asserts that two numbers differ by `within` at most.
 #[track_caller]

@@ -1,0 +1,3 @@
+//! Scenes of machines and toys, each against a reference that was made another way.
+
+mod pins;
