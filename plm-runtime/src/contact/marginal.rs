@@ -12,8 +12,10 @@ use crate::scalar::{Real, Scalar};
 
 /// A margin that is zero within this time is zero, s: times of events are known so well.
 const AT_ONCE: f64 = 1e-10;
-/// A margin of this fraction of its terms is never marginal: near a pose where a row has no direction rates have no bound.
+/// Near a pose where a row has no direction rates have no bound: there a margin of this fraction of its terms is never marginal.
 const MOST_MARGINAL: f64 = 1e-4;
+/// Such a pose is near if the own entry of D changes by as much as it is within this time, s.
+const TURNS_WITHIN: f64 = 1e-6;
 /// The rate of a margin is none below this fraction of its terms.
 const NO_RATE: f64 = 1e-9;
 
@@ -40,7 +42,10 @@ pub(super) fn go_on<S: Real, const N: usize>(
         };
         let (value, terms) = (value * to_acceleration, terms * to_acceleration);
         let (slope, size) = (margin.tangents[0], size(rows, i, &lambda));
-        let at_once = (S::lit(AT_ONCE) * slope.abs()).min(S::lit(MOST_MARGINAL) * terms);
+        let at_once = S::lit(AT_ONCE) * slope.abs();
+        // Terms may be small that are sums of large ones, as for a point that leaves a sphere.
+        let turns = S::lit(TURNS_WITHIN) * own.tangents[0].abs() >= own.value.abs();
+        let at_once = if turns { at_once.min(S::lit(MOST_MARGINAL) * terms) } else { at_once };
         let none = (S::lit(MARGINAL) * terms).max(at_once);
         value > none || value >= -none && slope >= -S::lit(NO_RATE) * size
     })
