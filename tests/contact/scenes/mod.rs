@@ -3,6 +3,7 @@
 mod belts;
 mod clearance;
 mod impacts;
+mod known;
 mod limits;
 mod one_body;
 mod pins;
