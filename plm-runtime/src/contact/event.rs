@@ -9,7 +9,7 @@ use super::candidates::{Allowed, Found, Margins, Solution, enumerate};
 use super::impact::{ImpactLaw, Impulses, impulses};
 use super::loads::Load;
 use super::marginal::go_on;
-use super::margins::{PER_ROW, SIGN, margins};
+use super::margins::{PER_ROW, SIGN};
 use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
 use super::project::{project, stop};
@@ -353,20 +353,4 @@ fn rounding<S: Real, const N: usize>(rows: &Rows<S, N>) -> S {
 
 fn touching<const N: usize>(allowed: &[Allowed; N]) -> usize {
     allowed.iter().filter(|row| **row == Allowed::Touching).count()
-}
-
-/// Guards of the rows in the modes held, for [`Events::guards`](crate::Events::guards): gives each of the
-/// [`guard_count`](super::guard_count) with its index.
-pub fn guards<M: Contacts<N>, const N: usize>(
-    system: &M,
-    t: M::S,
-    u: &M::U,
-    x: &M::X,
-    each: &mut impl FnMut(usize, M::S),
-) {
-    let (rows, modes) = (system.rows_at(t, u, x), u.modes());
-    if !margins(&rows, (modes, modes.orientation), each) {
-        (0..PER_ROW * N).for_each(|index| each(index, M::S::ZERO));
-        each(PER_ROW * N, M::S::lit(-1.0));
-    }
 }

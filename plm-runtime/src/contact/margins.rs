@@ -23,7 +23,18 @@ pub(super) fn margins<T: Scalar, const N: usize>(
     (modes, orientation): (&Modes<impl Scalar, N>, T),
     each: &mut impl FnMut(usize, T),
 ) -> bool {
-    let Some(Multipliers { lambda, determinant }) = multipliers(rows, &modes.of) else { return false };
+    let Some(found) = multipliers(rows, &modes.of) else { return false };
+    each_margin(rows, (modes, orientation), &found, each);
+    true
+}
+
+/// Gives each margin with its index, where these are the multipliers.
+pub(super) fn each_margin<T: Scalar, const N: usize>(
+    rows: &Rows<T, N>,
+    (modes, orientation): (&Modes<impl Scalar, N>, T),
+    Multipliers { lambda, determinant }: &Multipliers<T, N>,
+    each: &mut impl FnMut(usize, T),
+) {
     let far = T::lit(1.0);
     for (row, mode) in modes.of.iter().enumerate() {
         let [first, second] = match mode {
@@ -31,16 +42,15 @@ pub(super) fn margins<T: Scalar, const N: usize>(
             Mode::Open => [rows.gap[row], far],
             Mode::Closed => [lambda[row], far],
             Mode::Off => [far, far],
-            Mode::Sticks => stick(rows, row, &lambda),
+            Mode::Sticks => stick(rows, row, lambda),
             Mode::Forwards | Mode::Backwards => [mode.sign::<T>() * rows.rate[row], far],
         };
         each(PER_ROW * row, first);
         each(PER_ROW * row + 1, second);
         let is_bounded = matches!(rows.load[row], Load::Line { .. }) && !matches!(mode, Mode::Off);
-        each(PER_ROW * row + SIGN, if is_bounded { rows.size(row, &lambda) } else { far });
+        each(PER_ROW * row + SIGN, if is_bounded { rows.size(row, lambda) } else { far });
     }
-    each(PER_ROW * N, orientation * determinant);
-    true
+    each(PER_ROW * N, orientation * *determinant);
 }
 
 /// How far a row that sticks is from either limit.

@@ -41,7 +41,15 @@ pub(crate) fn contacts(emission: &Emission) -> TokenStream {
 /// The straight-line functions, chart by chart.
 fn functions(emission: &Emission) -> TokenStream {
     let name = &emission.name;
-    let of: Vec<(&ContactFunctions, Origin)> = match emission.form {
+    let of = of_charts(emission);
+    let all = of.into_iter().enumerate().map(|(k, of)| in_chart(emission, k, of)).collect_vec();
+    let all = joined(all);
+    quote!(impl<S: Scalar> #name<S> { #all })
+}
+
+/// Functions of the rows in each chart.
+fn of_charts<'a>(emission: &Emission<'a>) -> Vec<(&'a ContactFunctions, Origin<'a>)> {
+    match emission.form {
         Form::Absolute => {
             emission.program.contact.iter().map(|contact| (contact, Origin::Arguments)).collect_vec()
         }
@@ -52,10 +60,7 @@ fn functions(emission: &Emission) -> TokenStream {
             let charts = reduced.charts.iter();
             charts.filter_map(|chart| Some((chart.contact.as_ref()?, Origin::Chart(chart)))).collect_vec()
         }
-    };
-    let all = of.into_iter().enumerate().map(|(k, of)| in_chart(emission, k, of)).collect_vec();
-    let all = joined(all);
-    quote!(impl<S: Scalar> #name<S> { #all })
+    }
 }
 
 fn in_chart(emission: &Emission, k: usize, (contact, origin): (&ContactFunctions, Origin)) -> TokenStream {
@@ -63,46 +68,87 @@ fn in_chart(emission: &Emission, k: usize, (contact, origin): (&ContactFunctions
     let memory = emission.loops().map(|reduced| memory(reduced, &quote!(S)));
     let memory = memory.map(|memory| quote!(m: &#memory,));
     let state = quote!(t: S, u: &Held<S>, #memory x: &[S; #length]);
-    let [rows, response] = ["contact_rows", "contact_response"].map_each(|name| emission.in_chart(name, k));
-    let rows = function(
+    let [kinematics, motion] =
+        ["contact_kinematics", "contact_motion"].map_each(|name| emission.in_chart(name, k));
+    let kinematics = function(
         emission,
-        "Rows of contact: gaps, rates, accelerations without contact forces, Delassus operator, limits of friction.",
-        &quote!(fn #rows(&self, #state, rows: &mut rt::contact::Rows<S, #count>)),
-        (&contact.rows, origin),
+        "Gaps and rates of the rows of contact.",
+        &quote!(fn #kinematics(&self, #state, rows: &mut rt::contact::Rows<S, #count>)),
+        (&contact.kinematics, origin),
     );
-    let response = function(
+    let limits = contact.own.contains(&true).then(|| {
+        let limits = emission.in_chart("contact_limits", k);
+        function(
+            emission,
+            "Limits of frictions that read no reaction, as `[lower, upper]`.",
+            &quote!(fn #limits(&self, #state, limits: &mut [[S; 2]; #count])),
+            (&contact.limits, origin),
+        )
+    });
+    let health = (!matches!(emission.form, Form::Tree(_))).then(|| quote!(-> S));
+    let motion = function(
         emission,
-        "What the multipliers that are held add to the rate.",
-        &quote!(fn #response(&self, #state, dx: &mut [S; #length])),
-        (&contact.response, origin),
+        "The rate without contact forces, its responses to multipliers, and of the rows of contact: accelerations without contact forces, Delassus operator, limits of friction.",
+        &quote! {
+            fn #motion(
+                &self,
+                #state,
+                dx: &mut [S; #length],
+                response: &mut [[S; #length]; #count],
+                rows: &mut rt::contact::Rows<S, #count>
+            ) #health
+        },
+        (&contact.motion, origin),
     );
-    quote!(#rows #response)
+    quote!(#kinematics #limits #motion)
 }
 
 /// The rows at a state, and what is held with the multipliers there.
 fn rows(emission: &Emission) -> TokenStream {
     let (Emission { name, sizes: Sizes { length, .. }, .. }, count) = (emission, count(emission));
     let [_, memory] = emission.memory_argument();
-    let rows = call(emission, "contact_rows", &quote!(t, u, #memory x, &mut rows), &quote!({}));
+    let kinematics = call(emission, "contact_kinematics", &quote!(t, u, #memory x, &mut rows), &quote!({}));
+    let arguments = quote!(t, u, #memory x, &mut dx, &mut response, rows);
+    let motion = if let Form::Tree(_) = emission.form {
+        let motion = call(emission, "contact_motion", &arguments, &quote!({}));
+        quote!(#motion; let health = rt::Health::perfect();)
+    } else {
+        let motion = call(emission, "contact_motion", &arguments, &quote!(S::lit(0.0)));
+        quote!(let health = rt::Health(#motion);)
+    };
     let loads = loads(emission);
-    let response = call(emission, "contact_response", &quote!(t, u, #memory x, &mut dx), &quote!({}));
     quote! {
         impl<S: Scalar> #name<S> {
-            fn contact_rows_(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
+            #[inline]
+            fn contact_kinematics_(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
                 let mut rows = rt::contact::Rows::none();
-                #rows;
+                #kinematics;
                 #loads
+                rows
+            }
+
+            /// The rate without contact forces, and its responses; completes the rows.
+            #[inline]
+            fn contact_motion_(
+                &self, t: S, u: &Held<S>, x: &[S; #length], rows: &mut rt::contact::Rows<S, #count>
+            ) -> ([S; #length], [[S; #length]; #count], rt::Health<S>) {
+                let (mut dx, mut response) = ([S::lit(0.0); #length], [[S::lit(0.0); #length]; #count]);
+                #motion
+                #loads
+                (dx, response, health)
+            }
+
+            fn contact_rows_(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
+                let mut rows = self.contact_kinematics_(t, u, x);
+                let _ = self.contact_motion_(t, u, x, &mut rows);
                 rows
             }
 
             fn contact_response_(
                 &self, t: S, u: &Held<S>, x: &[S; #length], lambda: &[S; #count]
             ) -> [S; #length] {
-                let mut held = *u;
-                held.contact.lambda = *lambda;
-                let (u, mut dx) = (&held, [S::lit(0.0); #length]);
-                #response;
-                dx
+                let (_, response, _) = self.contact_motion_(t, u, x, &mut rt::contact::Rows::none());
+                rt::contact::sum_of(&response, lambda)
             }
 
             /// The discrete state with the multipliers of contact at a state.
@@ -112,7 +158,9 @@ fn rows(emission: &Emission) -> TokenStream {
                 if !u.contact.has_forces() {
                     return held;
                 }
-                held.contact = rt::contact::with_multipliers(&self.contact_rows_(t, u, x), &u.contact);
+                let mut rows = rt::contact::Rows::none();
+                let _ = self.contact_motion_(t, u, x, &mut rows);
+                held.contact = rt::contact::with_multipliers(&rows, &u.contact);
                 held
             }
         }
@@ -123,6 +171,45 @@ fn rows(emission: &Emission) -> TokenStream {
                 self.mechanism.loaded_(self.time, &self.held, &self.x)
             }
         }
+    }
+}
+
+/// The rate without contact forces, and those of the rows, from one pass; from two where it is not affine in them.
+pub(super) fn rate(emission: &Emission) -> TokenStream {
+    let of = of_charts(emission);
+    let by_limits = of.first().filter(|(contact, _)| contact.own.contains(&true)).map(|(contact, _)| {
+        let own = emission.text(format!("{:?}", contact.own));
+        let [_, memory] = emission.memory_argument();
+        let (count, limits) = (count(emission), quote!(t, u, #memory x, &mut limits));
+        let limits = call(emission, "contact_limits", &limits, &quote!({}));
+        quote! {
+            // Forces are known before the accelerations.
+            if u.contact.modes.slip_by(&#own) {
+                let (mut limits, mut held) = ([[S::lit(0.0); 2]; #count], *u);
+                #limits;
+                held.contact = rt::contact::with_limits(&u.contact, &limits);
+                return self.rate_holding_(t, &held, x, dx);
+            }
+        }
+    });
+    if of.iter().all(|(contact, _)| contact.is_affine) {
+        return quote! {
+            if !u.contact.has_forces() {
+                return self.rate_holding_(t, u, x, dx);
+            }
+            #by_limits
+            let mut rows = rt::contact::Rows::none();
+            let (free, response, health) = self.contact_motion_(t, u, x, &mut rows);
+            *dx = free;
+            rt::contact::add_forces(dx, &rows, &u.contact, &response);
+            health
+        };
+    }
+    quote! {
+        let u = &self.loaded_(t, u, x);
+        let health = self.rate_holding_(t, u, x, dx);
+        rt::contact::settle(dx, &u.contact, |lambda| self.contact_response_(t, u, x, lambda));
+        health
     }
 }
 
@@ -165,6 +252,19 @@ fn contract(emission: &Emission) -> TokenStream {
 
             fn rows_at(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
                 self.contact_rows_(t, u, x)
+            }
+
+            fn kinematics<T: Scalar>(
+                &self, t: T, u: &Held<S>, x: &impl Fn(usize) -> T, constant: &impl Fn(S) -> T
+            ) -> rt::contact::Rows<T, #count> {
+                use rt::lanes::Pack;
+                let number = |[s]: [S; 1]| constant(s);
+                let (mechanism, held) = (self.pack([self], number), Self::pack_held(u, [u], number));
+                mechanism.contact_kinematics_(t, &held, &core::array::from_fn(x))
+            }
+
+            fn kinematics_at(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
+                self.contact_kinematics_(t, u, x)
             }
 
             fn free_rate(&self, t: S, u: &Held<S>, x: &[S; #length], dx: &mut [S; #length]) -> rt::Health<S> {
