@@ -70,6 +70,8 @@ pub trait Scalar:
     const AGREEMENT: f64;
     /// A unit in the last place of 1: two numbers that differ by less are one.
     const PRECISION: f64;
+    /// Such a number carries derivatives: an iteration goes on until they have converged too.
+    const HAS_DERIVATIVES: bool = false;
     /// How such numbers use vector registers.
     const REGISTERS: Registers = Registers::Scalar;
 

@@ -29,7 +29,7 @@ fn an_arm_is_braked_by_the_reaction_of_its_pin() {
 }
 
 macro_rules! slider_crank {
-    ($name:ident, $formulation:ident) => {
+    ($name:ident, $formulation:ident, $($rows:tt)*) => {
         mechanism! {
             pub $name {
                 gravity: 9.81 m/s^2;
@@ -52,16 +52,27 @@ macro_rules! slider_crank {
                 revolute a(crank.a, rod.a);
                 revolute b(rod.b, slider.b);
                 prismatic rail(ground.rail, slider.b);
-                friction rub: rate(slider.x) within mu*norm(rail.force);
-                output drag = reaction(rub);
-                output normal = norm(rail.force);
+                $($rows)*
             }
         }
     };
 }
 
-slider_crank!(InCharts, loops);
-slider_crank!(InAbsolute, absolute);
+slider_crank!(InCharts, loops,
+    friction rub: rate(slider.x) within mu*norm(rail.force);
+    output drag = reaction(rub);
+    output normal = norm(rail.force););
+slider_crank!(InAbsolute, absolute,
+    friction rub: rate(slider.x) within mu*norm(rail.force);
+    output drag = reaction(rub);
+    output normal = norm(rail.force););
+slider_crank!(WithoutFriction, loops, output used = mu;);
+slider_crank!(InThreePins, loops,
+    friction rub: rate(slider.x) within mu*norm(rail.force);
+    friction at_o: rate(crank.angle) within mu*(0.01 m)*norm(o.force);
+    friction at_a: rate(rod.angle - crank.angle) within mu*(0.01 m)*norm(a.force);
+    friction at_b: rate(rod.angle) within mu*(0.01 m)*norm(b.force);
+    output lost = reaction(rub)*slider.vx + reaction(at_o)*crank.omega + reaction(at_a)*(rod.omega - crank.omega) + reaction(at_b)*rod.omega;);
 
 /// Crank, drag, normal force, every 0.05 s.
 macro_rules! course {
@@ -124,4 +135,27 @@ fn friction_of_a_slider_does_its_work_through_dead_centres() {
         near(before - sim.kinetic_energy(), 3.0 * way, 1e-9);
     }
     assert!(sim.crank().angle > 15.0, "{:?}", sim.crank());
+}
+
+/// Steps, evaluations and events of a second.
+macro_rules! cost {
+    ($mechanism:ident) => {{
+        let mut sim = $mechanism { mu: 0.05, ..$mechanism::new() }.start_with(Dop853::new(1e-9)).unwrap();
+        sim.step_to(1.0).unwrap();
+        assert!(sim.crank().angle > 25.0, "{:?}", sim.crank());
+        [sim.stats().steps, sim.stats().evaluations, sim.stats().switches].map(|count| count as f64)
+    }};
+}
+
+/// Friction with a bound by a reaction costs a tenth of the steps more at most, and an event 60 evaluations, the step that it ends included.
+#[test]
+fn friction_in_a_slider_crank_costs_few_steps() {
+    let [steps, evaluations, _] = cost!(WithoutFriction);
+    for [more_steps, more, events] in [cost!(InCharts), cost!(InThreePins)] {
+        let each = (more - evaluations * more_steps / steps) / events;
+        assert!(
+            events >= 20.0 && more_steps <= 1.1 * steps && each <= 60.0,
+            "{more_steps} {steps} {events} {each}"
+        );
+    }
 }

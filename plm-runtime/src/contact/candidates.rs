@@ -16,6 +16,8 @@ pub(super) const MARGINAL: f64 = 1e-9;
 const ROUNDING: f64 = 32.0;
 /// A row that rests depends on others if its own part of D is below this fraction of its diagonal entry.
 const DEPENDENT: f64 = 1e-9;
+/// What the equation of a force is off by, in roundings of its terms.
+const ROUNDED: f64 = 4.0;
 /// So many combinations are tried; more of them are searched by pivots.
 const MOST_CANDIDATES: u32 = 1 << 14;
 
@@ -224,6 +226,11 @@ pub(super) fn solve<S: Real, const N: usize>(
     let (turned, found) = signed(rows, &modes)?;
     let rows = turned.as_ref().unwrap_or(rows);
     let lambda = found.lambda;
+    // A row without direction, of which D_ii is rounding, would be held by a force without end.
+    let has_direction = |i: usize| !modes[i].holds() || rows.delassus[i][i] > S::ZERO;
+    if !(0..N).all(|i| has_direction(i) && lambda[i].is_finite()) {
+        return None;
+    }
     let acceleration = core::array::from_fn(|i| rows.acceleration(i, &lambda));
     let (determinant, slack, carried) = (found.determinant, S::lit(1.0), [false; N]);
     let negative = rows.load.map(Load::is_negative);
@@ -259,7 +266,8 @@ pub(super) fn solve<S: Real, const N: usize>(
             Mode::Backwards => margins.value[i] = -value,
             _ => margins.value[i] = value,
         }
-        margins.size[i] = Some(size);
+        margins.size[i] =
+            Some(if *mode == Mode::Sticks { held_size(rows, i, (&lambda, size)) } else { size });
     }
     Some((solution, margins))
 }
@@ -272,6 +280,14 @@ fn sizes<S: Real, const N: usize>(rows: &Rows<S, N>, lambda: &[S; N]) -> [S; N] 
         (0..N).filter(|i| roots[*i] > S::ZERO).fold(S::ZERO, |most, i| most.max(terms[i] / roots[i]));
     let rounding = S::lit(ROUNDING) * S::EPSILON / S::lit(MARGINAL) * largest;
     core::array::from_fn(|i| terms[i].max(rounding * roots[i]))
+}
+
+/// The size of the margin of a row that sticks: of its force and its limits, but not below the rounding of `terms`, those of the
+/// equation of its force. Where a row has almost no direction they are far larger than its force: others balance them.
+fn held_size<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize, (lambda, terms): (&[S; N], S)) -> S {
+    let [lower, upper] = stick(rows, row, lambda);
+    let own = lambda[row].abs() + (lower + upper).abs();
+    own.max(S::lit(ROUNDED) * S::EPSILON * terms).min(terms)
 }
 
 /// The size of the terms of an acceleration.

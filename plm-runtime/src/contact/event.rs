@@ -9,14 +9,14 @@ use super::booked::Booked;
 use super::candidates::{self, Allowed, Found, Margins, Solution, enumerate};
 use super::loads::Load;
 use super::marginal::broken;
-use super::margins::{PER_ROW, SIGN, margins};
+use super::margins::{PER_ROW, SIGN};
 use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
 use super::paradox::{self, lost};
 use super::project::{end_flights, project, stop};
 use super::rows::{Law, Rows};
 use super::sunk::above;
-use super::{Contacts, Modal, existing, lambda_of};
+use super::{Contacts, Modal, lambda_of};
 use crate::dual::Dual;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
@@ -391,20 +391,4 @@ fn rounding<S: Real, const N: usize>(rows: &Rows<S, N>) -> S {
 
 fn touching<const N: usize>(allowed: &[Allowed; N]) -> usize {
     allowed.iter().filter(|row| **row == Allowed::Touching).count()
-}
-
-/// Guards of the rows in the modes held, for [`Events::guards`](crate::Events::guards): gives each of the
-/// [`guard_count`](super::guard_count) with its index.
-pub fn guards<M: Contacts<N>, const N: usize>(
-    system: &M,
-    t: M::S,
-    u: &M::U,
-    x: &M::X,
-    each: &mut impl FnMut(usize, M::S),
-) {
-    let (rows, modes) = (system.rows_at(t, u, x), u.modes());
-    if !margins(&rows, (modes, modes.orientation), &mut existing(system, u, each)) {
-        (0..PER_ROW * N).for_each(|index| each(index, M::S::ZERO));
-        each(PER_ROW * N, M::S::lit(-1.0));
-    }
 }

@@ -70,7 +70,12 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
             Load::Plane => {
                 let [x, y] = self.reaction_at(row, lambda);
                 let size = (x * x + y * y).sqrt();
-                if size.to_f64() > 0.0 { [x / size, y / size] } else { [T::ZERO; 2] }
+                if size.to_f64() > 0.0 {
+                    let inverse = T::lit(1.0) / size;
+                    [x * inverse, y * inverse]
+                } else {
+                    [T::ZERO; 2]
+                }
             }
         }
     }
@@ -80,7 +85,12 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
         if self.load[row] == Load::Nothing {
             return T::ZERO;
         }
-        let ([x, y], [along, across]) = (self.reaction_at(row, lambda), self.direction(row, lambda));
+        let [x, y] = self.reaction_at(row, lambda);
+        if self.load[row] == Load::Plane {
+            let square = x * x + y * y;
+            return if square.to_f64() > 0.0 { square.sqrt() } else { T::ZERO };
+        }
+        let [along, across] = self.direction(row, lambda);
         x * along + y * across
     }
 
@@ -101,6 +111,9 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
 
     /// A limit with e . R in the place of |R|: own part, and factors of the multipliers.
     pub(super) fn along(&self, row: usize, limit: &Limit<T, N>, [along, across]: [T; 2]) -> Affine<T, N> {
+        if self.load[row] == Load::Nothing {
+            return Affine { own: limit.own, by: limit.by };
+        }
         let ([x, y], share) = (&self.reaction[row], limit.share);
         let sum = |own: T, x: T, y: T| own + share * (along * x + across * y);
         let by = core::array::from_fn(|j| sum(limit.by[j], x.by[j], y.by[j]));

@@ -28,25 +28,35 @@ pub(super) fn margins<T: Scalar, const N: usize>(
     (modes, orientation): (&Modes<impl Scalar, N>, T),
     each: &mut impl FnMut(usize, T),
 ) -> bool {
-    let Some(Multipliers { lambda, determinant, .. }) = multipliers(rows, &modes.of) else { return false };
+    let Some(found) = multipliers(rows, &modes.of) else { return false };
+    each_margin(rows, (modes, orientation), &found, each);
+    true
+}
+
+/// Gives each margin with its index, where these are the multipliers.
+pub(super) fn each_margin<T: Scalar, const N: usize>(
+    rows: &Rows<T, N>,
+    (modes, orientation): (&Modes<impl Scalar, N>, T),
+    Multipliers { lambda, determinant, .. }: &Multipliers<T, N>,
+    each: &mut impl FnMut(usize, T),
+) {
     let far = T::lit(1.0);
     for (row, mode) in modes.of.iter().enumerate() {
         let [first, second] = match mode {
             _ if modes.is_carried(row) => [far, far],
             Mode::Open => [rows.gap[row], far],
             Mode::Closed => [lambda[row], far],
-            Mode::Off => [far - T::lit(NO_BOUND) * bound(rows, row, &lambda), far],
-            Mode::Sticks => stick(rows, row, &lambda),
+            Mode::Off => [far - T::lit(NO_BOUND) * bound(rows, row, lambda), far],
+            Mode::Sticks => stick(rows, row, lambda),
             Mode::Forwards | Mode::Backwards => [mode.sign::<T>() * rows.rate[row], far],
         };
         each(PER_ROW * row, first);
         each(PER_ROW * row + 1, second);
         let is_bounded = matches!(rows.load[row], Load::Line { .. }) && !matches!(mode, Mode::Off);
-        each(PER_ROW * row + SIGN, if is_bounded { rows.size(row, &lambda) } else { far });
+        each(PER_ROW * row + SIGN, if is_bounded { rows.size(row, lambda) } else { far });
     }
     let least = if modes.of.iter().any(|mode| mode.slips()) { UNIQUE } else { 0.0 };
-    each(PER_ROW * N, orientation * determinant - T::lit(least));
-    true
+    each(PER_ROW * N, orientation * *determinant - T::lit(least));
 }
 
 /// The limits of a friction to both sides together, with the share of a reaction as it is; zero where none can have a force.

@@ -12,6 +12,7 @@ mod booked;
 mod candidates;
 mod changed;
 mod event;
+mod guards;
 mod held;
 mod impact;
 mod loads;
@@ -30,7 +31,8 @@ mod walk;
 
 pub use self::booked::{Booked, ImpactEnergy, Impulse};
 pub use self::changed::state_was_set;
-pub use self::event::{Outcome, begin, guards, switch, switch_behind, update};
+pub use self::event::{Outcome, begin, switch, switch_behind, update};
+pub use self::guards::{guards, guards_within, stay};
 pub use self::held::{Held, Modal};
 pub use self::impact::ImpactLaw;
 pub use self::loads::{Affine, Load};
@@ -40,7 +42,6 @@ pub use self::project::{drift, held_rows, project};
 pub use self::rows::{Friction, Law, Limit, Rows};
 pub use self::status::{Counts, Status};
 pub use self::sunk::appear;
-use crate::enclosure::Enclosed;
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, Health, Rate, System};
@@ -70,9 +71,31 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
         true
     }
 
+    /// Is a friction bounded by pushes alone, so that it is off without them?
+    fn is_bounded_by_pushes(&self, row: usize) -> bool {
+        let _ = row;
+        false
+    }
+
     /// The rows in the numbers of the system.
     fn rows_at(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Rows<Self::S, N> {
         self.rows(t, u, &|i| x.at(i), &|number| number)
+    }
+
+    /// Gaps, rates and [loads](Rows::load) of all rows alone, as [`rows`](Self::rows) gives them: what is known without forces.
+    fn kinematics<T: Scalar>(
+        &self,
+        t: T,
+        u: &Self::U,
+        x: &impl Fn(usize) -> T,
+        constant: &impl Fn(Self::S) -> T,
+    ) -> Rows<T, N> {
+        self.rows(t, u, x, constant)
+    }
+
+    /// The same in the numbers of the system.
+    fn kinematics_at(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Rows<Self::S, N> {
+        self.rows_at(t, u, x)
     }
 
     /// The rate of the state without contact forces.
@@ -141,14 +164,53 @@ pub fn with_multipliers<T: Scalar, const N: usize>(rows: &Rows<T, N>, held: &Hel
     Held { lambda: without_noise(rows, &held.modes), ..*held }
 }
 
+/// The discrete state with the multipliers of rows that slip, `[lower, upper]` being their limits; of use where every row that has a
+/// force slips, by limits of its own.
+#[must_use]
+pub fn with_limits<T: Scalar, const N: usize>(held: &Held<T, N>, limits: &[[T; 2]; N]) -> Held<T, N> {
+    let lambda = core::array::from_fn(|row| match held.modes.of[row] {
+        Mode::Forwards => -limits[row][0],
+        Mode::Backwards => limits[row][1],
+        _ => T::ZERO,
+    });
+    Held { lambda, ..*held }
+}
+
 /// The multipliers, without those that are rounding of the others: lambda_i sqrt(D_ii) has the same unit in every row.
 fn without_noise<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &Modes<T, N>) -> [T; N] {
     let lambda = lambda_of(rows, modes);
+    // Forces of rows that slip follow from their limits.
+    if !modes.of.iter().any(|mode| mode.holds()) {
+        return lambda;
+    }
     let sizes: [T; N] = core::array::from_fn(|i| lambda[i].abs() * rows.delassus[i][i].sqrt());
     let largest = sizes.iter().fold(T::ZERO, |largest, size| largest.max(*size));
     let least = T::lit(BALANCE_ULPS * T::PRECISION) * largest;
     // One that is not a number stays so.
     core::array::from_fn(|i| T::select(sizes[i].lt(least), lambda[i].as_zero(), lambda[i]))
+}
+
+/// Adds the forces of contact to the rate without them, for a generated mechanism: `responses` has what each multiplier of one adds to
+/// it. Accelerations that are rounding are taken out of it, so that what is held stays where it is.
+pub fn add_forces<T: Scalar, X: Vector<T>, const N: usize>(
+    dx: &mut X,
+    rows: &Rows<T, N>,
+    held: &Held<T, N>,
+    responses: &[X; N],
+) {
+    let lambda = without_noise(rows, &held.modes);
+    *dx = dx.map2(&sum_of(responses, &lambda), |free, response| free + response);
+    if held.modes.of.iter().any(|mode| mode.holds()) {
+        balance(dx, &lambda, |lambda| sum_of(responses, lambda));
+    }
+}
+
+/// The response to these multipliers.
+pub fn sum_of<T: Scalar, X: Vector<T>, const N: usize>(responses: &[X; N], lambda: &[T; N]) -> X {
+    X::from_fn(|i| {
+        let terms = responses.iter().zip(lambda);
+        terms.fold(T::ZERO, |sum, (response, lambda)| response.at(i).mul_add(*lambda, sum))
+    })
 }
 
 /// Takes accelerations that are rounding out of a rate that a generated mechanism has computed with these multipliers, so that what
@@ -180,37 +242,6 @@ fn balance<T: Scalar, X: Vector<T>, const N: usize>(
 fn balanced<T: Scalar>(sum: T, size: T) -> T {
     let none = T::lit(BALANCE_ULPS * T::PRECISION) * size;
     T::select(sum.abs().lt(none), sum.as_zero(), sum)
-}
-
-/// Guards over an interval, for [`Events::guards_within`](crate::Events::guards_within).
-pub fn guards_within<M: Contacts<N>, const N: usize>(
-    system: &M,
-    t: Enclosed<M::S>,
-    u: &M::U,
-    x: &impl Fn(usize) -> Enclosed<M::S>,
-    each: &mut impl FnMut(usize, Enclosed<M::S>),
-) -> bool {
-    let modes = u.modes();
-    let rows = system.rows(t, u, x, &Enclosed::constant);
-    // Newton's steps give no enclosure of what they converge to.
-    if rows.load.contains(&Load::Plane) {
-        return false;
-    }
-    let orientation = Enclosed::constant(modes.orientation);
-    margins::margins(&rows, (modes, orientation), &mut existing(system, u, each))
-}
-
-/// Margins of rows that do not exist are far, and so are those of constraints.
-fn existing<'a, M: Contacts<N>, T: Scalar, const N: usize>(
-    system: &'a M,
-    u: &'a M::U,
-    each: &'a mut impl FnMut(usize, T),
-) -> impl FnMut(usize, T) + 'a {
-    move |index, margin| {
-        let row = index / PER_ROW;
-        let has_margins = row >= N || system.exists(u, row) && !system.law(row).is_constraint();
-        each(index, if has_margins { margin } else { T::lit(1.0) });
-    }
 }
 
 /// Adds the response to impulses to the velocities.

@@ -96,6 +96,11 @@ impl<S: Scalar, const N: usize> Modes<S, N> {
         }
     }
 
+    /// No row holds, and of those that slip each is among `own`.
+    pub fn slip_by(&self, own: &[bool; N]) -> bool {
+        self.of.iter().zip(own).all(|(mode, own)| !mode.holds() && (*own || !mode.slips()))
+    }
+
     /// The gap `row` is open: it neither pushes nor rests.
     pub fn is_open(&self, row: usize) -> bool {
         self.of.get(row) == Some(&Mode::Open) && !self.is_carried(row)

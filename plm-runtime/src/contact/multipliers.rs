@@ -5,18 +5,26 @@
 //! Matrix Computations, 4th ed., algorithm 3.4.1). Pivots are chosen by values, so that numbers with derivatives, and
 //! enclosures, are eliminated in the order of the values. Limits that are shares of a reaction in the plane take Newton's steps.
 
+use super::loads::Load;
 use super::modes::Mode;
-use super::rows::Rows;
+use super::rows::{Limit, Rows};
 use crate::scalar::Scalar;
 
 /// A pivot below this fraction of the largest entry of its row depends on others.
 const DEPENDENT: f64 = 1e-10;
 /// Steps of Newton's method at most; from a cold start it takes three or four.
 const MOST_STEPS: u32 = 12;
-/// Unit vectors that change by less are at their solution one step later, and their derivatives two.
+/// Multipliers by unit vectors that are off by less are at their solution, since the error of a size is of second order in that of its
+/// unit vector. Derivatives are so a few steps later.
 const NEAR: f64 = 1e-8;
 /// Steps behind that.
 const BEHIND: u32 = 2;
+/// Sweeps before Newton's steps: with a friction of a hundredth of what would lock a joint one step is left.
+const SWEEPS: u32 = 4;
+/// A sweep is to change them by this fraction of the one before.
+const SWEPT: f64 = 0.5;
+/// A diagonal entry of at least this fraction of the largest entry of its row is a pivot without a search for a larger one.
+const PIVOT: f64 = 0.5;
 
 /// The multipliers, and the determinant of their system; that of no row is 1.
 #[derive(Clone, Copy, Debug)]
@@ -26,6 +34,13 @@ pub(super) struct Multipliers<T, const N: usize> {
     pub(super) determinant: T,
     /// Steps of Newton's method behind the first solution.
     pub(super) newton: u32,
+}
+
+impl<T: Scalar, const N: usize> Multipliers<T, N> {
+    /// Those where no row has a force.
+    pub(super) fn none() -> Self {
+        Self { lambda: [T::ZERO; N], determinant: T::lit(1.0), newton: 0 }
+    }
 }
 
 /// The system of the active rows.
@@ -60,18 +75,19 @@ fn multipliers_above<T: Scalar, const N: usize>(
     modes: &[Mode; N],
     least: f64,
 ) -> Option<Multipliers<T, N>> {
-    let mut directions = directions(rows, modes, &[T::ZERO; N]);
+    let mut directions = directions(rows, modes, &first(rows, modes));
+    let slide = !modes.iter().any(|mode| mode.holds());
     let (mut left, mut newton) = (MOST_STEPS, 0);
     while left > 0 {
         left -= 1;
         let mut system = System::of(rows, (modes, &directions));
-        let determinant = system.eliminate(least)?;
+        let determinant = system.eliminate((slide, least))?;
         let found = Multipliers { lambda: system.substitute(), determinant, newton };
         let next = self::directions(rows, modes, &found.lambda);
         let apart = |(one, other): (&T, &T)| (one.to_f64() - other.to_f64()).abs();
         let changes = directions.as_flattened().iter().zip(next.as_flattened()).map(apart);
         let change = changes.fold(0.0, f64::max);
-        if change == 0.0 || left == 0 && change <= NEAR {
+        if change == 0.0 || change <= NEAR && (left == 0 || !T::HAS_DERIVATIVES) {
             return Some(found);
         }
         if change <= NEAR {
@@ -81,6 +97,41 @@ fn multipliers_above<T: Scalar, const N: usize>(
         newton += 1;
     }
     None
+}
+
+/// Multipliers that Newton's steps begin with: those of rows that slip by sweeps of C. F. Gauss and L. Seidel, which cost a fraction of a
+/// step. A friction changes the reactions that bound it little.
+fn first<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &[Mode; N]) -> [T; N] {
+    let none = [T::ZERO; N];
+    if T::HAS_DERIVATIVES || !rows.load.contains(&Load::Plane) {
+        return none;
+    }
+    let (mut lambda, mut before) = (none, f64::INFINITY);
+    for _ in 0..SWEEPS {
+        let mut change = 0.0_f64;
+        for i in 0..N {
+            if let Some(limit) = slip_limit(rows, modes[i], i) {
+                let force = -(modes[i].sign::<T>() * rows.limit(i, limit, &lambda));
+                change = change.max((force - lambda[i]).to_f64().abs());
+                lambda[i] = force;
+            }
+        }
+        // They do not converge where frictions lock each other.
+        if change > SWEPT * before {
+            return none;
+        }
+        before = change;
+    }
+    lambda
+}
+
+/// The limit of a row that slips.
+fn slip_limit<T, const N: usize>(rows: &Rows<T, N>, mode: Mode, row: usize) -> Option<&Limit<T, N>> {
+    match mode {
+        Mode::Forwards => Some(&rows.kinetic[row].lower),
+        Mode::Backwards => Some(&rows.kinetic[row].upper),
+        _ => None,
+    }
 }
 
 /// The unit vectors of the reactions that bound rows which slip.
@@ -113,25 +164,29 @@ impl<T: Scalar, const N: usize> System<T, N> {
         system
     }
 
-    /// Gaussian elimination; gives the determinant. None where a pivot is not above the fraction `least` of its row.
-    fn eliminate(&mut self, least: f64) -> Option<T> {
+    /// Gaussian elimination; gives the determinant. None where a pivot is not above the fraction `least` of its row. Where all rows
+    /// `slide` they hardly depend on each other.
+    fn eliminate(&mut self, (slide, least): (bool, f64)) -> Option<T> {
         let order = self.order;
         let mut determinant = T::lit(1.0);
-        let size: [f64; N] = core::array::from_fn(|k| {
-            self.rows[k].iter().fold(0.0_f64, |size, entry| size.max(entry.to_f64().abs()))
-        });
-        let mut sizes = size;
+        let mut sizes = [0.0_f64; N];
+        for k in 0..order {
+            sizes[k] = self.rows[k][..order].iter().fold(0.0, |size, entry| size.max(entry.to_f64().abs()));
+        }
         for k in 0..order {
             let mut pivot = k;
-            for i in k..order {
-                if ratio(self.rows[i][k], sizes[i]) > ratio(self.rows[pivot][k], sizes[pivot]) {
-                    pivot = i;
-                }
-            }
             // False for what is not a number.
-            let is_regular = ratio(self.rows[pivot][k], sizes[pivot]) > least;
-            if !is_regular {
-                return None;
+            let is_large = slide && self.rows[k][k].to_f64().abs() >= PIVOT * sizes[k] && sizes[k] > 0.0;
+            if !is_large {
+                for i in k..order {
+                    if ratio(self.rows[i][k], sizes[i]) > ratio(self.rows[pivot][k], sizes[pivot]) {
+                        pivot = i;
+                    }
+                }
+                let is_regular = ratio(self.rows[pivot][k], sizes[pivot]) > least;
+                if !is_regular {
+                    return None;
+                }
             }
             if pivot != k {
                 self.rows.swap(k, pivot);
@@ -179,13 +234,9 @@ pub(super) fn equation<T: Scalar, const N: usize>(
     i: usize,
 ) -> ([T; N], T) {
     let one = T::lit(1.0);
-    let limit = match mode {
-        Mode::Forwards => &rows.kinetic[i].lower,
-        Mode::Backwards => &rows.kinetic[i].upper,
-        _ => {
-            let row = rows.delassus[i];
-            return (row.map(|d| d / row[i]), -rows.free[i] / row[i]);
-        }
+    let Some(limit) = slip_limit(rows, mode, i) else {
+        let row = rows.delassus[i];
+        return (row.map(|d| d / row[i]), -rows.free[i] / row[i]);
     };
     // lambda_i + sigma by . lambda = -sigma own
     let limit = rows.along(i, limit, direction);

@@ -139,6 +139,7 @@ impl<S: Real> Scalar for Enclosed<S> {
     const HEALTHY: f64 = S::HEALTHY;
     const AGREEMENT: f64 = S::AGREEMENT;
     const PRECISION: f64 = S::PRECISION;
+    const HAS_DERIVATIVES: bool = true;
 
     #[inline]
     fn lit(x: f64) -> Self {

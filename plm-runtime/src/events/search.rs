@@ -4,7 +4,7 @@
 //! range over the interval, by the sign of its slope ([`Enclosed`](crate::Enclosed)). Where a guard comes so near to zero that this stays open,
 //! bisection ends at a fraction of the step, [`FINEST`], that is shorter than anything that is promised to be found.
 
-use super::relevant::Relevant;
+use super::relevant::{Relevant, bit};
 use super::root::{Point, root};
 use crate::enclosure::{Enclosed, Interval};
 use crate::method::Path;
@@ -47,6 +47,8 @@ pub(super) struct Search<'a, M: System> {
     base: M::G,
     /// Fraction of the step from which on a guard is looked at.
     from: M::G,
+    /// The guards at the beginning. Of a contact row that comes to its side at once this is its guard there.
+    first: M::G,
     /// What rounding makes of a guard at the beginning.
     noise: M::G,
     /// Those that are looked at.
@@ -83,12 +85,26 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         relevant: Relevant,
     ) -> Self {
         let zero = M::G::fill(M::S::ZERO);
-        let mut search =
-            Self { system, held, path, base: zero, from: zero, noise: zero, relevant, only: None };
-        search.noise = search.rounding(M::S::ZERO);
+        let mut search = Self {
+            system,
+            held,
+            path,
+            base: zero,
+            from: zero,
+            first: zero,
+            noise: zero,
+            relevant,
+            only: None,
+        };
+        search.first = search.values(M::S::ZERO);
+        search.noise = search.rounding(M::S::ZERO, &search.first);
         for i in 0..M::G::LEN {
             if residual.at(i) < M::S::ZERO {
                 match search.return_of(i) {
+                    Some(from) if M::CONTACTS > 0 && from <= finest() => {
+                        let guard = search.values(from).at(i);
+                        search.first.set(i, guard);
+                    }
                     Some(from) => search.from.set(i, from),
                     None => search.base.set(i, residual.at(i)),
                 }
@@ -121,7 +137,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
     pub(super) fn first(&self) -> Found<M::S> {
         let half = M::S::lit(0.5);
         let (mut level, mut index, mut width, mut spent) = (0_u32, 0_u32, M::S::lit(1.0), 0_u32);
-        let (mut from, mut left, mut noise) = (M::S::ZERO, self.values(M::S::ZERO), self.noise);
+        let (mut from, mut left, mut noise) = (M::S::ZERO, self.first, self.noise);
         loop {
             let (to, is_local) = (from + width, level >= LOCAL);
             let piece = Piece { from, to, left, right: self.values(to), is_local, noise };
@@ -138,7 +154,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
                 if level < finest {
                     (level, index, width) = (level + 1, 2 * index, half * width);
                     if level == LOCAL {
-                        noise = self.rounding(from);
+                        noise = self.rounding(from, &left);
                     }
                     continue;
                 }
@@ -224,7 +240,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         super::guards(self.system, self.path.time(theta), &self.held, &self.path.at(theta))
     }
 
-    /// Gives the range and the slope of every guard over an interval; false if none are known.
+    /// Gives the range and the slope of every guard over an interval; false if some are not known.
     fn ranges(
         &self,
         piece: &Piece<M::S, M::G>,
@@ -234,8 +250,10 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         let half = M::S::lit(0.5);
         let (middle, radius) = (half * (piece.from + piece.to), half * (piece.to - piece.from));
         let (time, x) = self.path.around(middle, radius);
+        let mut given = 0;
         let known = self.system.guards_within(time, &self.held, &x, &mut |i, guard: Enclosed<M::S>| {
             if i < M::G::LEN {
+                given |= bit(i);
                 each(i, guard.range(radius), guard.slope);
             }
         });
@@ -244,7 +262,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         }
         // By the parabola through three points.
         let between = self.values(middle);
-        for i in 0..M::G::LEN {
+        for i in (0..M::G::LEN).filter(|i| given & bit(*i) == 0) {
             let (a, b, c) = (piece.left.at(i), between.at(i), piece.right.at(i));
             let (lean, bend) = (half * (c - a), a + c - (b + b));
             let dip = if lean.abs() < bend { half * lean * lean / bend } else { M::S::ZERO };
@@ -259,18 +277,15 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         true
     }
 
-    /// What rounding of the state and of the time makes of each guard at a fraction of the step.
-    fn rounding(&self, theta: M::S) -> M::G {
+    /// What rounding of the state and of the time makes of each guard at a fraction of the step, where they are `here`.
+    fn rounding(&self, theta: M::S, here: &M::G) -> M::G {
         let (ahead, end) = (self.path.time(theta), self.path.time(M::S::lit(1.0)));
-        rounding((self.system, &self.held), (ahead, end), &self.path.at(theta), &self.values(theta))
+        rounding((self.system, &self.held), (ahead, end), &self.path.at(theta), here)
     }
 
     /// How soon a guard comes to its side that was switched a little before or after its time; if it does.
     fn return_of(&self, index: usize) -> Option<M::S> {
-        let mut theta = M::S::lit(1.0);
-        for _ in 0..FINEST {
-            theta = M::S::lit(0.5) * theta;
-        }
+        let mut theta = finest::<M::S>();
         for _ in 0..=FINEST {
             if self.values(theta).at(index) > M::S::ZERO {
                 return Some(theta);
@@ -279,6 +294,11 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         }
         None
     }
+}
+
+/// The shortest interval, as a fraction of the step.
+fn finest<S: Real>() -> S {
+    (0..FINEST).fold(S::lit(1.0), |width, _| S::lit(0.5) * width)
 }
 
 /// What rounding of the state `x` and of a time, up to `end`, makes of each guard there.

@@ -81,6 +81,7 @@ impl<S: Scalar> Scalar for Two<S> {
     const MOST_GROWTH: f64 = S::MOST_GROWTH;
     const AGREEMENT: f64 = S::AGREEMENT;
     const PRECISION: f64 = S::PRECISION;
+    const HAS_DERIVATIVES: bool = S::HAS_DERIVATIVES;
 
     #[inline(always)]
     fn lit(x: f64) -> Self {

@@ -105,6 +105,22 @@ pub trait Events: Rate {
         false
     }
 
+    /// True if no guard passes zero in a step, and no kink matters there, as is known without its dense output: `places` are time and state
+    /// at its beginning and about its middle, `within` is what they are anywhere, `end` the guards at its end. False says nothing.
+    fn stay(
+        &self,
+        u: &Self::U,
+        places: [(Self::S, &Self::X); 2],
+        within: (Enclosed<Self::S>, &impl Fn(usize) -> Enclosed<Self::S>),
+        end: &Self::G,
+    ) -> bool
+    where
+        Self::S: Real,
+    {
+        let _ = (u, places, within, end);
+        false
+    }
+
     /// Some conditions or kinks matter only while others have a certain side, as [`matters`](Self::matters) tells; of 64 sides at
     /// most.
     const SELECTIVE: bool = false;

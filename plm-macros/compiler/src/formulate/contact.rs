@@ -15,22 +15,31 @@ use plm_cas::{Expr, algebra};
 
 use super::function::{Function, Place};
 use crate::derive::Equations;
-use crate::model::{ContactLaw, Model};
+use crate::model::{Contact, ContactLaw, Model};
 
 /// Functions of the rows of contact.
 pub(crate) struct ContactFunctions {
-    /// `rows`.
-    pub(crate) rows: Function,
-    /// `dx`: what multipliers add to the rate, at its velocities.
-    pub(crate) response: Function,
+    /// `rows.gap` and `rows.rate`.
+    pub(crate) kinematics: Function,
+    /// `dx` without contact forces, `response`, by which a multiplier of one changes it, and the rest of `rows`. It returns what the rate
+    /// returns.
+    pub(crate) motion: Function,
+    /// `limits`, the kinetic `[lower, upper]` of the rows that are `own`.
+    pub(crate) limits: Function,
+    /// By row: the limits of the friction read no reaction.
+    pub(crate) own: Vec<bool>,
+    /// The rate is `dx` and the sum of the responses times their multipliers.
+    pub(crate) is_affine: bool,
 }
 
 /// A motion whose accelerations are known.
 pub(super) struct Accelerated<'a> {
     /// Accelerations of all bodies, three each.
     pub(super) bodies: &'a [Expr],
-    /// Accelerations of the coordinates of the state.
-    pub(super) second: &'a [Expr],
+    /// Results of the rate: `dx`, and what it returns.
+    pub(super) rate: &'a [(Place, Expr)],
+    /// Number of the coordinates of the state; their accelerations stand behind their velocities in `dx`.
+    pub(super) coordinates: usize,
     /// Values for the symbols of the model.
     pub(super) substitution: &'a [(Expr, Expr)],
     /// Multipliers of the joints, in the order of the rows.
@@ -48,15 +57,36 @@ pub(super) fn functions(
     }
     let lambda: Vec<Expr> = model.contacts.iter().map(|contact| contact.lambda).collect_vec();
     let without: Vec<(Expr, Expr)> = lambda.iter().map(|&symbol| (symbol, Expr::ZERO)).collect_vec();
-    let mut results = kinematics(model, equations, motion, &lambda);
-    results.extend(limits(model, motion, &lambda));
-    results.extend(reactions(model, equations, motion, &lambda));
-    let rows = Function::of_results(results).substitute(&without);
-    Some(ContactFunctions { rows: without_zeros(rows).optimise(), response: response(motion, &lambda) })
+    let mut rows = accelerations(model, equations, motion, &lambda);
+    rows.extend(limits(model, motion, &lambda));
+    rows.extend(reactions(model, equations, motion, &lambda));
+    let (response, is_affine) = response(motion, &lambda);
+    rows.extend(response);
+    let rows = without_zeros(Function::of_results(rows).substitute(&without));
+    let rate = Function::of_results(motion.rate.to_vec()).substitute(&without);
+    let results = rate.results.into_iter().chain(rows.results).collect_vec();
+    Some(ContactFunctions {
+        kinematics: kinematics(model, equations, motion),
+        motion: Function::of_results(results).optimise(),
+        limits: own_limits(model, motion),
+        own: model.contacts.iter().map(|contact| is_own(contact, &lambda)).collect_vec(),
+        is_affine,
+    })
 }
 
-/// Gaps, rates, (1) with the multipliers still in it, and (2).
-fn kinematics(
+/// Gaps and rates.
+fn kinematics(model: &Model, equations: &Equations, motion: &Accelerated) -> Function {
+    let here = |expr: Expr| algebra::substitute(&[expr], motion.substitution)[0];
+    let mut results = Vec::new();
+    for (i, (contact, row)) in model.contacts.iter().zip(&equations.contacts).enumerate() {
+        results.push((Place::Path(format!("rows.gap[{i}]")), here(contact.displacement)));
+        results.push((Place::Path(format!("rows.rate[{i}]")), here(row.rate)));
+    }
+    without_zeros(Function::of_results(results)).optimise()
+}
+
+/// (1) with the multipliers still in it, and (2).
+fn accelerations(
     model: &Model,
     equations: &Equations,
     motion: &Accelerated,
@@ -64,11 +94,10 @@ fn kinematics(
 ) -> Vec<(Place, Expr)> {
     let here = |expr: Expr| algebra::substitute(&[expr], motion.substitution)[0];
     let mut results = Vec::new();
-    for (i, (contact, row)) in model.contacts.iter().zip(&equations.contacts).enumerate() {
+    for i in 0..model.contacts.len() {
+        let row = &equations.contacts[i];
         let terms = row.direction.iter().map(|&(k, entry)| here(entry) * motion.bodies[k]);
         let along: Expr = terms.sum();
-        results.push((Place::Path(format!("rows.gap[{i}]")), here(contact.displacement)));
-        results.push((Place::Path(format!("rows.rate[{i}]")), here(row.rate)));
         results.push((Place::Path(format!("rows.free[{i}]")), along + here(row.bias)));
         let columns = lambda.iter().enumerate();
         results.push_all(
@@ -100,6 +129,25 @@ fn limits(model: &Model, motion: &Accelerated, lambda: &[Expr]) -> Vec<(Place, E
     results
 }
 
+/// Does a friction have limits that read no reaction?
+fn is_own(contact: &Contact, lambda: &[Expr]) -> bool {
+    let ContactLaw::Friction { kinetic, reaction, .. } = &contact.law else { return false };
+    let read = algebra::symbols(kinetic);
+    reaction.is_none() && lambda.iter().all(|lambda| !read.contains(lambda))
+}
+
+/// The kinetic limits of frictions that read no reaction.
+fn own_limits(model: &Model, motion: &Accelerated) -> Function {
+    let lambda: Vec<Expr> = model.contacts.iter().map(|contact| contact.lambda).collect_vec();
+    let mut results = Vec::new();
+    for (i, contact) in model.contacts.iter().enumerate().filter(|(_, contact)| is_own(contact, &lambda)) {
+        let ContactLaw::Friction { kinetic, .. } = &contact.law else { continue };
+        let limits = algebra::substitute(kinetic, motion.substitution).into_iter().enumerate();
+        results.push_all(limits.map(|(side, limit)| (Place::Entry("limits", i, side), limit)));
+    }
+    without_zeros(Function::of_results(results)).optimise()
+}
+
 /// Reactions of joints that bound frictions.
 fn reactions(
     model: &Model,
@@ -128,12 +176,26 @@ fn affine(place: &str, value: Expr, lambda: &[Expr]) -> Vec<(Place, Expr)> {
     results
 }
 
-/// Accelerations of the coordinates by the multipliers alone.
-fn response(motion: &Accelerated, lambda: &[Expr]) -> Function {
-    let n = motion.second.len();
-    let sum = |second: Expr| lambda.iter().map(|&lambda| lambda * second.diff(lambda)).sum::<Expr>();
-    let results = motion.second.iter().zip(n..).map(|(&second, k)| (Place::Element("dx", k), sum(second)));
-    without_zeros(Function::of_results(results.collect_vec())).optimise()
+/// Accelerations of the coordinates by a multiplier of one; and whether the rate is affine in all multipliers by them.
+fn response(motion: &Accelerated, lambda: &[Expr]) -> (Vec<(Place, Expr)>, bool) {
+    let n = motion.coordinates;
+    let (mut results, mut others) = (Vec::new(), Vec::new());
+    for (place, value) in motion.rate {
+        match place {
+            Place::Element("dx", k) if (n..2 * n).contains(k) => {
+                let columns = lambda.iter().enumerate();
+                results
+                    .push_all(columns.map(|(j, &lambda)| {
+                        (Place::Path(format!("response[{j}][{k}]")), value.diff(lambda))
+                    }));
+            }
+            _ => others.push(*value),
+        }
+    }
+    others.push_all(results.iter().map(|(_, column)| *column));
+    let read = algebra::symbols(&others);
+    let is_affine = lambda.iter().all(|lambda| !read.contains(lambda));
+    (results, is_affine)
 }
 
 /// A function that stores no zeros: they are there before.

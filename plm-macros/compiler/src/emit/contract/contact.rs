@@ -2,6 +2,7 @@
 
 use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::{joined, quote};
+use plm_cas::{Expr, algebra};
 use proc_macro2::{Literal, TokenStream};
 
 use super::super::bindings::Origin;
@@ -11,7 +12,7 @@ use super::super::{Emission, Form, Sizes, memory, number, quoted};
 use super::charted::call;
 use super::contact_events::PER_ROW;
 use crate::formulate::ContactFunctions;
-use crate::model::{ContactLaw, Impacts, Stabilisation};
+use crate::model::{Contact, ContactLaw, Impacts, Stabilisation};
 
 /// Has the mechanism rows of contact?
 pub(in super::super) fn are_there(emission: &Emission) -> bool {
@@ -41,18 +42,7 @@ pub(crate) fn contacts(emission: &Emission) -> TokenStream {
 /// The straight-line functions, chart by chart.
 fn functions(emission: &Emission) -> TokenStream {
     let name = &emission.name;
-    let of: Vec<(&ContactFunctions, Origin)> = match emission.form {
-        Form::Absolute => {
-            emission.program.contact.iter().map(|contact| (contact, Origin::Arguments)).collect_vec()
-        }
-        Form::Tree(chart) => {
-            chart.contact.iter().map(|contact| (contact, Origin::Chart(chart))).collect_vec()
-        }
-        Form::Loops(reduced) => {
-            let charts = reduced.charts.iter();
-            charts.filter_map(|chart| Some((chart.contact.as_ref()?, Origin::Chart(chart)))).collect_vec()
-        }
-    };
+    let of = of_charts(emission);
     let all = of.into_iter().enumerate().map(|(k, of)| in_chart(emission, k, of)).collect_vec();
     let (all, exist, count) = (joined(all), &emission.program.rows_exist, count(emission));
     let exist = some_may_not_exist(emission).then(|| {
@@ -66,51 +56,108 @@ fn functions(emission: &Emission) -> TokenStream {
     quote!(impl<S: Scalar> #name<S> { #all #exist })
 }
 
+/// Functions of the rows in each chart.
+fn of_charts<'a>(emission: &Emission<'a>) -> Vec<(&'a ContactFunctions, Origin<'a>)> {
+    match emission.form {
+        Form::Absolute => {
+            emission.program.contact.iter().map(|contact| (contact, Origin::Arguments)).collect_vec()
+        }
+        Form::Tree(chart) => {
+            chart.contact.iter().map(|contact| (contact, Origin::Chart(chart))).collect_vec()
+        }
+        Form::Loops(reduced) => {
+            let charts = reduced.charts.iter();
+            charts.filter_map(|chart| Some((chart.contact.as_ref()?, Origin::Chart(chart)))).collect_vec()
+        }
+    }
+}
+
 fn in_chart(emission: &Emission, k: usize, (contact, origin): (&ContactFunctions, Origin)) -> TokenStream {
     let (Sizes { length, .. }, count) = (&emission.sizes, count(emission));
     let memory = emission.loops().map(|reduced| memory(reduced, &quote!(S)));
     let memory = memory.map(|memory| quote!(m: &#memory,));
     let state = quote!(t: S, u: &Held<S>, #memory x: &[S; #length]);
-    let [rows, response] = ["contact_rows", "contact_response"].map_each(|name| emission.in_chart(name, k));
-    let rows = function(
+    let [kinematics, motion] =
+        ["contact_kinematics", "contact_motion"].map_each(|name| emission.in_chart(name, k));
+    let kinematics = function(
         emission,
-        "Rows of contact: gaps, rates, accelerations without contact forces, Delassus operator, limits of friction.",
-        &quote!(fn #rows(&self, #state, rows: &mut rt::contact::Rows<S, #count>)),
-        (&contact.rows, origin),
+        "Gaps and rates of the rows of contact.",
+        &quote!(fn #kinematics(&self, #state, rows: &mut rt::contact::Rows<S, #count>)),
+        (&contact.kinematics, origin),
     );
-    let response = function(
+    let limits = contact.own.contains(&true).then(|| {
+        let limits = emission.in_chart("contact_limits", k);
+        function(
+            emission,
+            "Limits of frictions that read no reaction, as `[lower, upper]`.",
+            &quote!(fn #limits(&self, #state, limits: &mut [[S; 2]; #count])),
+            (&contact.limits, origin),
+        )
+    });
+    let health = (!matches!(emission.form, Form::Tree(_))).then(|| quote!(-> S));
+    let motion = function(
         emission,
-        "What the multipliers that are held add to the rate.",
-        &quote!(fn #response(&self, #state, dx: &mut [S; #length])),
-        (&contact.response, origin),
+        "The rate without contact forces, its responses to multipliers, and of the rows of contact: accelerations without contact forces, Delassus operator, limits of friction.",
+        &quote! {
+            fn #motion(
+                &self,
+                #state,
+                dx: &mut [S; #length],
+                response: &mut [[S; #length]; #count],
+                rows: &mut rt::contact::Rows<S, #count>
+            ) #health
+        },
+        (&contact.motion, origin),
     );
-    quote!(#rows #response)
+    quote!(#kinematics #limits #motion)
 }
 
 /// The rows at a state, and what is held with the multipliers there.
 fn rows(emission: &Emission) -> TokenStream {
     let (Emission { name, sizes: Sizes { length, .. }, .. }, count) = (emission, count(emission));
     let [_, memory] = emission.memory_argument();
-    let rows = call(emission, "contact_rows", &quote!(t, u, #memory x, &mut rows), &quote!({}));
+    let kinematics = call(emission, "contact_kinematics", &quote!(t, u, #memory x, &mut rows), &quote!({}));
+    let arguments = quote!(t, u, #memory x, &mut dx, &mut response, rows);
+    let motion = if let Form::Tree(_) = emission.form {
+        let motion = call(emission, "contact_motion", &arguments, &quote!({}));
+        quote!(#motion; let health = rt::Health::perfect();)
+    } else {
+        let motion = call(emission, "contact_motion", &arguments, &quote!(S::lit(0.0)));
+        quote!(let health = rt::Health(#motion);)
+    };
     let loads = loads(emission);
-    let response = call(emission, "contact_response", &quote!(t, u, #memory x, &mut dx), &quote!({}));
     quote! {
         impl<S: Scalar> #name<S> {
-            fn contact_rows_(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
+            #[inline]
+            fn contact_kinematics_(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
                 let mut rows = rt::contact::Rows::none();
-                #rows;
+                #kinematics;
                 #loads
+                rows
+            }
+
+            /// The rate without contact forces, and its responses; completes the rows.
+            #[inline]
+            fn contact_motion_(
+                &self, t: S, u: &Held<S>, x: &[S; #length], rows: &mut rt::contact::Rows<S, #count>
+            ) -> ([S; #length], [[S; #length]; #count], rt::Health<S>) {
+                let (mut dx, mut response) = ([S::lit(0.0); #length], [[S::lit(0.0); #length]; #count]);
+                #motion
+                #loads
+                (dx, response, health)
+            }
+
+            fn contact_rows_(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
+                let mut rows = self.contact_kinematics_(t, u, x);
+                let _ = self.contact_motion_(t, u, x, &mut rows);
                 rows
             }
 
             fn contact_response_(
                 &self, t: S, u: &Held<S>, x: &[S; #length], lambda: &[S; #count]
             ) -> [S; #length] {
-                let mut held = *u;
-                held.contact.lambda = *lambda;
-                let (u, mut dx) = (&held, [S::lit(0.0); #length]);
-                #response;
-                dx
+                let (_, response, _) = self.contact_motion_(t, u, x, &mut rt::contact::Rows::none());
+                rt::contact::sum_of(&response, lambda)
             }
 
             /// The discrete state with the multipliers of contact at a state.
@@ -120,7 +167,9 @@ fn rows(emission: &Emission) -> TokenStream {
                 if !u.contact.has_forces() {
                     return held;
                 }
-                held.contact = rt::contact::with_multipliers(&self.contact_rows_(t, u, x), &u.contact);
+                let mut rows = rt::contact::Rows::none();
+                let _ = self.contact_motion_(t, u, x, &mut rows);
+                held.contact = rt::contact::with_multipliers(&rows, &u.contact);
                 held
             }
         }
@@ -131,6 +180,45 @@ fn rows(emission: &Emission) -> TokenStream {
                 self.mechanism.loaded_(self.time, &self.held, &self.x)
             }
         }
+    }
+}
+
+/// The rate without contact forces, and those of the rows, from one pass; from two where it is not affine in them.
+pub(super) fn rate(emission: &Emission) -> TokenStream {
+    let of = of_charts(emission);
+    let by_limits = of.first().filter(|(contact, _)| contact.own.contains(&true)).map(|(contact, _)| {
+        let own = emission.text(format!("{:?}", contact.own));
+        let [_, memory] = emission.memory_argument();
+        let (count, limits) = (count(emission), quote!(t, u, #memory x, &mut limits));
+        let limits = call(emission, "contact_limits", &limits, &quote!({}));
+        quote! {
+            // Forces are known before the accelerations.
+            if u.contact.modes.slip_by(&#own) {
+                let (mut limits, mut held) = ([[S::lit(0.0); 2]; #count], *u);
+                #limits;
+                held.contact = rt::contact::with_limits(&u.contact, &limits);
+                return self.rate_holding_(t, &held, x, dx);
+            }
+        }
+    });
+    if of.iter().all(|(contact, _)| contact.is_affine) {
+        return quote! {
+            if !u.contact.has_forces() {
+                return self.rate_holding_(t, u, x, dx);
+            }
+            #by_limits
+            let mut rows = rt::contact::Rows::none();
+            let (free, response, health) = self.contact_motion_(t, u, x, &mut rows);
+            *dx = free;
+            rt::contact::add_forces(dx, &rows, &u.contact, &response);
+            health
+        };
+    }
+    quote! {
+        let u = &self.loaded_(t, u, x);
+        let health = self.rate_holding_(t, u, x, dx);
+        rt::contact::settle(dx, &u.contact, |lambda| self.contact_response_(t, u, x, lambda));
+        health
     }
 }
 
@@ -157,6 +245,7 @@ fn contract(emission: &Emission) -> TokenStream {
         Impacts::Sequential => quote!(Sequential),
     };
     let (joints, existence) = (joints(emission), existence(emission));
+    let pushes = bounded_by_pushes(emission);
     let size = emission.text(format!("{:?}", emission.report.length));
     quote! {
         impl<S: Real> rt::contact::Contacts<#count> for #name<S> {
@@ -173,6 +262,19 @@ fn contract(emission: &Emission) -> TokenStream {
 
             fn rows_at(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
                 self.contact_rows_(t, u, x)
+            }
+
+            fn kinematics<T: Scalar>(
+                &self, t: T, u: &Held<S>, x: &impl Fn(usize) -> T, constant: &impl Fn(S) -> T
+            ) -> rt::contact::Rows<T, #count> {
+                use rt::lanes::Pack;
+                let number = |[s]: [S; 1]| constant(s);
+                let (mechanism, held) = (self.pack([self], number), Self::pack_held(u, [u], number));
+                mechanism.contact_kinematics_(t, &held, &core::array::from_fn(x))
+            }
+
+            fn kinematics_at(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
+                self.contact_kinematics_(t, u, x)
             }
 
             fn free_rate(&self, t: S, u: &Held<S>, x: &[S; #length], dx: &mut [S; #length]) -> rt::Health<S> {
@@ -196,6 +298,7 @@ fn contract(emission: &Emission) -> TokenStream {
             }
 
             #existence
+            #pushes
             #joints
         }
     }
@@ -210,6 +313,28 @@ fn existence(emission: &Emission) -> Option<TokenStream> {
                 let mut exist = [S::lit(0.0); #count];
                 self.rows_exist(u, &mut exist);
                 exist[row] > S::lit(0.5)
+            }
+        }
+    })
+}
+
+/// Frictions that are off without a push.
+fn bounded_by_pushes(emission: &Emission) -> Option<TokenStream> {
+    let contacts = &emission.model.contacts;
+    let none: Vec<(Expr, Expr)> = contacts.iter().map(|row| (row.lambda, Expr::ZERO)).collect_vec();
+    let is_bounded = |row: &Contact| match &row.law {
+        ContactLaw::Friction { kinetic, adhesion, reaction: None } => {
+            let limits = [*kinetic, *adhesion].concat();
+            algebra::substitute(&limits, &none).into_iter().all(Expr::is_zero)
+        }
+        _ => false,
+    };
+    let rows = contacts.iter().enumerate().filter(|(_, row)| is_bounded(row));
+    let rows: Vec<Literal> = rows.map(|(row, _)| number(row)).collect_vec();
+    (!rows.is_empty()).then(|| {
+        quote! {
+            fn is_bounded_by_pushes(&self, row: usize) -> bool {
+                matches!(row, #(#rows)|*)
             }
         }
     })

@@ -78,6 +78,16 @@ fn watched(emission: &Emission) -> TokenStream {
         ) -> bool {
             rt::contact::guards_within::<Self, #rows>(self, t, u, x, each)
         }
+
+        fn stay(
+            &self,
+            u: &Self::U,
+            places: [(S, &[S; #length]); 2],
+            within: (rt::Enclosed<S>, &impl Fn(usize) -> rt::Enclosed<S>),
+            end: &Self::G,
+        ) -> bool {
+            rt::contact::stay::<Self, #rows>(self, u, places, within, |index| end[index])
+        }
     }
 }
 

@@ -79,6 +79,7 @@ pub(crate) fn rate(emission: &Emission) -> TokenStream {
 fn with_contact(emission: &Emission, rate: &TokenStream) -> TokenStream {
     let Emission { name, sizes: Sizes { length, second_order, .. }, .. } = emission;
     let (typical, freedom) = (typical(emission), number(second_order / 2));
+    let with_forces = contact::rate(emission);
     quote! {
         impl<S: Scalar> rt::Rate for #name<S> {
             type S = S;
@@ -87,10 +88,7 @@ fn with_contact(emission: &Emission, rate: &TokenStream) -> TokenStream {
             const NQ: usize = #freedom;
 
             fn rate(&self, t: S, u: &Self::U, x: &[S; #length], dx: &mut [S; #length]) -> rt::Health<S> {
-                let u = &self.loaded_(t, u, x);
-                let health = self.rate_holding_(t, u, x, dx);
-                rt::contact::settle(dx, &u.contact, |lambda| self.contact_response_(t, u, x, lambda));
-                health
+                #with_forces
             }
 
             #[inline]

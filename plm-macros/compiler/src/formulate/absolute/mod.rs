@@ -100,7 +100,7 @@ pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
     free.extend(stored("gamma", stabilised(model, equations).iter()));
     // Assembly and projection hold no switches.
     let released = |function: Function| function.substitute(&model.released);
-    let contact = motion.contact(model, equations);
+    let contact = motion.contact(model, equations, &x_dot);
     Absolute {
         dynamics: motion.dynamics(equations, &x_dot),
         contact,

@@ -59,15 +59,28 @@ pub(super) fn motion(model: &Model, equations: &Equations, inverse_mass: &[Expr]
 
 impl Motion {
     /// The rows of contact.
-    pub(super) fn contact(&self, model: &Model, equations: &Equations) -> Option<ContactFunctions> {
-        let (bodies, second) = (&self.acceleration, &self.acceleration);
-        let motion = Accelerated { bodies, second, substitution: &self.read, reactions: &self.lambda };
+    pub(super) fn contact(
+        &self,
+        model: &Model,
+        equations: &Equations,
+        x_dot: &[Expr],
+    ) -> Option<ContactFunctions> {
+        let mut rate = self.rate(equations, x_dot);
+        rate.push((Place::Value, self.health));
+        let (bodies, coordinates) = (&self.acceleration, self.acceleration.len());
+        let (substitution, reactions, rate) = (&self.read, &self.lambda, &rate);
+        let motion = Accelerated { bodies, rate, coordinates, substitution, reactions };
         functions(model, equations, &motion)
+    }
+
+    /// `dx = [v, a, x_dot]`.
+    fn rate(&self, equations: &Equations, x_dot: &[Expr]) -> Vec<(Place, Expr)> {
+        stored("dx", equations.v.iter().chain(&self.acceleration).chain(x_dot))
     }
 
     /// The right-hand side: `dx = [v, a, x_dot]` and `lambda`, returning Health.
     pub(super) fn dynamics(self, equations: &Equations, x_dot: &[Expr]) -> Function {
-        let mut results = stored("dx", equations.v.iter().chain(&self.acceleration).chain(x_dot));
+        let mut results = self.rate(equations, x_dot);
         results.extend(stored("lambda", self.lambda.iter()));
         results.push((Place::Value, self.health));
         Function { sections: self.sections, results }

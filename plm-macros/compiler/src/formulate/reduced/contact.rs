@@ -18,7 +18,8 @@ impl Layout<'_> {
         let bodies = self.accelerations_of_bodies(motion, &second);
         let reactions = self.reactions_of_joints(motion);
         let substitution = &motion.substitution;
-        let motion = Accelerated { bodies: &bodies, second: &second, substitution, reactions: &reactions };
+        let (coordinates, rate) = (second.len(), &rate.results);
+        let motion = Accelerated { bodies: &bodies, rate, coordinates, substitution, reactions: &reactions };
         functions(self.model, self.equations, &motion)
     }
 

@@ -1,0 +1,162 @@
+//! Guards of contact rows: at a state, over an interval, and over a whole step.
+//!
+//! What they read depends on the modes. A gap that is open, and a row that slips by a bound of its own, need gaps and rates alone. A force
+//! that acts on a motion shapes it, so that the error of the step tells of it; a force that holds a row moves nothing, and neither does a
+//! gap. So those two are enclosed over a step, and a row that slips is looked at in some places of it.
+
+use super::loads::Load;
+use super::margins::{PER_ROW, each_margin, margins};
+use super::modes::{Mode, Modes};
+use super::multipliers::Multipliers;
+use super::rows::Rows;
+use super::{Contacts, Modal};
+use crate::enclosure::Enclosed;
+use crate::scalar::{Real, Scalar};
+
+/// A guard stays on its side if it is larger than so many times its second difference over half of the step, ...
+const BENT: f64 = 2.0;
+/// ... and than this fraction of its change.
+const CHANGED: f64 = 0.125;
+/// The determinant of rows that slip is 1 where none bounds another one. It is looked at over the step where it is below this.
+const COUPLED: f64 = 0.5;
+
+/// Guards of the rows in the modes held, for [`Events::guards`](crate::Events::guards): gives each of the
+/// [`guard_count`](super::guard_count) with its index.
+pub fn guards<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: M::S,
+    u: &M::U,
+    x: &M::X,
+    each: &mut impl FnMut(usize, M::S),
+) {
+    let (modes, each) = (u.modes(), &mut existing(system, u, each));
+    if is_free(system, u) {
+        let rows = system.kinematics_at(t, u, x);
+        if !reads_forces(&rows, modes) {
+            each_margin(&rows, (modes, modes.orientation), &Multipliers::none(), each);
+            return;
+        }
+    }
+    if !margins(&system.rows_at(t, u, x), (modes, modes.orientation), each) {
+        (0..PER_ROW * N).for_each(|index| each(index, M::S::ZERO));
+        each(PER_ROW * N, M::S::lit(-1.0));
+    }
+}
+
+/// Guards over an interval, for [`Events::guards_within`](crate::Events::guards_within). Those of rows that slip while none holds are
+/// left out: it is false then.
+pub fn guards_within<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: Enclosed<M::S>,
+    u: &M::U,
+    x: &impl Fn(usize) -> Enclosed<M::S>,
+    each: &mut impl FnMut(usize, Enclosed<M::S>),
+) -> bool {
+    let (modes, each) = (u.modes(), &mut existing(system, u, each));
+    let orientation = Enclosed::constant(modes.orientation);
+    if !is_free(system, u) {
+        let rows = system.rows(t, u, x, &Enclosed::constant);
+        // Newton's steps give no enclosure of what they converge to.
+        return !rows.load.contains(&Load::Plane) && margins(&rows, (modes, orientation), each);
+    }
+    let slips = modes.of.iter().any(|mode| mode.slips());
+    // Where every row slips nothing is known.
+    if !modes.of.iter().all(|mode| mode.slips()) {
+        let rows = system.kinematics(t, u, x, &Enclosed::constant);
+        each_margin(&rows, (modes, orientation), &Multipliers::none(), &mut |index, margin| {
+            let is_known = modes.of.get(index / PER_ROW).map_or(!slips, |mode| !mode.slips());
+            if is_known {
+                each(index, margin);
+            }
+        });
+    }
+    !slips
+}
+
+/// True if no guard comes near to zero in a step, for [`Events::stay`](crate::Events::stay), whose arguments these are; `end` gives the
+/// guards at its end. Most steps need no dense output then.
+pub fn stay<M: Contacts<N>, const N: usize>(
+    system: &M,
+    u: &M::U,
+    places: [(M::S, &M::X); 2],
+    (time, x): (Enclosed<M::S>, &impl Fn(usize) -> Enclosed<M::S>),
+    end: impl Fn(usize) -> M::S,
+) -> bool {
+    let (modes, half) = (u.modes(), M::S::lit(0.5));
+    if !is_free(system, u) {
+        return false;
+    }
+    if modes.of.contains(&Mode::Open) {
+        let rows = system.kinematics(time, u, x, &Enclosed::constant);
+        let is_far = |row: usize| {
+            let gap = rows.gap[row].range(half);
+            modes.of[row] != Mode::Open
+                || !system.exists(u, row)
+                || gap.low > M::S::lit(CHANGED) * (gap.high - gap.low)
+        };
+        if !(0..N).all(is_far) {
+            return false;
+        }
+    }
+    if !modes.of.iter().any(|mode| mode.slips()) {
+        return true;
+    }
+    if end(PER_ROW * N) < M::S::lit(COUPLED) {
+        return false;
+    }
+    let [first, second] = places.map(|(t, x)| slipping(system, u, t, x));
+    let is_clear = |row: usize, k: usize| {
+        let (a, b, c) = (first[row][k], second[row][k], end(PER_ROW * row + k));
+        let (bent, changed) = ((a - b - b + c).abs(), (c - a).abs());
+        a.min(b).min(c) > M::S::lit(BENT) * bent + M::S::lit(CHANGED) * changed
+    };
+    (0..N).all(|row| !modes.of[row].slips() || (0..PER_ROW).all(|k| is_clear(row, k)))
+}
+
+/// Guards of rows while none holds; but those of gaps, which are left out.
+fn slipping<M: Contacts<N>, const N: usize>(system: &M, u: &M::U, t: M::S, x: &M::X) -> [[M::S; PER_ROW]; N] {
+    let (modes, mut found) = (u.modes(), [[M::S::ZERO; PER_ROW]; N]);
+    let kinematics = system.kinematics_at(t, u, x);
+    let has_sign = |row: usize| modes.of[row].slips() && matches!(kinematics.load[row], Load::Line { .. });
+    let mut each = |index: usize, guard: M::S| {
+        if let Some(row) = found.get_mut(index / PER_ROW) {
+            row[index % PER_ROW] = guard;
+        }
+    };
+    if (0..N).any(has_sign) {
+        // Where multipliers are not unique guards are zero, which is not clear.
+        let _ = margins(&system.rows_at(t, u, x), (modes, modes.orientation), &mut each);
+    } else {
+        each_margin(&kinematics, (modes, modes.orientation), &Multipliers::none(), &mut each);
+    }
+    found
+}
+
+/// No row holds, and none that is off can get a force unless a gap closes.
+fn is_free<M: Contacts<N>, const N: usize>(system: &M, u: &M::U) -> bool {
+    let stays_off = |row: usize| system.is_bounded_by_pushes(row) || !system.exists(u, row);
+    let is_free = |(row, mode): (usize, &Mode)| !mode.holds() && (*mode != Mode::Off || stays_off(row));
+    u.modes().of.iter().enumerate().all(is_free)
+}
+
+/// Margins of rows that do not exist are far, and so are those of constraints.
+fn existing<'a, M: Contacts<N>, T: Scalar, const N: usize>(
+    system: &'a M,
+    u: &'a M::U,
+    each: &'a mut impl FnMut(usize, T),
+) -> impl FnMut(usize, T) + 'a {
+    move |index, margin| {
+        let row = index / PER_ROW;
+        let has_margins = row >= N || system.exists(u, row) && !system.law(row).is_constraint();
+        each(index, if has_margins { margin } else { T::lit(1.0) });
+    }
+}
+
+/// Do guards read forces, where no row holds? A bound by a reaction has a sign, and it couples the rows that slip.
+fn reads_forces<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &Modes<S, N>) -> bool {
+    (0..N).any(|row| {
+        let limits = [&rows.kinetic[row].lower, &rows.kinetic[row].upper];
+        let couples = |j: usize| modes.of[j].slips() && limits.iter().any(|limit| limit.by[j] != S::ZERO);
+        modes.of[row].slips() && (rows.load[row] != Load::Nothing || (0..N).any(couples))
+    })
+}
