@@ -114,7 +114,7 @@ pub use lanes::{Batch, F64x8};
 #[cfg(feature = "analysis")]
 pub use plm_analysis::{
     Auto, Change, Choice, Equilibrium, Freedom, Linearisable, Linearisation, Mode, Pace, Residual, Stabilise,
-    StartAuto, Unbalanced, What, linearise, stabilise,
+    StartAuto, Support, Unbalanced, What, linearise, stabilise,
 };
 #[cfg(feature = "batch")]
 pub use plm_study::{batch, study};

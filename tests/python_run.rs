@@ -1,8 +1,9 @@
 //! What a package of Python has of a run, without Python: bytes by every method, the state, its rates and their derivatives.
-#![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
 use plm::foreign::{Kind, Status};
 use plm::python::{Run, Runnable, method};
+use plm::runtime::contact::Mode;
 use plm::{Cause, Described, Fault};
 
 plm::mechanism! {
@@ -58,6 +59,22 @@ plm::mechanism! {
     }
 }
 
+plm::mechanism! {
+    /// A block that is thrown on a rough floor, bounces, slides to and fro on a spring, and sticks.
+    Thrown {
+        gravity: 9.81 m/s^2;
+        param stiff: N/m = 20 N/m;
+        input pull: N = 0 N;
+        ground { port o: (0, 0) m; }
+        body block { mass: 2 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start y: 0.2 m; start vx: 1 m/s; }
+        constraint level: block.angle = 0;
+        force hand(block.o) { x: pull - stiff*block.x; }
+        unilateral floor: block.y >= 0 m { restitution: 0.4; }
+        friction slip: rate(block.x) within 0.3*reaction(floor) { static: 0.4*reaction(floor); }
+        output block.x, block.y, push = reaction(floor);
+    }
+}
+
 const METHODS: [(&str, Option<f64>); 10] = [
     ("dop853", None),
     ("vern9", None),
@@ -102,6 +119,27 @@ fn a_saved_run_goes_on_to_the_bit_by_every_method() {
     goes_on(Rocker::new());
     goes_on(Hopper::new());
     goes_on(Swing::new());
+    goes_on(Thrown::new());
+}
+
+/// What a row does is a number, and a start below the floor is told in words.
+#[test]
+fn rows_of_contact_are_read_by_number() {
+    let mut run = start(Thrown::new(), METHODS[0]);
+    let rows = |run: &Run<Thrown>| [0, 1].map(|row| run.get(Kind::Contact, row).unwrap());
+    let numbers = |modes: [Mode; 2]| modes.map(|mode| mode.number() as f64);
+    assert_eq!(rows(&run), numbers([Mode::Open, Mode::Off]));
+    run.step(0.9, &mut |_| true).unwrap();
+    assert_eq!(rows(&run), numbers([Mode::Closed, Mode::Sticks]));
+    run.set(Kind::Input, 0, 14.0).unwrap();
+    run.step(0.1, &mut |_| true).unwrap();
+    assert_eq!(rows(&run), numbers([Mode::Closed, Mode::Forwards]));
+    assert_eq!(run.get(Kind::Contact, 2).unwrap_err().status(), Status::NoSuch);
+
+    let trouble = Run::start(Thrown::new(), method("dop853", None, None).unwrap(), (&[], &[(1, -0.01)]), 0.0);
+    let Err(plm::foreign::Error::Fault(fault)) = trouble else { panic!("it starts below the floor") };
+    assert_eq!((fault.part, fault.cause), ("floor", Cause::Sunk { by: 0.01 }));
+    assert!(plm::python::words(&fault).contains("floor"));
 }
 
 #[test]

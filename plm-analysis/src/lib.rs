@@ -13,4 +13,6 @@ pub use linearise::{Derivatives, derivatives};
 pub use linearise::{Linearisable, Linearisation, Mode, linearise};
 #[doc(hidden)]
 pub use nalgebra::DMatrix;
-pub use stabilise::{Change, Equilibrium, Freedom, Residual, Stabilise, Unbalanced, What, stabilise};
+pub use stabilise::{
+    Change, Equilibrium, Freedom, Residual, Stabilise, Support, Unbalanced, What, stabilise,
+};

@@ -108,7 +108,8 @@ impl Mode {
 /// Linearises a mechanism where a simulation is, or at a state of a run, exactly but for rounding: by running its equations
 /// and outputs on dual numbers.
 ///
-/// Modes mean what they usually mean where the state is an equilibrium.
+/// Modes mean what they usually mean where the state is an equilibrium. With friction and unilateral contact it is the system of the
+/// modes held: gaps that are closed and frictions that stick are constraints, slips have the force of their friction.
 ///
 /// # Errors
 /// [`Cause::Singular`] where the accelerations or their derivatives are not determined without a decomposition by rank, or
@@ -227,7 +228,9 @@ fn along<T: Moment<M: Linearisable<State = T>>>(state: &T, direction: Direction)
         rate
     });
     let mut constraints = Vec::new();
-    lifted.constraints(time, &x, &mut |number| constraints.push(tangent(number)));
+    let mut row = |number| constraints.push(tangent(number));
+    lifted.constraints(time, &x, &mut row);
+    lifted.held_rows(time, &held, &x, &mut row);
     let moment = <Lifted<T> as Mechanism>::State::new(lifted, held, time, x);
     let mut outputs = Vec::new();
     <Lifted<T> as Ports>::outputs(&moment, &mut |number| outputs.push(tangent(number)));

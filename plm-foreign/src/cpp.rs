@@ -75,7 +75,7 @@ impl fmt::Display for Kinds<'_> {
                 kind.word(),
                 match kind {
                     Kind::Parameter | Kind::Input | Kind::Start => true,
-                    Kind::State | Kind::Output => false,
+                    Kind::State | Kind::Output | Kind::Contact => false,
                     // Without a number, or without names that stay.
                     Kind::Body | Kind::Integrated | Kind::Rate => continue,
                 },

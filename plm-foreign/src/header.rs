@@ -2,6 +2,7 @@
 
 use core::fmt::{self, Write};
 
+use plm_runtime::contact::Mode;
 use plm_runtime::described::Quantity;
 
 use crate::source::{Entry, Si, replace};
@@ -11,6 +12,12 @@ use crate::{By, Called, Foreign, Kind, Matrix, Names, Number, Status};
 const FUNCTIONS: &str = include_str!("header.h.txt");
 /// One of a step by itself.
 const STEP: &str = include_str!("header_step.h.txt");
+
+/// Words above the names of rows of contact.
+const ROWS: &str = "\
+/* Rows of contact. What one does is its number of the kind PLM_CONTACT: a gap is PLM_OPEN or PLM_CLOSED; a friction is PLM_OFF as long as
+   nothing pushes, PLM_STICKS, or slips PLM_FORWARDS or PLM_BACKWARDS. */
+";
 
 /// Writes the header of a mechanism; `declared` is one as it was declared.
 ///
@@ -47,6 +54,7 @@ pub fn header<M: Foreign>(declared: &M, entry: Entry<'_>, to: &mut impl Write) -
     list(Kind::Output, &|k| M::OBSERVED.get(k).map_or(Unit::None, |(_, unit)| Unit::Named(unit)))?;
     list(Kind::Start, &of_start::<M>)?;
     list(Kind::Body, &|_| Unit::None)?;
+    list(Kind::Contact, &|_| Unit::None)?;
     writeln!(to, "\n#ifdef __cplusplus\n}}\n#endif\n\n#endif")
 }
 
@@ -100,6 +108,7 @@ fn common(to: &mut impl Write) -> fmt::Result {
         )?;
     }
     let (kinds, later) = Kind::ALL.split_at(6);
+    let (later, of_contact) = later.split_at(2);
     writeln!(to, "}};\n\n/* What an index belongs to. */")?;
     constants("plm_kind", kinds.iter().map(|kind| (kind.word(), *kind as i32)), to)?;
     writeln!(to, "#endif\n\n#ifndef PLM_METHOD\n#define PLM_METHOD\n/* Further kinds. */")?;
@@ -109,6 +118,13 @@ fn common(to: &mut impl Write) -> fmt::Result {
     writeln!(to, "\n/* Matrices of a linearisation. */")?;
     let matrices = Matrix::ALL.into_iter().zip(["A", "B", "C", "D", "BASIS"]);
     constants("plm_matrix", matrices.map(|(matrix, word)| (word, matrix as i32)), to)?;
+    writeln!(
+        to,
+        "#endif\n\n#ifndef PLM_MODE\n#define PLM_MODE\n/* A further kind, and what a row of contact does. */"
+    )?;
+    constants("plm_contact", of_contact.iter().map(|kind| (kind.word(), *kind as i32)), to)?;
+    let modes = Mode::ALL.into_iter().zip(["OPEN", "CLOSED", "OFF", "STICKS", "FORWARDS", "BACKWARDS"]);
+    constants("plm_mode", modes.map(|(mode, word)| (word, mode.number() as i32)), to)?;
     writeln!(to, "#endif\n")
 }
 
@@ -171,7 +187,8 @@ fn list<M: Foreign>(
         return Ok(());
     }
     let (lower, upper, word) = (Names::lower(prefix), Names::upper(prefix), kind.word());
-    writeln!(to, "\nenum {lower}_{} {{", Names::lower(word))?;
+    let above = if kind == Kind::Contact { ROWS } else { "" };
+    writeln!(to, "\n{above}enum {lower}_{} {{", Names::lower(word))?;
     kind.names(declared, &mut |name| {
         let (own, mut same) = (Names::upper(name), 0);
         kind.names(declared, &mut |other| same += usize::from(own.is_as(other)));

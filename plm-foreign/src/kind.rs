@@ -25,11 +25,13 @@ pub enum Kind {
     Integrated = 6,
     /// The rate of each of these, SI; can be read.
     Rate = 7,
+    /// A row of contact: what it does, as [`Mode::number`](plm_runtime::contact::Mode::number) says; can be read once the mechanism has started.
+    Contact = 8,
 }
 
 impl Kind {
     /// All kinds, in the order of their numbers.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Parameter,
         Self::Input,
         Self::State,
@@ -38,6 +40,7 @@ impl Kind {
         Self::Body,
         Self::Integrated,
         Self::Rate,
+        Self::Contact,
     ];
 
     /// The kind with this number.
@@ -59,6 +62,7 @@ impl Kind {
             Self::Body => "BODY",
             Self::Integrated => "INTEGRATED",
             Self::Rate => "RATE",
+            Self::Contact => "CONTACT",
         }
     }
 
@@ -74,6 +78,7 @@ impl Kind {
                 copy.starts_mut().each(&mut |name, _| each(name));
             }
             Self::Body => M::TABLES.bodies.iter().for_each(|body| each(body.name)),
+            Self::Contact => (0..M::CONTACTS).for_each(|row| each(declared.contact_name(row))),
             Self::Integrated | Self::Rate => {
                 for index in 0..<M as Rate>::X::LEN {
                     each(declared.name_of_state(index));

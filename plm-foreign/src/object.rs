@@ -182,6 +182,10 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
                 each_start(&mut copy, index, |value| found = Some(*value));
                 found
             }
+            Kind::Contact => {
+                let mode = M::contacts(&self.state()?.held()).mode(index);
+                mode.map(|mode| M::S::lit(f64::from(mode.number() as u32)))
+            }
             Kind::Body => None,
         };
         found.ok_or(Status::NoSuch.into())
@@ -201,7 +205,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
                 set_input::<M>(self.run.as_mut().ok_or(Status::NotStarted)?.state_mut(), index, value)
             }
             Kind::Start => each_start(&mut self.mechanism, index, |start| *start = value),
-            Kind::State | Kind::Output | Kind::Body | Kind::Integrated | Kind::Rate => {
+            Kind::State | Kind::Output | Kind::Body | Kind::Integrated | Kind::Rate | Kind::Contact => {
                 return Err(Status::ReadOnly.into());
             }
         };

@@ -135,7 +135,9 @@ impl From<&Fault> for Status {
             | Cause::Domain { .. }
             | Cause::Impact { .. }
             | Cause::NoMode { .. }
-            | Cause::NoContact { .. }
+            | Cause::NotUnique { .. }
+            | Cause::ImpactGains { .. }
+            | Cause::Slips
             | Cause::TooManyContacts { .. } => Self::Switching,
             Cause::StepTooSmall { .. }
             | Cause::TimeTooCoarse { .. }

@@ -1,4 +1,4 @@
-//! Loops by model exchange: a solver outside shows an instance what it likes, and the run is that of `Sim`.
+//! Loops and contact by model exchange: a solver outside shows an instance what it likes, and the run is that of `Sim`.
 #![cfg(feature = "fmi")]
 #![allow(
     clippy::unwrap_used,
@@ -10,6 +10,9 @@
 
 #[path = "../../tests/support/random.rs"]
 mod random;
+
+#[path = "exchange/contact.rs"]
+mod contact;
 
 use plm::Moment;
 use plm::runtime::Vector;

@@ -27,6 +27,7 @@ use syn::parse::Parser;
 /// | `input drive: N*m = 0;` | a number that can change while it runs |
 /// | `let span = 0.3 m + offset;` | a name for an expression |
 /// | `state p: Pa = 0;` and `rate p = …;` | a first-order state |
+/// | `discrete n: 1 = 0;` and `when t > 1 s { n = 1; }` | a state that only events change, and an event |
 /// | `ground { port o: (0, 0) m; }` | points of the ground |
 /// | `body arm { … }` | a body |
 /// | `revolute pin(arm.a, rod.b) { … }` | a part in use: its kind, its name, what it joins, its parameters |

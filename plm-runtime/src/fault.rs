@@ -156,10 +156,25 @@ pub enum Cause {
         /// Impacts that were tried at this time.
         tried: u32,
     },
+    /// An impact gains energy, as Newton's law can. The part is a row that approaches.
+    ImpactGains {
+        /// By how much, J.
+        by: f64,
+        /// What impulses and rates turn over, J.
+        of: f64,
+    },
     /// No forces of contact and friction satisfy all their laws: a body that slides digs in (Painleve). The part is a row that touches.
     NoMode {
         /// Rows that touch.
         touching: usize,
+        /// The share of D_nn that friction leaves, p = 1 - sigma mu D_nt/D_nn, where all of them are closed: negative where a slip is to
+        /// blame, not a number where it is not known.
+        p: f64,
+    },
+    /// A slip has come to where contact has no unique acceleration (Painleve). The part is the row whose push changes nothing there.
+    NotUnique {
+        /// The share of D_nn that friction leaves, p = 1 - sigma mu D_nt/D_nn: zero, or a little beyond.
+        p: f64,
     },
     /// More rows of contact and friction begin to rest at once than are told apart.
     TooManyContacts {
@@ -171,11 +186,8 @@ pub enum Cause {
         /// By how much, m or rad.
         by: f64,
     },
-    /// The mechanism has rows of contact, which this analysis does not solve.
-    NoContact {
-        /// The analysis.
-        by: &'static str,
-    },
+    /// No static equilibrium: the friction slips where all else could rest. The part is its row.
+    Slips,
     /// An interval ends before it begins, or is not a number.
     Interval {
         /// Its length, s.

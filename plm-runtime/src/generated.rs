@@ -14,7 +14,7 @@ pub use crate::fault::{Cause, Fault, Names};
 pub use crate::held::Held;
 pub use crate::limits::{Least, Limit};
 pub use crate::linear::Linear;
-pub use crate::mechanism::{InPlace, Mechanism, Moment};
+pub use crate::mechanism::{HasMasses, InPlace, Mechanism, Moment};
 pub use crate::method::Method;
 pub use crate::ports::Ports;
 pub use crate::scalar::{Real, Scalar};
@@ -47,8 +47,8 @@ pub mod compact {
 
 pub mod contact {
     pub use crate::contact::{
-        Contacts, Held, ImpactLaw, Law, Load, Rows, Status, begin, drift, guard_count, guards, guards_within,
-        project, settle, state_was_set, switch_behind, update, with_multipliers,
+        Contacts, Held, ImpactLaw, Law, Load, Rows, Status, appear, begin, drift, guard_count, guards,
+        guards_within, held_rows, project, settle, state_was_set, switch_behind, update, with_multipliers,
     };
 }
 
@@ -59,7 +59,7 @@ pub mod described {
 }
 
 pub mod events {
-    pub use crate::events::{holds, switch_where_due};
+    pub use crate::events::{Sets, begin, change, holds, switch_where_due, with_velocities};
 }
 
 pub mod held {

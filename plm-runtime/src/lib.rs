@@ -92,6 +92,8 @@ pub use fault::{Cause, Fault, Names};
 pub use held::Held;
 pub use limits::{Least, Limit};
 pub use linear::Linear;
+#[doc(hidden)]
+pub use mechanism::HasMasses;
 pub use mechanism::{AsMoment, At, InPlace, Mechanism, Moment};
 pub use method::{Adams, Dop853, Dopri5, Method, Rk4, SemiImplicitEuler, Vern9};
 pub use observed::Observed;

@@ -16,7 +16,7 @@ pub struct Limit {
     pub least: Least,
 }
 
-/// The least that a value may be.
+/// The least that a value may be; of some the most, too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Least {
     /// More than zero: something divides by it.
@@ -25,6 +25,10 @@ pub enum Least {
     Carried,
     /// Zero.
     Zero,
+    /// There is none, and zero is the most.
+    Negative,
+    /// Zero, and one is the most.
+    Share,
 }
 
 impl Least {
@@ -32,12 +36,20 @@ impl Least {
         match self {
             Self::Positive | Self::Carried => "positive and finite",
             Self::Zero => "finite and not negative",
+            Self::Negative => "finite and not positive",
+            Self::Share => "0 to 1",
         }
     }
 
     fn allows<S: Real>(self, value: S) -> bool {
         let zero = S::lit(0.0);
-        value.is_finite() && (zero < value || (self != Self::Positive && zero == value))
+        value.is_finite()
+            && match self {
+                Self::Positive => zero < value,
+                Self::Carried | Self::Zero => zero <= value,
+                Self::Negative => value <= zero,
+                Self::Share => zero <= value && value <= S::lit(1.0),
+            }
     }
 }
 

@@ -33,6 +33,12 @@ pub trait Linear: System<S: Real, X: Dense<<Self as Rate>::S>> {
         let _ = (t, x, row);
     }
 
+    /// Gives `row` the residuals of the [contact rows](crate::contact) that hold, which a state has to keep as long as they do:
+    /// displacements and rates.
+    fn held_rows(&self, t: Self::S, u: &Self::U, x: &Self::X, row: &mut impl FnMut(Self::S)) {
+        let _ = (t, u, x, row);
+    }
+
     /// The derivative of the rate along (`dt`, `dx`), exact but for rounding; with the health of the rate.
     fn jvp(
         &self,

@@ -19,7 +19,8 @@ impl<M: Described + Linear<Lifted<1>: Described>> Linearisable for M {}
 
 /// The directions in which the state of a mechanism can go, and what changes along them.
 ///
-/// With constraints the state is counted along what they leave: orthonormal directions. Without any the directions are those
+/// With constraints the state is counted along what they leave: orthonormal directions. Gaps that are closed and frictions that stick are
+/// such constraints: the system is that of the modes held. Without any the directions are those
 /// of the state, [`Labels::name_of_state`](crate::Labels::name_of_state). Inputs and observed quantities are in SI.
 pub struct Linearised<'a, M: Mechanism + Linear> {
     state: &'a M::State,
@@ -159,16 +160,18 @@ impl<'a, M: Linearisable> Linearised<'a, M> {
 
     /// Gives `each` the slope of every constraint by a component of the state, with its number; how many there are.
     fn constraints(&self, column: Option<usize>, mut each: impl FnMut(usize, M::S)) -> usize {
-        let (lifted, _) = self.state.mechanism().lift::<1>(&self.state.held());
+        let (lifted, held) = self.state.mechanism().lift::<1>(&self.state.held());
         let mut x = LiftedX::<M>::from_fn(|i| Dual::constant(self.state.x().at(i)));
         if let Some(column) = column {
             x.set(column, Dual::variable(x.at(column).value, 0));
         }
-        let mut count = 0;
-        lifted.constraints(Dual::constant(self.state.time()), &x, &mut |residual: Dual<M::S, 1>| {
+        let (mut count, time) = (0, Dual::constant(self.state.time()));
+        let mut row = |residual: Dual<M::S, 1>| {
             each(count, residual.tangents[0]);
             count += 1;
-        });
+        };
+        lifted.constraints(time, &x, &mut row);
+        lifted.held_rows(time, &held, &x, &mut row);
         count
     }
 

@@ -7,6 +7,21 @@ use crate::scalar::Real;
 use crate::sim::Sim;
 use crate::system::{Drift, Rate, System};
 
+/// A mechanism of which every body has a mass, so that its energies are known.
+///
+/// No type implements it: methods of energies ask for it where a body was declared without mass, for the message of rustc.
+///
+/// ```compile_fail,E0277
+/// fn energy<State: plm_runtime::HasMasses>(_: &State) {}
+/// energy(&1.0);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "this mechanism has no energy: a body is declared without `mass`",
+    label = "needs the mass of every body",
+    note = "declare `mass` and `inertia` of every body, or read poses, speeds and accelerations alone"
+)]
+pub trait HasMasses {}
+
 /// A mechanism with its parameters at one moment: the generated `State`, with methods such as `arm_angle()`.
 pub trait Moment: Copy {
     /// The mechanism.

@@ -26,8 +26,9 @@ pub trait Statics: Mechanism {
     fn full(state: &Self::State) -> Self::Full;
 
     /// Gives `each` in turn: the forces phi_q^T lambda - Q (N, N, N m per body), phi, phi_q v - nu, and the rates of the
-    /// first-order states. Accelerations are taken as zero where forces or rates read them. The angles of `x` have all turns, so
-    /// that `u` counts none.
+    /// first-order states; then the displacements of rows of contact, whose forces are those of the multipliers in `held`, and how much
+    /// each can give to either side while it holds. Accelerations are taken as zero where forces or rates read them. The angles of `x`
+    /// have all turns, so that `u` counts none.
     fn equations(
         &self,
         t: Self::S,
@@ -36,6 +37,12 @@ pub trait Statics: Mechanism {
         lambda: &Self::Rows,
         each: &mut impl FnMut(Self::S),
     );
+
+    /// The multipliers of rows of contact in what is held: pushes and frictions, N or N m.
+    fn multipliers(held: &mut Self::U) -> &mut [Self::S] {
+        let _ = held;
+        &mut []
+    }
 
     /// The assembled state at the time `t` as of [`start_state`](Mechanism::start_state), with the inputs of `held` in place of
     /// those that are declared.

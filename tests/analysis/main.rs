@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod auto;
+mod contact;
 mod linearise;
 mod linkages;
 mod pressures;

@@ -322,20 +322,3 @@ fn only_the_spring_with_a_force_state_keeps_its_height() {
     assert_close(value(&found, "second.y"), 0.98038, 1e-12);
     assert_close(value(&found, "third.y"), 0.98038, 1e-12);
 }
-
-mod on_a_floor {
-    plm::mechanism! {
-        pub Weight {
-            gravity: 9.81 m/s^2;
-            body weight { mass: 1 kg; inertia: 1 kg*m^2; start y: 1 m; }
-            unilateral floor: weight.y >= 0 m;
-        }
-    }
-}
-
-/// A search without contact forces would find rest nowhere, or below the floor.
-#[test]
-fn contact_is_refused() {
-    let fault = on_a_floor::Weight::new().stabilise().unwrap_err();
-    assert_eq!(fault.cause, plm::Cause::NoContact { by: "stabilise" });
-}

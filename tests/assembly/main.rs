@@ -3,7 +3,11 @@
 #![allow(clippy::excessive_precision, reason = "references are written as they were published")]
 
 mod assembly;
+mod drawn;
+#[path = "../support/random.rs"]
+mod random;
 mod robust;
 mod scenes;
 mod starts;
+mod turned_starts;
 mod workspace_limits;

@@ -131,4 +131,14 @@ fn a_block_rocks() {
     }
     sim.step_to(10.0).unwrap();
     assert!(sim.block().angle.abs() < 1e-12, "{:?}", sim.block());
+    // Then it rests on two corners, at any tolerance.
+    for tolerance in [1e-4, 1e-8, 1e-12] {
+        let mut sim = Block::new();
+        sim.start.block.y.value = 0.5;
+        let mut sim = sim.start_with(Dop853::new(tolerance)).unwrap();
+        let (x, y, angle) = (sim.block().x, sim.block().y, sim.block().angle);
+        sim.step(3600.0).unwrap();
+        assert_eq!((sim.block().x, sim.block().y, sim.block().angle), (x, y, angle), "{tolerance}");
+        assert!(sim.stats().steps < 20, "{tolerance}: {:?}", sim.stats());
+    }
 }

@@ -1,12 +1,17 @@
 //! Friction and unilateral contact in declarations, against closed forms.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
+mod around;
+mod existence;
 mod flights;
 mod friction;
 mod joints;
 mod loops;
 mod mixed;
+mod painleve;
 mod pictures;
+mod release;
+mod scenes;
 
 /// Asserts that two numbers differ by `within` at most.
 #[track_caller]

@@ -6,5 +6,6 @@ mod kinks;
 mod near_singular;
 #[path = "../support/random.rs"]
 mod random;
+mod sets;
 mod short_events;
 mod sides;

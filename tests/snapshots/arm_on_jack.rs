@@ -656,6 +656,7 @@ mod plm_arm_on_jack_ {
             const PARTS: [&'static str; 2] = ["hinge", "hinge"];
             const COORDINATES: [&'static str; 3] = ["arm.x", "arm.y", "arm.angle"];
             const ANGULAR: [bool; 2] = [false; 2];
+            const GIVEN_ANGLES: &'static [bool] = &[true; 1];
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 2 add, 2 mul, 1 sin_cos.

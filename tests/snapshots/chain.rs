@@ -698,6 +698,7 @@ mod plm_chain_ {
                 "bar[4].angle",
             ];
             const ANGULAR: [bool; 10] = [false; 10];
+            const GIVEN_ANGLES: &'static [bool] = &[true; 5];
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 26 add, 10 mul, 5 sin_cos.

@@ -521,6 +521,7 @@ mod plm_double_pendulum_ {
             const COORDINATES: [&'static str; 6] =
                 ["arm.x", "arm.y", "arm.angle", "forearm.x", "forearm.y", "forearm.angle"];
             const ANGULAR: [bool; 4] = [false; 4];
+            const GIVEN_ANGLES: &'static [bool] = &[true; 2];
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 8 add, 2 mul, 2 sin_cos.

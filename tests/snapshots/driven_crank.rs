@@ -718,6 +718,7 @@ mod plm_driven_crank_ {
                 "slider.angle",
             ];
             const ANGULAR: [bool; 9] = [false, false, false, false, false, false, false, true, true];
+            const GIVEN_ANGLES: &'static [bool] = &[true, true, false];
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 15 add, 7 mul, 2 neg, 3 sin_cos.

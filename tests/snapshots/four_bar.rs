@@ -883,6 +883,7 @@ mod plm_four_bar_ {
                 "rocker.angle",
             ];
             const ANGULAR: [bool; 8] = [false; 8];
+            const GIVEN_ANGLES: &'static [bool] = &[true; 3];
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 17 add, 6 mul, 3 sin_cos.

@@ -1174,6 +1174,7 @@ mod plm_plate_on_three_pins_ {
             ];
             const ANGULAR: [bool; 12] =
                 [false, false, false, false, false, false, false, false, false, true, true, true];
+            const GIVEN_ANGLES: &'static [bool] = &[true, true, true, false];
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 42 add, 34 mul, 7 sin_cos.

@@ -616,6 +616,7 @@ mod plm_slider_crank_ {
                 "slider.angle",
             ];
             const ANGULAR: [bool; 8] = [false, false, false, false, false, false, false, true];
+            const GIVEN_ANGLES: &'static [bool] = &[true, true, false];
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 12 add, 4 mul, 2 neg, 2 sin_cos.

@@ -5,6 +5,7 @@ use std::fmt;
 use plm_runtime::{Dop853, Fault, Method, Sim, Statics};
 
 use super::Stabilise;
+use super::contact::Support;
 use super::report::{Change, Freedom, Residual, Unbalanced};
 use super::residuals::Setting;
 
@@ -19,6 +20,8 @@ pub struct Equilibrium<M: Statics> {
     pub free: Vec<Freedom>,
     /// Coordinates and states, and how far they are from where they started.
     pub values: Vec<Change>,
+    /// Gaps that are closed there and frictions that hold, with what they give.
+    pub supports: Vec<Support>,
     /// Size of the mechanism, m.
     pub size: f64,
     /// Steps of the iteration.
@@ -66,10 +69,14 @@ impl<M: Statics> Equilibrium<M> {
 /// The result without the time and the inputs of the search.
 impl<M: Statics + fmt::Debug> fmt::Debug for Equilibrium<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { mechanism, residuals, free, values, size, iterations, setting: _ } = self;
+        let Self { mechanism, residuals, free, values, supports, size, iterations, setting: _ } = self;
         let mut shown = f.debug_struct("Equilibrium");
         shown.field("mechanism", mechanism).field("residuals", residuals).field("free", free);
-        shown.field("values", values).field("size", size).field("iterations", iterations);
+        shown
+            .field("values", values)
+            .field("supports", supports)
+            .field("size", size)
+            .field("iterations", iterations);
         shown.finish_non_exhaustive()
     }
 }
@@ -77,8 +84,9 @@ impl<M: Statics + fmt::Debug> fmt::Debug for Equilibrium<M> {
 /// Results are equal whatever the time and the inputs of the search.
 impl<M: Statics + PartialEq> PartialEq for Equilibrium<M> {
     fn eq(&self, other: &Self) -> bool {
-        let Self { mechanism, residuals, free, values, size, iterations, setting: _ } = other;
+        let Self { mechanism, residuals, free, values, supports, size, iterations, setting: _ } = other;
         (&self.mechanism, &self.residuals, &self.free, &self.values) == (mechanism, residuals, free, values)
+            && self.supports == *supports
             && (self.size, self.iterations) == (*size, *iterations)
     }
 }

@@ -167,7 +167,7 @@ struct Balance {
 impl Balance {
     /// Gives the point the multipliers that balance best: they, and the forces of locks, enter linearly.
     fn at<M: Stabilise>(task: &Task<M>, point: &mut Point) -> Option<Self> {
-        let (nq, nc, locked) = (Residuals::<M>::NQ, Residuals::<M>::NC, task.locked());
+        let (nq, nc, locked) = (Residuals::<M>::NQ, task.residuals.nc(), task.locked());
         let by_lambda = task.residuals.by_lambda(point);
         let force = scaled(&by_lambda.force, |i| 1.0 / task.scales.force[i], |_| 1.0);
         let sizes = DVector::from_fn(nc, |j, _| match force.column(j).amax() {
@@ -209,7 +209,7 @@ impl Balance {
         let left = rate.component_div(&sizes);
         // What joints and locks do not carry of a change of the forces.
         let uncarried = &force + &self.carries * &reaction;
-        let of_locks = reaction.rows(Residuals::<M>::NC, self.of_locks.len()).into_owned();
+        let of_locks = reaction.rows(task.residuals.nc(), self.of_locks.len()).into_owned();
         let first =
             Level::new([&uncarried, &change.select_rows(free)], [&self.left, &left.select_rows(free)]);
         let second =

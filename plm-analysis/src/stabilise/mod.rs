@@ -6,6 +6,7 @@
 //! linearised equations best, the shortest (A. Bjorck, Numerical Methods for Least Squares Problems, SIAM 1996, 9.2);
 //! the order of importance among equations is kept by solving the later ones in the null space of those before.
 
+mod contact;
 mod dependent_states;
 mod equilibrium;
 mod evaluation;
@@ -16,6 +17,8 @@ mod scales;
 
 use plm_runtime::{AsMoment, Cause, Fault, Linear, Mechanism, Moment, Statics, System, Vector};
 
+pub use self::contact::Support;
+use self::contact::Wrong;
 use self::dependent_states::integrate_dependent;
 pub use self::equilibrium::Equilibrium;
 use self::evaluation::{Evaluation, Task};
@@ -48,8 +51,8 @@ pub trait Stabilise: Statics + Linear<Lifted<1>: Statics> + System<S = f64> {
     /// [`stabilise`].
     ///
     /// # Errors
-    /// When the mechanism cannot be assembled; [`Cause::Singular`] when its equations are not finite there; [`Cause::NoContact`] when
-    /// it has rows of contact.
+    /// When the mechanism cannot be assembled; [`Cause::Singular`] when its equations are not finite there; [`Cause::Slips`] when it would
+    /// rest only with more friction than there is.
     fn stabilise(self) -> Result<Equilibrium<Self>, Fault> {
         search(self, Setting { time: 0.0, inputs: None })
     }
@@ -79,35 +82,60 @@ where
 }
 
 fn search<M: Stabilise>(of: M, setting: Setting<M>) -> Result<Equilibrium<M>, Fault> {
+    let mut of = of;
     if M::CONTACTS > 0 {
-        return Err(Fault::new(setting.time, Cause::NoContact { by: "stabilise" }));
+        contact::at_rest(&mut of);
     }
-    let singular = Fault::new(setting.time, Cause::Singular { rows: Residuals::<M>::NC });
-    let (_, before) = Residuals::at_start(of, &setting)?;
-    let (mut mechanism, mut iterations, mut stopped) = (of, 0, None);
+    let singular = Fault::new(setting.time, Cause::Singular { rows: Residuals::<M>::OWN });
+    let (_, before) = Residuals::at_start(of, &setting, &[])?;
+    let (mut mechanism, mut iterations, mut stopped, mut push) = (of, 0, None, PUSH);
+    let mut released = Vec::new();
     for round in 1..=MOST_ROUNDS {
-        let (residuals, start) = Residuals::at_start(mechanism, &setting)?;
-        let task = Task::new(residuals, &start).ok_or(singular)?;
+        let (residuals, start) = Residuals::at_start(mechanism, &setting, &released)?;
+        let mut task = Task::new(residuals, &start).ok_or(singular)?;
         // The last round only evaluates.
         let most = if round < MOST_ROUNDS { MOST_STEPS.saturating_sub(iterations) } else { 0 };
         let (evaluation, steps) = descend(&task, start, most).ok_or(singular)?;
         iterations += steps;
+        let slips = contact::slips(&task.residuals, setting.time);
         mechanism = task.residuals.started_at(&evaluation.point);
+        if steps > 0 {
+            let Some(point) = contact::lifted(&mut task, evaluation.point.clone()) else { break };
+            mechanism = task.residuals.started_at(&point);
+        }
         // Conditions are on the sides that the start had; where it ended they may be on others.
         if steps > 0 && <M::G as Vector<f64>>::LEN > 0 {
             continue;
         }
         let found = Found { task: &task, evaluation: &evaluation, before: &before };
-        let found = found.equilibrium((mechanism, setting), iterations);
-        if evaluation.first <= BALANCED {
+        let mut found = found.equilibrium((mechanism, setting), iterations);
+        if evaluation.first <= BALANCED && slips.is_none() {
+            match contact::supports((&task, &evaluation), setting.time) {
+                Ok(supports) => found.supports = supports,
+                Err(Wrong::Slips(fault)) => return Err(fault),
+                Err(Wrong::Pulls(row)) => {
+                    released.push(row);
+                    continue;
+                }
+            }
             return Ok(found);
         }
         // No step helps where forces have a maximum, as on a pendulum held level. They still show a way.
-        stopped.get_or_insert(found);
-        let Some(point) = pushed(&task, &evaluation) else { break };
+        match slips {
+            Some(fault) => stopped = Some(Err(fault)),
+            None => {
+                stopped.get_or_insert(Ok(found));
+            }
+        }
+        let point = pushed(&task, &evaluation, push);
+        let Some(point) = point.and_then(|point| contact::lifted(&mut task, point)) else { break };
         mechanism = task.residuals.started_at(&point);
+        if M::CONTACTS > 0 {
+            // The floor may be far.
+            push *= 2.0;
+        }
     }
-    stopped.ok_or(singular)
+    stopped.unwrap_or(Err(singular))
 }
 
 /// Steps from a start as long as they lead nearer to rest, and their number. None if something is not finite.
@@ -123,10 +151,10 @@ fn descend<M: Stabilise>(task: &Task<M>, mut start: Point, most: u32) -> Option<
 }
 
 /// The point moved on along the forces that nothing balances; none if they move nothing.
-fn pushed<M: Stabilise>(task: &Task<M>, evaluation: &Evaluation) -> Option<Point> {
+fn pushed<M: Stabilise>(task: &Task<M>, evaluation: &Evaluation, push: f64) -> Option<Point> {
     let reach = Some(reach(task, &evaluation.pushed)).filter(|reach| *reach > 0.0)?;
     let mut to = evaluation.point.clone();
-    to.q += PUSH / reach * &evaluation.pushed;
+    to.q += push / reach * &evaluation.pushed;
     let closed = task.close(&mut to)?;
     integrate_dependent(&task.residuals, &task.follows, &evaluation.point, &mut to);
     closed.then_some(to)

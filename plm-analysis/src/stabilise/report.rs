@@ -5,6 +5,7 @@ use std::fmt;
 use nalgebra::{DMatrix, DVector};
 use plm_runtime::Statics;
 
+use super::contact::Support;
 use super::evaluation::{Evaluation, Task};
 use super::residuals::{Point, Setting};
 use super::{BALANCED, Equilibrium, Stabilise};
@@ -130,6 +131,15 @@ impl<M: Statics> fmt::Display for Equilibrium<M> {
             let unit = if *unit == "no unit" { "" } else { unit };
             writeln!(f, "{name} = {} {unit} (moved by {})", Short(*value), Short(*moved))?;
         }
+        for Support { name, force, used } in &self.supports {
+            match (force, used) {
+                (None, _) => writeln!(f, "{name} holds, by a force that is not unique")?,
+                (Some(force), None) => writeln!(f, "{name} is closed and pushes by {}", Short(*force))?,
+                (Some(force), Some(used)) => {
+                    writeln!(f, "{name} holds by {}, {} % of its bound", Short(*force), Short(100.0 * used))?;
+                }
+            }
+        }
         Ok(())
     }
 }
@@ -170,7 +180,8 @@ impl<M: Stabilise> Found<'_, M> {
         residuals.extend(self.states());
         let (free, values) = (self.free(), self.values());
         let size = self.task.scales.length;
-        Equilibrium { mechanism, residuals, free, values, size, iterations, setting }
+        let supports = Vec::new();
+        Equilibrium { mechanism, residuals, free, values, supports, size, iterations, setting }
     }
 
     /// Prescribed motions, which no pose brings to rest.

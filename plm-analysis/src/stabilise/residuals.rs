@@ -1,9 +1,9 @@
 //! Residuals of static equilibrium as vectors and matrices, with their exact derivatives.
 
 use nalgebra::{DMatrix, DVector};
-use plm_runtime::{Dual, Fault, Linear, Moment, Statics, Vector};
+use plm_runtime::{Dual, Events, Fault, Linear, Moment, Statics, Vector};
 
-use super::Stabilise;
+use super::{Stabilise, contact};
 
 /// A pose at rest with first-order states and multipliers.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,7 +12,7 @@ pub(super) struct Point {
     pub(super) q: DVector<f64>,
     /// First-order states.
     pub(super) x: DVector<f64>,
-    /// Multipliers, by constraint row.
+    /// Multipliers, by constraint row, then by row of contact that holds.
     pub(super) lambda: DVector<f64>,
 }
 
@@ -54,23 +54,57 @@ pub(super) struct Residuals<M: Stabilise> {
     mechanism: M,
     time: f64,
     held: M::U,
+    /// Rows of contact that hold: they are constraints beside those of the joints.
+    pub(super) holding: Vec<Holding>,
+}
+
+/// A row of contact that holds, and the displacement that it keeps.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Holding {
+    pub(super) row: usize,
+    pub(super) place: f64,
 }
 
 type Lifted<M> = <M as Linear>::Lifted<1>;
 
 impl<M: Stabilise> Residuals<M> {
     pub(super) const NQ: usize = M::COORDINATES.len();
-    pub(super) const NC: usize = M::ROWS.len();
+    /// Constraint rows of the joints.
+    pub(super) const OWN: usize = M::ROWS.len();
     pub(super) const NX: usize = M::STATES.len();
 
-    /// The assembled start.
-    pub(super) fn at_start(mechanism: M, setting: &Setting<M>) -> Result<(Self, Point), Fault> {
+    /// The assembled start. Gaps that are released do not hold.
+    pub(super) fn at_start(
+        mechanism: M,
+        setting: &Setting<M>,
+        released: &[usize],
+    ) -> Result<(Self, Point), Fault> {
         let start = setting.start(mechanism)?;
         let full = M::full(&start);
         let q = DVector::from_fn(Self::NQ, |i, _| full.at(i));
         let x = DVector::from_fn(Self::NX, |i, _| full.at(2 * Self::NQ + i));
-        let residuals = Self { mechanism, time: setting.time, held: start.held() };
-        Ok((residuals, Point { q, x, lambda: DVector::zeros(Self::NC) }))
+        let mut residuals = Self { mechanism, time: setting.time, held: start.held(), holding: Vec::new() };
+        let mut point = Point { q, x, lambda: DVector::zeros(Self::OWN) };
+        residuals.holding = contact::holding(&residuals, &point, released);
+        point.lambda = DVector::zeros(residuals.nc());
+        Ok((residuals, point))
+    }
+
+    /// Rows whose multipliers are unknown.
+    pub(super) fn nc(&self) -> usize {
+        Self::OWN + self.holding.len()
+    }
+
+    /// Discrete state.
+    pub(super) fn held(&self) -> &M::U {
+        &self.held
+    }
+
+    /// Displacements of all rows of contact at a point, and how much each can give to either side.
+    pub(super) fn of_contact(&self, point: &Point) -> (Vec<f64>, Vec<[f64; 2]>) {
+        let mut gaps = self.values(point, |_| 0.0).split_off(Self::NQ + 2 * Self::OWN + Self::NX);
+        let limits = gaps.split_off(<M as Events>::CONTACTS);
+        (gaps, limits.as_chunks().0.to_vec())
     }
 
     pub(super) fn mechanism(&self) -> &M {
@@ -92,11 +126,30 @@ impl<M: Stabilise> Residuals<M> {
 
     /// The residuals with velocities.
     pub(super) fn moving(&self, point: &Point, v: impl Fn(usize) -> f64) -> Rows<DVector<f64>> {
+        let all = DVector::from_vec(self.values(point, v));
+        let mut rows = Self::split(|from, count| all.rows(from, count).into_owned());
+        let own = Self::NQ + 2 * Self::OWN + Self::NX;
+        rows.phi = rows.phi.resize_vertically(self.nc(), 0.0);
+        rows.phi_dot = rows.phi_dot.resize_vertically(self.nc(), 0.0);
+        for (k, Holding { row, place }) in self.holding.iter().enumerate() {
+            rows.phi[Self::OWN + k] = entry(&all, own + row) - place;
+        }
+        rows
+    }
+
+    /// Residuals at a point, then displacements and limits of the rows of contact.
+    fn values(&self, point: &Point, v: impl Fn(usize) -> f64) -> Vec<f64> {
         let full = Vector::from_fn(|i| Self::entry(point, i, &v));
         let lambda = Vector::from_fn(|i| entry(&point.lambda, i));
+        let mut held = self.held;
+        for (k, of) in self.holding.iter().enumerate() {
+            if let Some(own) = M::multipliers(&mut held).get_mut(of.row) {
+                *own = entry(&point.lambda, Self::OWN + k);
+            }
+        }
         let mut values = Vec::new();
-        self.mechanism.equations(self.time, &self.held, &full, &lambda, &mut |value| values.push(value));
-        Self::sorted(&DVector::from_vec(values))
+        self.mechanism.equations(self.time, &held, &full, &lambda, &mut |value| values.push(value));
+        values
     }
 
     /// Derivatives by the coordinates.
@@ -111,7 +164,7 @@ impl<M: Stabilise> Residuals<M> {
 
     /// Derivatives by the multipliers.
     pub(super) fn by_lambda(&self, point: &Point) -> Rows<DMatrix<f64>> {
-        self.derivatives(point, Self::NC, |k| (None, Some(k)))
+        self.derivatives(point, self.nc(), |k| (None, Some(k)))
     }
 
     /// Derivatives by numbers of the state or of the multipliers, a column each.
@@ -124,9 +177,16 @@ impl<M: Stabilise> Residuals<M> {
         type Number = Dual<f64, 1>;
         let (lifted, held) = self.mechanism.lift::<1>(&self.held);
         let dual = |value: f64, moves: bool| Number { value, tangents: [if moves { 1.0 } else { 0.0 }] };
-        let mut all = DMatrix::zeros(Self::NQ + 2 * Self::NC + Self::NX, count);
+        let contacts = 3 * <M as Events>::CONTACTS;
+        let mut all = DMatrix::zeros(Self::NQ + 2 * Self::OWN + Self::NX + contacts, count);
         for k in 0..count {
             let (state, row) = variable(k);
+            let mut held = held;
+            for (k, of) in self.holding.iter().enumerate() {
+                if let Some(own) = <Lifted<M> as Statics>::multipliers(&mut held).get_mut(of.row) {
+                    *own = dual(entry(&point.lambda, Self::OWN + k), row == Some(Self::OWN + k));
+                }
+            }
             let full = Vector::from_fn(|i| dual(Self::entry(point, i, |_| 0.0), state == Some(i)));
             let lambda = Vector::from_fn(|i| dual(entry(&point.lambda, i), row == Some(i)));
             let mut i = 0;
@@ -144,15 +204,18 @@ impl<M: Stabilise> Residuals<M> {
                 },
             );
         }
-        Self::split(|from, count| all.rows(from, count).into_owned())
-    }
-
-    fn sorted(all: &DVector<f64>) -> Rows<DVector<f64>> {
-        Self::split(|from, count| all.rows(from, count).into_owned())
+        let mut rows = Self::split(|from, count| all.rows(from, count).into_owned());
+        let own = Self::NQ + 2 * Self::OWN + Self::NX;
+        rows.phi = rows.phi.resize_vertically(self.nc(), 0.0);
+        rows.phi_dot = rows.phi_dot.resize_vertically(self.nc(), 0.0);
+        for (k, of) in self.holding.iter().enumerate() {
+            rows.phi.row_mut(Self::OWN + k).copy_from(&all.row(own + of.row));
+        }
+        rows
     }
 
     fn split<T>(part: impl Fn(usize, usize) -> T) -> Rows<T> {
-        let (nq, nc, nx) = (Self::NQ, Self::NC, Self::NX);
+        let (nq, nc, nx) = (Self::NQ, Self::OWN, Self::NX);
         Rows {
             force: part(0, nq),
             phi: part(nq, nc),

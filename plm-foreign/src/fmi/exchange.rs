@@ -7,6 +7,7 @@ use plm_runtime::{Cause, Events, Fault, Method, Moment, Vector};
 
 use super::follow::{Way, has_loops};
 use super::instance::differs;
+use super::sides::LeftOver;
 use super::{Exchanged, Instance, Interface};
 use crate::{Error, Status};
 
@@ -104,6 +105,20 @@ impl<M: Exchanged> Instance<M> {
         Ok((!is_there).then_some(Way { system: state.mechanism(), from: (time, x), to }))
     }
 
+    /// The event of contact rows where a step of co-simulation has ended early.
+    fn strike(&mut self) -> Result<Update, Error> {
+        let state = self.state()?;
+        let (mut held, mut x) = (state.held(), *state.x());
+        if <M as Events>::CONTACTS > 0 {
+            LeftOver::none().switch(state.mechanism(), state.time(), &mut held, &mut x)?;
+        }
+        let (states_changed, time) = (differs(&x, state.x()), state.time());
+        if states_changed || held != state.held() {
+            self.hold(held, time, x)?;
+        }
+        Ok(Update { states_changed, next: None })
+    }
+
     fn follows_loops(&self) -> bool {
         self.interface == Interface::ModelExchange && has_loops::<M>()
     }
@@ -167,13 +182,13 @@ impl<M: Exchanged> Instance<M> {
     }
 
     /// An event of model exchange: parameters that were changed, charts, known times, conditions. In co-simulation steps see to
-    /// all that.
+    /// all that, but for impacts: outputs jump there, and a simulator reads them behind the event.
     ///
     /// # Errors
     /// A requirement that does not hold, a jump, or parameters that cannot be.
     pub fn update(&mut self) -> Result<Update, Error> {
         if self.interface != Interface::ModelExchange {
-            return Ok(Update { states_changed: false, next: None });
+            return self.strike();
         }
         let (held, before) = (self.state()?.held(), *self.state()?.x());
         self.object.sim_mut()?.project()?;

@@ -48,6 +48,7 @@ impl<G: Vector<f64>> LeftOver<G> {
             let due = self.due(system, t, held, x);
             let next = switched.iter().enumerate().find(|(index, done)| !**done && due.at(*index) < 0.0);
             let Some(index) = next.map(|(index, _)| index) else { break };
+            let beside = self.indicators(system, t, held, x).at(index).abs();
             if system.must_hold(index) {
                 return Err(Fault::of_part(t, system.guard_name(index), Cause::Required));
             }
@@ -56,8 +57,9 @@ impl<G: Vector<f64>> LeftOver<G> {
                 *done = true;
             }
             let guard = beyond_band(system, t, held, x).at(index);
-            // Twice as much, so that the indicator is on its side.
-            self.0.set(index, if guard <= 0.0 { -2.0 * guard } else { 0.0 });
+            // The indicator is as far on its side as it was from its zero. A gap that bounces keeps its guard: with more than that, a
+            // floor would sink from bounce to bounce.
+            self.0.set(index, if guard <= 0.0 { beside - guard } else { 0.0 });
         }
         Ok(())
     }

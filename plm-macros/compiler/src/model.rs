@@ -8,9 +8,11 @@
 //! declaration (manual, section 4.3.4: "the state variables of a body are calculated at the center of gravity").
 
 mod contact;
+mod event;
 mod held;
 mod instance;
 mod joint;
+mod limit;
 mod pair;
 mod step;
 
@@ -19,13 +21,15 @@ use crate::sorted::SortedSet;
 use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
-pub use contact::{Contact, ContactLaw, Impacts, Reaction};
+pub use contact::{Contact, ContactLaw, ContactMode, Impacts, Reaction};
+pub use event::{Target, When};
 pub use held::{Comparison, Counted, Decisions, End, Jump, Steady, Switch};
 pub use instance::{Instance, Size};
 pub use joint::{FrameRef, Pair, Part, Turn};
+pub use limit::{Limit, Range};
 pub use step::Step;
 
-use crate::diag::{Code, Use};
+use crate::diag::Use;
 use crate::span::Span;
 use crate::units::{Dimension, DisplayUnit};
 
@@ -86,6 +90,8 @@ pub struct Model {
     pub loads: Vec<Load>,
     /// First-order states.
     pub states: Vec<State>,
+    /// Events that set states.
+    pub whens: Vec<When>,
     /// Conditions whose side is held over a step: of the state first, then of the time. Requirements are there from the
     /// beginning, derivation finds the others.
     pub switches: Vec<Switch>,
@@ -276,7 +282,7 @@ pub struct Start {
     pub value: Expr,
     /// Is the assembly forbidden to move it?
     pub locked: bool,
-    /// Was it written by the user (else it is the default 0)?
+    /// Was it written, or follows it from drawing coordinates? Else it is the default 0.
     pub given: bool,
     /// Where.
     pub span: Span,
@@ -306,25 +312,6 @@ impl Row {
     pub fn is_angular(&self) -> bool {
         self.unit.dimension.same(Dimension::NUMBER)
     }
-}
-
-/// A value that depends on parameters and must be positive.
-#[derive(Clone, Debug)]
-pub struct Limit {
-    /// The joint.
-    pub part: String,
-    /// Its name as written: `compliance`.
-    pub what: String,
-    /// Its value, SI.
-    pub value: Expr,
-    /// Its SI unit.
-    pub unit: String,
-    /// It may be zero.
-    pub or_zero: bool,
-    /// The code of the mistake that it is where it is known to be wrong.
-    pub code: Code,
-    /// Where it was written.
-    pub span: Span,
 }
 
 /// A generalised force on one body, already carried to G.

@@ -80,6 +80,36 @@ fn implementations_with_constant_arguments_are_hidden() {
 }
 
 /// A follower on a cam that rises by a power of its angle: from the third on accelerations do not jump where it begins.
+/// The unit behind the colon is the one that is shown; without it that of the default.
+#[test]
+fn a_parameter_is_shown_in_its_own_unit_or_in_that_of_its_default() {
+    for (param, shown) in [
+        ("speed: rad/s = 300 rev/min", "unit: \"rad/s\", factor: 1.0,"),
+        ("speed: rev/min = 300 rev/min", "unit: \"rev/min\", factor: 0.10471975511965978,"),
+        ("speed = 300 rev/min", "unit: \"rev/min\", factor: 0.10471975511965978,"),
+        ("speed: rev/min = 10 rad/s", "unit: \"rev/min\", factor: 0.10471975511965978,"),
+    ] {
+        let wheel = "body wheel { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start omega: speed; }";
+        let hub = "revolute hub(ground.o, wheel.o);";
+        let code =
+            emitted(&format!("pub P {{ param {param}; ground {{ port o: (0, 0) m; }} {wheel} {hub} }}"));
+        assert!(code.contains(&format!("name: \"speed\", docs: \"\", {shown}")), "{param}");
+    }
+}
+
+/// rustc says why there is no energy, and not that there is no such method.
+#[test]
+fn energies_ask_for_masses_where_a_body_has_none() {
+    let wheel = |mass: &str| {
+        let wheel = format!("body wheel {{ {mass} port o: (0, 0) m; }}");
+        let code = emitted(&format!(
+            "pub P {{ ground {{ port o: (0, 0) m; }} {wheel} revolute hub(ground.o, wheel.o); constraint turns: wheel.angle = 3 rad/s*t; }}"
+        ));
+        code.matches("HasMasses").count()
+    };
+    assert_eq!([wheel(""), wheel("mass: 1 kg; inertia: 1 kg*m^2;")], [2, 0]);
+}
+
 #[test]
 fn a_condition_in_a_constraint_is_held_where_accelerations_jump() {
     for (power, held) in [(2, 1), (3, 0), (4, 0)] {

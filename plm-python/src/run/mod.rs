@@ -138,6 +138,7 @@ fn number<M: Runnable>(state: &M::State, kind: Kind, index: usize) -> Option<f64
         Kind::Input => by_number::input::<M>(state, index),
         Kind::State => M::state(state, index),
         Kind::Output => M::observed(state, index),
+        Kind::Contact => M::contacts(&state.held()).mode(index).map(|mode| mode.number() as f64),
         _ => None,
     }
 }

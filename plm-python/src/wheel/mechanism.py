@@ -16,6 +16,9 @@ from ._values import Array, Event, Jacobian, Linearisation, Pose, Quantity, Resu
 
 # Kinds of numbers, as plm counts them.
 PARAMETER, INPUT, STATE, OUTPUT, START, BODY = range(6)
+CONTACT = 8
+# What a row of contact does, by its number.
+MODES = "open", "closed", "off", "sticks", "forwards", "backwards"
 SETTABLE = (PARAMETER, INPUT, STATE)
 
 
@@ -147,6 +150,13 @@ class Mechanism:
         if body not in self.bodies:
             raise KeyError(unknown("body", body, self.bodies))
         return Pose(*self._run.pose(self.bodies.index(body)))
+
+    @property
+    def contacts(self) -> dict[str, str]:
+        """What each row of contact does. A gap is "open" or "closed"; a friction is "off" as long as nothing pushes, "sticks", or slips
+        "forwards" or "backwards"."""
+        rows = enumerate(self._tables.contacts)
+        return {name: MODES[int(self._run.get(CONTACT, index))] for index, name in rows}
 
     def step(self, dt: float) -> None:
         """Runs for `dt`, s, and ends exactly there. After a fault the run is as it was before."""

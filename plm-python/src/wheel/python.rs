@@ -11,8 +11,9 @@ const KEYWORDS: [&str; 35] = [
     "lambda", "nonlocal", "not", "or", "pass", "raise", "return", "try", "while", "with", "yield",
 ];
 /// What every mechanism has, in `mechanism.py`.
-const MEMBERS: [&str; 20] = [
+const MEMBERS: [&str; 21] = [
     "bodies",
+    "contacts",
     "from_bytes",
     "get",
     "inputs",
@@ -69,13 +70,15 @@ pub(super) fn source<M: Foreign>(mechanism: &M) -> String {
     declared.each(&mut |name, value| starts.push(start::<M>(starts.len(), name, value.value.to_f64())));
     let outputs: Vec<String> = M::OBSERVED.iter().map(|(name, unit)| output::<M>(name, unit)).collect();
     let bodies: Vec<String> = M::TABLES.bodies.iter().map(|body| format!("{},", text(body.name))).collect();
+    let contacts = (0..M::CONTACTS).map(|row| format!("{},", text(mechanism.contact_name(row))));
+    let contacts: Vec<String> = contacts.collect();
     let rows = |rows: &[Quantity]| tuple(&rows.iter().map(quantity).collect::<Vec<String>>());
     format!(
         "{module}\n\nfrom . import _mechanism, _native, _values\n{common}\n{all}\n__version__ = {version}\n\n\n\
          class {name}(_mechanism.Mechanism):\n    {class}\n\n    __slots__ = ()\n    _native = _native.Native\n    \
          _tables = _values.Tables(\n        parameters={parameters},\n        inputs={inputs},\n        \
          states={states},\n        outputs={outputs},\n        starts={starts},\n        bodies=({bodies}),\n        \
-         declared={declared},\n    )\n",
+         declared={declared},\n        contacts=({contacts}),\n    )\n",
         module = text(&docs),
         common = imports(),
         all = all(name),
@@ -88,6 +91,7 @@ pub(super) fn source<M: Foreign>(mechanism: &M) -> String {
         starts = tuple(&starts),
         bodies = bodies.join(" "),
         declared = rows(M::TABLES.outputs),
+        contacts = contacts.join(" "),
     )
 }
 

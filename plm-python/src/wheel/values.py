@@ -176,6 +176,8 @@ class Tables(NamedTuple):
     bodies: tuple[str, ...]
     #: The outputs that were declared, in their units; the others are observed.
     declared: tuple[Quantity, ...]
+    #: Rows of contact.
+    contacts: tuple[str, ...] = ()
 
 
 def unknown(what: str, name: object, known: Iterable[str]) -> str:

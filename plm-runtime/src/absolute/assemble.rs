@@ -10,6 +10,7 @@ use super::branch;
 use super::disagree::disagreement;
 use super::lack::lack;
 use super::newton::{assembly_step, refused};
+use super::placed::{Begin, nearer};
 use super::project::descend;
 use super::redundancy::{Dependencies, beside};
 use super::renew::open;
@@ -44,7 +45,9 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     let start = m.start_position();
     let free = start.map(freedom_of);
     let pose = close(m, t, &start, &free)?;
-    let pose = branch::find(m, t, pose, (&start, &free))?;
+    let mut pose = branch::find(m, t, pose, (&start, &free))?;
+    // Mirrored bodies may have turned further than half a turn.
+    Begin::new::<M, NC>(&start.map(|s| s.value), &free).unwind(m, t, &mut pose);
     let refined = m.refine(t, &pose.q);
     let q = refined.map_or(pose.q, |(q, _)| q);
     let here = Dependencies::at(m, t, &q, &free).ok_or_else(|| undecided(m, (t, &q), &free))?;
@@ -102,9 +105,9 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
 ) -> Result<Pose<S, NQ, NC>, Fault> {
     let q0 = start.map(|s| s.value);
     check_finite::<S, M, NQ, NC>(t, &q0)?;
-    let pose = newton(m, t, &q0, free);
+    let (pose, begin) = (newton(m, t, &q0, free), Begin::new::<M, NC>(&q0, free));
     if pose.is_closed(m) {
-        return Ok(pose);
+        return Ok(nearer(m, t, pose, &begin));
     }
     // Locks that are too many are the likelier mistake than joints that do not fit.
     if let Some(at_start) = Dependencies::at(m, t, &q0, free) {
@@ -115,7 +118,8 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         return Err(fault);
     }
     let missed = |q: &[S; NQ]| branch::missed(m, q);
-    search(m, t, (start, free), missed).map_err(|nearest| lack(m, (t, nearest), free, &nearest))
+    let found = search(m, t, (start, free), missed);
+    found.map(|pose| nearer(m, t, pose, &begin)).map_err(|least| lack(m, (t, least), free, &least))
 }
 
 /// Full Newton steps until the joints are closed, then on to rounding; or until the steps vanish.

@@ -21,6 +21,7 @@ mod jump;
 mod lack;
 mod nearest;
 mod newton;
+mod placed;
 mod project;
 mod redundancy;
 mod renew;
@@ -38,6 +39,7 @@ pub use nearest::flat_part;
 pub(crate) use nearest::{close, lead, nearest, smallest_pivot};
 pub use project::{balance, drift, opening, project, project_state, residuals};
 pub(crate) use redundancy::beside;
+pub(crate) use renew::allow;
 pub use renew::renew;
 
 use crate::scalar::Real;
@@ -53,6 +55,10 @@ pub trait Absolute<S: Real, const NQ: usize, const NC: usize> {
     const PARTS: [&'static str; NC];
     /// Name of each coordinate, as `arm.x`, `arm.angle`.
     const COORDINATES: [&'static str; NQ];
+
+    /// Of each body, whether the declaration gives its start angle; behind the last one it does not. Assembly doubts a pose by angles
+    /// that were given: by these, and by those that are no longer zero.
+    const GIVEN_ANGLES: &'static [bool] = &[];
 
     /// Which constraint rows are in rad; the others are in m.
     const ANGULAR: [bool; NC] = [false; NC];

@@ -1,12 +1,13 @@
 //! Assembly of a running mechanism whose parameters were changed.
 
 use super::Absolute;
-use super::assemble::newton;
+use super::assemble::{Pose, newton};
 use super::damped::Measure;
 use super::lack::lack;
 use super::newton::{assembly_step, refused};
 use super::project::{descend, widest};
 use super::scale::Scale;
+use super::search::{nearest_turns, unwind};
 use crate::fault::{Cause, Fault};
 use crate::linalg::largest;
 use crate::scalar::Real;
@@ -34,18 +35,37 @@ pub fn renew<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     let is_closed = |q: &[S; NQ], r: &[S; NC]| Scale::of_position(m, q).is_closed::<M, NQ, NC>(r);
     let phi = m.phi(t, q);
     if !is_closed(q, &phi) {
-        let pose = newton(m, t, q, &free);
-        *q = if is_closed(&pose.q, &pose.phi) { pose.q } else { damped(m, t, q, &free)? };
+        let mut pose = newton(m, t, q, &free);
+        if !is_closed(&pose.q, &pose.phi) {
+            pose = damped(m, t, q, &free)?;
+        }
+        // Springs and conditions feel whole turns.
+        unwind(m, t, &mut pose, (q, &free), &nearest_turns);
+        *q = pose.q;
     }
+    allow(m, t, q, v, &free)
+}
+
+/// Changes velocities to the nearest ones that the joints allow, in the metric of `1/weights`; one with the weight 0 stays.
+///
+/// # Errors
+/// [`Cause::VelocityOpen`], [`Cause::Workspace`].
+pub(crate) fn allow<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q: &[S; NQ],
+    v: &mut [S; NQ],
+    weights: &[S; NQ],
+) -> Result<(), Fault> {
     let scale = Scale::of_velocity(m, q, v);
     let phi_dot = m.phi_dot(t, q, v);
     if !scale.is_closed::<M, NQ, NC>(&phi_dot) {
         let (least, worst) = (S::EPSILON, |r: &[S; NC]| scale.worst::<M, NQ, NC>(r));
         let left =
-            descend((least, worst), v, |v| m.phi_dot(t, q, v), |_, r| assembly_step(m, t, q, &free, r));
+            descend((least, worst), v, |v| m.phi_dot(t, q, v), |_, r| assembly_step(m, t, q, weights, r));
         if !scale.is_closed::<M, NQ, NC>(&left) {
             let open = || open(t, &left, &M::PARTS, |gap| Cause::VelocityOpen { gap });
-            return Err(refused(m, (t, q), &free).unwrap_or_else(open));
+            return Err(refused(m, (t, q), weights).unwrap_or_else(open));
         }
     }
     Ok(())
@@ -79,11 +99,11 @@ fn damped<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     t: S,
     from: &[S; NQ],
     free: &[S; NQ],
-) -> Result<[S; NQ], Fault> {
+) -> Result<Pose<S, NQ, NC>, Fault> {
     let mut q = *from;
     Measure::new(m, free).descend(m, t, &mut q, STEPS);
     let pose = newton(m, t, &q, free);
-    if pose.is_closed(m) { Ok(pose.q) } else { Err(lack(m, (t, q), free, from)) }
+    if pose.is_closed(m) { Ok(pose) } else { Err(lack(m, (t, q), free, from)) }
 }
 
 /// The fault of joints that stay open by a violation.

@@ -71,7 +71,7 @@ pub(super) fn search<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
             continue;
         }
         closed += 1;
-        unwind(m, t, &mut pose, (&start, free));
+        unwind(m, t, &mut pose, (&start, free), &nearest_turns);
         lean(m, t, &mut pose, (&start, free), &mut measure);
         let found = (missed(&pose.q), distance(&pose.q, &start));
         if best.is_none_or(|(missed, distance, _)| found < (missed, distance)) {
@@ -92,20 +92,32 @@ fn distance<S: Real, const NQ: usize>(q: &[S; NQ], start: &[S; NQ]) -> S {
     })
 }
 
-/// Takes off whole turns from the start values, where joints are closed without them too.
-fn unwind<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+/// The whole turns that leave an angle nearest to its start value.
+pub(super) fn nearest_turns<S: Real>(_: usize, turns: S) -> S {
+    (turns + S::lit(0.5)).floor()
+}
+
+/// Takes off whole turns from the start values, where joints are closed without them too: of each angle as many as `whole` makes of
+/// the turns by which it has moved.
+#[inline(never)]
+pub(super) fn unwind<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
     pose: &mut Pose<S, NQ, NC>,
     (start, free): (&[S; NQ], &[S; NQ]),
+    whole: &dyn Fn(usize, S) -> S,
 ) {
     let turn = S::lit(core::f64::consts::TAU);
+    let of = |q: &[S; NQ], k: usize| whole(k, (q.at(k) - start.at(k)) / turn);
+    if (2..NQ).step_by(3).all(|k| of(&pose.q, k) == S::ZERO) {
+        return;
+    }
     // All bodies together, since joints may hold their angles against each other; else one by one.
     for only in (0..=NQ / 3).map(|body| body.checked_sub(1)) {
         let mut q = pose.q;
         let bodies = (0..NQ / 3).filter(|body| only.is_none_or(|only| only == *body));
         for k in bodies.map(|body| 3 * body + 2).filter(|k| free.at(*k) > S::ZERO) {
-            let by = ((q.at(k) - start.at(k)) / turn + S::lit(0.5)).floor();
+            let by = of(&q, k);
             q.set(k, q.at(k) - by * turn);
         }
         if q != pose.q && Scale::of_position(m, &q).is_closed::<M, NQ, NC>(&m.phi(t, &q)) {

@@ -6,14 +6,17 @@ use super::margins::stick;
 use super::modes::Mode;
 use super::multipliers::{Multipliers, multipliers};
 use super::rows::Rows;
+use super::walk::walk;
 use crate::linalg::Lu;
 use crate::scalar::Real;
 
 /// Relative size below which an inequality is marginal, and two motions are one.
 pub(super) const MARGINAL: f64 = 1e-9;
+/// Roundings of the largest acceleration, or rate of an impact, that are none in any row.
+const ROUNDING: f64 = 32.0;
 /// A row that rests depends on others if its own part of D is below this fraction of its diagonal entry.
 const DEPENDENT: f64 = 1e-9;
-/// So many combinations are tried at most.
+/// So many combinations are tried; more of them are searched by pivots.
 const MOST_CANDIDATES: u32 = 1 << 14;
 
 /// The modes that a row may have.
@@ -25,6 +28,8 @@ pub(super) enum Allowed {
     Touching,
     /// A friction without slip.
     Resting,
+    /// A friction whose slip changes its direction.
+    Turning,
 }
 
 impl Allowed {
@@ -40,7 +45,13 @@ impl Allowed {
             Self::Touching => &[Mode::Closed, Mode::Open],
             // Held by others, it can have no force of its own.
             Self::Resting => &[Mode::Sticks, Mode::Off, Mode::Forwards, Mode::Backwards],
+            Self::Turning => &[Mode::Forwards, Mode::Backwards],
         }
+    }
+
+    /// A friction that is not off.
+    fn is_friction(self) -> bool {
+        matches!(self, Self::Resting | Self::Turning | Self::Only(Mode::Forwards | Mode::Backwards))
     }
 }
 
@@ -54,6 +65,8 @@ pub(super) struct Solution<S, const N: usize> {
     pub(super) negative: [bool; N],
     pub(super) lambda: [S; N],
     pub(super) determinant: S,
+    /// Steps of Newton's method.
+    pub(super) newton: u32,
     /// How far the rows that hold are from their limits, as a share of the terms of their forces.
     pub(super) slack: S,
     /// Accelerations of all rows.
@@ -68,7 +81,7 @@ pub(super) enum Found<S, const N: usize> {
     Modes(Solution<S, N>, bool),
     /// No combination satisfies all inequalities.
     Nothing,
-    /// There are too many combinations.
+    /// There are too many combinations, and pivots have led to no solution.
     TooMany,
 }
 
@@ -82,32 +95,31 @@ pub(super) struct Margins<S, const N: usize> {
 }
 
 impl<S: Real, const N: usize> Margins<S, N> {
-    /// None is negative but for rounding.
-    pub(super) fn are_met(&self) -> bool {
-        // False for what is not a number.
-        let is_met =
-            |(value, size): (&S, &Option<S>)| size.is_none_or(|size| *value >= -(S::lit(MARGINAL) * size));
-        self.value.iter().zip(&self.size).all(is_met)
+    /// Those that are negative, but for rounding.
+    pub(super) fn broken(&self) -> [bool; N] {
+        // True for what is not a number.
+        let is_met = |value: S, size: S| value >= -(S::lit(MARGINAL) * size);
+        core::array::from_fn(|i| self.size[i].is_some_and(|size| !is_met(self.value[i], size)))
     }
 }
 
-/// Tries all combinations. `admits` says of each whether its inequalities are met.
+/// Tries all combinations, or goes from one to the next where they are too many. `broken` says of each whose inequalities are not met.
 pub(super) fn enumerate<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     allowed: &[Allowed; N],
-    mut admits: impl FnMut(&Solution<S, N>, &Margins<S, N>) -> bool,
+    mut broken: impl FnMut(&Solution<S, N>, &Margins<S, N>) -> [bool; N],
 ) -> Found<S, N> {
     let allowed = &near(rows, allowed);
     let count = allowed.iter().fold(1_u32, |count, row| count.saturating_mul(row.modes().len() as u32));
     if count > MOST_CANDIDATES {
-        return Found::TooMany;
+        return walk(rows, allowed, broken);
     }
     let mut best: Option<(Solution<S, N>, usize)> = None;
     let mut is_ambiguous = false;
     for number in 0..count {
         let Some(modes) = combination(rows, allowed, number) else { continue };
         let Some((solution, margins)) = solve(rows, allowed, modes) else { continue };
-        if !admits(&solution, &margins) {
+        if broken(&solution, &margins).contains(&true) {
             continue;
         }
         let moving = moving(allowed, &solution);
@@ -125,17 +137,25 @@ pub(super) fn enumerate<S: Real, const N: usize>(
     best.map_or(Found::Nothing, |(solution, _)| Found::Modes(solution, is_ambiguous))
 }
 
-/// Frictions of gaps that are open have one mode: what is far costs nothing.
-fn near<S: Real, const N: usize>(rows: &Rows<S, N>, allowed: &[Allowed; N]) -> [Allowed; N] {
-    let most_closed = core::array::from_fn(|i| match allowed[i] {
+/// The combination in which everything holds that may.
+pub(super) fn most_holding<const N: usize>(allowed: &[Allowed; N]) -> [Mode; N] {
+    allowed.map(|row| match row {
         Allowed::Only(mode) => mode,
         Allowed::Touching => Mode::Closed,
         Allowed::Resting => Mode::Sticks,
-    });
+        Allowed::Turning => Mode::Forwards,
+    })
+}
+
+/// Frictions of gaps that are open have one mode: what is far costs nothing.
+fn near<S: Real, const N: usize>(rows: &Rows<S, N>, allowed: &[Allowed; N]) -> [Allowed; N] {
+    let most_closed = most_holding(allowed);
     core::array::from_fn(|i| {
-        let is_friction =
-            matches!(allowed[i], Allowed::Resting | Allowed::Only(Mode::Forwards | Mode::Backwards));
-        if is_friction && is_off(rows, &most_closed, i) { Allowed::Only(Mode::Off) } else { allowed[i] }
+        if allowed[i].is_friction() && is_off(rows, &most_closed, i) {
+            Allowed::Only(Mode::Off)
+        } else {
+            allowed[i]
+        }
     })
 }
 
@@ -156,8 +176,7 @@ fn combination<S: Real, const N: usize>(
     }
     let chosen = modes;
     for (i, row) in allowed.iter().enumerate() {
-        let is_friction = matches!(row, Allowed::Resting | Allowed::Only(Mode::Forwards | Mode::Backwards));
-        if is_friction && is_off(rows, &chosen, i) {
+        if row.is_friction() && is_off(rows, &chosen, i) {
             if !first[i] {
                 return None;
             }
@@ -201,7 +220,7 @@ fn signed<S: Real, const N: usize>(
 }
 
 /// Multipliers and accelerations of a combination, and its inequalities.
-fn solve<S: Real, const N: usize>(
+pub(super) fn solve<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     allowed: &[Allowed; N],
     modes: [Mode; N],
@@ -212,11 +231,14 @@ fn solve<S: Real, const N: usize>(
     let acceleration = core::array::from_fn(|i| rows.acceleration(i, &lambda));
     let (determinant, slack, carried) = (found.determinant, S::lit(1.0), [false; N]);
     let negative = rows.load.map(Load::is_negative);
-    let mut solution = Solution { modes, carried, negative, lambda, determinant, slack, acceleration };
+    let newton = found.newton;
+    let mut solution =
+        Solution { modes, carried, negative, lambda, determinant, newton, slack, acceleration };
     let mut margins = Margins { value: [S::ZERO; N], size: [None; N] };
+    let sizes = sizes(rows, &lambda);
     for (i, mode) in modes.iter().enumerate() {
-        let rests = matches!(allowed[i], Allowed::Touching | Allowed::Resting);
-        let (terms, inverse) = (size(rows, i, &lambda), S::lit(1.0) / rows.delassus[i][i]);
+        let rests = !matches!(allowed[i], Allowed::Only(_));
+        let (terms, inverse) = (sizes[i], S::lit(1.0) / rows.delassus[i][i]);
         let (value, size) = match mode {
             Mode::Closed => (lambda[i], terms * inverse),
             Mode::Sticks => {
@@ -226,6 +248,9 @@ fn solve<S: Real, const N: usize>(
             _ if !rests => continue,
             _ => (acceleration[i], terms),
         };
+        if mode.holds() && matches!(allowed[i], Allowed::Only(_)) {
+            continue;
+        }
         if mode.holds() {
             solution.slack = solution.slack.min(value / size);
         } else if value.abs() <= S::lit(MARGINAL) * size && depends(rows, &modes, i) {
@@ -241,6 +266,16 @@ fn solve<S: Real, const N: usize>(
         margins.size[i] = Some(size);
     }
     Some((solution, margins))
+}
+
+/// The sizes of the terms of all accelerations, but not below the rounding of the largest one: over sqrt(D_ii) they have one unit.
+fn sizes<S: Real, const N: usize>(rows: &Rows<S, N>, lambda: &[S; N]) -> [S; N] {
+    let terms: [S; N] = core::array::from_fn(|i| size(rows, i, lambda));
+    let roots: [S; N] = core::array::from_fn(|i| rows.delassus[i][i].max(S::ZERO).sqrt());
+    let largest =
+        (0..N).filter(|i| roots[*i] > S::ZERO).fold(S::ZERO, |most, i| most.max(terms[i] / roots[i]));
+    let rounding = S::lit(ROUNDING) * S::EPSILON / S::lit(MARGINAL) * largest;
+    core::array::from_fn(|i| terms[i].max(rounding * roots[i]))
 }
 
 /// The size of the terms of an acceleration.
@@ -279,15 +314,20 @@ fn moving<S: Real, const N: usize>(allowed: &[Allowed; N], solution: &Solution<S
     (0..N).filter(moves).count()
 }
 
+/// Accelerations of rows are the same if they differ by less than this fraction of the largest terms.
+const NO_DIFFERENCE: f64 = 1e-12;
+
 /// Are the accelerations of all rows the same?
 fn is_same_motion<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     one: &Solution<S, N>,
     other: &Solution<S, N>,
 ) -> bool {
+    let size = |i: usize| size(rows, i, &one.lambda).max(size(rows, i, &other.lambda));
+    // What is all rounding of the others differs by rounding.
+    let largest = (0..N).fold(S::ZERO, |largest, i| largest.max(size(i)));
     (0..N).all(|i| {
-        let size = size(rows, i, &one.lambda).max(size(rows, i, &other.lambda));
         let apart = (one.acceleration[i] - other.acceleration[i]).abs();
-        apart <= S::lit(4.0 * MARGINAL) * size
+        apart <= (S::lit(4.0 * MARGINAL) * size(i)).max(S::lit(NO_DIFFERENCE) * largest)
     })
 }

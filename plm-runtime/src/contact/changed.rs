@@ -1,5 +1,6 @@
-//! Contact rows behind a change from outside: a row that holds may have been moved away, or got a velocity.
+//! Contact rows behind a change from outside: a row that holds may have been moved away, or got a velocity, a friction a bound.
 
+use super::candidates::is_off;
 use super::event::{speed, update};
 use super::modes::{Mode, Modes};
 use super::{Contacts, Modal};
@@ -11,7 +12,7 @@ use crate::scalar::Scalar;
 const MOVED: f64 = 1e-5;
 
 /// Finds the modes anew where a row that holds has been moved by whoever has set the state: it is open there, or sticks in its new
-/// place, or moves on. Where none has, nothing is changed.
+/// place, or moves on; and where a friction that had no bound has one. Where there is none of these, nothing is changed.
 ///
 /// # Errors
 /// As [`switch`](super::switch).
@@ -26,12 +27,13 @@ pub fn state_was_set<M: Contacts<N>, const N: usize>(
     let [far, fast] = [system.length(), speed::<M, N>(system, &rows, u)].map(|size| M::S::lit(MOVED) * size);
     let mut any = false;
     for row in 0..N {
-        let is_carried = modes.carried[row];
+        let (is_carried, is_gap) = (modes.carried[row], system.law(row).is_unilateral());
+        // An input may have given it a bound.
+        any |= !is_gap && modes.of[row] == Mode::Off && !is_off(&rows, &modes.of, row);
         if !(modes.of[row].holds() || is_carried) {
             continue;
         }
         any |= rows.rate[row].abs() > fast;
-        let is_gap = system.law(row).is_unilateral();
         let place = if is_gap { M::S::ZERO } else { modes.place[row] };
         if (rows.gap[row] - place).abs() <= far {
             continue;

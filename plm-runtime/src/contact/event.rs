@@ -5,45 +5,72 @@
 //! 3. The next modes by enumeration. A marginal inequality is decided by its rate along the candidate.
 //! 4. Rows that hold have no rate any more; a friction that sticks remembers its place.
 
-use super::candidates::{Allowed, Found, Margins, Solution, enumerate};
-use super::impact::{ImpactLaw, Impulses, impulses};
+use super::booked::Booked;
+use super::candidates::{self, Allowed, Found, Margins, Solution, enumerate};
 use super::loads::Load;
-use super::marginal::go_on;
+use super::marginal::broken;
 use super::margins::{PER_ROW, SIGN, margins};
 use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
-use super::project::{project, stop};
+use super::paradox::{self, lost};
+use super::project::{end_flights, project, stop};
 use super::rows::{Law, Rows};
-use super::{Contacts, Modal, lambda_of, moved};
+use super::sunk::above;
+use super::{Contacts, Modal, existing, lambda_of};
 use crate::dual::Dual;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
 /// A gap below this fraction of the length of the mechanism is closed.
-const CLOSED: f64 = 1e-9;
+pub(super) const CLOSED: f64 = 1e-9;
+/// One that closes at an event that was located is led to zero from so far away.
+const NEAR: f64 = 1e-6;
 /// A flight of a height below so many roundings of the length is none.
 const LOWEST_FLIGHT: f64 = 1000.0;
+/// A row with a smaller fraction of the own entry of D says nothing of what pulls others.
+const LIGHT: f64 = 1e-6;
 /// A slip is none below this fraction of the speed that the free acceleration gives over the length of the mechanism.
 const NO_SLIP: f64 = 1e-10;
 /// A rate of so many roundings of the largest one, before the impacts of the event, is none.
 const RATE_ULPS: f64 = 4096.0;
-/// Impacts one after the other, at most.
-const MOST_IMPACTS: u32 = 30;
-/// Impacts of pairs one after the other, at most.
-const MOST_PAIRS: u32 = 1000;
 
 /// What an event did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Outcome {
     /// Impacts.
     pub impacts: u32,
-    /// Gaps that were open before and are closed from now on; none where a run begins.
+    /// Gaps that were open before and are closed from now on. These four are none where a run begins.
     pub closures: u32,
-    /// The rows may go on with other accelerations as well.
+    /// Gaps that were closed before and are open from now on.
+    pub openings: u32,
+    /// Frictions that stick from now on.
+    pub sticks: u32,
+    /// Frictions that slip from now on, or the other way.
+    pub slips: u32,
+    /// Steps of Newton's method for reactions in the plane.
+    pub newton: u32,
+    /// The rows may go on with other accelerations as well, or with other rates behind an impact.
     pub is_ambiguous: bool,
     /// More rows rest than there are freedoms: accelerations are unique, multipliers are not.
     pub is_undetermined: bool,
+}
+
+impl Outcome {
+    /// Counts the rows that do something else than before.
+    fn compare<S: Scalar, const N: usize>(&mut self, before: &Modes<S, N>, after: &Modes<S, N>) {
+        let sticks = |modes: &Modes<S, N>, i: usize| modes.is_sticking(i);
+        for i in 0..N {
+            let (was, is) = (before.of[i], after.of[i]);
+            let is_gap = matches!(is, Mode::Open | Mode::Closed);
+            let opens = is_gap && after.is_open(i);
+            self.openings += u32::from(opens && (was == Mode::Closed || before.carried[i]));
+            self.closures += u32::from(is_gap && !opens && before.is_open(i));
+            let has_stuck = sticks(before, i);
+            self.sticks += u32::from(!is_gap && sticks(after, i) && !has_stuck);
+            self.slips += u32::from(is.slips() && !after.carried[i] && (was != is || before.carried[i]));
+        }
+    }
 }
 
 /// Commits the event of the guard `index`: impacts, and the modes that apply from now on.
@@ -108,13 +135,7 @@ pub fn begin<M: Contacts<N>, const N: usize>(
     x: &mut M::X,
 ) -> Result<Outcome, Fault> {
     let event = Event { system, t, occasion: Occasion::Start, step: M::S::ZERO };
-    let rows = system.rows_at(t, u, x);
-    let deepest = (0..N)
-        .filter(|i| system.law(*i).is_unilateral())
-        .reduce(|a, b| if rows.gap[b] < rows.gap[a] { b } else { a });
-    if let Some(row) = deepest.filter(|row| rows.gap[*row] < -event.closed()) {
-        return Err(event.fault(row, Cause::Sunk { by: -rows.gap[row].to_f64() }));
-    }
+    above((system, t), u, x, |_| true)?;
     event.commit(u, x)
 }
 
@@ -129,13 +150,15 @@ enum Occasion {
     Guard { row: usize },
     /// The sign of the reaction that bounds a row changes.
     Sign { row: usize },
+    /// The determinant of the active rows passes zero.
+    Determinant,
 }
 
 impl Occasion {
     /// Of a guard among those of `rows` rows; the last one is that of the determinant.
     fn of(index: usize, rows: usize) -> Self {
         match (index / PER_ROW, index % PER_ROW) {
-            (row, _) if row >= rows => Self::Change,
+            (row, _) if row >= rows => Self::Determinant,
             (row, SIGN) => Self::Sign { row },
             (row, _) => Self::Guard { row },
         }
@@ -144,16 +167,16 @@ impl Occasion {
     /// The row that it is of.
     fn row(self) -> Option<usize> {
         match self {
-            Self::Start | Self::Change => None,
+            Self::Start | Self::Change | Self::Determinant => None,
             Self::Guard { row } | Self::Sign { row } => Some(row),
         }
     }
 }
 
 /// An event at a time.
-struct Event<'a, M: Contacts<N>, const N: usize> {
-    system: &'a M,
-    t: M::S,
+pub(super) struct Event<'a, M: Contacts<N>, const N: usize> {
+    pub(super) system: &'a M,
+    pub(super) t: M::S,
     occasion: Occasion,
     /// The time since the guard may have passed zero, s.
     step: M::S,
@@ -162,85 +185,81 @@ struct Event<'a, M: Contacts<N>, const N: usize> {
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     fn commit(&self, u: &mut M::U, x: &mut M::X) -> Result<Outcome, Fault> {
         let laws = core::array::from_fn(|row| self.system.law(row));
-        let rows = self.system.rows_at(self.t, u, x);
+        let mut rows = self.system.rows_at(self.t, u, x);
+        let comes_by_motion = !matches!(self.occasion, Occasion::Start | Occasion::Change);
+        if let Some((row, p)) = lost(&rows, u.modes()).filter(|_| comes_by_motion) {
+            return Err(self.fault(row, Cause::NotUnique { p: p.to_f64() }));
+        }
         // Before the impacts, behind which rates may be rounding alone.
         let none = rounding(&rows);
-        let (mut rows, impacts) = self.impacts(&laws, (none, rows), u, x)?;
+        let struck = self.impacts(&laws, (none, &mut rows), u, x)?;
+        let impacts = struck.count;
         if let Occasion::Sign { row } = self.occasion {
             rows.load[row] = Load::Turned { negative: u.modes().negative[row] };
         }
         let allowed = self.allowed(&laws, (none, impacts), &rows, u);
-        let (solution, is_ambiguous) = match enumerate(&rows, &allowed, |solution, margins| {
-            self.admits(u, x, solution, margins)
-        }) {
-            Found::Modes(solution, is_ambiguous) => (solution, is_ambiguous),
-            Found::Nothing => {
-                return Err(self.fault(self.row(&allowed), Cause::NoMode { touching: touching(&allowed) }));
-            }
-            Found::TooMany => {
-                return Err(
-                    self.fault(self.row(&allowed), Cause::TooManyContacts { touching: touching(&allowed) })
-                );
-            }
-        };
+        let (solution, is_ambiguous) =
+            match enumerate(&rows, &allowed, |solution, margins| self.broken(u, x, solution, margins)) {
+                Found::Modes(solution, is_ambiguous) => (solution, is_ambiguous),
+                Found::Nothing => {
+                    let p = paradox::share(&rows, &candidates::most_holding(&allowed))
+                        .map_or(f64::NAN, Scalar::to_f64);
+                    let touching = touching(&allowed);
+                    return Err(self.fault(self.row(&allowed), Cause::NoMode { touching, p }));
+                }
+                Found::TooMany => {
+                    return Err(self
+                        .fault(self.row(&allowed), Cause::TooManyContacts { touching: touching(&allowed) }));
+                }
+            };
         let before = *u.modes();
-        let orientation = if solution.determinant < M::S::ZERO { M::S::lit(-1.0) } else { M::S::lit(1.0) };
+        let orientation = M::S::lit(1.0) / solution.determinant;
         let Solution { modes: of, carried, negative, .. } = solution;
         // One that sticks on stays in its place.
         let sticks_on = |i: usize| before.of[i] == Mode::Sticks && of[i] == Mode::Sticks;
         let place = core::array::from_fn(|i| if sticks_on(i) { before.place[i] } else { rows.gap[i] });
         let after = Modes { of, carried, place, orientation, negative };
         *u.modes_mut() = after;
-        // A gap that closes may be a tolerance away from zero: no step is to find that. Farther away it is left to the steps.
-        let is_near = |i: usize| of[i] != Mode::Closed || rows.gap[i].abs() <= self.closed();
-        if (0..N).all(is_near) {
-            project(self.system, self.t, u, x)?;
-        } else {
-            stop(self.system, (self.t, u, &rows), x);
-        }
-        let closes = |i: &usize| laws[*i].is_unilateral() && before.is_open(*i) && !after.is_open(*i);
         let begins = self.occasion == Occasion::Start;
-        let closures = if begins { 0 } else { (0..N).filter(closes).count() as u32 };
-        let outcome = Outcome { impacts, closures, is_ambiguous, is_undetermined: after.are_undetermined() };
+        let closes = |i: usize| laws[i].is_unilateral() && before.is_open(i) && !after.is_open(i);
+        if !begins && (impacts > 0 || (0..N).any(closes)) {
+            end_flights(self.system, (self.t, u, &rows), x);
+        }
+        // A gap that closes may be some tolerances away from zero: no step is to find that. Behind a step of fixed length it is left to
+        // the steps where it is farther away.
+        let most =
+            if self.step > M::S::ZERO { self.closed() } else { M::S::lit(NEAR) * self.system.length() };
+        let is_far = |i: usize| laws[i].is_unilateral() && rows.gap[i].abs() > most;
+        if (0..N).any(|i| of[i] == Mode::Closed && is_far(i)) {
+            stop(self.system, (self.t, u, &self.system.rows_at(self.t, u, x)), x);
+        } else {
+            project(self.system, self.t, u, x)?;
+        }
+        let is_ambiguous = is_ambiguous || struck.is_ambiguous;
+        let mut outcome = Outcome { impacts, newton: solution.newton, is_ambiguous, ..Outcome::default() };
+        outcome.is_undetermined = after.are_undetermined();
+        if !begins {
+            outcome.compare(&before, &after);
+        }
         u.count(&outcome, begins);
+        if let Some(booked) = u.booked() {
+            if begins {
+                *booked = Booked::nothing();
+            }
+            booked.book(self.t.to_f64(), &struck);
+        }
         Ok(outcome)
     }
 
-    /// Impacts of all rows that touch, until none approaches; gives the rows behind them, and how many impacts there were.
-    fn impacts(
-        &self,
-        laws: &[Law<M::S>; N],
-        (none, mut rows): (M::S, Rows<M::S, N>),
-        u: &M::U,
-        x: &mut M::X,
-    ) -> Result<(Rows<M::S, N>, u32), Fault> {
-        let law = self.system.impact_law();
-        let most = if law == ImpactLaw::Sequential { MOST_PAIRS } else { MOST_IMPACTS };
-        let mut count = 0;
-        loop {
-            let touches = self.touches(laws, &rows, u);
-            let approaches = |i: &usize| {
-                touches[*i] && laws[*i].is_unilateral() && rows.rate[*i] < -self.resting(&rows, *i).max(none)
-            };
-            let Some(row) = (0..N).find(approaches) else { return Ok((rows, count)) };
-            if count >= most {
-                return Err(self.fault(row, Cause::Impact { tried: count }));
-            }
-            count += 1;
-            let Impulses::Found(impulses) = impulses(&rows, laws, (law, touches)) else {
-                return Err(self.fault(row, Cause::Impact { tried: count }));
-            };
-            moved(self.system, (self.t, u), x, &impulses);
-            rows = self.system.rows_at(self.t, u, x);
-        }
-    }
-
     /// Gaps that are closed, and frictions.
-    fn touches(&self, laws: &[Law<M::S>; N], rows: &Rows<M::S, N>, u: &M::U) -> [bool; N] {
+    pub(super) fn touches(&self, laws: &[Law<M::S>; N], rows: &Rows<M::S, N>, u: &M::U) -> [bool; N] {
         let modes = u.modes();
         core::array::from_fn(|i| {
             let was_closed = modes.of[i] == Mode::Closed || modes.carried[i];
             let is_due = self.occasion.row() == Some(i);
+            if !self.system.exists(u, i) {
+                return false;
+            }
             !laws[i].is_unilateral() || was_closed || is_due || rows.gap[i] <= self.closed()
         })
     }
@@ -256,6 +275,9 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let touches = self.touches(laws, rows, u);
         core::array::from_fn(|i| {
             let is_due = self.occasion.row() == Some(i);
+            if let Some(mode) = laws[i].fixed(self.system.exists(u, i)) {
+                return Allowed::Only(mode);
+            }
             if laws[i].is_unilateral() {
                 let short = if is_due { self.short(rows, i) } else { M::S::ZERO };
                 let rests = touches[i] && rows.rate[i] <= self.resting(rows, i).max(none).max(short);
@@ -270,27 +292,40 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             match rows.rate[i] {
                 slip if slip > none => Allowed::Only(Mode::Forwards),
                 slip if slip < -none => Allowed::Only(Mode::Backwards),
+                _ if rows.turns(i, none, self.system.length()) => Allowed::Turning,
                 _ => Allowed::Resting,
             }
         })
     }
 
-    /// Are the inequalities of a combination met, those that are marginal also from here on?
-    fn admits(&self, u: &M::U, x: &M::X, solution: &Solution<M::S, N>, margins: &Margins<M::S, N>) -> bool {
+    /// The inequalities of a combination that are not met, or are marginal and not met from here on.
+    fn broken(
+        &self,
+        u: &M::U,
+        x: &M::X,
+        solution: &Solution<M::S, N>,
+        margins: &Margins<M::S, N>,
+    ) -> [bool; N] {
         let mut held = *u;
         let modes = held.modes_mut();
         (modes.of, modes.carried, modes.negative) = (solution.modes, solution.carried, solution.negative);
-        go_on(&moving_rows(self.system, (self.t, &held), x, &solution.lambda), solution, margins)
+        broken(&moving_rows(self.system, (self.t, &held), x, &solution.lambda), solution, margins)
     }
 
     fn closed(&self) -> M::S {
         M::S::lit(CLOSED) * self.system.length()
     }
 
-    /// Slower than this a row rests: its flight would be lower than rounding.
-    fn resting(&self, rows: &Rows<M::S, N>, row: usize) -> M::S {
+    /// Slower than this a row rests: its flight would be lower than rounding. What pulls it may be what pulls others: a block on a block
+    /// falls as fast as that, until it is held.
+    pub(super) fn resting(&self, rows: &Rows<M::S, N>, row: usize) -> M::S {
+        let own = rows.delassus[row][row];
+        let pull = |j: usize| rows.free[j].abs() * (own / rows.delassus[j][j]).sqrt();
+        let pulls =
+            |j: &usize| self.system.law(*j).is_unilateral() && rows.delassus[*j][*j] > M::S::lit(LIGHT) * own;
+        let pull = (0..N).filter(pulls).fold(rows.free[row].abs(), |most, j| most.max(pull(j)));
         let height = M::S::lit(LOWEST_FLIGHT) * M::S::EPSILON * self.system.length();
-        (M::S::lit(2.0) * rows.free[row].abs() * height).sqrt()
+        (M::S::lit(2.0) * pull * height).sqrt()
     }
 
     /// Slower than this the flight of a row whose impact was not located would end within a step, or below zero where it has begun.
@@ -311,7 +346,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         self.occasion.row().or(first).unwrap_or(0)
     }
 
-    fn fault(&self, row: usize, cause: Cause) -> Fault {
+    pub(super) fn fault(&self, row: usize, cause: Cause) -> Fault {
         Fault::of_part(self.t.to_f64(), self.system.contact_name(row), cause)
     }
 }
@@ -365,7 +400,7 @@ pub fn guards<M: Contacts<N>, const N: usize>(
     each: &mut impl FnMut(usize, M::S),
 ) {
     let (rows, modes) = (system.rows_at(t, u, x), u.modes());
-    if !margins(&rows, (modes, modes.orientation), each) {
+    if !margins(&rows, (modes, modes.orientation), &mut existing(system, u, each)) {
         (0..PER_ROW * N).for_each(|index| each(index, M::S::ZERO));
         each(PER_ROW * N, M::S::lit(-1.0));
     }

@@ -18,10 +18,12 @@
 //!   [`guards_within`](super::guards_within) give numbers `0..C`, to which `g` is added; kinks come behind them. From `g` on
 //!   `switch_behind` is [`switch_behind`](super::switch_behind) of `index - g`, and `switch` is the same with a step of zero. An own
 //!   condition and `switch_at_time` call [`update`](super::update) behind their change. In `matters` the guards of contact have the root 1.
+//! * `Linear`: `held_rows` is [`held_rows`](super::held_rows).
 //! * `Labels`: `contact_name` has the rows; `guard_name` of the guard `g + i` that of the row `i / 3`.
 //! * [`begin`](super::begin) is the last thing of a start; `state_was_set` is [`state_was_set`](super::state_was_set). A `renew` needs
 //!   no more.
 
+use super::booked::Booked;
 use super::event::Outcome;
 use super::modes::{Mode, Modes};
 use super::status::{Counts, Status};
@@ -38,13 +40,20 @@ pub struct Held<S, const N: usize> {
     pub lambda: [S; N],
     /// Events of contact since the run began.
     pub counts: Counts,
+    /// Impulses and energy of impacts.
+    pub booked: Booked<N>,
 }
 
 impl<S: Scalar, const N: usize> Held<S, N> {
     /// Every gap is open.
     #[must_use]
     pub fn open() -> Self {
-        Self { modes: Modes::open(), lambda: [S::ZERO; N], counts: Counts::default() }
+        Self {
+            modes: Modes::open(),
+            lambda: [S::ZERO; N],
+            counts: Counts::default(),
+            booked: Booked::nothing(),
+        }
     }
 
     /// The states `all` as one in other numbers, each made by `number`. The modes are those of the `first`.
@@ -53,11 +62,11 @@ impl<S: Scalar, const N: usize> Held<S, N> {
         all: [&Self; K],
         number: &impl Fn([S; K]) -> T,
     ) -> Held<T, N> {
-        let Self { modes: Modes { of, carried, negative, .. }, counts, .. } = *first;
+        let Self { modes: Modes { of, carried, negative, .. }, counts, booked, .. } = *first;
         let place = core::array::from_fn(|row| number(all.map(|one| one.modes.place[row])));
         let orientation = number(all.map(|one| one.modes.orientation));
         let lambda = core::array::from_fn(|row| number(all.map(|one| one.lambda[row])));
-        Held { modes: Modes { of, carried, place, orientation, negative }, lambda, counts }
+        Held { modes: Modes { of, carried, place, orientation, negative }, lambda, counts, booked }
     }
 
     /// Some row pushes or rubs; else multipliers are zero, as they are held.
@@ -67,11 +76,14 @@ impl<S: Scalar, const N: usize> Held<S, N> {
 
     /// What the rows do.
     pub fn status(&self) -> Status<'_> {
-        Status { modes: &self.modes.of, carried: &self.modes.carried, counts: self.counts }
+        let (counts, booked) = (self.counts, &self.booked);
+        let (impulses, energy) = (&booked.impulses()[..], booked.energy());
+        Status { modes: &self.modes.of, carried: &self.modes.carried, counts, impulses, energy }
     }
 }
 
-/// Modes, rows that others hold, signs of reactions, places, orientation, multipliers. What was counted is not shown.
+/// Modes, rows that others hold, signs of reactions, places, orientation, multipliers, impulses and energy of impacts. What was counted
+/// is not shown.
 impl<S: Real, const N: usize> InWords for Held<S, N> {
     fn each(&mut self, words: &mut impl Words) {
         let Modes { of, carried, place, orientation, negative } = &mut self.modes;
@@ -86,6 +98,7 @@ impl<S: Real, const N: usize> InWords for Held<S, N> {
         words.numbers(place);
         words.number(orientation);
         words.numbers(&mut self.lambda);
+        self.booked.each(words);
     }
 }
 
@@ -101,6 +114,11 @@ pub trait Modal<S, const N: usize> {
     fn count(&mut self, outcome: &Outcome, begins: bool) {
         let _ = (outcome, begins);
     }
+
+    /// What was booked of impacts, where that is kept.
+    fn booked(&mut self) -> Option<&mut Booked<N>> {
+        None
+    }
 }
 
 impl<S, const N: usize> Modal<S, N> for Modes<S, N> {
@@ -112,6 +130,24 @@ impl<S, const N: usize> Modal<S, N> for Modes<S, N> {
     }
 }
 
+impl<S, const N: usize> Modal<S, N> for Held<S, N> {
+    fn modes(&self) -> &Modes<S, N> {
+        &self.modes
+    }
+    fn modes_mut(&mut self) -> &mut Modes<S, N> {
+        &mut self.modes
+    }
+    fn count(&mut self, outcome: &Outcome, begins: bool) {
+        if begins {
+            self.counts = Counts::default();
+        }
+        self.counts.add(outcome);
+    }
+    fn booked(&mut self) -> Option<&mut Booked<N>> {
+        Some(&mut self.booked)
+    }
+}
+
 impl<S, I, W, T, L, const N: usize> Modal<S, N> for held::Held<I, W, T, L, Held<S, N>> {
     fn modes(&self) -> &Modes<S, N> {
         &self.contact.modes
@@ -120,9 +156,9 @@ impl<S, I, W, T, L, const N: usize> Modal<S, N> for held::Held<I, W, T, L, Held<
         &mut self.contact.modes
     }
     fn count(&mut self, outcome: &Outcome, begins: bool) {
-        if begins {
-            self.contact.counts = Counts::default();
-        }
-        self.contact.counts.add(outcome);
+        self.contact.count(outcome, begins);
+    }
+    fn booked(&mut self) -> Option<&mut Booked<N>> {
+        self.contact.booked()
     }
 }

@@ -6,7 +6,6 @@
 //! depend on contact forces carry no impulse.
 
 use super::candidates::{Allowed, Found, Solution, enumerate};
-use super::modes::Mode;
 use super::rows::{Law, Limit, Rows};
 use crate::scalar::Real;
 
@@ -24,7 +23,8 @@ pub enum ImpactLaw {
 
 /// Impulses of all rows.
 pub(super) enum Impulses<S, const N: usize> {
-    Found([S; N]),
+    /// And whether other impulses, with other rates behind them, satisfy all inequalities as well.
+    Found([S; N], bool),
     /// No combination of modes satisfies all inequalities.
     Nothing,
     /// More rows touch than are enumerated.
@@ -73,7 +73,7 @@ fn newton<S: Real, const N: usize>(
         }
     }
     match solve(&problem, laws, touches) {
-        Found::Modes(Solution { lambda, .. }, _) => Impulses::Found(lambda),
+        Found::Modes(Solution { lambda, .. }, is_ambiguous) => Impulses::Found(lambda, is_ambiguous),
         Found::Nothing => Impulses::Nothing,
         Found::TooMany => Impulses::TooMany,
     }
@@ -84,17 +84,17 @@ fn poisson<S: Real, const N: usize>(
     laws: &[Law<S>; N],
     touches: &[bool; N],
 ) -> Impulses<S, N> {
-    let compression = match solve(problem, laws, touches) {
-        Found::Modes(solution, _) => solution,
+    let (compression, is_ambiguous) = match solve(problem, laws, touches) {
+        Found::Modes(solution, is_ambiguous) => (solution, is_ambiguous),
         Found::Nothing => return Impulses::Nothing,
         Found::TooMany => return Impulses::TooMany,
     };
     let back: [S; N] = core::array::from_fn(|i| match laws[i] {
         Law::Unilateral { restitution } => restitution * compression.lambda[i],
-        Law::Friction => S::ZERO,
+        Law::Friction | Law::Constraint => S::ZERO,
     });
     if back.iter().all(|impulse| *impulse == S::ZERO) {
-        return Impulses::Found(compression.lambda);
+        return Impulses::Found(compression.lambda, is_ambiguous);
     }
     let mut expansion = *problem;
     for i in 0..N {
@@ -110,8 +110,9 @@ fn poisson<S: Real, const N: usize>(
         }
     }
     match solve(&expansion, laws, touches) {
-        Found::Modes(solution, _) => {
-            Impulses::Found(core::array::from_fn(|i| compression.lambda[i] + back[i] + solution.lambda[i]))
+        Found::Modes(solution, is_other) => {
+            let sum = |i: usize| compression.lambda[i] + back[i] + solution.lambda[i];
+            Impulses::Found(core::array::from_fn(sum), is_ambiguous || is_other)
         }
         Found::Nothing => Impulses::Nothing,
         Found::TooMany => Impulses::TooMany,
@@ -124,11 +125,10 @@ fn solve<S: Real, const N: usize>(
     laws: &[Law<S>; N],
     touches: &[bool; N],
 ) -> Found<S, N> {
-    let allowed = core::array::from_fn(|i| match (touches[i], laws[i]) {
-        (true, Law::Unilateral { .. }) => Allowed::Touching,
-        (true, Law::Friction) => Allowed::Resting,
-        (false, Law::Unilateral { .. }) => Allowed::Only(Mode::Open),
-        (false, Law::Friction) => Allowed::Only(Mode::Off),
+    let allowed = core::array::from_fn(|i| match laws[i].fixed(touches[i]) {
+        Some(mode) => Allowed::Only(mode),
+        None if laws[i].is_unilateral() => Allowed::Touching,
+        None => Allowed::Resting,
     });
-    enumerate(problem, &allowed, |_, margins| margins.are_met())
+    enumerate(problem, &allowed, |_, margins| margins.broken())
 }

@@ -12,21 +12,23 @@ use crate::scalar::{Real, Scalar};
 
 /// A margin that is zero within this time is zero, s: times of events are known so well.
 const AT_ONCE: f64 = 1e-10;
-/// A margin of this fraction of its terms is never marginal: near a pose where a row has no direction rates have no bound.
+/// Near a pose where a row has no direction rates have no bound: there a margin of this fraction of its terms is never marginal.
 const MOST_MARGINAL: f64 = 1e-4;
+/// Such a pose is near if the own entry of D changes by as much as it is within this time, s.
+const TURNS_WITHIN: f64 = 1e-6;
 /// The rate of a margin is none below this fraction of its terms.
 const NO_RATE: f64 = 1e-9;
 
-/// True if every margin is positive, or zero and not falling.
-pub(super) fn go_on<S: Real, const N: usize>(
+/// The margins that are negative, or zero and falling.
+pub(super) fn broken<S: Real, const N: usize>(
     rows: &Rows<Dual<S, 1>, N>,
     solution: &Solution<S, N>,
     margins: &Margins<S, N>,
-) -> bool {
-    let Some(found) = multipliers(rows, &solution.modes) else { return false };
+) -> [bool; N] {
+    let Some(found) = multipliers(rows, &solution.modes) else { return [true; N] };
     let lambda = found.lambda;
-    (0..N).all(|i| {
-        let (value, Some(terms)) = (margins.value[i], margins.size[i]) else { return true };
+    core::array::from_fn(|i| {
+        let (value, Some(terms)) = (margins.value[i], margins.size[i]) else { return false };
         // Forces times D_ii: where a row has no direction D is zero, and the force that would hold it has no end.
         let (acceleration, own) = (rows.acceleration(i, &lambda), rows.delassus[i][i]);
         let (margin, to_acceleration) = match solution.modes[i] {
@@ -40,9 +42,13 @@ pub(super) fn go_on<S: Real, const N: usize>(
         };
         let (value, terms) = (value * to_acceleration, terms * to_acceleration);
         let (slope, size) = (margin.tangents[0], size(rows, i, &lambda));
-        let at_once = (S::lit(AT_ONCE) * slope.abs()).min(S::lit(MOST_MARGINAL) * terms);
+        let at_once = S::lit(AT_ONCE) * slope.abs();
+        // Terms may be small that are sums of large ones, as for a point that leaves a sphere.
+        let turns = S::lit(TURNS_WITHIN) * own.tangents[0].abs() >= own.value.abs();
+        let at_once = if turns { at_once.min(S::lit(MOST_MARGINAL) * terms) } else { at_once };
         let none = (S::lit(MARGINAL) * terms).max(at_once);
-        value > none || value >= -none && slope >= -S::lit(NO_RATE) * size
+        let is_met = value > none || value >= -none && slope >= -S::lit(NO_RATE) * size;
+        !is_met
     })
 }
 

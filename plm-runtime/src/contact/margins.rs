@@ -11,6 +11,11 @@ pub const PER_ROW: usize = 3;
 /// The place of the last one among them.
 pub(super) const SIGN: usize = 2;
 
+/// A slip may take so much from the determinant since the modes were chosen: nearer to zero forces are rounding, where they have no bound.
+pub(super) const UNIQUE: f64 = 1e-8;
+/// A friction without a force gets one where its bound, N or N m, is more than one part in so many.
+const NO_BOUND: f64 = 1e12;
+
 /// The number of guards that `rows` contact rows have: three each, and the determinant of the active rows.
 #[must_use]
 pub const fn guard_count(rows: usize) -> usize {
@@ -23,14 +28,14 @@ pub(super) fn margins<T: Scalar, const N: usize>(
     (modes, orientation): (&Modes<impl Scalar, N>, T),
     each: &mut impl FnMut(usize, T),
 ) -> bool {
-    let Some(Multipliers { lambda, determinant }) = multipliers(rows, &modes.of) else { return false };
+    let Some(Multipliers { lambda, determinant, .. }) = multipliers(rows, &modes.of) else { return false };
     let far = T::lit(1.0);
     for (row, mode) in modes.of.iter().enumerate() {
         let [first, second] = match mode {
             _ if modes.is_carried(row) => [far, far],
             Mode::Open => [rows.gap[row], far],
             Mode::Closed => [lambda[row], far],
-            Mode::Off => [far, far],
+            Mode::Off => [far - T::lit(NO_BOUND) * bound(rows, row, &lambda), far],
             Mode::Sticks => stick(rows, row, &lambda),
             Mode::Forwards | Mode::Backwards => [mode.sign::<T>() * rows.rate[row], far],
         };
@@ -39,8 +44,15 @@ pub(super) fn margins<T: Scalar, const N: usize>(
         let is_bounded = matches!(rows.load[row], Load::Line { .. }) && !matches!(mode, Mode::Off);
         each(PER_ROW * row + SIGN, if is_bounded { rows.size(row, &lambda) } else { far });
     }
-    each(PER_ROW * N, orientation * determinant);
+    let least = if modes.of.iter().any(|mode| mode.slips()) { UNIQUE } else { 0.0 };
+    each(PER_ROW * N, orientation * determinant - T::lit(least));
     true
+}
+
+/// The limits of a friction to both sides together, with the share of a reaction as it is; zero where none can have a force.
+fn bound<T: Scalar, const N: usize>(rows: &Rows<T, N>, row: usize, lambda: &[T; N]) -> T {
+    let [lower, upper] = [&rows.adhesion[row].lower, &rows.adhesion[row].upper];
+    lower.at(lambda) + lower.share + (upper.at(lambda) + upper.share)
 }
 
 /// How far a row that sticks is from either limit.

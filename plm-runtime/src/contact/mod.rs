@@ -8,6 +8,7 @@
 //! A system has [`Contacts`], and its contracts call the functions of this module: [`rate`], [`guards`], [`guards_within`], [`switch`],
 //! [`switch_behind`], [`state_was_set`], [`update`], [`project`], [`drift`], [`begin`].
 
+mod booked;
 mod candidates;
 mod changed;
 mod event;
@@ -18,10 +19,16 @@ mod marginal;
 mod margins;
 mod modes;
 mod multipliers;
+mod paradox;
+mod pivots;
 mod project;
 mod rows;
 mod status;
+mod strikes;
+mod sunk;
+mod walk;
 
+pub use self::booked::{Booked, ImpactEnergy, Impulse};
 pub use self::changed::state_was_set;
 pub use self::event::{Outcome, begin, guards, switch, switch_behind, update};
 pub use self::held::{Held, Modal};
@@ -29,9 +36,10 @@ pub use self::impact::ImpactLaw;
 pub use self::loads::{Affine, Load};
 pub use self::margins::{PER_ROW, guard_count};
 pub use self::modes::{Mode, Modes};
-pub use self::project::{drift, project};
+pub use self::project::{drift, held_rows, project};
 pub use self::rows::{Friction, Law, Limit, Rows};
 pub use self::status::{Counts, Status};
+pub use self::sunk::appear;
 use crate::enclosure::Enclosed;
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
@@ -55,6 +63,12 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
         x: &impl Fn(usize) -> T,
         constant: &impl Fn(Self::S) -> T,
     ) -> Rows<T, N>;
+
+    /// Does a row exist? Where it does not, its gap is open, and its friction off.
+    fn exists(&self, u: &Self::U, row: usize) -> bool {
+        let _ = (u, row);
+        true
+    }
 
     /// The rows in the numbers of the system.
     fn rows_at(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Rows<Self::S, N> {
@@ -100,7 +114,7 @@ pub fn reactions<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, 
 
 /// The multipliers in the modes held; not a number where they are not unique.
 fn lambda_of<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &Modes<T, N>) -> [T; N] {
-    let found = multipliers::multipliers(rows, &modes.of);
+    let found = multipliers::multipliers_of_rate(rows, &modes.of);
     found.map_or([T::lit(f64::NAN); N], |found| found.lambda)
 }
 
@@ -114,8 +128,9 @@ pub fn rate<M: Contacts<N>, const N: usize>(
 ) -> Health<M::S> {
     let health = system.free_rate(t, u, x, dx);
     let lambda = without_noise(&system.rows_at(t, u, x), u.modes());
-    let response = system.response(t, u, x, &lambda);
-    *dx = dx.map2(&response, |free, response| balanced(free + response, response));
+    let response = |lambda: &[M::S; N]| system.response(t, u, x, lambda);
+    dx.add([(M::S::lit(1.0), &response(&lambda))]);
+    balance(dx, &lambda, response);
     health
 }
 
@@ -144,13 +159,26 @@ pub fn settle<T: Scalar, X: Vector<T>, const N: usize>(
     response: impl FnOnce(&[T; N]) -> X,
 ) {
     if held.modes.of.iter().any(|mode| mode.holds()) {
-        *dx = dx.map2(&response(&held.lambda), balanced);
+        balance(dx, &held.lambda, response);
     }
 }
 
-/// An acceleration; zero where that of contact forces, a part of it, balances the rest but for rounding.
-fn balanced<T: Scalar>(sum: T, response: T) -> T {
-    let none = T::lit(BALANCE_ULPS * T::PRECISION) * response.abs();
+/// Takes accelerations out of a rate that are rounding of what contact forces add to it. Forces may balance each other, so that
+/// their sum says nothing of their size; a sum with weights does.
+fn balance<T: Scalar, X: Vector<T>, const N: usize>(
+    dx: &mut X,
+    lambda: &[T; N],
+    response: impl FnOnce(&[T; N]) -> X,
+) {
+    // The fractions of multiples of the golden ratio lie far apart.
+    let weight = |i: usize| T::lit(1.0 + (i as f64 * 0.618_033_988_749_894_9) % 1.0);
+    let weighted = core::array::from_fn(|i| weight(i) * lambda[i]);
+    *dx = dx.map2(&response(&weighted), |sum, size| balanced(sum, size.abs()));
+}
+
+/// An acceleration; zero where it is rounding of contact forces of a size.
+fn balanced<T: Scalar>(sum: T, size: T) -> T {
+    let none = T::lit(BALANCE_ULPS * T::PRECISION) * size;
     T::select(sum.abs().lt(none), sum.as_zero(), sum)
 }
 
@@ -168,7 +196,21 @@ pub fn guards_within<M: Contacts<N>, const N: usize>(
     if rows.load.contains(&Load::Plane) {
         return false;
     }
-    margins::margins(&rows, (modes, Enclosed::constant(modes.orientation)), each)
+    let orientation = Enclosed::constant(modes.orientation);
+    margins::margins(&rows, (modes, orientation), &mut existing(system, u, each))
+}
+
+/// Margins of rows that do not exist are far, and so are those of constraints.
+fn existing<'a, M: Contacts<N>, T: Scalar, const N: usize>(
+    system: &'a M,
+    u: &'a M::U,
+    each: &'a mut impl FnMut(usize, T),
+) -> impl FnMut(usize, T) + 'a {
+    move |index, margin| {
+        let row = index / PER_ROW;
+        let has_margins = row >= N || system.exists(u, row) && !system.law(row).is_constraint();
+        each(index, if has_margins { margin } else { T::lit(1.0) });
+    }
 }
 
 /// Adds the response to impulses to the velocities.

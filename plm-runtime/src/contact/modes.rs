@@ -30,8 +30,12 @@ impl Mode {
         matches!(self, Self::Forwards | Self::Backwards)
     }
 
-    /// In saved runs.
-    pub(super) fn number(self) -> u64 {
+    /// All modes, in the order of their numbers.
+    pub const ALL: [Self; 6] =
+        [Self::Open, Self::Closed, Self::Off, Self::Sticks, Self::Forwards, Self::Backwards];
+
+    /// Its number, in saved runs and in other languages.
+    pub fn number(self) -> u64 {
         match self {
             Self::Open => 0,
             Self::Closed => 1,
@@ -73,7 +77,7 @@ pub struct Modes<S, const N: usize> {
     pub carried: [bool; N],
     /// Where a friction sticks: its displacement, m or rad.
     pub place: [S; N],
-    /// The sign of the determinant of the active rows when the modes were chosen.
+    /// One over the determinant of the active rows when the modes were chosen.
     pub orientation: S,
     /// The reaction that bounds a friction is negative.
     pub negative: [bool; N],

@@ -24,6 +24,8 @@ pub(super) struct Multipliers<T, const N: usize> {
     pub(super) lambda: [T; N],
     /// With the rows that hold divided by the diagonal entries of D.
     pub(super) determinant: T,
+    /// Steps of Newton's method behind the first solution.
+    pub(super) newton: u32,
 }
 
 /// The system of the active rows.
@@ -40,13 +42,31 @@ pub(super) fn multipliers<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,
     modes: &[Mode; N],
 ) -> Option<Multipliers<T, N>> {
+    multipliers_above(rows, modes, DEPENDENT)
+}
+
+/// The same for a rate. Where a slip takes the determinant to zero they are large, and numbers: a guard ends the step there.
+pub(super) fn multipliers_of_rate<T: Scalar, const N: usize>(
+    rows: &Rows<T, N>,
+    modes: &[Mode; N],
+) -> Option<Multipliers<T, N>> {
+    let slips = modes.iter().any(|mode| mode.slips());
+    multipliers_above(rows, modes, if slips { 0.0 } else { DEPENDENT })
+}
+
+/// The same where every pivot is above the fraction `least`.
+fn multipliers_above<T: Scalar, const N: usize>(
+    rows: &Rows<T, N>,
+    modes: &[Mode; N],
+    least: f64,
+) -> Option<Multipliers<T, N>> {
     let mut directions = directions(rows, modes, &[T::ZERO; N]);
-    let mut left = MOST_STEPS;
+    let (mut left, mut newton) = (MOST_STEPS, 0);
     while left > 0 {
         left -= 1;
         let mut system = System::of(rows, (modes, &directions));
-        let determinant = system.eliminate()?;
-        let found = Multipliers { lambda: system.substitute(), determinant };
+        let determinant = system.eliminate(least)?;
+        let found = Multipliers { lambda: system.substitute(), determinant, newton };
         let next = self::directions(rows, modes, &found.lambda);
         let apart = |(one, other): (&T, &T)| (one.to_f64() - other.to_f64()).abs();
         let changes = directions.as_flattened().iter().zip(next.as_flattened()).map(apart);
@@ -58,6 +78,7 @@ pub(super) fn multipliers<T: Scalar, const N: usize>(
             left = left.min(BEHIND);
         }
         directions = next;
+        newton += 1;
     }
     None
 }
@@ -92,8 +113,8 @@ impl<T: Scalar, const N: usize> System<T, N> {
         system
     }
 
-    /// Gaussian elimination; gives the determinant.
-    fn eliminate(&mut self) -> Option<T> {
+    /// Gaussian elimination; gives the determinant. None where a pivot is not above the fraction `least` of its row.
+    fn eliminate(&mut self, least: f64) -> Option<T> {
         let order = self.order;
         let mut determinant = T::lit(1.0);
         let size: [f64; N] = core::array::from_fn(|k| {
@@ -108,7 +129,7 @@ impl<T: Scalar, const N: usize> System<T, N> {
                 }
             }
             // False for what is not a number.
-            let is_regular = ratio(self.rows[pivot][k], sizes[pivot]) > DEPENDENT;
+            let is_regular = ratio(self.rows[pivot][k], sizes[pivot]) > least;
             if !is_regular {
                 return None;
             }
@@ -152,7 +173,7 @@ fn ratio<T: Scalar>(entry: T, size: f64) -> f64 {
 }
 
 /// The equation of the row `i`, and its right side. Rows that hold are divided by their diagonal entry.
-fn equation<T: Scalar, const N: usize>(
+pub(super) fn equation<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,
     (mode, direction): (Mode, [T; 2]),
     i: usize,

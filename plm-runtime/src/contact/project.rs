@@ -1,7 +1,7 @@
 //! Rows that hold, at position and velocity level: a friction that sticks stays in its place.
 
-use super::multipliers::multipliers;
-use super::rows::Rows;
+use super::multipliers::{Multipliers, multipliers};
+use super::rows::{Friction, Limit, Rows};
 use super::{Contacts, Modal, modes::Mode, moved};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
@@ -22,6 +22,29 @@ pub(super) fn stop<M: Contacts<N>, const N: usize>(
     }
 }
 
+/// Takes the rates of rows that hold out of the velocities behind an event, by impulses that have their share of friction: such a rate is
+/// that of flights which are not followed, and what slides meanwhile rubs by their pushes. `rows` are those of the state.
+pub(super) fn end_flights<M: Contacts<N>, const N: usize>(
+    system: &M,
+    (t, u, rows): (M::S, &M::U, &Rows<M::S, N>),
+    x: &mut M::X,
+) {
+    let modes = &u.modes().of;
+    let Some(Multipliers { lambda, .. }) = multipliers(rows, modes) else { return };
+    let mut problem = Rows { free: rows.rate, ..*rows };
+    for row in 0..N {
+        // The size of a reaction changes along the reaction.
+        let direction = rows.direction(row, &lambda);
+        let Friction { lower, upper } = &mut problem.kinetic[row];
+        for limit in [lower, upper] {
+            *limit = Limit { by: rows.along(row, limit, direction).by, ..Limit::none() };
+        }
+    }
+    if let Some(impulses) = multipliers(&problem, modes) {
+        moved(system, (t, u), x, &impulses.lambda);
+    }
+}
+
 /// Projects the joints, leads rows that hold back to their places, and takes their rates out of the velocities.
 ///
 /// # Errors
@@ -36,7 +59,7 @@ pub fn project<M: Contacts<N>, const N: usize>(
     loop {
         system.project_joints(t, u, x)?;
         let rows = system.rows_at(t, u, x);
-        let away = away::<M, N>(system, &rows, u);
+        let away = away::<M, N>(&rows, u);
         let are_near = away.iter().all(|z| z.abs() <= M::S::EPSILON * system.length());
         let multipliers =
             if are_near || steps == MOST_STEPS { None } else { held(&rows, u.modes().of, away) };
@@ -56,18 +79,34 @@ pub fn project<M: Contacts<N>, const N: usize>(
 pub fn drift<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &M::X) -> Drift<M::S> {
     let joints = system.drift_of_joints(t, u, x);
     let rows = system.rows_at(t, u, x);
-    let away = away::<M, N>(system, &rows, u);
+    let away = away::<M, N>(&rows, u);
     let largest = |least: M::S, numbers: &[M::S; N]| numbers.iter().fold(least, |sum, z| sum.max(z.abs()));
     let rate: [M::S; N] =
         core::array::from_fn(|i| if u.modes().of[i].holds() { rows.rate[i] } else { M::S::ZERO });
     Drift { phi: largest(joints.phi, &away), phi_dot: largest(joints.phi_dot, &rate) }
 }
 
+/// Gives `row` the displacement and the rate of each row that holds, for [`Linear::held_rows`](crate::Linear::held_rows).
+pub fn held_rows<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: M::S,
+    u: &M::U,
+    x: &M::X,
+    row: &mut impl FnMut(M::S),
+) {
+    let rows = system.rows_at(t, u, x);
+    let away = away::<M, N>(&rows, u);
+    for i in (0..N).filter(|i| u.modes().of[*i].holds()) {
+        row(away[i]);
+        row(rows.rate[i]);
+    }
+}
+
 /// Displacements of the rows that hold.
-fn away<M: Contacts<N>, const N: usize>(system: &M, rows: &Rows<M::S, N>, u: &M::U) -> [M::S; N] {
+fn away<M: Contacts<N>, const N: usize>(rows: &Rows<M::S, N>, u: &M::U) -> [M::S; N] {
     let modes = u.modes();
     core::array::from_fn(|i| match modes.of[i] {
-        Mode::Closed if system.law(i).is_unilateral() => rows.gap[i],
+        Mode::Closed => rows.gap[i],
         Mode::Sticks => rows.gap[i] - modes.place[i],
         _ => M::S::ZERO,
     })

@@ -1,7 +1,8 @@
 //! Contact rows at a state: gaps, rates, free accelerations, Delassus operator, limits of friction.
 
 use super::loads::{Affine, Load};
-use crate::scalar::Scalar;
+use super::modes::Mode;
+use crate::scalar::{Real, Scalar};
 
 /// What a row says.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,9 +14,26 @@ pub enum Law<S> {
     },
     /// A force against a slip, within limits.
     Friction,
+    /// A constraint while the row exists: closed, with a force of either sign.
+    Constraint,
 }
 
 impl<S> Law<S> {
+    /// The row is a constraint while it exists.
+    pub fn is_constraint(&self) -> bool {
+        matches!(self, Self::Constraint)
+    }
+
+    /// The modes of a row that exists no more, and of a constraint that does.
+    pub(super) fn fixed(&self, exists: bool) -> Option<Mode> {
+        match (self, exists) {
+            (Self::Constraint, true) => Some(Mode::Closed),
+            (Self::Unilateral { .. } | Self::Constraint, false) => Some(Mode::Open),
+            (Self::Friction, false) => Some(Mode::Off),
+            _ => None,
+        }
+    }
+
     /// The row has a gap.
     pub fn is_unilateral(&self) -> bool {
         matches!(self, Self::Unilateral { .. })
@@ -95,6 +113,26 @@ pub struct Rows<T, const N: usize> {
     pub reaction: [[Affine<T, N>; 2]; N],
     /// What these reactions are.
     pub load: [Load; N],
+}
+
+/// A row that rests is slower than this fraction of the fastest one.
+const SLOW: f64 = 1e-3;
+/// Below this fraction of the largest one, for a length of 1 m at least, a diagonal entry of D is rounding of what has cancelled.
+const CANCELLED: f64 = 1e-13;
+
+impl<T: Real, const N: usize> Rows<T, N> {
+    /// The rate w v of a row is zero because its direction w is, as that of a slider in its dead centre, while others slip faster than
+    /// `none`. The speed along w, |w v|/sqrt(w M^-1 w^T), is then no smaller than theirs, unless D is rounding alone. `length` is that
+    /// of the mechanism.
+    pub(super) fn turns(&self, row: usize, none: T, length: T) -> bool {
+        let own = |i: usize| self.delassus[i][i];
+        let speed = |i: usize| self.rate[i].abs() / own(i).sqrt();
+        let slips = (0..N).filter(|i| self.rate[*i].abs() > none);
+        let (fastest, largest) = slips
+            .fold((T::ZERO, T::ZERO), |(fastest, largest), i| (fastest.max(speed(i)), largest.max(own(i))));
+        let is_cancelled = own(row) <= T::lit(CANCELLED) * largest * (length * length).min(T::lit(1.0));
+        fastest > T::ZERO && (is_cancelled || speed(row) > T::lit(SLOW) * fastest)
+    }
 }
 
 impl<T: Scalar, const N: usize> Rows<T, N> {

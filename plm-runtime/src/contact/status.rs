@@ -1,5 +1,6 @@
 //! What contact rows do, and what was counted of their events, whatever the number of rows.
 
+use super::booked::{ImpactEnergy, Impulse};
 use super::event::Outcome;
 use super::modes::Mode;
 
@@ -10,6 +11,14 @@ pub struct Counts {
     pub impacts: u64,
     /// Gaps that were open and stay closed from an event on: a touch-down without a bounce, or the end of bouncing.
     pub closures: u64,
+    /// Gaps that were closed and are open from an event on; a bounce is an impact and none of these.
+    pub openings: u64,
+    /// Frictions that slipped, or had no normal force, and stick from an event on.
+    pub sticks: u64,
+    /// Frictions that stuck, or had no normal force, and slip from an event on, and those that slip the other way.
+    pub slips: u64,
+    /// Steps of Newton's method for frictions that are bounded by a reaction in the plane, in events.
+    pub newton: u64,
     /// Events behind which other accelerations satisfy all laws as well.
     pub ambiguous: u64,
     /// Events behind which more rows rest than there are freedoms: accelerations are unique, multipliers are not.
@@ -21,6 +30,10 @@ impl Counts {
     pub(super) fn add(&mut self, outcome: &Outcome) {
         self.impacts += u64::from(outcome.impacts);
         self.closures += u64::from(outcome.closures);
+        self.openings += u64::from(outcome.openings);
+        self.sticks += u64::from(outcome.sticks);
+        self.slips += u64::from(outcome.slips);
+        self.newton += u64::from(outcome.newton);
         self.ambiguous += u64::from(outcome.is_ambiguous);
         self.undetermined += u64::from(outcome.is_undetermined);
     }
@@ -32,6 +45,8 @@ pub struct Status<'a> {
     pub(super) modes: &'a [Mode],
     pub(super) carried: &'a [bool],
     pub(super) counts: Counts,
+    pub(super) impulses: &'a [Impulse],
+    pub(super) energy: ImpactEnergy,
 }
 
 impl Status<'_> {
@@ -50,6 +65,18 @@ impl Status<'_> {
     #[must_use]
     pub fn is_undetermined(&self) -> bool {
         self.carried.contains(&true)
+    }
+
+    /// The last impulse of a row; none where it has had none. Impulses at one time are added.
+    #[must_use]
+    pub fn impulse(&self, row: usize) -> Option<Impulse> {
+        self.impulses.get(row).copied().filter(|impulse| impulse.time.is_finite())
+    }
+
+    /// Energy that impacts have lost since the run began.
+    #[must_use]
+    pub fn energy(&self) -> ImpactEnergy {
+        self.energy
     }
 
     /// What was counted since the run began.

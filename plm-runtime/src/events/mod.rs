@@ -19,6 +19,7 @@ mod relevant;
 mod root;
 mod sampled;
 mod search;
+mod sets;
 mod violated;
 mod words;
 
@@ -34,6 +35,7 @@ pub(crate) use self::relevant::refresh;
 use self::relevant::{Relevant, bit};
 use self::sampled::Sampled;
 use self::search::{Found, Search};
+pub use self::sets::{Sets, begin, change, with_velocities};
 pub use self::violated::switch_where_due;
 use self::violated::{Switched, required, switch_violated};
 pub(crate) use self::violated::{are_satisfied, switch_at_end, switch_each};

@@ -84,14 +84,12 @@ impl fmt::Display for Cause {
             }
             Self::Impact { .. }
             | Self::NoMode { .. }
+            | Self::NotUnique { .. }
+            | Self::ImpactGains { .. }
             | Self::TooManyContacts { .. }
             | Self::Sunk { .. }
-            | Self::NoContact { .. } => contact(f, self),
-            // A number so small would fill lines with zeros.
-            Self::Interval { length } if length.abs() < 1e-5 && *length != 0.0 => {
-                write!(f, "an interval of {length:e} s cannot be integrated")
-            }
-            Self::Interval { length } => write!(f, "an interval of {length} s cannot be integrated"),
+            | Self::Slips => contact(f, self),
+            Self::Interval { length } => interval(f, *length),
             Self::Drift { phi, phi_dot } => drift(f, *phi, *phi_dot),
             Self::Redundant { count, locks, joints } => redundant(f, *count, "position", locks, joints),
             Self::VelocityRedundant { count, locks, joints } => {
@@ -113,6 +111,15 @@ impl fmt::Display for Cause {
             }
         }
     }
+}
+
+/// How long an interval is that is none.
+fn interval(f: &mut fmt::Formatter<'_>, length: f64) -> fmt::Result {
+    // A number so small would fill lines with zeros.
+    if length.abs() < 1e-5 && length != 0.0 {
+        return write!(f, "an interval of {length:e} s cannot be integrated");
+    }
+    write!(f, "an interval of {length} s cannot be integrated")
 }
 
 /// What repeats what, and why that may be.
@@ -161,9 +168,24 @@ fn contact(f: &mut fmt::Formatter<'_>, cause: &Cause) -> fmt::Result {
             f,
             "its impact has no solution after {tried} impulses at one time; a smaller coefficient of restitution or of friction"
         ),
-        Cause::NoMode { touching } => write!(
+        Cause::ImpactGains { by, of } => write!(
             f,
-            "no forces of {touching} closed gaps and their friction satisfy all laws: what slides digs in (Painleve's paradox); less \
+            "its impact would gain {by:.6e} J, of {of:.6e} J that the impulses turn over: Newton's law with friction, or of several \
+             contacts; Poisson's law never does"
+        ),
+        Cause::NoMode { touching, p } if *p < 0.0 => write!(
+            f,
+            "no forces of {touching} closed gaps and their friction satisfy all laws: what slides digs in, p = D_nn - sigma mu D_nt is \
+             {p:.3} of D_nn (Painleve's paradox); less friction, or a contact that gives way"
+        ),
+        Cause::NoMode { touching, .. } => write!(
+            f,
+            "no forces of {touching} closed gaps and their friction satisfy all laws; less friction, or a contact that gives way"
+        ),
+        Cause::NotUnique { p } => write!(
+            f,
+            "it slips to where contact has no unique acceleration, p = D_nn - sigma mu D_nt passes zero ({p:.1e} of D_nn): beyond, sliding \
+             on, lifting off and an impact satisfy all laws, and rigid bodies leave open which (Painleve's paradox); less \
              friction, or a contact that gives way"
         ),
         Cause::TooManyContacts { touching } => write!(
@@ -171,11 +193,15 @@ fn contact(f: &mut fmt::Formatter<'_>, cause: &Cause) -> fmt::Result {
             "{touching} gaps close at once, with friction: more than are told apart; fewer points of contact"
         ),
         Cause::Sunk { by } => {
-            write!(f, "the gap is negative at the start, by {by}; a start that leaves it open")
+            // Differences of rounded numbers end in digits that mean nothing.
+            f.write_str("the start has sunk in: the gap is negative by ")?;
+            let written = if *by < 1e-3 { write!(f, "{by:.1e}") } else { write!(f, "{by:.4}") };
+            written?;
+            f.write_str(" m or rad; begin where it is zero or open")
         }
-        Cause::NoContact { by } => {
-            write!(f, "{by} solves no contact; a run with damping comes to rest on it")
-        }
+        Cause::Slips => f.write_str(
+            "it slips with all the friction that it has, where all else could rest; more friction, or a stop",
+        ),
         _ => Ok(()),
     }
 }

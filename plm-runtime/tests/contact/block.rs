@@ -291,4 +291,8 @@ impl<S: Real> rt::Linear for Block<S> {
         let constant = |[s]: [S; 1]| rt::Dual::constant(s);
         (self.pack([self], constant), Self::pack_held(held, [held], constant))
     }
+
+    fn held_rows(&self, t: S, u: &Held<S>, x: &[S; LENGTH], row: &mut impl FnMut(S)) {
+        rt::contact::held_rows::<Self, ROWS>(self, t, u, x, row);
+    }
 }

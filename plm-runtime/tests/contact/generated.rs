@@ -51,11 +51,21 @@ fn a_block_bounces_and_is_pulled() {
     assert!((sim.x[1] - 0.25).abs() < 1e-12, "{:?}", sim.x);
     let stats = sim.contact_stats();
     assert_eq!((stats.impacts, stats.closures, stats.undetermined), (1, 0, 0));
+    // It struck with sqrt(2 g h), and keeps a quarter of its energy.
+    let impulse = sim.impulse("tip").unwrap();
+    assert!((impulse.time - fall).abs() < 1e-12, "{impulse:?}");
+    assert!((impulse.size - 1.5 * MASS * (2.0 * GRAVITY).sqrt()).abs() < 1e-11, "{impulse:?}");
+    assert_eq!((sim.impulse("slip"), sim.impulse("top")), (None, None));
+    let energy = sim.impact_energy();
+    assert!((energy.lost - 0.75 * MASS * GRAVITY).abs() < 1e-11 && energy.last == energy.lost, "{energy:?}");
     sim.step_to(3.0 * fall + 0.1).unwrap();
     let stats = sim.contact_stats();
     // Each flight is a quarter as high as the one before.
     assert!((15..30).contains(&stats.impacts), "{stats:?}");
-    assert_eq!((stats.closures, stats.ambiguous), (1, 0));
+    assert_eq!((stats.closures, stats.openings, stats.ambiguous), (1, 0, 0));
+    assert_eq!((stats.sticks, stats.slips), (1, 0));
+    let energy = sim.impact_energy();
+    assert!((energy.lost - MASS * GRAVITY).abs() < 1e-10 && energy.work == 0.0, "{energy:?}");
     assert_eq!((sim.contact("tip"), sim.contact("slip")), (Some(Mode::Closed), Some(Mode::Sticks)));
     // The friction holds 0.5 m g.
     let limit = 0.5 * MASS * GRAVITY;
@@ -73,6 +83,41 @@ fn a_block_bounces_and_is_pulled() {
     let slides = acceleration * acceleration / (2.0 * 0.5 * GRAVITY);
     assert!((sim.x[0] - place - 0.5 * acceleration - slides).abs() < 1e-11, "{:?}", sim.x);
     assert_eq!((sim.time - time, sim.contact("slip")), (4.0, Some(Mode::Sticks)));
+    let stats = sim.contact_stats();
+    assert_eq!((stats.sticks, stats.slips, stats.newton), (2, 1, 0), "{stats:?}");
+}
+
+/// Case C01: its impacts are at t_n+1 = t_n + 2 e^n sqrt(2 h/g).
+#[test]
+fn a_block_strikes_at_its_times() {
+    let mut sim = start(Block { e: 0.5, start: [0.0, 1.0, 0.0, 0.0], ..LEVEL });
+    let (mut time, mut flight) = ((2.0 / GRAVITY).sqrt(), (2.0 / GRAVITY).sqrt());
+    for n in 1..12 {
+        sim.step_to(time + 0.5 * flight).unwrap();
+        let impulse = sim.impulse("tip").unwrap();
+        assert!((impulse.time - time).abs() < 1e-13, "{n}: {impulse:?} {time}");
+        let struck = 1.5 * MASS * GRAVITY * if n == 1 { time } else { flight };
+        assert!((impulse.size - struck).abs() < 1e-12 * struck.max(1.0), "{n}: {impulse:?} {struck}");
+        time += flight;
+        flight *= 0.5;
+    }
+}
+
+/// Thrown along the table it strikes with friction: mu times the normal impulse while it slips, or all of its momentum.
+#[test]
+fn an_impact_rubs() {
+    let fall = (2.0 / GRAVITY).sqrt();
+    let normal = 1.5 * MASS * (2.0 * GRAVITY).sqrt();
+    for (speed, rubs) in [(9.0, 0.5 * normal), (1.0, MASS), (-9.0, -0.5 * normal)] {
+        let mut sim = start(Block { e: 0.5, start: [0.0, 1.0, speed, 0.0], ..LEVEL });
+        sim.step_to(1.2 * fall).unwrap();
+        let (tip, slip) = (sim.impulse("tip").unwrap(), sim.impulse("slip").unwrap());
+        assert!((tip.size - normal).abs() < 1e-11 && (slip.size + rubs).abs() < 1e-11, "{tip:?} {slip:?}");
+        assert!((slip.time - fall).abs() < 1e-12 && slip.time == tip.time, "{slip:?}");
+        let behind = speed - rubs / MASS;
+        let lost = 0.5 * MASS * (speed * speed - behind * behind) + 0.75 * MASS * GRAVITY;
+        assert!((sim.impact_energy().lost - lost).abs() < 1e-10, "{:?} {lost}", sim.impact_energy());
+    }
 }
 
 /// Events that have several outcomes, and rows that others hold, are told.
@@ -208,7 +253,10 @@ impl Words for Saved {
 /// A saved run has modes, places and orientation, in as many words whatever the modes are.
 #[test]
 fn what_is_held_is_saved() {
-    let mut sim = start(REST);
+    let mut sim = start(Block { start: [0.0, 0.1, 0.5, 0.0], ..LEVEL });
+    sim.step(1.0).unwrap();
+    assert!(sim.impulse("slip").is_some());
+    sim.held.contact.counts = contact::Counts::default();
     sim.held.contact.modes.place[1] = 0.1;
     sim.held.contact.modes.orientation = -1.0;
     sim.held.contact.modes.carried = [true, false];

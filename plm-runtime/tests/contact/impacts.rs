@@ -203,6 +203,10 @@ fn a_pendulum_strikes_a_wall() {
     let amplitudes = [0.715_142_207_291_020_5, 0.495_039_385_067_631_84, 0.344_704_052_068_480_26];
     let mut sim = Pendulum.start_with(Dop853::new(1e-12)).unwrap();
     for k in 0..3 {
+        sim.step_to(times[k] - 1e-10).unwrap();
+        assert!(sim.x[1] < 0.0, "{k}: {:?}", sim.x);
+        sim.step_to(times[k] + 1e-10).unwrap();
+        assert!(sim.x[1] > 0.0, "{k}: {:?}", sim.x);
         sim.step_to(0.5 * (times[k] + times[k + 1])).unwrap();
         assert!((sim.x[0] - amplitudes[k]).abs() < 1e-9, "{k}: {:?}", sim.x);
         assert!(sim.x[1].abs() < 1e-9, "{k}: {:?}", sim.x);

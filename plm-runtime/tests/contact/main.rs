@@ -8,4 +8,7 @@ mod friction;
 mod generated;
 mod impacts;
 mod laws;
+mod machines;
+mod many;
+mod painleve;
 mod support;

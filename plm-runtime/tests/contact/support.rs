@@ -81,13 +81,16 @@ pub(crate) fn response<C: Scene<NQ, N>, const NQ: usize, const N: usize>(
     core::array::from_fn(|k| dot(&inverse[k], &force))
 }
 
-/// A scene as a system: `system!(Name: scene type, coordinates, rows)`.
+/// A scene as a system: `system!(scene type, coordinates, rows)`, and what is held, where that is not the modes alone.
 macro_rules! system {
     ($scene:ident, $nq:literal, $n:literal) => {
+        $crate::support::system!($scene, $nq, $n, plm_runtime::contact::Modes<f64, $n>);
+    };
+    ($scene:ident, $nq:literal, $n:literal, $held:ty) => {
         impl plm_runtime::Rate for $scene {
             type S = f64;
             type X = [f64; 2 * $nq];
-            type U = plm_runtime::contact::Modes<f64, $n>;
+            type U = $held;
             const NQ: usize = $nq;
 
             fn rate(&self, t: f64, u: &Self::U, x: &Self::X, dx: &mut Self::X) -> plm_runtime::Health<f64> {
@@ -183,7 +186,7 @@ macro_rules! system {
             fn start_state(&self, t: f64) -> Result<(Self::U, Self::X), plm_runtime::Fault> {
                 let (q, v) = $crate::support::Scene::start(self);
                 let mut x = core::array::from_fn(|i| if i < $nq { q[i] } else { v[i - $nq] });
-                let mut u = plm_runtime::contact::Modes::open();
+                let mut u = <$held>::open();
                 plm_runtime::contact::begin::<Self, $n>(self, t, &mut u, &mut x)?;
                 Ok((u, x))
             }

@@ -26,7 +26,7 @@ export function addressOf(app) {
   if (!player.isFollowing && !player.isPlaying) parts.set("t", String(rounded(player.time)));
   const isFront = view.azimuth === 0 && view.elevation === 0;
   if (!app.isFitted || !isFront) parts.set("view", [view.azimuth, view.elevation, view.scale, ...view.target].map(rounded).join(","));
-  put("mode", app.mode, app.live === null ? "pan" : "pull");
+  put("mode", app.mode, app.live?.usualMode ?? "pan");
   put("wire", Number(app.isWire), 0);
   put("run", app.run?.name ?? "", app.runViews[0]?.run.name ?? "");
   put("layout", app.layout, "one");

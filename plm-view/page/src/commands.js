@@ -3,6 +3,7 @@
 
 import { savePng, saveSvg } from "./picture.js";
 import { jumpToEvent } from "./runview.js";
+import { say } from "./say.js";
 import { TOOL_COMMANDS } from "./toolcommands.js";
 import { dropMeasures } from "./toolpick.js";
 import { PRESETS } from "./view.js";
@@ -14,7 +15,8 @@ import { PRESETS } from "./view.js";
  * @typedef {{openFile: () => void, openOptions: () => void, openHelp: () => void, openMovie: () => void, leave: () => void}} Dialogs what needs elements
  * of the page
  * @typedef {{id: string, name: string, group: string, icon: string | null, keys: string[],
- *   run: (app: App, dialogs: Dialogs) => void, isOn?: (app: App) => boolean}} Command
+ *   run: (app: App, dialogs: Dialogs) => void, isOn?: (app: App) => boolean, whyNot?: (app: App) => string}} Command with the
+ *   reason why it is of no use now, empty where it is of use
  */
 
 /** Groups in the order in which the menu and the table of keys show them. */
@@ -181,7 +183,11 @@ const liveCommand = (id, name, key, icon, run) => ({ id, name, group: "live", ic
 
 /** What a page with the mechanism itself has, too. @type {Command[]} */
 export const LIVE_COMMANDS = [
-  { ...liveCommand("pull", "Pull a body", "H", "pull", (app) => setMode(app, "pull")), isOn: (app) => app.mode === "pull" },
+  {
+    ...liveCommand("pull", "Pull a body", "H", "pull", pull),
+    isOn: (app) => app.mode === "pull",
+    whyNot: (app) => app.live?.unmoved ?? "",
+  },
   { ...liveCommand("place", "Place a body", "Shift+H", "place", (app) => setMode(app, "place")), isOn: (app) => app.mode === "place" },
   liveCommand("restart", "Restart: from the first moment, with the values as they are set", "Shift+B", "restart", (app) => app.live?.restart()),
   liveCommand("reset", "Reset: from the first moment, with the values as declared", "Shift+D", "reload", (app) => app.live?.reset()),
@@ -218,6 +224,13 @@ function toggleCommand(id, name, key, what) {
  */
 function pageCommand(id, name, key, run) {
   return { id, name, group: "page", icon: id, keys: [key], run };
+}
+
+/** @param {App} app */
+function pull(app) {
+  const whyNot = app.live?.unmoved ?? "";
+  if (whyNot === "") setMode(app, "pull");
+  else say(app, whyNot);
 }
 
 /** @param {App} app @param {Mode} mode */

@@ -1,6 +1,7 @@
 // Drag tool: pulls and places bodies of a live mechanism, by mouse and by keys.
 
 import { belongsTo, keyName } from "./keys.js";
+import { say } from "./say.js";
 
 /** @import {App, Grip} from "./app.js" */
 /** @import {Live} from "./live.js" */
@@ -25,6 +26,11 @@ const KEY_STEP = 0.01;
  */
 function grab(app, kind, body, projection, px, py) {
   const shown = app.runViews.find(({ run }) => run.isLive);
+  const whyNot = kind === "pull" ? (app.live?.unmoved ?? "") : "";
+  if (whyNot !== "") {
+    say(app, whyNot);
+    return false;
+  }
   const target = shown === undefined ? null : projection.onPlane(px, py, shown.scene.levels.bodies[body]);
   if (shown === undefined || target === null) return false;
   const [x, y, angle] = shown.scene.at(Math.min(app.player.time, shown.run.end)).poses.subarray(3 * body, 3 * body + 3);

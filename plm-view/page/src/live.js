@@ -9,7 +9,7 @@ import { BAR, Scene } from "./scene.js";
 import { readShape } from "./shape.js";
 import { workerText } from "./worker.js";
 
-/** @import {App} from "./app.js" */
+/** @import {App, Mode} from "./app.js" */
 /** @import {RunHead} from "./format.js" */
 /** @import {FromWorker, Pull, ToWorker} from "./worker.js" */
 
@@ -67,6 +67,17 @@ export class Live {
     worker.onmessage = (/** @type {MessageEvent<FromWorker>} */ { data }) => this.hear(data);
     const { parameters, inputs } = this.run.mechanism;
     this.send({ kind: "load", wasm, parameters: parameters.length, inputs: inputs.length });
+  }
+
+  /** Why no force moves anything, in words; empty where one does. */
+  get unmoved() {
+    const isDriven = this.mechanism.report?.formulation === "kinematics";
+    return isDriven ? "Nothing to pull: the motion is prescribed, and no freedom is left that a force could move." : "";
+  }
+
+  /** What dragging does at first. @returns {Mode} */
+  get usualMode() {
+    return this.modes.includes("pull") && this.unmoved === "" ? "pull" : "pan";
   }
 
   /** @param {ToWorker} message */

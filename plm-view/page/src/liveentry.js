@@ -27,7 +27,7 @@ async function wake(app) {
   app.live = live;
   app.grip = dragTool(app);
   app.tab = "live";
-  app.mode = "pull";
+  app.mode = live.usualMode;
   live.show();
   // Before the other keys: while a body is held, arrows move it.
   listenToDragKeys(app);

@@ -124,6 +124,7 @@ export class LivePanel {
     setText(this.tape, tapeText(live));
     for (const label of this.modes ?? []) {
       const radio = label.querySelector("input");
+      if (radio?.value === "pull") radio.disabled = live.unmoved !== "";
       if (radio !== null) radio.checked = radio.value === (app.mode === "pull" || app.mode === "place" ? app.mode : "pan");
     }
     if (this.hint !== undefined) setText(this.hint, handHint(app));
@@ -195,7 +196,7 @@ function handHint({ mode, selected, live }) {
   const name = isBody ? (live?.mechanism.bodies[selected.index].name ?? "") : "a body that you select";
   if (mode === "pull") return `Press on a body and drag: a spring pulls it. Arrow keys pull ${name}.`;
   if (mode === "place") return `Drag a body: joints close by themselves. Arrow keys move ${name}, Page ↑ and Page ↓ turn it.`;
-  return "Dragging moves the view.";
+  return `${live?.unmoved ?? ""} Dragging moves the view.`.trimStart();
 }
 
 /** @param {App} app @param {Live} live */

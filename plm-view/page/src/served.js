@@ -30,7 +30,7 @@ async function listen(app) {
   app.live = live;
   app.grip = dragTool(app);
   app.tab = "live";
-  if (live.modes.includes("pull")) app.mode = "pull";
+  app.mode = live.usualMode;
   live.show();
   listenToDragKeys(app);
   return (panel) => panel.add("live", "Live", (sheet) => new LivePanel(app, live, sheet));

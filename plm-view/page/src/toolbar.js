@@ -44,7 +44,9 @@ export function makeToolbars(app, dialogs, places) {
 export function showState(app, command, button, attribute = "aria-pressed") {
   if (command.id === "toggle") showPlaying(button, app.isPlaying);
   else if (command.isOn !== undefined) setAttribute(button, attribute, String(command.isOn(app)));
-  const isUseless = app.run === null && !ALWAYS.has(command.group);
+  const whyNot = command.whyNot?.(app) ?? "";
+  if (command.whyNot !== undefined) setAttribute(button, "title", whyNot || titleOf(command));
+  const isUseless = whyNot !== "" || (app.run === null && !ALWAYS.has(command.group));
   if (button.disabled !== isUseless) button.disabled = isUseless;
 }
 
@@ -68,9 +70,13 @@ function commandButton(app, dialogs, command, label) {
     command.run(app, dialogs);
     app.touch();
   };
-  const title = `${command.name} (${keysText(command.keys)})`;
-  const attributes = { type: "button", id: buttonId(command), title, "aria-keyshortcuts": ariaKeys(command.keys), onclick };
+  const attributes = { type: "button", id: buttonId(command), title: titleOf(command), "aria-keyshortcuts": ariaKeys(command.keys), onclick };
   return element("button", attributes, iconOf(command.icon ?? ""), element("span", {}, label));
+}
+
+/** @param {Command} command */
+function titleOf({ name, keys }) {
+  return `${name} (${keysText(keys)})`;
 }
 
 /** @param {Command} command */

@@ -79,7 +79,7 @@ export function setGhosts(app, count) {
 /** @param {App} app @param {MeasureKind} kind */
 export function startMeasure(app, kind) {
   const isOn = app.mode === kind;
-  app.mode = !isOn ? kind : app.live === null ? "pan" : "pull";
+  app.mode = !isOn ? kind : (app.live?.usualMode ?? "pan");
   [app.marks, app.window] = [[], null];
   if (!isOn) say(app, kind === "distance" ? "Press on two points." : "Press on two bodies, or on three points.");
   app.change();

@@ -87,7 +87,7 @@ export function dropMeasures(app) {
   const { tools } = app;
   if (app.marks.length > 0) app.marks = [];
   else if (tools.measures.length > 0) for (const name of tools.measures) removeMeasure(app, name);
-  else if (measuring(app) !== null) app.mode = app.live === null ? "pan" : "pull";
+  else if (measuring(app) !== null) app.mode = app.live?.usualMode ?? "pan";
   else return false;
   app.change();
   return true;

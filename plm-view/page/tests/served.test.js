@@ -134,6 +134,21 @@ test("what the program cannot do is not offered", async () => {
   assert.ok(ids(pulled).includes("pull") && !ids(pulled).includes("place"));
 });
 
+test("a prescribed motion says why nothing can be pulled", async (t) => {
+  t.mock.timers.enable({ apis: ["setTimeout"] });
+  const { app, live } = await listening(true);
+  const pull = commandsOf(app).find(({ id }) => id === "pull");
+  assert.deepEqual([pull.whyNot(app), live.usualMode], ["", "pull"]);
+  live.run.mechanism.report = { formulation: "kinematics" };
+  assert.match(pull.whyNot(app), /motion is prescribed/);
+  pull.run(app);
+  assert.deepEqual([app.mode, live.usualMode], ["pan", "pan"]);
+  assert.match(app.messages.at(-1).text, /motion is prescribed/);
+  live.run.mechanism.report = { formulation: "joint coordinates" };
+  pull.run(app);
+  assert.equal(app.mode, "pull");
+});
+
 test("a program that was never there leaves a page that says so", async () => {
   const { source } = stream();
   const program = new Program(() => source, async () => {});

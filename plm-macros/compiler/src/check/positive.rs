@@ -34,13 +34,13 @@ pub(super) fn check_limits(scene: &Scene, diagnostics: &mut Diagnostics) -> bool
     let mut are_kept = true;
     for limit in &scene.model.limits {
         let found = value(limit.value, &scene.values);
-        if found.is_finite() && (found > 0.0 || (limit.or_zero && found == 0.0)) {
+        if limit.range.holds(found) {
             continue;
         }
         are_kept = false;
-        let wanted = if limit.or_zero { "finite and not negative" } else { "positive and finite" };
-        let (what, part, unit) = (&limit.what, &limit.part, &limit.unit);
-        let message = format!("the {what} of `{part}` must be {wanted}, found {found} {unit}");
+        let (what, part, unit, wanted) = (&limit.what, &limit.part, &limit.unit, limit.range.words());
+        let space = if unit.is_empty() { "" } else { " " };
+        let message = format!("the {what} of `{part}` must be {wanted}, found {found}{space}{unit}");
         diagnostics
             .error(limit.code, limit.span, message)
             .note("this is its value with the defaults of the parameters")

@@ -70,9 +70,16 @@ impl<'a> Matters<'a> {
         Self { model, diagram: Diagram::new(), held, nodes, read, differ: SortedMap::new(), roots, kinks }
     }
 
-    /// The diagram, and where the conditions of the state begin in it, then the kinks. What must hold matters always.
+    /// The diagram, and where the conditions of the state begin in it, then the kinks. What must hold, what sets states
+    /// and what rows of contact exist by matters always.
     fn finished(self) -> (Diagram, Vec<usize>) {
-        let Self { model, diagram, mut roots, kinks, .. } = self;
+        let Self { model, diagram, held, mut roots, kinks, .. } = self;
+        let of_events = model.whens.iter().map(|when| when.condition);
+        let of_rows = model.contacts.iter().filter_map(|row| row.exists);
+        let of_events = algebra::reachable(&of_events.chain(of_rows).collect_vec());
+        for (_, side) in held.iter().filter(|(of, _)| of_events.contains(of)) {
+            roots[*side] = TRUE;
+        }
         for (root, _) in roots.iter_mut().zip(&model.switches).filter(|(_, switch)| switch.must_hold) {
             *root = TRUE;
         }

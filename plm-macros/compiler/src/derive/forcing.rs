@@ -24,7 +24,7 @@ pub(crate) fn forcing_terms(model: &Model) -> impl Iterator<Item = ForcingTerm<'
     let limits = model.contacts.iter().flat_map(|contact| {
         let name = &model.parts[contact.part].name;
         let limits = match &contact.law {
-            ContactLaw::Unilateral { .. } => Vec::new(),
+            ContactLaw::Unilateral { .. } | ContactLaw::Constraint => Vec::new(),
             ContactLaw::Friction { kinetic, adhesion, .. } => {
                 kinetic.iter().chain(adhesion).copied().collect_vec()
             }

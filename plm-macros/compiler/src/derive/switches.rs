@@ -22,10 +22,13 @@ pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
     kinks::unfold(model);
     let kinks = kinks::kinks(model);
     let roots: Vec<Expr> = forcing_terms(model).map(|term| term.value).collect_vec();
-    let mut pairs = Vec::new();
+    let mut pairs = hold_events(model);
     for (condition, name) in conditions(model) {
         let Node::Less(a, b) = condition.node() else { continue };
         let difference = a - b;
+        if pairs.iter().any(|pair| pair.0 == condition) {
+            continue;
+        }
         if instant(model, difference).is_none() && !jumps(&roots, condition, difference) {
             model.kinks.push(difference);
         } else {
@@ -49,6 +52,23 @@ pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
         substitute(model, &pairs);
     }
     model.released.extend(turning.into_iter().map(|(row, wrapped)| (model.rows[row].phi, wrapped)));
+    pairs
+}
+
+/// Switches of all comparisons in the conditions of events and of rows of contact, whatever else reads them.
+fn hold_events(model: &mut Model) -> Vec<(Expr, Expr)> {
+    let mut pairs: Vec<(Expr, Expr)> = Vec::new();
+    let of_events = model.whens.iter().map(|when| (when.condition, when.text.clone()));
+    let of_rows = model.contacts.iter().filter_map(|row| Some((row.exists?, row.name.clone())));
+    for (condition, name) in of_events.chain(of_rows).collect_vec() {
+        for expr in algebra::reachable(&[condition]) {
+            let Node::Less(a, b) = expr.node() else { continue };
+            if pairs.iter().all(|pair| pair.0 != expr) {
+                let text = text(model, [a, b]);
+                pairs.push((expr, switch(model, a - b, (name.clone(), text))));
+            }
+        }
+    }
     pairs
 }
 
@@ -81,6 +101,10 @@ fn substitute(model: &mut Model, pairs: &[(Expr, Expr)]) {
     }
     for output in &mut model.outputs {
         output.components = algebra::substitute(&output.components, pairs);
+    }
+    // Values that events set are worked out by the state of their moment.
+    for when in &mut model.whens {
+        when.condition = algebra::substitute(&[when.condition], pairs)[0];
     }
     for place in model.contacts.iter_mut().flat_map(Contact::expressions_mut) {
         *place = algebra::substitute(&[*place], pairs)[0];

@@ -10,7 +10,7 @@ use crate::sorted::SortedSet;
 
 use plm_cas::{Expr, Function, Node, Number, algebra};
 
-use crate::model::{Contact, Counted, Model, Switch};
+use crate::model::{Contact, Counted, Model, Switch, When};
 
 /// Counts the turns of all angles that may have any. Gives the angles, and what stands for them where they are read
 /// themselves.
@@ -28,6 +28,7 @@ pub(crate) fn count_turns(model: &mut Model) -> Vec<(Expr, Expr)> {
     places.push_all(model.states.iter_mut().map(|state| &mut state.rate));
     places.push_all(model.outputs.iter_mut().flat_map(|output| &mut output.components));
     places.push_all(model.contacts.iter_mut().flat_map(Contact::expressions_mut));
+    places.push_all(model.whens.iter_mut().flat_map(When::expressions_mut));
     for Switch { difference, beyond, .. } in &mut model.switches {
         places.push(difference);
         places.push_all(beyond.as_mut());

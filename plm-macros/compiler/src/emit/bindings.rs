@@ -6,6 +6,7 @@ use super::Emission;
 use super::lower::Bindings;
 use crate::collect::PushAll;
 use crate::formulate::{Chart, Resolvent};
+use crate::model::ContactMode;
 
 /// Origin of the arguments of a function.
 #[derive(Clone, Copy)]
@@ -58,6 +59,12 @@ impl Emission<'_> {
         for (k, contact) in model.contacts.iter().enumerate() {
             let multipliers = if of_state { "contact" } else { "u.contact.lambda" };
             bindings.push((contact.lambda, format!("{multipliers}[{k}]")));
+            let does = match contact.kind_of_mode() {
+                ContactMode::Open => "is_open",
+                ContactMode::Sticking => "is_sticking",
+            };
+            let does = format!("S::lit({held}.contact.modes.{does}({k}) as u8 as f64)");
+            bindings.push((contact.mode, does));
         }
         bindings.push((model.time, time.to_owned()));
         bindings.push((model.most_growth, "lit(S::MOST_GROWTH)".to_owned()));

@@ -149,6 +149,7 @@ fn module(emission: &Emission) -> TokenStream {
         contract::rate::rate,
         contract::contact::contacts,
         contract::system::system,
+        contract::sets::sets,
         contract::singular::extended,
         item::state::pose,
         contract::moment::moment,

@@ -82,6 +82,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         outputs,
         instances: Vec::new(),
         files: Vec::new(),
+        whens: Vec::new(),
         switches: Vec::new(),
         comparisons: Vec::new(),
         decisions: Decisions::default(),
@@ -145,7 +146,7 @@ impl<'a> Names<'a> {
                         self.found.bodies.push(body(name));
                     }
                 }
-                ItemKind::State(value) => self.state(prefix, value),
+                ItemKind::State(value) | ItemKind::Discrete(value) => self.state(prefix, value),
                 ItemKind::Repeat(repeat) => self.repeat(repeat, prefix, depth),
                 ItemKind::Instance(instance) => self.instance(instance, prefix, depth),
                 ItemKind::Param(value) if depth == 0 => self.param(item, value),

@@ -30,6 +30,25 @@ pub(crate) fn instants(model: &Model) -> Function {
     Function::of_results(results).optimise()
 }
 
+/// `holds` of the conditions of events: 1, or 0.
+pub(crate) fn events(model: &Model) -> Function {
+    let conditions: Vec<Expr> = model.whens.iter().map(|when| when.condition).collect_vec();
+    Function::of_array("holds", &conditions).optimise()
+}
+
+/// `exist` of the rows of contact: 1, or 0.
+pub(crate) fn rows_exist(model: &Model) -> Function {
+    let exist: Vec<Expr> = model.contacts.iter().map(|row| row.exists.unwrap_or(Expr::ONE)).collect_vec();
+    Function::of_array("exist", &exist).optimise()
+}
+
+/// `set`: the values that events give, one event after the other.
+pub(crate) fn values_set(model: &Model) -> Function {
+    let values: Vec<Expr> =
+        model.whens.iter().flat_map(|when| &when.set).map(|(_, value)| *value).collect_vec();
+    Function::of_array("set", &values).optimise()
+}
+
 /// The terms of the rows that may jump, one after the other.
 pub(crate) fn jumps(model: &Model) -> Function {
     let terms: Vec<Expr> = model.jumps.iter().flat_map(|jump| jump.terms).collect_vec();

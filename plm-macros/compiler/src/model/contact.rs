@@ -18,14 +18,27 @@ pub struct Contact {
     pub displacement: Expr,
     /// Symbol of its multiplier: the push, never negative, or the friction, N or N m. Outputs and bounds of frictions may hold it.
     pub lambda: Expr,
+    /// Symbol for 1 where a gap is open, where a friction sticks, else 0; events and outputs may hold it.
+    pub mode: Expr,
     /// The law of its force.
     pub law: ContactLaw,
+    /// 1 where it exists, else 0; nothing where it always does.
+    pub exists: Option<Expr>,
     /// `m` or `rad`.
     pub unit: DisplayUnit,
     /// Place of its part in the declaration.
     pub span: Span,
     /// Place of the row itself.
     pub declared: Declared,
+}
+
+/// A mode of rows of contact that events and outputs may ask for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ContactMode {
+    /// A gap is open.
+    Open,
+    /// A friction sticks.
+    Sticking,
 }
 
 /// The law of a row of contact.
@@ -36,6 +49,8 @@ pub enum ContactLaw {
         /// The coefficient of restitution, 0 to 1.
         restitution: Expr,
     },
+    /// A constraint while the row exists.
+    Constraint,
     /// A force against the slip, between `-lower` and `upper`, N or N m; affine in the multipliers of unilateral rows and in
     /// `size`.
     Friction {
@@ -52,8 +67,16 @@ impl Contact {
     /// The reaction of joints that bounds it.
     pub(crate) fn reaction(&self) -> Option<&Reaction> {
         match &self.law {
-            ContactLaw::Unilateral { .. } => None,
+            ContactLaw::Unilateral { .. } | ContactLaw::Constraint => None,
             ContactLaw::Friction { reaction, .. } => reaction.as_ref(),
+        }
+    }
+
+    /// The mode for which its symbol stands.
+    pub(crate) fn kind_of_mode(&self) -> ContactMode {
+        match self.law {
+            ContactLaw::Unilateral { .. } | ContactLaw::Constraint => ContactMode::Open,
+            ContactLaw::Friction { .. } => ContactMode::Sticking,
         }
     }
 
@@ -61,12 +84,13 @@ impl Contact {
     pub(crate) fn expressions_mut(&mut self) -> Vec<&mut Expr> {
         let of_law: Vec<&mut Expr> = match &mut self.law {
             ContactLaw::Unilateral { restitution } => vec![restitution],
+            ContactLaw::Constraint => Vec::new(),
             ContactLaw::Friction { kinetic, adhesion, reaction } => {
                 let components = reaction.iter_mut().flat_map(|reaction| &mut reaction.components);
                 kinetic.iter_mut().chain(adhesion).chain(components).collect_vec()
             }
         };
-        [&mut self.displacement].into_iter().chain(of_law).collect_vec()
+        [&mut self.displacement].into_iter().chain(of_law).chain(self.exists.as_mut()).collect_vec()
     }
 }
 

@@ -9,9 +9,10 @@ use plm_cas::Expr;
 use super::branch;
 use super::constraints::{Closed, Constraints, are_closed};
 use super::lack::lack;
+use super::placed::{nearer, unwind};
 use super::rank::Rank;
 use super::scene::Scene;
-use super::search::{Searched, search};
+use super::search::{Search, Searched, search};
 use super::values::value;
 use crate::model::{Body, Model};
 
@@ -65,6 +66,8 @@ impl Assembly {
 pub(super) struct Start {
     pub(super) values: Vec<f64>,
     pub(super) locked: Vec<bool>,
+    /// Which of them are angles that were given.
+    pub(super) given: Vec<bool>,
 }
 
 /// How far assembly goes for a pose.
@@ -81,17 +84,17 @@ pub(crate) fn assemble(scene: &Scene, reach: Reach) -> Assembly {
     let constraints = Constraints::new(scene);
     let start = start_position(scene);
     let limits = |q: &[f64]| limits(scene.model, scene.length, q);
-    let close = |q: Vec<f64>| constraints.close(q, &start.locked, limits);
+    let by = Search { constraints: &constraints, start: &start, limits: &limits };
     let asked = branch::asked(scene);
     let missed = |q: &[f64]| branch::missed(&asked, q);
-    let is_closed = |closed: &Closed| are_closed(&closed.phi, &limits(&closed.q));
+    let is_closed = |closed: &Closed| by.is_closed(closed);
     let (rows, mut searched) = (scene.model.rows.len(), None);
     let mut others = || {
-        let (found, tried) = search(&constraints, &start, &limits, &missed);
+        let (found, tried) = search(by, &missed);
         searched = Some(tried);
         found
     };
-    let mut nearest = close(start.values.clone());
+    let mut nearest = by.close(start.values.clone());
     // Locks that are too many are the likelier mistake than joints that do not fit.
     let ties_locks =
         |q: &[f64]| constraints.rank(q, &start.locked).dependent.iter().any(|(row, _)| *row >= rows);
@@ -99,17 +102,27 @@ pub(crate) fn assemble(scene: &Scene, reach: Reach) -> Assembly {
         nearest.phi.iter().all(|phi| phi.is_finite())
             && !(ties_locks(&start.values) && ties_locks(&nearest.q))
     };
-    if reach == Reach::Full && !is_closed(&nearest) && fits() {
-        nearest = others().unwrap_or_else(|q| lack(&constraints, q, &start.locked, nearest.steps));
+    if reach == Reach::Full {
+        if is_closed(&nearest) {
+            nearest = nearer(&by, nearest);
+        } else if fits() {
+            let steps = nearest.steps;
+            let open = |q| lack(&constraints, q, &start.locked, steps);
+            nearest = others().map_or_else(open, |pose| nearer(&by, pose));
+        }
     }
     let by_search = |before: usize| {
         let found = (reach == Reach::Full).then(&mut others)?.ok();
         found.filter(|found| missed(&found.q) < before)
     };
-    let near = |q: Vec<f64>| Some(close(q)).filter(is_closed);
-    let Closed { q, phi, steps } =
-        if is_closed(&nearest) { branch::find(&asked, nearest, &start, near, by_search) } else { nearest };
-    let Start { values: mut v, locked: velocity_locked } = start_velocity(scene, &q);
+    let near = |q: Vec<f64>| Some(by.close(q)).filter(is_closed);
+    if is_closed(&nearest) {
+        nearest = branch::find(&asked, nearest, &start, near, by_search);
+        // Mirrored bodies may have turned further than half a turn.
+        unwind(&by, &mut nearest);
+    }
+    let Closed { q, phi, steps } = nearest;
+    let (mut v, velocity_locked) = start_velocity(scene, &q);
     let phi_dot = constraints.phi_dot(&q, &v);
     for (velocity, dv) in v.iter_mut().zip(constraints.step(&q, &velocity_locked, &phi_dot)) {
         *velocity -= dv;
@@ -153,11 +166,12 @@ fn start_position(scene: &Scene) -> Start {
         q.push_all([x + dx, y + dy, angle]);
     }
     let locked = bodies.iter().flat_map(|body| body.start.map_each(|start| start.locked));
-    Start { values: q, locked: locked.collect_vec() }
+    let given = bodies.iter().flat_map(|body| [false, false, body.start[2].given]);
+    Start { values: q, locked: locked.collect_vec(), given: given.collect_vec() }
 }
 
-/// Start of (vx, vy, omega) of G per body at a pose: `v_G = v_O + omega x (G - O)`.
-fn start_velocity(scene: &Scene, q: &[f64]) -> Start {
+/// Start of (vx, vy, omega) of G per body at a pose, `v_G = v_O + omega x (G - O)`, and which are locked.
+fn start_velocity(scene: &Scene, q: &[f64]) -> (Vec<f64>, Vec<bool>) {
     let bodies = &scene.model.bodies;
     let mut v = Vec::with_capacity(q.len());
     for (body, pose) in bodies.iter().zip(q.chunks_exact(3)) {
@@ -166,7 +180,7 @@ fn start_velocity(scene: &Scene, q: &[f64]) -> Start {
         v.push_all([vx - omega * dy, vy + omega * dx, omega]);
     }
     let locked = bodies.iter().flat_map(|body| body.start_velocity.map_each(|start| start.locked));
-    Start { values: v, locked: locked.collect_vec() }
+    (v, locked.collect_vec())
 }
 
 /// G from O in absolute axes.

@@ -8,6 +8,7 @@ mod constraints;
 mod damped;
 mod freedom;
 mod lack;
+mod placed;
 mod pseudo_inverse;
 mod random;
 mod rank;

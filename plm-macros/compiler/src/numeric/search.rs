@@ -35,13 +35,11 @@ pub(crate) struct Searched {
 /// Of the poses that close the joints, the one that misses the fewest images and is nearest to the start values; where none
 /// was found, the one at which the joints are open least.
 pub(super) fn search(
-    constraints: &Constraints,
-    start: &Start,
-    limits: &dyn Fn(&[f64]) -> Vec<f64>,
+    search: Search,
     missed: &dyn Fn(&[f64]) -> usize,
 ) -> (Result<Closed, Vec<f64>>, Searched) {
+    let Search { constraints, start, .. } = search;
     let mut measure = Measure::new(constraints, &start.locked);
-    let search = Search { constraints, start, limits };
     let mut others = Others { state: 7, share: 0.0, with_places: true };
     let mut best: Option<(usize, f64, Closed)> = None;
     let mut least = (f64::INFINITY, start.values.clone());
@@ -74,7 +72,7 @@ pub(super) fn search(
             continue;
         }
         tried.closed += 1;
-        search.unwind(&mut pose);
+        search.unwind(&mut pose, &|_, turns| (turns + 0.5).floor());
         search.lean(&mut pose);
         let found = (missed(&pose.q), distance(&pose.q, &start.values));
         if best.as_ref().is_none_or(|(missed, distance, _)| found < (*missed, *distance)) {
@@ -84,32 +82,39 @@ pub(super) fn search(
     (best.map(|(_, _, pose)| pose).ok_or(least.1), tried)
 }
 
-struct Search<'a> {
-    constraints: &'a Constraints<'a>,
-    start: &'a Start,
-    limits: &'a dyn Fn(&[f64]) -> Vec<f64>,
+/// Search for closed poses of a scene next to its start.
+#[derive(Clone, Copy)]
+pub(super) struct Search<'a> {
+    pub(super) constraints: &'a Constraints<'a>,
+    pub(super) start: &'a Start,
+    /// Bounds of `phi` of each row.
+    pub(super) limits: &'a dyn Fn(&[f64]) -> Vec<f64>,
 }
 
 impl Search<'_> {
-    fn close(&self, q: Vec<f64>) -> Closed {
+    pub(super) fn close(&self, q: Vec<f64>) -> Closed {
         self.constraints.close(q, &self.start.locked, self.limits)
     }
 
-    fn is_closed(&self, pose: &Closed) -> bool {
+    pub(super) fn is_closed(&self, pose: &Closed) -> bool {
         are_closed(&pose.phi, &(self.limits)(&pose.q))
     }
 
-    /// Takes off whole turns from the start values, where joints are closed without them too.
-    fn unwind(&self, pose: &mut Closed) {
+    /// Takes off whole turns from the start values, where joints are closed without them too: of each angle as many as `whole`
+    /// makes of the turns by which it has moved.
+    pub(super) fn unwind(&self, pose: &mut Closed, whole: &dyn Fn(usize, f64) -> f64) {
         let bodies = pose.q.len() / 3;
+        let of = |q: &[f64], k: usize| whole(k, (q[k] - self.start.values[k]) / std::f64::consts::TAU);
+        if (0..bodies).all(|body| of(&pose.q, 3 * body + 2) == 0.0) {
+            return;
+        }
         // All bodies together, since joints may hold their angles against each other; else one by one.
         for only in (0..=bodies).map(|body| body.checked_sub(1)) {
             let mut q = pose.q.clone();
             for k in (0..bodies).filter(|body| only.is_none_or(|only| only == *body)).map(|body| 3 * body + 2)
             {
                 if !self.start.locked[k] {
-                    let turns = (q[k] - self.start.values[k]) / std::f64::consts::TAU + 0.5;
-                    q[k] -= turns.floor() * std::f64::consts::TAU;
+                    q[k] -= of(&q, k) * std::f64::consts::TAU;
                 }
             }
             if q != pose.q && are_closed(&self.constraints.phi(&q), &(self.limits)(&q)) {

@@ -4,7 +4,7 @@ use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Tape, algebra};
 
 use super::random::Random;
-use crate::model::Model;
+use crate::model::{Contact, ContactMode, Model};
 
 /// f64's `Scalar::AGREEMENT`.
 const AGREEMENT: f64 = 1e9;
@@ -67,6 +67,8 @@ pub(crate) fn add_switches(model: &Model, values: &mut Vec<(Expr, f64)>) {
     let sizes = model.contacts.iter().filter_map(|contact| Some(contact.reaction()?.size));
     let lambda = model.contacts.iter().map(|contact| contact.lambda);
     values.push_all(lambda.chain(sizes).map(|symbol| (symbol, 0.0)));
+    let is_open = |contact: &Contact| contact.kind_of_mode() == ContactMode::Open;
+    values.push_all(model.contacts.iter().map(|contact| (contact.mode, f64::from(is_open(contact)))));
     let differences: Vec<Expr> = model.switches.iter().map(|switch| switch.difference).collect_vec();
     // All by one tape, unless one reads the side of another.
     let together = algebra::tape(&differences).eval(values).ok();

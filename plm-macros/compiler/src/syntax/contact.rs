@@ -1,8 +1,8 @@
 //! Rows of contact: gaps that push, and frictions.
 //!
 //! ```text
-//! "unilateral" name ":" expr (">=" | "<=") expr (";" | "{" "restitution" ":" expr ";" "}")
-//! "friction" name ":" "rate" "(" expr ")" "within" bound (";" | "{" "static" ":" bound ";" "}")
+//! "unilateral" name ":" expr (">=" | "<=") expr (";" | "{" ["restitution" ":" expr ";"] ["when" ":" expr ";"] "}")
+//! "friction" name ":" "rate" "(" expr ")" "within" bound (";" | "{" ["static" ":" bound ";"] ["when" ":" expr ";"] "}")
 //! bound := expr [".." expr]
 //! ```
 
@@ -26,6 +26,8 @@ pub struct Unilateral {
     pub sides: [Expr; 2],
     /// The coefficient of restitution.
     pub restitution: Option<Expr>,
+    /// It exists while this holds; always, where it is not written.
+    pub when: Option<Expr>,
 }
 
 /// `friction name: rate(expr) within bound { static: bound; }`
@@ -39,6 +41,8 @@ pub struct Friction {
     pub kinetic: Bound,
     /// The bound while it sticks, if it is another one.
     pub adhesion: Option<Bound>,
+    /// It exists while this holds; always, where it is not written.
+    pub when: Option<Expr>,
 }
 
 /// The bound of a friction.
@@ -62,8 +66,9 @@ impl Unilateral {
         let condition = readable(input);
         let is_read = !is_unknown(&condition);
         let sides = input.sides_of_gap(condition);
-        let restitution = beside(input, is_read, "a unilateral row", "restitution", Expr::parse)?;
-        Ok(Unilateral { name, sides, restitution })
+        let Beside { said: restitution, when } =
+            Beside::parse(input, is_read, "a unilateral row", "restitution", Expr::parse)?;
+        Ok(Unilateral { name, sides, restitution, when })
     }
 }
 
@@ -82,8 +87,9 @@ impl Friction {
         let slip = readable(input);
         let displacement = input.displacement_of(slip);
         let kinetic = Bound::behind(input, !is_unknown(&displacement));
-        let adhesion = beside(input, !is_unknown(&kinetic.upper), "a friction", "static", Bound::parse)?;
-        Ok(Friction { name, displacement, kinetic, adhesion })
+        let Beside { said: adhesion, when } =
+            Beside::parse(input, !is_unknown(&kinetic.upper), "a friction", "static", Bound::parse)?;
+        Ok(Friction { name, displacement, kinetic, adhesion, when })
     }
 }
 
@@ -134,65 +140,109 @@ fn skipped(input: Input, start: usize) -> Expr {
     Expr { kind: ExprKind::Unknown, span: input.span_from(start) }
 }
 
-/// The end of a row: `;`, or in braces what it says beside its condition, by a word.
-fn beside<T>(
-    input: Input,
-    is_read: bool,
-    row: &str,
-    word: &str,
-    read: fn(Input) -> Result<T>,
-) -> Result<Option<T>> {
-    if !input.peek(token::Brace) {
-        if is_read {
-            input.semicolon()?;
-        } else {
-            input.advance_to(|input| input.peek(Token![;]));
-            input.eat(Token![;]);
-        }
-        return Ok(None);
-    }
-    let mut found = None;
-    input.group(Delimiter::Brace, "`{`", |input| {
-        while !input.is_empty() {
-            let start = input.position();
-            match said(input, row, word, read) {
-                Ok(value) if found.is_some() => {
-                    drop(value);
-                    let span = Span { first: start as u32, last: start as u32, ..input.here() };
-                    input.error(Code::RepeatedItem, span, format!("`{word}` is given twice"));
-                }
-                Ok(value) => found = Some(value),
-                Err(Reported) => input.recover(start),
-            }
-        }
-        Ok(())
-    })?;
-    Ok(found)
+/// Sentences of a row in braces.
+struct Beside<T> {
+    /// Behind its own word.
+    said: Option<T>,
+    /// Behind `when`.
+    when: Option<Expr>,
 }
 
-/// `word: value;`
-fn said<T>(input: Input, row: &str, word: &str, read: fn(Input) -> Result<T>) -> Result<T> {
-    let found = input.next();
-    if found != word {
-        let mut diagnostic = input.error(Code::UnknownItem, input.here(), format!("{row} has no `{found}`"));
-        match (later(found), nearest(found, [word])) {
-            (Some(help), _) => diagnostic.help(help),
-            (None, Some(near)) => diagnostic.help(format!("write `{near}: …;`")),
-            (None, None) => diagnostic.note(format!("in its braces stands `{word}: …;` alone")),
-        };
-        return Err(Reported);
+impl<T> Beside<T> {
+    /// The end of a row: `;`, or in braces what it says beside its condition, by its `word` and by `when`.
+    fn parse(
+        input: Input,
+        is_read: bool,
+        row: &str,
+        word: &str,
+        read: fn(Input) -> Result<T>,
+    ) -> Result<Beside<T>> {
+        let mut beside = Beside { said: None, when: None };
+        if !input.peek(token::Brace) {
+            if is_read {
+                input.semicolon()?;
+            } else {
+                input.advance_to(|input| input.peek(Token![;]));
+                input.eat(Token![;]);
+            }
+            return Ok(beside);
+        }
+        input.group(Delimiter::Brace, "`{`", |input| {
+            while !input.is_empty() {
+                let start = input.position();
+                let found = if input.next() == "when" {
+                    once(input, &mut beside.when, "when", Expr::parse)
+                } else {
+                    known(input, row, word).and_then(|()| once(input, &mut beside.said, word, read))
+                };
+                if let Err(Reported) = found {
+                    input.recover(start);
+                }
+            }
+            Ok(())
+        })?;
+        Ok(beside)
     }
+}
+
+impl Input<'_> {
+    /// The end of a constraint: `;`, or `{ when: condition; }`
+    pub(super) fn condition_of_row(self) -> Result<Option<Expr>> {
+        if !self.peek(token::Brace) {
+            self.semicolon()?;
+            return Ok(None);
+        }
+        let mut when = None;
+        self.group(Delimiter::Brace, "`{`", |input| {
+            while !input.is_empty() {
+                let start = input.position();
+                let found = known(input, "a constraint", "when");
+                if found.and_then(|()| once(input, &mut when, "when", Expr::parse)).is_err() {
+                    input.recover(start);
+                }
+            }
+            Ok(())
+        })?;
+        Ok(when)
+    }
+}
+
+/// `word: value;`, which may stand once.
+fn once<T>(input: Input, place: &mut Option<T>, word: &str, read: fn(Input) -> Result<T>) -> Result<()> {
+    let start = input.position();
     input.advance();
     input.colon_of(word)?;
     let value = read(input)?;
     input.semicolon()?;
-    Ok(value)
+    if place.is_some() {
+        let span = Span { first: start as u32, last: start as u32, ..input.here() };
+        input.error(Code::RepeatedItem, span, format!("`{word}` is given twice"));
+    } else {
+        *place = Some(value);
+    }
+    Ok(())
+}
+
+/// Refuses words that a row does not have.
+fn known(input: Input, row: &str, word: &str) -> Result<()> {
+    let found = input.next();
+    if found == word {
+        return Ok(());
+    }
+    let mut diagnostic = input.error(Code::UnknownItem, input.here(), format!("{row} has no `{found}`"));
+    match (later(found), nearest(found, [word, "when"])) {
+        (Some(help), _) => diagnostic.help(help),
+        (None, Some(near)) => diagnostic.help(format!("write `{near}: …;`")),
+        (None, None) if word == "when" => diagnostic.note("in its braces stands `when: …;`"),
+        (None, None) => diagnostic.note(format!("in its braces stand `{word}: …;` and `when: …;`")),
+    };
+    Err(Reported)
 }
 
 /// Help for words that a row of contact does not have.
 fn later(word: &str) -> Option<&'static str> {
     Some(match word {
-        "when" | "if" | "where" => "a row holds everywhere: where it ends cannot be said yet",
+        "if" | "where" | "while" => "write `when: …;`: the row exists while that holds",
         "mu" | "coefficient" => "the bound says it: `friction name: rate(…) within mu*reaction(row);`",
         "friction" => "a friction is a row of its own: `friction name: rate(…) within mu*reaction(row);`",
         "stiffness" | "damping" => "a row of contact is rigid; what gives way is a `spring`",

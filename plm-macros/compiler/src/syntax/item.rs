@@ -7,6 +7,7 @@ use syn::{Token, token};
 use super::body::{Body, Port};
 use super::contact::{Friction, Unilateral};
 use super::domain::{Domain, Node};
+use super::event::When;
 use super::expr::{Expr, ExprKind};
 use super::foreign_syntax::{behind_value, instead_of_item};
 use super::input::{Input, Reported, Result};
@@ -56,6 +57,10 @@ pub enum ItemKind {
     Input(Value),
     /// `state name: unit = expr;`
     State(Value),
+    /// `discrete name: unit = expr;`
+    Discrete(Value),
+    /// `when condition { target = expr; }`
+    When(When),
     /// `let name = expr;`
     Let(IndexedName, Expr),
     /// `rate name = expr;`
@@ -72,8 +77,8 @@ pub enum ItemKind {
     Body(Body),
     /// `kind name(args) { fields }`
     Instance(Instance),
-    /// `constraint name: expr = expr;`
-    Constraint(IndexedName, Expr, Expr),
+    /// `constraint name: expr = expr { when: condition; }`
+    Constraint(IndexedName, Expr, Expr, Option<Expr>),
     /// `unilateral name: expr >= expr { restitution: expr; }`
     Unilateral(Box<Unilateral>),
     /// `friction name: rate(expr) within expr .. expr { static: expr .. expr; }`
@@ -160,6 +165,8 @@ const WORDS: &[(&str, Option<Context>, Reader)] = &[
     ("param", None, |input, _| Value::parse(input, false).map(ItemKind::Param)),
     ("input", None, |input, _| Value::parse(input, false).map(ItemKind::Input)),
     ("state", None, |input, _| Value::parse(input, true).map(ItemKind::State)),
+    ("discrete", None, |input, _| Value::parse(input, false).map(ItemKind::Discrete)),
+    ("when", None, |input, _| When::parse(input).map(ItemKind::When)),
     ("let", None, |input, _| named(input, "let").map(|(name, value)| ItemKind::Let(name, value))),
     ("rate", None, |input, _| named(input, "rate").map(|(name, value)| ItemKind::Rate(name, value))),
     ("ground", None, |input, _| Port::of_ground(input).map(ItemKind::Ground)),

@@ -19,16 +19,17 @@
 //!       | "pair" ":" NAME ";"
 //!       | "picture" name { "," name } ";"
 //!       | NAME "on" path ["from" path] ":" expr ";"
-//!       | ("param" | "input" | "state") name [":" unit] ["=" expr] ["," "locked"] ";"    in both
+//!       | ("param" | "input" | "state" | "discrete") name [":" unit] ["=" expr] ["," "locked"] ";"    in both
 //!       | "ground" "{" { port } "}"
 //!       | "node" name ":" NAME "=" expr ";"
 //!       | ("let" | "rate") name "=" expr ";"
 //!       | "body" name "{" { field | port | start } "}"
 //!       | NAME name "(" exprs ")" (";" | "{" { name { "." name } ":" expr ["," "locked"] ";" } "}")
-//!       | "constraint" NAME ":" expr "=" expr ";"
-//!       | "unilateral" name ":" expr (">=" | "<=") expr (";" | "{" { "restitution" ":" expr ";" } "}")
-//!       | "friction" name ":" "rate" "(" expr ")" "within" bound (";" | "{" { "static" ":" bound ";" } "}")
+//!       | "constraint" NAME ":" expr "=" expr (";" | "{" "when" ":" expr ";" "}")
+//!       | "unilateral" name ":" expr (">=" | "<=") expr (";" | "{" { ("restitution" | "when") ":" expr ";" } "}")
+//!       | "friction" name ":" "rate" "(" expr ")" "within" bound (";" | "{" { "static" ":" bound ";" | "when" ":" expr ";" } "}")
 //!       | "require" NAME ":" expr ";"
+//!       | "when" expr "{" { path "=" expr ";" } "}"
 //!       | "output" output { "," output } ";"
 //!       | "repeat" NAME "in" expr ".." ["="] expr "{" { item } "}"
 //! field  := ("mass" | "inertia" | "centre" | "drawing_angle" | "depth") ":" expr ";" | "coordinates" ":" NAME ";"
@@ -51,6 +52,7 @@ mod body;
 mod contact;
 mod declaration;
 mod domain;
+mod event;
 mod expr;
 mod foreign_syntax;
 mod input;
@@ -73,6 +75,7 @@ pub mod ast {
     pub use super::contact::{Bound, Friction, Unilateral};
     pub use super::declaration::{Declaration, Mechanism, Shared};
     pub use super::domain::{Domain, Node, Quantity};
+    pub use super::event::{Assignment, When};
     pub use super::expr::{Expr, ExprKind, Link};
     pub use super::instance::{Field, Instance};
     pub use super::item::{Item, ItemKind, Repeat};

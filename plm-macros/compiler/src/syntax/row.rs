@@ -63,6 +63,6 @@ pub(super) fn constraint(input: Input) -> Result<ItemKind> {
             (left, Expr::parse(input)?)
         }
     };
-    input.semicolon()?;
-    Ok(ItemKind::Constraint(name, left, right))
+    let when = input.condition_of_row()?;
+    Ok(ItemKind::Constraint(name, left, right, when))
 }

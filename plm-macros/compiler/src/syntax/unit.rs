@@ -192,9 +192,16 @@ pub(crate) fn unit_help(name: &str) -> Option<String> {
         "hr" => "h",
         "degrees" => "deg",
         "radian" | "radians" => "rad",
-        "g" | "gram" | "grams" => {
-            return Some("grams and g are no units here: write `1e-3 kg` or `9.81 m/s^2`".to_string());
+        "grams" => "gram",
+        "ton" | "tons" | "tonnes" => "tonne",
+        "mg" => "1e-3 gram",
+        "µm" | "μm" => "um",
+        "inch" | "inches" => "25.4 mm",
+        "g" => {
+            let help = "grams are `gram`, and the acceleration of gravity is `9.81 m/s^2`";
+            return Some(help.to_string());
         }
+        "t" => return Some("write `tonne`: `t` is the time".to_string()),
         "f64" | "f32" | "float" | "double" | "i32" | "int" | "usize" => {
             let help = "a number has a unit and no type: write `m`, `N/m`, or `1` where it has none";
             return Some(help.to_string());

@@ -1,5 +1,5 @@
 //! The closed table of units. Their names are reserved as bare names, so the table holds what the manual prints and
-//! little more; V, A, T, P, t, g and `in` stay free for the user.
+//! little more; V, A, T, P, t, g and `in` stay free for the user. What has such a letter is written out: `volt`, `gram`, `tonne`.
 
 use plm_cas::Number;
 
@@ -54,8 +54,11 @@ const TABLE: &[Unit] = &[
     row("mm", "the millimetre", (1, 1000), Dimension::LENGTH),
     row("cm", "the centimetre", (1, 100), Dimension::LENGTH),
     row("km", "the kilometre", (1000, 1), Dimension::LENGTH),
+    row("um", "the micrometre", (1, 1_000_000), Dimension::LENGTH),
     row("L", "the litre", (1, 1000), VOLUME),
     row("kg", "the kilogram", (1, 1), Dimension::MASS),
+    row("gram", "the gram", (1, 1000), Dimension::MASS),
+    row("tonne", "the tonne", (1000, 1), Dimension::MASS),
     row("s", "the second", (1, 1), Dimension::TIME),
     row("ms", "the millisecond", (1, 1000), Dimension::TIME),
     row("min", "the minute", (60, 1), Dimension::TIME),
@@ -73,6 +76,7 @@ const TABLE: &[Unit] = &[
     row("Pa", "the pascal", (1, 1), PRESSURE),
     row("kPa", "the kilopascal", (1000, 1), PRESSURE),
     row("MPa", "the megapascal", (1_000_000, 1), PRESSURE),
+    row("GPa", "the gigapascal", (1_000_000_000, 1), PRESSURE),
     row("bar", "the bar", (100_000, 1), PRESSURE),
     row("cP", "the centipoise", (1, 1000), VISCOSITY),
     row("K", "the kelvin", (1, 1), TEMPERATURE),
@@ -106,13 +110,16 @@ mod tests {
 
     /// Every unit in SI, and its dimension in metre, kilogram, second, ampere, kelvin and radian: BIPM, The International
     /// System of Units, 9th edition, tables 2, 4, 5 and 8. The bar and the centipoise are 1e5 Pa and 1e-3 Pa s there.
-    const DEFINED: [(&str, f64, [i8; 6]); 30] = [
+    const DEFINED: [(&str, f64, [i8; 6]); 34] = [
         ("m", 1.0, [1, 0, 0, 0, 0, 0]),
         ("mm", 1e-3, [1, 0, 0, 0, 0, 0]),
         ("cm", 1e-2, [1, 0, 0, 0, 0, 0]),
         ("km", 1e3, [1, 0, 0, 0, 0, 0]),
+        ("um", 1e-6, [1, 0, 0, 0, 0, 0]),
         ("L", 1e-3, [3, 0, 0, 0, 0, 0]),
         ("kg", 1.0, [0, 1, 0, 0, 0, 0]),
+        ("gram", 1e-3, [0, 1, 0, 0, 0, 0]),
+        ("tonne", 1e3, [0, 1, 0, 0, 0, 0]),
         ("s", 1.0, [0, 0, 1, 0, 0, 0]),
         ("ms", 1e-3, [0, 0, 1, 0, 0, 0]),
         ("min", 60.0, [0, 0, 1, 0, 0, 0]),
@@ -130,6 +137,7 @@ mod tests {
         ("Pa", 1.0, [-1, 1, -2, 0, 0, 0]),
         ("kPa", 1e3, [-1, 1, -2, 0, 0, 0]),
         ("MPa", 1e6, [-1, 1, -2, 0, 0, 0]),
+        ("GPa", 1e9, [-1, 1, -2, 0, 0, 0]),
         ("bar", 1e5, [-1, 1, -2, 0, 0, 0]),
         ("cP", 1e-3, [-1, 1, -1, 0, 0, 0]),
         ("K", 1.0, [0, 0, 0, 0, 1, 0]),

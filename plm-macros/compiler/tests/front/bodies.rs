@@ -49,7 +49,8 @@ fn a_drawn_body_starts_where_it_was_drawn() {
     assert_near(port[0], 1.0, "x");
     assert_near(port[1], 3.0, "y");
     assert_near(output(&model, &values, "b.p.angle")[0], 40_f64.to_radians(), "angle");
-    assert!(body.start.iter().all(|start| !start.given && !start.locked));
+    assert!(body.start.iter().all(|start| start.given && !start.locked));
+    assert!(body.start_velocity.iter().all(|start| !start.given));
     assert!(body.centre.is_zero());
 }
 

@@ -1,6 +1,6 @@
 //! Rows of contact: displacements, forces, what they say.
 
-use plm_compiler::model::{ContactLaw, Impacts, Model};
+use plm_compiler::model::{ContactLaw, Impacts, Model, Range};
 
 use crate::parts::scattered;
 use crate::support::{Values, assert_near, output, resolve};
@@ -160,15 +160,11 @@ fn what_reads_parameters_alone_is_looked_at_later() {
         .iter()
         .map(|limit| (limit.part.as_str(), limit.what.as_str(), values.at(&model, limit.value)))
         .collect();
-    let loss = "loss at an impact, `1 - restitution`,";
-    let expected = [
-        ("tip", "restitution", 0.5),
-        ("tip", loss, 0.5),
-        ("slip", "factor of the bound", 0.3),
-        ("belt", "bound", 2.0),
-    ];
+    let expected =
+        [("tip", "restitution", 0.5), ("slip", "factor of the bound", 0.3), ("belt", "lower limit", -2.0)];
     assert_eq!(limits, expected);
-    assert!(model.limits.iter().all(|limit| limit.or_zero));
+    let ranges = [Range::Share, Range::NotNegative, Range::NotPositive];
+    assert!(model.limits.iter().map(|limit| limit.range).eq(ranges));
 }
 
 /// The push of a floor on a foot, and its friction, carried to the port; on the ground the opposite.

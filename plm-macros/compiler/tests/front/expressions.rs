@@ -181,6 +181,22 @@ fn tables_interpolate_and_hold_their_ends() {
     }
 }
 
+/// Between two points of one value the spline has the slopes 1 and -1 by symmetry, and its middle is 1 + 1/4; a difference of two
+/// tables rests there.
+#[test]
+fn smooth_tables_swing_between_points_of_one_value_and_their_sums_rest() {
+    let table = |x: &str| format!("smooth_table({x}, (0 m, 0 N), (1 m, 1 N), (2 m, 1 N), (3 m, 0 N))");
+    let sum = |x: &str| {
+        format!("smooth_table({x}, (0 m, 0 N), (1 m, 1 N)) - smooth_table({x}, (2 m, 0 N), (3 m, 1 N))")
+    };
+    for (x, swings, rests) in
+        [("1 m", 1.0, 1.0), ("1.5 m", 1.25, 1.0), ("1.25 m", 1.1875, 1.0), ("9 m", 0.0, 0.0)]
+    {
+        assert_near(evaluate(&table(x)), swings, x);
+        assert_near(evaluate(&sum(x)), rests, x);
+    }
+}
+
 #[test]
 fn exact_angles_stay_exact() {
     let model = resolve("pub P { param a: deg = 45 deg; output value = 45 deg; output c = cos(60 deg); }");

@@ -21,7 +21,7 @@ pub(crate) fn absolute(emission: &Emission) -> TokenStream {
     let coordinates = (0..equations.q.len()).map(|k| coordinate_name(model, k)).collect_vec();
     let [rows, parts, coordinates] =
         [rows, parts, coordinates].map_each(|names| table_compression::names(emission, &names));
-    let angular = angular(emission);
+    let (angular, given_angles) = (angular(emission), given_angles(emission));
     let places = equations.phi_q.iter().enumerate();
     let places = places.flat_map(|(i, row)| row.iter().flat_map(move |(j, _)| [i as u32, *j as u32]));
     let places: Vec<u32> = places.collect_vec();
@@ -68,6 +68,7 @@ Returns the smallest pivot ratio of the factorisation.",
             const PARTS: [&'static str; #nc] = #parts;
             const COORDINATES: [&'static str; #nq] = #coordinates;
             const ANGULAR: [bool; #nc] = #angular;
+            #given_angles
 
             #phi_docs
             fn phi(&self, t: S, q: &[S; #nq]) -> [S; #nc] {
@@ -138,6 +139,21 @@ fn angular(emission: &Emission) -> TokenStream {
             quote!([#rows])
         }
     }
+}
+
+/// Which bodies have a start angle in the declaration, where one has.
+fn given_angles(emission: &Emission) -> Option<TokenStream> {
+    let given = emission.model.bodies.iter().map(|body| body.start[2].given).collect_vec();
+    let count = number(given.len());
+    given.contains(&true).then(|| {
+        let list = if given.contains(&false) {
+            let given = emission.list(given.iter().map(bool::to_string));
+            quote!(#given)
+        } else {
+            quote!(true; #count)
+        };
+        quote!(const GIVEN_ANGLES: &'static [bool] = &[#list];)
+    })
 }
 
 /// Start positions and velocities of G from those of O, behind what it takes to read their constants.

@@ -54,8 +54,16 @@ fn functions(emission: &Emission) -> TokenStream {
         }
     };
     let all = of.into_iter().enumerate().map(|(k, of)| in_chart(emission, k, of)).collect_vec();
-    let all = joined(all);
-    quote!(impl<S: Scalar> #name<S> { #all })
+    let (all, exist, count) = (joined(all), &emission.program.rows_exist, count(emission));
+    let exist = some_may_not_exist(emission).then(|| {
+        function(
+            emission,
+            "Does each row of contact exist? 1, or 0.",
+            &quote!(fn rows_exist(&self, u: &Held<S>, exist: &mut [S; #count])),
+            (exist, Origin::Arguments),
+        )
+    });
+    quote!(impl<S: Scalar> #name<S> { #all #exist })
 }
 
 fn in_chart(emission: &Emission, k: usize, (contact, origin): (&ContactFunctions, Origin)) -> TokenStream {
@@ -148,7 +156,7 @@ fn contract(emission: &Emission) -> TokenStream {
         Impacts::Newton => quote!(Newton),
         Impacts::Sequential => quote!(Sequential),
     };
-    let joints = joints(emission);
+    let (joints, existence) = (joints(emission), existence(emission));
     let size = emission.text(format!("{:?}", emission.report.length));
     quote! {
         impl<S: Real> rt::contact::Contacts<#count> for #name<S> {
@@ -187,9 +195,29 @@ fn contract(emission: &Emission) -> TokenStream {
                 S::lit(#size)
             }
 
+            #existence
             #joints
         }
     }
+}
+
+/// Which rows exist, where that is a question.
+fn existence(emission: &Emission) -> Option<TokenStream> {
+    let count = count(emission);
+    some_may_not_exist(emission).then(|| {
+        quote! {
+            fn exists(&self, u: &Held<S>, row: usize) -> bool {
+                let mut exist = [S::lit(0.0); #count];
+                self.rows_exist(u, &mut exist);
+                exist[row] > S::lit(0.5)
+            }
+        }
+    })
+}
+
+/// Has a row a condition for its existence?
+pub(super) fn some_may_not_exist(emission: &Emission) -> bool {
+    emission.model.contacts.iter().any(|row| row.exists.is_some())
 }
 
 /// Projection of the joints, where the state is not in coordinates of its own.
@@ -238,6 +266,7 @@ fn laws(emission: &Emission) -> TokenStream {
             format!("rt::contact::Law::Unilateral {{ restitution: {} }}", inline(*restitution, &bindings))
         }
         ContactLaw::Friction { .. } => "rt::contact::Law::Friction".to_owned(),
+        ContactLaw::Constraint => "rt::contact::Law::Constraint".to_owned(),
     });
     let laws = laws.enumerate().map(|(row, law)| format!("{row} => {law}")).collect_vec();
     let (literals, laws) = emission.values(laws);

@@ -4,7 +4,7 @@ use crate::emit::template::quote;
 use proc_macro2::{Literal, TokenStream};
 
 use super::super::{Emission, Sizes, number};
-use super::{contact, switches, system};
+use super::{contact, sets, switches, system};
 use crate::model::Stabilisation;
 
 /// Guards of each row, and one for the determinant of the active rows: `rt::contact::guard_count`.
@@ -92,6 +92,8 @@ pub(super) struct Beside {
     pub(super) index: TokenStream,
     /// Guards of contact over an interval.
     pub(super) within: TokenStream,
+    /// Which rows exist, before the sides of conditions change, and a look at those that do not behind that.
+    pub(super) appearance: [TokenStream; 2],
     /// The signature of the event of a guard.
     pub(super) head: TokenStream,
     /// The next modes, after the event of the guard `index`.
@@ -114,9 +116,11 @@ impl Beside {
     pub(super) fn new(emission: &Emission) -> Beside {
         let length = &emission.sizes.length;
         if !contact::are_there(emission) {
+            let [t, x] =
+                if sets::are_there(emission) { [quote!(t), quote!(x)] } else { [quote!(_t), quote!(_x)] };
             let head = quote! {
                 fn switch(
-                    &self, _t: S, u: &mut Self::U, _x: &mut [S; #length], index: usize
+                    &self, #t: S, u: &mut Self::U, #x: &mut [S; #length], index: usize
                 ) -> Result<(), Fault>
             };
             let (index, within, switch) = (quote!(index), quote!(true), quote!(Ok(())));
@@ -147,6 +151,7 @@ impl Beside {
                     &self, t: S, u: &mut Self::U, x: &mut [S; #length], (index, step): (usize, S)
                 ) -> Result<(), Fault>
             },
+            appearance: appearance(emission),
             switch: switch(emission),
             switch_at_time: quote!(rt::contact::update::<Self, #rows>(self, t, u, x)?;),
             matters: quote! {
@@ -157,6 +162,18 @@ impl Beside {
             },
         }
     }
+}
+
+fn appearance(emission: &Emission) -> [TokenStream; 2] {
+    if !contact::some_may_not_exist(emission) {
+        return Default::default();
+    }
+    let Counts { rows, .. } = Counts::of(emission);
+    let exist = quote! {
+        let existed: [bool; #rows] =
+            core::array::from_fn(|row| rt::contact::Contacts::<#rows>::exists(self, u, row));
+    };
+    [exist, quote!(rt::contact::appear::<Self, #rows>(self, t, (u, x), existed)?;)]
 }
 
 /// The next modes after the event of a guard; those of a condition change forces alone.

@@ -7,6 +7,7 @@ use proc_macro2::{Ident, TokenStream};
 
 use super::super::lower::inline;
 use super::super::{Emission, Form, Sizes, number, pose_at};
+use crate::model::Range;
 use crate::units::DisplayUnit;
 
 /// A limited value: of which part, what, its unit, which least, and what it is.
@@ -62,7 +63,12 @@ pub(super) fn check(emission: &Emission) -> TokenStream {
         format!("({:?}, {:?}, self.{field})", param.name.text, DisplayUnit::si(param.unit.dimension).text)
     }));
     let others = model.limits.iter().map(|limit| {
-        let least = if limit.or_zero { "Zero" } else { "Positive" };
+        let least = match limit.range {
+            Range::Positive => "Positive",
+            Range::NotNegative => "Zero",
+            Range::NotPositive => "Negative",
+            Range::Share => "Share",
+        };
         Limited::new(&limit.part, &limit.what, &limit.unit, least, limit.value)
     });
     let all = of_bodies(emission).into_iter().flatten().chain(others).filter(Limited::varies);
@@ -101,15 +107,20 @@ fn shaping<'a>(emission: &'a Emission) -> Vec<&'a Ident> {
     params.filter(|(param, _)| read.contains(&param.symbol)).map(|(_, field)| field).collect_vec()
 }
 
+/// From the pose `q` and velocity `v` to the state `x`.
+pub(super) fn into_state(emission: &Emission, held: &TokenStream) -> TokenStream {
+    match emission.form {
+        Form::Loops(_) => quote!(rt::charts::enter(self, t, #held, (&q, &v), x)),
+        Form::Tree(_) => quote!(self.to_chart(t, &q, &v, x)),
+        Form::Absolute => quote!(absolute::join(&q, &v, x)),
+    }
+}
+
 /// `fingerprint` and `renew`, where parameters shape the mechanism.
 pub(super) fn renew(emission: &Emission) -> Option<TokenStream> {
     let Sizes { nq, length, .. } = &emission.sizes;
     let (shaping, pose) = (shaping(emission), pose_at("held"));
-    let back = match emission.form {
-        Form::Loops(_) => quote!(rt::charts::enter(self, t, held, (&q, &v), x)),
-        Form::Tree(_) => quote!(self.to_chart(t, &q, &v, x)),
-        Form::Absolute => quote!(absolute::join(&q, &v, x)),
-    };
+    let back = into_state(emission, &quote!(held));
     (!shaping.is_empty()).then(|| {
         quote! {
             fn fingerprint(&self) -> u64 {

@@ -9,6 +9,7 @@ use super::super::bindings::Origin;
 use super::super::function::function;
 use super::super::{Emission, Form, Sizes, number, table_compression};
 use super::charted::call;
+use super::contact;
 use super::directions::directions;
 use crate::formulate::{Augmented, Chart, Linearised, Part, Term};
 
@@ -27,6 +28,14 @@ pub(crate) fn linear(emission: &Emission) -> TokenStream {
             }
         }
     });
+    let held_rows = contact::are_there(emission).then(|| {
+        let count = contact::count(emission);
+        quote! {
+            fn held_rows(&self, t: S, u: &Held<S>, x: &[S; #length], row: &mut impl FnMut(S)) {
+                rt::contact::held_rows::<Self, #count>(self, t, u, x, row);
+            }
+        }
+    });
     quote! {
         impl<S: Real> rt::Linear for #name<S> {
             type Lifted<const K: usize> = #name<rt::Dual<S, K>>;
@@ -38,6 +47,7 @@ pub(crate) fn linear(emission: &Emission) -> TokenStream {
                 (self.pack([self], constant), Self::pack_held(held, [held], constant))
             }
             #constraints
+            #held_rows
             #differentiate
             #jacobian
         }

@@ -8,6 +8,7 @@ use super::super::bindings::Origin;
 use super::super::function::body;
 use super::super::item::{start, state::unwrapped_state};
 use super::super::{Emission, Sizes, docs, table_compression};
+use super::contact;
 use crate::model::Body;
 
 /// Statements of a block; rustc recurses over longer ones.
@@ -67,6 +68,7 @@ constraints, rates of the first-order states, without accelerations.",
         &["t", "u", "x", "lambda", "force", "x_dot", "each", "q", "v"],
         (&program.at_rest, Origin::Arguments),
     );
+    let OfContact { gaps, rates, multipliers } = OfContact::new(emission);
     quote! {
         impl<S: Real> rt::Statics for #name<S> {
             type Full = [S; #full];
@@ -85,12 +87,14 @@ constraints, rates of the first-order states, without accelerations.",
                 &self, t: S, u: &Self::U, x: &[S; #full], lambda: &[S; #nc], each: &mut impl FnMut(S)
             ) {
                 let (mut force, mut x_dot) = ([S::lit(0.0); #nq], [S::lit(0.0); #nx]);
+                #gaps
                 #at_rest
                 let (q, _): ([S; #nq], [S; #nq]) = absolute::split(x);
                 absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force).into_iter().for_each(&mut *each);
                 absolute::residuals::<S, Self, NQ, NC, #full>(self, t, x, each);
-                x_dot.into_iter().for_each(each);
+                #rates
             }
+            #multipliers
             fn start_with_inputs(&self, t: S, held: &Self::U) -> Result<(Self::U, Self::X), Fault> {
                 self.start_holding_(t, held.input)
             }
@@ -107,6 +111,35 @@ constraints, rates of the first-order states, without accelerations.",
             fn size(&self) -> S {
                 absolute::Absolute::<S, NQ, NC>::length(self)
             }
+        }
+    }
+}
+
+/// Parts of `Statics` that differ where there is contact.
+struct OfContact {
+    /// Room for the gaps, and the limits of frictions.
+    gaps: TokenStream,
+    /// Gives the rates of the states, and gaps and limits behind them.
+    rates: TokenStream,
+    /// The multipliers of what is held.
+    multipliers: TokenStream,
+}
+
+impl OfContact {
+    fn new(emission: &Emission) -> Self {
+        if !contact::are_there(emission) {
+            let rates = quote!(x_dot.into_iter().for_each(each););
+            return Self { gaps: TokenStream::new(), rates, multipliers: TokenStream::new() };
+        }
+        let count = contact::count(emission);
+        Self {
+            gaps: quote!(let (mut gap, mut limit) = ([S::lit(0.0); #count], [S::lit(0.0); 2 * #count]);),
+            rates: quote!(x_dot.into_iter().chain(gap).chain(limit).for_each(each);),
+            multipliers: quote! {
+                fn multipliers(held: &mut Self::U) -> &mut [S] {
+                    &mut held.contact.lambda
+                }
+            },
         }
     }
 }

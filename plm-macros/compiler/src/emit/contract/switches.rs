@@ -2,6 +2,7 @@
 
 use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
+use plm_cas::algebra;
 use proc_macro2::TokenStream;
 use quote::format_ident;
 
@@ -11,6 +12,7 @@ use super::super::{Emission, Sizes, number, pose_at, quoted};
 use super::charted::in_held;
 use super::contact;
 use super::contact_events::Beside;
+use super::sets;
 use crate::model::{Decisions, End, Model, Switch};
 
 /// Guards and kinks, which every step evaluates, at a time and over an interval.
@@ -21,6 +23,14 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
     let total = number(model.guards() + Beside::guards_of(emission));
     let [guards, kinks, all] = [model.guards(), model.kinks.len(), model.watched()].map_each(number);
     let full = quote!(self.switching(t, u, &rt::charts::full(self, t, u, x), g));
+    let reads_contact = reads_contact(model);
+    let loaded = reads_contact.then(|| quote!(let u = &self.loaded_(t, u, x);));
+    // Enclosures of multipliers are wide: events that read them are looked for by samples.
+    let unknown = reads_contact.then(|| {
+        quote! {
+            return false;
+        }
+    });
     let [here, within] = [(quote!(self), full), (quote!(mechanism), TokenStream::new())]
         .map_each(|(of, free)| switching(emission, &of, &quote!({ #free })));
     // Without a chart the state stands in what is held, and does not move with `x`.
@@ -38,6 +48,7 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
             let mut all = [S::lit(0.0); #all];
             let out = g;
             let g = &mut all;
+            #loaded
             #here;
             for (guard, value) in out.iter_mut().zip(all)#take {
                 *guard = value;
@@ -48,6 +59,7 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
         fn kinks(&self, t: S, u: &Self::U, x: &[S; #length], each: &mut impl FnMut(usize, S)) {
             let mut all = [S::lit(0.0); #all];
             let g = &mut all;
+            #loaded
             #here;
             for (index, value) in all.into_iter().skip(#guards).enumerate() {
                 each(index, value);
@@ -62,6 +74,7 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
             each: &mut impl FnMut(usize, rt::Enclosed<S>),
         ) -> bool {
             #only
+            #unknown
             use rt::lanes::Pack;
             let constant = |[s]: [S; 1]| rt::Enclosed::constant(s);
             let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
@@ -74,6 +87,13 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
             #contact_within
         }
     }
+}
+
+/// Does a condition of the state read forces of contact?
+fn reads_contact(model: &Model) -> bool {
+    let differences = model.switches.iter().map(|switch| switch.difference);
+    let read = algebra::symbols(&differences.collect_vec());
+    model.contacts.iter().any(|row| read.contains(&row.lambda))
 }
 
 /// The call of the guards' function of a mechanism that is called so, with `g` as its last argument; `free` stands for it where
@@ -117,7 +137,7 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
         })
     });
     let ends: Vec<String> = ends.collect_vec();
-    let Beside { head, switch: next, .. } = Beside::new(emission);
+    let Beside { head, switch: next, appearance: [exist, appear], .. } = Beside::new(emission);
     let end = (!ends.is_empty()).then(|| {
         let ends = emission.text(ends.join(" "));
         quote! {
@@ -129,15 +149,21 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
             }
         }
     });
+    let changes = quote! {
+        #exist
+        if let Some(side) = u.switches.get_mut(index) {
+            *side = -*side;
+        }
+        #appear
+        #next
+    };
+    let changes = sets::followed(emission, changes);
     quote! {
         #must_hold
         #end
         #head {
             #only
-            if let Some(side) = u.switches.get_mut(index) {
-                *side = -*side;
-            }
-            #next
+            #changes
         }
     }
 }
@@ -196,10 +222,19 @@ pub(super) fn matters(emission: &Emission) -> TokenStream {
 /// When switches of the time alone change, and which sides of them apply.
 pub(super) fn known_times(emission: &Emission) -> TokenStream {
     let (guards, Sizes { length, .. }) = (emission.model.guards(), &emission.sizes);
-    let next = Beside::new(emission).switch_at_time;
-    let state = if contact::are_there(emission) { quote!(x) } else { quote!(_x) };
+    let Beside { switch_at_time: next, appearance: [exist, appear], .. } = Beside::new(emission);
+    let reads_state = contact::are_there(emission) || sets::are_there(emission);
+    let state = if reads_state { quote!(x) } else { quote!(_x) };
     let count = number(emission.model.switches.len() - guards);
-    let guards = number(guards);
+    let sides = sides_at_time(emission);
+    let changes = quote! {
+        #exist
+        #sides
+        #appear
+        #next
+        Ok(())
+    };
+    let changes = sets::followed(emission, changes);
     quote! {
         fn next_time_event(&self, t: S, u: &Self::U) -> Option<S> {
             let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
@@ -208,13 +243,20 @@ pub(super) fn known_times(emission: &Emission) -> TokenStream {
         }
 
         fn switch_at_time(&self, t: S, u: &mut Self::U, #state: &mut [S; #length]) -> Result<(), Fault> {
-            let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
-            self.instants(u, &mut at, &mut slope);
-            for ((side, at), slope) in u.switches.iter_mut().skip(#guards).zip(at).zip(slope) {
-                *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
-            }
-            #next
-            Ok(())
+            #changes
+        }
+    }
+}
+
+/// The sides of conditions on the time alone, at the time `t`.
+pub(in super::super) fn sides_at_time(emission: &Emission) -> TokenStream {
+    let guards = emission.model.guards();
+    let [count, guards] = [emission.model.switches.len() - guards, guards].map_each(number);
+    quote! {
+        let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
+        self.instants(u, &mut at, &mut slope);
+        for ((side, at), slope) in u.switches.iter_mut().skip(#guards).zip(at).zip(slope) {
+            *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
         }
     }
 }

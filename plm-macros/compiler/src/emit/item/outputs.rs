@@ -19,7 +19,8 @@ pub(crate) fn outputs(emission: &Emission) -> TokenStream {
     let poses = poses(emission);
     let user = (0..emission.model.outputs.len()).map(|index| user_output(emission, &bindings, index));
     let power = body(emission, &bindings, &functions.load_power);
-    let energies = emission.model.has_masses().then(|| energies(emission, &bindings));
+    let energies =
+        if emission.model.has_masses() { energies(emission, &bindings) } else { unknown_energies() };
     let indexed_accessors = indexed_accessors::accessors(emission);
     let branches = branches(emission, &bindings);
     let table = table(emission);
@@ -61,6 +62,21 @@ fn energies(emission: &Emission, bindings: &Bindings) -> TokenStream {
         /// Potential energy of gravity above the origin, J.
         pub fn gravity_energy(&self) -> S {
             #gravity
+        }
+    }
+}
+
+/// Energies where a body has no mass: who calls them reads why there are none.
+fn unknown_energies() -> TokenStream {
+    quote! {
+        /// Not known: a body is declared without mass.
+        pub fn kinetic_energy(&self) -> S where Self: rt::HasMasses {
+            S::lit(f64::NAN)
+        }
+
+        /// Not known: a body is declared without mass.
+        pub fn gravity_energy(&self) -> S where Self: rt::HasMasses {
+            S::lit(f64::NAN)
         }
     }
 }

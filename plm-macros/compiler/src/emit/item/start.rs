@@ -6,7 +6,7 @@ use plm_cas::algebra;
 use proc_macro2::TokenStream;
 
 use super::super::contract::contact;
-use super::super::contract::{limits, statics::MOST_LINES};
+use super::super::contract::{limits, sets, statics::MOST_LINES, switches};
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, Form, Sizes, docs, number, table_compression};
 use crate::model::{Body, Start, State};
@@ -272,11 +272,7 @@ fn holding(emission: &Emission) -> TokenStream {
 
 /// From the assembled pose to the state, and the sides of conditions that apply there.
 fn begin(emission: &Emission) -> TokenStream {
-    let model = emission.model;
-    let pass = (!model.switches.is_empty())
-        .then(|| quote!(rt::Events::switch_at_time(self, t, &mut held, &mut x)?;));
-    let switch =
-        (model.guards() > 0).then(|| quote!(rt::events::switch_where_due(self, t, &mut held, &mut x)?;));
+    let sides = sides(emission);
     let contact = contact::are_there(emission).then(|| {
         let count = contact::count(emission);
         quote!(rt::contact::begin::<Self, #count>(self, t, &mut held, &mut x)?;)
@@ -304,8 +300,29 @@ fn begin(emission: &Emission) -> TokenStream {
         #repeats
         let mut held = Self::holding_(input);
         #enter
+        #sides
+        #contact
+    }
+}
+
+/// The sides of conditions that apply where a run begins. Events that set states do not happen there.
+fn sides(emission: &Emission) -> TokenStream {
+    let model = emission.model;
+    let [of_time, of_state] = [model.switches.len() > model.guards(), model.guards() > 0];
+    if sets::are_there(emission) {
+        let count = sets::count(emission);
+        let at_time = of_time.then(|| switches::sides_at_time(emission));
+        return quote! {
+            let u = &mut held;
+            #at_time
+            rt::events::begin::<Self, #count>(self, t, u, &x);
+        };
+    }
+    let pass = (!model.switches.is_empty())
+        .then(|| quote!(rt::Events::switch_at_time(self, t, &mut held, &mut x)?;));
+    let switch = of_state.then(|| quote!(rt::events::switch_where_due(self, t, &mut held, &mut x)?;));
+    quote! {
         #pass
         #switch
-        #contact
     }
 }

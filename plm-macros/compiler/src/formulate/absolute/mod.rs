@@ -37,7 +37,7 @@ use super::order::minimum_degree;
 use super::outputs::{self, Outputs};
 use super::switches;
 use crate::derive::Equations;
-use crate::model::{Model, Stabilisation};
+use crate::model::{Contact, ContactLaw, Model, Reaction, Stabilisation};
 
 /// Everything that absolute coordinates compute.
 pub(crate) struct Absolute {
@@ -65,6 +65,12 @@ pub(crate) struct Absolute {
     pub(crate) guards: Function,
     /// `at` and `slope` of conditions that depend on the time alone.
     pub(crate) instants: Function,
+    /// `holds` of the conditions of events.
+    pub(crate) events: Function,
+    /// `exist` of the rows of contact.
+    pub(crate) rows_exist: Function,
+    /// `set`: the values that events give.
+    pub(crate) values_set: Function,
     /// `jump`: what rows do where conditions change, five terms each.
     pub(crate) jumps: Function,
     /// Outputs.
@@ -102,11 +108,14 @@ pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
         phi_dot: released(Function::of_array("phi_dot", &equations.phi_dot)),
         phi_q: released(Function::of_array("phi_q", &entries)),
         min_norm: released(min_norm(equations, &weights, &r, model.most_growth)),
+        events: switches::events(model),
+        rows_exist: switches::rows_exist(model),
+        values_set: switches::values_set(model),
         jumps: switches::jumps(model),
         inverse_mass: Function::of_array("inverse_mass", &inverse_mass),
         free: Function::of_results(free),
         x_dot: Function::of_array("x_dot", &x_dot),
-        at_rest: at_rest(equations),
+        at_rest: at_rest(model, equations),
         guards: switches::guards(model, &[]),
         instants: switches::instants(model),
         outputs: outputs::formulate(model, equations, &read),
@@ -181,7 +190,7 @@ impl Absolute {
 }
 
 /// All forces, those that read multipliers included, and the rates, where nothing accelerates.
-fn at_rest(equations: &Equations) -> Function {
+fn at_rest(model: &Model, equations: &Equations) -> Function {
     let mut force = equations.force.clone();
     for signal in &equations.signals {
         for &(k, gain) in &signal.gain {
@@ -191,7 +200,22 @@ fn at_rest(equations: &Equations) -> Function {
     let still: Vec<(Expr, Expr)> = equations.a.iter().map(|&a| (a, Expr::ZERO)).collect_vec();
     let mut results = stored("force", force.iter());
     results.extend(stored("x_dot", equations.x_dot.iter()));
+    let gaps: Vec<Expr> = model.contacts.iter().map(|contact| contact.displacement).collect_vec();
+    results.extend(stored("gap", gaps.iter()));
+    let limits: Vec<Expr> = model.contacts.iter().flat_map(limits_at_rest).collect_vec();
+    results.extend(stored("limit", limits.iter()));
     Function::of_results(results).substitute(&still)
+}
+
+/// How much a row can give to either side while it holds; nothing is said of a gap.
+fn limits_at_rest(contact: &Contact) -> [Expr; 2] {
+    let ContactLaw::Friction { adhesion, reaction, .. } = &contact.law else { return [Expr::ZERO; 2] };
+    let sizes = reaction.iter().map(|Reaction { size, components }| {
+        let square: Expr = components.iter().map(|&component| component * component).sum();
+        (*size, square.sqrt())
+    });
+    let limits = algebra::substitute(adhesion, &sizes.collect_vec());
+    [limits[0], limits[1]]
 }
 
 /// `gamma`, with Baumgarte's feedback (4) where the model asks for it: `alpha = beta = 1 / tau`.

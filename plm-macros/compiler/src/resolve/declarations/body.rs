@@ -266,6 +266,9 @@ impl<'a> Resolver<'a> {
         let default = if placement.drawing { drawn } else { [zero; 6] };
         let span = self.unresolved.bodies[body].name.span;
         let mut starts = default.map_each(|value| Start { value, locked: false, given: false, span });
+        for start in &mut starts[..3] {
+            start.given = placement.drawing;
+        }
         let (ast, scope) = (self.unresolved.bodies[body].ast, self.unresolved.bodies[body].scope);
         let mut result = Ok(());
         for start in &ast.starts {

@@ -35,6 +35,14 @@ impl<'a> WrittenContact<'a> {
         }
     }
 
+    /// It exists while this holds.
+    pub(crate) fn when(self) -> Option<&'a ast::Expr> {
+        match self {
+            WrittenContact::Unilateral(row) => row.when.as_ref(),
+            WrittenContact::Friction(row) => row.when.as_ref(),
+        }
+    }
+
     /// The place of its displacement.
     fn span(self) -> Span {
         match self {
@@ -64,6 +72,8 @@ pub(crate) struct UnresolvedContact<'a> {
     pub(crate) part: usize,
     pub(crate) span: Span,
     pub(crate) lambda: Expr,
+    /// Stands for 1 where it is open, or sticks, else for 0.
+    pub(crate) mode: Expr,
     /// The reaction of joints that its bound reads.
     pub(crate) reaction: Option<Reaction>,
     displacement: Lazy<Displacement>,
@@ -107,6 +117,7 @@ impl<'a> Resolver<'a> {
             part: row.part,
             span: row.span,
             lambda: row.lambda,
+            mode: Expr::symbol("mode"),
             reaction: None,
             displacement: Lazy::Waiting,
         });

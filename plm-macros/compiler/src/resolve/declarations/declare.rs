@@ -9,6 +9,7 @@ use crate::diag::Code;
 use crate::model::Name;
 use crate::resolve::Resolver;
 use crate::resolve::declarations::contact::WrittenContact;
+use crate::resolve::declarations::state::StateKind;
 use crate::resolve::names::{ScopeId, Thunk};
 use crate::resolve::values::expect::Wanted;
 use crate::resolve::values::{Nature, Quantity, Reads};
@@ -44,14 +45,18 @@ impl<'a> Resolver<'a> {
                 ItemKind::Allow(codes) => self.declare_allowed(codes),
                 ItemKind::Param(value) => self.declare_value(scope, item, value, Reads::PARAM),
                 ItemKind::Input(value) => self.declare_value(scope, item, value, Reads::INPUT),
-                ItemKind::State(value) => self.declare_state(scope, value),
+                ItemKind::State(value) => self.declare_state(scope, value, StateKind::Continuous),
+                ItemKind::Discrete(value) => self.declare_state(scope, value, StateKind::Discrete),
+                ItemKind::When(when) => self.unresolved.whens.push((scope, when)),
                 ItemKind::Let(name, value) => self.declare_let(scope, name, value),
                 ItemKind::Rate(name, value) => self.declare_rate(scope, name, value),
                 ItemKind::Choice(choice) => self.declare_choice(scope, choice),
                 ItemKind::Ground(ports) => self.declare_ground(scope, ports),
                 ItemKind::Body(body) => self.declare_body(scope, body),
                 ItemKind::Instance(instance) => self.declare_instance(scope, instance, part),
-                ItemKind::Constraint(name, left, right) => self.declare_row(scope, name, [left, right], part),
+                ItemKind::Constraint(name, left, right, when) => {
+                    self.declare_row(scope, name, ([left, right], when.as_ref()), part);
+                }
                 ItemKind::Unilateral(row) => {
                     self.declare_contact(scope, WrittenContact::Unilateral(row), part);
                 }

@@ -6,6 +6,7 @@ use crate::diag::{Code, help_similar};
 use crate::resolve::Resolver;
 use crate::resolve::declarations::branch::{BRANCH, tells_branches};
 use crate::resolve::finalise::compliance::WORDS;
+use crate::resolve::finalise::release::WHEN;
 use crate::resolve::names::{Names, ScopeId};
 use crate::syntax::ast::{Field, Instance, Item, ItemKind};
 
@@ -79,6 +80,7 @@ impl<'a> Resolver<'a> {
             definition.items.iter().filter_map(|item| field_name(&item.kind)).collect_vec();
         if definition.is_joint {
             known.push_all(WORDS);
+            known.push(WHEN);
         }
         if tells_branches(definition) {
             known.push(BRANCH);
@@ -177,9 +179,10 @@ fn requirements(items: &[Item]) -> Vec<&str> {
 
 fn field_name(item: &ItemKind) -> Option<&str> {
     match item {
-        ItemKind::Param(value) | ItemKind::Input(value) | ItemKind::State(value) => {
-            Some(&value.name.ident.text)
-        }
+        ItemKind::Param(value)
+        | ItemKind::Input(value)
+        | ItemKind::State(value)
+        | ItemKind::Discrete(value) => Some(&value.name.ident.text),
         ItemKind::Choice(choice) => Some(&choice.name.text),
         _ => None,
     }

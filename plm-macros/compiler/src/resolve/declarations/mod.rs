@@ -4,6 +4,7 @@ pub(super) mod body;
 pub(super) mod branch;
 pub(super) mod contact;
 pub(super) mod declare;
+pub(super) mod event;
 mod fields;
 pub(super) mod frame;
 pub(super) mod load;
@@ -50,6 +51,8 @@ pub(crate) struct UnresolvedModel<'a> {
     pub(crate) rows: Vec<UnresolvedRow<'a>>,
     pub(crate) contacts: Vec<UnresolvedContact<'a>>,
     pub(crate) requirements: Vec<Requirement<'a>>,
+    /// Events that set states.
+    pub(crate) whens: Vec<(ScopeId, &'a ast::When)>,
     /// Comparisons as they were written.
     pub(crate) comparisons: Vec<Comparison>,
     /// Requirements that uses of parts switch on or off.

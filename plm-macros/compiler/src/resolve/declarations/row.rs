@@ -22,6 +22,8 @@ pub(crate) struct UnresolvedRow<'a> {
     pub(crate) part: usize,
     pub(crate) span: Span,
     pub(crate) lambda: Expr,
+    /// It holds while this does; always, where it is not written.
+    pub(crate) when: Option<&'a ast::Expr>,
     value: Lazy<RowValue>,
 }
 
@@ -48,7 +50,7 @@ impl<'a> Resolver<'a> {
         &mut self,
         scope: ScopeId,
         name: &'a ast::IndexedName,
-        [left, right]: [&'a ast::Expr; 2],
+        ([left, right], when): ([&'a ast::Expr; 2], Option<&'a ast::Expr>),
         part: Option<usize>,
     ) {
         let id = RowId::Constraint(self.unresolved.rows.len());
@@ -61,6 +63,7 @@ impl<'a> Resolver<'a> {
             part: row.part,
             span: row.span,
             lambda: row.lambda,
+            when,
             value: Lazy::Waiting,
         });
     }

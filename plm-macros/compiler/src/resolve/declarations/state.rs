@@ -12,13 +12,23 @@ use crate::resolve::values::{Nature, Quantity, Reads, Value};
 use crate::syntax::ast::{self, IndexedName};
 use crate::units::{Dimension, DisplayUnit};
 
+/// How a state changes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum StateKind {
+    /// With its rate.
+    Continuous,
+    /// At events alone.
+    Discrete,
+}
+
 /// A state that was declared.
 pub(crate) struct UnresolvedState<'a> {
     ast: &'a ast::Value,
     pub(crate) scope: ScopeId,
-    name: Name,
+    pub(crate) kind: StateKind,
+    pub(crate) name: Name,
     symbol: Expr,
-    unit: DisplayUnit,
+    pub(crate) unit: DisplayUnit,
     /// Where it starts: as the use of its part says, else as it is declared.
     start: Option<(ScopeId, &'a ast::Expr)>,
     locked: bool,
@@ -37,8 +47,8 @@ pub(crate) struct UnresolvedRate<'a> {
 }
 
 impl<'a> Resolver<'a> {
-    /// `state name: unit = start;`
-    pub(crate) fn declare_state(&mut self, scope: ScopeId, ast: &'a ast::Value) {
+    /// `state name: unit = start;`, `discrete name: unit = start;`
+    pub(crate) fn declare_state(&mut self, scope: ScopeId, ast: &'a ast::Value, kind: StateKind) {
         self.refuse_unit_name(scope, &ast.name, dimension_of(ast.unit.as_ref(), ast.value.as_ref()));
         let Some((key, unit)) = self.name_and_unit(scope, ast) else { return };
         let text = format!("{}{key}", self.names.prefix(scope));
@@ -55,6 +65,7 @@ impl<'a> Resolver<'a> {
         self.unresolved.states.push(UnresolvedState {
             ast,
             scope,
+            kind,
             name,
             symbol,
             unit,
@@ -89,7 +100,11 @@ impl<'a> Resolver<'a> {
                     .help(format!("write `state {key}: unit = 0;`"));
                 continue;
             };
-            if let Some(first) = self.unresolved.states[state].rate {
+            if self.unresolved.states[state].kind == StateKind::Discrete {
+                let message = format!("`{key}` is discrete: it has no rate");
+                self.error(scope, Code::StateRate, span, message)
+                    .help("a `when` sets it; what has a rate is a `state`");
+            } else if let Some(first) = self.unresolved.states[state].rate {
                 self.error(scope, Code::StateRate, span, format!("the state `{key}` has two rates"))
                     .note_at(first.name.ident.span, "the first stands here");
             } else {
@@ -99,7 +114,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// The state that a symbol stands for; symbols of later states are greater.
-    fn state_of(&self, symbol: Expr) -> Option<usize> {
+    pub(crate) fn state_of(&self, symbol: Expr) -> Option<usize> {
         self.unresolved.states.binary_search_by_key(&symbol, |state| state.symbol).ok()
     }
 
@@ -110,17 +125,23 @@ impl<'a> Resolver<'a> {
     }
 
     fn evaluate_state(&mut self, state: usize) -> Option<State> {
-        let UnresolvedState { ast, scope, symbol, start, locked, rate, .. } = self.unresolved.states[state];
+        let UnresolvedState { ast, scope, kind, symbol, start, locked, rate, .. } =
+            self.unresolved.states[state];
         let (name, unit) =
             (self.unresolved.states[state].name.clone(), self.unresolved.states[state].unit.clone());
         let start = match start {
             Some((scope, expr)) => self.eval_number(scope, expr, unit.dimension, Reads::FIXED),
             None => Ok(Expr::ZERO),
         };
+        if kind == StateKind::Discrete {
+            let start = start.ok()?;
+            return Some(State { name, symbol, rate: Expr::ZERO, start, locked: true, unit });
+        }
         let Some(rate) = rate else {
             let text = &ast.name.ident.text;
             let message = format!("the state `{}` has no rate", name.text);
-            self.error(scope, Code::StateRate, name.span, message).help(format!("write `rate {text} = …;`"));
+            self.error(scope, Code::StateRate, name.span, message)
+                .help(format!("write `rate {text} = …;`; one that only events change is `discrete`"));
             return None;
         };
         let dimension = unit.dimension.over(Dimension::TIME);

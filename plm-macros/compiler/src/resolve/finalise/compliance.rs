@@ -10,7 +10,7 @@ use crate::sorted::SortedMap;
 use plm_cas::{Expr, algebra};
 
 use crate::diag::Code;
-use crate::model::{Contact, Limit, Load, Output, Row, State};
+use crate::model::{Contact, Limit, Load, Output, Range, Row, State};
 use crate::resolve::Resolver;
 use crate::resolve::names::ScopeId;
 use crate::resolve::values::{Eval, Failed, Reads};
@@ -169,7 +169,7 @@ impl<'a> Resolver<'a> {
                 what,
                 value,
                 unit,
-                or_zero,
+                range: if or_zero { Range::NotNegative } else { Range::Positive },
                 code: Code::NotPositive,
                 span,
             });

@@ -1,16 +1,16 @@
 //! Laws of the rows of contact, and their forces: `+lambda` along the gradient of the displacement, so that a positive
 //! multiplier pushes it up.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use plm_cas::{Expr, Node, algebra};
 
 use crate::diag::Code;
-use crate::model::{Contact, ContactLaw, Limit, Load, Reaction};
+use crate::model::{Contact, ContactLaw, Limit, Load, Range, Reaction};
 use crate::resolve::Resolver;
 use crate::resolve::declarations::contact::{Displacement, UnresolvedContact, WrittenContact};
 use crate::resolve::names::ScopeId;
 use crate::resolve::values::expect::text_of;
-use crate::resolve::values::{Eval, Failed, Reads, Scalar, all};
+use crate::resolve::values::{Eval, Failed, Form, Quantity, Reads, Scalar, Value, all};
 use crate::span::Span;
 use crate::syntax::ast;
 use crate::units::{Dimension, DisplayUnit};
@@ -51,15 +51,21 @@ impl<'a> Resolver<'a> {
                 self.friction(Bounded { contact, scope, dimension }, row)
             }),
         };
-        let (displacement, law) = (displacement?, law?);
+        let exists = written
+            .when()
+            .map(|when| self.event_condition(scope, when, ("a row of contact", Reads::EVENT)))
+            .transpose();
+        let (displacement, law, exists) = (displacement?, law?, exists?);
         let declared = self.contact_declared(contact);
-        let UnresolvedContact { name, part, span, lambda, .. } = &self.unresolved.contacts[contact];
+        let UnresolvedContact { name, part, span, lambda, mode, .. } = &self.unresolved.contacts[contact];
         Ok(Contact {
             name: name.clone(),
             part: *part,
             displacement: displacement.value,
             lambda: *lambda,
+            mode: *mode,
             law,
+            exists,
             unit: DisplayUnit::si(displacement.dimension),
             span: *span,
             declared,
@@ -92,9 +98,8 @@ impl<'a> Resolver<'a> {
             return Err(Failed);
         }
         if of.nature.reads == Reads::PARAM {
-            self.not_negative(contact, "restitution", (restitution, Dimension::NUMBER), expr.span);
-            let what = "loss at an impact, `1 - restitution`,";
-            self.not_negative(contact, what, (loss, Dimension::NUMBER), expr.span);
+            let limited = (restitution, Dimension::NUMBER, Range::Share);
+            self.look_later(contact, "restitution", limited, expr.span);
         }
         Ok(ContactLaw::Unilateral { restitution })
     }
@@ -104,6 +109,7 @@ impl<'a> Resolver<'a> {
         let adhesion = row.adhesion.as_ref().map(|bound| self.limits(of, bound)).transpose();
         let (kinetic, adhesion) = (kinetic?, adhesion?);
         let (Some(bound), Some(adhesion)) = (&row.adhesion, adhesion) else {
+            let kinetic = values(kinetic);
             return Ok(ContactLaw::Friction {
                 kinetic,
                 adhesion: kinetic,
@@ -113,15 +119,27 @@ impl<'a> Resolver<'a> {
         let pushes = self.pushes();
         let sides = [(bound.lower.as_ref().unwrap_or(&bound.upper), 0), (&bound.upper, 1)];
         for (expr, side) in sides {
-            if is_negative(adhesion[side] - kinetic[side], &pushes) {
-                let message =
-                    format!("the static bound is below the kinetic one{}", found(expr, adhesion[side]));
+            let (more, less) = (adhesion[side].value, kinetic[side].value);
+            if is_negative(more - less, &pushes) {
+                let message = format!("the static bound is below the kinetic one{}", found(expr, more));
                 self.error(of.scope, Code::ContactNumber, expr.span, message).help(
                     "what sticks holds as much as what slips, or more; without `static` it holds the same",
                 );
                 return Err(Failed);
             }
         }
+        let is_even = bound.lower.is_none() && row.kinetic.lower.is_none();
+        for (expr, side) in sides.into_iter().skip(usize::from(is_even)) {
+            let (more, less) = (adhesion[side], kinetic[side]);
+            let nature = more.nature.joined(less.nature);
+            let more = Quantity::new(more.value - less.value, nature);
+            let what = [
+                "excess of the static bound over the kinetic one",
+                "excess of the static factor over the kinetic one",
+            ];
+            self.check_later(of, more, (what, Range::NotNegative), expr.span);
+        }
+        let [kinetic, adhesion] = [kinetic, adhesion].map_each(values);
         Ok(ContactLaw::Friction { kinetic, adhesion, reaction: self.bounding_reaction(of) })
     }
 
@@ -131,16 +149,20 @@ impl<'a> Resolver<'a> {
     }
 
     /// How far the friction goes downwards and upwards, both not negative.
-    fn limits(&mut self, of: Bounded, bound: &'a ast::Bound) -> Eval<[Expr; 2]> {
+    fn limits(&mut self, of: Bounded, bound: &'a ast::Bound) -> Eval<[Scalar; 2]> {
         let lower = bound.lower.as_ref().map(|lower| self.limit(of, lower).map(|value| (lower, value)));
         let upper = self.limit(of, &bound.upper);
         let (lower, upper) = (lower.transpose()?, upper?);
         self.check_order(of, bound, lower.map(|(expr, lower)| (expr, lower.value)), upper.value)?;
-        self.check_later(of, upper, bound.upper.span);
-        let Some((expr, lower)) = lower else { return Ok([upper.value; 2]) };
-        let lower = lower.map(|lower| -lower);
-        self.check_later(of, lower, expr.span);
-        Ok([lower.value, upper.value])
+        let what = match lower {
+            None => ["bound", "factor of the bound"],
+            Some(_) => ["upper limit", "factor of the upper limit"],
+        };
+        self.check_later(of, upper, (what, Range::NotNegative), bound.upper.span);
+        let Some((expr, lower)) = lower else { return Ok([upper; 2]) };
+        let what = ["lower limit", "factor of the lower limit"];
+        self.check_later(of, lower, (what, Range::NotPositive), expr.span);
+        Ok([lower.map(|lower| -lower), upper])
     }
 
     /// The limits of a bound must hold zero between them.
@@ -192,8 +214,9 @@ impl<'a> Resolver<'a> {
         Err(Failed)
     }
 
-    /// A limit that depends on parameters must not be negative when they are known, nor the factor of a push.
-    fn check_later(&mut self, of: Bounded, limit: Scalar, span: Span) {
+    /// A limit that depends on parameters must have its sign when they are known, and so must the factor of a push. `what` names
+    /// both.
+    fn check_later(&mut self, of: Bounded, limit: Scalar, (what, range): ([&str; 2], Range), span: Span) {
         if limit.nature.reads.beyond(Reads::PUSH) != Reads::PARAM {
             return;
         }
@@ -201,22 +224,28 @@ impl<'a> Resolver<'a> {
         let rest = without(value, &pushes);
         let factors = pushes.iter().map(|push| value.diff(*push)).filter(|factor| !factor.is_zero());
         match &factors.collect_vec()[..] {
-            [] => self.not_negative(of.contact, "bound", (rest, of.dimension), span),
+            [] => self.look_later(of.contact, what[0], (rest, of.dimension, range), span),
             [factor] if rest.is_zero() => {
-                self.not_negative(of.contact, "factor of the bound", (*factor, Dimension::NUMBER), span);
+                self.look_later(of.contact, what[1], (*factor, Dimension::NUMBER, range), span);
             }
             _ => {}
         }
     }
 
     /// A value of parameters, which is looked at when these are known.
-    fn not_negative(&mut self, contact: usize, what: &str, (value, of): (Expr, Dimension), span: Span) {
+    fn look_later(
+        &mut self,
+        contact: usize,
+        what: &str,
+        (value, of, range): (Expr, Dimension, Range),
+        span: Span,
+    ) {
         self.unresolved.limits.push(Limit {
             part: self.unresolved.contacts[contact].name.clone(),
             what: what.to_owned(),
             value,
-            unit: of.si_unit(),
-            or_zero: true,
+            unit: DisplayUnit::si(of).text,
+            range,
             code: Code::ContactNumber,
             span,
         });
@@ -225,6 +254,7 @@ impl<'a> Resolver<'a> {
     /// A limit, which reads what is known of the state, and pushes in proportion.
     fn limit(&mut self, of: Bounded, expr: &'a ast::Expr) -> Eval<Scalar> {
         let Bounded { contact, scope, dimension } = of;
+        self.is_no_coefficient(of, expr)?;
         let mut found = self.eval_quantity(scope, expr, dimension, Reads::ALL)?;
         let beyond = found.nature.reads.beyond(Reads::BOUND);
         let sized = if beyond == Reads::REACTION { self.sized(contact, found.value) } else { None };
@@ -250,6 +280,25 @@ impl<'a> Resolver<'a> {
             }
         }
         Ok(found)
+    }
+
+    /// A coefficient of friction alone is no bound.
+    fn is_no_coefficient(&mut self, of: Bounded, expr: &'a ast::Expr) -> Eval<()> {
+        let Ok(Value::Scalar(found)) = self.eval(of.scope, expr) else { return Ok(()) };
+        if found.nature.dimension != Dimension::NUMBER || found.value.is_zero() {
+            return Ok(());
+        }
+        let (text, wanted) = (text_of(expr), of.dimension.describe());
+        let (code, found) = match (&text, found.nature.form) {
+            (Some(text), Form::Bare) => (Code::MissingUnit, format!("{text} without a unit")),
+            _ => (Code::WrongDimension, "a number".to_owned()),
+        };
+        let (text, unit) = (text.as_deref().unwrap_or("mu"), of.dimension.si_unit());
+        let help = format!(
+            "a coefficient stands before a push, `{text}*reaction(row)`; a bound by itself has a unit, as `5 {unit}`"
+        );
+        self.error(of.scope, code, expr.span, format!("expected {wanted}, found {found}")).help(help);
+        Err(Failed)
     }
 
     /// A bound reads what it may not.
@@ -304,6 +353,10 @@ impl<'a> Resolver<'a> {
             }
         }
     }
+}
+
+fn values(limits: [Scalar; 2]) -> [Expr; 2] {
+    limits.map_each(|limit| limit.value)
 }
 
 /// A value where nothing pushes.

@@ -6,6 +6,7 @@ mod observe;
 mod output;
 mod placeholders;
 mod reaction;
+pub(super) mod release;
 pub(super) mod warnings;
 
 use crate::collect::{CollectVec, MapEach};
@@ -17,7 +18,7 @@ use crate::model::{Body, Decisions, FrameRef, Impacts, Input, Model, Name, Param
 use crate::resolve::Resolver;
 use crate::resolve::declarations::body::assumed_mass;
 use crate::resolve::declarations::declare::UnresolvedField;
-use crate::resolve::values::{Eval, Reads, all};
+use crate::resolve::values::{Eval, Failed, Reads, all};
 use crate::syntax::ast::{self, Mechanism};
 use crate::units::{Dimension, DisplayUnit};
 
@@ -41,13 +42,20 @@ impl<'a> Resolver<'a> {
         let mut outputs = self.evaluate_outputs();
         self.evaluate_observed(&mut outputs);
         let mut switches = self.evaluate_requirements();
+        let mut whens = self.evaluate_whens();
         if let Ok(contacts) = &mut contacts {
-            self.replace_placeholders(&mut states, &mut loads, &mut outputs, &mut switches, contacts);
+            let events = (&mut switches[..], &mut whens[..]);
+            self.replace_placeholders(&mut states, &mut loads, &mut outputs, events, contacts);
         }
         loads.retain(|load| load.force != [Expr::ZERO; 3]);
         let of_contact = contacts.as_deref_mut().unwrap_or_default();
         let rows = rows
             .and_then(|rows| self.apply_compliances(rows, &mut loads, &mut states, &mut outputs, of_contact));
+        let rows = rows.and_then(|(rows, compliant)| {
+            let of_contact = contacts.as_mut().map_err(|Failed| Failed)?;
+            let rows = self.apply_conditions(rows, &mut loads, (&states, &mut outputs), of_contact)?;
+            Ok((rows, compliant))
+        });
         // Last of all, so that pictures have no part in the order in which terms are made.
         let instances = self.evaluate_instances();
         self.warn(declaration, mechanism);
@@ -90,6 +98,7 @@ impl<'a> Resolver<'a> {
             instances: instances.ok()?,
             files: self.files.keys().cloned().collect_vec(),
             switches,
+            whens,
             decisions: Decisions::default(),
             kinks: Vec::new(),
             turns: Vec::new(),

@@ -3,7 +3,7 @@
 //! Names are bound before anything is evaluated, so that the order of declaration does not matter: a force may read
 //! the output of a part that stands below it.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use std::borrow::Cow;
 use std::fmt::Write;
 
@@ -107,7 +107,16 @@ impl<'a> Resolver<'a> {
     /// A row of this part.
     pub(crate) fn lookup_row(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<RowId> {
         let ast::ExprKind::Name(name) = &expr.kind else {
-            self.error(scope, Code::UnknownRow, expr.span, "the name of a constraint row is expected");
+            let diagnostic =
+                self.error(scope, Code::UnknownRow, expr.span, "the name of a constraint row is expected");
+            if let ast::ExprKind::Path(part, names) = &expr.kind
+                && let (ast::ExprKind::Name(part), [row]) = (&part.kind, &names[..])
+            {
+                let [part, row] = [part, row].map_each(|name| &name.ident.text);
+                diagnostic.help(format!(
+                    "a part shows its rows by outputs: `output push = reaction({row});` in it, and here `{part}.push`"
+                ));
+            }
             return Err(Failed);
         };
         let key = self.key(scope, name)?;

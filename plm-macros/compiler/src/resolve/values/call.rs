@@ -5,12 +5,14 @@ use plm_cas::algebra::{Rotation, Vec2};
 use plm_cas::{Expr, Number};
 
 use crate::diag::{Code, help_similar};
+use crate::model::ContactMode;
 use crate::resolve::Resolver;
 use crate::resolve::declarations::contact::WrittenContact;
 use crate::resolve::names::unknown::function_elsewhere;
 use crate::resolve::names::{RowId, ScopeId};
+use crate::resolve::values::expect::text_of;
 use crate::resolve::values::function_table::{FUNCTIONS, Function, Gives, Meaning, OfOne};
-use crate::resolve::values::{Eval, Failed, Form, Nature, Quantity, Reads, Scalar, Value, Vector};
+use crate::resolve::values::{Condition, Eval, Failed, Form, Nature, Quantity, Reads, Scalar, Value, Vector};
 use crate::span::Span;
 use crate::syntax::ast::{self, Ident};
 use crate::units::Dimension;
@@ -39,6 +41,7 @@ impl<'a> Resolver<'a> {
             Meaning::Axes(to) => self.in_other_axes(scope, span, *to, arguments),
             Meaning::Rate => self.rate_of(scope, &arguments[0]),
             Meaning::Reaction => self.reaction(scope, arguments),
+            Meaning::Mode(mode) => self.mode(scope, *mode, &arguments[0]),
             Meaning::Inertia(numerator, denominator) => {
                 self.moment_of_inertia(scope, [*numerator, *denominator], arguments)
             }
@@ -215,5 +218,30 @@ impl<'a> Resolver<'a> {
             }
         };
         Ok(Quantity::new(lambda, Nature::derived(dimension, reads)))
+    }
+
+    /// The condition that a row of contact is open, or sticks.
+    fn mode(&mut self, scope: ScopeId, mode: ContactMode, row: &'a ast::Expr) -> Eval<Value> {
+        let found = self.lookup_row(scope, row)?;
+        let contact = match found {
+            RowId::Contact(contact) => Some(&self.unresolved.contacts[contact]),
+            RowId::Constraint(_) => None,
+        };
+        let fits = |is_friction: bool| is_friction == (mode == ContactMode::Sticking);
+        if let Some(contact) = contact.filter(|contact| fits(contact.is_friction())) {
+            let (low, high) = (Expr::from(1) / Expr::from(2), contact.mode);
+            return Ok(Value::Condition(Condition::Less(low, high), Reads::MODE));
+        }
+        let (of, message) = match (mode, contact) {
+            (ContactMode::Open, Some(_)) => ("is_sticking", "a friction is not open: it sticks or slips"),
+            (ContactMode::Sticking, Some(_)) => ("is_open", "a gap does not stick: it is open or closed"),
+            (_, None) => ("", "a constraint always holds: it is not open, and does not slip"),
+        };
+        let text = text_of(row).unwrap_or_default();
+        let diagnostic = self.error(scope, Code::WrongKind, row.span, message);
+        if !of.is_empty() {
+            diagnostic.help(format!("write `{of}({text})`"));
+        }
+        Err(Failed)
     }
 }

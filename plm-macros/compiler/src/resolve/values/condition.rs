@@ -141,7 +141,7 @@ impl<'a> Resolver<'a> {
 }
 
 /// One side of a comparison as it was written, where that is short.
-fn side_text(expr: &ast::Expr) -> Option<String> {
+pub(crate) fn side_text(expr: &ast::Expr) -> Option<String> {
     match &expr.kind {
         ExprKind::Path(first, members) if members.iter().all(|member| member.indices.is_empty()) => {
             let members = members.iter().map(|member| format!(".{}", member.ident.text));

@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use plm_cas::Expr;
 use plm_cas::algebra::{Rotation, Vec2};
 
+use crate::model::ContactMode;
 use crate::resolve::values::interpolation::Interpolation;
 use crate::units::Dimension;
 
@@ -37,6 +38,8 @@ pub(crate) enum Meaning {
     Rate,
     /// The multipliers of one constraint row, or of two.
     Reaction,
+    /// Does a row of contact do this?
+    Mode(ContactMode),
     /// `Izz = factor mass (a^2 + b^2 + …)` over the lengths that follow the mass: numerator and denominator of the factor.
     Inertia(i32, i32),
 }
@@ -120,6 +123,8 @@ pub(crate) const FUNCTIONS: &[Function] = &[
     function("to_relative", 3..=3, Meaning::Axes(to_relative)),
     function("rate", 1..=1, Meaning::Rate),
     function("reaction", 1..=2, Meaning::Reaction),
+    function("is_open", 1..=1, Meaning::Mode(ContactMode::Open)),
+    function("is_sticking", 1..=1, Meaning::Mode(ContactMode::Sticking)),
     function("rod", 2..=2, Meaning::Inertia(1, 12)),
     function("disc", 2..=2, Meaning::Inertia(1, 2)),
     function("hollow_cylinder", 3..=3, Meaning::Inertia(1, 2)),

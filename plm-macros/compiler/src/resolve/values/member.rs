@@ -160,7 +160,13 @@ impl<'a> Resolver<'a> {
                 let names: Vec<&str> = names.iter().map(String::as_str).collect_vec();
                 let of = self.names.instances[*instance].name.clone();
                 let message = format!("the part `{of}` has no output `{name}`");
+                let is_row = self.names.scopes[inside].rows.get(name).is_some();
                 let diagnostic = self.error(scope, Code::UnknownMember, span, message);
+                if is_row {
+                    diagnostic.help(format!(
+                        "`{name}` is a row of it: declare `output push = reaction({name});` in the part"
+                    ));
+                }
                 help_similar(diagnostic, name, "output", &format!("outputs of `{of}`"), &names);
             }
             other => {

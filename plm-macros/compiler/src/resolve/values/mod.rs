@@ -1,7 +1,7 @@
 //! Values of expressions of the language.
 
 mod call;
-mod condition;
+pub(super) mod condition;
 pub(super) mod expect;
 mod expression;
 pub(super) mod function_table;

@@ -28,6 +28,9 @@ impl Reads {
     /// The force of a friction row.
     pub(crate) const FRICTION: Reads = Reads(512);
 
+    /// Modes of rows of contact: open, sticking.
+    pub(crate) const MODE: Reads = Reads(1024);
+
     /// Reads that are known before the run: parameters.
     pub(crate) const FIXED: Reads = Reads::PARAM;
     /// Reads that a place may have: parameters and the time.
@@ -40,10 +43,12 @@ impl Reads {
     pub(crate) const ACTING: Reads = Reads::KNOWN.and(Reads::ACCELERATION).and(Reads::REACTION);
     /// Reads that the bound of a friction may have.
     pub(crate) const BOUND: Reads = Reads::KNOWN.and(Reads::PUSH);
+    /// Reads that an event may have.
+    pub(crate) const EVENT: Reads = Reads::KNOWN.and(Reads::MODE);
     /// Everything.
-    pub(crate) const ALL: Reads = Reads(1023);
+    pub(crate) const ALL: Reads = Reads(2047);
 
-    const NAMES: [(Reads, &'static str); 10] = [
+    const NAMES: [(Reads, &'static str); 11] = [
         (Reads::PARAM, "parameters"),
         (Reads::INPUT, "inputs"),
         (Reads::TIME, "the time"),
@@ -54,6 +59,7 @@ impl Reads {
         (Reads::REACTION, "reactions"),
         (Reads::PUSH, "pushes of contacts"),
         (Reads::FRICTION, "frictions"),
+        (Reads::MODE, "what contacts do"),
     ];
 
     pub(crate) const fn and(self, other: Reads) -> Reads {

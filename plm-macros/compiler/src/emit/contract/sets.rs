@@ -1,0 +1,183 @@
+//! `Sets`: events that set states.
+
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
+use proc_macro2::{Literal, TokenStream};
+
+use super::super::bindings::Origin;
+use super::super::function::function;
+use super::super::{Emission, Sizes, number};
+use super::contact;
+use super::contact_events::Beside;
+use super::limits::into_state;
+use crate::model::{Target, When};
+
+/// Does any event set states?
+pub(in super::super) fn are_there(emission: &Emission) -> bool {
+    !emission.model.whens.is_empty()
+}
+
+/// Number of these events.
+pub(in super::super) fn count(emission: &Emission) -> Literal {
+    number(emission.model.whens.len())
+}
+
+/// Changes of sides or modes, in the body of a function that returns `Result`: without events that set states they are all; else
+/// these follow.
+pub(super) fn followed(emission: &Emission, changes: TokenStream) -> TokenStream {
+    if !are_there(emission) {
+        return changes;
+    }
+    let count = count(emission);
+    quote! {
+        rt::events::change::<Self, #count>(self, t, u, x, |u, x| {
+            let _ = &x;
+            #changes
+        })
+    }
+}
+
+/// `Sets`; nothing where no event sets anything.
+pub(crate) fn sets(emission: &Emission) -> TokenStream {
+    if !are_there(emission) {
+        return TokenStream::new();
+    }
+    let Emission { name, model, sizes: Sizes { length, .. }, .. } = emission;
+    let (functions, count, conditions) = (functions(emission), count(emission), number(model.guards()));
+    let (events, settle) = (events(emission), settle(emission));
+    quote! {
+        #functions
+
+        impl<S: Real> rt::events::Sets<#count> for #name<S> {
+            const CONDITIONS: usize = #conditions;
+
+            fn sides(u: &mut Held<S>) -> &mut [S] {
+                &mut u.switches
+            }
+
+            fn holds(&self, u: &Held<S>) -> [bool; #count] {
+                let mut holds = [S::lit(0.0); #count];
+                self.events_hold(u, &mut holds);
+                holds.map(|holds| holds > S::lit(0.5))
+            }
+
+            fn set(&self, t: S, u: &mut Held<S>, x: &mut [S; #length], index: usize) -> Result<(), Fault> {
+                let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
+                let (q, v) = state.pose_();
+                let set = state.values_set_(&q, &v);
+                #events
+            }
+            #settle
+        }
+    }
+}
+
+/// Conditions of events by the sides that are held, and the values that events set.
+fn functions(emission: &Emission) -> TokenStream {
+    let Emission { name, model, program, sizes: Sizes { nq, .. }, .. } = emission;
+    let values = number(model.whens.iter().map(|when| when.set.len()).sum());
+    let count = count(emission);
+    let holds = function(
+        emission,
+        "Does the condition of each event hold? 1, or 0.",
+        &quote! {
+            #[cold]
+            fn events_hold(&self, u: &Held<S>, holds: &mut [S; #count])
+        },
+        (&program.events, Origin::Arguments),
+    );
+    let set = function(
+        emission,
+        "The values that events set, one event after the other.",
+        &quote! {
+            #[cold]
+            fn values_set(&self, q: &[S; #nq], v: &[S; #nq], set: &mut [S; #values])
+        },
+        (&program.values_set, Origin::State),
+    );
+    quote! {
+        impl<S: Scalar> #name<S> { #holds }
+
+        impl<S: Real> State<S> {
+            #set
+
+            fn values_set_(&self, q: &[S; #nq], v: &[S; #nq]) -> [S; #values] {
+                let mut set = [S::lit(0.0); #values];
+                self.values_set(q, v, &mut set);
+                set
+            }
+        }
+    }
+}
+
+/// The values of each event where they belong, by its number.
+fn events(emission: &Emission) -> TokenStream {
+    let whens = &emission.model.whens;
+    let begins = whens.iter().scan(0, |next, when| {
+        let begins = *next;
+        *next += when.set.len();
+        Some(begins)
+    });
+    let arms = whens.iter().zip(begins).enumerate().map(|(k, (when, begins))| {
+        let (k, event) = (number(k), event(emission, when, begins));
+        quote!(#k => { #event })
+    });
+    let arms = arms.collect_vec();
+    quote! {
+        match index {
+            #(#arms)*
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+/// The next modes of contacts, where there are some.
+fn settle(emission: &Emission) -> Option<TokenStream> {
+    let length = &emission.sizes.length;
+    let Beside { switch_at_time: update, appearance: [exist, appear], .. } = Beside::new(emission);
+    contact::are_there(emission).then(|| {
+        let exist = (!exist.is_empty()).then(|| {
+            quote! {
+                let existed = {
+                    let u = before;
+                    #exist
+                    existed
+                };
+            }
+        });
+        quote! {
+            fn settle(
+                &self, t: S, before: &Held<S>, u: &mut Held<S>, x: &mut [S; #length]
+            ) -> Result<(), Fault> {
+                #exist
+                #appear
+                #update
+                Ok(())
+            }
+        }
+    })
+}
+
+fn event(emission: &Emission, when: &When, begins: usize) -> TokenStream {
+    let (mut states, mut velocities) = (Vec::new(), Vec::new());
+    for (k, (target, _)) in when.set.iter().enumerate() {
+        let value = begins + k;
+        match target {
+            Target::State(state) => {
+                states.push(format!("x[{}] = set[{value}];", emission.sizes.second_order + state));
+            }
+            Target::Velocity(velocity) => velocities.push(format!("({velocity}, set[{value}])")),
+        }
+    }
+    let states = emission.text(states.concat());
+    if velocities.is_empty() {
+        return states;
+    }
+    let (velocities, back) = (emission.list(velocities), into_state(emission, &quote!(u)));
+    quote! {
+        #states
+        let v = rt::events::with_velocities::<S, Self, NQ, NC>(self, t, (&q, &v), &[#velocities])?;
+        #back;
+    }
+}

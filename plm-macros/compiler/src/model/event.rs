@@ -1,0 +1,34 @@
+//! Events that give states other values.
+
+use plm_cas::Expr;
+
+use crate::span::Span;
+
+/// An event: the moment at which a condition becomes true, and the values that are set then.
+#[derive(Clone, Debug)]
+pub struct When {
+    /// The condition as it was written.
+    pub text: String,
+    /// 1 where it holds, else 0.
+    pub condition: Expr,
+    /// The targets and their values; all are worked out before any is set.
+    pub set: Vec<(Target, Expr)>,
+    /// Place of the condition.
+    pub span: Span,
+}
+
+/// A target of an event.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// A first-order or discrete state: an index into [`Model::states`](super::Model::states).
+    State(usize),
+    /// A velocity of a body, by its coordinate.
+    Velocity(usize),
+}
+
+impl When {
+    /// Its expressions.
+    pub(crate) fn expressions_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
+        [&mut self.condition].into_iter().chain(self.set.iter_mut().map(|(_, value)| value))
+    }
+}

@@ -1,0 +1,87 @@
+//! Events that give states other values.
+//!
+//! ```text
+//! "when" expr "{" { path "=" expr ";" } "}"
+//! ```
+
+use proc_macro2::Delimiter;
+use syn::ext::IdentExt;
+use syn::{Token, token};
+
+use super::expr::{Expr, ExprKind, Link};
+use super::input::{Input, Reported, Result};
+use super::operator::Operator;
+use crate::diag::Code;
+
+/// `when condition { target = value; … }`
+#[derive(Clone, Debug)]
+pub struct When {
+    /// At the moment at which it becomes true.
+    pub condition: Expr,
+    /// Targets and values.
+    pub assignments: Vec<Assignment>,
+}
+
+/// Words that let go of a joint elsewhere.
+const RELEASES: [&str; 4] = ["release", "detach", "remove", "disconnect"];
+
+/// `target = value;`
+#[derive(Clone, Debug)]
+pub struct Assignment {
+    /// A state, or the velocity of a body.
+    pub target: Expr,
+    /// Its value from then on.
+    pub value: Expr,
+}
+
+impl When {
+    /// `condition { … }` behind `when`.
+    pub(super) fn parse(input: Input) -> Result<When> {
+        let start = input.position();
+        let condition = Expr::parse(input).unwrap_or_else(|Reported| {
+            input.advance_to(|input| input.peek(Token![;]) || input.peek(token::Brace));
+            Expr { kind: ExprKind::Unknown, span: input.span_from(start) }
+        });
+        if !input.peek(token::Brace) && matches!(condition.kind, ExprKind::Unknown) {
+            return Err(Reported);
+        }
+        if !input.peek(token::Brace) {
+            return Err(input.expected_but("`{`", "write `when condition { state = value; }`"));
+        }
+        let mut assignments = Vec::new();
+        input.group(Delimiter::Brace, "`{`", |input| {
+            while !input.is_empty() {
+                let start = input.position();
+                match Assignment::parse(input) {
+                    Ok(assignment) => assignments.push(assignment),
+                    Err(Reported) => input.recover(start),
+                }
+            }
+            Ok(())
+        })?;
+        Ok(When { condition, assignments })
+    }
+}
+
+impl Assignment {
+    fn parse(input: Input) -> Result<Assignment> {
+        let word = input.next();
+        if RELEASES.contains(&word) && input.peek2(syn::Ident::peek_any) {
+            let help = "give the joint a condition, `{ when: holds > 0.5; }`, and set it here: `holds = 0;`";
+            let message = format!("`{word}` sets nothing");
+            input.error(Code::UnexpectedToken, input.here(), message).help(help);
+            return Err(Reported);
+        }
+        let target = Expr::parse(input)?;
+        if let ExprKind::Chain(left, links) = &target.kind
+            && let [Link { operator: Operator::Equal, operand }] = &links[..]
+        {
+            let [left, right] = [left.span, operand.span].map(|span| input.text_of(span));
+            let help = format!("write `{left} = {right};`");
+            input.error(Code::UnexpectedToken, target.span, "a value is set with one `=`").help(help);
+            return Err(Reported);
+        }
+        input.expect(Token![=], "`=`")?;
+        Ok(Assignment { target, value: input.last_value()? })
+    }
+}

@@ -1,0 +1,137 @@
+//! What impacts did: impulses of each row, and energy.
+//!
+//! The impulses Lambda of an impact change the kinetic energy by `sum Lambda_i (g_i- + g_i+ - 2 r_i)/2`, g being the rates of the rows
+//! before and behind it and r the part of them that time alone gives. So `-sum Lambda_i (g_i- + g_i+)/2` is lost, and a contact that is moved
+//! does the work `-sum Lambda_i r_i`.
+
+use super::rows::Rows;
+use crate::scalar::Real;
+use crate::words::{InWords, Words};
+
+/// An impact gains energy if it loses less than this fraction of what impulses and rates turn over, with the other sign.
+const GAIN: f64 = 1e-9;
+
+/// An impulse of a row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impulse {
+    /// When it was, s.
+    pub time: f64,
+    /// The integral of the reaction of the row, N s or N m s: that of a gap is positive, that of a friction has the sign of its force.
+    pub size: f64,
+}
+
+/// Energy of impacts since the run began, J.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ImpactEnergy {
+    /// What the last impact has lost; of those at one time together.
+    pub last: f64,
+    /// What all impacts have lost.
+    pub lost: f64,
+    /// Work that moved contacts have done in impacts. The kinetic energy changes by this less what was lost.
+    pub work: f64,
+}
+
+/// What was booked of the impacts of `N` rows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Booked<const N: usize> {
+    /// The last impulse of each row; its time is negative and infinite where there was none.
+    impulses: [Impulse; N],
+    energy: ImpactEnergy,
+    /// When the last impact was, s.
+    time: f64,
+}
+
+/// The impacts of an event.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Struck<S, const N: usize> {
+    pub(super) impulses: [S; N],
+    pub(super) lost: S,
+    pub(super) work: S,
+    /// How many there were.
+    pub(super) count: u32,
+    /// Other impulses with other rates behind them would satisfy all laws as well.
+    pub(super) is_ambiguous: bool,
+}
+
+impl<S: Real, const N: usize> Struck<S, N> {
+    /// No impact.
+    pub(super) fn nothing() -> Self {
+        Self { impulses: [S::ZERO; N], lost: S::ZERO, work: S::ZERO, count: 0, is_ambiguous: false }
+    }
+
+    /// Adds an impact between the rates of `before` and `after`; `moved` are those that time alone gives. Gives what it gains and what
+    /// impulses turn over, J, if it gains.
+    pub(super) fn add(
+        &mut self,
+        (before, after): (&Rows<S, N>, &Rows<S, N>),
+        moved: &[S; N],
+        impulses: &[S; N],
+    ) -> Result<(), [f64; 2]> {
+        let half = S::lit(0.5);
+        let (mut lost, mut size) = (S::ZERO, S::ZERO);
+        for i in 0..N {
+            let (impulse, rates) = (impulses[i], [before.rate[i], after.rate[i]]);
+            lost = lost - half * impulse * (rates[0] + rates[1]);
+            size = size + half * impulse.abs() * (rates[0].abs() + rates[1].abs());
+            self.work = self.work - impulse * moved[i];
+            self.impulses[i] = self.impulses[i] + impulse;
+        }
+        self.lost = self.lost + lost;
+        self.count += 1;
+        let gain = -lost;
+        if gain > S::lit(GAIN).max(S::lit(64.0) * S::EPSILON) * size {
+            return Err([gain.to_f64(), size.to_f64()]);
+        }
+        Ok(())
+    }
+}
+
+impl<const N: usize> Booked<N> {
+    /// No impact yet.
+    pub(super) fn nothing() -> Self {
+        let never = f64::NEG_INFINITY;
+        Self {
+            impulses: [Impulse { time: never, size: 0.0 }; N],
+            energy: ImpactEnergy::default(),
+            time: never,
+        }
+    }
+
+    /// Books the impacts of an event.
+    pub(super) fn book<S: Real>(&mut self, time: f64, struck: &Struck<S, N>) {
+        if struck.count == 0 {
+            return;
+        }
+        for (row, impulse) in self.impulses.iter_mut().zip(struck.impulses) {
+            let before = if row.time == time { row.size } else { 0.0 };
+            if impulse != S::ZERO {
+                *row = Impulse { time, size: before + impulse.to_f64() };
+            }
+        }
+        let before = if self.time == time { self.energy.last } else { 0.0 };
+        let ImpactEnergy { lost, work, .. } = self.energy;
+        let (loses, works) = (struck.lost.to_f64(), struck.work.to_f64());
+        self.energy = ImpactEnergy { last: before + loses, lost: lost + loses, work: work + works };
+        self.time = time;
+    }
+
+    /// Impulses of the rows.
+    pub(super) fn impulses(&self) -> &[Impulse; N] {
+        &self.impulses
+    }
+
+    /// Energy.
+    pub(super) fn energy(&self) -> ImpactEnergy {
+        self.energy
+    }
+}
+
+impl<const N: usize> InWords for Booked<N> {
+    fn each(&mut self, words: &mut impl Words) {
+        for impulse in &mut self.impulses {
+            words.numbers([&mut impulse.time, &mut impulse.size]);
+        }
+        let ImpactEnergy { last, lost, work } = &mut self.energy;
+        words.numbers([last, lost, work, &mut self.time]);
+    }
+}

@@ -1,0 +1,65 @@
+//! The impacts of an event: one problem after the other, until no row approaches.
+
+use super::booked::Struck;
+use super::event::Event;
+use super::impact::{ImpactLaw, Impulses, impulses};
+use super::rows::{Law, Rows};
+use super::{Contacts, moved};
+use crate::fault::{Cause, Fault};
+use crate::scalar::Scalar;
+use crate::vector::Vector;
+
+/// Impacts one after the other, at most.
+const MOST_IMPACTS: u32 = 30;
+/// Impacts of pairs one after the other, at most.
+const MOST_PAIRS: u32 = 1000;
+
+impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
+    /// Impacts of all rows that touch, until none approaches. The rows become those behind them.
+    pub(super) fn impacts(
+        &self,
+        laws: &[Law<M::S>; N],
+        (none, rows): (M::S, &mut Rows<M::S, N>),
+        u: &M::U,
+        x: &mut M::X,
+    ) -> Result<Struck<M::S, N>, Fault> {
+        let law = self.system.impact_law();
+        let most = if law == ImpactLaw::Sequential { MOST_PAIRS } else { MOST_IMPACTS };
+        let mut struck = Struck::nothing();
+        loop {
+            let touches = self.touches(laws, rows, u);
+            let approaches = |i: &usize| {
+                let least = -self.resting(rows, *i).max(none);
+                match laws[*i] {
+                    Law::Unilateral { .. } => touches[*i] && rows.rate[*i] < least,
+                    Law::Constraint => touches[*i] && -rows.rate[*i].abs() < least,
+                    Law::Friction => false,
+                }
+            };
+            let Some(row) = (0..N).find(approaches) else { return Ok(struck) };
+            if struck.count >= most {
+                return Err(self.fault(row, Cause::Impact { tried: struck.count }));
+            }
+            let Impulses::Found(impulses, is_ambiguous) = impulses(rows, laws, (law, touches)) else {
+                return Err(self.fault(row, Cause::Impact { tried: struck.count + 1 }));
+            };
+            struck.is_ambiguous |= is_ambiguous;
+            let moved_by_time = self.rates_at_rest(u, x);
+            moved(self.system, (self.t, u), x, &impulses);
+            let after = self.system.rows_at(self.t, u, x);
+            struck
+                .add((rows, &after), &moved_by_time, &impulses)
+                .map_err(|[by, of]| self.fault(row, Cause::ImpactGains { by, of }))?;
+            *rows = after;
+        }
+    }
+
+    /// The rates that time alone gives the rows.
+    fn rates_at_rest(&self, u: &M::U, x: &M::X) -> [M::S; N] {
+        let mut rest = *x;
+        for i in M::NQ..2 * M::NQ {
+            rest.set(i, M::S::ZERO);
+        }
+        self.system.rows_at(self.t, u, &rest).rate
+    }
+}

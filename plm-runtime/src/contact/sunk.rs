@@ -1,0 +1,47 @@
+//! Gaps that are negative where a row begins to exist.
+
+use super::Contacts;
+use super::event::CLOSED;
+use crate::fault::{Cause, Fault};
+use crate::scalar::Scalar;
+
+/// Looks at rows that did not exist before an event, and do now.
+///
+/// # Errors
+/// [`Cause::Sunk`] where the gap of one is negative.
+pub fn appear<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: M::S,
+    (u, x): (&M::U, &M::X),
+    existed: [bool; N],
+) -> Result<(), Fault> {
+    above((system, t), u, x, |row| !existed[row])
+}
+
+/// A constraint that begins to exist may be open by this fraction of the length of the mechanism: it is led back. Starts are rounded.
+const ROUNDED: f64 = 1e-4;
+
+/// Gaps of the rows `of` which it is asked are not negative, and constraints among them closed.
+pub(super) fn above<M: Contacts<N>, const N: usize>(
+    (system, t): (&M, M::S),
+    u: &M::U,
+    x: &M::X,
+    of: impl Fn(usize) -> bool,
+) -> Result<(), Fault> {
+    let rows = system.rows_at(t, u, x);
+    let is_new = |row: &usize| of(*row) && system.exists(u, *row);
+    let is_open = |row: &usize| rows.gap[*row].abs() > M::S::lit(ROUNDED) * system.length();
+    if let Some(row) = (0..N).filter(is_new).filter(|row| system.law(*row).is_constraint()).find(is_open) {
+        let cause = Cause::Open { gap: rows.gap[row].abs().to_f64() };
+        return Err(Fault::of_part(t.to_f64(), system.contact_name(row), cause));
+    }
+    let is_asked = |row: &usize| is_new(row) && system.law(*row).is_unilateral();
+    let deepest = (0..N).filter(is_asked).reduce(|a, b| if rows.gap[b] < rows.gap[a] { b } else { a });
+    match deepest.filter(|row| rows.gap[*row] < -M::S::lit(CLOSED) * system.length()) {
+        Some(row) => {
+            let cause = Cause::Sunk { by: -rows.gap[row].to_f64() };
+            Err(Fault::of_part(t.to_f64(), system.contact_name(row), cause))
+        }
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,153 @@
+//! From one combination of modes to the next: a start by pivots, and the rows whose inequalities are broken take other modes.
+
+use super::candidates::{Allowed, Found, Margins, Solution, is_off, solve};
+use super::margins::stick;
+use super::modes::Mode;
+use super::pivots::pivoted;
+use super::rows::Rows;
+use crate::scalar::Real;
+
+/// Combinations, for each row.
+const MOST_STEPS: usize = 3;
+
+/// Starts by pivots.
+const MOST_ATTEMPTS: u32 = 5;
+
+/// A combination that breaks no inequality.
+#[inline(never)]
+pub(super) fn walk<S: Real, const N: usize>(
+    rows: &Rows<S, N>,
+    allowed: &[Allowed; N],
+    mut broken: impl FnMut(&Solution<S, N>, &Margins<S, N>) -> [bool; N],
+) -> Found<S, N> {
+    let found = (0..MOST_ATTEMPTS).find_map(|attempt| walked(rows, allowed, (attempt, &mut broken)));
+    found.map_or(Found::TooMany, |solution| Found::Modes(solution, false))
+}
+
+/// The same from one start.
+fn walked<S: Real, const N: usize>(
+    rows: &Rows<S, N>,
+    allowed: &[Allowed; N],
+    (attempt, broken): (u32, &mut impl FnMut(&Solution<S, N>, &Margins<S, N>) -> [bool; N]),
+) -> Option<Solution<S, N>> {
+    let modes = pivoted(rows, allowed, attempt)?;
+    let mut next = solve(rows, allowed, settled(rows, allowed, modes));
+    for _ in 0..MOST_STEPS * N {
+        let (solution, margins) = next?;
+        let broken = broken(&solution, &margins);
+        let Some(first) = broken.iter().position(|is_broken| *is_broken) else {
+            return Some(solution);
+        };
+        // All of them at once; where rows depend on each other then, the first alone.
+        next = solve(rows, allowed, changed(rows, allowed, &solution, &broken)).or_else(|| {
+            let one = core::array::from_fn(|i| i == first);
+            solve(rows, allowed, changed(rows, allowed, &solution, &one))
+        });
+    }
+    None
+}
+
+/// The modes with others for the rows that are marked.
+fn changed<S: Real, const N: usize>(
+    rows: &Rows<S, N>,
+    allowed: &[Allowed; N],
+    solution: &Solution<S, N>,
+    marked: &[bool; N],
+) -> [Mode; N] {
+    let modes = core::array::from_fn(|i| match (solution.modes[i], allowed[i]) {
+        (mode, Allowed::Only(_)) => mode,
+        (mode, _) if !marked[i] => mode,
+        (Mode::Forwards, Allowed::Turning) => Mode::Backwards,
+        (_, Allowed::Turning) => Mode::Forwards,
+        (Mode::Closed, _) => Mode::Open,
+        (Mode::Open, _) => Mode::Closed,
+        (Mode::Sticks, _) => {
+            let [lower, upper] = stick(rows, i, &solution.lambda);
+            if lower < upper { Mode::Forwards } else { Mode::Backwards }
+        }
+        (Mode::Off | Mode::Forwards | Mode::Backwards, _) => Mode::Sticks,
+    });
+    settled(rows, allowed, modes)
+}
+
+/// Frictions without normal force are off, and stick where they have got one.
+fn settled<S: Real, const N: usize>(
+    rows: &Rows<S, N>,
+    allowed: &[Allowed; N],
+    modes: [Mode; N],
+) -> [Mode; N] {
+    core::array::from_fn(|i| match (allowed[i], modes[i]) {
+        (Allowed::Touching | Allowed::Only(Mode::Open | Mode::Closed), mode) => mode,
+        _ if is_off(rows, &modes, i) => Mode::Off,
+        (Allowed::Resting, Mode::Off) => Mode::Sticks,
+        (Allowed::Only(mode), _) | (Allowed::Resting | Allowed::Turning, mode) => mode,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::candidates::{Found, enumerate};
+    use super::super::rows::{Friction, Limit, Rows};
+    use super::*;
+
+    /// Numbers in -1..1: splitmix64 (G. L. Steele, D. Lea, C. H. Flood, OOPSLA 2014).
+    fn number(state: &mut u64) -> f64 {
+        *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = *state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    /// Three contacts with friction on `M` freedoms: with fewer than six more rows rest than can.
+    fn random<const M: usize>(state: &mut u64, friction: f64) -> (Rows<f64, 6>, [Allowed; 6]) {
+        let directions: [[f64; M]; 6] = core::array::from_fn(|_| core::array::from_fn(|_| number(state)));
+        let push: [f64; M] = core::array::from_fn(|_| 9.81 * number(state));
+        let dot = |a: &[f64; M], b: &[f64; M]| a.iter().zip(b).map(|(a, b)| a * b).sum();
+        let mut rows = Rows::none();
+        rows.free = core::array::from_fn(|i| dot(&directions[i], &push));
+        rows.delassus =
+            core::array::from_fn(|i| core::array::from_fn(|j| dot(&directions[i], &directions[j])));
+        for i in [1, 3, 5] {
+            rows.kinetic[i] = Friction::both(Limit::of(i - 1, friction));
+            rows.adhesion[i] = rows.kinetic[i];
+        }
+        let allowed = core::array::from_fn(|i| match (i % 2, i) {
+            (0, _) => Allowed::Touching,
+            (_, 5) if number(state) > 0.0 => Allowed::Only(Mode::Forwards),
+            _ => Allowed::Resting,
+        });
+        (rows, allowed)
+    }
+
+    /// Solved, of those that have a solution; wrong ones; how many have none by enumeration.
+    fn compare<const M: usize>(friction: f64) -> [usize; 4] {
+        let (mut state, mut counts) = (33, [0; 4]);
+        for _ in 0..1500 {
+            let (rows, allowed) = random::<M>(&mut state, friction);
+            let all = enumerate(&rows, &allowed, |_, margins| margins.broken());
+            let one = walk(&rows, &allowed, |_, margins| margins.broken());
+            match (all, one) {
+                (Found::Modes(best, is_ambiguous), Found::Modes(found, _)) => {
+                    counts[0] += 1;
+                    let apart = |i: usize| (best.acceleration[i] - found.acceleration[i]).abs();
+                    let is_same = (0..6).all(|i| apart(i) < 1e-7 * (1.0 + best.acceleration[i].abs()));
+                    counts[1] += usize::from(!is_same && !is_ambiguous);
+                }
+                (Found::Modes(..), _) => counts[2] += 1,
+                _ => counts[3] += 1,
+            }
+        }
+        counts
+    }
+
+    #[test]
+    fn pivots_find_what_enumeration_finds() {
+        for friction in [0.0, 0.3, 0.8] {
+            let counts = [compare::<6>(friction), compare::<4>(friction), compare::<3>(friction)];
+            for [found, other, missed, _] in counts {
+                assert!(found > 1000 && other == 0 && missed * 100 <= found, "{friction}: {counts:?}");
+            }
+        }
+    }
+}

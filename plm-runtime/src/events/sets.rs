@@ -1,0 +1,153 @@
+//! Events that set states: items `when` of a declaration.
+//!
+//! An event changes a side of a condition, or the modes of contact. Whatever becomes true by that sets its states, and may make something
+//! else become true; this ends when nothing does.
+
+use super::guards;
+use crate::absolute::{self, Absolute};
+use crate::fault::{Cause, Fault, Names};
+use crate::scalar::{Real, Scalar};
+use crate::system::System;
+use crate::vector::Vector;
+
+/// So many times events may follow each other at once.
+const MOST_ROUNDS: u32 = 100;
+
+/// A mechanism with `W` events that set states; implemented by generated code.
+pub trait Sets<const W: usize>: System<S: Real> {
+    /// Conditions of the state: their guards are the first ones, and their sides stand first.
+    const CONDITIONS: usize;
+
+    /// The sides of all conditions that are held.
+    fn sides(u: &mut Self::U) -> &mut [Self::S];
+
+    /// Does the condition of each event hold, with the sides that are held?
+    fn holds(&self, u: &Self::U) -> [bool; W];
+
+    /// Sets what the event `index` sets, each value worked out by the state before.
+    ///
+    /// # Errors
+    /// When joints do not allow the velocities.
+    fn set(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X, index: usize) -> Result<(), Fault>;
+
+    /// Finds the modes of contacts anew, where something was set since the discrete state was `before`.
+    ///
+    /// # Errors
+    /// When contacts have no mode.
+    fn settle(&self, t: Self::S, before: &Self::U, u: &mut Self::U, x: &mut Self::X) -> Result<(), Fault> {
+        let _ = (t, before, u, x);
+        Ok(())
+    }
+}
+
+/// Commits a `change` of sides or modes, then the events that become true by it.
+///
+/// # Errors
+/// Those of the change and of [`Sets`]; [`Cause::Zeno`] where events follow each other without end.
+pub fn change<M: Sets<W>, const W: usize>(
+    system: &M,
+    t: M::S,
+    u: &mut M::U,
+    x: &mut M::X,
+    change: impl FnOnce(&mut M::U, &mut M::X) -> Result<(), Fault>,
+) -> Result<(), Fault> {
+    let beginning = *u;
+    let mut held = system.holds(u);
+    let mut before = differences(system, t, u, x);
+    change(u, x)?;
+    let mut is_settled = true;
+    for _ in 0..MOST_ROUNDS {
+        is_settled &= !follow(system, t, u, x, &before);
+        let now = system.holds(u);
+        let due: [bool; W] = core::array::from_fn(|k| now[k] && !held[k]);
+        held = now;
+        before = differences(system, t, u, x);
+        if due.contains(&true) {
+            for k in (0..W).filter(|k| due[*k]) {
+                system.set(t, u, x, k)?;
+            }
+            is_settled = false;
+        } else if is_settled {
+            return Ok(());
+        } else {
+            // Contacts read the sides that follow what was set.
+            system.settle(t, &beginning, u, x)?;
+            is_settled = true;
+        }
+    }
+    let after = differences(system, t, u, x);
+    let marks: [bool; 64] = core::array::from_fn(|k| k < M::CONDITIONS && changed(&before, &after, k));
+    let conditions = Names::marked(system.conditions(), &marks);
+    let first = marks.iter().position(|due| *due).unwrap_or(0);
+    let cause = Cause::Zeno { events: MOST_ROUNDS, within: 0.0, conditions };
+    Err(Fault::of_part(t.to_f64(), system.guard_name(first), cause))
+}
+
+/// Takes the sides of all conditions of the state where a run begins: nothing becomes true by that.
+pub fn begin<M: Sets<W>, const W: usize>(system: &M, t: M::S, u: &mut M::U, x: &M::X) {
+    // The side of one may decide what another compares.
+    for _ in 0..=M::CONDITIONS {
+        let here = guards(system, t, u, x);
+        let mut any = false;
+        for k in (0..M::CONDITIONS).filter(|k| here.at(*k) < M::S::ZERO && !system.must_hold(*k)) {
+            M::sides(u)[k] = -M::sides(u)[k];
+            any = true;
+        }
+        if !any {
+            return;
+        }
+    }
+}
+
+/// What the conditions of the state compare: below zero where they hold.
+fn differences<M: Sets<W>, const W: usize>(system: &M, t: M::S, u: &M::U, x: &M::X) -> M::G {
+    let (guards, mut held) = (guards(system, t, u, x), *u);
+    let sides = M::sides(&mut held);
+    M::G::from_fn(|k| if k < M::CONDITIONS { sides[k] * guards.at(k) } else { M::S::ZERO })
+}
+
+fn changed<G: Vector<S>, S: Real>(before: &G, after: &G, k: usize) -> bool {
+    before.at(k) != after.at(k)
+}
+
+/// Gives conditions whose values have jumped the sides of the new ones; whether any has got another one. That of the event itself has
+/// not jumped: its value is rounding.
+fn follow<M: Sets<W>, const W: usize>(system: &M, t: M::S, u: &mut M::U, x: &M::X, before: &M::G) -> bool {
+    let mut has_followed = false;
+    for _ in 0..=M::CONDITIONS {
+        let after = differences(system, t, u, x);
+        let mut any = false;
+        for k in (0..M::CONDITIONS).filter(|k| changed(before, &after, *k) && !system.must_hold(*k)) {
+            let side = M::S::lit(if after.at(k) < M::S::ZERO { -1.0 } else { 1.0 });
+            if side != M::sides(u)[k] {
+                M::sides(u)[k] = side;
+                any = true;
+            }
+        }
+        has_followed |= any;
+        if !any {
+            break;
+        }
+    }
+    has_followed
+}
+
+/// Velocities of all bodies where some have got other ones, by number: what joints demand of the rest costs the least change in the
+/// metric of the masses, as impulses give it.
+///
+/// # Errors
+/// [`Cause::VelocityOpen`] where joints do not allow them.
+pub fn with_velocities<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    (q, v): (&[S; NQ], &[S; NQ]),
+    set: &[(usize, S)],
+) -> Result<[S; NQ], Fault> {
+    let (mut v, mut weights) = (*v, m.inverse_mass());
+    for (k, value) in set {
+        v.set(*k, *value);
+        weights.set(*k, S::ZERO);
+    }
+    absolute::allow(m, t, q, &mut v, &weights)?;
+    Ok(v)
+}

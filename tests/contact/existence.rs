@@ -1,0 +1,85 @@
+//! Rows that end, and events that contacts cause.
+
+use plm::{Dop853, mechanism};
+
+use crate::near;
+
+mechanism! {
+    /// A table of 0.5 m, from whose edge a block slides onto the floor.
+    pub Edge {
+        allow(W0002);
+        gravity: 9.81 m/s^2;
+        param mu = 0.1;
+        discrete falls: 1 = 0;
+        discrete landed: s = 0;
+        discrete stopped: m = 0;
+        body block { mass: 1 kg; inertia: 1 kg*m^2; start y: 0.8 m; start vx: 2 m/s; }
+        unilateral table: block.y >= 0.8 m { when: block.x < 0.5 m; }
+        friction rub: rate(block.x) within mu*reaction(table) { when: block.x < 0.5 m; }
+        unilateral floor: block.y >= 0 m;
+        friction drag: rate(block.x) within 0.5*reaction(floor);
+        when is_open(table) { falls = falls + 1; }
+        when not is_open(floor) { landed = t; }
+        when is_sticking(drag) and not is_open(floor) { stopped = block.x; }
+        output push = reaction(table), landed, stopped, falls;
+        output on_table = if is_open(table) then 0 else 1;
+    }
+}
+
+/// v_1^2 = v_0^2 - 2 mu g s at the edge, sqrt(2 h/g) to the floor, where an impact takes mu' v_y of the speed, and the rest v^2/(2 mu' g).
+#[test]
+fn a_block_leaves_its_table_and_lands() {
+    let mut sim = Edge::new().start_with(Dop853::new(1e-11)).unwrap();
+    let g = 9.81_f64;
+    let leaves = (4.0 - 2.0 * 0.1 * g * 0.5).sqrt();
+    let edge = (2.0 - leaves) / (0.1 * g);
+    sim.step_to(edge - 1e-6).unwrap();
+    near(sim.push(), g, 1e-12);
+    near(sim.on_table(), 1.0, 0.0);
+    sim.step_to(edge + 1e-6).unwrap();
+    near(sim.push(), 0.0, 0.0);
+    near(sim.on_table(), 0.0, 0.0);
+    near(sim.falls(), 1.0, 0.0);
+    near(sim.block().vx, leaves, 1e-10);
+    let fall = (2.0 * 0.8 / g).sqrt();
+    let slides = leaves - 0.5 * g * fall;
+    assert!(slides < 0.0, "the impact stops it");
+    sim.step_to(edge + fall + 1.0).unwrap();
+    near(sim.landed(), edge + fall, 1e-10);
+    near(sim.stopped(), 0.5 + leaves * fall, 1e-10);
+    near(sim.block().x, sim.stopped(), 1e-15);
+}
+
+mechanism! {
+    part press(on: body) {
+        input force: N = 0 N;
+        force on on: (force, 0 N);
+    }
+    /// A block that a growing force draws from its magnet: the row is there until it is torn off.
+    pub Magnet {
+        allow(W0002);
+        param strength: N = 5 N;
+        discrete holds: 1 = 1;
+        discrete torn: s = 0;
+        body block { mass: 2 kg; inertia: 1 kg*m^2; }
+        constraint level: block.angle = 0;
+        constraint height: block.y = 0;
+        press press(block) { force: 1 N/s*t; }
+        unilateral hook: block.x <= 0 { when: holds > 0.5; }
+        when reaction(hook) > strength { holds = 0; torn = t; }
+        output torn, pull = reaction(hook);
+    }
+}
+
+/// Torn at 5 s; then x = (t^3 - 75 t + 250)/12.
+#[test]
+fn a_hook_tears_at_its_strength() {
+    let mut sim = Magnet::new().start_with(Dop853::new(1e-12)).unwrap();
+    sim.step_to(4.9).unwrap();
+    near(sim.pull(), 4.9, 1e-12);
+    near(sim.block().x, 0.0, 0.0);
+    sim.step_to(7.0).unwrap();
+    near(sim.torn(), 5.0, 1e-10);
+    near(sim.pull(), 0.0, 0.0);
+    near(sim.block().x, (343.0 - 75.0 * 7.0 + 250.0) / 12.0, 1e-10);
+}
