@@ -28,8 +28,6 @@ pub(super) enum Allowed {
     Touching,
     /// A friction without slip.
     Resting,
-    /// A friction whose slip changes its direction.
-    Turning,
 }
 
 impl Allowed {
@@ -45,13 +43,12 @@ impl Allowed {
             Self::Touching => &[Mode::Closed, Mode::Open],
             // Held by others, it can have no force of its own.
             Self::Resting => &[Mode::Sticks, Mode::Off, Mode::Forwards, Mode::Backwards],
-            Self::Turning => &[Mode::Forwards, Mode::Backwards],
         }
     }
 
     /// A friction that is not off.
     fn is_friction(self) -> bool {
-        matches!(self, Self::Resting | Self::Turning | Self::Only(Mode::Forwards | Mode::Backwards))
+        matches!(self, Self::Resting | Self::Only(Mode::Forwards | Mode::Backwards))
     }
 }
 
@@ -143,7 +140,6 @@ pub(super) fn most_holding<const N: usize>(allowed: &[Allowed; N]) -> [Mode; N] 
         Allowed::Only(mode) => mode,
         Allowed::Touching => Mode::Closed,
         Allowed::Resting => Mode::Sticks,
-        Allowed::Turning => Mode::Forwards,
     })
 }
 

@@ -292,7 +292,10 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             match rows.rate[i] {
                 slip if slip > none => Allowed::Only(Mode::Forwards),
                 slip if slip < -none => Allowed::Only(Mode::Backwards),
-                _ if rows.turns(i, none, self.system.length()) => Allowed::Turning,
+                _ if rows.turns(i, none, self.system.length()) => {
+                    let forwards = rows.free[i] > M::S::ZERO;
+                    Allowed::Only(if forwards { Mode::Forwards } else { Mode::Backwards })
+                }
                 _ => Allowed::Resting,
             }
         })

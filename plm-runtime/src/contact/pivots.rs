@@ -27,11 +27,6 @@ pub(super) fn pivoted<S: Real, const N: usize>(
     allowed: &[Allowed; N],
     attempt: u32,
 ) -> Option<[Mode; N]> {
-    let allowed = &allowed.map(|row| match row {
-        // Its direction is left to who looks at the inequalities.
-        Allowed::Turning => Allowed::Only(Mode::Forwards),
-        row => row,
-    });
     let is_curved = (0..N).any(|i| rows.load[i] == Load::Plane && allowed[i] == Allowed::Resting);
     let mut forces = [S::ZERO; N];
     let mut modes = None;
@@ -183,7 +178,7 @@ impl<S: Real, const N: usize> Tableau<S, N> {
         let rests = |i: usize, pair: usize| match allowed[i] {
             Allowed::Touching => pair == 0,
             Allowed::Resting => true,
-            Allowed::Turning | Allowed::Only(_) => false,
+            Allowed::Only(_) => false,
         };
         let line = |i: usize, pair: usize| {
             let basic = Variable::rate(i, pair);
@@ -316,7 +311,6 @@ impl<S: Real, const N: usize> Tableau<S, N> {
         let is_basic = |variable: Variable| self.lines().any(|line| line.basic == variable);
         core::array::from_fn(|i| match allowed[i] {
             Allowed::Only(mode) => mode,
-            Allowed::Turning => Mode::Forwards,
             Allowed::Touching if is_basic(Variable::force(i, 0)) => Mode::Closed,
             Allowed::Touching => Mode::Open,
             Allowed::Resting => match [0, 1].map(|pair| is_basic(Variable::rate(i, pair))) {

@@ -122,8 +122,8 @@ const CANCELLED: f64 = 1e-13;
 
 impl<T: Real, const N: usize> Rows<T, N> {
     /// The rate w v of a row is zero because its direction w is, as that of a slider in its dead centre, while others slip faster than
-    /// `none`. The speed along w, |w v|/sqrt(w M^-1 w^T), is then no smaller than theirs, unless D is rounding alone. `length` is that
-    /// of the mechanism.
+    /// `none`. The speed along w, |w v|/sqrt(w M^-1 w^T), is then no smaller than theirs, unless D is rounding alone. Contact forces do
+    /// not accelerate such a row: it slips on to the side of its free acceleration. `length` is that of the mechanism.
     pub(super) fn turns(&self, row: usize, none: T, length: T) -> bool {
         let own = |i: usize| self.delassus[i][i];
         let speed = |i: usize| self.rate[i].abs() / own(i).sqrt();

@@ -57,8 +57,6 @@ fn changed<S: Real, const N: usize>(
     let modes = core::array::from_fn(|i| match (solution.modes[i], allowed[i]) {
         (mode, Allowed::Only(_)) => mode,
         (mode, _) if !marked[i] => mode,
-        (Mode::Forwards, Allowed::Turning) => Mode::Backwards,
-        (_, Allowed::Turning) => Mode::Forwards,
         (Mode::Closed, _) => Mode::Open,
         (Mode::Open, _) => Mode::Closed,
         (Mode::Sticks, _) => {
@@ -80,7 +78,7 @@ fn settled<S: Real, const N: usize>(
         (Allowed::Touching | Allowed::Only(Mode::Open | Mode::Closed), mode) => mode,
         _ if is_off(rows, &modes, i) => Mode::Off,
         (Allowed::Resting, Mode::Off) => Mode::Sticks,
-        (Allowed::Only(mode), _) | (Allowed::Resting | Allowed::Turning, mode) => mode,
+        (Allowed::Only(mode), _) | (Allowed::Resting, mode) => mode,
     })
 }
 

@@ -111,7 +111,7 @@ fn c08_a_block_is_thrown_up_a_slope() {
 
     let mut sim = from(block(10.0), [0.0; 2], [-3.0, 0.0, 0.0]);
     sim.step_to(1.0).unwrap();
-    near(sim.body().x, -0.977_882_930_561_700_9, 1e-9);
+    near(sim.body().x, -0.977_882_930_561_701, 1e-9);
     let place = sim.body().x;
     sim.step_to(3600.0).unwrap();
     assert_eq!((sim.body().x, sim.body().vx), (place, 0.0));

@@ -66,6 +66,7 @@ impl ByHand {
     const INERTIA: [f64; 2] = [0.01, 0.004];
     const MU: f64 = 0.2;
     const ARM: f64 = 0.003;
+    const STEPS: u32 = 250;
 
     /// Directions of the slips at an angle.
     fn signs(angle: f64) -> [f64; 4] {
@@ -128,9 +129,8 @@ impl ByHand {
     /// Rate, time, work of the friction at the angle `to`, all slips having one direction from here to there.
     fn advance(mut state: [f64; 3], from: f64, to: f64, side: &mut f64) -> [f64; 3] {
         let signs = Self::signs(0.5 * (from + to));
-        const STEPS: u32 = 500;
-        let h = (to - from) / f64::from(STEPS);
-        for step in 0..STEPS {
+        let h = (to - from) / f64::from(Self::STEPS);
+        for step in 0..Self::STEPS {
             let at = from + f64::from(step) * h;
             let next = Self::step(state, at, h, signs, *side);
             let push = |state: &[f64; 3], at: f64| Self::motion(at, state[0], signs, *side).push;
@@ -175,7 +175,7 @@ fn a_slider_crank_rubs_in_three_pins_and_on_its_rail() {
     let quarter = core::f64::consts::FRAC_PI_2;
     let (mut from, mut state, mut side) = (40.0_f64.to_radians(), [60.0, 0.0, 0.0], 1.0);
     let energy = charts.kinetic_energy() + charts.gravity_energy();
-    for k in 1..=12 {
+    for k in 1..=8 {
         for to in [(f64::from(k) - 0.4) * quarter, f64::from(k) * quarter] {
             state = ByHand::advance(state, from, to, &mut side);
             from = to;

@@ -1,0 +1,80 @@
+//! What contact costs, and how its errors follow the tolerance.
+
+use plm::{Dop853, mechanism};
+
+use super::one_body::Body;
+use crate::friction::Oscillator;
+use crate::near;
+
+/// Ten cycles of stick and slip, into the eleventh slip (case C06, a closed form): no error is larger than ten times the tolerance.
+#[test]
+fn errors_follow_the_tolerance_through_ten_cycles() {
+    let (begins, period, after): (f64, f64, f64) = (0.3924, 0.727_836_962_770_418_5, 0.2);
+    let (sin, cos) = (10.0 * after).sin_cos();
+    let known = 0.024_525 + 0.014_715 * cos + 0.01 * sin;
+    for tolerance in [1e-7, 1e-8, 1e-9, 1e-10, 1e-11] {
+        let mut belt =
+            Oscillator { kinetic: 0.25 * 9.81, adhesion: 0.4 * 9.81, belt: 0.1, ..Oscillator::new() };
+        belt.start.mass.x.value = 0.0;
+        belt.start.mass.vx.value = 0.1;
+        let mut sim = belt.start_with(Dop853::new(tolerance)).unwrap();
+        sim.step_to(begins + 10.0 * period + after).unwrap();
+        near(sim.mass().x, known, 10.0 * tolerance);
+    }
+}
+
+/// Twenty bounces of a ball, whose flights are one step each by a method of order eight.
+#[test]
+fn an_event_costs_at_most_sixty_evaluations() {
+    let mut ball = Body { e: 0.9, ..Body::new() };
+    ball.start.body.y.value = 1.0;
+    let mut sim = ball.start_with(Dop853::new(1e-10)).unwrap();
+    let first = (2.0 / 9.81_f64).sqrt();
+    sim.step_to(first * (1.0 + 2.0 * (0.9 - 0.9_f64.powi(20)) / 0.1)).unwrap();
+    let (impacts, evaluations) = (sim.contact_stats().impacts, sim.stats().evaluations);
+    assert_eq!(impacts, 20);
+    assert!(evaluations <= 60 * impacts, "{evaluations} of {impacts}");
+}
+
+macro_rules! double_pendulum {
+    ($name:ident { $($elbow:tt)* } $($start:tt)*) => {
+        mechanism! {
+            pub $name {
+                gravity: 9.81 m/s^2;
+                ground { port o: (0, 0) m; }
+                body upper {
+                    mass: 1 kg; inertia: 0.1 kg*m^2;
+                    port a: (0, 0.5) m; port b: (0, -0.5) m;
+                    start angle: 60 deg, locked;
+                }
+                body lower { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0.5) m; $($start)* }
+                revolute shoulder(ground.o, upper.a);
+                $($elbow)*
+            }
+        }
+    };
+}
+
+double_pendulum!(Sticking {
+    revolute elbow(upper.b, lower.a);
+    friction brake: rate(lower.angle - upper.angle) within 1000 N*m;
+} start angle: 90 deg, locked;);
+double_pendulum!(Locked {
+    revolute elbow(upper.b, lower.a);
+    constraint brake: lower.angle - upper.angle = 30 deg;
+} start angle: 90 deg;);
+
+/// An elbow that its friction holds costs no more steps than one that is welded, and moves in the same way.
+#[test]
+fn a_joint_that_sticks_costs_no_more_steps_than_a_weld() {
+    let mut sticks = Sticking::new().start_with(Dop853::new(1e-10)).unwrap();
+    let mut locked = Locked::new().start_with(Dop853::new(1e-10)).unwrap();
+    for k in 1..=10 {
+        sticks.step_to(f64::from(k)).unwrap();
+        locked.step_to(f64::from(k)).unwrap();
+        near(sticks.upper().angle, locked.upper().angle, 1e-8);
+        near(sticks.lower().angle - sticks.upper().angle, 30_f64.to_radians(), 1e-12);
+    }
+    let [sticks, locked] = [sticks.stats().steps, locked.stats().steps];
+    assert!(sticks <= locked + locked / 20, "{sticks} steps, {locked} of the weld");
+}
