@@ -8,11 +8,11 @@ impl DoubleDouble<f64> {
     /// into this crate for it. Where this crate is optimised, as for our tests, motions near singular poses take less time so.
     #[doc(hidden)]
     #[must_use]
-    pub fn operations(a: Self, b: Self) -> [Self; 16] {
+    pub fn operations(a: Self, b: Self) -> ([Self; 7], [Self; 9]) {
         let (sin, cos) = a.sin_cos();
-        let arithmetic =
-            [a + b, a - b, a * b, a / b, a.mul_add(b, a), a.floor(), Self::written(a.high), a.sqrt()];
-        let functions = [sin, cos, a.tan(), a.asin(), a.acos(), a.atan2(b), a.exp(), a.ln()];
-        core::array::from_fn(|i| if i < 8 { arithmetic[i] } else { functions[i - 8] })
+        let arithmetic = [a + b, a - b, a * b, a / b, a.mul_add(b, a), a.floor(), a.sqrt()];
+        let functions =
+            [sin, cos, a.tan(), a.asin(), a.acos(), a.atan2(b), a.exp(), a.ln(), Self::written(a.high)];
+        (arithmetic, functions)
     }
 }
