@@ -39,6 +39,10 @@ fn rows_are_found_by_name() {
     assert!(!sim.is_undetermined());
     let fault = Block { start: [0.0, -0.1, 0.0, 0.0], ..REST }.start().unwrap_err();
     assert_eq!((fault.part, fault.cause), ("tip", Cause::Sunk { by: 0.1 }));
+    assert!(
+        fault.to_string().ends_with("the gap is negative by 0.1000 m or rad; begin where it is zero or open"),
+        "{fault}"
+    );
 }
 
 /// It falls, bounces until it rests, and is pulled: by which times, and what was counted.
