@@ -72,6 +72,13 @@ pub(super) struct Solution<S, const N: usize> {
     pub(super) acceleration: [S; N],
 }
 
+impl<S, const N: usize> Solution<S, N> {
+    /// The gap is open, and not closed by other rows.
+    pub(super) fn opens(&self, row: usize) -> bool {
+        self.modes[row] == Mode::Open && !self.carried[row]
+    }
+}
+
 /// What the enumeration has found.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Found<S, const N: usize> {

@@ -5,14 +5,13 @@
 //! 3. The next modes by enumeration. A marginal inequality is decided by its rate along the candidate.
 //! 4. Rows that hold have no rate any more; a friction that sticks remembers its place.
 
-use super::booked::Booked;
-use super::candidates::{self, Allowed, Found, Margins, Solution, enumerate};
+use super::booked::{Booked, Struck};
+use super::candidates::{Allowed, Solution};
 use super::loads::Load;
-use super::marginal::broken;
 use super::margins::{PER_ROW, SIGN};
 use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
-use super::paradox::{self, lost};
+use super::paradox::lost;
 use super::project::{end_flights, project, stop};
 use super::rows::{Law, Rows};
 use super::sunk::above;
@@ -141,7 +140,7 @@ pub fn begin<M: Contacts<N>, const N: usize>(
 
 /// The reason for finding modes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Occasion {
+pub(super) enum Occasion {
     /// A run begins.
     Start,
     /// A change that is none of the rows.
@@ -165,7 +164,7 @@ impl Occasion {
     }
 
     /// The row that it is of.
-    fn row(self) -> Option<usize> {
+    pub(super) fn row(self) -> Option<usize> {
         match self {
             Self::Start | Self::Change | Self::Determinant => None,
             Self::Guard { row } | Self::Sign { row } => Some(row),
@@ -177,7 +176,7 @@ impl Occasion {
 pub(super) struct Event<'a, M: Contacts<N>, const N: usize> {
     pub(super) system: &'a M,
     pub(super) t: M::S,
-    occasion: Occasion,
+    pub(super) occasion: Occasion,
     /// The time since the guard may have passed zero, s.
     step: M::S,
 }
@@ -192,26 +191,24 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         }
         // Before the impacts, behind which rates may be rounding alone.
         let none = rounding(&rows);
-        let struck = self.impacts(&laws, (none, &mut rows), u, x)?;
+        let (mut struck, mut slowest) = (Struck::nothing(), None);
+        let (solution, is_ambiguous) = loop {
+            self.impacts(&laws, (none, slowest, &mut rows), u, x, &mut struck)?;
+            if let Occasion::Sign { row } = self.occasion {
+                rows.load[row] = Load::Turned { negative: u.modes().negative[row] };
+            }
+            let allowed = self.allowed(&laws, (none, struck.count), &rows, u);
+            let (solution, is_ambiguous) = self.choose(&rows, &allowed, u, x)?;
+            // Slow approaches are none to rows that close. One that opens would sink in, and be an event again at once.
+            let slow = none.max(self.no_slip(&rows, u));
+            let sinks =
+                |i: usize| allowed[i] == Allowed::Touching && rows.rate[i] < -slow && solution.opens(i);
+            if slowest.is_some() || !(0..N).any(sinks) {
+                break (solution, is_ambiguous);
+            }
+            slowest = Some(slow);
+        };
         let impacts = struck.count;
-        if let Occasion::Sign { row } = self.occasion {
-            rows.load[row] = Load::Turned { negative: u.modes().negative[row] };
-        }
-        let allowed = self.allowed(&laws, (none, impacts), &rows, u);
-        let (solution, is_ambiguous) =
-            match enumerate(&rows, &allowed, |solution, margins| self.broken(u, x, solution, margins)) {
-                Found::Modes(solution, is_ambiguous) => (solution, is_ambiguous),
-                Found::Nothing => {
-                    let p = paradox::share(&rows, &candidates::most_holding(&allowed))
-                        .map_or(f64::NAN, Scalar::to_f64);
-                    let touching = touching(&allowed);
-                    return Err(self.fault(self.row(&allowed), Cause::NoMode { touching, p }));
-                }
-                Found::TooMany => {
-                    return Err(self
-                        .fault(self.row(&allowed), Cause::TooManyContacts { touching: touching(&allowed) }));
-                }
-            };
         let before = *u.modes();
         let orientation = M::S::lit(1.0) / solution.determinant;
         let Solution { modes: of, carried, negative, .. } = solution;
@@ -220,24 +217,11 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let place = core::array::from_fn(|i| if sticks_on(i) { before.place[i] } else { rows.gap[i] });
         let after = Modes { of, carried, place, orientation, negative };
         *u.modes_mut() = after;
-        let begins = self.occasion == Occasion::Start;
-        let closes = |i: usize| laws[i].is_unilateral() && before.is_open(i) && !after.is_open(i);
-        if !begins && (impacts > 0 || (0..N).any(closes)) {
-            end_flights(self.system, (self.t, u, &rows), x);
-        }
-        // A gap that closes may be some tolerances away from zero: no step is to find that. Behind a step of fixed length it is left to
-        // the steps where it is farther away.
-        let most =
-            if self.step > M::S::ZERO { self.closed() } else { M::S::lit(NEAR) * self.system.length() };
-        let is_far = |i: usize| laws[i].is_unilateral() && rows.gap[i].abs() > most;
-        if (0..N).any(|i| of[i] == Mode::Closed && is_far(i)) {
-            stop(self.system, (self.t, u, &self.system.rows_at(self.t, u, x)), x);
-        } else {
-            project(self.system, self.t, u, x)?;
-        }
+        self.arrive((&laws, &rows), (&before, impacts), u, x)?;
         let is_ambiguous = is_ambiguous || struck.is_ambiguous;
         let mut outcome = Outcome { impacts, newton: solution.newton, is_ambiguous, ..Outcome::default() };
         outcome.is_undetermined = after.are_undetermined();
+        let begins = self.occasion == Occasion::Start;
         if !begins {
             outcome.compare(&before, &after);
         }
@@ -249,6 +233,32 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             booked.book(self.t.to_f64(), &struck);
         }
         Ok(outcome)
+    }
+
+    /// Leads the state to the modes that apply from now on; `before` the event they were others. `rows` are those behind the impacts.
+    fn arrive(
+        &self,
+        (laws, rows): (&[Law<M::S>; N], &Rows<M::S, N>),
+        (before, impacts): (&Modes<M::S, N>, u32),
+        u: &M::U,
+        x: &mut M::X,
+    ) -> Result<(), Fault> {
+        let after = u.modes();
+        let begins = self.occasion == Occasion::Start;
+        let closes = |i: usize| laws[i].is_unilateral() && before.is_open(i) && !after.is_open(i);
+        if !begins && (impacts > 0 || (0..N).any(closes)) {
+            end_flights(self.system, (self.t, u, rows), x);
+        }
+        // A gap that closes may be some tolerances away from zero: no step is to find that. Behind a step of fixed length it is left to
+        // the steps where it is farther away.
+        let most =
+            if self.step > M::S::ZERO { self.closed() } else { M::S::lit(NEAR) * self.system.length() };
+        let is_far = |i: usize| laws[i].is_unilateral() && rows.gap[i].abs() > most;
+        if (0..N).any(|i| after.of[i] == Mode::Closed && is_far(i)) {
+            stop(self.system, (self.t, u, &self.system.rows_at(self.t, u, x)), x);
+            return Ok(());
+        }
+        project(self.system, self.t, u, x)
     }
 
     /// Gaps that are closed, and frictions.
@@ -301,20 +311,6 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         })
     }
 
-    /// The inequalities of a combination that are not met, or are marginal and not met from here on.
-    fn broken(
-        &self,
-        u: &M::U,
-        x: &M::X,
-        solution: &Solution<M::S, N>,
-        margins: &Margins<M::S, N>,
-    ) -> [bool; N] {
-        let mut held = *u;
-        let modes = held.modes_mut();
-        (modes.of, modes.carried, modes.negative) = (solution.modes, solution.carried, solution.negative);
-        broken(&moving_rows(self.system, (self.t, &held), x, &solution.lambda), solution, margins)
-    }
-
     fn closed(&self) -> M::S {
         M::S::lit(CLOSED) * self.system.length()
     }
@@ -343,12 +339,6 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         M::S::lit(NO_SLIP) * speed(self.system, rows, u)
     }
 
-    /// The row that a fault names.
-    fn row(&self, allowed: &[Allowed; N]) -> usize {
-        let first = allowed.iter().position(|row| *row == Allowed::Touching);
-        self.occasion.row().or(first).unwrap_or(0)
-    }
-
     pub(super) fn fault(&self, row: usize, cause: Cause) -> Fault {
         Fault::of_part(self.t.to_f64(), self.system.contact_name(row), cause)
     }
@@ -369,7 +359,7 @@ fn acceleration<M: Contacts<N>, const N: usize>(rows: &Rows<M::S, N>, u: &M::U) 
 }
 
 /// The rows with their rates of change, where contact forces are `lambda`.
-fn moving_rows<M: Contacts<N>, const N: usize>(
+pub(super) fn moving_rows<M: Contacts<N>, const N: usize>(
     system: &M,
     (t, u): (M::S, &M::U),
     x: &M::X,
@@ -387,8 +377,4 @@ fn moving_rows<M: Contacts<N>, const N: usize>(
 fn rounding<S: Real, const N: usize>(rows: &Rows<S, N>) -> S {
     let largest = rows.rate.iter().fold(S::ZERO, |largest, rate| largest.max(rate.abs()));
     S::lit(RATE_ULPS) * S::EPSILON * largest
-}
-
-fn touching<const N: usize>(allowed: &[Allowed; N]) -> usize {
-    allowed.iter().filter(|row| **row == Allowed::Touching).count()
 }

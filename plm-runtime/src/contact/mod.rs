@@ -11,6 +11,7 @@
 mod booked;
 mod candidates;
 mod changed;
+mod choose;
 mod event;
 mod guards;
 mod held;

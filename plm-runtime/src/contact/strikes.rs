@@ -15,28 +15,29 @@ const MOST_IMPACTS: u32 = 30;
 const MOST_PAIRS: u32 = 1000;
 
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
-    /// Impacts of all rows that touch, until none approaches. The rows become those behind them.
+    /// Impacts of all rows that touch, until none approaches faster than it may to rest, or than the `slowest`. The rows become those
+    /// behind them.
     pub(super) fn impacts(
         &self,
         laws: &[Law<M::S>; N],
-        (none, rows): (M::S, &mut Rows<M::S, N>),
+        (none, slowest, rows): (M::S, Option<M::S>, &mut Rows<M::S, N>),
         u: &M::U,
         x: &mut M::X,
-    ) -> Result<Struck<M::S, N>, Fault> {
+        struck: &mut Struck<M::S, N>,
+    ) -> Result<(), Fault> {
         let law = self.system.impact_law();
         let most = if law == ImpactLaw::Sequential { MOST_PAIRS } else { MOST_IMPACTS };
-        let mut struck = Struck::nothing();
         loop {
             let touches = self.touches(laws, rows, u);
             let approaches = |i: &usize| {
-                let least = -self.resting(rows, *i).max(none);
+                let slow = slowest.unwrap_or_else(|| self.resting(rows, *i).max(none));
                 match laws[*i] {
-                    Law::Unilateral { .. } => touches[*i] && rows.rate[*i] < least,
-                    Law::Constraint => touches[*i] && -rows.rate[*i].abs() < least,
+                    Law::Unilateral { .. } => touches[*i] && rows.rate[*i] < -slow,
+                    Law::Constraint => touches[*i] && rows.rate[*i].abs() > slow,
                     Law::Friction => false,
                 }
             };
-            let Some(row) = (0..N).find(approaches) else { return Ok(struck) };
+            let Some(row) = (0..N).find(approaches) else { return Ok(()) };
             if struck.count >= most {
                 return Err(self.fault(row, Cause::Impact { tried: struck.count }));
             }

@@ -1,0 +1,56 @@
+//! The modes that apply behind an event, and faults where there are none.
+
+use super::candidates::{Allowed, Found, Margins, Solution, enumerate, most_holding};
+use super::event::{Event, moving_rows};
+use super::marginal::broken;
+use super::rows::Rows;
+use super::{Contacts, Modal, paradox};
+use crate::fault::{Cause, Fault};
+use crate::scalar::Scalar;
+
+impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
+    /// The combination that satisfies all inequalities, and whether there are others.
+    pub(super) fn choose(
+        &self,
+        rows: &Rows<M::S, N>,
+        allowed: &[Allowed; N],
+        u: &M::U,
+        x: &M::X,
+    ) -> Result<(Solution<M::S, N>, bool), Fault> {
+        let found = enumerate(rows, allowed, |solution, margins| self.broken(u, x, solution, margins));
+        let touching = touching(allowed);
+        let cause = match found {
+            Found::Modes(solution, is_ambiguous) => return Ok((solution, is_ambiguous)),
+            Found::Nothing => {
+                let p = paradox::share(rows, &most_holding(allowed)).map_or(f64::NAN, Scalar::to_f64);
+                Cause::NoMode { touching, p }
+            }
+            Found::TooMany => Cause::TooManyContacts { touching },
+        };
+        Err(self.fault(self.row(allowed), cause))
+    }
+
+    /// The inequalities of a combination that are not met, or are marginal and not met from here on.
+    fn broken(
+        &self,
+        u: &M::U,
+        x: &M::X,
+        solution: &Solution<M::S, N>,
+        margins: &Margins<M::S, N>,
+    ) -> [bool; N] {
+        let mut held = *u;
+        let modes = held.modes_mut();
+        (modes.of, modes.carried, modes.negative) = (solution.modes, solution.carried, solution.negative);
+        broken(&moving_rows(self.system, (self.t, &held), x, &solution.lambda), solution, margins)
+    }
+
+    /// The row that a fault names.
+    fn row(&self, allowed: &[Allowed; N]) -> usize {
+        let first = allowed.iter().position(|row| *row == Allowed::Touching);
+        self.occasion.row().or(first).unwrap_or(0)
+    }
+}
+
+fn touching<const N: usize>(allowed: &[Allowed; N]) -> usize {
+    allowed.iter().filter(|row| **row == Allowed::Touching).count()
+}
