@@ -120,16 +120,18 @@ pub(super) fn page(place: &Place) -> Result {
     check.set("PLM_PAGE", place.target.join("debug/examples/page")).run()
 }
 
-/// The one example that is compiled for speed. Level 3 takes longer to compile than it saves.
+/// The examples that are compiled for speed. Level 3 takes longer to compile than it saves.
 pub(super) fn build_sweep(place: &Place) -> Result {
     let build = place.command("cargo build --config profile.dev.package.plm-planar.opt-level=2 --workspace");
-    build.arg("--features").arg(format!("{FEATURES},sweep")).args(["--example", "sweep"]).run()
+    let build = build.arg("--features").arg(format!("{FEATURES},sweep"));
+    build.args(["--example", "sweep", "--example", "contacts"]).run()
 }
 
-/// Random trees and loops against a reference in higher precision.
+/// Random trees and loops against a reference in higher precision, and random mechanisms with contacts against equations of their own.
 pub(super) fn sweep(place: &Place) -> Result {
     build_sweep(place)?;
-    built_example(place, "sweep").args(["1000", "--seed", "31", "--double", "--verbose"]).run()
+    built_example(place, "sweep").args(["1000", "--seed", "31", "--double", "--verbose"]).run()?;
+    built_example(place, "contacts").args(["200", "--seed", "31", "--verbose"]).run()
 }
 
 /// The same bits on two microcontrollers and as WebAssembly, and what a step costs there.

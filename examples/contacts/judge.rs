@@ -1,0 +1,271 @@
+//! What is right: `plm` beside the reference, and the reference beside itself with numbers that are a little off.
+
+use plm::Cause;
+
+use crate::families::{Draft, FAMILIES, Family};
+use crate::random::Random;
+use crate::reference::run::{Run, Runner, State, Stop};
+use crate::reference::world::{Force, Law, World};
+use crate::run::{Order, Outcome, Pace};
+
+/// Samples are so far apart, s, and there are so many.
+pub const EVERY: f64 = 0.1;
+pub const SAMPLES: usize = 10;
+/// The tolerance of `plm`.
+const TOLERANCE: f64 = 1e-10;
+/// What may be off where nothing grows, of 1 and the number.
+const ALLOWED: f64 = 3e-8;
+/// So many times the effect of a change of 1e-9 in the numbers of the mechanism may be off.
+const TIMES: f64 = 30.0;
+/// Where that change has become so large the motion is not comparable any more.
+const SENSITIVE: f64 = 1e-4;
+const CHANGE: f64 = 1e-9;
+/// Longest steps of the reference, and of its second run.
+const STEPS: [f64; 2] = [0.0125, 0.009];
+
+/// A case: a family and numbers.
+pub struct Case {
+    pub family: &'static Family,
+    pub draft: Draft,
+    pub pace: Pace,
+    seeds: Random,
+}
+
+/// What a run of `plm` was.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    Right,
+    /// Right until a small change becomes large.
+    Sensitive,
+    /// The reference finds several motions, and `plm` names that, or agrees until there.
+    Ambiguous,
+    /// The law of impact does not say how an impulse is shared; right until there.
+    Undetermined,
+    /// No motion satisfies the laws, and `plm` stops there.
+    Stopped,
+    /// `plm` does not solve so many contacts at once.
+    TooMany,
+    Wrong(String),
+    FalseStop(String),
+    /// The reference does not know.
+    Unknown(Stop),
+}
+
+/// A verdict and what it belongs to.
+pub struct Judged {
+    pub formulation: &'static str,
+    pub pace: Pace,
+    pub verdict: Verdict,
+    /// The largest difference as a share of what is allowed.
+    pub worst: f64,
+    pub impacts: usize,
+    pub events: usize,
+}
+
+impl Case {
+    pub fn new(seed: u64, number: u64, only: Option<&str>) -> Self {
+        let families: Vec<&Family> =
+            FAMILIES.iter().filter(|family| only.is_none_or(|only| family.name.contains(only))).collect();
+        let mut random = Random::new(seed, number);
+        let family = families[number as usize % families.len()];
+        let draft = (family.draw)(&mut random);
+        let pace = if random.chance(0.4) { Pace::Watched } else { *random.one_of(&Pace::ALL) };
+        Self { family, draft, pace, seeds: random }
+    }
+
+    fn start(&self) -> State {
+        let (mut q, mut v) = (Vec::new(), Vec::new());
+        for [x, y, angle, vx, vy, omega] in &self.draft.starts {
+            q.extend([*x, *y, *angle]);
+            v.extend([*vx, *vy, *omega]);
+        }
+        State { t: 0.0, q, v }
+    }
+
+    /// The reference's run, and one with other numbers and other steps.
+    pub fn reference(&self, steps: [f64; 2]) -> [Run; 2] {
+        let times: Vec<f64> = (1..=SAMPLES).map(|k| EVERY * k as f64).collect();
+        let start = self.start();
+        let (world, factor) = changed(&self.draft.world, &mut self.seeds.clone());
+        let mut other = start.clone();
+        other.v.iter_mut().for_each(|v| *v *= factor);
+        [
+            Runner::new(&self.draft.world, start, steps[0]).go(&times),
+            Runner::new(&world, other, steps[1]).go(&times),
+        ]
+    }
+
+    pub fn run(&self, formulation: usize, pace: Pace, tolerance: f64) -> Outcome {
+        let starts: Vec<f64> = self.draft.starts.iter().flatten().copied().collect();
+        let order = Order {
+            numbers: &self.draft.numbers,
+            starts: &starts,
+            every: EVERY,
+            samples: SAMPLES,
+            pace,
+            tolerance,
+        };
+        (self.family.runners[formulation].1)(&order)
+    }
+
+    /// Every formulation at a pace that was drawn.
+    pub fn judge(&self) -> Vec<Judged> {
+        let mut runs = self.reference(STEPS);
+        if matches!(runs[0].stop, Some((_, Stop::Lost | Stop::Endless))) {
+            runs = self.reference(STEPS.map(|h| 0.1 * h));
+        }
+        let mut judged = Vec::new();
+        for (number, (formulation, _)) in self.family.runners.iter().enumerate() {
+            // Those that are asked for one after the other differ by their pace.
+            let pace = if number == 0 { self.pace } else { Pace::Watched };
+            let outcome = self.run(number, pace, TOLERANCE);
+            let (verdict, worst) = self.compare(&runs, &outcome, pace);
+            let (impacts, events) = (runs[0].impacts, runs[0].events.len());
+            judged.push(Judged { formulation, pace, verdict, worst, impacts, events });
+        }
+        judged
+    }
+
+    fn compare(&self, [known, other]: &[Run; 2], outcome: &Outcome, pace: Pace) -> (Verdict, f64) {
+        let start = outcome.samples.first().map(|first| difference(&first.q, &first.v, &self.start()));
+        if start.is_none_or(|start| start > 1e-11) {
+            let verdict = match &outcome.fault {
+                Some(fault) if known.stop.is_some_and(|(t, stop)| t == 0.0 && stop == Stop::Nothing) => {
+                    let _ = fault;
+                    Verdict::Stopped
+                }
+                Some(fault) => stop(fault.cause, fault.to_string()),
+                None => Verdict::Wrong(format!("starts {start:?} off")),
+            };
+            return (verdict, 0.0);
+        }
+        // How far the two runs of the reference are apart, until a sample.
+        let mut apart = vec![0.0; SAMPLES + 1];
+        for k in 0..SAMPLES {
+            let now = match (known.samples.get(k), other.samples.get(k)) {
+                (Some(one), Some(two)) => difference(&one.q, &one.v, two),
+                _ => f64::INFINITY,
+            };
+            apart[k + 1] = now.max(apart[k]);
+        }
+        let mut worst: f64 = 0.0;
+        for sample in &outcome.samples[1..] {
+            let k = sample.index;
+            let Some(state) = known.samples.get(k - 1).filter(|_| apart[k] < SENSITIVE) else { break };
+            let off = difference(&sample.q, &sample.v, state);
+            let energies = self.energies(state);
+            let off = energies.iter().zip(&sample.energies).fold(off, |off: f64, (known, found)| {
+                off.max((known - found).abs() / (1.0 + energies[0].abs() + energies[1].abs()))
+            });
+            let share = off / (ALLOWED + TIMES * apart[k]);
+            if !(share <= 1.0) {
+                return (Verdict::Wrong(format!("{off:.1e} off at {:.3} s", state.t)), share);
+            }
+            worst = worst.max(share);
+        }
+        if pace == Pace::Watched {
+            if let Some(what) = times(known, other, outcome, &apart) {
+                return (Verdict::Wrong(what), 2.0);
+            }
+        }
+        (self.ends([known, other], outcome, &apart), worst)
+    }
+
+    /// A verdict on how both end, all samples being right.
+    fn ends(&self, [known, other]: [&Run; 2], outcome: &Outcome, apart: &[f64]) -> Verdict {
+        let reached = apart.iter().position(|apart| *apart >= SENSITIVE);
+        match (&outcome.fault, known.stop) {
+            (None, None) if reached.is_none() => Verdict::Right,
+            (Some(fault), Some((t, Stop::Nothing))) if (fault.time - t).abs() < 1e-3 => Verdict::Stopped,
+            (Some(fault), _) if matches!(fault.cause, Cause::TooManyContacts { .. }) => Verdict::TooMany,
+            (Some(fault), None) => {
+                // Beyond where small changes are large the motion is another one.
+                let is_sensitive = reached.is_some_and(|k| EVERY * (k as f64 - 1.0) <= fault.time);
+                if is_sensitive { Verdict::Sensitive } else { stop(fault.cause, fault.to_string()) }
+            }
+            (None, None) => Verdict::Sensitive,
+            (_, Some((_, Stop::Ambiguous))) if outcome.counts.ambiguous > 0 || outcome.fault.is_some() => {
+                Verdict::Ambiguous
+            }
+            (_, Some((t, Stop::Ambiguous))) => Verdict::Wrong(format!("not named as ambiguous at {t:.4} s")),
+            (_, Some((t, Stop::Nothing))) if other.stop.is_some_and(|(_, stop)| stop == Stop::Nothing) => {
+                Verdict::Wrong(format!("goes on beyond {t:.4} s, where no motion satisfies the laws"))
+            }
+            (_, Some((_, Stop::Nothing))) => Verdict::Sensitive,
+            (_, Some((_, Stop::Undetermined))) => Verdict::Undetermined,
+            (_, Some((_, stop))) => Verdict::Unknown(stop),
+        }
+    }
+
+    fn energies(&self, state: &State) -> [f64; 2] {
+        let world = &self.draft.world;
+        let lift = |k: usize| -world.inertia[k] * world.gravity[k % 3] * state.q[k];
+        let height = (0..state.q.len()).filter(|k| k % 3 != 2).map(lift).sum();
+        [world.kinetic(&state.v), height]
+    }
+}
+
+fn stop(cause: Cause, told: String) -> Verdict {
+    if matches!(cause, Cause::TooManyContacts { .. }) { Verdict::TooMany } else { Verdict::FalseStop(told) }
+}
+
+/// The largest difference of two states, as a share of 1 and the number.
+fn difference(q: &[f64], v: &[f64], known: &State) -> f64 {
+    let pairs = q.iter().zip(&known.q).chain(v.iter().zip(&known.v));
+    pairs.fold(0.0, |worst: f64, (found, known)| {
+        let off = (found - known).abs() / (1.0 + known.abs());
+        if off.is_nan() { f64::INFINITY } else { worst.max(off) }
+    })
+}
+
+/// Every event of the reference that velocities jump at has one of `plm` at its time.
+fn times(known: &Run, other: &Run, outcome: &Outcome, apart: &[f64]) -> Option<String> {
+    let nearest = |times: &mut dyn Iterator<Item = f64>, t: f64| {
+        times.map(|time| (time - t).abs()).fold(f64::INFINITY, f64::min)
+    };
+    for event in known.events.iter().filter(|event| event.t > 0.0 && event.jump > 1e-3) {
+        let k = (event.t / EVERY).ceil() as usize;
+        if apart.get(k).is_none_or(|apart| *apart >= SENSITIVE) {
+            return None;
+        }
+        let own = nearest(&mut other.events.iter().map(|event| event.t), event.t);
+        let off = nearest(&mut outcome.events.iter().copied(), event.t);
+        if off > ALLOWED + TIMES * own && off < f64::INFINITY || outcome.events.is_empty() {
+            return Some(format!("an event at {:.6} s is {off:.1e} s off", event.t));
+        }
+    }
+    None
+}
+
+/// The world with numbers a little off, and a factor for velocities.
+fn changed(world: &World, random: &mut Random) -> (World, f64) {
+    let mut world = world.clone();
+    let mut near = |number: &mut f64| *number *= 1.0 + CHANGE * random.unit();
+    world.gravity.iter_mut().for_each(&mut near);
+    for body in world.inertia.chunks_mut(3) {
+        near(&mut body[0]);
+        body[1] = body[0];
+        near(&mut body[2]);
+    }
+    for force in &mut world.forces {
+        match force {
+            Force::On { constant, amplitude, .. } => [constant, amplitude].into_iter().for_each(&mut near),
+            Force::Spring { stiffness, damping, .. } => {
+                [stiffness, damping].into_iter().for_each(&mut near);
+            }
+        }
+    }
+    for (_, law) in &mut world.rows {
+        match law {
+            Law::Gap { restitution } => near(restitution),
+            Law::Rub(bound) => {
+                bound.own.iter_mut().for_each(&mut near);
+                bound.by.iter_mut().for_each(|(_, mu)| near(mu));
+                bound.joint.iter_mut().for_each(|(_, _, mu)| near(mu));
+            }
+        }
+    }
+    let mut factor = 1.0;
+    near(&mut factor);
+    (world, factor)
+}

@@ -1,0 +1,163 @@
+//! Random mechanisms with contacts against a reference that is written apart: states, energies and times of events, in every formulation
+//! and at every pace.
+//!
+//! ```sh
+//! cargo run --release --features sweep-all --example contacts -- 10000                     # so many cases
+//! cargo run --release --features sweep-all --example contacts -- --seed 7 --only block     # others, of some kinds
+//! cargo run --release --features sweep-all --example contacts -- --seed 7 --case 123       # one, with all its numbers
+//! ```
+#![allow(missing_docs, reason = "the modules are private to an example")]
+#![allow(unreachable_pub, reason = "the modules are private to an example")]
+#![allow(clippy::neg_cmp_op_on_partial_ord, reason = "what is not a number is to fail")]
+
+mod families;
+mod judge;
+mod random;
+mod reference;
+mod run;
+
+use std::collections::BTreeMap;
+use std::process::ExitCode;
+use std::time::Instant;
+
+use judge::{Case, Judged, Verdict};
+use plm::view::{Arguments, BadOption, Known};
+
+const KNOWN: [Known; 5] = [
+    Known::word("CASES", "how many; 200 if nothing is said"),
+    Known::value("seed", "N", "of the random mechanisms; 1 if nothing is said"),
+    Known::value("case", "N", "this one alone, with all its numbers"),
+    Known::value("only", "KIND", "kinds whose name contains this"),
+    Known::flag("verbose", "lists every case that is not right"),
+];
+
+fn main() -> ExitCode {
+    match sweep() {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(what) => {
+            eprintln!("{what}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn sweep() -> Result<bool, BadOption> {
+    let given = Arguments::from_args(&KNOWN)?;
+    if let Some(help) = given.help() {
+        println!("{help}");
+        return Ok(true);
+    }
+    let seed: u64 = given.number("seed")?.unwrap_or(1);
+    let cases: u64 = given.number("CASES")?.unwrap_or(200);
+    let only = given.text("only")?;
+    let clock = Instant::now();
+    println!("seed {seed}, {cases} cases");
+    let one: Option<u64> = given.number("case")?;
+    if let Some(number) = one {
+        println!("{}", told(&Case::new(seed, number, only.as_deref())));
+    }
+    let numbers: Vec<u64> = one.map_or((0..cases).collect(), |number| vec![number]);
+    let runs = plm::batch::points(numbers)
+        .quiet()
+        .run(|number| Ok(Case::new(seed, number, only.as_deref()).judge()));
+    let mut table: BTreeMap<(&str, &str), Vec<usize>> = BTreeMap::new();
+    let (mut holds, verbose) = (true, given.flag("verbose") || one.is_some());
+    let (mut impacts, mut events) = (0, 0);
+    for (number, judged) in runs.values() {
+        let name = Case::new(seed, *number, only.as_deref()).family.name;
+        for judged in judged {
+            let place = column(&judged.verdict);
+            table.entry((name, judged.formulation)).or_insert_with(|| vec![0; COLUMNS.len()])[place] += 1;
+            holds &= !matches!(judged.verdict, Verdict::Wrong(_) | Verdict::FalseStop(_));
+            let is_listed = !matches!(judged.verdict, Verdict::Right | Verdict::Sensitive) || one.is_some();
+            if verbose && is_listed {
+                println!("--seed {seed} --case {number}  {name}, {}", line(judged));
+            }
+        }
+        impacts += judged.first().map_or(0, |judged| judged.impacts);
+        events += judged.first().map_or(0, |judged| judged.events);
+    }
+    for failed in runs.failed() {
+        println!("--seed {seed} --case {}  {:?}", failed.parameters, failed.result.as_ref().err());
+        holds = false;
+    }
+    print(&table);
+    println!("{events} events, {impacts} impacts; {:.1} s", clock.elapsed().as_secs_f64());
+    Ok(holds)
+}
+
+const COLUMNS: [&str; 9] = [
+    "right",
+    "sensitive",
+    "ambiguous",
+    "stopped",
+    "too many",
+    "WRONG",
+    "FALSE STOP",
+    "unknown",
+    "undetermined",
+];
+
+fn column(verdict: &Verdict) -> usize {
+    match verdict {
+        Verdict::Right => 0,
+        Verdict::Sensitive => 1,
+        Verdict::Ambiguous => 2,
+        Verdict::Stopped => 3,
+        Verdict::TooMany => 4,
+        Verdict::Wrong(_) => 5,
+        Verdict::FalseStop(_) => 6,
+        Verdict::Unknown(_) => 7,
+        Verdict::Undetermined => 8,
+    }
+}
+
+fn print(table: &BTreeMap<(&str, &str), Vec<usize>>) {
+    print!("{:28}", "");
+    COLUMNS.iter().for_each(|column| print!("{column:>13}"));
+    println!();
+    let mut sums = vec![0; COLUMNS.len()];
+    for ((name, formulation), counts) in table {
+        print!("{:28}", format!("{name}, {formulation}"));
+        counts.iter().for_each(|count| print!("{count:>13}"));
+        println!();
+        sums.iter_mut().zip(counts).for_each(|(sum, count)| *sum += count);
+    }
+    print!("{:28}", "");
+    sums.iter().for_each(|sum| print!("{sum:>13}"));
+    println!();
+}
+
+fn line(judged: &Judged) -> String {
+    let Judged { formulation, pace, verdict, worst, impacts, events } = judged;
+    format!(
+        "{formulation}, {pace:?}: {verdict:?}; {worst:.1e} of what is allowed; {events} events, {impacts} impacts"
+    )
+}
+
+/// A case with all its numbers.
+fn told(case: &Case) -> String {
+    let [run, other] = case.reference([0.0125, 0.009]);
+    let mut text = format!("{}: {:?}\nstart {:?}\n", case.family.name, case.draft.numbers, case.draft.starts);
+    for event in &run.events {
+        text += &format!("{:.12} {:?} jump {:.1e}\n", event.t, event.modes, event.jump);
+    }
+    for state in &run.samples {
+        text += &format!("{:.3} {:.9?} {:.9?}\n", state.t, state.q, state.v);
+    }
+    for (number, (formulation, _)) in case.family.runners.iter().enumerate() {
+        let outcome = case.run(number, run::Pace::Watched, 1e-10);
+        for sample in &outcome.samples {
+            text += &format!("{formulation} {} {:.9?} {:.9?}\n", sample.index, sample.q, sample.v);
+        }
+        text += &format!("events at {:.12?}\n", outcome.events);
+        text += &format!("{:?}, {:?}, {:?}\n", outcome.fault, outcome.counts, outcome.modes);
+    }
+    text + &format!(
+        "{:?}, and {} events and {:?} with other numbers",
+        run.stop,
+        other.events.len(),
+        other.stop
+    )
+}

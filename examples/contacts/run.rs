@@ -1,0 +1,151 @@
+//! A case run by `plm`.
+
+use plm::runtime::Seen;
+use plm::runtime::contact::{Counts, Mode};
+use plm::{Dop853, Fault, Mechanism, Moment, Sim};
+
+/// A declared mechanism that takes its numbers from a case.
+pub trait Build: Mechanism<S = f64> {
+    /// With parameters in the order of the declaration and start values of each body.
+    fn build(numbers: &[f64], starts: &[f64]) -> Self;
+    /// Gives `each` the bodies in their order.
+    fn bodies(state: &Self::State, each: impl FnMut(plm::BodyState<f64>));
+    /// Kinetic energy and that of gravity, J.
+    fn energies(state: &Self::State) -> [f64; 2];
+}
+
+/// Runs a case.
+pub type Runner = fn(&Order) -> Outcome;
+
+/// How the interval is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pace {
+    /// `step_to` each sample.
+    Samples,
+    /// `watch` with samples, which shows events.
+    Watched,
+    /// `step` of a millisecond.
+    Milli,
+    /// `step_to` the end.
+    Whole,
+    /// `step_to` each sample, from a moment that was saved before the run went on.
+    Saved,
+}
+
+impl Pace {
+    pub const ALL: [Self; 5] = [Self::Watched, Self::Samples, Self::Milli, Self::Whole, Self::Saved];
+}
+
+/// What is to be run.
+pub struct Order<'c> {
+    pub numbers: &'c [f64],
+    pub starts: &'c [f64],
+    /// The distance of samples, s, a whole number of milliseconds, and how many.
+    pub every: f64,
+    pub samples: usize,
+    pub pace: Pace,
+    pub tolerance: f64,
+}
+
+/// A sample.
+#[derive(Clone, Debug)]
+pub struct Sample {
+    /// Its number; the first one behind the start has 1.
+    pub index: usize,
+    /// x, y, angle, then vx, vy, omega of each body.
+    pub q: Vec<f64>,
+    pub v: Vec<f64>,
+    pub energies: [f64; 2],
+}
+
+/// What came of it.
+#[derive(Debug, Default)]
+pub struct Outcome {
+    pub samples: Vec<Sample>,
+    /// Times of events, s.
+    pub events: Vec<f64>,
+    pub fault: Option<Fault>,
+    pub counts: Counts,
+    pub modes: Vec<(&'static str, Mode)>,
+    pub steps: u64,
+    pub ends: f64,
+}
+
+/// No motion of the sweep needs more steps.
+const MOST_STEPS: u64 = 50_000;
+
+pub fn runner<M: Build>(order: &Order) -> Outcome {
+    let mut outcome = Outcome::default();
+    let method = Dop853::new(order.tolerance).with_most_steps(MOST_STEPS);
+    let mut sim = match M::build(order.numbers, order.starts).start_with(method) {
+        Ok(sim) => sim,
+        Err(fault) => {
+            outcome.fault = Some(fault);
+            return outcome;
+        }
+    };
+    outcome.samples.push(look::<M>(0, sim.state()));
+    outcome.fault = pace(order, &mut sim, &mut outcome).err();
+    outcome.counts = sim.contact_stats();
+    outcome.modes = sim.contacts().collect();
+    outcome.steps = sim.stats().steps;
+    outcome.ends = sim.time();
+    outcome
+}
+
+fn pace<M: Build>(order: &Order, sim: &mut Sim<M, Dop853<M>>, outcome: &mut Outcome) -> Result<(), Fault> {
+    let until = order.every * order.samples as f64;
+    match order.pace {
+        Pace::Watched => {
+            let mut index = 0;
+            let Outcome { samples, events, .. } = outcome;
+            Sim::watch(sim, until, order.every, |seen| match seen {
+                Seen::Sample(state) => {
+                    if index > 0 {
+                        samples.push(look::<M>(index, state));
+                    }
+                    index += 1;
+                }
+                Seen::Switched(state) => events.push(state.time()),
+                _ => {}
+            })
+        }
+        Pace::Whole => {
+            sim.step_to(until)?;
+            outcome.samples.push(look::<M>(order.samples, sim.state()));
+            Ok(())
+        }
+        Pace::Samples | Pace::Saved => {
+            for index in 1..=order.samples {
+                let time = order.every * index as f64;
+                if order.pace == Pace::Saved {
+                    let saved = sim.save();
+                    let _ = sim.step_to(time + order.every);
+                    sim.resume(&saved);
+                }
+                sim.step_to(time)?;
+                outcome.samples.push(look::<M>(index, sim.state()));
+            }
+            Ok(())
+        }
+        Pace::Milli => {
+            let calls = (order.every / 1e-3).round() as usize;
+            for index in 1..=order.samples {
+                for _ in 0..calls {
+                    sim.step(1e-3)?;
+                }
+                outcome.samples.push(look::<M>(index, sim.state()));
+            }
+            Ok(())
+        }
+    }
+}
+
+fn look<M: Build>(index: usize, state: &M::State) -> Sample {
+    let (mut q, mut v) = (Vec::new(), Vec::new());
+    M::bodies(state, |body| {
+        q.extend([body.x, body.y, body.angle]);
+        v.extend([body.vx, body.vy, body.omega]);
+    });
+    Sample { index, q, v, energies: M::energies(state) }
+}
