@@ -159,3 +159,42 @@ fn friction_in_a_slider_crank_costs_few_steps() {
         );
     }
 }
+
+macro_rules! pair_of_bars {
+    ($name:ident, $($joint:tt)*) => {
+        mechanism! {
+            pub $name {
+                gravity: 9.81 m/s^2;
+                ground { port o: (0, 0) m; }
+                body near {
+                    mass: 1 kg; inertia: 0.02 kg*m^2;
+                    port o: (0, 0.25) m; port p: (0, -0.25) m;
+                    start angle: 80 deg, locked; start omega: 0 rad/s, locked;
+                }
+                body far {
+                    mass: 1 kg; inertia: 0.02 kg*m^2; port p: (0, 0.25) m;
+                    start angle: 80 deg;
+                }
+                revolute o(ground.o, near.o);
+                $($joint)*
+            }
+        }
+    };
+}
+
+pair_of_bars!(Sticking, revolute j(near.p, far.p); friction held: rate(far.angle - near.angle) within 1000 N*m;);
+pair_of_bars!(Welded, weld j(near.p, far.p););
+
+#[test]
+fn a_joint_that_sticks_costs_the_steps_of_a_weld() {
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let mut welded = Welded::new().start_with(Dop853::new(tolerance)).unwrap();
+        let mut sticking = Sticking::new().start_with(Dop853::new(tolerance)).unwrap();
+        welded.step_to(3.0).unwrap();
+        sticking.step_to(3.0).unwrap();
+        near(sticking.far().angle, welded.far().angle, 1e3 * tolerance);
+        let [more, steps] = [sticking.stats().steps, welded.stats().steps];
+        assert!(more <= steps, "{tolerance}: {more} steps, {steps} of a weld");
+        assert!((sticking.far().angle - sticking.near().angle).abs() < 1e-13);
+    }
+}

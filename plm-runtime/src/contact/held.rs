@@ -5,17 +5,19 @@
 //!
 //! * The discrete state has `rt::contact::Held<S, N>` as its `contact`: `open()` where it is made, `packed(&first.contact, all.map(|held|
 //!   &held.contact), &number)` in `pack_held`. In charts, `Charted::Contact` is this type.
-//! * Two functions for any [`Scalar`]: the [`Rows`](super::Rows) at a state, which read no multipliers, and of the modes the signs of
-//!   reactions alone, and the
-//!   `response`, which is what multipliers add to the rate. The motion reads `u.contact.lambda` as it reads inputs.
-//! * `Rate::rate`: where [`has_forces`](Held::has_forces), the rows, and a copy of `u` with
-//!   [`with_multipliers`](super::with_multipliers); the motion with that copy; [`settle`](super::settle). The rate by rank and outputs
-//!   need such a copy too. Derivatives come from running all of it on [`Dual`](crate::Dual) numbers: multipliers depend on the state.
-//! * [`Contacts<N>`](super::Contacts), with `rows` by `pack` and `pack_held` and `rows_at` without; `project_joints` and `drift_of_joints`
+//! * Functions for any [`Scalar`]: gaps and rates of the [`Rows`](super::Rows) at a state; and the rate without contact forces, with the rest
+//!   of the rows and the `responses`, what a multiplier of one adds to the rate. They read no multipliers, and of the modes the signs of
+//!   reactions alone.
+//! * `Rate::rate`: where [`has_forces`](Held::has_forces), that second function, then [`add_forces`](super::add_forces); else the motion, which
+//!   reads `u.contact.lambda` as it reads inputs. Where all that slips has limits of its own ([`Modes::slip_by`]), the motion with a copy of
+//!   `u` by [`with_limits`](super::with_limits). The rate by rank and outputs need a copy by
+//!   [`with_multipliers`](super::with_multipliers). Where the rate is not affine in the multipliers, the motion with that copy, then
+//!   [`settle`](super::settle). Derivatives come from running all of it on [`Dual`](crate::Dual) numbers: multipliers depend on the state.
+//! * [`Contacts<N>`](super::Contacts), with `rows` and `kinematics` by `pack` and `pack_held`, `rows_at` and `kinematics_at` without; `project_joints` and `drift_of_joints`
 //!   are what `project` and `drift` of the mechanism were without contact.
 //! * `Constraints`: [`project`](super::project), [`drift`](super::drift).
 //! * `Events`: `G` has `g + C` numbers, `CONTACTS` is `N`, `contacts` gives `u.contact.status()`. [`guards`](super::guards) and
-//!   [`guards_within`](super::guards_within) give numbers `0..C`, to which `g` is added; kinks come behind them. From `g` on
+//!   [`guards_within`](super::guards_within) give numbers `0..C`, to which `g` is added; kinks come behind them. Without conditions and kinks `stay` is [`stay`](super::stay). From `g` on
 //!   `switch_behind` is [`switch_behind`](super::switch_behind) of `index - g`, and `switch` is the same with a step of zero. An own
 //!   condition and `switch_at_time` call [`update`](super::update) behind their change. In `matters` the guards of contact have the root 1.
 //! * `Linear`: `held_rows` is [`held_rows`](super::held_rows).
