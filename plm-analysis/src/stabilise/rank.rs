@@ -121,6 +121,7 @@ pub(super) fn null_space(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::{DMatrix, DVector, Ranked};
 
