@@ -83,3 +83,49 @@ fn a_hook_tears_at_its_strength() {
     near(sim.pull(), 0.0, 0.0);
     near(sim.block().x, (343.0 - 75.0 * 7.0 + 250.0) / 12.0, 1e-10);
 }
+
+mechanism! {
+    /// A ball that is thrown down five stairs, each 0.3 m deep and 0.2 m high.
+    pub Stairs {
+        allow(W0002);
+        gravity: 9.81 m/s^2;
+        param e = 0.6;
+        discrete strikes: 1 = 0;
+        body ball { mass: 0.1 kg; inertia: 1e-4 kg*m^2; start y: 0.5 m; start vx: 0.4 m/s; }
+        repeat k in 0..5 {
+            unilateral tread[k]: ball.y >= -0.2 m*k {
+                restitution: e;
+                when: ball.x >= 0.3 m*k and ball.x < 0.3 m*(k + 1);
+            }
+        }
+        unilateral ground: ball.y >= -1 m { restitution: e; when: ball.x >= 1.5 m; }
+        output strikes;
+        when ball.vy > 0 m/s { strikes = strikes + 1; }
+    }
+}
+
+/// Parabolas between strikes, each on the tread where it comes down.
+#[test]
+fn a_ball_bounces_down_stairs() {
+    let mut sim = Stairs::new().start_with(Dop853::new(1e-12)).unwrap();
+    let (g, e, vx) = (9.81_f64, 0.6, 0.4);
+    let (mut time, mut y, mut vy) = (0.0, 0.5, 0.0_f64);
+    for strike in 1..=8 {
+        // The first tread, or the ground, above which the parabola comes down.
+        let fall = |level: f64| (vy + (vy * vy + 2.0 * g * (y - level)).sqrt()) / g;
+        let (level, flight) = (0..6)
+            .map(|k| (-0.2 * f64::from(k), fall(-0.2 * f64::from(k)), f64::from(k)))
+            .find(|(_, flight, k)| {
+                let x = vx * (time + flight);
+                x >= 0.3 * k && (*k > 4.5 || x < 0.3 * (k + 1.0))
+            })
+            .map(|(level, flight, _)| (level, flight))
+            .unwrap();
+        let middle = 0.5 * flight;
+        sim.step_to(time + middle).unwrap();
+        near(sim.ball().y, y + vy * middle - 0.5 * g * middle * middle, 1e-9);
+        near(sim.ball().x, vx * (time + middle), 1e-12);
+        near(sim.strikes(), f64::from(strike - 1), 0.0);
+        (time, y, vy) = (time + flight, level, e * (g * flight - vy));
+    }
+}

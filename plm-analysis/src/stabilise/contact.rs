@@ -13,6 +13,9 @@ use super::{BALANCED, Stabilise};
 /// A gap may be negative by this fraction of the size of the mechanism: half of what a start allows.
 const CLOSED: f64 = 5e-10;
 
+/// A constraint gives this force, N or N m, and any other.
+const ANY_FORCE: f64 = 1e18;
+
 /// A gap that is closed at the equilibrium, or a friction that holds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Support {
@@ -20,7 +23,7 @@ pub struct Support {
     pub name: &'static str,
     /// Its push or its friction, N or N m; none where more rows hold than there are freedoms, so that forces are not unique.
     pub force: Option<f64>,
-    /// The part of its bound that a friction uses, 0 to 1; none for a gap, and where forces are not unique.
+    /// The part of its bound that a friction uses, 0 to 1; none for a gap and for a constraint, and where forces are not unique.
     pub used: Option<f64>,
 }
 
@@ -125,6 +128,10 @@ pub(super) fn supports<M: Stabilise>(
         let Some(force) = force.filter(|_| is_unique) else {
             return Ok(Support { name, force: None, used: None });
         };
+        let [lower, upper] = limits.get(of.row).copied().unwrap_or_default();
+        if lower >= ANY_FORCE {
+            return Ok(Support { name, force: Some(force), used: None });
+        }
         if is_gap(residuals, of.row) {
             let pulls = force < -least;
             return if pulls {
@@ -133,7 +140,6 @@ pub(super) fn supports<M: Stabilise>(
                 Ok(Support { name, force: Some(force), used: None })
             };
         }
-        let [lower, upper] = limits.get(of.row).copied().unwrap_or_default();
         let limit = if force < 0.0 { lower } else { upper };
         if force.abs() > limit + least {
             return Err(Wrong::Slips(Fault::of_part(time, name, Cause::Slips)));

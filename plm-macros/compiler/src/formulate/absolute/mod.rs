@@ -200,16 +200,27 @@ fn at_rest(model: &Model, equations: &Equations) -> Function {
     let still: Vec<(Expr, Expr)> = equations.a.iter().map(|&a| (a, Expr::ZERO)).collect_vec();
     let mut results = stored("force", force.iter());
     results.extend(stored("x_dot", equations.x_dot.iter()));
-    let gaps: Vec<Expr> = model.contacts.iter().map(|contact| contact.displacement).collect_vec();
+    let gaps: Vec<Expr> = model.contacts.iter().map(displacement_at_rest).collect_vec();
     results.extend(stored("gap", gaps.iter()));
     let limits: Vec<Expr> = model.contacts.iter().flat_map(limits_at_rest).collect_vec();
     results.extend(stored("limit", limits.iter()));
     Function::of_results(results).substitute(&still)
 }
 
-/// How much a row can give to either side while it holds; nothing is said of a gap.
+/// The displacement of a row; a gap that does not exist is open by 1 m or rad.
+fn displacement_at_rest(contact: &Contact) -> Expr {
+    let Some(exists) = contact.exists else { return contact.displacement };
+    let half = Expr::from(1) / Expr::from(2);
+    half.less(exists).select(contact.displacement, Expr::ONE)
+}
+
+/// How much a row can give to either side while it holds; nothing is said of a gap, and a constraint gives all.
 fn limits_at_rest(contact: &Contact) -> [Expr; 2] {
-    let ContactLaw::Friction { adhesion, reaction, .. } = &contact.law else { return [Expr::ZERO; 2] };
+    let (adhesion, reaction) = match &contact.law {
+        ContactLaw::Unilateral { .. } => return [Expr::ZERO; 2],
+        ContactLaw::Constraint => return [Expr::from(1_000_000_000) * Expr::from(1_000_000_000); 2],
+        ContactLaw::Friction { adhesion, reaction, .. } => (adhesion, reaction),
+    };
     let sizes = reaction.iter().map(|Reaction { size, components }| {
         let square: Expr = components.iter().map(|&component| component * component).sum();
         (*size, square.sqrt())
