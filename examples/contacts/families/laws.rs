@@ -17,6 +17,7 @@ pub fn dry(own: f64) -> Law {
 }
 
 /// A friction bounded by the force of a pin whose rows begin with `pin`.
+#[cfg(feature = "sweep-all")]
 pub fn loaded(pin: usize, share: f64) -> Law {
     Law::Rub(Bound { joint: Some((pin, Some(pin + 1), share)), adhesion: 1.0, ..Bound::default() })
 }

@@ -92,7 +92,6 @@ pub mod slider_crank {
 }
 
 /// A parallelogram of unequal bars that swings: dry friction in a bearing, that of a loaded pin, a buffer.
-#[cfg(feature = "sweep-all")]
 pub mod four_bar {
     use crate::families::Draft;
     use crate::families::laws::{dry, loaded, sum};

@@ -5,6 +5,7 @@ mod declare;
 
 pub mod blocks;
 mod laws;
+#[cfg(feature = "sweep-all")]
 pub mod linkages;
 pub mod pendulums;
 pub mod slides;
@@ -46,6 +47,7 @@ pub static FAMILIES: &[Family] = &[
     family!(blocks::block: tree),
     family!(pendulums::ropes: tree),
     family!(slides::belt: tree),
+    #[cfg(feature = "sweep-all")]
     family!(linkages::slider_crank: loops absolute),
     #[cfg(feature = "sweep-all")]
     family!(blocks::crate_in_corner: tree),

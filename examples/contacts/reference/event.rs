@@ -73,9 +73,13 @@ impl<'w> Runner<'w> {
         self.held.lines = lines.map(|line| line.map_or(1.0, f64::signum)).collect();
         // One that is zero goes the way that a short step goes.
         (self.held.modes, self.held.carried, self.held.lambda) = (best.modes, best.carried, lambda);
-        // What is left of the rates of rows that hold goes by impulses which have their share of friction.
-        if let Some((impulses, _)) = problem.of_rates().forces(&self.held.modes, &self.held.lambda) {
-            problem.push(&impulses, &mut self.now.v);
+        // What is left of the rates of rows that hold is that of flights which are not followed; their impulses have been taken off with
+        // their share of friction, so that they are positive in the problem of the opposite rates.
+        let mut left = problem.of_rates();
+        left.c.iter_mut().for_each(|rate| *rate = -*rate);
+        if let Some((impulses, _)) = left.forces(&self.held.modes, &self.held.lambda) {
+            let taken: Vec<f64> = impulses.iter().map(|impulse| -impulse).collect();
+            problem.push(&taken, &mut self.now.v);
         }
         self.project()?;
         if let Some(ahead) = self.ahead(&self.held.modes, &self.held.lambda) {

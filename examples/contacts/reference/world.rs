@@ -75,6 +75,7 @@ impl World {
     }
 
     /// Two points coincide.
+    #[cfg(feature = "sweep-all")]
     pub fn pin(&mut self, a: At, b: At) -> usize {
         let along = |angle| Place::Along { a, b, angle, turns: false, swing: [0.0; 2] };
         self.joints.extend([along(0.0), along(std::f64::consts::FRAC_PI_2)]);
