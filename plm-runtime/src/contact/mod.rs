@@ -179,11 +179,11 @@ pub fn with_limits<T: Scalar, const N: usize>(held: &Held<T, N>, limits: &[[T; 2
 
 /// The multipliers, without those that are rounding of the others: lambda_i sqrt(D_ii) has the same unit in every row.
 fn without_noise<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &Modes<T, N>) -> [T; N] {
-    let lambda = lambda_of(rows, modes);
     // Forces of rows that slip follow from their limits.
     if !modes.of.iter().any(|mode| mode.holds()) {
-        return lambda;
+        return multipliers::sliding(rows, &modes.of).unwrap_or_else(|| lambda_of(rows, modes));
     }
+    let lambda = lambda_of(rows, modes);
     let sizes: [T; N] = core::array::from_fn(|i| lambda[i].abs() * rows.delassus[i][i].sqrt());
     let largest = sizes.iter().fold(T::ZERO, |largest, size| largest.max(*size));
     let least = T::lit(BALANCE_ULPS * T::PRECISION) * largest;

@@ -21,6 +21,8 @@ const NEAR: f64 = 1e-8;
 const BEHIND: u32 = 2;
 /// Sweeps before Newton's steps: with a friction of a hundredth of what would lock a joint one step is left.
 const SWEEPS: u32 = 4;
+/// Roundings of the largest force by which sweeps may go on changing them.
+const ROUNDED: f64 = 2.0;
 /// A sweep is to change them by this fraction of the one before.
 const SWEPT: f64 = 0.5;
 /// A diagonal entry of at least this fraction of the largest entry of its row is a pivot without a search for a larger one.
@@ -102,27 +104,41 @@ fn multipliers_above<T: Scalar, const N: usize>(
 /// Multipliers that Newton's steps begin with: those of rows that slip by sweeps of C. F. Gauss and L. Seidel, which cost a fraction of a
 /// step. A friction changes the reactions that bound it little.
 fn first<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &[Mode; N]) -> [T; N] {
-    let none = [T::ZERO; N];
+    swept(rows, modes, SWEEPS).unwrap_or([T::ZERO; N])
+}
+
+/// Forces of rows where all that have some slip, by sweeps until nothing changes but by rounding; none where that takes long.
+pub(super) fn sliding<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &[Mode; N]) -> Option<[T; N]> {
+    swept(rows, modes, u32::MAX)
+}
+
+/// So many sweeps, or fewer if nothing changes any more; none where they do not converge.
+fn swept<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &[Mode; N], sweeps: u32) -> Option<[T; N]> {
     if T::HAS_DERIVATIVES || !rows.load.contains(&Load::Plane) {
-        return none;
+        return None;
     }
-    let (mut lambda, mut before) = (none, f64::INFINITY);
-    for _ in 0..SWEEPS {
-        let mut change = 0.0_f64;
+    let (mut lambda, mut before) = ([T::ZERO; N], f64::INFINITY);
+    for _ in 0..sweeps {
+        let (mut change, mut size) = (0.0_f64, 0.0_f64);
         for i in 0..N {
             if let Some(limit) = slip_limit(rows, modes[i], i) {
                 let force = -(modes[i].sign::<T>() * rows.limit(i, limit, &lambda));
                 change = change.max((force - lambda[i]).to_f64().abs());
+                size = size.max(force.to_f64().abs());
                 lambda[i] = force;
             }
         }
-        // They do not converge where frictions lock each other.
-        if change > SWEPT * before {
-            return none;
+        if change <= ROUNDED * T::PRECISION * size {
+            break;
+        }
+        // They do not converge where frictions lock each other. False for what is not a number.
+        let converges = change <= SWEPT * before;
+        if !converges {
+            return None;
         }
         before = change;
     }
-    lambda
+    Some(lambda)
 }
 
 /// The limit of a row that slips.
