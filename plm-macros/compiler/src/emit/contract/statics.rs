@@ -61,11 +61,15 @@ pub(crate) fn statics(emission: &Emission) -> TokenStream {
     let states = model.states.iter();
     let states =
         emission.list(states.map(|state| format!("({:?}, {:?})", state.name.text, docs::si(&state.unit))));
+    let mut arguments = vec!["t", "u", "x", "lambda", "force", "x_dot", "each", "q", "v"];
+    if contact::are_there(emission) {
+        arguments.extend(["gap", "limit"]);
+    }
     let (at_rest_docs, at_rest) = body(
         emission,
         "What vanishes at rest: applied forces `Q` (N, N, N m per body) that reactions do not balance, residuals of the
 constraints, rates of the first-order states, without accelerations.",
-        &["t", "u", "x", "lambda", "force", "x_dot", "each", "q", "v"],
+        &arguments,
         (&program.at_rest, Origin::Arguments),
     );
     let OfContact { gaps, rates, multipliers } = OfContact::new(emission);
