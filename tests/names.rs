@@ -106,6 +106,37 @@ fn inputs_are_written_as_what_they_are_whatever_is_declared() {
     assert!(set.wheel().y > 0.35, "{:?}", set.wheel());
 }
 
+plm::mechanism! {
+    /// Rows of contact, events and a force that is read, with the names of what is emitted for them.
+    pub Rows {
+        gravity: 9.81 m/s^2;
+        param gap: m = 0.1 m;
+        param limit: 1 = 0.3;
+        param response: 1 = 2;
+        discrete set: 1 = 0;
+        discrete holds: 1 = 1;
+        discrete exist: 1 = 1;
+        let rows = gap*response;
+        let contact = limit*response;
+        let held = (1 N)*contact;
+        body lambda { mass: 1 kg; inertia: 1 kg*m^2; start y: gap; start vx: 1 m/s; }
+        constraint dx: lambda.angle = 0;
+        unilateral index: lambda.y >= 0 m { when: exist > 0.5; }
+        friction mode: rate(lambda.x + rows) within limit*reaction(index) { when: holds > 0.5; }
+        when lambda.y < gap/response { set = set + contact; exist = exist; }
+        output rows, contact, held, drag = reaction(mode), set, holds, exist, mechanism = lambda.x;
+        when t > 9 s { holds = 0; }
+    }
+}
+
+#[test]
+fn names_of_what_is_emitted_for_contact_are_names() {
+    let mut sim = Rows::new().start().unwrap();
+    sim.step(2.0).unwrap();
+    assert_eq!((sim.set(), sim.holds(), sim.lambda().vx), (0.6, 1.0, 0.0));
+    assert!((sim.rows() - 0.2).abs() < 1e-15 && (sim.held() - 0.6).abs() < 1e-15);
+}
+
 mod shared {
     plm::parts! {
         /// Documented, as everything is.

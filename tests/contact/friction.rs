@@ -88,6 +88,7 @@ fn a_mass_on_a_belt_sticks_and_slips() {
         sim.step_to(begun + slips + 0.1).unwrap();
         near(sim.mass().x, 0.01981, 1e-9);
     }
+    assert_eq!(sim.contact_stats().ambiguous, 0);
 }
 
 mechanism! {
@@ -165,4 +166,28 @@ fn a_clutch_locks() {
     sim.step_to(1.0).unwrap();
     near(sim.first().omega, sim.second().omega, 1e-12);
     near(sim.torque(), -21.428_571_428_571_43, 1e-10);
+}
+
+mechanism! {
+    pub Clamped {
+        input clamp: N = 5 N;
+        body block { mass: 1 kg; inertia: 1 kg*m^2; start vx: 1 m/s; }
+        constraint level: block.angle = 0;
+        constraint height: block.y = 0;
+        friction pads: rate(block.x) within clamp;
+    }
+}
+
+/// An input that makes a bound negative is a fault as soon as it is set, not a friction that drives.
+#[test]
+fn a_negative_bound_is_told() {
+    let mut sim = Clamped::new().start().unwrap();
+    sim.step_to(0.1).unwrap();
+    near(sim.block().vx, 0.5, 1e-12);
+    sim.input.clamp = -5.0;
+    let fault = sim.step(0.1).unwrap_err();
+    assert_eq!(
+        fault.to_string(),
+        "t = 0.1 s: pads: the bound of friction must be finite and not negative, found -5 N or N m"
+    );
 }

@@ -132,7 +132,8 @@ pub(super) fn enumerate<S: Real, const N: usize>(
         match &best {
             None => best = Some((solution, moving)),
             Some((known, least)) => {
-                is_ambiguous |= !is_same_motion(rows, known, &solution);
+                is_ambiguous |=
+                    !(is_same_motion(rows, known, &solution) || sticks_by_law(rows, known, &solution));
                 let is_better = moving == *least && solution.slack > known.slack;
                 if moving < *least || is_better {
                     best = Some((solution, moving));
@@ -335,6 +336,21 @@ fn moving<S: Real, const N: usize>(allowed: &[Allowed; N], solution: &Solution<S
 
 /// Accelerations of rows are the same if they differ by less than this fraction of the largest terms.
 const NO_DIFFERENCE: f64 = 1e-12;
+
+/// Do two combinations differ by rows alone that stick in one and slip in the other, under a static bound above the kinetic one? By that
+/// law what rests sticks, though it could slip.
+fn sticks_by_law<S: Real, const N: usize>(
+    rows: &Rows<S, N>,
+    one: &Solution<S, N>,
+    other: &Solution<S, N>,
+) -> bool {
+    let differs = |i: usize| match (one.modes[i], other.modes[i]) {
+        (one, other) if one == other => false,
+        (Mode::Sticks, mode) | (mode, Mode::Sticks) => !mode.slips() || rows.adhesion[i] == rows.kinetic[i],
+        _ => true,
+    };
+    !(0..N).any(differs)
+}
 
 /// Are the accelerations of all rows the same?
 fn is_same_motion<S: Real, const N: usize>(

@@ -1,5 +1,6 @@
 //! Contact rows behind a change from outside: a row that holds may have been moved away, or got a velocity, a friction a bound.
 
+use super::bounds::look_at_bounds;
 use super::candidates::is_off;
 use super::event::{speed, update};
 use super::modes::{Mode, Modes};
@@ -23,6 +24,7 @@ pub fn state_was_set<M: Contacts<N>, const N: usize>(
     x: &mut M::X,
 ) -> Result<(), Fault> {
     let rows = system.rows_at(t, u, x);
+    look_at_bounds(system, t, u, &rows)?;
     let mut modes: Modes<M::S, N> = *u.modes();
     let [far, fast] = [system.length(), speed::<M, N>(system, &rows, u)].map(|size| M::S::lit(MOVED) * size);
     let mut any = false;

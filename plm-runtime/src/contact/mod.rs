@@ -9,6 +9,7 @@
 //! [`switch_behind`], [`state_was_set`], [`update`], [`project`], [`drift`], [`begin`].
 
 mod booked;
+mod bounds;
 mod candidates;
 mod changed;
 mod choose;
