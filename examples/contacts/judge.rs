@@ -163,38 +163,12 @@ impl Case {
             }
             worst = worst.max(share);
         }
-        if pace == Pace::Watched {
-            if let Some(what) = times(known, other, outcome, &apart) {
-                return (Verdict::Wrong(what), 2.0);
-            }
+        if pace == Pace::Watched
+            && let Some(what) = times(known, other, outcome, &apart)
+        {
+            return (Verdict::Wrong(what), 2.0);
         }
-        (self.ends([known, other], outcome, &apart), worst)
-    }
-
-    /// A verdict on how both end, all samples being right.
-    fn ends(&self, [known, other]: [&Run; 2], outcome: &Outcome, apart: &[f64]) -> Verdict {
-        let reached = apart.iter().position(|apart| *apart >= SENSITIVE);
-        match (&outcome.fault, known.stop) {
-            (None, None) if reached.is_none() => Verdict::Right,
-            (Some(fault), Some((t, Stop::Nothing))) if (fault.time - t).abs() < 1e-3 => Verdict::Stopped,
-            (Some(fault), _) if matches!(fault.cause, Cause::TooManyContacts { .. }) => Verdict::TooMany,
-            (Some(fault), None) => {
-                // Beyond where small changes are large the motion is another one.
-                let is_sensitive = reached.is_some_and(|k| EVERY * (k as f64 - 1.0) <= fault.time);
-                if is_sensitive { Verdict::Sensitive } else { stop(fault.cause, fault.to_string()) }
-            }
-            (None, None) => Verdict::Sensitive,
-            (_, Some((_, Stop::Ambiguous))) if outcome.counts.ambiguous > 0 || outcome.fault.is_some() => {
-                Verdict::Ambiguous
-            }
-            (_, Some((t, Stop::Ambiguous))) => Verdict::Wrong(format!("not named as ambiguous at {t:.4} s")),
-            (_, Some((t, Stop::Nothing))) if other.stop.is_some_and(|(_, stop)| stop == Stop::Nothing) => {
-                Verdict::Wrong(format!("goes on beyond {t:.4} s, where no motion satisfies the laws"))
-            }
-            (_, Some((_, Stop::Nothing))) => Verdict::Sensitive,
-            (_, Some((_, Stop::Undetermined))) => Verdict::Undetermined,
-            (_, Some((_, stop))) => Verdict::Unknown(stop),
-        }
+        (ends([known, other], outcome, &apart), worst)
     }
 
     fn energies(&self, state: &State) -> [f64; 2] {
@@ -268,4 +242,29 @@ fn changed(world: &World, random: &mut Random) -> (World, f64) {
     let mut factor = 1.0;
     near(&mut factor);
     (world, factor)
+}
+
+/// A verdict on how both end, all samples being right.
+fn ends([known, other]: [&Run; 2], outcome: &Outcome, apart: &[f64]) -> Verdict {
+    let reached = apart.iter().position(|apart| *apart >= SENSITIVE);
+    match (&outcome.fault, known.stop) {
+        (None, None) if reached.is_none() => Verdict::Right,
+        (Some(fault), Some((t, Stop::Nothing))) if (fault.time - t).abs() < 1e-3 => Verdict::Stopped,
+        (Some(fault), _) if matches!(fault.cause, Cause::TooManyContacts { .. }) => Verdict::TooMany,
+        (Some(fault), None) => {
+            // Beyond where small changes are large the motion is another one.
+            let is_sensitive = reached.is_some_and(|k| EVERY * (k as f64 - 1.0) <= fault.time);
+            if is_sensitive { Verdict::Sensitive } else { stop(fault.cause, fault.to_string()) }
+        }
+        (_, Some((_, Stop::Ambiguous))) if outcome.counts.ambiguous > 0 || outcome.fault.is_some() => {
+            Verdict::Ambiguous
+        }
+        (_, Some((t, Stop::Ambiguous))) => Verdict::Wrong(format!("not named as ambiguous at {t:.4} s")),
+        (_, Some((t, Stop::Nothing))) if other.stop.is_some_and(|(_, stop)| stop == Stop::Nothing) => {
+            Verdict::Wrong(format!("goes on beyond {t:.4} s, where no motion satisfies the laws"))
+        }
+        (None, None) | (_, Some((_, Stop::Nothing))) => Verdict::Sensitive,
+        (_, Some((_, Stop::Undetermined))) => Verdict::Undetermined,
+        (_, Some((_, stop))) => Verdict::Unknown(stop),
+    }
 }

@@ -17,6 +17,7 @@ mod reference;
 mod run;
 
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -115,17 +116,23 @@ fn column(verdict: &Verdict) -> usize {
 
 fn print(table: &BTreeMap<(&str, &str), Vec<usize>>) {
     print!("{:28}", "");
-    COLUMNS.iter().for_each(|column| print!("{column:>13}"));
+    for column in COLUMNS {
+        print!("{column:>13}");
+    }
     println!();
     let mut sums = vec![0; COLUMNS.len()];
     for ((name, formulation), counts) in table {
         print!("{:28}", format!("{name}, {formulation}"));
-        counts.iter().for_each(|count| print!("{count:>13}"));
+        for count in counts {
+            print!("{count:>13}");
+        }
         println!();
         sums.iter_mut().zip(counts).for_each(|(sum, count)| *sum += count);
     }
     print!("{:28}", "");
-    sums.iter().for_each(|sum| print!("{sum:>13}"));
+    for sum in &sums {
+        print!("{sum:>13}");
+    }
     println!();
 }
 
@@ -141,18 +148,18 @@ fn told(case: &Case) -> String {
     let [run, other] = case.reference([0.0125, 0.009]);
     let mut text = format!("{}: {:?}\nstart {:?}\n", case.family.name, case.draft.numbers, case.draft.starts);
     for event in &run.events {
-        text += &format!("{:.12} {:?} jump {:.1e}\n", event.t, event.modes, event.jump);
+        let _ = writeln!(text, "{:.12} {:?} jump {:.1e}", event.t, event.modes, event.jump);
     }
     for state in &run.samples {
-        text += &format!("{:.3} {:.9?} {:.9?}\n", state.t, state.q, state.v);
+        let _ = writeln!(text, "{:.3} {:.9?} {:.9?}", state.t, state.q, state.v);
     }
     for (number, (formulation, _)) in case.family.runners.iter().enumerate() {
         let outcome = case.run(number, run::Pace::Watched, 1e-10);
         for sample in &outcome.samples {
-            text += &format!("{formulation} {} {:.9?} {:.9?}\n", sample.index, sample.q, sample.v);
+            let _ = writeln!(text, "{formulation} {} {:.9?} {:.9?}", sample.index, sample.q, sample.v);
         }
-        text += &format!("events at {:.12?}\n", outcome.events);
-        text += &format!("{:?}, {:?}, {:?}\n", outcome.fault, outcome.counts, outcome.modes);
+        let _ = writeln!(text, "events at {:.12?}", outcome.events);
+        let _ = writeln!(text, "{:?}, {:?}, {:?}", outcome.fault, outcome.counts, outcome.modes);
     }
     text + &format!(
         "{:?}, and {} events and {:?} with other numbers",

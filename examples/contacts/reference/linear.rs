@@ -33,7 +33,9 @@ pub fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<Vec<f64>>) -> Option<(Vec<Vec<f64>
             determinant = -determinant;
         }
         if q != k {
-            a.iter_mut().for_each(|row| row.swap(q, k));
+            for row in &mut *a {
+                row.swap(q, k);
+            }
             columns.swap(q, k);
             determinant = -determinant;
         }

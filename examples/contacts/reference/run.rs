@@ -139,7 +139,7 @@ impl Runner<'_> {
 
     /// The margins in the modes held that are passed: the least, and its row; that of the determinant has no row.
     fn passed(&self, state: &State, h: f64) -> Option<(f64, Option<usize>)> {
-        let worst = self.least(state)?;
+        let worst = self.least(state);
         if worst.0 < -PASSED {
             return Some(worst);
         }
@@ -157,10 +157,10 @@ impl Runner<'_> {
         None
     }
 
-    fn least(&self, state: &State) -> Option<(f64, Option<usize>)> {
+    fn least(&self, state: &State) -> (f64, Option<usize>) {
         let problem = self.problem(state);
         let Some((lambda, determinant)) = problem.forces(&self.held.modes, &self.held.lambda) else {
-            return Some((-1.0, None));
+            return (-1.0, None);
         };
         let mut worst = (determinant * self.held.determinant, None);
         for i in 0..problem.count() {
@@ -187,7 +187,7 @@ impl Runner<'_> {
                 worst = (line, Some(i));
             }
         }
-        Some(worst)
+        worst
     }
 
     /// Goes to where the first margin is passed, within the time `h`; gives its row. Regula falsi by the rule of Illinois (M. Dowell,
@@ -205,29 +205,26 @@ impl Runner<'_> {
                 _ => middle,
             };
             let Some(state) = self.moved(tried) else { return Err(Stop::Lost) };
-            match self.passed(&state, tried) {
-                Some((value, found)) => {
-                    row = found;
-                    let is_same = found.is_some() && value != -1.0;
-                    let value = value + PASSED;
-                    high = (tried, is_same.then_some(value));
-                    behind = Some(state);
-                    if side == 1 {
-                        low.1 = low.1.map(|value| 0.5 * value);
-                    }
-                    side = 1;
-                    if is_same && value > -1e-3 * PASSED {
-                        break;
-                    }
+            if let Some((value, found)) = self.passed(&state, tried) {
+                row = found;
+                let is_same = found.is_some() && value != -1.0;
+                let value = value + PASSED;
+                high = (tried, is_same.then_some(value));
+                behind = Some(state);
+                if side == 1 {
+                    low.1 = low.1.map(|value| 0.5 * value);
                 }
-                None => {
-                    let value = self.least(&state).map_or(0.0, |(value, _)| value);
-                    low = (tried, (value > PASSED).then_some(value + PASSED));
-                    if side == -1 {
-                        high.1 = high.1.map(|value| 0.5 * value);
-                    }
-                    side = -1;
+                side = 1;
+                if is_same && value > -1e-3 * PASSED {
+                    break;
                 }
+            } else {
+                let value = self.least(&state).0;
+                low = (tried, (value > PASSED).then_some(value + PASSED));
+                if side == -1 {
+                    high.1 = high.1.map(|value| 0.5 * value);
+                }
+                side = -1;
             }
             if high.0 - low.0 < 1e-15 + 4e-16 * self.now.t {
                 break;
