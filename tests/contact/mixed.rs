@@ -38,3 +38,35 @@ fn conditions_and_contact_end_steps_side_by_side() {
     near(v * v + 0.1 * 2.0 * 9.81 * x, work, 1e-9);
     near(sim.heat(), 0.1 * 2.0 * 9.81 * x, 1e-9);
 }
+
+mechanism! {
+    part pusher(on: body) {
+        input force: N = 0 N;
+        force on on: (force, 0 N);
+    }
+    /// A ball that bounces, and is pushed from a known time on, and between two others.
+    pub Timed {
+        allow(W0002);
+        gravity: 9.81 m/s^2;
+        body ball { mass: 2 kg; inertia: 1 kg*m^2; start y: 0.3 m; }
+        unilateral floor: ball.y >= 0 m { restitution: 0.8; }
+        pusher late(ball) { force: if t > 1.5 s then 3 N else 0 N; }
+        pusher between(ball) { force: if t > 0.9 s and t < 1.1 s then 5 N else 0 N; }
+    }
+}
+
+/// Events of contact leave the sides of conditions on the time alone.
+#[test]
+fn known_times_and_contact_do_not_mix() {
+    let mut sim = Timed::new().start_with(Dop853::new(1e-11)).unwrap();
+    let x = |t: f64| {
+        let late = 0.75 * (t - 1.5).max(0.0).powi(2);
+        let (from, to) = ((t - 0.9).max(0.0), (t - 1.1).max(0.0));
+        late + 1.25 * (from * from - to * to)
+    };
+    for k in 1..=30 {
+        sim.step_to(0.1 * f64::from(k)).unwrap();
+        near(sim.ball().x, x(sim.time()), 1e-12);
+    }
+    assert!(sim.contact_stats().impacts > 10);
+}

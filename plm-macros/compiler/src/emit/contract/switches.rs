@@ -149,9 +149,14 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
             }
         }
     });
+    // Behind the guards of conditions stand those of contact; behind sides of conditions of the state those of the time.
+    let own = contact::are_there(emission).then(|| {
+        let own = number(model.guards());
+        quote!(.filter(|_| index < #own))
+    });
     let changes = quote! {
         #exist
-        if let Some(side) = u.switches.get_mut(index) {
+        if let Some(side) = u.switches.get_mut(index)#own {
             *side = -*side;
         }
         #appear
