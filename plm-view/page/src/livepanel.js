@@ -109,6 +109,8 @@ export class LivePanel {
     const id = `${kind}-${index}`;
     const slider = element("input", { type: "range", id: `${id}-slider`, "aria-label": `${name}, slider`, min: low, max: high, step, oninput: () => set(slider) });
     const field = element("input", { type: "number", id, step: "any", onchange: () => set(field) });
+    field.addEventListener("input", () => field.setAttribute("data-typed", ""));
+    for (const end of ["change", "blur"]) field.addEventListener(end, () => field.removeAttribute("data-typed"));
     const label = element("label", { for: id }, name);
     this.dials.push({ kind, index, factor, slider, field });
     return element("div", { class: "dial" }, label, slider, field, element("span", { class: "faint" }, typeset(unit)));
