@@ -10,7 +10,7 @@ use super::branch;
 use super::disagree::disagreement;
 use super::lack::lack;
 use super::newton::{assembly_step, refused};
-use super::placed::{Begin, nearer};
+use super::placed::bring_nearer;
 use super::project::descend;
 use super::redundancy::{Dependencies, beside};
 use super::renew::open;
@@ -45,9 +45,7 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     let start = m.start_position();
     let free = start.map(freedom_of);
     let pose = close(m, t, &start, &free)?;
-    let mut pose = branch::find(m, t, pose, (&start, &free))?;
-    // Mirrored bodies may have turned further than half a turn.
-    Begin::new::<M, NC>(&start.map(|s| s.value), &free).unwind(m, t, &mut pose);
+    let pose = branch::find(m, t, pose, (&start, &free))?;
     let refined = m.refine(t, &pose.q);
     let q = refined.map_or(pose.q, |(q, _)| q);
     let here = Dependencies::at(m, t, &q, &free).ok_or_else(|| undecided(m, (t, &q), &free))?;
@@ -105,9 +103,10 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
 ) -> Result<Pose<S, NQ, NC>, Fault> {
     let q0 = start.map(|s| s.value);
     check_finite::<S, M, NQ, NC>(t, &q0)?;
-    let (pose, begin) = (newton(m, t, &q0, free), Begin::new::<M, NC>(&q0, free));
+    let mut pose = newton(m, t, &q0, free);
     if pose.is_closed(m) {
-        return Ok(nearer(m, t, pose, &begin));
+        bring_nearer(m, t, &mut pose, (&q0, free));
+        return Ok(pose);
     }
     // Locks that are too many are the likelier mistake than joints that do not fit.
     if let Some(at_start) = Dependencies::at(m, t, &q0, free) {
@@ -117,9 +116,20 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     if let Some(fault) = disagreement(m, t, &pose.q) {
         return Err(fault);
     }
-    let missed = |q: &[S; NQ]| branch::missed(m, q);
-    let found = search(m, t, (start, free), missed);
-    found.map(|pose| nearer(m, t, pose, &begin)).map_err(|least| lack(m, (t, least), free, &least))
+    searched(m, t, (start, free)).map_err(|nearest| lack(m, (t, nearest), free, &nearest))
+}
+
+/// The pose that a search about the start values finds, or the one at which the joints are open least.
+#[cold]
+#[inline(never)]
+fn searched<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    (start, free): (&[Start<S>; NQ], &[S; NQ]),
+) -> Result<Pose<S, NQ, NC>, [S; NQ]> {
+    let mut pose = search(m, t, (start, free), |q| branch::missed(m, q))?;
+    bring_nearer(m, t, &mut pose, (&start.map(|s| s.value), free));
+    Ok(pose)
 }
 
 /// Full Newton steps until the joints are closed, then on to rounding; or until the steps vanish.

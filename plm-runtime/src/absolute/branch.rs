@@ -6,6 +6,7 @@
 
 use super::Absolute;
 use super::assemble::{Pose, newton};
+use super::placed::unwind;
 use super::search::search;
 use crate::fault::{Cause, Fault};
 use crate::scalar::Real;
@@ -67,6 +68,8 @@ pub(super) fn find<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: u
         let [first, second] = wrong.names;
         let cause = Cause::OtherBranch { first, second, left: !wrong.left };
         pose = found.ok_or(Fault::of_part(t.to_f64(), wrong.part, cause))?;
+        // Mirrored bodies may have turned further than half a turn.
+        unwind(m, t, &mut pose, (start, free));
     }
     Ok(pose)
 }

@@ -7,8 +7,9 @@
 use super::Absolute;
 use super::assemble::{Pose, newton};
 use super::damped::Measure;
-use super::search::unwind;
+use super::search;
 use crate::scalar::Real;
+use crate::start::Start;
 use crate::vector::Vector;
 
 /// A pose is doubted if a body has turned by more than this, rad: where constraints leave freedoms, and where they leave none.
@@ -26,20 +27,17 @@ const CLOSING: (u32, f64) = (60, 1e-3);
 const ROUNDING: f64 = 1e-6;
 
 /// A start that steps begin with.
-pub(super) struct Begin<'a, S, const NQ: usize> {
+struct Begin<'a, S, const NQ: usize> {
     /// The start values.
-    pub(super) start: &'a [S; NQ],
+    start: &'a [S; NQ],
     /// 0 where a coordinate is locked, else 1.
-    pub(super) free: &'a [S; NQ],
+    free: &'a [S; NQ],
     /// The angles that the declaration gives, or whose value is no longer the zero of those that it does not give.
     given: [bool; NQ],
 }
 
 impl<'a, S: Real, const NQ: usize> Begin<'a, S, NQ> {
-    pub(super) fn new<M: Absolute<S, NQ, NC>, const NC: usize>(
-        start: &'a [S; NQ],
-        free: &'a [S; NQ],
-    ) -> Self {
+    fn new<M: Absolute<S, NQ, NC>, const NC: usize>(start: &'a [S; NQ], free: &'a [S; NQ]) -> Self {
         let given = |k: usize| M::GIVEN_ANGLES.get(k / 3) == Some(&true) || start.at(k) != S::ZERO;
         Self { start, free, given: core::array::from_fn(|k| k % 3 == 2 && given(k)) }
     }
@@ -56,59 +54,66 @@ impl<'a, S: Real, const NQ: usize> Begin<'a, S, NQ> {
     }
 
     /// Takes off whole turns: beyond half a turn from an angle that was given, beyond a whole one from another.
-    pub(super) fn unwind<M: Absolute<S, NQ, NC>, const NC: usize>(
-        &self,
-        m: &M,
-        t: S,
-        pose: &mut Pose<S, NQ, NC>,
-    ) {
+    fn unwind<M: Absolute<S, NQ, NC>, const NC: usize>(&self, m: &M, t: S, pose: &mut Pose<S, NQ, NC>) {
         let whole = |k: usize, turns: S| {
             let beyond = if self.given.get(k) == Some(&true) { 0.5 - ROUNDING } else { 0.0 };
             let count = (turns.abs() + S::lit(beyond)).floor();
             if turns < S::ZERO { -count } else { count }
         };
-        unwind(m, t, pose, (self.start, self.free), &whole);
+        search::unwind(m, t, pose, (self.start, self.free), &whole);
     }
 }
 
-/// A closed pose, or one that turns the bodies less from the angles that were given, where it turns them far and moves them from
-/// their places.
-pub(super) fn nearer<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+/// Takes whole turns from the start off a pose.
+#[inline(never)]
+pub(super) fn unwind<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
-    mut pose: Pose<S, NQ, NC>,
-    begin: &Begin<S, NQ>,
-) -> Pose<S, NQ, NC> {
+    pose: &mut Pose<S, NQ, NC>,
+    (start, free): (&[Start<S>; NQ], &[S; NQ]),
+) {
+    Begin::new::<M, NC>(&start.map(|s| s.value), free).unwind(m, t, pose);
+}
+
+/// Puts in the place of a closed pose one that turns the bodies less from the angles that were given, if there is one, where it
+/// turns them far and moves them from their places.
+#[inline(never)]
+pub(super) fn bring_nearer<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    pose: &mut Pose<S, NQ, NC>,
+    (start, free): (&[S; NQ], &[S; NQ]),
+) {
+    let begin = &Begin::new::<M, NC>(start, free);
     let locked = begin.free.iter().filter(|free| **free == S::ZERO).count();
     let limit = S::lit(DOUBTED[usize::from(NQ == NC + locked)]);
     let is_doubted = |q: &[S; NQ]| begin.turned(q).any(|by| by.abs() > limit);
-    begin.unwind(m, t, &mut pose);
-    let (place, moved) = (S::lit(IN_PLACE) * m.length(), |k: usize| (pose.q.at(k) - begin.start.at(k)).abs());
-    if !is_doubted(&pose.q) || (0..NQ).all(|k| k % 3 == 2 || moved(k) <= place) {
-        return pose;
+    begin.unwind(m, t, pose);
+    let (place, moved) = (S::lit(IN_PLACE) * m.length(), |k: usize| (pose.q.at(k) - start.at(k)).abs());
+    if is_doubted(&pose.q) && (0..NQ).any(|k| k % 3 != 2 && moved(k) > place) {
+        from_places(m, t, pose, begin, &is_doubted);
     }
-    from_places(m, t, pose, begin, &is_doubted)
 }
 
-/// The pose, or one that steps reach from where joints put the bodies at the angles that were given.
+/// Looks for a pose that steps reach from where joints put the bodies at the angles that were given.
 #[cold]
 #[inline(never)]
 fn from_places<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
-    mut pose: Pose<S, NQ, NC>,
+    pose: &mut Pose<S, NQ, NC>,
     begin: &Begin<S, NQ>,
     is_doubted: &impl Fn(&[S; NQ]) -> bool,
-) -> Pose<S, NQ, NC> {
+) {
     let Begin { start, free, given } = begin;
     let mut q = **start;
-    let mut place = |held: &dyn Fn(usize) -> bool| {
+    // At all angles as they are, then at those that were given.
+    for all in [true, false] {
+        let held = |k: usize| k % 3 == 2 && (all || given.get(k) == Some(&true));
         let free = Vector::from_fn(|k| if held(k) { S::ZERO } else { free.at(k) });
-        Measure::new(m, &free).descend(m, t, &mut q, PLACING);
-    };
-    place(&|k| k % 3 == 2);
-    if (0..NQ).any(|k| k % 3 == 2 && given.get(k) == Some(&false)) {
-        place(&|k| given.get(k) == Some(&true));
+        if all || (2..NQ).step_by(3).any(|k| !held(k)) {
+            Measure::new(m, &free).descend(m, t, &mut q, PLACING);
+        }
     }
     for damped in [false, true] {
         if damped {
@@ -118,12 +123,11 @@ fn from_places<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize
         begin.unwind(m, t, &mut other);
         let (found, iterations) = (pose.found, pose.iterations + other.iterations);
         if other.is_closed(m) && begin.distance(&other.q) < S::lit(NEARER) * begin.distance(&pose.q) {
-            pose = other;
+            *pose = other;
         }
         (pose.found, pose.iterations) = (found, iterations);
         if !is_doubted(&pose.q) {
             break;
         }
     }
-    pose
 }
