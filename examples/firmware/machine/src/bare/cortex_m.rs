@@ -72,7 +72,8 @@ pub fn instructions<R>(action: impl FnOnce() -> R) -> (R, u32) {
     let before = ticks();
     let result = action();
     let ticks = before.wrapping_sub(ticks()) % SYSTICK_RANGE;
-    (result, (ticks * TICK_NS).div_ceil(INSTRUCTION_NS))
+    // Both readings are whole ticks: their difference is off by less than one, a small part of an instruction.
+    (result, (ticks * TICK_NS + INSTRUCTION_NS / 2) / INSTRUCTION_NS)
 }
 
 /// A pattern that no number of a mechanism is likely to have.
