@@ -2,6 +2,7 @@
 
 use plm::{Dop853, Fault, mechanism};
 
+use crate::machines::slider_crank;
 use crate::near;
 
 mechanism! {
@@ -28,46 +29,16 @@ fn an_arm_is_braked_by_the_reaction_of_its_pin() {
     near(sim.drag(), -1.5 * k * sim.arm().omega.powi(2), 1e-10);
 }
 
-macro_rules! slider_crank {
-    ($name:ident, $formulation:ident, $($rows:tt)*) => {
-        mechanism! {
-            pub $name {
-                gravity: 9.81 m/s^2;
-                formulation: $formulation;
-                param mu = 0.2;
-                ground { port o: (0, 0) m; port rail: (0, 0) m, axis: 0 deg; }
-                body crank {
-                    mass: 1 kg; inertia: 0.01 kg*m^2;
-                    port o: (0, 0) m; port a: (0.1, 0) m;
-                    start angle: 40 deg, locked;
-                    start omega: 30 rad/s, locked;
-                }
-                body rod {
-                    mass: 0.5 kg; inertia: 0.004 kg*m^2;
-                    port a: (-0.15, 0) m; port b: (0.15, 0) m;
-                    start x: 0.2 m; start angle: -12 deg;
-                }
-                body slider { mass: 2 kg; inertia: 0.01 kg*m^2; port b: (0, 0) m; start x: 0.36 m; }
-                revolute o(ground.o, crank.o);
-                revolute a(crank.a, rod.a);
-                revolute b(rod.b, slider.b);
-                prismatic rail(ground.rail, slider.b);
-                $($rows)*
-            }
-        }
-    };
-}
-
-slider_crank!(InCharts, loops,
+slider_crank!(InCharts, loops, 30,
     friction rub: rate(slider.x) within mu*norm(rail.force);
     output drag = reaction(rub);
     output normal = norm(rail.force););
-slider_crank!(InAbsolute, absolute,
+slider_crank!(InAbsolute, absolute, 30,
     friction rub: rate(slider.x) within mu*norm(rail.force);
     output drag = reaction(rub);
     output normal = norm(rail.force););
-slider_crank!(WithoutFriction, loops, output used = mu;);
-slider_crank!(InThreePins, loops,
+slider_crank!(WithoutFriction, loops, 30, output used = mu;);
+slider_crank!(InThreePins, loops, 30,
     friction rub: rate(slider.x) within mu*norm(rail.force);
     friction at_o: rate(crank.angle) within mu*(0.01 m)*norm(o.force);
     friction at_a: rate(rod.angle - crank.angle) within mu*(0.01 m)*norm(a.force);

@@ -7,6 +7,7 @@ mod flights;
 mod friction;
 mod joints;
 mod loops;
+mod machines;
 mod mixed;
 mod painleve;
 mod pictures;

@@ -1,7 +1,24 @@
 //! Free bodies that strike, slide, tip and rest.
 
+use crate::random::Random;
+
+/// Numbers of a block: mass, moment of inertia, gravity, half its width and height, two coefficients of friction, restitution.
+fn drawn(random: &mut Random) -> [f64; 8] {
+    let (m, g, w, h) = (
+        random.between(0.5, 3.0),
+        random.between(5.0, 12.0),
+        random.between(0.1, 0.5),
+        random.between(0.1, 0.5),
+    );
+    let j = m * (w * w + h * h) * random.between(0.2, 0.6);
+    let (mu, nu) = (random.between(0.0, 0.8), random.between(0.0, 0.8));
+    let e = if random.chance(0.5) { 0.0 } else { random.between(0.0, 0.5) };
+    [m, j, g, w, h, mu, nu, e]
+}
+
 /// Two feet on a slope.
 pub mod block {
+    use super::drawn;
     use crate::families::Draft;
     use crate::families::laws::foot;
     use crate::random::Random;
@@ -20,15 +37,7 @@ pub mod block {
     }
 
     pub fn draw(random: &mut Random) -> Draft {
-        let (m, g, w, h) = (
-            random.between(0.5, 3.0),
-            random.between(5.0, 12.0),
-            random.between(0.1, 0.5),
-            random.between(0.1, 0.5),
-        );
-        let j = m * (w * w + h * h) * random.between(0.2, 0.6);
-        let (mu, nu) = (random.between(0.0, 0.8), random.between(0.0, 0.8));
-        let e = if random.chance(0.5) { 0.0 } else { random.between(0.0, 0.5) };
+        let [m, j, g, w, h, mu, nu, e] = drawn(random);
         let tilt = random.between(-0.5, 0.5);
         let mut world = World { gravity: [0.0, -g], ..World::default() };
         let body = world.body(m, j);
@@ -60,6 +69,7 @@ pub mod block {
 /// Four corners between a floor and a wall: eight pairs of gaps and frictions would touch at most three at once.
 #[cfg(feature = "sweep-all")]
 pub mod crate_in_corner {
+    use super::drawn;
     use crate::families::Draft;
     use crate::families::laws::foot;
     use crate::random::Random;
@@ -82,15 +92,7 @@ pub mod crate_in_corner {
     }
 
     pub fn draw(random: &mut Random) -> Draft {
-        let (m, g, w, h) = (
-            random.between(0.5, 3.0),
-            random.between(5.0, 12.0),
-            random.between(0.1, 0.5),
-            random.between(0.1, 0.5),
-        );
-        let j = m * (w * w + h * h) * random.between(0.2, 0.6);
-        let (mu, nu) = (random.between(0.0, 0.8), random.between(0.0, 0.8));
-        let e = if random.chance(0.5) { 0.0 } else { random.between(0.0, 0.5) };
+        let [m, j, g, w, h, mu, nu, e] = drawn(random);
         let mut world = World { gravity: [0.0, -g], ..World::default() };
         let body = Some(world.body(m, j));
         let corners = [[-w, -h], [w, -h], [w, h], [-w, h]];

@@ -1,6 +1,6 @@
 //! What contact costs, and how its errors follow the tolerance.
 
-use plm::{Dop853, mechanism};
+use plm::Dop853;
 
 use super::one_body::Body;
 use crate::friction::Oscillator;
@@ -34,47 +34,4 @@ fn an_event_costs_at_most_sixty_evaluations() {
     let (impacts, evaluations) = (sim.contact_stats().impacts, sim.stats().evaluations);
     assert_eq!(impacts, 20);
     assert!(evaluations <= 60 * impacts, "{evaluations} of {impacts}");
-}
-
-macro_rules! double_pendulum {
-    ($name:ident { $($elbow:tt)* } $($start:tt)*) => {
-        mechanism! {
-            pub $name {
-                gravity: 9.81 m/s^2;
-                ground { port o: (0, 0) m; }
-                body upper {
-                    mass: 1 kg; inertia: 0.1 kg*m^2;
-                    port a: (0, 0.5) m; port b: (0, -0.5) m;
-                    start angle: 60 deg, locked;
-                }
-                body lower { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0.5) m; $($start)* }
-                revolute shoulder(ground.o, upper.a);
-                $($elbow)*
-            }
-        }
-    };
-}
-
-double_pendulum!(Sticking {
-    revolute elbow(upper.b, lower.a);
-    friction brake: rate(lower.angle - upper.angle) within 1000 N*m;
-} start angle: 90 deg, locked;);
-double_pendulum!(Locked {
-    revolute elbow(upper.b, lower.a);
-    constraint brake: lower.angle - upper.angle = 30 deg;
-} start angle: 90 deg;);
-
-/// An elbow that its friction holds costs as many steps as one that is welded, but for a twentieth, and moves in the same way.
-#[test]
-fn a_joint_that_sticks_costs_as_many_steps_as_a_weld() {
-    let mut sticks = Sticking::new().start_with(Dop853::new(1e-10)).unwrap();
-    let mut locked = Locked::new().start_with(Dop853::new(1e-10)).unwrap();
-    for k in 1..=10 {
-        sticks.step_to(f64::from(k)).unwrap();
-        locked.step_to(f64::from(k)).unwrap();
-        near(sticks.upper().angle, locked.upper().angle, 1e-8);
-        near(sticks.lower().angle - sticks.upper().angle, 30_f64.to_radians(), 1e-12);
-    }
-    let [sticks, locked] = [sticks.stats().steps, locked.stats().steps];
-    assert!(sticks <= locked + locked / 20, "{sticks} steps, {locked} of the weld");
 }

@@ -2,46 +2,24 @@
 
 use plm::{Dop853, mechanism};
 
+use crate::machines::slider_crank;
 use crate::near;
 
-macro_rules! slider_crank {
+macro_rules! rubbing {
     ($name:ident, $formulation:ident) => {
-        mechanism! {
-            pub $name {
-                gravity: 9.81 m/s^2;
-                formulation: $formulation;
-                param mu = 0.2;
-                // Coefficient of friction times the radius of a pin.
-                param arm: m = 3 mm;
-                ground { port o: (0, 0) m; port rail: (0, 0) m, axis: 0 deg; }
-                body crank {
-                    mass: 1 kg; inertia: 0.01 kg*m^2;
-                    port o: (0, 0) m; port a: (0.1, 0) m;
-                    start angle: 40 deg, locked;
-                    start omega: 60 rad/s, locked;
-                }
-                body rod {
-                    mass: 0.5 kg; inertia: 0.004 kg*m^2;
-                    port a: (-0.15, 0) m; port b: (0.15, 0) m;
-                    start x: 0.2 m; start angle: -12 deg;
-                }
-                body slider { mass: 2 kg; inertia: 0.01 kg*m^2; port b: (0, 0) m; start x: 0.36 m; }
-                revolute o(ground.o, crank.o);
-                revolute a(crank.a, rod.a);
-                revolute b(rod.b, slider.b);
-                prismatic rail(ground.rail, slider.b);
-                friction in_o: rate(crank.angle) within arm*norm(o.force);
-                friction in_a: rate(rod.angle - crank.angle) within arm*norm(a.force);
-                friction in_b: rate(rod.angle - slider.angle) within arm*norm(b.force);
-                friction on_rail: rate(slider.x) within mu*norm(rail.force);
-                output carries_o = norm(o.force), carries_a = norm(a.force), carries_b = norm(b.force), carries_rail = norm(rail.force);
-            }
-        }
+        slider_crank!($name, $formulation, 60,
+            // Coefficient of friction times the radius of a pin.
+            param arm: m = 3 mm;
+            friction in_o: rate(crank.angle) within arm*norm(o.force);
+            friction in_a: rate(rod.angle - crank.angle) within arm*norm(a.force);
+            friction in_b: rate(rod.angle - slider.angle) within arm*norm(b.force);
+            friction on_rail: rate(slider.x) within mu*norm(rail.force);
+            output carries_o = norm(o.force), carries_a = norm(a.force), carries_b = norm(b.force), carries_rail = norm(rail.force););
     };
 }
 
-slider_crank!(InCharts, loops);
-slider_crank!(InAbsolute, absolute);
+rubbing!(InCharts, loops);
+rubbing!(InAbsolute, absolute);
 
 /// The same by Newton's and Euler's equations, with the angle of the crank as the independent variable: slips change their directions
 /// at multiples of 90 deg.

@@ -1,17 +1,14 @@
 //! `Contacts`: rows of contact as the runtime asks for them, and what the other contracts call of them.
 
-use crate::collect::{CollectVec, MapEach};
-use crate::emit::template::{joined, quote};
+use crate::collect::CollectVec;
+use crate::emit::template::quote;
 use plm_cas::{Expr, algebra};
 use proc_macro2::{Literal, TokenStream};
 
-use super::super::bindings::Origin;
-use super::super::function::function;
 use super::super::lower::inline;
-use super::super::{Emission, Form, Sizes, memory, number, quoted};
-use super::charted::call;
+use super::super::{Emission, Sizes, number, quoted};
 use super::contact_events::PER_ROW;
-use crate::formulate::ContactFunctions;
+use super::contact_motion;
 use crate::model::{Contact, ContactLaw, Impacts, Stabilisation};
 
 /// Has the mechanism rows of contact?
@@ -35,204 +32,9 @@ pub(crate) fn contacts(emission: &Emission) -> TokenStream {
     if !are_there(emission) {
         return TokenStream::new();
     }
-    let (functions, rows, contract) = (functions(emission), rows(emission), contract(emission));
+    let [functions, rows] = contact_motion::functions(emission);
+    let contract = contract(emission);
     quote!(#functions #rows #contract)
-}
-
-/// The straight-line functions, chart by chart.
-fn functions(emission: &Emission) -> TokenStream {
-    let name = &emission.name;
-    let of = of_charts(emission);
-    let all = of.into_iter().enumerate().map(|(k, of)| in_chart(emission, k, of)).collect_vec();
-    let (all, exist, count) = (joined(all), &emission.program.rows_exist, count(emission));
-    let exist = some_may_not_exist(emission).then(|| {
-        function(
-            emission,
-            "Does each row of contact exist? 1, or 0.",
-            &quote!(fn rows_exist(&self, u: &Held<S>, exist: &mut [S; #count])),
-            (exist, Origin::Arguments),
-        )
-    });
-    quote!(impl<S: Scalar> #name<S> { #all #exist })
-}
-
-/// Functions of the rows in each chart.
-fn of_charts<'a>(emission: &Emission<'a>) -> Vec<(&'a ContactFunctions, Origin<'a>)> {
-    match emission.form {
-        Form::Absolute => {
-            emission.program.contact.iter().map(|contact| (contact, Origin::Arguments)).collect_vec()
-        }
-        Form::Tree(chart) => {
-            chart.contact.iter().map(|contact| (contact, Origin::Chart(chart))).collect_vec()
-        }
-        Form::Loops(reduced) => {
-            let charts = reduced.charts.iter();
-            charts.filter_map(|chart| Some((chart.contact.as_ref()?, Origin::Chart(chart)))).collect_vec()
-        }
-    }
-}
-
-fn in_chart(emission: &Emission, k: usize, (contact, origin): (&ContactFunctions, Origin)) -> TokenStream {
-    let (Sizes { length, .. }, count) = (&emission.sizes, count(emission));
-    let memory = emission.loops().map(|reduced| memory(reduced, &quote!(S)));
-    let memory = memory.map(|memory| quote!(m: &#memory,));
-    let state = quote!(t: S, u: &Held<S>, #memory x: &[S; #length]);
-    let [kinematics, motion] =
-        ["contact_kinematics", "contact_motion"].map_each(|name| emission.in_chart(name, k));
-    let kinematics = function(
-        emission,
-        "Gaps and rates of the rows of contact.",
-        &quote!(fn #kinematics(&self, #state, rows: &mut rt::contact::Rows<S, #count>)),
-        (&contact.kinematics, origin),
-    );
-    let limits = contact.own.contains(&true).then(|| {
-        let limits = emission.in_chart("contact_limits", k);
-        function(
-            emission,
-            "Limits of frictions that read no reaction, as `[lower, upper]`.",
-            &quote!(fn #limits(&self, #state, limits: &mut [[S; 2]; #count])),
-            (&contact.limits, origin),
-        )
-    });
-    let health = (!matches!(emission.form, Form::Tree(_))).then(|| quote!(-> S));
-    let motion = function(
-        emission,
-        "The rate without contact forces, its responses to multipliers, and of the rows of contact: accelerations without contact forces, Delassus operator, limits of friction.",
-        &quote! {
-            fn #motion(
-                &self,
-                #state,
-                dx: &mut [S; #length],
-                response: &mut [[S; #length]; #count],
-                rows: &mut rt::contact::Rows<S, #count>
-            ) #health
-        },
-        (&contact.motion, origin),
-    );
-    quote!(#kinematics #limits #motion)
-}
-
-/// The rows at a state, and what is held with the multipliers there.
-fn rows(emission: &Emission) -> TokenStream {
-    let (Emission { name, sizes: Sizes { length, .. }, .. }, count) = (emission, count(emission));
-    let [_, memory] = emission.memory_argument();
-    let kinematics = call(emission, "contact_kinematics", &quote!(t, u, #memory x, &mut rows), &quote!({}));
-    let arguments = quote!(t, u, #memory x, &mut dx, &mut response, rows);
-    let motion = if let Form::Tree(_) = emission.form {
-        let motion = call(emission, "contact_motion", &arguments, &quote!({}));
-        quote!(#motion; let health = rt::Health::perfect();)
-    } else {
-        let motion = call(emission, "contact_motion", &arguments, &quote!(S::lit(0.0)));
-        quote!(let health = rt::Health(#motion);)
-    };
-    let loads = loads(emission);
-    quote! {
-        impl<S: Scalar> #name<S> {
-            #[inline]
-            fn contact_kinematics_(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
-                let mut rows = rt::contact::Rows::none();
-                #kinematics;
-                #loads
-                rows
-            }
-
-            /// The rate without contact forces, and its responses; completes the rows.
-            #[inline]
-            fn contact_motion_(
-                &self, t: S, u: &Held<S>, x: &[S; #length], rows: &mut rt::contact::Rows<S, #count>
-            ) -> ([S; #length], [[S; #length]; #count], rt::Health<S>) {
-                let (mut dx, mut response) = ([S::lit(0.0); #length], [[S::lit(0.0); #length]; #count]);
-                #motion
-                #loads
-                (dx, response, health)
-            }
-
-            fn contact_rows_(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
-                let mut rows = self.contact_kinematics_(t, u, x);
-                let _ = self.contact_motion_(t, u, x, &mut rows);
-                rows
-            }
-
-            fn contact_response_(
-                &self, t: S, u: &Held<S>, x: &[S; #length], lambda: &[S; #count]
-            ) -> [S; #length] {
-                let (_, response, _) = self.contact_motion_(t, u, x, &mut rt::contact::Rows::none());
-                rt::contact::sum_of(&response, lambda)
-            }
-
-            /// The discrete state with the multipliers of contact at a state.
-            #[inline]
-            fn loaded_(&self, t: S, u: &Held<S>, x: &[S; #length]) -> Held<S> {
-                let mut held = *u;
-                if !u.contact.has_forces() {
-                    return held;
-                }
-                let mut rows = rt::contact::Rows::none();
-                let _ = self.contact_motion_(t, u, x, &mut rows);
-                held.contact = rt::contact::with_multipliers(&rows, &u.contact);
-                held
-            }
-        }
-
-        impl<S: Real> State<S> {
-            /// The discrete state with the multipliers of contact.
-            fn loaded_(&self) -> Held<S> {
-                self.mechanism.loaded_(self.time, &self.held, &self.x)
-            }
-        }
-    }
-}
-
-/// The rate without contact forces, and those of the rows, from one pass; from two where it is not affine in them.
-pub(super) fn rate(emission: &Emission) -> TokenStream {
-    let of = of_charts(emission);
-    let by_limits = of.first().filter(|(contact, _)| contact.own.contains(&true)).map(|(contact, _)| {
-        let own = emission.text(format!("{:?}", contact.own));
-        let [_, memory] = emission.memory_argument();
-        let (count, limits) = (count(emission), quote!(t, u, #memory x, &mut limits));
-        let limits = call(emission, "contact_limits", &limits, &quote!({}));
-        quote! {
-            // Forces are known before the accelerations.
-            if u.contact.modes.slip_by(&#own) {
-                let (mut limits, mut held) = ([[S::lit(0.0); 2]; #count], *u);
-                #limits;
-                held.contact = rt::contact::with_limits(&u.contact, &limits);
-                return self.rate_holding_(t, &held, x, dx);
-            }
-        }
-    });
-    if of.iter().all(|(contact, _)| contact.is_affine) {
-        return quote! {
-            if !u.contact.has_forces() {
-                return self.rate_holding_(t, u, x, dx);
-            }
-            #by_limits
-            let mut rows = rt::contact::Rows::none();
-            let (free, response, health) = self.contact_motion_(t, u, x, &mut rows);
-            *dx = free;
-            rt::contact::add_forces(dx, &rows, &u.contact, &response);
-            health
-        };
-    }
-    quote! {
-        let u = &self.loaded_(t, u, x);
-        let health = self.rate_holding_(t, u, x, dx);
-        rt::contact::settle(dx, &u.contact, |lambda| self.contact_response_(t, u, x, lambda));
-        health
-    }
-}
-
-/// Kinds of the reactions that bound frictions; the sign of one along a line is held.
-fn loads(emission: &Emission) -> TokenStream {
-    let contacts = emission.model.contacts.iter().enumerate();
-    let loads = contacts.filter_map(|(row, contact)| {
-        let load = match contact.reaction()?.components.len() {
-            1 => format!("Line {{ negative: u.contact.modes.negative[{row}] }}"),
-            _ => "Plane".to_owned(),
-        };
-        Some(format!("rows.load[{row}] = rt::contact::Load::{load};"))
-    });
-    emission.text(loads.collect_vec().concat())
 }
 
 /// `Contacts`.

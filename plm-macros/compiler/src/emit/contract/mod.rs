@@ -4,6 +4,7 @@ pub(super) mod absolute;
 pub(super) mod charted;
 pub(super) mod contact;
 mod contact_events;
+mod contact_motion;
 pub(super) mod described;
 mod directions;
 pub(super) mod limits;

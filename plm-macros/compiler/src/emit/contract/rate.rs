@@ -8,7 +8,7 @@ use quote::format_ident;
 use super::super::function::is_straight;
 use super::super::{Emission, Form, Sizes, number};
 use super::charted::in_held;
-use super::{contact, pairs, system};
+use super::{contact, contact_motion, pairs, system};
 use crate::formulate::Reduced;
 
 /// Operations up to which a rate is copied into every stage of a method: a dozen stages then stay in a processor's cache for
@@ -79,7 +79,7 @@ pub(crate) fn rate(emission: &Emission) -> TokenStream {
 fn with_contact(emission: &Emission, rate: &TokenStream) -> TokenStream {
     let Emission { name, sizes: Sizes { length, second_order, .. }, .. } = emission;
     let (typical, freedom) = (typical(emission), number(second_order / 2));
-    let with_forces = contact::rate(emission);
+    let with_forces = contact_motion::rate(emission);
     quote! {
         impl<S: Scalar> rt::Rate for #name<S> {
             type S = S;
