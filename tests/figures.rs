@@ -1,7 +1,7 @@
 //! The drawn figures of the book, made anew.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
-#[path = "../examples/figures/blocks.rs"]
+#[path = "../examples/figures/blocks/mod.rs"]
 mod blocks;
 #[path = "../examples/figures/draw.rs"]
 mod draw;
@@ -12,6 +12,7 @@ use std::fs;
 use std::path::Path;
 
 use plm::Described;
+use plm_compiler::words;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -69,7 +70,7 @@ fn every_drawing_has_colours_for_a_dark_scheme() {
 
 #[test]
 fn every_part_has_a_figure() {
-    let missing = draw::missing(root()).unwrap();
+    let missing = draw::missing();
     assert!(missing.is_none(), "{}", missing.unwrap_or_default());
 }
 
@@ -78,7 +79,7 @@ fn every_part_has_a_figure() {
 fn boxes_have_the_ports_of_their_parts() {
     for block in blocks::blocks() {
         let name = block.name();
-        let part = fs::read_to_string(root().join(format!("plm-macros/compiler/parts/{name}.plm"))).unwrap();
+        let (_, part) = words::parts().iter().find(|(part, _)| *part == name).unwrap();
         let has = |kinds: &[&str], wanted: &str| {
             let starts = |line: &str, kind: &str| {
                 let rest = line.trim_start().strip_prefix(kind);

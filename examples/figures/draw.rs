@@ -7,7 +7,7 @@ use std::path::Path;
 
 use plm::view::{Body, Frame, GroundPort, Mechanism, Part, Port, Sense, Sketch};
 use plm_compiler::token::Sources;
-use plm_compiler::{Picture, PicturePort, compile};
+use plm_compiler::{Picture, PicturePort, compile, words};
 
 use super::blocks::blocks;
 
@@ -75,30 +75,21 @@ pub(crate) fn all(root: &Path) -> Result<Vec<Drawing>, Box<dyn Error>> {
 }
 
 /// Parts of the library without a figure, and how to draw them.
-///
-/// # Errors
-/// The library cannot be read.
-pub(crate) fn missing(root: &Path) -> Result<Option<String>, Box<dyn Error>> {
+pub(crate) fn missing() -> Option<String> {
     let drawn: Vec<String> =
         blocks().iter().map(|block| block.name().to_owned()).chain(PLANAR.map(str::to_owned)).collect();
-    let mut missing = Vec::new();
-    for entry in fs::read_dir(root.join("plm-macros/compiler/parts"))? {
-        let text = fs::read_to_string(entry?.path())?;
-        let heads =
-            text.lines().filter_map(|line| line.strip_prefix("part ").or(line.strip_prefix("joint ")));
-        let names = heads.filter_map(|head| head.split_once('(')).map(|(name, _)| name.to_owned());
-        missing.extend(names.filter(|name| !drawn.contains(name)));
-    }
+    let names = words::parts().iter().map(|(name, _)| *name);
+    let mut missing: Vec<&str> = names.filter(|name| !drawn.iter().any(|drawn| drawn == name)).collect();
     missing.sort();
-    Ok((!missing.is_empty()).then(|| {
+    (!missing.is_empty()).then(|| {
         format!(
             "parts without a figure: {}. List a part that joins frames in `PLANAR` of examples/figures/draw.rs (it is drawn from \
              the example of its page, or from examples/figures/parts/NAME.plm), and any other part as a box in \
-             examples/figures/blocks.rs; then `cargo run --example figures` writes docs/src/images/parts/NAME.svg. Step 5 of \
+             the folder examples/figures/blocks; then `cargo run --example figures` writes docs/src/images/parts/NAME.svg. Step 5 of \
              docs/src/internals/adding-a-part.md says more",
             missing.join(", ")
         )
-    }))
+    })
 }
 
 /// Both mirror images of the loop that the page about assembly declares.

@@ -11,52 +11,11 @@ use crate::syntax::ast::{Argument, Declaration, Definition, Domain, Ident, Item,
 use crate::syntax::parse_parts;
 use crate::token::Sources;
 
-/// Name of each part of the library and the file that defines it.
-pub(crate) const PARTS: &[(&str, &str)] = &[
-    ("acceleration_sensor", include_str!("../parts/acceleration_sensor.plm")),
-    ("attached_mass", include_str!("../parts/attached_mass.plm")),
-    ("attached_rotor", include_str!("../parts/attached_rotor.plm")),
-    ("chamber", include_str!("../parts/chamber.plm")),
-    ("cylinder", include_str!("../parts/cylinder.plm")),
-    ("end_stop", include_str!("../parts/end_stop.plm")),
-    ("fluid", include_str!("../parts/fluid.plm")),
-    ("force", include_str!("../parts/force.plm")),
-    ("force_sensor", include_str!("../parts/force_sensor.plm")),
-    ("force_state_spring", include_str!("../parts/force_state_spring.plm")),
-    ("frame_axes", include_str!("../parts/frame_axes.plm")),
-    ("jack", include_str!("../parts/jack.plm")),
-    ("lag", include_str!("../parts/lag.plm")),
-    ("lag2", include_str!("../parts/lag2.plm")),
-    ("oil_line", include_str!("../parts/oil_line.plm")),
-    ("oil_source", include_str!("../parts/oil_source.plm")),
-    ("oil_tank", include_str!("../parts/oil_tank.plm")),
-    ("orifice", include_str!("../parts/orifice.plm")),
-    ("pid", include_str!("../parts/pid.plm")),
-    ("pin_slot", include_str!("../parts/pin_slot.plm")),
-    ("piston", include_str!("../parts/piston.plm")),
-    ("position_sensor", include_str!("../parts/position_sensor.plm")),
-    ("prismatic", include_str!("../parts/prismatic.plm")),
-    ("ramps", include_str!("../parts/ramps.plm")),
-    ("revolute", include_str!("../parts/revolute.plm")),
-    ("rotor", include_str!("../parts/rotor.plm")),
-    ("servo_valve", include_str!("../parts/servo_valve.plm")),
-    ("shaft_spring", include_str!("../parts/shaft_spring.plm")),
-    ("slider_ground", include_str!("../parts/slider_ground.plm")),
-    ("slider_spring", include_str!("../parts/slider_spring.plm")),
-    ("slider_velocity", include_str!("../parts/slider_velocity.plm")),
-    ("sliding_mass", include_str!("../parts/sliding_mass.plm")),
-    ("spring", include_str!("../parts/spring.plm")),
-    ("torque_state_spring", include_str!("../parts/torque_state_spring.plm")),
-    ("velocity_sensor", include_str!("../parts/velocity_sensor.plm")),
-    ("weld", include_str!("../parts/weld.plm")),
-];
+mod catalogue;
+mod elsewhere;
 
-/// Name of each domain of the library and the file that defines it.
-pub(crate) const DOMAINS: &[(&str, &str)] = &[
-    ("oil", include_str!("../parts/oil.plm")),
-    ("shaft", include_str!("../parts/shaft.plm")),
-    ("slider", include_str!("../parts/slider.plm")),
-];
+pub(crate) use catalogue::{DOMAINS, PARTS};
+pub(crate) use elsewhere::ELSEWHERE;
 
 /// The parts of the library that have this name in the manual, `PLMPIV00` or `MAS002`, as their documentation says.
 pub(crate) fn of_manual(name: &str) -> Vec<&'static str> {

@@ -21,9 +21,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use plm_compiler::compile;
-use plm_compiler::diag::{Code, Diagnostics};
-use plm_compiler::syntax::ast::{Definition, ExprKind, ItemKind};
-use plm_compiler::syntax::parse_parts;
+use plm_compiler::diag::Code;
 use plm_compiler::token::Sources;
 use plm_compiler::units;
 
@@ -31,6 +29,8 @@ use plm_compiler::units;
 mod highlighting;
 #[path = "book/llms.rs"]
 mod llms;
+#[path = "book/parts.rs"]
+mod parts;
 
 /// The mechanism that fragments stand in: a chain of two bars. `docs/src/language/declaration.md` shows it.
 const EXAMPLE: &str = "
@@ -233,29 +233,6 @@ fn the_table_of_units_is_the_compilers() {
     assert_eq!(first_cells(table), known);
 }
 
-/// Names of parameters, inputs, choices and outputs of a part.
-fn names(part: &Definition) -> Vec<&str> {
-    let mut names = Vec::new();
-    for item in &part.items {
-        match &item.kind {
-            ItemKind::Param(value) | ItemKind::Input(value) | ItemKind::State(value) => {
-                names.push(value.name.ident.text.as_str());
-            }
-            ItemKind::Node(node) => names.push(node.name.ident.text.as_str()),
-            ItemKind::Choice(choice) => names.push(choice.name.text.as_str()),
-            ItemKind::Output(outputs) => {
-                let of = outputs.iter().filter_map(|output| match (&output.name, &output.value.kind) {
-                    (Some(name), _) | (None, ExprKind::Name(name)) => Some(name.ident.text.as_str()),
-                    _ => None,
-                });
-                names.extend(of);
-            }
-            _ => {}
-        }
-    }
-    names
-}
-
 /// The source that is emitted for the manual's double pendulum.
 fn double_pendulum() -> String {
     let mut sources = Sources::new();
@@ -280,21 +257,6 @@ fn the_generated_code_is_as_shown() {
             fs::write(&page, blessed.join("\n") + "\n").unwrap();
         } else {
             assert_eq!(block.text(&lines).trim_end(), function.join("\n"));
-        }
-    }
-}
-
-#[test]
-fn the_page_of_a_part_lists_what_it_has() {
-    let parts = Path::new(env!("CARGO_MANIFEST_DIR")).join("parts");
-    for entry in fs::read_dir(parts).unwrap().map(Result::unwrap) {
-        let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
-        let id = sources.add_text("part", &fs::read_to_string(entry.path()).unwrap());
-        for part in parse_parts(sources.get(id).unwrap(), &mut sink).parts {
-            let page = book().join(format!("parts/{}.md", part.name.text));
-            let text = fs::read_to_string(&page).unwrap_or_else(|_| panic!("no page {}", page.display()));
-            let known: BTreeSet<&str> = names(&part).into_iter().collect();
-            assert_eq!(first_cells(&text), known, "{}", page.display());
         }
     }
 }

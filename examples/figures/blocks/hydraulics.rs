@@ -1,0 +1,59 @@
+//! Hydraulic parts.
+
+use plm::view::{Block, Side, Symbol};
+
+pub(super) fn blocks() -> Vec<Block> {
+    vec![
+        Block::new("fluid", Symbol::Text("oil".into()))
+            .input("pressure")
+            .output("modulus")
+            .output("density")
+            .output("viscosity"),
+        Block::new("oil_source", Symbol::Source)
+            .input("pressure")
+            .port(Side::Right, "port")
+            .outward("flow")
+            .noting("flow > 0 out of the source"),
+        Block::new("oil_tank", Symbol::Tank)
+            .port(Side::Left, "port")
+            .inward("flow")
+            .noting("flow > 0 into the tank"),
+        Block::new("chamber", Symbol::Volume)
+            .port(Side::Left, "port")
+            .inward("flow")
+            .noting("flow > 0 into the chamber"),
+        Block::new("piston", Symbol::Piston)
+            .port(Side::Left, "chamber")
+            .port(Side::Right, "rod")
+            .outward("force")
+            .noting("opens: forwards (backwards is the mirror image);\nposition and force of the rod count to the right"),
+        Block::new("cylinder", Symbol::Cylinder)
+            .port(Side::Top, "port1")
+            .port(Side::Top, "port2")
+            .port(Side::Right, "rod")
+            .outward("force")
+            .noting("displacement from 0 to stroke; force > 0 pushes the rod out"),
+        Block::new("orifice", Symbol::Orifice)
+            .port(Side::Left, "a")
+            .inward("flow")
+            .port(Side::Right, "b")
+            .outward("flow")
+            .noting("flow > 0 from a to b"),
+        Block::new("servo_valve", Symbol::Valve)
+            .input("signal")
+            .output("opening")
+            .port(Side::Top, "a")
+            .outward("flow_a")
+            .port(Side::Top, "b")
+            .outward("flow_b")
+            .port(Side::Bottom, "supply")
+            .port(Side::Bottom, "tank")
+            .noting("signal > 0 opens supply to a and b to tank;\nsignal < 0 opens supply to b and a to tank"),
+        Block::new("oil_line", Symbol::Line)
+            .port(Side::Left, "port")
+            .inward("flow")
+            .port(Side::Right, "end")
+            .outward("flow")
+            .noting("flow > 0 leaves at end"),
+    ]
+}

@@ -1,0 +1,12 @@
+//! The parts that lie in no plane: their ports, and which way their flows and forces count.
+
+use plm::view::Block;
+
+mod hydraulics;
+mod lines;
+mod signals;
+
+/// One box for each page.
+pub(crate) fn blocks() -> Vec<Block> {
+    [lines::blocks(), hydraulics::blocks(), signals::blocks()].concat()
+}

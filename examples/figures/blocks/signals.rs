@@ -1,0 +1,17 @@
+//! Parts of signals.
+
+use plm::view::{Block, Symbol};
+
+pub(super) fn blocks() -> Vec<Block> {
+    vec![
+        Block::new("force_sensor", Symbol::Text("gain (measured − offset)".into()))
+            .input("x")
+            .input("y")
+            .input("torque")
+            .output("signal"),
+        Block::new("ramps", Symbol::Ramps).output("value"),
+        Block::new("lag", Symbol::Lag).input("signal").output("value"),
+        Block::new("lag2", Symbol::Swing).input("signal").output("value"),
+        Block::new("pid", Symbol::Text("P + I + D".into())).input("error").output("value"),
+    ]
+}
