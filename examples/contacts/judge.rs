@@ -1,4 +1,4 @@
-//! What is right: `plm` beside the reference, and the reference beside itself with numbers that are a little off.
+//! Verdicts: `plm` beside the reference, and the reference beside itself with slightly changed numbers.
 
 use plm::Cause;
 

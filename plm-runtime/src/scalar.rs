@@ -390,16 +390,4 @@ real!(f64, 6e-6, 1e9, 1.490_116_119_384_765_6e-8);
 real!(f32, 5e-3, 1e5, 3.452_669_8e-4);
 
 #[cfg(feature = "fma")]
-mod fused {
-    extern crate std;
-    macro_rules! fused {
-        ($real:ident) => {
-            #[inline]
-            pub(super) fn $real(x: $real, a: $real, b: $real) -> $real {
-                x.mul_add(a, b)
-            }
-        };
-    }
-    fused!(f64);
-    fused!(f32);
-}
+mod fused;

@@ -20,6 +20,7 @@ mod root;
 mod sampled;
 mod search;
 mod sets;
+mod stays;
 mod violated;
 mod words;
 
@@ -40,9 +41,8 @@ pub use self::violated::switch_where_due;
 use self::violated::{Switched, required, switch_violated};
 pub(crate) use self::violated::{are_satisfied, switch_at_end, switch_each};
 use crate::fault::{Cause, Fault};
-use crate::method::{Context, Method, Path};
+use crate::method::{Context, Method};
 use crate::scalar::{Real, Scalar};
-
 use crate::system::System;
 use crate::vector::Vector;
 
@@ -251,18 +251,6 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             Some(kink) => (Ends::Whole, kink),
             None => (ends, time),
         })
-    }
-
-    /// Do all guards stay on their sides in the step, as is known without its dense output?
-    fn stay<M: System<S = S, G = G>>(&self, context: &Context<'_, M>, start: &Beginning<M>, end: &G) -> bool {
-        if self.residual.fold(false, |any, left| any || left != S::ZERO) {
-            return false;
-        }
-        let path = Path::between((start.time, &start.x), (context.time, &context.x), M::NQ);
-        let half = S::lit(0.5);
-        let (middle, (time, x)) = (path.at(half), path.around(half, half));
-        let places = [(start.time, &start.x), (path.time(half), &middle)];
-        context.system.stay(&context.held, places, (time, &x), end)
     }
 
     /// Holds the other side of the condition that is due; without dense output of all that are past their

@@ -1,7 +1,7 @@
 //! The general path: steps of any method to the end of an interval, each judged, then committed or made in another way.
 
 use super::judge::{Limits, Proposal, Rules, Verdict, judge};
-use super::near_singular::Rescue;
+use super::near_singular::{Rescue, is_singular, true_cause};
 use super::observer::{Observer, Trigger};
 use crate::events::{self, Beginning, Detector, Event, History};
 use crate::fault::{Cause, Fault};
@@ -368,33 +368,6 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         }
         if self.context.time < self.context.end { self.method.begin(self.context) } else { Ok(()) }
     }
-}
-
-/// The cause of a fault near a singular pose: that which the mechanism's own coordinates told, but where the motion ends there.
-fn true_cause(failed: Option<Fault>, fault: Fault) -> Fault {
-    match failed {
-        Some(cause) if !matches!(fault.cause, Cause::LockedAt { .. }) => Fault { time: fault.time, ..cause },
-        _ => fault,
-    }
-}
-
-/// Can a fault come from a pose at which the mechanism's own coordinates are not regular?
-fn is_singular(fault: &Fault) -> bool {
-    use Cause::{
-        Drift, Locked, NotConverged, NotFinite, Singular, StepTooLong, StepTooSmall, TurnedTooFar, Workspace,
-    };
-    matches!(
-        fault.cause,
-        Locked
-            | TurnedTooFar { .. }
-            | StepTooSmall { .. }
-            | StepTooLong { .. }
-            | NotConverged { .. }
-            | NotFinite
-            | Singular { .. }
-            | Drift { .. }
-            | Workspace { .. }
-    )
 }
 
 /// Projects the state reached onto the constraints.

@@ -1,5 +1,6 @@
 //! Contract of the near-singular method, and the distance of a step from singular poses.
 
+use crate::fault::{Cause, Fault};
 use crate::mechanism::Mechanism;
 use crate::method::{Context, Length, Method};
 use crate::system::Step;
@@ -41,4 +42,31 @@ pub enum Nearness {
     },
     /// It has led over poses that are so nearly singular that only the near-singular method can be trusted.
     Singular,
+}
+
+/// The cause of a fault near a singular pose: that which the mechanism's own coordinates told, but where the motion ends there.
+pub(super) fn true_cause(failed: Option<Fault>, fault: Fault) -> Fault {
+    match failed {
+        Some(cause) if !matches!(fault.cause, Cause::LockedAt { .. }) => Fault { time: fault.time, ..cause },
+        _ => fault,
+    }
+}
+
+/// Can a fault come from a pose at which the mechanism's own coordinates are not regular?
+pub(super) fn is_singular(fault: &Fault) -> bool {
+    use Cause::{
+        Drift, Locked, NotConverged, NotFinite, Singular, StepTooLong, StepTooSmall, TurnedTooFar, Workspace,
+    };
+    matches!(
+        fault.cause,
+        Locked
+            | TurnedTooFar { .. }
+            | StepTooSmall { .. }
+            | StepTooLong { .. }
+            | NotConverged { .. }
+            | NotFinite
+            | Singular { .. }
+            | Drift { .. }
+            | Workspace { .. }
+    )
 }

@@ -2,30 +2,30 @@
 
 use core::f64::consts::{LN_2, PI, SQRT_2};
 
-use plm_runtime::method::{Gauss, Method};
+use plm_runtime::method::Method;
 use plm_runtime::{
-    Adams, Cause, Constraints, Dop853, Dopri5, Events, Fault, Health, Labels, Mechanism, Rate, Rk4,
-    SemiImplicitEuler, Sim, Vern9,
+    Adams, Cause, Constraints, Dop853, Dopri5, Events, Fault, Health, Labels, Mechanism, Rate, Rk4, Sim,
+    Vern9,
 };
 
 use crate::linkage::At;
 
 /// Equations that switch.
 #[derive(Clone, Copy, Debug)]
-struct Scene {
-    rate: fn(f64, &Held, &[f64; 3]) -> [f64; 3],
-    guards: fn(&Held, &[f64; 3]) -> [f64; 2],
-    switch: fn(&mut Held, &[f64; 3], usize),
-    start: [f64; 3],
-    band: f64,
-    instants: &'static [f64],
+pub(crate) struct Scene {
+    pub(crate) rate: fn(f64, &Held, &[f64; 3]) -> [f64; 3],
+    pub(crate) guards: fn(&Held, &[f64; 3]) -> [f64; 2],
+    pub(crate) switch: fn(&mut Held, &[f64; 3], usize),
+    pub(crate) start: [f64; 3],
+    pub(crate) band: f64,
+    pub(crate) instants: &'static [f64],
 }
 
 /// A side of each condition, and how many of the known times have passed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Held {
-    side: [f64; 2],
-    passed: usize,
+pub(crate) struct Held {
+    pub(crate) side: [f64; 2],
+    pub(crate) passed: usize,
 }
 
 impl Rate for Scene {
@@ -80,7 +80,7 @@ impl Mechanism for Scene {
 }
 
 /// Nothing switches.
-const SMOOTH: Scene = Scene {
+pub(crate) const SMOOTH: Scene = Scene {
     rate: |_, _, x| [x[1], -x[0], 0.0],
     guards: |_, _| [1.0; 2],
     switch: |held, _, index| held.side[index] = -held.side[index],
@@ -111,7 +111,7 @@ fn force(t: f64) -> [f64; 2] {
     }
 }
 
-fn run<I: Method<Scene>>(scene: Scene, method: I, t: f64) -> Sim<Scene, I> {
+pub(crate) fn run<I: Method<Scene>>(scene: Scene, method: I, t: f64) -> Sim<Scene, I> {
     let mut sim = scene.start_with(method).unwrap();
     sim.step(t).unwrap();
     sim
@@ -272,42 +272,6 @@ fn a_state_that_is_set_within_the_band_holds_its_side() {
     }
 }
 
-/// x' = -x + (0 until 1, 1 until 2.5, then 3).
-const KNOWN: Scene = Scene {
-    rate: |t, held, x| {
-        // What applies after a known time must not be seen before it, and what applied before not after it.
-        let [from, to] = [[0.0, 1.0], [1.0, 2.5], [2.5, f64::INFINITY]][held.passed];
-        assert!(from <= t && t <= to, "{t} {held:?}");
-        [0.0, 0.0, [0.0, 1.0, 3.0][held.passed] - x[2]]
-    },
-    instants: &[1.0, 2.5],
-    start: [0.0, 0.0, 1.0],
-    ..SMOOTH
-};
-
-#[test]
-fn known_times_are_hit_exactly() {
-    let exact = {
-        let at_1 = (-1.0_f64).exp();
-        let at_2_5 = 1.0 + (at_1 - 1.0) * (-1.5_f64).exp();
-        3.0 + (at_2_5 - 3.0) * (-1.5_f64).exp()
-    };
-    let sim = run(KNOWN, Dop853::new(1e-11), 4.0);
-    assert!((sim.x[2] - exact).abs() < 1e-11, "{:e}", sim.x[2] - exact);
-    assert_eq!((sim.stats().switches, sim.held.passed), (2, 2));
-    // Steps of 0.3 s at most: four to 1, five to 2.5, five to 4; the order is kept.
-    let error = |h: f64| (run(KNOWN, Rk4::new(h), 4.0).x[2] - exact).abs();
-    assert_eq!(run(KNOWN, Rk4::new(0.3), 4.0).stats().steps, 14);
-    let order = (error(0.05) / error(0.025)).log2();
-    assert!((order - 4.0).abs() < 0.1, "{order}");
-    // An interval that ends at such a time has passed it.
-    let mut sim = KNOWN.start_with(Dop853::new(1e-11)).unwrap();
-    sim.step(1.0).unwrap();
-    assert_eq!(sim.held.passed, 1);
-    sim.step(3.0).unwrap();
-    assert!((sim.x[2] - exact).abs() < 1e-11);
-}
-
 #[test]
 fn fixed_steps_keep_their_grid() {
     let error = |steps: u32| {
@@ -389,21 +353,4 @@ fn kinks_are_left_to_error_control() {
     }
     // What it costs: a few shorter steps.
     assert!(errors[1].1 < 400, "{errors:?}");
-}
-
-#[test]
-fn known_times_are_hit_by_every_method() {
-    fn passes<I: Method<Scene>>(method: I) {
-        // The rate of KNOWN itself refuses times beyond what is held.
-        let sim = run(KNOWN, method, 4.0);
-        assert_eq!((sim.time, sim.held.passed), (4.0, 2));
-    }
-    passes(Dop853::new(1e-4));
-    passes(Vern9::new(1e-4));
-    passes(Adams::new(1e-4));
-    passes(Dopri5::new(1e-4));
-    passes(Rk4::new(0.7));
-    passes(SemiImplicitEuler::new(0.7));
-    passes(Gauss::<_, 2>::new(0.7));
-    passes(Gauss::<_, 3>::new(0.7));
 }

@@ -6,6 +6,7 @@ mod chart_changes;
 mod charts;
 mod events;
 mod followed;
+mod known_times;
 #[path = "../support/linkage.rs"]
 mod linkage;
 #[path = "../support/mechanisms.rs"]

@@ -7,7 +7,7 @@ import { KeptStates } from "./keptstates.js";
 import { Run } from "./run.js";
 import { BAR, Scene } from "./scene.js";
 import { readShape } from "./shape.js";
-import { workerText } from "./worker.js";
+import { startWorker } from "./startworker.js";
 
 /** @import {App, Mode} from "./app.js" */
 /** @import {RunHead} from "./format.js" */
@@ -393,11 +393,4 @@ function liveHead(head) {
   // The page pulls by parts and inputs of its own.
   live.mechanism.parts = live.mechanism.parts.filter(({ kind }) => kind !== "plm_pull");
   return { ...live, name: "live", method: "runs in this page", events: [], fault: null };
-}
-
-function startWorker() {
-  const address = URL.createObjectURL(new Blob([workerText()], { type: "text/javascript" }));
-  const worker = new Worker(address);
-  URL.revokeObjectURL(address);
-  return worker;
 }
