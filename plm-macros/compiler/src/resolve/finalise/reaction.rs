@@ -16,11 +16,15 @@ impl Resolver<'_> {
         let sizes = sizes.filter_map(|expr| Some((expr, components(expr)?))).collect_vec();
         let [(of, components)] = &sizes[..] else { return None };
         let row = &mut self.unresolved.contacts[contact];
-        let size = Expr::symbol(format!("size_{}", row.name));
-        let reaction = row.reaction.get_or_insert_with(|| Reaction { size, components: components.clone() });
+        let name = format!("size_{}", row.name);
+        let reaction = row.reaction.get_or_insert_with(|| {
+            // Both bounds of a friction read the same symbol.
+            Reaction { size: Expr::symbol(name), components: components.clone() }
+        });
         if reaction.components != *components {
             return None;
         }
+        let size = reaction.size;
         let found = algebra::substitute(&[limit], &[(*of, size)])[0];
         let is_linear = !algebra::symbols(&[found.diff(size)]).contains(&size);
         (is_linear && !reads(found)).then_some(found)
