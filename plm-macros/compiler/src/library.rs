@@ -7,7 +7,7 @@ use crate::collect::CollectVec;
 use crate::sorted::{SortedMap, SortedSet};
 
 use crate::diag::{Code, Diagnostics};
-use crate::syntax::ast::{Argument, Declaration, Definition, Domain, Ident, Item, ItemKind, Shared};
+use crate::syntax::ast::{Argument, Declaration, Definition, Domain, Ident, Item, ItemKind, Shared, all_items};
 use crate::syntax::parse_parts;
 use crate::token::Sources;
 
@@ -104,7 +104,7 @@ impl Library {
 
     /// Takes the definitions among items, and notes the names of the parts that they use.
     fn collect(&mut self, items: &[Item], open: &mut SortedSet<String>, sink: &mut Diagnostics) {
-        for item in items {
+        for item in all_items(items) {
             match &item.kind {
                 ItemKind::Definition(part) => {
                     self.add(part, sink);
@@ -114,7 +114,6 @@ impl Library {
                 ItemKind::Node(node) => {
                     open.insert(node.kind.text.clone());
                 }
-                ItemKind::Repeat(repeat) => self.collect(&repeat.items, open, sink),
                 ItemKind::Instance(instance) => {
                     open.insert(instance.kind.text.clone());
                 }

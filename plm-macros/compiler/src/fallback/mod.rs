@@ -3,6 +3,7 @@
 //! It goes the way of every model through derivation and emission, so that code which uses the mechanism sees the very
 //! types that it would see without the errors, and adds none of its own. Its bodies float, its outputs are zero.
 
+mod given;
 mod observe;
 mod shape;
 
@@ -37,6 +38,7 @@ pub(crate) fn model(reading: &Reading) -> Option<Model> {
         library,
         shapes,
         indices: Vec::new(),
+        uses: Vec::new(),
         items: 0,
         found: Found::default(),
         observables: Vec::new(),
@@ -118,6 +120,8 @@ struct Names<'a> {
     shapes: Shapes<'a>,
     /// Indices of the repetitions around an item, and their values.
     indices: Vec<(&'a str, i64)>,
+    /// Parts in use around an item, with their names, from the outside inwards.
+    uses: Vec<(String, &'a ast::Instance, &'a ast::Definition)>,
     items: usize,
     found: Found,
     /// Items that can be observed.
@@ -148,6 +152,10 @@ impl<'a> Names<'a> {
                 }
                 ItemKind::State(value) | ItemKind::Discrete(value) => self.state(prefix, value),
                 ItemKind::Repeat(repeat) => self.repeat(repeat, prefix, depth),
+                ItemKind::Given(given) => {
+                    let holds = self.is_given(&given.condition);
+                    self.walk(if holds { &given.items } else { &given.otherwise }, prefix, depth);
+                }
                 ItemKind::Instance(instance) => self.instance(instance, prefix, depth),
                 ItemKind::Param(value) if depth == 0 => self.param(item, value),
                 ItemKind::Input(value) if depth == 0 => self.input(item, value),
@@ -195,7 +203,10 @@ impl<'a> Names<'a> {
         self.observables.push((format!("{prefix}{name}"), Observable::Part(definition)));
         if depth < MAX_DEPTH {
             let outside = std::mem::take(&mut self.indices);
-            self.walk(&definition.items, &format!("{prefix}{name}."), depth + 1);
+            let inside = format!("{prefix}{name}.");
+            self.uses.push((name, instance, definition));
+            self.walk(&definition.items, &inside, depth + 1);
+            self.uses.pop();
             self.indices = outside;
         }
     }

@@ -5,7 +5,7 @@ use std::cell::Cell;
 use crate::library::Library;
 use crate::resolve::{CallShape, Function, Member};
 use crate::sorted::SortedMap;
-use crate::syntax::ast::{Expr, ExprKind, IndexedName, Instance, Item, ItemKind, Operator};
+use crate::syntax::ast::{Expr, ExprKind, IndexedName, Instance, Item, ItemKind, Operator, all_items};
 
 /// Definitions that are followed for one answer, in all and one inside the other: they may form circles.
 const MAX_STEPS: u32 = 1000;
@@ -89,7 +89,7 @@ impl<'a> Shapes<'a> {
             // Of a part that is not known, a force is taken for a vector.
             return Member::names_vector(last) || (instance.is_some() && last == "force");
         };
-        let outputs = all(&definition.items).filter_map(|item| match &item.kind {
+        let outputs = all_items(&definition.items).filter_map(|item| match &item.kind {
             ItemKind::Output(list) => Some(list),
             _ => None,
         });
@@ -122,11 +122,11 @@ struct Named<'a> {
 
 impl<'a> Named<'a> {
     fn of(items: &'a [Item]) -> Named<'a> {
-        let lets = all(items).filter_map(|item| match &item.kind {
+        let lets = all_items(items).filter_map(|item| match &item.kind {
             ItemKind::Let(name, value) => Some((name.ident.text.as_str(), value)),
             _ => None,
         });
-        let instances = all(items).filter_map(|item| match &item.kind {
+        let instances = all_items(items).filter_map(|item| match &item.kind {
             ItemKind::Instance(instance) => Some((instance.name.ident.text.as_str(), instance)),
             _ => None,
         });
@@ -146,22 +146,4 @@ fn first_of_each<'a, V>(entries: impl Iterator<Item = (&'a str, V)>) -> SortedMa
         }
     }
     first
-}
-
-/// Items and those in repetitions.
-fn all(items: &[Item]) -> impl Iterator<Item = &Item> {
-    let mut open = vec![items.iter()];
-    std::iter::from_fn(move || {
-        loop {
-            match open.last_mut()?.next() {
-                Some(item) => {
-                    if let ItemKind::Repeat(repeat) = &item.kind {
-                        open.push(repeat.items.iter());
-                    }
-                    return Some(item);
-                }
-                None => drop(open.pop()),
-            }
-        }
-    })
 }

@@ -4,6 +4,7 @@ use proc_macro2::Delimiter;
 use syn::ext::IdentExt;
 use syn::{Token, token};
 
+use super::block::{Given, Repeat};
 use super::body::{Body, Port};
 use super::contact::{Friction, Unilateral};
 use super::domain::{Domain, Node};
@@ -17,7 +18,7 @@ use super::name::{Ident, IndexedName};
 use super::output::Output;
 use super::part::{Choice, Definition};
 use super::row::{Load, constraint};
-use super::value::{Value, named};
+use super::value::{Mark, Value, named};
 use crate::collect::CollectVec;
 use crate::diag::{Code, nearest};
 use crate::library::PARTS;
@@ -95,25 +96,12 @@ pub enum ItemKind {
     Observe(Vec<Expr>),
     /// `repeat i in 0..n { … }`
     Repeat(Repeat),
+    /// `given friction { … } else { … }`
+    Given(Box<Given>),
     /// A part of the user's own.
     Definition(Definition),
     /// A domain of the user's own.
     Domain(Domain),
-}
-
-/// `repeat i in from..to { … }`
-#[derive(Clone, Debug)]
-pub struct Repeat {
-    /// The index.
-    pub index: Ident,
-    /// Its first value.
-    pub from: Expr,
-    /// The bound.
-    pub to: Expr,
-    /// Is the bound a value of the index, `0..=n`?
-    pub inclusive: bool,
-    /// Items to repeat.
-    pub items: Vec<Item>,
 }
 
 /// Where items stand.
@@ -159,13 +147,14 @@ const WORDS: &[(&str, Option<Context>, Reader)] = &[
     ("observe", Some(Mechanism), |input, _| input.listed(Expr::parse).map(ItemKind::Observe)),
     ("choice", Some(Part), |input, _| Choice::parse(input).map(ItemKind::Choice)),
     ("pair", Some(Part), |input, _| input.field_name("the name of a pair").map(ItemKind::Pair)),
+    ("given", Some(Part), |input, _| Given::parse(input).map(|given| ItemKind::Given(Box::new(given)))),
     ("picture", Some(Part), |input, _| {
         input.listed(|input| IndexedName::parse(input, "a parameter")).map(ItemKind::Picture)
     }),
-    ("param", None, |input, _| Value::parse(input, false).map(ItemKind::Param)),
-    ("input", None, |input, _| Value::parse(input, false).map(ItemKind::Input)),
-    ("state", None, |input, _| Value::parse(input, true).map(ItemKind::State)),
-    ("discrete", None, |input, _| Value::parse(input, false).map(ItemKind::Discrete)),
+    ("param", None, |input, _| Value::parse(input, Some(Mark::Optional)).map(ItemKind::Param)),
+    ("input", None, |input, _| Value::parse(input, Some(Mark::Optional)).map(ItemKind::Input)),
+    ("state", None, |input, _| Value::parse(input, Some(Mark::Locked)).map(ItemKind::State)),
+    ("discrete", None, |input, _| Value::parse(input, None).map(ItemKind::Discrete)),
     ("when", None, |input, _| When::parse(input).map(ItemKind::When)),
     ("let", None, |input, _| named(input, "let").map(|(name, value)| ItemKind::Let(name, value))),
     ("rate", None, |input, _| named(input, "rate").map(|(name, value)| ItemKind::Rate(name, value))),
@@ -355,19 +344,4 @@ fn requirement(input: Input) -> Result<ItemKind> {
     let name = IndexedName::parse(input, "the name of the requirement")?;
     input.expect(Token![:], "`:`")?;
     Ok(ItemKind::Require(name, input.last_value()?))
-}
-
-impl Repeat {
-    /// `name in expr..expr { items }`
-    fn parse(input: Input, context: Context) -> Result<Repeat> {
-        let index = Ident::parse(input, "the name of an index")?;
-        input.expect(Token![in], "`in`")?;
-        let from = Expr::parse(input)?;
-        input.expect(Token![.], "`..`")?;
-        input.expect(Token![.], "`..`")?;
-        let inclusive = input.eat(Token![=]);
-        let to = Expr::parse(input)?;
-        let items = Item::block(input, context)?;
-        Ok(Repeat { index, from, to, inclusive, items })
-    }
 }

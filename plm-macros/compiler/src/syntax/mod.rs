@@ -18,8 +18,9 @@
 //!       | "choice" NAME ":" NAME { "|" NAME } ["=" NAME] ";"        in a part
 //!       | "pair" ":" NAME ";"
 //!       | "picture" name { "," name } ";"
+//!       | "given" expr "{" { item } "}" ["else" "{" { item } "}"]
 //!       | NAME "on" path ["from" path] ":" expr ";"
-//!       | ("param" | "input" | "state" | "discrete") name [":" unit] ["=" expr] ["," "locked"] ";"    in both
+//!       | ("param" | "input" | "state" | "discrete") name [":" unit] ["=" expr] ["," ("locked" | "optional")] ";"    in both
 //!       | "ground" "{" { port } "}"
 //!       | "node" name ":" NAME "=" expr ";"
 //!       | ("let" | "rate") name "=" expr ";"
@@ -48,6 +49,7 @@
 //! The parser goes on at the next item after a mistake, so that three mistakes give three errors. Its recursion is
 //! bounded: a stack overflow cannot be caught.
 
+mod block;
 mod body;
 mod contact;
 mod declaration;
@@ -71,6 +73,7 @@ mod value;
 
 /// The tree of a declaration, as written: names are not bound, but units are known (their table is closed).
 pub mod ast {
+    pub use super::block::{Given, Repeat, all_items};
     pub use super::body::{Body, Contour, Port, Start};
     pub use super::contact::{Bound, Friction, Unilateral};
     pub use super::declaration::{Declaration, Mechanism, Shared};
@@ -78,7 +81,7 @@ pub mod ast {
     pub use super::event::{Assignment, When};
     pub use super::expr::{Expr, ExprKind, Link};
     pub use super::instance::{Field, Instance};
-    pub use super::item::{Item, ItemKind, Repeat};
+    pub use super::item::{Item, ItemKind};
     pub use super::name::{Ident, IndexedName};
     pub use super::operator::Operator;
     pub use super::output::Output;

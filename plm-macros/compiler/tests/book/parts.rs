@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 
 use plm_compiler::diag::Diagnostics;
-use plm_compiler::syntax::ast::{Definition, ExprKind, ItemKind};
+use plm_compiler::syntax::ast::{Definition, ExprKind, ItemKind, all_items};
 use plm_compiler::syntax::parse_parts;
 use plm_compiler::token::Sources;
 use plm_compiler::{compile, words};
@@ -14,7 +14,7 @@ use super::{EXAMPLE, blocks, book, first_cells, same};
 /// Names of parameters, inputs, choices and outputs of a part.
 fn names(part: &Definition) -> Vec<&str> {
     let mut names = Vec::new();
-    for item in &part.items {
+    for item in all_items(&part.items) {
         match &item.kind {
             ItemKind::Param(value) | ItemKind::Input(value) | ItemKind::State(value) => {
                 names.push(value.name.ident.text.as_str());

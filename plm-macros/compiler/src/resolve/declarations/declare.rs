@@ -70,6 +70,7 @@ impl<'a> Resolver<'a> {
                     self.unresolved.observed.push_all(list.iter().map(|expr| (scope, expr)));
                 }
                 ItemKind::Repeat(repeat) => self.declare_repeat(scope, repeat, part),
+                ItemKind::Given(given) => self.declare_given(scope, given, part),
                 // Read when the part is used, and when the library is loaded.
                 ItemKind::Pair(_) | ItemKind::Definition(_) | ItemKind::Domain(_) => {}
             }
@@ -81,6 +82,9 @@ impl<'a> Resolver<'a> {
         self.refuse_unit_name(scope, &ast.name, dimension_of(ast.unit.as_ref(), ast.value.as_ref()));
         let Some((key, unit)) = self.name_and_unit(scope, ast) else { return };
         let span = ast.name.ident.span;
+        if ast.optional.is_some() && !self.is_set(scope, ast, &key) {
+            return;
+        }
         let slot = if let Some(instance) = self.names.instance(scope) {
             self.field_slot(instance, scope, ast, &unit, kind)
         } else {
@@ -97,7 +101,12 @@ impl<'a> Resolver<'a> {
         };
         let what = if kind == Reads::INPUT { "input" } else { "parameter" };
         self.should_be_read(what, &ast.name.ident, slot);
-        self.bind(scope, &ast.name.ident, key, slot);
+        if ast.optional.is_some() {
+            let owner = self.names.owner(scope);
+            self.names.scopes[owner].optional.insert(key, Some(slot));
+        } else {
+            self.bind(scope, &ast.name.ident, key, slot);
+        }
     }
 
     /// The key and the unit of a declared value. Without a unit, that of its default counts.
@@ -187,7 +196,7 @@ impl<'a> Resolver<'a> {
 
     /// In a repetition a name that the rest of the mechanism can see needs an index.
     pub(crate) fn needs_index(&mut self, scope: ScopeId, name: &ast::IndexedName) -> bool {
-        let repeated = self.names.scopes[scope].parent.is_some() && name.indices.is_empty();
+        let repeated = self.names.is_repeated(scope) && name.indices.is_empty();
         if repeated {
             let text = &name.ident.text;
             self.error(

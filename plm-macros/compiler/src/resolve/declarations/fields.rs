@@ -8,7 +8,7 @@ use crate::resolve::declarations::branch::{BRANCH, tells_branches};
 use crate::resolve::finalise::compliance::WORDS;
 use crate::resolve::finalise::release::WHEN;
 use crate::resolve::names::{Names, ScopeId};
-use crate::syntax::ast::{Field, Instance, Item, ItemKind};
+use crate::syntax::ast::{Field, Instance, Item, ItemKind, all_items};
 
 impl<'a> Names<'a> {
     /// The field that the uses around a part set for a name inside it. The outermost has the last word.
@@ -27,7 +27,7 @@ impl<'a> Names<'a> {
     /// The field that the use of a joint sets for a word of the language, unless its definition has a parameter of that name.
     pub(crate) fn word(&self, joint: usize, word: &str) -> Option<(ScopeId, &'a Field)> {
         let definition = self.instances[joint].definition;
-        let is_parameter = definition.items.iter().any(|item| field_name(&item.kind) == Some(word));
+        let is_parameter = all_items(&definition.items).any(|item| field_name(&item.kind) == Some(word));
         if definition.is_joint && !is_parameter { self.field(joint, word) } else { None }
     }
 }
@@ -77,7 +77,7 @@ impl<'a> Resolver<'a> {
         let text = last.ident.text.as_str();
         let required = requirements(&definition.items);
         let mut known: Vec<&str> =
-            definition.items.iter().filter_map(|item| field_name(&item.kind)).collect_vec();
+            all_items(&definition.items).filter_map(|item| field_name(&item.kind)).collect_vec();
         if definition.is_joint {
             known.push_all(WORDS);
             known.push(WHEN);
@@ -134,13 +134,13 @@ const ELSEWHERE: &[(&str, &str)] = &[
 const INSTEAD: &[(&[&str], &str)] = &[
     (
         &["limits", "limit", "stop", "stops", "range", "min", "max", "lower", "upper"],
-        "a joint has no stops of its own: a rigid one is a row, `unilateral name: b.angle <= 90 deg;`, one that gives way a stiff spring in \
-         its `drive` (the book, Recipes: mechanics, Stops)",
+        "a joint is limited by `lower_limit` and `upper_limit`, rigid with a `restitution` or with a `limit_stiffness`; of a joint of your own \
+         it is a row, `unilateral name: b.angle <= 90 deg;`",
     ),
     (
         &["friction", "coulomb", "mu", "dry_friction"],
-        "a friction that sticks is a row, `friction name: rate(b.angle) within 1 N*m;`, one that creeps a law in the joint's `drive` that \
-         reads its `speed` (the book, Recipes: mechanics, Friction)",
+        "a coefficient of friction is the `friction` of revolute, prismatic and pin_slot; elsewhere it is a row, \
+         `friction name: rate(b.angle) within 1 N*m;`",
     ),
     (
         &["motor", "speed", "velocity", "omega", "angle", "position", "displacement"],
@@ -150,34 +150,32 @@ const INSTEAD: &[(&[&str], &str)] = &[
 
 /// The kind of the part of a name among items.
 fn part_named<'a>(items: &'a [Item], name: &str) -> Option<&'a str> {
-    items.iter().find_map(|item| match &item.kind {
+    all_items(items).find_map(|item| match &item.kind {
         ItemKind::Instance(instance) if instance.name.ident.text == name => Some(instance.kind.text.as_str()),
-        ItemKind::Repeat(repeat) => part_named(&repeat.items, name),
         _ => None,
     })
 }
 
 /// Names of the parts among items.
 fn part_names(items: &[Item]) -> Vec<&str> {
-    let names = items.iter().flat_map(|item| match &item.kind {
-        ItemKind::Instance(instance) => vec![instance.name.ident.text.as_str()],
-        ItemKind::Repeat(repeat) => part_names(&repeat.items),
-        _ => Vec::new(),
+    let names = all_items(items).filter_map(|item| match &item.kind {
+        ItemKind::Instance(instance) => Some(instance.name.ident.text.as_str()),
+        _ => None,
     });
     names.collect_vec()
 }
 
 /// Names of the requirements among items.
 fn requirements(items: &[Item]) -> Vec<&str> {
-    let names = items.iter().flat_map(|item| match &item.kind {
-        ItemKind::Require(name, _) => vec![name.ident.text.as_str()],
-        ItemKind::Repeat(repeat) => requirements(&repeat.items),
-        _ => Vec::new(),
+    let names = all_items(items).filter_map(|item| match &item.kind {
+        ItemKind::Require(name, _) => Some(name.ident.text.as_str()),
+        _ => None,
     });
     names.collect_vec()
 }
 
-fn field_name(item: &ItemKind) -> Option<&str> {
+/// The name of what the use of a part can set by a value.
+pub(crate) fn field_name(item: &ItemKind) -> Option<&str> {
     match item {
         ItemKind::Param(value)
         | ItemKind::Input(value)
@@ -189,5 +187,5 @@ fn field_name(item: &ItemKind) -> Option<&str> {
 }
 
 fn is_state(items: &[Item], name: &str) -> bool {
-    items.iter().any(|item| matches!(&item.kind, ItemKind::State(value) if value.name.ident.text == name))
+    all_items(items).any(|item| matches!(&item.kind, ItemKind::State(value) if value.name.ident.text == name))
 }

@@ -7,6 +7,7 @@ pub(super) mod declare;
 pub(super) mod event;
 mod fields;
 pub(super) mod frame;
+mod given;
 pub(super) mod load;
 pub(super) mod node;
 pub(super) mod part;

@@ -105,6 +105,7 @@ impl<'a> Resolver<'a> {
             self.unresolved.parts[index].declared = Some(Declared { span, uses: self.names.uses(inside) });
         }
         self.declare(&definition.items, inside, Some(index));
+        self.refuse_left_out(id);
         self.check_outputs(definition, inside);
     }
 

@@ -54,7 +54,7 @@ impl<'a> Resolver<'a> {
     /// Binds a name, unless it is taken. Names without index belong to the turn of the repetition that they stand in,
     /// names with one to what encloses it.
     pub(crate) fn bind(&mut self, scope: ScopeId, ident: &Ident, key: Cow<'a, str>, slot: SlotId) {
-        let scope = if key.contains('[') { self.names.home(scope) } else { scope };
+        let scope = if key.contains('[') { self.names.home(scope) } else { self.names.owner(scope) };
         if RESERVED.contains(&key.as_ref()) {
             let message = format!("`{key}` is a word of the language");
             self.error(scope, Code::ReservedName, ident.span, message).help("choose another name");

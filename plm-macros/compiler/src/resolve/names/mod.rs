@@ -50,6 +50,10 @@ pub(crate) struct Scope<'a> {
     pub(crate) rows: SortedMap<Cow<'a, str>, (RowId, Span)>,
     /// Outputs of a part.
     pub(crate) outputs: SortedMap<Cow<'a, str>, SlotId>,
+    /// Optional parameters of a part, and their slots where the use sets them.
+    pub(crate) optional: SortedMap<Cow<'a, str>, Option<SlotId>>,
+    /// Is it the block of a `given`? What is declared in it belongs to what encloses it.
+    is_given: bool,
     /// The part whose inside this is.
     instance: Option<usize>,
 }
@@ -86,6 +90,12 @@ impl<'a> Names<'a> {
         self.scopes.len() - 1
     }
 
+    /// The scope of a block that exists where something is given.
+    pub(crate) fn new_block(&mut self, parent: ScopeId) -> ScopeId {
+        self.scopes.push(Scope { parent: Some(parent), is_given: true, ..Scope::default() });
+        self.scopes.len() - 1
+    }
+
     /// A slot whose value is known.
     pub(crate) fn known_slot(&mut self, span: Span, value: Value) -> SlotId {
         self.new_slot(span, None, Lazy::Known(value))
@@ -112,6 +122,19 @@ impl<'a> Names<'a> {
             scope = parent;
         }
         scope
+    }
+
+    /// The scope that what is declared in a scope belongs to.
+    pub(crate) fn owner(&self, mut scope: ScopeId) -> ScopeId {
+        while let (true, Some(parent)) = (self.scopes[scope].is_given, self.scopes[scope].parent) {
+            scope = parent;
+        }
+        scope
+    }
+
+    /// Does a scope stand in a repetition?
+    pub(crate) fn is_repeated(&self, scope: ScopeId) -> bool {
+        self.scopes[self.owner(scope)].parent.is_some()
     }
 
     /// The part that a scope is inside of.
@@ -142,7 +165,7 @@ impl<'a> Names<'a> {
     }
 
     /// A scope and those that enclose it, up to the inside of the part.
-    fn outwards(&self, scope: ScopeId) -> impl Iterator<Item = ScopeId> {
+    pub(crate) fn outwards(&self, scope: ScopeId) -> impl Iterator<Item = ScopeId> {
         std::iter::successors(Some(scope), |scope| self.scopes[*scope].parent)
     }
 

@@ -38,6 +38,7 @@ impl Resolver<'_> {
         }
         let home = self.names.home(scope);
         let row = self.names.scopes[home].rows.get(key).map(|(row, _)| *row);
+        let is_optional = self.names.is_optional(scope, key);
         let outside = self.names.instance(scope).is_some() && self.names.find(0, key).is_some();
         let names: Vec<&str> = names.iter().map(String::as_str).collect_vec();
         let is_near = nearest(key, names.iter().copied()).is_some();
@@ -51,6 +52,12 @@ impl Resolver<'_> {
                     format!("`{key}` is a row of contact: its force is `reaction({key})`")
                 }
             });
+            return Failed;
+        }
+        if is_optional {
+            diagnostic.help(format!(
+                "the use of the part need not set it: it is known in `given {key} {{ … }}` alone"
+            ));
             return Failed;
         }
         if outside {

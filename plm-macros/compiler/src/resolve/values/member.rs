@@ -161,7 +161,12 @@ impl<'a> Resolver<'a> {
                 let of = self.names.instances[*instance].name.clone();
                 let message = format!("the part `{of}` has no output `{name}`");
                 let is_row = self.names.scopes[inside].rows.get(name).is_some();
+                let given = self.where_given(*instance, name);
                 let diagnostic = self.error(scope, Code::UnknownMember, span, message);
+                if let Some(given) = given {
+                    diagnostic.help(given);
+                    return Failed;
+                }
                 if is_row {
                     diagnostic.help(format!(
                         "`{name}` is a row of it: declare `output push = reaction({name});` in the part"
