@@ -1,6 +1,6 @@
 //! Functions that jump, and tables of two arguments.
 
-use plm::{BodyState, Dop853};
+use plm::Dop853;
 
 #[track_caller]
 fn near(found: f64, known: f64, within: f64) {

@@ -3,5 +3,6 @@
 
 mod functions;
 mod hydraulics;
+mod plates;
 mod pneumatics;
 mod signals;

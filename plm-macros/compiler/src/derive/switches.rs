@@ -220,7 +220,9 @@ fn instant(model: &Model, difference: Expr) -> Option<[Expr; 2]> {
     if algebra::symbols(&[slope]).contains(&model.time) {
         return None;
     }
-    Some([root(difference, model.time, slope), slope])
+    // What is periodic is linear from jump to jump, and vanishes more than once.
+    let at = root(difference, model.time, slope);
+    (!algebra::symbols(&[at]).contains(&model.time)).then_some([at, slope])
 }
 
 /// Do the two values between which a condition chooses differ where it changes?
