@@ -19,7 +19,7 @@ plm::mechanism! {
         state area: s = 0;
         rate area = relay.value;
         delay late() { signal: t/(1 s); period: 20 ms; samples: 4; }
-        delay one() { signal: wave; period: 30 ms; }
+        delay one() { signal: wave; period: 28 ms; }
         output climb.value, fall.value, bounded.value, relay.value, area, late.value, one.value;
 
         // A controller at 100 Hz holds a lag of 50 ms.
@@ -31,7 +31,7 @@ plm::mechanism! {
             derivative: 5 ms;
             period: 10 ms;
             low: 0;
-            high: 1.6;
+            high: 1.2;
         }
         rate plant = (control.value - plant)/(50 ms);
         output plant, control.value;
@@ -57,7 +57,7 @@ fn bounds_of_a_signal_and_of_its_rate_are_kept() {
 #[test]
 fn a_switch_with_hysteresis_turns_at_both_bounds() {
     let mut sim = Signals::new().start_with(plm::Dop853::new(1e-11)).unwrap();
-    for k in 1..=40 {
+    for k in 1..=24 {
         sim.step_to(0.05 * f64::from(k)).unwrap();
         let t = sim.time();
         let (turns, phase) = (t.floor(), t - t.floor());
@@ -75,8 +75,8 @@ fn samples_come_out_late() {
         // In the middle between two samples.
         sim.step_to(0.02 * f64::from(k) + 0.01).unwrap();
         near(sim.late_value(), 0.02 * f64::from((k - 4).max(0)), 1e-12);
-        let last = ((sim.time() / 0.03).floor() - 1.0).max(0.0);
-        near(sim.one_value(), (TAU * 0.03 * last).sin(), 1e-12);
+        let last = ((sim.time() / 0.028).floor() - 1.0).max(0.0);
+        near(sim.one_value(), (TAU * 0.028 * last).sin(), 1e-12);
     }
 }
 
@@ -91,13 +91,13 @@ fn a_sampled_controller_is_its_difference_equation() {
         plant = value + (plant - value) * decay;
         let error = 1.0 - plant;
         let wanted = 1.5 * error + 12.0 * (sum + period * error) + 5e-3 * (error - last) / period;
-        if (0.0..=1.6).contains(&wanted) {
+        if (0.0..=1.2).contains(&wanted) {
             sum += period * error;
             free += 1;
         } else {
             bounded += 1;
         }
-        (value, last) = (wanted.clamp(0.0, 1.6), error);
+        (value, last) = (wanted.clamp(0.0, 1.2), error);
         sim.step_to(period * (f64::from(k) + 0.5)).unwrap();
         near(sim.control_value(), value, 1e-8);
         near(sim.plant(), value + (plant - value) * decay.sqrt(), 1e-8);
@@ -119,26 +119,28 @@ plm::mechanism! {
 /// Park and Miller state the number that the seed 1 leads to by 10 000 steps: 1043618065.
 #[test]
 fn noise_is_the_published_sequence() {
-    let mut sim = Hiss::new().start_with(plm::Rk4::new(0.05)).unwrap();
     let mut seed = 1_u64;
     let mut next = || {
         seed = seed * 16807 % 2_147_483_647;
-        seed as f64 / 2_147_483_647.0
+        seed as f64
     };
-    let [mut sum, mut squares, mut even] = [0.0; 3];
-    for k in 1..=5000 {
+    // The last 300 of them are those of 150 normal numbers.
+    let begins = (0..9700).map(|_| next()).last().unwrap();
+    let mut mechanism = Hiss::new();
+    mechanism.start.normal_seed.value = begins;
+    mechanism.start.even_seed.value = begins;
+    let mut sim = mechanism.start_with(plm::Rk4::new(0.05)).unwrap();
+    let modulus = 2_147_483_647.0;
+    for k in 1..=150 {
         sim.step_to(1e-3 * (f64::from(k) + 0.5)).unwrap();
-        let (first, second) = (next(), next());
+        let (first, second) = (next() / modulus, next() / modulus);
         let known = 2.0 + 0.5 * (-2.0 * first.ln()).sqrt() * (2.0 * PI * second).cos();
         near(sim.normal_value(), known, 1e-12);
-        sum += known;
-        squares += (known - 2.0).powi(2);
-        even += sim.even_value().powi(2) / 5000.0;
-        assert!(sim.even_value().abs() <= 3.0_f64.sqrt());
+        if k == 2 {
+            let first = begins * 16807.0 % modulus;
+            assert_eq!(sim.even_seed(), first);
+            near(sim.even_value(), 12.0_f64.sqrt() * (first / modulus - 0.5), 1e-15);
+        }
     }
     assert_eq!(sim.normal_seed(), 1_043_618_065.0);
-    // Within four standard errors.
-    near(sum / 5000.0, 2.0, 4.0 * 0.5 / 5000.0_f64.sqrt());
-    near((squares / 5000.0).sqrt(), 0.5, 4.0 * 0.5 / 10_000.0_f64.sqrt());
-    near(even, 1.0, 0.1);
 }
