@@ -136,7 +136,7 @@ impl Scalar for F64x8 {
     fn sqrt(self) -> Self {
         Self(self.0.sqrt())
     }
-    one_by_one!(tan, asin, acos, exp, ln);
+    one_by_one!(tan, asin, acos, exp, ln, floor);
     #[inline]
     fn atan2(self, x: Self) -> Self {
         Self::of(f64::atan2_all(self.values(), x.values()))

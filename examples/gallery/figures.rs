@@ -190,6 +190,12 @@ pub fn excavator() -> Result<Sheet, Fault> {
         arm / 1e3,
         1e-6,
     );
+    let (mut sim, mut most) = (held.start()?, 0.0_f64);
+    for k in 1..=60 {
+        sim.step_to(0.1 * f64::from(k))?;
+        most = most.max(sim.flow());
+    }
+    sheet.theory("greatest flow of the pump", most * 60e3, "L/min", 500.0, 1e-9);
     Ok(sheet)
 }
 

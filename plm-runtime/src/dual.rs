@@ -212,6 +212,10 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
         self.chain(self.value.abs(), self.value.signum0())
     }
     #[inline]
+    fn floor(self) -> Self {
+        Self::constant(self.value.floor())
+    }
+    #[inline]
     fn as_zero(self) -> Self {
         Self { value: self.value.as_zero(), ..self }
     }
@@ -256,11 +260,6 @@ impl<S: Real, const K: usize> Real for Dual<S, K> {
     const RANK_TOLERANCE: Self = Self { value: S::RANK_TOLERANCE, tangents: [S::ZERO; K] };
     const DOUBLE_DOUBLE_EPSILON: Self = Self { value: S::DOUBLE_DOUBLE_EPSILON, tangents: [S::ZERO; K] };
     const INFINITY: Self = Self { value: S::INFINITY, tangents: [S::ZERO; K] };
-
-    #[inline]
-    fn floor(self) -> Self {
-        Self::constant(self.value.floor())
-    }
 }
 
 /// sqrt(1 - x^2) without cancellation.

@@ -142,6 +142,9 @@ pub trait Scalar:
     /// Absolute value.
     #[must_use]
     fn abs(self) -> Self;
+    /// The largest integer that is not above the number.
+    #[must_use]
+    fn floor(self) -> Self;
 
     /// Zero, with the derivatives of this number where it has some.
     #[inline]
@@ -223,9 +226,6 @@ pub trait Real: Scalar<Mask = bool, Turns = i32> + PartialOrd + Split {
     const DOUBLE_DOUBLE_EPSILON: Self;
     /// Larger than every finite number.
     const INFINITY: Self;
-    /// The largest integer that is not above the number.
-    #[must_use]
-    fn floor(self) -> Self;
     /// Can sine and cosine of these angles be computed without a branch, by [`Scalar::sin_cos_by`]? False if it is not sure.
     #[inline]
     fn are_direct<const N: usize>(angles: [Self; N]) -> bool {
@@ -351,6 +351,11 @@ macro_rules! real {
                 $real::abs(self)
             }
             #[inline]
+            fn floor(self) -> Self {
+                // Zero has one sign: numbers of two words, which are sums, keep none.
+                math::$real::floor(self) + 0.0
+            }
+            #[inline]
             fn lt(self, other: Self) -> bool {
                 self < other
             }
@@ -376,11 +381,6 @@ macro_rules! real {
             #[inline]
             fn are_direct<const N: usize>(angles: [Self; N]) -> bool {
                 math::$real::are_direct(angles)
-            }
-            #[inline]
-            fn floor(self) -> Self {
-                // Zero has one sign: numbers of two words, which are sums, keep none.
-                math::$real::floor(self) + 0.0
             }
         }
     };

@@ -2,6 +2,9 @@
 
 use std::f64::consts::TAU;
 
+mod hydraulics;
+
+use self::hydraulics::Triangle;
 use super::element::zigzag;
 use super::paper::{Paper, Point};
 
@@ -44,6 +47,24 @@ pub enum Symbol {
     Swing,
     /// A piecewise linear course.
     Ramps,
+    /// A course that jumps at equal intervals.
+    Samples,
+    /// A loop of two levels.
+    Hysteresis,
+    /// A line between two bounds.
+    Saturation,
+    /// A circle with a triangle that points outwards, and a shaft.
+    Pump,
+    /// A circle with a triangle that points inwards, and a shaft.
+    Motor,
+    /// A ball in its seat.
+    Check,
+    /// A valve that a pressure opens against a spring.
+    Relief,
+    /// An orifice that is adjusted and compensated.
+    FlowControl,
+    /// A capsule with gas and oil.
+    Accumulator,
     /// Words.
     Text(String),
 }
@@ -73,6 +94,15 @@ impl Symbol {
                 board.curve(|t| 1.0 - (-5.0 * t).exp() * ((14.0 * t).cos() + 0.36 * (14.0 * t).sin()));
             }
             Symbol::Ramps => board.ramps(),
+            Symbol::Samples => board.samples(),
+            Symbol::Hysteresis => board.hysteresis(),
+            Symbol::Saturation => board.saturation(),
+            Symbol::Pump => board.displacement(Triangle::Outward),
+            Symbol::Motor => board.displacement(Triangle::Inward),
+            Symbol::Check => board.check(),
+            Symbol::Relief => board.relief(),
+            Symbol::FlowControl => board.flow_control(),
+            Symbol::Accumulator => board.accumulator(),
             Symbol::Text(text) => board.paper.text("name", middle, text),
         }
     }
@@ -265,6 +295,30 @@ impl Board<'_> {
         let stages =
             [[-56.0, -28.0], [-36.0, -28.0], [-16.0, 14.0], [12.0, 14.0], [12.0, -4.0], [40.0, -28.0]];
         self.line("rail", &stages);
+    }
+
+    fn samples(&mut self) {
+        self.axes();
+        let height = |k: u32| 22.0 * (f64::from(k) * 0.9).sin();
+        let steps = (0..7_u32).flat_map(|k| {
+            let x = 15.0 * f64::from(k) - 52.0;
+            [[x, height(k)], [x + 15.0, height(k)]]
+        });
+        let steps: Vec<Point> = steps.collect();
+        self.line("rail", &steps);
+    }
+
+    fn hysteresis(&mut self) {
+        self.line("rail", &[[-56.0, -20.0], [24.0, -20.0], [24.0, 20.0], [56.0, 20.0]]);
+        self.line("rail", &[[24.0, 20.0], [-24.0, 20.0], [-24.0, -20.0]]);
+        self.arrow("axis", [24.0, -16.0], [24.0, 6.0]);
+        self.arrow("axis", [-24.0, 16.0], [-24.0, -6.0]);
+    }
+
+    fn saturation(&mut self) {
+        self.arrow("axis", [-60.0, 0.0], [60.0, 0.0]);
+        self.arrow("axis", [0.0, -34.0], [0.0, 36.0]);
+        self.line("rail", &[[-56.0, -22.0], [-24.0, -22.0], [24.0, 22.0], [56.0, 22.0]]);
     }
 
     /// A course over the time from 0 to 1, whose end is some 1.

@@ -31,7 +31,7 @@ fn functions_of_one_number() {
     }
     for x in samples().as_chunks::<8>().0 {
         let x = *x;
-        check!(x: sin, cos, sqrt, tan, asin, acos, exp, ln, abs, signum0);
+        check!(x: sin, cos, sqrt, tan, asin, acos, exp, ln, abs, floor, signum0);
         same("-", -F64x8::of(x), x.map(|x| -x));
         same("powi", F64x8::of(x).powi(-3), x.map(|x| Scalar::powi(x, -3)));
         let ([first, second], [c, _]) = F64x8::sin_cos_all([F64x8::of(x), -F64x8::of(x)]);

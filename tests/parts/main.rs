@@ -3,5 +3,10 @@
 
 mod bristles;
 mod catches;
+mod functions;
+mod hydraulics;
 mod joints;
 mod loose;
+mod plates;
+mod pneumatics;
+mod signals;

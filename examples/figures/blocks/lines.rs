@@ -44,6 +44,11 @@ pub(super) fn blocks() -> Vec<Block> {
             .port(Side::Right, "slider")
             .outward("force")
             .noting("position and the force on what is attached count to the right"),
+        Block::new("shaft_velocity", Symbol::Motion)
+            .input("speed")
+            .port(Side::Right, "shaft")
+            .turning("torque")
+            .noting("speed and the torque on what is attached count in one sense"),
         Block::new("slider_velocity", Symbol::Motion)
             .input("velocity")
             .port(Side::Right, "slider")

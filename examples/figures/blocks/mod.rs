@@ -4,9 +4,10 @@ use plm::view::Block;
 
 mod hydraulics;
 mod lines;
+mod pneumatics;
 mod signals;
 
 /// One box for each page.
 pub(crate) fn blocks() -> Vec<Block> {
-    [lines::blocks(), hydraulics::blocks(), signals::blocks()].concat()
+    [lines::blocks(), hydraulics::blocks(), pneumatics::blocks(), signals::blocks()].concat()
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: lengths and masses are our own, near those of a machine of 20 t: boom 5.0 m, arm 2.6 m, rocker 0.5 m, link 0.45 m. Oil is a stiff
 //! spring on which a flow acts, so that each cylinder holds what statics asks for: its force times its lever about a pivot is the moment of
-//! all weights beyond that pivot.
+//! all weights beyond that pivot. The pump has a limit: where it does not suffice all valves open less, by one factor.
 
 use std::error::Error;
 
@@ -10,25 +10,26 @@ use plm::Stabilise;
 use plm::view::{Options, Program};
 
 plm::mechanism! {
-    /// A cylinder whose oil is stiff; `speed` is what the valve lets in.
+    /// A cylinder whose oil is stiff. A valve leads it along its way, with a share of the speed that it wants.
     part ram(a: frame, b: frame) {
-        param free_length: m;
-        input speed: m/s;
-        state force: kN = 0;
+        param free_length: m; input way: m; input lever: m/s; input share: 1;
+        state place: m = 0; state force: kN = 0;
+        let want = rate(way) + (way - place)/(0.3 s);
+        let speed = share*(want + lever);
+        rate place = share*want;
         rate force = 2e7 N/m*(speed - cylinder.speed);
         jack cylinder(a, b) {
-            free_length: free_length; piston_diameter: 0.2 m; rod_diameter: 0.1 m;
+            free_length: free_length; piston_diameter: 0.16 m; rod_diameter: 0.1 m;
             drive: force + 4e5 N*s/m*(speed - cylinder.speed);
         }
-        output force;
+        output force, needs = pi/4*(0.16 m)^2*abs(want + lever);
     }
-
     /// An excavator that digs; each lever of the driver is an input.
     pub Excavator {
         gravity: 9.81 m/s^2;
-        input boom_lever: m/s = 0;
-        input arm_lever: m/s = 0;
-        input bucket_lever: m/s = 0;
+        input boom_lever: m/s = 0; input arm_lever: m/s = 0; input bucket_lever: m/s = 0; param pump_flow: L/min = 500 L/min;
+        let needs = boom_ram.needs + arm_ram.needs + bucket_ram.needs;
+        let share = min(1, pump_flow/max(needs, 1 L/min));
         let boom_way = smooth_table(t, (0 s, 0 m), (2 s, -0.42 m), (5 s, -0.38 m), (7.5 s, 0.1 m), (10 s, 0.1 m), (12 s, 0 m));
         let arm_way = smooth_table(t, (0 s, 0 m), (2 s, -0.1 m), (5 s, 0.6 m), (7.5 s, 0.55 m), (9.5 s, 0 m), (12 s, 0 m));
         let bucket_way = smooth_table(t, (0 s, 0 m), (2.5 s, 0 m), (5.5 s, 0.3 m), (8 s, 0.32 m), (9.5 s, 0 m), (12 s, 0 m));
@@ -63,11 +64,11 @@ plm::mechanism! {
         revolute a(arm.rocker, rocker.arm);
         revolute b(rocker.link, link.rocker);
         revolute c(link.bucket, bucket.link);
-        ram boom_ram(machine.ram, boom.ram) { free_length: 1.5 m; speed: rate(boom_way) + boom_lever; }
-        ram arm_ram(boom.arm, arm.ram) { free_length: 1.9 m; speed: rate(arm_way) + arm_lever; }
-        ram bucket_ram(arm.bucket_ram, rocker.link) { free_length: 1.7 m; speed: rate(bucket_way) + bucket_lever; }
+        ram boom_ram(machine.ram, boom.ram) { free_length: 1.5 m; way: boom_way; lever: boom_lever; share: share; }
+        ram arm_ram(boom.arm, arm.ram) { free_length: 1.9 m; way: arm_way; lever: arm_lever; share: share; }
+        ram bucket_ram(arm.bucket_ram, rocker.link) { free_length: 1.7 m; way: bucket_way; lever: bucket_lever; share: share; }
         observe boom, arm, rocker, link, bucket;
-        output boom_ram.force in kN, arm_ram.force in kN, bucket_ram.force in kN, bucket.teeth.position;
+        output boom_ram.force in kN, arm_ram.force in kN, bucket_ram.force in kN, bucket.teeth.position, flow = share*needs in L/min;
     }
 }
 

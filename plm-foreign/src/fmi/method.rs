@@ -4,7 +4,7 @@ use core::fmt;
 
 use plm_runtime::method::{RadauIia5, Ros34Pw2};
 use plm_runtime::words::{InWords, Words};
-use plm_runtime::{Dop853, Fault, Mechanism, Method, Moment, Real, Rk4, Seen, SemiImplicitEuler, Sim};
+use plm_runtime::{Dop853, Fault, Mechanism, Method, Moment, Rk4, Scalar, Seen, SemiImplicitEuler, Sim};
 
 use super::Exchanged;
 use super::mode::place;
@@ -274,7 +274,7 @@ pub(super) fn emitted<M: Exchanged>(
     let start = state.time();
     let length = until - start;
     // What rounding makes of the interval costs no step.
-    let (steps, mut k) = (Real::floor((length / longest - 1e-6).max(0.0)) + 1.0, 1.0);
+    let (steps, mut k) = (Scalar::floor((length / longest - 1e-6).max(0.0)) + 1.0, 1.0);
     while k <= steps {
         let end = if k < steps { start + length * (k / steps) } else { until };
         let h = end - state.time();

@@ -166,7 +166,7 @@ impl Graph {
                 let sign = self.sign(x[0]);
                 self.mul(sign, dx[0])
             }
-            Function::Sign => self.zero(),
+            Function::Sign | Function::Floor => self.zero(),
             Function::Min => {
                 let first = self.less(x[0], x[1]);
                 self.select(first, dx[0], dx[1])

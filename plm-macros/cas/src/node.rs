@@ -100,11 +100,13 @@ pub enum Function {
     Min,
     /// `max(a, b)` is `if b < a { a } else { b }`.
     Max,
+    /// The largest integer that is not above x.
+    Floor,
 }
 
 impl Function {
     /// All of them.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Sin,
         Self::Cos,
         Self::Asin,
@@ -117,6 +119,7 @@ impl Function {
         Self::Sign,
         Self::Min,
         Self::Max,
+        Self::Floor,
     ];
 
     /// The name in the language and in print.
@@ -134,6 +137,7 @@ impl Function {
             Self::Sign => "sign",
             Self::Min => "min",
             Self::Max => "max",
+            Self::Floor => "floor",
         }
     }
 

@@ -1,7 +1,7 @@
 //! Operations over `f64`, compiled in this crate.
 
 use super::DoubleDouble;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 
 impl DoubleDouble<f64> {
     /// Every operation that is a call, once; nobody calls this. A program that is built without optimisation shares what the compiler puts

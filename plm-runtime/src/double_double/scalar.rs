@@ -116,6 +116,12 @@ impl<S: Real> Scalar for DoubleDouble<S> {
     fn all(mask: bool) -> bool {
         mask
     }
+    #[inline(never)]
+    fn floor(self) -> Self {
+        let high = self.high.floor();
+        // Only under a whole number does the low word decide.
+        if high == self.high { Self::sum(high, self.low.floor()) } else { Self::of(high) }
+    }
 }
 
 impl<S: Real> Real for DoubleDouble<S> {
@@ -126,11 +132,4 @@ impl<S: Real> Real for DoubleDouble<S> {
     /// Two of these in one are no more precise than one: constants have two words.
     const DOUBLE_DOUBLE_EPSILON: Self = Self::EPSILON;
     const INFINITY: Self = Self::of(S::INFINITY);
-
-    #[inline(never)]
-    fn floor(self) -> Self {
-        let high = self.high.floor();
-        // Only under a whole number does the low word decide.
-        if high == self.high { Self::sum(high, self.low.floor()) } else { Self::of(high) }
-    }
 }

@@ -233,6 +233,13 @@ impl<S: Real> Scalar for Enclosed<S> {
         }
         if self.value.low < S::ZERO { -self } else { self }
     }
+    /// Where it may jump its slope is not known.
+    fn floor(self) -> Self {
+        let value = Interval { low: self.value.low.floor(), high: self.value.high.floor() };
+        let still = value.low == value.high;
+        let slope = if still { Interval::point(S::ZERO) } else { Interval::everything() };
+        Self { middle: self.middle.floor(), value, slope }
+    }
     /// Itself: what encloses it encloses zero with its derivatives where it is chosen as such.
     #[inline]
     fn as_zero(self) -> Self {

@@ -164,6 +164,10 @@ impl<S: Scalar> Scalar for Two<S> {
         self.each(S::abs)
     }
     #[inline(always)]
+    fn floor(self) -> Self {
+        self.each(S::floor)
+    }
+    #[inline(always)]
     fn as_zero(self) -> Self {
         self.each(S::as_zero)
     }

@@ -18,7 +18,7 @@ fn operation<S: Scalar>(which: usize, x: S, y: S) -> S {
         7 => x.atan2(y),
         8 => (x - y).exp(),
         9 => (x * x + y).ln(),
-        10 => (x - y).abs() + x.signum0(),
+        10 => (x - y).abs() + x.signum0() + y.floor(),
         11 => x.min(y).max(lit(0.2) * x),
         12 => x.powi(3) - y.powi(4) + (x + lit(4.0)).powi(-2),
         13 => S::select(x.lt(y), x * y, y + lit(1.0)),

@@ -199,6 +199,12 @@ impl Expr {
         with(|graph| graph.sign(self))
     }
 
+    /// The largest integer that is not above it.
+    #[must_use]
+    pub fn floor(self) -> Expr {
+        with(|graph| graph.floor(self))
+    }
+
     /// The smaller one.
     #[must_use]
     pub fn min(self, other: Expr) -> Expr {

@@ -21,6 +21,7 @@ impl Graph {
             (Function::Ln, &[x]) => self.ln(x),
             (Function::Abs, &[x]) => self.abs(x),
             (Function::Sign, &[x]) => self.sign(x),
+            (Function::Floor, &[x]) => self.floor(x),
             (Function::Min, &[a, b]) => self.min(a, b),
             (Function::Max, &[a, b]) => self.max(a, b),
             _ => self.number(Number::Float(f64::NAN)),
@@ -169,6 +170,14 @@ impl Graph {
         if coefficient.is_negative() { self.neg(sign) } else { sign }
     }
 
+    /// The largest integer that is not above x.
+    pub fn floor(&mut self, x: Expr) -> Expr {
+        match self.as_number(x).and_then(floor_of) {
+            Some(number) => self.number(number),
+            None => self.intern_call(Function::Floor, &[x]),
+        }
+    }
+
     /// The smaller one, as [`Function::Min`] defines it; the order of the arguments is normalised.
     pub fn min(&mut self, a: Expr, b: Expr) -> Expr {
         self.extremum(Function::Min, a, b)
@@ -263,6 +272,14 @@ const HALF: Number = Number::Exact { num: 1, den: 2, pi: 0 };
 /// `pi * num / den`.
 const fn part_of_pi(num: i128, den: i128) -> Number {
     Number::Exact { num, den, pi: 1 }
+}
+
+/// Of a rational number exactly.
+fn floor_of(x: Number) -> Option<Number> {
+    match x {
+        Number::Exact { num, den, pi: 0 } => Some(Number::Exact { num: num.div_euclid(den), den: 1, pi: 0 }),
+        _ => finite(math::floor(x.to_f64())),
+    }
 }
 
 fn asin_of(x: Number) -> Option<Number> {

@@ -32,9 +32,13 @@ impl Count {
                 Op::Sqrt(_) => count.sqrt += 1,
                 Op::Cos(angle) if sine_of == Some(angle) => {} // the second half of a pair
                 Op::Sin(_) | Op::Cos(_) => count.sin_cos += 1,
-                Op::Less(..) | Op::Select(..) | Op::Abs(_) | Op::Sign(_) | Op::Min(..) | Op::Max(..) => {
-                    select += 1;
-                }
+                Op::Less(..)
+                | Op::Select(..)
+                | Op::Abs(_)
+                | Op::Sign(_)
+                | Op::Floor(_)
+                | Op::Min(..)
+                | Op::Max(..) => select += 1,
                 Op::Asin(_) | Op::Acos(_) | Op::Atan2(..) | Op::Exp(_) | Op::Ln(_) => count.other += 1,
             }
             sine_of = match instr.op {

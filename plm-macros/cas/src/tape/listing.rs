@@ -65,6 +65,7 @@ fn operation(op: Op, names: &[String]) -> String {
         Op::Ln(_) => call("ln"),
         Op::Abs(_) => call("abs"),
         Op::Sign(_) => call("sign"),
+        Op::Floor(_) => call("floor"),
         Op::Min(..) => call("min"),
         Op::Max(..) => call("max"),
     }

@@ -219,6 +219,7 @@ impl Lowering<'_> {
             Function::Ln => Op::Ln(a),
             Function::Abs => Op::Abs(a),
             Function::Sign => Op::Sign(a),
+            Function::Floor => Op::Floor(a),
             Function::Min => Op::Min(a, b),
             Function::Max => Op::Max(a, b),
         })

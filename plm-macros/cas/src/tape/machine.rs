@@ -80,6 +80,8 @@ impl<'t> Machine<'t> {
             Op::Ln(a) => math::ln(v(a)),
             Op::Abs(a) => v(a).abs(),
             Op::Sign(a) => sign(v(a)),
+            // Zero has one sign, as of the runtime's scalars.
+            Op::Floor(a) => math::floor(v(a)) + 0.0,
             Op::Min(a, b) => math::min(v(a), v(b)),
             Op::Max(a, b) => math::max(v(a), v(b)),
             Op::Less(a, b) => pick(v(a) < v(b), 1.0, 0.0),

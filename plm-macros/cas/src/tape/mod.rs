@@ -69,6 +69,8 @@ pub enum Op {
     Min(Ref, Ref),
     /// See [`Function::Max`](crate::Function::Max).
     Max(Ref, Ref),
+    /// See [`Function::Floor`](crate::Function::Floor).
+    Floor(Ref),
     /// The condition `a < b`; evaluated here as 1 or 0.
     Less(Ref, Ref),
     /// `Select(condition, a, b)`: `a` where the condition (a `Less`, or a constant 1 or 0) holds, else `b`.
@@ -100,6 +102,7 @@ impl Op {
             Self::Max(..) => 18,
             Self::Less(..) => 19,
             Self::Select(..) => 20,
+            Self::Floor(_) => 21,
         }
     }
 
@@ -124,6 +127,7 @@ impl Op {
             Self::Ln(a) => Self::Ln(other(a)),
             Self::Abs(a) => Self::Abs(other(a)),
             Self::Sign(a) => Self::Sign(other(a)),
+            Self::Floor(a) => Self::Floor(other(a)),
             Self::Add(a, b) => Self::Add(other(a), other(b)),
             Self::Sub(a, b) => Self::Sub(other(a), other(b)),
             Self::Mul(a, b) => Self::Mul(other(a), other(b)),
@@ -149,7 +153,8 @@ impl Op {
             | Self::Exp(a)
             | Self::Ln(a)
             | Self::Abs(a)
-            | Self::Sign(a) => ([a, NONE, NONE], 1),
+            | Self::Sign(a)
+            | Self::Floor(a) => ([a, NONE, NONE], 1),
             Self::Add(a, b)
             | Self::Sub(a, b)
             | Self::Mul(a, b)

@@ -19,6 +19,7 @@ pub(crate) fn function(function: Function, a: &[f64]) -> f64 {
         Function::Sign if a[0] > 0.0 => 1.0,
         Function::Sign if a[0] < 0.0 => -1.0,
         Function::Sign => a[0],
+        Function::Floor => a[0].floor() + 0.0,
         Function::Min => {
             if a[0] < a[1] {
                 a[0]

@@ -62,7 +62,7 @@ fn operation(g: &mut Graph, random: &mut Random, a: Expr, b: Expr, c: Expr) -> E
             let above_one = at_least_one(g, a);
             g.atan2(b, above_one)
         }
-        16 => g.call(*random.one_of(&[Function::Abs, Function::Sign]), &[a]),
+        16 => g.call(*random.one_of(&[Function::Abs, Function::Sign, Function::Floor]), &[a]),
         17 => g.call(*random.one_of(&[Function::Min, Function::Max]), &[a, b]),
         18 => {
             let less = g.less(a, b);

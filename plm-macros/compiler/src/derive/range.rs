@@ -59,6 +59,7 @@ fn of_call(function: Function, arguments: &[Expr], of: &dyn Fn(Expr) -> Range) -
         Function::Sqrt => [low.max(0.0).sqrt(), high.max(0.0).sqrt()],
         Function::Exp => [low.exp(), high.exp()],
         Function::Ln => ALL,
+        Function::Floor => [low.floor(), high.floor()],
         Function::Abs if low >= 0.0 => [low, high],
         Function::Abs if high <= 0.0 => [-high, -low],
         Function::Abs => [0.0, high.max(-low)],

@@ -9,7 +9,7 @@ use crate::collect::{CollectVec, MapEach, PushAll};
 use crate::sorted::sort_by_key;
 use plm_cas::{Expr, Function, Node, algebra};
 
-use super::cuts::{self, hold_cuts};
+use super::cuts::{self, hold_cuts, moves};
 use super::decisions::decisions;
 use super::forcing_terms;
 use super::kinks::{self, Kink, root};
@@ -20,6 +20,7 @@ use crate::model::{Contact, Jump, Model, Switch};
 /// its place. Gives each condition and what stands for it.
 pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
     kinks::unfold(model);
+    unfold_signs(model);
     let kinks = kinks::kinks(model);
     let roots: Vec<Expr> = forcing_terms(model).map(|term| term.value).collect_vec();
     let mut pairs = hold_events(model);
@@ -53,6 +54,21 @@ pub(crate) fn hold_switches(model: &mut Model) -> Vec<(Expr, Expr)> {
     }
     model.released.extend(turning.into_iter().map(|(row, wrapped)| (model.rows[row].phi, wrapped)));
     pairs
+}
+
+/// Writes the signs that jump in forces and rates as conditions: -1, 0 or 1.
+fn unfold_signs(model: &mut Model) {
+    let (zero, one) = (Expr::ZERO, Expr::ONE);
+    loop {
+        let roots: Vec<Expr> = forcing_terms(model).map(|term| term.value).collect_vec();
+        // Operands come first: one sign may stand in another.
+        let sign = algebra::reachable(&roots).into_iter().find_map(|expr| match expr.node() {
+            Node::Call(Function::Sign, of) if moves(model, &of) => Some((expr, of[0])),
+            _ => None,
+        });
+        let Some((sign, x)) = sign else { return };
+        substitute(model, &[(sign, x.less(zero).select(-one, zero.less(x).select(one, zero)))]);
+    }
 }
 
 /// Switches of all comparisons in the conditions of events and of rows of contact, whatever else reads them.
@@ -204,7 +220,9 @@ fn instant(model: &Model, difference: Expr) -> Option<[Expr; 2]> {
     if algebra::symbols(&[slope]).contains(&model.time) {
         return None;
     }
-    Some([root(difference, model.time, slope), slope])
+    // What is periodic is linear from jump to jump, and vanishes more than once.
+    let at = root(difference, model.time, slope);
+    (!algebra::symbols(&[at]).contains(&model.time)).then_some([at, slope])
 }
 
 /// Do the two values between which a condition chooses differ where it changes?

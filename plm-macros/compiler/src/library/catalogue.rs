@@ -15,14 +15,18 @@ pub(crate) const PARTS: &[(&str, &str)] = catalogue! {
     "masses": "attached_mass" "attached_rotor" "rotor" "sliding_mass";
     "sensors": "acceleration_sensor" "force_sensor" "position_sensor" "velocity_sensor";
     "lines":
-        "bristle_friction" "end_stop" "force_state_spring" "frame_axes" "shaft_spring" "slider_ground" "slider_spring"
-        "slider_velocity" "torque_state_spring";
+        "bristle_friction" "end_stop" "force_state_spring" "frame_axes" "shaft_spring" "shaft_velocity"
+        "slider_ground" "slider_spring" "slider_velocity" "torque_state_spring";
     "hydraulics":
-        "chamber" "cylinder" "fluid" "oil_line" "oil_source" "oil_tank" "orifice" "piston" "servo_valve";
-    "signals": "lag" "lag2" "pid" "ramps";
+        "accumulator" "chamber" "check_valve" "counterbalance_valve" "cylinder" "flow_control" "fluid"
+        "hydraulic_motor" "oil_line" "oil_source" "oil_tank" "orifice" "piston" "proportional_valve" "pump"
+        "relief_valve" "servo_valve";
+    "signals":
+        "delay" "hysteresis" "lag" "lag2" "noise" "pid" "ramps" "rate_limit" "sampled_controller" "saturation";
+    "pneumatics": "air_chamber" "air_cylinder" "air_orifice" "air_piston" "air_source";
 };
 
 /// Name of each domain of the library and the text that defines it.
 pub(crate) const DOMAINS: &[(&str, &str)] = catalogue! {
-    "domains": "oil" "shaft" "slider";
+    "domains": "air" "oil" "shaft" "slider";
 };

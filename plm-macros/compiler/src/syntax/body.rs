@@ -15,12 +15,14 @@ use crate::span::Span;
 pub struct Body {
     /// Its name.
     pub name: IndexedName,
-    /// `mass`, `inertia`, `centre`, `drawing_angle`, `depth`: one expression each.
+    /// `mass`, `inertia`, `centre`, `density`, `thickness`, `drawing_angle`, `depth`: one expression each.
     pub fields: Vec<(Ident, Expr)>,
     /// `coordinates: relative` or `absolute`.
     pub coordinates: Option<Ident>,
-    /// Its outline for pictures.
+    /// Its outline, for pictures and for the mass of a plate.
     pub contour: Option<Contour>,
+    /// Outlines of its holes, for the mass of a plate.
+    pub holes: Vec<Contour>,
     /// Its ports.
     pub ports: Vec<Port>,
     /// Its starts.
@@ -61,11 +63,24 @@ pub struct Start {
 }
 
 /// Fields of a body that hold one expression. The second spelling is understood too.
-const FIELDS: &[&str] = &["mass", "inertia", "centre", "center", "drawing_angle", "depth"];
+const FIELDS: &[&str] =
+    &["mass", "inertia", "centre", "center", "density", "thickness", "drawing_angle", "depth"];
 
 /// All that may begin an item of a body.
-pub(crate) const WORDS: &[&str] =
-    &["mass", "inertia", "centre", "coordinates", "drawing_angle", "port", "start", "depth", "contour"];
+pub(crate) const WORDS: &[&str] = &[
+    "mass",
+    "inertia",
+    "centre",
+    "density",
+    "thickness",
+    "coordinates",
+    "drawing_angle",
+    "port",
+    "start",
+    "depth",
+    "contour",
+    "hole",
+];
 
 impl Body {
     /// `name { … }` behind `body`.
@@ -75,6 +90,7 @@ impl Body {
             fields: Vec::new(),
             coordinates: None,
             contour: None,
+            holes: Vec::new(),
             ports: Vec::new(),
             starts: Vec::new(),
         };
@@ -111,6 +127,7 @@ impl Body {
                     input.error(Code::RepeatedItem, word, "the contour is given twice");
                 }
             }
+            "hole" => self.holes.push(Contour::parse(input)?),
             word if FIELDS.contains(&word) => self.field(input)?,
             word => return Err(unknown_item(input, word)),
         }
@@ -155,6 +172,14 @@ fn unknown_item(input: Input, word: &str) -> Reported {
 }
 
 impl Contour {
+    /// Where it stands.
+    pub(crate) fn span(&self) -> Option<Span> {
+        match self {
+            Contour::Points(points) => Some(points.first()?.span.to(points.last()?.span)),
+            Contour::File(_, span) => Some(*span),
+        }
+    }
+
     /// `contour: (x, y), (x, y), … unit;` or `contour: "file.csv";`
     fn parse(input: Input) -> Result<Contour> {
         input.advance();

@@ -33,8 +33,8 @@
 //!       | "when" expr "{" { path "=" expr ";" } "}"
 //!       | "output" output { "," output } ";"
 //!       | "repeat" NAME "in" expr ".." ["="] expr "{" { item } "}"
-//! field  := ("mass" | "inertia" | "centre" | "drawing_angle" | "depth") ":" expr ";" | "coordinates" ":" NAME ";"
-//!         | "contour" ":" (expr { "," expr } | STRING) ";"
+//! field  := ("mass" | "inertia" | "centre" | "density" | "thickness" | "drawing_angle" | "depth") ":" expr ";" | "coordinates" ":" NAME ";"
+//!         | ("contour" | "hole") ":" (expr { "," expr } | STRING) ";"
 //! port   := "port" name ":" expr ["," ("angle" | "axis") ":" expr] ["," "depth" ":" expr] ";"
 //! start  := "start" NAME ":" expr ["," "locked"] ";"
 //! bound  := expr [".." expr]

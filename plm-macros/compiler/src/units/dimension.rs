@@ -49,6 +49,8 @@ impl Dimension {
     pub const TORQUE: Dimension = of(2, 1, -2, 0);
     /// kg*m^2
     pub const INERTIA: Dimension = of(2, 1, 0, 0);
+    /// kg/m^3
+    pub const DENSITY: Dimension = of(-3, 1, 0, 0);
 
     /// Of a product.
     #[must_use]

@@ -16,7 +16,10 @@ fn names(part: &Definition) -> Vec<&str> {
     let mut names = Vec::new();
     for item in all_items(&part.items) {
         match &item.kind {
-            ItemKind::Param(value) | ItemKind::Input(value) | ItemKind::State(value) => {
+            ItemKind::Param(value)
+            | ItemKind::Input(value)
+            | ItemKind::State(value)
+            | ItemKind::Discrete(value) => {
                 names.push(value.name.ident.text.as_str());
             }
             ItemKind::Node(node) => names.push(node.name.ident.text.as_str()),

@@ -102,6 +102,10 @@ fn functions_are_the_ones_of_mathematics() {
     let cases = [
         ("abs(-a)", 3.0),
         ("sign(-b)", -1.0),
+        ("floor(-n/2)", -3.0),
+        ("floor(n)", 5.0),
+        ("mod(-a, b)", 1.0),
+        ("mod(n, 5)", 0.0),
         ("min(a, b, 1 m)", 1.0),
         ("max(a, b, 1 m)", 4.0),
         ("clamp(n, 0, 3)", 3.0),

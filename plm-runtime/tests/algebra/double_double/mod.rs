@@ -4,7 +4,7 @@ mod accuracy;
 mod bits;
 mod special;
 
-use plm_runtime::{DoubleDouble, Real};
+use plm_runtime::{DoubleDouble, Real, Scalar};
 
 /// A number from two words that need not be those of its rounded value.
 fn from_words<S: Real>(high: S, low: S) -> DoubleDouble<S> {
@@ -19,7 +19,7 @@ fn call<T: Real>(name: &str, x: &[T]) -> Option<T> {
         ("mul", &[a, b]) => a * b,
         ("div", &[a, b]) => a / b,
         ("sqrt", &[a]) => a.sqrt(),
-        ("floor", &[a]) => Real::floor(a),
+        ("floor", &[a]) => Scalar::floor(a),
         ("sin", &[a]) => a.sin(),
         ("cos", &[a]) => a.cos(),
         ("tan", &[a]) => a.tan(),

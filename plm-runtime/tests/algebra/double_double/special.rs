@@ -77,8 +77,8 @@ fn low_words_decide_where_high_words_are_equal() {
     assert_eq!((-above).abs(), above);
     assert_eq!((above.min(one), above.max(one)), (one, above));
     assert_eq!((one - above).signum0(), -one);
-    assert_eq!(Real::floor(one - DoubleDouble::of(1e-25)), DoubleDouble::ZERO);
-    assert_eq!(Real::floor(above), one);
+    assert_eq!(Scalar::floor(one - DoubleDouble::of(1e-25)), DoubleDouble::ZERO);
+    assert_eq!(Scalar::floor(above), one);
 }
 
 #[test]

@@ -290,6 +290,7 @@ impl<'a> Lowering<'a> {
             Op::Ln(a) => at(a).called("ln", &[]),
             Op::Abs(a) => at(a).called("abs", &[]),
             Op::Sign(a) => at(a).called("signum0", &[]),
+            Op::Floor(a) => at(a).called("floor", &[]),
             Op::Min(a, b) => at(a).called("min", &[at(b)]),
             Op::Max(a, b) => at(a).called("max", &[at(b)]),
             Op::Less(a, b) => at(a).called("lt", &[at(b)]),

@@ -8,6 +8,7 @@ use crate::diag::{Code, help_similar};
 use crate::model::{Name, Port, Start};
 use crate::resolve::Resolver;
 use crate::resolve::declarations::frame::{Placement, UnresolvedPort};
+use crate::resolve::declarations::plate::Plate;
 use crate::resolve::names::ScopeId;
 use crate::resolve::values::lazy::Lazy;
 use crate::resolve::values::member_table::{Member, Owner};
@@ -31,6 +32,8 @@ pub(crate) struct UnresolvedBody<'a> {
     pub(crate) rotation: Rotation,
     pub(crate) ports: Vec<UnresolvedPort<'a>>,
     placement: Lazy<Placement>,
+    pub(crate) outline: Lazy<Vec<Vec2>>,
+    pub(crate) plate: Lazy<Plate>,
 }
 
 /// Coordinates that can start somewhere: those of the position, then those of the velocity.
@@ -130,6 +133,8 @@ impl<'a> Resolver<'a> {
             rotation,
             ports,
             placement: Lazy::Waiting,
+            outline: Lazy::Waiting,
+            plate: Lazy::Waiting,
         });
         self.bind(scope, &ast.name.ident, key, slot);
     }
@@ -162,10 +167,10 @@ impl<'a> Resolver<'a> {
         Some(value)
     }
 
-    /// Does a body declare a mass or an inertia? One of them needs the other.
+    /// Does a body declare a mass, an inertia or a density? One of the first two needs the other.
     pub(crate) fn names_mass(&self, body: usize) -> bool {
         let fields = &self.unresolved.bodies[body].ast.fields;
-        fields.iter().any(|(ident, _)| ident.text == "mass" || ident.text == "inertia")
+        fields.iter().any(|(ident, _)| matches!(ident.text.as_str(), "mass" | "inertia" | "density"))
     }
 
     /// The mass or the inertia, and where it stands. An assumed value keeps a mistake from causing others.
@@ -190,7 +195,10 @@ impl<'a> Resolver<'a> {
                 .unwrap_or_else(|| Number::to_f64(number).to_string());
             let message = format!("the {name} of `{}` must be positive, found {found}", declared.text);
             let diagnostic = self.error(scope, Code::NotPositive, expr.span, message);
-            diagnostic.help(positive_help(name, dimension));
+            match name {
+                "mass" | "inertia" => diagnostic.help(positive_help(name, dimension)),
+                _ => diagnostic.note("the mass of a plate is the area of its contour times both"),
+            };
             return Err(Failed);
         }
         Ok((value, expr.span))
@@ -215,6 +223,7 @@ impl<'a> Resolver<'a> {
         };
         let centre = match self.body_field(body, "centre") {
             Some(expr) => self.eval_vector(scope, expr, Dimension::LENGTH, Reads::FIXED)?.value,
+            None if self.is_plate(body) => self.plate(body)?.centre,
             None => Vec2::ZERO,
         };
         let drawing_angle = match self.body_field(body, "drawing_angle") {

@@ -12,6 +12,7 @@ pub(super) mod load;
 pub(super) mod node;
 pub(super) mod part;
 pub(super) mod picture;
+pub(super) mod plate;
 pub(super) mod requirement;
 pub(super) mod row;
 pub(super) mod settings;

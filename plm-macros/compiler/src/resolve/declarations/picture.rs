@@ -98,25 +98,41 @@ impl<'a> Resolver<'a> {
 
     /// The outline of a body, from G in the axes of the body: like its ports it is written from the body's origin.
     pub(crate) fn contour(&mut self, body: usize) -> Eval<Vec<Vec2>> {
-        let (ast, scope) = (self.unresolved.bodies[body].ast, self.unresolved.bodies[body].scope);
-        let Some(contour) = &ast.contour else { return Ok(Vec::new()) };
-        let (points, span) = match contour {
+        let points = self.outline(body)?;
+        let placement = self.placement(body)?;
+        Ok(points.into_iter().map(|at| placement.place(at)).collect_vec())
+    }
+
+    /// The contour of a body as it was written, worked out at its first use; empty where there is none.
+    pub(crate) fn outline(&mut self, body: usize) -> Eval<Vec<Vec2>> {
+        self.lazy(
+            |of| &mut of.unresolved.bodies[body].outline,
+            |_| (),
+            |of| {
+                let (ast, scope) = (of.unresolved.bodies[body].ast, of.unresolved.bodies[body].scope);
+                ast.contour.as_ref().map_or(Ok(Vec::new()), |contour| of.points(scope, contour))
+            },
+        )
+    }
+
+    /// The points of a contour or of a hole, three at least.
+    pub(crate) fn points(&mut self, scope: ScopeId, contour: &'a Contour) -> Eval<Vec<Vec2>> {
+        let points = match contour {
             Contour::Points(points) => {
-                let span = points.first().zip(points.last()).map(|(first, last)| first.span.to(last.span));
                 let points = all(points.iter().map(|point| {
                     self.eval_vector(scope, point, Dimension::LENGTH, Reads::FIXED).map(|at| at.value)
                 }));
-                (points?, span.unwrap_or(self.unresolved.bodies[body].name.span))
+                points?
             }
-            Contour::File(name, span) => (self.points_of_file(scope, name, *span)?, *span),
+            Contour::File(name, span) => self.points_of_file(scope, name, *span)?,
         };
-        if points.len() < 3 {
+        // One without any point is not parsed.
+        if let Some(span) = contour.span().filter(|_| points.len() < 3) {
             let message = format!("a contour has three points at least, found {}", points.len());
             self.error(scope, Code::BadContour, span, message);
             return Err(Failed);
         }
-        let placement = self.placement(body)?;
-        Ok(points.into_iter().map(|at| placement.place(at)).collect_vec())
+        Ok(points)
     }
 
     fn points_of_file(&mut self, scope: ScopeId, name: &str, span: Span) -> Eval<Vec<Vec2>> {

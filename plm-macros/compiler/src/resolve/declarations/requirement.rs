@@ -137,8 +137,10 @@ fn word(field: &Field) -> Option<&str> {
 
 /// Adds what is positive where a condition holds; false if that cannot be said, or never holds.
 fn positive(condition: &Condition, differences: &mut Vec<Expr>) -> bool {
+    if let Some(holds) = condition.known() {
+        return holds;
+    }
     match condition {
-        Condition::Known(holds) => *holds,
         Condition::Less(low, high) => {
             differences.push(*high - *low);
             true
@@ -151,6 +153,6 @@ fn positive(condition: &Condition, differences: &mut Vec<Expr>) -> bool {
             _ => false,
         },
         Condition::All(inner) => inner.iter().all(|one| positive(one, differences)),
-        Condition::Any(_) => false,
+        Condition::Known(_) | Condition::Any(_) => false,
     }
 }

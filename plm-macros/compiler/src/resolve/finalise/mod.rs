@@ -20,6 +20,7 @@ use crate::resolve::Resolver;
 use crate::resolve::declarations::body::assumed_mass;
 use crate::resolve::declarations::declare::UnresolvedField;
 use crate::resolve::values::{Eval, Failed, Reads, all};
+use crate::span::Span;
 use crate::syntax::ast::{self, Mechanism};
 use crate::units::{Dimension, DisplayUnit};
 
@@ -145,10 +146,8 @@ impl<'a> Resolver<'a> {
 
     fn evaluate_body(&mut self, body: usize) -> Eval<Body> {
         let has_mass = self.names_mass(body);
-        let declared = has_mass.then(|| {
-            let mass = self.body_quantity(body, "mass", Dimension::MASS);
-            (mass, self.body_quantity(body, "inertia", Dimension::INERTIA))
-        });
+        let declared = has_mass.then(|| self.mass_and_inertia(body));
+        self.check_plate(body);
         let starts = self.starts(body);
         let contour = self.contour(body);
         let (depth, scope) = (self.body_field(body, "depth"), self.unresolved.bodies[body].scope);
@@ -178,6 +177,16 @@ impl<'a> Resolver<'a> {
             contour: contour?,
             depth: depth?,
         })
+    }
+
+    /// Mass and inertia of a body that has some, and where they stand.
+    fn mass_and_inertia(&mut self, body: usize) -> (Eval<(Expr, Span)>, Eval<(Expr, Span)>) {
+        if !self.is_plate(body) {
+            let mass = self.body_quantity(body, "mass", Dimension::MASS);
+            return (mass, self.body_quantity(body, "inertia", Dimension::INERTIA));
+        }
+        let plate = self.plate(body);
+        (plate.map(|plate| (plate.mass, plate.span)), plate.map(|plate| (plate.inertia, plate.span)))
     }
 
     fn evaluate_ports(&mut self, body: Option<usize>) -> Eval<Vec<Port>> {

@@ -114,6 +114,18 @@ pub(crate) fn function_elsewhere(name: &str, arguments: &[ast::Expr]) -> Option<
         ("atan" | "arctan", _) => "write `atan2(y, x)`".to_string(),
         ("der" | "derivative" | "diff" | "ddt", _) => "the derivative with time is `rate(x)`".to_string(),
         ("deg" | "degrees" | "radians" | "rad", _) => "an angle has a unit: `30 deg`".to_string(),
+        ("rem" | "modulo" | "fmod" | "remainder", [x, period]) => match (text_of(x), text_of(period)) {
+            (Some(x), Some(period)) => format!("write `mod({x}, {period})`"),
+            _ => "the remainder is `mod(x, period)`".to_string(),
+        },
+        ("ceil", _) => "write `-floor(-x)`".to_string(),
+        ("round", _) => "write `floor(x + 0.5)`".to_string(),
+        ("int" | "trunc" | "integer", _) => "the integer below is `floor(x)`".to_string(),
+        ("lookup" | "interp" | "interp1" | "table1", _) => "write `table(x, (x0, y0), (x1, y1), …)`".to_string(),
+        ("lookup2" | "interp2" | "table2", _) => {
+            "a table of two arguments is a table of tables: `table(x, (x0, table(y, …)), (x1, table(y, …)))`"
+                .to_string()
+        }
         ("log", _) => "the natural logarithm is `ln(x)`".to_string(),
         _ => return None,
     })

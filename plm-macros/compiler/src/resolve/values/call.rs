@@ -32,6 +32,8 @@ impl<'a> Resolver<'a> {
         self.count(scope, span, function, arguments.len())?;
         match &function.meaning {
             Meaning::OfOne(of) => self.of_one(scope, of, function.name, &arguments[0]),
+            Meaning::Floor => self.floor(scope, &arguments[0]),
+            Meaning::Remainder => self.remainder(scope, span, arguments),
             Meaning::OfAlike(of) => self.of_alike(scope, span, *of, arguments),
             Meaning::Atan2 => self.atan2(scope, span, arguments),
             Meaning::Table(how) => self.table(scope, span, *how, arguments),
@@ -108,7 +110,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Numbers of one dimension.
-    fn alike(&mut self, scope: ScopeId, span: Span, arguments: &'a [ast::Expr]) -> Eval<(Vec<Expr>, Nature)> {
+    pub(crate) fn alike(&mut self, scope: ScopeId, span: Span, arguments: &'a [ast::Expr]) -> Eval<(Vec<Expr>, Nature)> {
         // No iterator runs the evaluation: expressions nest deeply, and every frame takes of the stack.
         let mut found = Vec::with_capacity(arguments.len());
         for argument in arguments {

@@ -20,6 +20,10 @@ pub(crate) struct Function {
 /// Meaning of a function.
 pub(crate) enum Meaning {
     OfOne(OfOne),
+    /// The largest integer that is not above a number.
+    Floor,
+    /// Of a quantity and a period.
+    Remainder,
     /// Of numbers of one dimension, which the result has too.
     OfAlike(fn(&[Expr]) -> Expr),
     /// The angle of the point `(x, y)`, from y and x.
@@ -101,6 +105,8 @@ impl Function {
 pub(crate) const FUNCTIONS: &[Function] = &[
     of_one("abs", None, Gives::Same, None, Expr::abs),
     of_one("sign", None, Gives::Number, None, Expr::sign),
+    function("floor", 1..=1, Meaning::Floor),
+    function("mod", 2..=2, Meaning::Remainder),
     function("min", 2..=usize::MAX, Meaning::OfAlike(least)),
     function("max", 2..=usize::MAX, Meaning::OfAlike(greatest)),
     function("clamp", 3..=3, Meaning::OfAlike(|x| x[0].clamp(x[1], x[2]))),

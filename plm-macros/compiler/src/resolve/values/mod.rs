@@ -7,6 +7,7 @@ mod expression;
 pub(super) mod function_table;
 mod inertia;
 pub(super) mod interpolation;
+mod jumps;
 pub(super) mod lazy;
 pub(super) mod member;
 pub(super) mod member_table;

@@ -1,0 +1,148 @@
+//! Plates: bodies whose mass, centre and inertia follow from their contour, its holes, a density and a thickness.
+//!
+//! Integrals over a polygon are sums over its sides, by Green's theorem (C. Steger, On the calculation of arbitrary moments of polygons,
+//! TU Muenchen 1996, FGBV-96-05): with `c = x0 y1 - x1 y0` of a side from `p0` to `p1`
+//!
+//! ```text
+//! (1)  area                = sum c/2
+//! (2)  first moment        = sum (p0 + p1) c/6
+//! (3)  second moment       = sum (p0.p0 + p0.p1 + p1.p1) c/12
+//! ```
+
+use plm_cas::algebra::Vec2;
+use plm_cas::{Expr, Number};
+
+use crate::collect::CollectVec;
+use crate::diag::Code;
+use crate::resolve::Resolver;
+use crate::resolve::values::{Eval, Failed};
+use crate::span::Span;
+use crate::syntax::ast;
+use crate::units::Dimension;
+
+/// A plate about its centre.
+#[derive(Clone, Copy)]
+pub(crate) struct Plate {
+    /// kg
+    pub(crate) mass: Expr,
+    /// About the centre, kg m^2.
+    pub(crate) inertia: Expr,
+    /// From the origin of the body, m.
+    pub(crate) centre: Vec2,
+    /// Place of the density.
+    pub(crate) span: Span,
+}
+
+/// Area and moments of a polygon about a point.
+#[derive(Clone, Copy)]
+struct Moments {
+    area: Expr,
+    first: Vec2,
+    second: Expr,
+}
+
+impl<'a> Resolver<'a> {
+    /// Is the mass of a body that of a plate?
+    pub(crate) fn is_plate(&self, body: usize) -> bool {
+        self.unresolved.bodies[body].ast.fields.iter().any(|(ident, _)| ident.text == "density")
+    }
+
+    /// Reports a hole or a thickness of a body that has no density.
+    pub(crate) fn check_plate(&mut self, body: usize) {
+        if self.is_plate(body) {
+            return;
+        }
+        let (ast, scope) = (self.unresolved.bodies[body].ast, self.unresolved.bodies[body].scope);
+        let hole = ast.holes.first().and_then(ast::Contour::span).map(|span| ("hole", span));
+        let thickness = ast.fields.iter().find(|(field, _)| field.text == "thickness");
+        for (field, span) in hole.into_iter().chain(thickness.map(|(field, _)| ("thickness", field.span))) {
+            self.error(scope, Code::MisplacedItem, span, format!("a {field} of a body without a density"))
+                .help("write `density: 7850 kg/m^3;` in the place of mass and inertia");
+        }
+    }
+
+    /// The plate that a body with a density is, worked out at its first use.
+    pub(crate) fn plate(&mut self, body: usize) -> Eval<Plate> {
+        self.lazy(|of| &mut of.unresolved.bodies[body].plate, |_| (), |of| of.evaluate_plate(body))
+    }
+
+    fn evaluate_plate(&mut self, body: usize) -> Eval<Plate> {
+        let (ast, scope) = (self.unresolved.bodies[body].ast, self.unresolved.bodies[body].scope);
+        let name = self.unresolved.bodies[body].name.clone();
+        let mut result = Ok(());
+        for (field, _) in &ast.fields {
+            if matches!(field.text.as_str(), "mass" | "inertia" | "centre") {
+                let message = format!("the {} of `{}` follows from its density", field.text, name.text);
+                self.error(scope, Code::MisplacedItem, field.span, message)
+                    .help(format!("leave out the density, or the {}", field.text));
+                result = Err(Failed);
+            }
+        }
+        for field in ["thickness", "contour"] {
+            let is_there = if field == "contour" { ast.contour.is_some() } else { has(ast, field) };
+            if !is_there {
+                let message = format!("`{}` has a density and no {field}", name.text);
+                let help = if field == "contour" { "contour: (0, 0), (1, 0), (1, 1) m;" } else { "thickness: 1 cm;" };
+                self.error(scope, Code::MissingValue, name.span, message).help(format!("write `{help}`"));
+                result = Err(Failed);
+            }
+        }
+        result?;
+        let density = self.body_quantity(body, "density", Dimension::DENSITY);
+        let thickness = self.body_quantity(body, "thickness", Dimension::LENGTH);
+        let outline = self.outline(body);
+        let mut holes = Vec::new();
+        for points in &ast.holes {
+            holes.push(self.points(scope, points));
+        }
+        let holes = holes.into_iter().collect::<Eval<Vec<_>>>()?;
+        let ((density, span), (thickness, _), outline) = (density?, thickness?, outline?);
+        let origin = outline[0];
+        let moments = holes.iter().map(|hole| moments_of(hole, origin)).collect_vec();
+        let whole = moments.into_iter().fold(moments_of(&outline, origin), Moments::less);
+        if whole.area.as_number().is_some_and(|area| area.is_zero() || area.is_negative()) {
+            let area = whole.area.as_number().map_or(0.0, Number::to_f64);
+            let message = format!("the contour of `{}` encloses {area} m^2 beside its holes", name.text);
+            self.error(scope, Code::NotPositive, span, message);
+            return Err(Failed);
+        }
+        let from_origin = whole.first / whole.area;
+        let surface = density * thickness;
+        Ok(Plate {
+            mass: surface * whole.area,
+            inertia: surface * (whole.second - whole.area * from_origin.squared()),
+            centre: origin + from_origin,
+            span,
+        })
+    }
+}
+
+fn has(ast: &ast::Body, field: &str) -> bool {
+    ast.fields.iter().any(|(ident, _)| ident.text == field)
+}
+
+/// (1) to (3) about a point, whichever way the polygon goes round.
+fn moments_of(points: &[Vec2], about: Vec2) -> Moments {
+    let from = points.iter().map(|at| *at - about).collect_vec();
+    let sides = from.iter().zip(from.iter().cycle().skip(1));
+    let (mut area, mut first, mut second) = (Expr::ZERO, Vec2::ZERO, Expr::ZERO);
+    for (&p, &q) in sides {
+        let cross = p.cross(q);
+        area += cross / Expr::from(2);
+        first += cross / Expr::from(6) * (p + q);
+        second += (p.dot(p) + p.dot(q) + q.dot(q)) * cross / Expr::from(12);
+    }
+    let sense = area.sign();
+    Moments { area: sense * area, first: sense * first, second: sense * second }
+}
+
+impl Moments {
+    /// Without a hole.
+    fn less(self, hole: Moments) -> Moments {
+        Moments {
+            area: self.area - hole.area,
+            first: self.first - hole.first,
+            second: self.second - hole.second,
+        }
+    }
+}
