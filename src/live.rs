@@ -159,7 +159,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
 
     /// The rows of contact, a line each: the mode, a tab, the name. Empty without rows, and where nothing was assembled.
     pub fn contacts(&self) -> String {
-        let rows = self.sim.iter().flat_map(|sim| sim.contacts());
+        let rows = self.sim.iter().flat_map(Sim::contacts);
         rows.map(|(name, mode)| format!("{mode}\t{name}")).collect::<Vec<String>>().join("\n")
     }
 
