@@ -2,6 +2,7 @@
 //! hand. A page holds it as WebAssembly; what it computes is what every other run computes, to the bit.
 
 use std::borrow::ToOwned;
+use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
@@ -154,6 +155,12 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     /// The parts that have sizes, a line each: the name of the part, and those of its sizes, with blanks between.
     pub fn size_names() -> String {
         SizeNames::of::<M>().to_string()
+    }
+
+    /// The rows of contact, a line each: the mode, a tab, the name. Empty without rows, and where nothing was assembled.
+    pub fn contacts(&self) -> String {
+        let rows = self.sim.iter().flat_map(Sim::contacts);
+        rows.map(|(name, mode)| format!("{mode}\t{name}")).collect::<Vec<String>>().join("\n")
     }
 
     /// A parameter, SI; not a number beyond the last.

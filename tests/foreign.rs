@@ -14,8 +14,8 @@ use plm::{Described, Dop853, Sim};
 mod suppliers;
 
 plm::mechanism! {
-    /// A press: a loop with a slider, a stop with a spring that pushes at once, an input, a state, and a time that must
-    /// not be passed.
+    /// A press: a loop with a slider that rubs and a crank that strikes a buffer, a spring that pushes at once, an input, a state, and a time that
+    /// must not be passed.
     pub Press {
         gravity: 9.81 m/s^2;
         /// Of the spring
@@ -34,6 +34,8 @@ plm::mechanism! {
         revolute wrist_pin(rod.wrist, slider.wrist);
         prismatic guide(ground.rail, slider.wrist);
         force spring(slider.wrist) { x: if slider.x > 0.6 m then -stiff*(slider.x - 0.5 m) - level else -level; }
+        unilateral buffer: crank.angle <= 300 deg { restitution: 0.7; }
+        friction rub: rate(guide.displacement) within 0.1 N;
         require early: t < 20 s;
         output crank.angle in deg, drive.force, slider.x in mm;
     }
@@ -127,6 +129,8 @@ fn native() -> String {
         print(&sim, &mut text);
     }
     assert!(sim.stats().switches > 0 && sim.stats().renewed == 0, "{:?}", sim.stats());
+    let contact = sim.contact_stats();
+    assert!(contact.impacts > 0 && contact.sticks + contact.slips > 1, "{contact:?}");
     text
 }
 

@@ -228,8 +228,10 @@ fn a_pull_moves_what_sticks_above_its_bound_alone() {
         assert!(live.step(0.01));
     }
     assert_eq!(motion(&mut live), [0.0; 4]);
+    assert_eq!(live.contacts(), "closed\tfloor\nsticks\tslip");
     live.pull(0, [0.0, 0.0], [30.0, 0.0]);
     assert!(live.step(2.0));
+    assert_eq!(live.contacts(), "closed\tfloor\nslips forwards\tslip");
     let [x, _, vx, _] = motion(&mut live);
     assert!((x - 0.5 * 0.057 * 4.0).abs() < 1e-12 && (vx - 0.114).abs() < 1e-12, "{x} {vx}");
     live.pull(0, [x, 0.0], [0.0, 0.0]);
@@ -251,6 +253,7 @@ fn a_pull_moves_what_sticks_above_its_bound_alone() {
 fn what_is_placed_in_the_air_bounces() {
     let mut live = Live::new(Block::new());
     assert!(live.place(0, [0.3, 1.0, 0.0]), "{:?}", live.error());
+    assert_eq!(live.contacts(), "open\tfloor\nunloaded\tslip");
     let (mut heights, mut turns) = (Vec::new(), 0);
     for _ in 0..240 {
         assert!(live.step(1.0 / 60.0));

@@ -35,6 +35,7 @@ plm::mechanism! {
         revolute hinge(trolley.o, bar.top) { damping: lambda; }
         force motor(trolley.o) { x: level - run*trolley.x - method*trolley.vx; }
         force stop(trolley.o) { x: if trolley.x > 0.05 m then -90 N/m*(trolley.x - 0.02 m) else 0 N; }
+        unilateral wall: trolley.x >= -0.03 m { restitution: 0.5; }
         require near: trolley.x < 2 m;
         output bar.angle in deg, hinge.force, trolley.x in mm;
         observe trolley;
@@ -97,7 +98,7 @@ fn steps() -> String {
 fn run<I: Method<Gantry>>(method: I) -> String {
     let mechanism = Gantry { tilt: 0.5, ..Gantry::new(2.0) };
     let mut mechanism = Gantry { start: mechanism.declared_starts(), ..mechanism };
-    mechanism.start.trolley.x.value = -0.05;
+    mechanism.start.trolley.x.value = -0.02;
     let (mut sim, mut text): (Sim<Gantry, I>, _) = (mechanism.start_with(method).unwrap(), String::new());
     sim.run(1.0, 0.01, |state| print(state, &mut text)).unwrap();
     text

@@ -208,7 +208,8 @@ for tolerance in (1e-3, 1e-6, 1e-9):
     found = np.array([[row[name] for name in names] for row in result])
     errors.append(np.max(np.abs(found[:9] - native[:90:10]) / (1.0 + np.abs(native[:90:10]))))
 words = ", ".join(f"{error:.1e}" for error in errors)
-expect(1e-2 > errors[0] > 1e-4 > errors[1] > 1e-7 > errors[2], f"tolerances of 1e-3, 1e-6 and 1e-9 leave {words}")
+is_tighter = errors[0] > 10 * errors[1] > 100 * errors[2]
+expect(is_tighter and 1e-2 > errors[0] and 1e-4 > errors[1] and 1e-7 > errors[2], f"tolerances of 1e-3, 1e-6 and 1e-9 leave {words}")
 
 # Methods by number, with their step.
 for method, step, tolerance in ((1, 1e-3, 1e-11), (2, 1e-3, 1e-4)):

@@ -1,5 +1,7 @@
 //! Modes of contact rows, held over a step.
 
+use core::fmt;
+
 use crate::scalar::Scalar;
 
 /// What a row does.
@@ -17,6 +19,19 @@ pub enum Mode {
     Forwards,
     /// It slips, with a negative rate.
     Backwards,
+}
+
+impl fmt::Display for Mode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Open => "open",
+            Self::Closed => "closed",
+            Self::Off => "unloaded",
+            Self::Sticks => "sticks",
+            Self::Forwards => "slips forwards",
+            Self::Backwards => "slips backwards",
+        })
+    }
 }
 
 impl Mode {

@@ -1,6 +1,6 @@
 //! A run that shows what happens on its way, and can be ended on its way.
 
-use super::samples::{Asked, Samples, Seen, Watcher};
+use super::samples::{Asked, Samples, Seen, Times, Watcher};
 use super::{Clock, Sim};
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
@@ -37,7 +37,9 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         let times = this.times(until, every)?;
         see(Seen::Sample(&this.state));
         let one = M::S::lit(1.0);
-        let samples = Samples { times, next: one, moment: this.state };
+        // Without dense output a run is at its communication points, behind what switches there.
+        let within = if I::DENSE { times } else { Times { last: M::S::ZERO, ..times } };
+        let samples = Samples { times: within, next: one, moment: this.state };
         let mut watcher = Watcher { samples, see, asked: Asked(goes_on) };
         if !I::DENSE {
             let mut k = one;
@@ -46,6 +48,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
                 if this.state.time() < times.at(k) {
                     return Ok(());
                 }
+                (watcher.see)(Seen::Sample(&this.state));
                 k = k + one;
             }
         }

@@ -1,7 +1,7 @@
 //! Conditions of the time alone, which are hit exactly.
 
 use plm_runtime::method::{Gauss, Method};
-use plm_runtime::{Adams, Dop853, Dopri5, Mechanism, Rk4, SemiImplicitEuler, Vern9};
+use plm_runtime::{Adams, Dop853, Dopri5, Mechanism, Rk4, Seen, SemiImplicitEuler, Sim, Vern9};
 
 use super::events::{SMOOTH, Scene, run};
 
@@ -56,4 +56,28 @@ fn known_times_are_hit_by_every_method() {
     passes(SemiImplicitEuler::new(0.7));
     passes(Gauss::<_, 2>::new(0.7));
     passes(Gauss::<_, 3>::new(0.7));
+}
+
+/// Samples at the very times of conditions: without dense output behind them, with it before; watched or not.
+#[test]
+fn samples_at_known_times_are_those_of_a_run_where_it_is_watched() {
+    fn samples<I: Method<Scene>>(method: impl Fn() -> I) -> [Vec<(u64, usize)>; 2] {
+        let (mut run, mut watched) = (Vec::new(), Vec::new());
+        let mut sim = KNOWN.start_with(method()).unwrap();
+        sim.run(4.0, 0.5, |state| run.push((state.x[2].to_bits(), state.held.passed))).unwrap();
+        let mut sim = KNOWN.start_with(method()).unwrap();
+        Sim::watch(&mut sim, 4.0, 0.5, |seen| {
+            if let Seen::Sample(state) = seen {
+                watched.push((state.x[2].to_bits(), state.held.passed));
+            }
+        })
+        .unwrap();
+        [run, watched]
+    }
+    let [run, watched] = samples(|| Rk4::new(0.5));
+    assert_eq!(run, watched);
+    assert_eq!(run.iter().map(|(_, passed)| *passed).collect::<Vec<_>>(), [0, 0, 1, 1, 1, 2, 2, 2, 2]);
+    let [run, watched] = samples(|| Dop853::new(1e-9));
+    assert_eq!(run, watched);
+    assert_eq!(run.iter().map(|(_, passed)| *passed).collect::<Vec<_>>(), [0, 0, 0, 1, 1, 1, 2, 2, 2]);
 }

@@ -90,6 +90,19 @@ test("pause and run, by mouse and by key", { skip }, async () => {
   }
 });
 
+test("rows of contact stand in the panel with what they do", { skip }, async () => {
+  const { page } = await livePage({ isRunning: false });
+  const shown = () => page.$eval("#live-contacts", (list) => (list.hidden ? "" : list.innerText.replaceAll(/\s+/g, " ").trim()));
+  assert.equal(await shown(), "");
+  const contacts = [{ name: "floor", mode: "closed" }, { name: "slip", mode: "slips forwards" }];
+  await page.evaluate((told) => {
+    window.plmPage.app.live.hear({ kind: "contacts", contacts: told });
+    window.plmPage.app.touch();
+  }, contacts);
+  await frames(page);
+  assert.equal(await shown(), "floor closed slip slips forwards");
+});
+
 test("a step, and what was: the time line shows it, the end goes on", { skip }, async () => {
   const { page } = await livePage({ isRunning: false });
   await page.focus("#picture");

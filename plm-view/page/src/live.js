@@ -11,7 +11,7 @@ import { startWorker } from "./startworker.js";
 
 /** @import {App, Mode} from "./app.js" */
 /** @import {RunHead} from "./format.js" */
-/** @import {FromWorker, Pull, ToWorker} from "./worker.js" */
+/** @import {Contact, FromWorker, Pull, ToWorker} from "./worker.js" */
 
 /** Without a recording so much is kept, s. */
 export const LIVE_WINDOW = 20;
@@ -61,6 +61,8 @@ export class Live {
     this.opened = "";
     /** Rises with the settings. */
     this.revision = 0;
+    /** Rows of contact at the last row. @type {Contact[]} */
+    this.contacts = [];
     /** A placement that the worker has not answered, and the one to be asked for then. */
     this.placing = { isAsked: false, next: /** @type {ToWorker | null} */ (null) };
     this.worker = worker;
@@ -261,6 +263,7 @@ export class Live {
     else if (message.kind === "returned") this.states.arrive(message.numbers, message.id);
     else if (message.kind === "began") this.begin(message.numbers, message.isAssembled);
     else if (message.kind === "settings") this.take(message);
+    else if (message.kind === "contacts") this.contacts = message.contacts;
     else if (message.kind === "trouble") {
       const { trouble } = message;
       this.run.fault = trouble === null ? null : { time: trouble.time, part: trouble.part, text: trouble.text };

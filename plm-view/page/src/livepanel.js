@@ -12,6 +12,7 @@ import { csvText, resultsFile } from "./write.js";
 /** @import {App} from "./app.js" */
 /** @import {Input, Parameter} from "./format.js" */
 /** @import {Live} from "./live.js" */
+/** @import {Contact} from "./worker.js" */
 
 /**
  * A quantity that is set by a slider and by a number, in its declared unit.
@@ -32,6 +33,10 @@ export class LivePanel {
     this.record = actButton("live-record", "Record", () => live.record());
     this.state = element("p", { id: "live-state", class: "hint" });
     this.tape = element("p", { id: "live-tape", class: "hint" });
+    this.contacts = element("dl", { id: "live-contacts" });
+    /** @type {Contact[] | null} */
+    this.shownContacts = null;
+    this.contactsTitle = element("h2", {}, "Contact");
     /** @type {Dial[]} */
     this.dials = [];
     root.append(
@@ -48,6 +53,8 @@ export class LivePanel {
       ...(live.modes.length > 0 ? [this.byHand()] : []),
       ...this.dialGroup("Parameters", "parameter", live.mechanism.parameters),
       ...this.dialGroup("Inputs", "input", live.mechanism.inputs),
+      this.contactsTitle,
+      this.contacts,
       element("h2", {}, "Save what was recorded"),
       this.tape,
       element(
@@ -134,6 +141,16 @@ export class LivePanel {
       this.revision = live.revision;
       for (const dial of this.dials) this.turn(dial);
     }
+    this.showContacts();
+  }
+
+  /** What the rows of contact do, a line each. */
+  showContacts() {
+    const { contacts } = this.live;
+    if (contacts === this.shownContacts) return;
+    this.shownContacts = contacts;
+    this.contacts.hidden = this.contactsTitle.hidden = contacts.length === 0;
+    this.contacts.replaceChildren(...contacts.flatMap(({ name, mode }) => [element("dt", {}, name), element("dd", {}, mode)]));
   }
 
   /** Shows a value, with its slider made longer where it stands outside. @param {Dial} dial */

@@ -10,12 +10,17 @@
  *   plm_input: (index: number) => number, plm_set_input: (index: number, value: number) => void,
  *   plm_pull: (body: number, x: number, y: number, fx: number, fy: number) => void,
  *   plm_place: (body: number, x: number, y: number, angle: number) => number,
- *   plm_trouble: () => number, plm_size_names: () => number, plm_text_length: () => number}} LiveExports
+ *   plm_trouble: () => number, plm_size_names: () => number, plm_contacts: () => number, plm_text_length: () => number}} LiveExports
  */
 
 /**
  * A spring from a point of a body (in its axes) to a target in absolute axes; or a constant force, N.
  * @typedef {{body: number, point: number[], target: number[], stiffness: number, damping: number, force: number[] | null}} Pull
+ * A row of contact, and what it does: `closed`, `slips forwards`.
+ * @typedef {{name: string, mode: string}} Contact
+ */
+
+/**
  * What is wrong; `gap`: by how much the part stays open where all others are closed, m or rad, not a number where nothing is.
  * @typedef {{time: number, part: string, gap: number, text: string}} Trouble
  */
@@ -29,7 +34,7 @@
  * @typedef {{kind: "rows", width: number, numbers: Float64Array} | {kind: "ahead", width: number, numbers: Float64Array}
  *   | {kind: "returned", numbers: Float64Array, id: number}
  *   | {kind: "began", numbers: Float64Array, isAssembled: boolean}
- *   | {kind: "trouble", trouble: Trouble | null} | {kind: "placed"} | {kind: "broken", text: string}
+ *   | {kind: "trouble", trouble: Trouble | null} | {kind: "contacts", contacts: Contact[]} | {kind: "placed"} | {kind: "broken", text: string}
  *   | {kind: "settings", parameters: number[], inputs: number[], shape: Float64Array, sizeNames: string}} FromWorker
  */
 
@@ -59,6 +64,7 @@ export class LiveMachine {
     /** It cannot go on until something is changed. */
     this.isStuck = false;
     this.told = "null";
+    this.toldContacts = "";
     /** @type {Map<number, KeptState>} */
     this.kept = new Map();
   }
@@ -109,6 +115,15 @@ export class LiveMachine {
     this.send({ kind: "trouble", trouble });
   }
 
+  /** Tells what the rows of contact do, where that has changed. */
+  tellContacts() {
+    const lines = this.text(this.exports.plm_contacts);
+    if (lines === this.toldContacts) return;
+    this.toldContacts = lines;
+    const contacts = lines === "" ? [] : lines.split("\n").map((line) => line.split("\t"));
+    this.send({ kind: "contacts", contacts: contacts.map(([mode, name]) => ({ name, mode })) });
+  }
+
   tellSettings() {
     const { exports, counts } = this;
     const parameters = Array.from({ length: counts.parameters }, (_, index) => exports.plm_parameter(index));
@@ -131,6 +146,7 @@ export class LiveMachine {
     this.isStuck = !this.isAssembled;
     this.send({ kind: "began", numbers: this.read(), isAssembled: this.isAssembled });
     this.tellTrouble();
+    this.tellContacts();
     this.tellSettings();
   }
 
@@ -162,6 +178,7 @@ export class LiveMachine {
     [this.inputs, this.isAssembled, this.isStuck, this.pull] = [new Map(state.inputs), state.isAssembled, state.isStuck, null];
     this.send({ kind: "returned", numbers: this.read(), id });
     this.tellTrouble();
+    this.tellContacts();
     this.tellSettings();
   }
 
@@ -303,6 +320,7 @@ export function liveWorker(scope) {
     }
     if (machine.isStuck) due = 0;
     machine.flush();
+    machine.tellContacts();
     setTimeout(() => guarded(turn), 8);
   };
   const guarded = (/** @type {() => unknown} */ act) => {
@@ -337,6 +355,7 @@ export function liveWorker(scope) {
       on.isStuck &&= !on.isAssembled;
       for (let left = message.count; left > 0; left--) on.step(message.dt);
       on.flush();
+      on.tellContacts();
     }
   };
 

@@ -186,6 +186,7 @@ test("the machine says at once whether a parameter can be assembled", () => {
     plm_shape: () => 0,
     plm_shape_length: () => 0,
     plm_size_names: () => 0,
+    plm_contacts: () => 0,
     plm_trouble: () => (new Uint8Array(memory.buffer).set(bytes.encode(words)), 0),
     plm_text_length: () => words.length,
   };
@@ -196,6 +197,24 @@ test("the machine says at once whether a parameter can be assembled", () => {
   assert.deepEqual(heard.findLast(({ kind }) => kind === "trouble").trouble, { time: 1, part: "pin", gap: 0.12, text: "it is open" });
   machine.set("parameter", 0, 0.35);
   assert.equal(heard.findLast(({ kind }) => kind === "trouble").trouble, null);
+});
+
+test("the machine tells what rows of contact do, where that has changed", () => {
+  const memory = { buffer: new ArrayBuffer(4096) };
+  let words = "open\tfloor\nunloaded\tslip";
+  const put = () => (new Uint8Array(memory.buffer).set(new TextEncoder().encode(words)), 0);
+  const exports = { memory, plm_contacts: put, plm_text_length: () => words.length };
+  const heard = [];
+  const machine = new LiveMachine(exports, { parameters: 0, inputs: 0 }, (message) => heard.push(message));
+  machine.tellContacts();
+  machine.tellContacts();
+  words = "closed\tfloor\nslips forwards\tslip";
+  machine.tellContacts();
+  const modes = heard.map(({ contacts }) => contacts.map(({ name, mode }) => `${name} ${mode}`));
+  assert.deepEqual(modes, [["floor open", "slip unloaded"], ["floor closed", "slip slips forwards"]]);
+  const { live } = liveApp();
+  live.hear(heard[1]);
+  assert.deepEqual(live.contacts[1], { name: "slip", mode: "slips forwards" });
 });
 
 test("a module of another mechanism is refused in words", () => {
