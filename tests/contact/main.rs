@@ -6,6 +6,7 @@ mod existence;
 mod flights;
 mod friction;
 mod joints;
+mod loads;
 mod loops;
 mod machines;
 mod mixed;

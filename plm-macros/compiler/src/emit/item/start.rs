@@ -277,6 +277,11 @@ fn begin(emission: &Emission) -> TokenStream {
         let count = contact::count(emission);
         quote!(rt::contact::begin::<Self, #count>(self, t, &mut held, &mut x)?;)
     });
+    // What contacts do, and reactions with their forces, are known behind that.
+    let again = (contact.is_some() && switches::read_forces(emission)).then(|| {
+        let count = sets::count(emission);
+        quote!(rt::events::begin::<Self, #count>(self, t, &mut held, &x);)
+    });
     let mut repeats = None;
     let enter = match emission.form {
         Form::Loops(reduced) => {
@@ -302,6 +307,7 @@ fn begin(emission: &Emission) -> TokenStream {
         #enter
         #sides
         #contact
+        #again
     }
 }
 
