@@ -6,7 +6,7 @@
 //! 4. Rows that hold have no rate any more; a friction that sticks remembers its place.
 
 use super::booked::{Booked, Struck};
-use super::bounds::look_at_bounds;
+use super::bounds::{look_at_bounds, look_at_falling_bounds};
 use super::candidates::{Allowed, Solution};
 use super::loads::Load;
 use super::margins::{PER_ROW, SIGN};
@@ -188,6 +188,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     fn commit(&self, u: &mut M::U, x: &mut M::X) -> Result<Outcome, Fault> {
         let laws = core::array::from_fn(|row| self.system.law(row));
         let mut rows = self.system.rows_at(self.t, u, x);
+        look_at_falling_bounds(self.system, self.t, (u, x), &rows)?;
         look_at_bounds(self.system, self.t, u, &rows)?;
         let comes_by_motion = !matches!(self.occasion, Occasion::Start | Occasion::Change);
         if let Some((row, p)) = lost(&rows, u.modes()).filter(|_| comes_by_motion) {

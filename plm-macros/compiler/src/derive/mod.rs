@@ -34,6 +34,7 @@ pub(crate) use contact::ContactRow;
 pub(crate) use feedback::{Signal, feeds_back};
 pub(crate) use forcing::{ForcingTerm, forcing_terms};
 pub(crate) use massless::Massless;
+pub(crate) use range::range;
 pub(crate) use switches::hold_switches;
 pub(crate) use turns::{count_turns, with_turns};
 
