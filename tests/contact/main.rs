@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
 mod around;
+mod assembled;
 mod bounds;
 mod existence;
 mod flights;

@@ -156,6 +156,7 @@ fn module(emission: &Emission) -> TokenStream {
         contract::moment::mechanism,
         item::start::assembled,
         contract::absolute::absolute,
+        contract::conditional::conditional,
         item::solved::solved,
         contract::pack::pack,
         contract::linear::linear,
