@@ -8,6 +8,7 @@
 use super::booked::{Booked, Struck};
 use super::bounds::{look_at_bounds, look_at_falling_bounds};
 use super::candidates::{Allowed, Solution};
+use super::impact::Doubts;
 use super::loads::Load;
 use super::margins::{PER_ROW, SIGN};
 use super::modes::{Mode, Modes};
@@ -50,8 +51,12 @@ pub struct Outcome {
     pub slips: u32,
     /// Steps of Newton's method for reactions in the plane.
     pub newton: u32,
-    /// The rows may go on with other accelerations as well, or with other rates behind an impact.
+    /// The rows may go on with other accelerations as well.
     pub is_ambiguous: bool,
+    /// An impact may have other impulses as well, with other rates behind it.
+    pub is_impact_ambiguous: bool,
+    /// Rows may share the impulses of an impact otherwise, and restitution gives back other ones then.
+    pub is_impact_undetermined: bool,
     /// More rows rest than there are freedoms: accelerations are unique, multipliers are not.
     pub is_undetermined: bool,
 }
@@ -223,9 +228,10 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let after = Modes { of, carried, place, orientation, negative };
         *u.modes_mut() = after;
         self.arrive((&laws, &rows), (&before, impacts), u, x)?;
-        let is_ambiguous = is_ambiguous || struck.is_ambiguous;
         let mut outcome = Outcome { impacts, newton: solution.newton, is_ambiguous, ..Outcome::default() };
         outcome.is_undetermined = after.are_undetermined();
+        let Doubts { is_ambiguous, is_undetermined } = struck.doubts;
+        (outcome.is_impact_ambiguous, outcome.is_impact_undetermined) = (is_ambiguous, is_undetermined);
         let begins = self.occasion == Occasion::Start;
         if !begins {
             outcome.compare(&before, &after);
