@@ -1,6 +1,7 @@
 //! Verdicts: `plm` beside the reference, and the reference beside itself with slightly changed numbers.
 
 use plm::Cause;
+use plm::runtime::contact::Counts;
 
 use crate::families::{Draft, FAMILIES, Family};
 use crate::random::Random;
@@ -244,6 +245,12 @@ fn changed(world: &World, random: &mut Random) -> (World, f64) {
     (world, factor)
 }
 
+/// Has the run told of several motions, or ended?
+fn is_named(outcome: &Outcome) -> bool {
+    let Counts { ambiguous, ambiguous_impacts, .. } = outcome.counts;
+    ambiguous + ambiguous_impacts > 0 || outcome.fault.is_some()
+}
+
 /// A verdict on how both end, all samples being right.
 fn ends([known, other]: [&Run; 2], outcome: &Outcome, apart: &[f64]) -> Verdict {
     let reached = apart.iter().position(|apart| *apart >= SENSITIVE);
@@ -256,9 +263,7 @@ fn ends([known, other]: [&Run; 2], outcome: &Outcome, apart: &[f64]) -> Verdict 
             let is_sensitive = reached.is_some_and(|k| EVERY * (k as f64 - 1.0) <= fault.time);
             if is_sensitive { Verdict::Sensitive } else { stop(fault.cause, fault.to_string()) }
         }
-        (_, Some((_, Stop::Ambiguous))) if outcome.counts.ambiguous > 0 || outcome.fault.is_some() => {
-            Verdict::Ambiguous
-        }
+        (_, Some((_, Stop::Ambiguous))) if is_named(outcome) => Verdict::Ambiguous,
         (_, Some((t, Stop::Ambiguous))) => Verdict::Wrong(format!("not named as ambiguous at {t:.4} s")),
         (_, Some((t, Stop::Nothing))) if other.stop.is_some_and(|(_, stop)| stop == Stop::Nothing) => {
             Verdict::Wrong(format!("goes on beyond {t:.4} s, where no motion satisfies the laws"))

@@ -27,8 +27,9 @@ pub use crate::{Assembly, BodyState, Described, Observed, Operations};
 
 pub mod absolute {
     pub use crate::absolute::{
-        Absolute, Acceleration, Branch, Crossing, accelerate, assemble, balance, check_carried, drift,
-        flat_part, join, jump, opening, phi_q_matrix, project_state, renew, residuals, split,
+        Absolute, Acceleration, Branch, Conditional, Crossing, accelerate, assemble, assemble_held, balance,
+        check_carried, drift, flat_part, join, jump, opening, phi_q_matrix, project_state, renew, residuals,
+        split,
     };
 }
 
@@ -60,7 +61,7 @@ pub mod described {
 }
 
 pub mod events {
-    pub use crate::events::{Sets, begin, change, holds, switch_where_due, with_velocities};
+    pub use crate::events::{Sets, begin, change, holds, switch_where_due, take_sides, with_velocities};
 }
 
 pub mod held {

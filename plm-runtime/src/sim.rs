@@ -176,10 +176,10 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         if h_alpha > 0.5 {
             return Some(Notice::StiffStabilisation { h_alpha });
         }
-        let (conditions, events) = (self.stats.passed_over, self.contact_stats().ambiguous);
+        let conditions = self.stats.passed_over;
         Notice::of_errors(&self.stats())
             .or_else(|| (conditions > 0).then_some(Notice::PassedOver { conditions }))
-            .or_else(|| (events > 0).then_some(Notice::AmbiguousContact { events }))
+            .or_else(|| Notice::of_contacts(&self.contact_stats()))
     }
 
     /// Ends the run, before the step, where a loop passes a pose in which it could go on in several ways; if not, the run

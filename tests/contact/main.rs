@@ -2,10 +2,13 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
 mod around;
+mod assembled;
+mod bounds;
 mod existence;
 mod flights;
 mod friction;
 mod joints;
+mod loads;
 mod loops;
 mod machines;
 mod mixed;

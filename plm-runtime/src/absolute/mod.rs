@@ -3,6 +3,7 @@
 //! | function | does |
 //! |---|---|
 //! | [`assemble`] | finds a start position and velocity that the joints allow |
+//! | [`assemble_held`] | the same with the constraints whose condition holds there |
 //! | [`renew`] | the same from where a run is, after a parameter was changed |
 //! | [`jump`] | looks at prescribed motions where they change |
 //! | [`check_carried`] | looks at bodies without mass |
@@ -16,6 +17,7 @@ mod branch;
 mod carry;
 mod damped;
 mod disagree;
+mod held;
 mod independent;
 mod jump;
 mod lack;
@@ -34,6 +36,7 @@ pub use assembly::{Assembly, Found, Status};
 pub use branch::Branch;
 pub use carry::check_carried;
 pub(crate) use disagree::disagreement;
+pub use held::{Conditional, assemble_held};
 pub use jump::{Crossing, jump};
 pub use nearest::flat_part;
 pub(crate) use nearest::{close, lead, nearest, smallest_pivot};

@@ -4,6 +4,7 @@
 //! before and behind it and r the part of them that time alone gives. So `-sum Lambda_i (g_i- + g_i+)/2` is lost, and a contact that is moved
 //! does the work `-sum Lambda_i r_i`.
 
+use super::impact::Doubts;
 use super::rows::Rows;
 use crate::scalar::Real;
 use crate::words::{InWords, Words};
@@ -49,14 +50,14 @@ pub(super) struct Struck<S, const N: usize> {
     pub(super) work: S,
     /// How many there were.
     pub(super) count: u32,
-    /// Other impulses with other rates behind them would satisfy all laws as well.
-    pub(super) is_ambiguous: bool,
+    /// What the laws of impact have left open.
+    pub(super) doubts: Doubts,
 }
 
 impl<S: Real, const N: usize> Struck<S, N> {
     /// No impact.
     pub(super) fn nothing() -> Self {
-        Self { impulses: [S::ZERO; N], lost: S::ZERO, work: S::ZERO, count: 0, is_ambiguous: false }
+        Self { impulses: [S::ZERO; N], lost: S::ZERO, work: S::ZERO, count: 0, doubts: Doubts::default() }
     }
 
     /// Adds an impact between the rates of `before` and `after`; `moved` are those that time alone gives. Gives what it gains and what

@@ -1,14 +1,20 @@
 //! Bounds of frictions that are negative.
 
+use super::event::moving_rows;
 use super::rows::Rows;
-use super::{Contacts, Limit};
+use super::{Contacts, Limit, Modal, lambda_of};
+use crate::dual::Dual;
 use crate::fault::{Cause, Fault};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 
 /// A bound is rounding below this fraction of the force that would hold the row.
 const ROUNDING: f64 = 1e-9;
+/// The unit of a bound.
+const FORCE: &str = "N or N m";
+/// A bound that is zero within this time is zero, s: times of events are known so well.
+const AT_ONCE: f64 = 1e-10;
 
-/// Looks at the bounds that no force of contact decides: each must not be negative.
+/// Looks at the bounds that no force of contact decides, and at coefficients that are all of a bound: each must not be negative.
 ///
 /// # Errors
 /// [`Cause::NotAllowed`] with the row and its bound.
@@ -18,23 +24,95 @@ pub(super) fn look_at_bounds<M: Contacts<N>, const N: usize>(
     u: &M::U,
     rows: &Rows<M::S, N>,
 ) -> Result<(), Fault> {
-    let is_known =
-        |limit: &&Limit<M::S, N>| limit.by.iter().chain(&limit.share).all(|factor| *factor == M::S::ZERO);
     for row in (0..N).filter(|row| system.exists(u, *row)) {
-        let bounds = [&rows.kinetic[row], &rows.adhesion[row]];
-        let limits = bounds.into_iter().flat_map(|bound| [&bound.lower, &bound.upper]);
-        // Infinite, or not a number, where the row has no direction.
-        let none = M::S::lit(ROUNDING) * rows.free[row].abs() / rows.delassus[row][row];
-        if let Some(limit) = limits.filter(is_known).find(|limit| limit.own < -none) {
-            let found = limit.own.to_f64();
-            let cause = Cause::NotAllowed {
-                what: "bound of friction",
-                wanted: "finite and not negative",
-                found,
-                unit: "N or N m",
+        let none = rounding(rows, row);
+        for found in limits(rows, row).filter_map(alone) {
+            let what = match found {
+                Alone::Force(force) if force < -none => ("bound of friction", force, FORCE),
+                Alone::Coefficient(factor) if factor < -M::S::lit(ROUNDING) => {
+                    ("coefficient of friction", factor, "")
+                }
+                _ => continue,
             };
-            return Err(Fault::of_part(t.to_f64(), system.contact_name(row), cause));
+            return Err(negative(system, t, row, what));
         }
     }
     Ok(())
+}
+
+/// Looks at the bounds that follow the state or the time where they come to zero: one that falls is negative from here on.
+///
+/// # Errors
+/// [`Cause::NotAllowed`] with the row.
+pub(super) fn look_at_falling_bounds<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: M::S,
+    (u, x): (&M::U, &M::X),
+    rows: &Rows<M::S, N>,
+) -> Result<(), Fault> {
+    for row in (0..N).filter(|row| system.bound_may_fall(*row) && system.exists(u, *row)) {
+        let none = rounding(rows, row);
+        let none = if none.is_finite() { none } else { M::S::ZERO };
+        let moving = moving_rows(system, (t, u), x, &lambda_of(rows, u.modes()));
+        let falls = |found: Alone<Dual<M::S, 1>>| {
+            let (Alone::Force(found) | Alone::Coefficient(found)) = found;
+            let slope = found.tangents[0];
+            slope < M::S::ZERO && found.value.abs() <= none.max(M::S::lit(AT_ONCE) * slope.abs())
+        };
+        if limits(&moving, row).filter_map(alone).any(falls) {
+            let what = ("bound of friction, which falls below zero,", M::S::ZERO, FORCE);
+            return Err(negative(system, t, row, what));
+        }
+    }
+    Ok(())
+}
+
+/// What is rounding of a bound; infinite, or not a number, where the row has no direction.
+fn rounding<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize) -> S {
+    S::lit(ROUNDING) * rows.free[row].abs() / rows.delassus[row][row]
+}
+
+/// The fault of a bound.
+fn negative<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: M::S,
+    row: usize,
+    (what, found, unit): (&'static str, M::S, &'static str),
+) -> Fault {
+    let found = found.to_f64();
+    let cause = Cause::NotAllowed { what, wanted: "finite and not negative", found, unit };
+    Fault::of_part(t.to_f64(), system.contact_name(row), cause)
+}
+
+/// The least of the limits of a friction that no force of contact decides, and of coefficients that are all of a limit. One that is
+/// nothing but zero stays so.
+pub(super) fn least_bound<T: Scalar, const N: usize>(rows: &Rows<T, N>, row: usize) -> T {
+    let known = limits(rows, row).filter_map(alone).map(|found| match found {
+        Alone::Force(found) | Alone::Coefficient(found) => found,
+    });
+    known.filter(|found| *found != T::ZERO).fold(T::lit(1.0), T::min)
+}
+
+/// The limits of a friction.
+fn limits<T, const N: usize>(rows: &Rows<T, N>, row: usize) -> impl Iterator<Item = &Limit<T, N>> {
+    let bounds = [&rows.kinetic[row], &rows.adhesion[row]];
+    bounds.into_iter().flat_map(|bound| [&bound.lower, &bound.upper])
+}
+
+/// A limit that has one term.
+enum Alone<T> {
+    /// A force, N or N m.
+    Force(T),
+    /// The coefficient of what presses.
+    Coefficient(T),
+}
+
+/// What a limit has, if that is one term alone.
+fn alone<T: Scalar, const N: usize>(limit: &Limit<T, N>) -> Option<Alone<T>> {
+    let mut factors = limit.by.iter().chain(&limit.share).filter(|factor| **factor != T::ZERO);
+    match (factors.next(), factors.next()) {
+        (None, _) => Some(Alone::Force(limit.own)),
+        (Some(factor), None) if limit.own == T::ZERO => Some(Alone::Coefficient(*factor)),
+        _ => None,
+    }
 }

@@ -329,7 +329,7 @@ fn sticks_by_law<S: Real, const N: usize>(
 }
 
 /// Are the accelerations of all rows the same?
-fn is_same_motion<S: Real, const N: usize>(
+pub(super) fn is_same_motion<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     one: &Solution<S, N>,
     other: &Solution<S, N>,

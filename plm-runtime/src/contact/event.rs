@@ -6,8 +6,9 @@
 //! 4. Rows that hold have no rate any more; a friction that sticks remembers its place.
 
 use super::booked::{Booked, Struck};
-use super::bounds::look_at_bounds;
+use super::bounds::{look_at_bounds, look_at_falling_bounds};
 use super::candidates::{Allowed, Solution};
+use super::impact::Doubts;
 use super::loads::Load;
 use super::margins::{PER_ROW, SIGN};
 use super::modes::{Mode, Modes};
@@ -50,8 +51,12 @@ pub struct Outcome {
     pub slips: u32,
     /// Steps of Newton's method for reactions in the plane.
     pub newton: u32,
-    /// The rows may go on with other accelerations as well, or with other rates behind an impact.
+    /// The rows may go on with other accelerations as well.
     pub is_ambiguous: bool,
+    /// An impact may have other impulses as well, with other rates behind it.
+    pub is_impact_ambiguous: bool,
+    /// Rows may share the impulses of an impact otherwise, and restitution gives back other ones then.
+    pub is_impact_undetermined: bool,
     /// More rows rest than there are freedoms: accelerations are unique, multipliers are not.
     pub is_undetermined: bool,
 }
@@ -188,6 +193,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     fn commit(&self, u: &mut M::U, x: &mut M::X) -> Result<Outcome, Fault> {
         let laws = core::array::from_fn(|row| self.system.law(row));
         let mut rows = self.system.rows_at(self.t, u, x);
+        look_at_falling_bounds(self.system, self.t, (u, x), &rows)?;
         look_at_bounds(self.system, self.t, u, &rows)?;
         let comes_by_motion = !matches!(self.occasion, Occasion::Start | Occasion::Change);
         if let Some((row, p)) = lost(&rows, u.modes()).filter(|_| comes_by_motion) {
@@ -222,9 +228,10 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let after = Modes { of, carried, place, orientation, negative };
         *u.modes_mut() = after;
         self.arrive((&laws, &rows), (&before, impacts), u, x)?;
-        let is_ambiguous = is_ambiguous || struck.is_ambiguous;
         let mut outcome = Outcome { impacts, newton: solution.newton, is_ambiguous, ..Outcome::default() };
         outcome.is_undetermined = after.are_undetermined();
+        let Doubts { is_ambiguous, is_undetermined } = struck.doubts;
+        (outcome.is_impact_ambiguous, outcome.is_impact_undetermined) = (is_ambiguous, is_undetermined);
         let begins = self.occasion == Occasion::Start;
         if !begins {
             outcome.compare(&before, &after);

@@ -4,6 +4,7 @@
 //! that acts on a motion shapes it, so that the error of the step tells of it; a force that holds a row moves nothing, and neither does a
 //! gap. So those two are enclosed over a step, and a row that slips is looked at in some places of it.
 
+use super::bounds::least_bound;
 use super::loads::Load;
 use super::margins::{PER_ROW, SIGN, each_margin, margins};
 use super::modes::{Mode, Modes};
@@ -37,7 +38,8 @@ pub fn guards<M: Contacts<N>, const N: usize>(
             return;
         }
     }
-    if !margins(&system.rows_at(t, u, x), (modes, modes.orientation), each) {
+    let rows = system.rows_at(t, u, x);
+    if !margins(&rows, (modes, modes.orientation), &mut bounded(system, &rows, each)) {
         (0..PER_ROW * N).for_each(|index| each(index, M::S::ZERO));
         each(PER_ROW * N, M::S::lit(-1.0));
     }
@@ -57,6 +59,7 @@ pub fn guards_within<M: Contacts<N>, const N: usize>(
     if !is_free(system, u) {
         let rows = system.rows(t, u, x, &Enclosed::constant);
         // Newton's steps give no enclosure of what they converge to.
+        let each = &mut bounded(system, &rows, each);
         return !rows.load.contains(&Load::Plane) && margins(&rows, (modes, orientation), each);
     }
     let slips = modes.of.iter().any(|mode| mode.slips());
@@ -136,11 +139,27 @@ fn slipping<M: Contacts<N>, const N: usize>(system: &M, u: &M::U, t: M::S, x: &M
     found
 }
 
-/// No row holds, and none that is off can get a force unless a gap closes.
+/// No row holds, none that is off can get a force unless a gap closes, and no bound has to be looked at.
 fn is_free<M: Contacts<N>, const N: usize>(system: &M, u: &M::U) -> bool {
-    let stays_off = |row: usize| system.is_bounded_by_pushes(row) || !system.exists(u, row);
-    let is_free = |(row, mode): (usize, &Mode)| !mode.holds() && (*mode != Mode::Off || stays_off(row));
+    let is_there = |row: usize| system.exists(u, row);
+    let stays_off = |row: usize| system.is_bounded_by_pushes(row) || !is_there(row);
+    let falls = |row: usize| system.bound_may_fall(row) && is_there(row);
+    let is_free =
+        |(row, mode): (usize, &Mode)| !mode.holds() && (*mode != Mode::Off || stays_off(row)) && !falls(row);
     u.modes().of.iter().enumerate().all(is_free)
+}
+
+/// The second margin of a friction whose bound may become negative is no larger than that bound.
+fn bounded<'a, M: Contacts<N>, T: Scalar, const N: usize>(
+    system: &'a M,
+    rows: &'a Rows<T, N>,
+    each: &'a mut impl FnMut(usize, T),
+) -> impl FnMut(usize, T) + 'a {
+    move |index, margin| {
+        let row = index / PER_ROW;
+        let is_second = index % PER_ROW == 1 && row < N && system.bound_may_fall(row);
+        each(index, if is_second { margin.min(least_bound(rows, row)) } else { margin });
+    }
 }
 
 /// Margins of rows that do not exist are far, and so are those of constraints. Reactions have theirs where rows read them.

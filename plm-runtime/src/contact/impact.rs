@@ -4,8 +4,11 @@
 //! approaches, then expansion, which gives back the fraction e of each normal impulse. The friction of both phases is bounded by the normal
 //! impulses of the phase. Newton's law asks for the rate -e times that before; with friction it can create energy. Limits that do not
 //! depend on contact forces carry no impulse.
+//!
+//! Where more rows rest behind compression than there are freedoms, its impulses are one of many solutions. Expansion gives back fractions
+//! of them, and so rates that are one of many.
 
-use super::candidates::{Allowed, Found, Solution, enumerate};
+use super::candidates::{Allowed, Found, MARGINAL, Solution, enumerate, is_same_motion};
 use super::rows::{Law, Limit, Rows};
 use crate::scalar::Real;
 
@@ -23,12 +26,29 @@ pub enum ImpactLaw {
 
 /// Impulses of all rows.
 pub(super) enum Impulses<S, const N: usize> {
-    /// And whether other impulses, with other rates behind them, satisfy all inequalities as well.
-    Found([S; N], bool),
+    /// And what else would satisfy all laws.
+    Found([S; N], Doubts),
     /// No combination of modes satisfies all inequalities.
     Nothing,
     /// More rows touch than are enumerated.
     TooMany,
+}
+
+/// What the laws of an impact leave open.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Doubts {
+    /// Other impulses, with other rates behind them, satisfy all inequalities as well; or another row could have been the first.
+    pub(super) is_ambiguous: bool,
+    /// Compression may share its impulses otherwise, and expansion gives other rates then.
+    pub(super) is_undetermined: bool,
+}
+
+impl Doubts {
+    /// Those of two impacts or phases.
+    pub(super) fn and(self, other: Self) -> Self {
+        let is_undetermined = self.is_undetermined || other.is_undetermined;
+        Self { is_ambiguous: self.is_ambiguous || other.is_ambiguous, is_undetermined }
+    }
 }
 
 /// The impulses of the rows that touch, `touches`, of which one approaches at least.
@@ -37,19 +57,35 @@ pub(super) fn impulses<S: Real, const N: usize>(
     laws: &[Law<S>; N],
     (law, mut touches): (ImpactLaw, [bool; N]),
 ) -> Impulses<S, N> {
+    let mut first = Doubts::default();
     if law == ImpactLaw::Sequential {
         let fastest = (0..N)
             .filter(|i| touches[*i] && laws[*i].is_unilateral())
             .reduce(|a, b| if rows.rate[b] < rows.rate[a] { b } else { a });
+        first.is_ambiguous = fastest.is_some_and(|fastest| {
+            (0..N).any(|i| touches[i] && laws[i].is_unilateral() && is_as_fast(rows, fastest, i))
+        });
         for i in 0..N {
             touches[i] &= fastest == Some(i) || !laws[i].is_unilateral();
         }
     }
     let problem = without_own_limits(rows);
-    match law {
+    let found = match law {
         ImpactLaw::Newton => newton(problem, laws, &touches),
         ImpactLaw::Poisson | ImpactLaw::Sequential => poisson(&problem, laws, &touches),
+    };
+    match found {
+        Impulses::Found(impulses, doubts) => Impulses::Found(impulses, doubts.and(first)),
+        none => none,
     }
+}
+
+/// Does another row approach as fast as the fastest one, and do their impacts change each other? Then their order decides what comes out.
+fn is_as_fast<S: Real, const N: usize>(rows: &Rows<S, N>, fastest: usize, other: usize) -> bool {
+    let (d, none) = (&rows.delassus, S::lit(MARGINAL));
+    let couples = d[fastest][other].abs() > none * (d[fastest][fastest] * d[other][other]).sqrt();
+    let apart = (rows.rate[other] - rows.rate[fastest]).abs();
+    other != fastest && couples && apart <= none * rows.rate[fastest].abs()
 }
 
 /// The problem of rates: accelerations are rates behind the impact, forces are impulses.
@@ -73,7 +109,9 @@ fn newton<S: Real, const N: usize>(
         }
     }
     match solve(&problem, laws, touches) {
-        Found::Modes(Solution { lambda, .. }, is_ambiguous) => Impulses::Found(lambda, is_ambiguous),
+        Found::Modes(Solution { lambda, .. }, is_ambiguous) => {
+            Impulses::Found(lambda, Doubts { is_ambiguous, ..Doubts::default() })
+        }
         Found::Nothing => Impulses::Nothing,
         Found::TooMany => Impulses::TooMany,
     }
@@ -89,12 +127,11 @@ fn poisson<S: Real, const N: usize>(
         Found::Nothing => return Impulses::Nothing,
         Found::TooMany => return Impulses::TooMany,
     };
-    let back: [S; N] = core::array::from_fn(|i| match laws[i] {
-        Law::Unilateral { restitution } => restitution * compression.lambda[i],
-        Law::Friction | Law::Constraint => S::ZERO,
-    });
+    let is_undetermined = is_shared(problem, laws, (touches, &compression));
+    let doubts = Doubts { is_ambiguous, is_undetermined };
+    let back = given_back(laws, &compression.lambda);
     if back.iter().all(|impulse| *impulse == S::ZERO) {
-        return Impulses::Found(compression.lambda, is_ambiguous);
+        return Impulses::Found(compression.lambda, doubts);
     }
     let mut expansion = *problem;
     for i in 0..N {
@@ -112,11 +149,50 @@ fn poisson<S: Real, const N: usize>(
     match solve(&expansion, laws, touches) {
         Found::Modes(solution, is_other) => {
             let sum = |i: usize| compression.lambda[i] + back[i] + solution.lambda[i];
-            Impulses::Found(core::array::from_fn(sum), is_ambiguous || is_other)
+            let other = Doubts { is_ambiguous: is_other, ..Doubts::default() };
+            Impulses::Found(core::array::from_fn(sum), doubts.and(other))
         }
         Found::Nothing => Impulses::Nothing,
         Found::TooMany => Impulses::TooMany,
     }
+}
+
+/// What expansion gives back at least of the impulses of compression.
+fn given_back<S: Real, const N: usize>(laws: &[Law<S>; N], compression: &[S; N]) -> [S; N] {
+    core::array::from_fn(|i| match laws[i] {
+        Law::Unilateral { restitution } => restitution * compression[i],
+        Law::Friction | Law::Constraint => S::ZERO,
+    })
+}
+
+/// May rows share the impulses of a compression otherwise, with the same rates behind it and others behind the expansion? All solutions of
+/// a compression are between those whose rows are independent, which are among the combinations.
+fn is_shared<S: Real, const N: usize>(
+    problem: &Rows<S, N>,
+    laws: &[Law<S>; N],
+    (touches, compression): (&[bool; N], &Solution<S, N>),
+) -> bool {
+    let gives_back = |law: &Law<S>| matches!(law, Law::Unilateral { restitution } if *restitution > S::ZERO);
+    if !compression.carried.contains(&true) || !laws.iter().any(gives_back) {
+        return false;
+    }
+    let known = given_back(laws, &compression.lambda);
+    let mut differs = false;
+    let _ = enumerate(problem, &allowed(laws, touches), |solution, margins| {
+        let broken = margins.broken();
+        if !broken.contains(&true) && is_same_motion(problem, compression, solution) {
+            let back = given_back(laws, &solution.lambda);
+            differs |= (0..N).any(|i| {
+                let terms = (0..N).map(|j| (problem.delassus[i][j], known[j], back[j]));
+                let (apart, size) = terms.fold((S::ZERO, S::ZERO), |(apart, size), (d, one, other)| {
+                    (d.mul_add(one - other, apart), size + d.abs() * (one.abs() + other.abs()))
+                });
+                apart.abs() > S::lit(4.0 * MARGINAL) * size
+            });
+        }
+        broken
+    });
+    differs
 }
 
 /// Impulses and rates, by all inequalities.
@@ -125,10 +201,14 @@ fn solve<S: Real, const N: usize>(
     laws: &[Law<S>; N],
     touches: &[bool; N],
 ) -> Found<S, N> {
-    let allowed = core::array::from_fn(|i| match laws[i].fixed(touches[i]) {
+    enumerate(problem, &allowed(laws, touches), |_, margins| margins.broken())
+}
+
+/// The modes of each row.
+fn allowed<S: Real, const N: usize>(laws: &[Law<S>; N], touches: &[bool; N]) -> [Allowed; N] {
+    core::array::from_fn(|i| match laws[i].fixed(touches[i]) {
         Some(mode) => Allowed::Only(mode),
         None if laws[i].is_unilateral() => Allowed::Touching,
         None => Allowed::Resting,
-    });
-    enumerate(problem, &allowed, |_, margins| margins.broken())
+    })
 }

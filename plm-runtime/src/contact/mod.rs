@@ -80,6 +80,12 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
         false
     }
 
+    /// May the bound of a friction become negative by the state or the time? That is looked at within steps.
+    fn bound_may_fall(&self, row: usize) -> bool {
+        let _ = row;
+        false
+    }
+
     /// The rows in the numbers of the system.
     fn rows_at(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Rows<Self::S, N> {
         self.rows(t, u, &|i| x.at(i), &|number| number)

@@ -21,6 +21,12 @@ pub struct Counts {
     pub newton: u64,
     /// Events behind which other accelerations satisfy all laws as well.
     pub ambiguous: u64,
+    /// Events with impacts that other impulses, with other rates behind them, would satisfy as well: in corners, and of several rows
+    /// at once by sequential impacts.
+    pub ambiguous_impacts: u64,
+    /// Events with impacts whose impulses several rows may share in many ways, some of which have a restitution: the rates behind them
+    /// are one of many.
+    pub undetermined_impacts: u64,
     /// Events behind which more rows rest than there are freedoms: accelerations are unique, multipliers are not.
     pub undetermined: u64,
 }
@@ -35,6 +41,8 @@ impl Counts {
         self.slips += u64::from(outcome.slips);
         self.newton += u64::from(outcome.newton);
         self.ambiguous += u64::from(outcome.is_ambiguous);
+        self.ambiguous_impacts += u64::from(outcome.is_impact_ambiguous);
+        self.undetermined_impacts += u64::from(outcome.is_impact_undetermined);
         self.undetermined += u64::from(outcome.is_undetermined);
     }
 }

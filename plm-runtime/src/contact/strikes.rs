@@ -41,10 +41,10 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             if struck.count >= most {
                 return Err(self.fault(row, Cause::Impact { tried: struck.count }));
             }
-            let Impulses::Found(impulses, is_ambiguous) = impulses(rows, laws, (law, touches)) else {
+            let Impulses::Found(impulses, doubts) = impulses(rows, laws, (law, touches)) else {
                 return Err(self.fault(row, Cause::Impact { tried: struck.count + 1 }));
             };
-            struck.is_ambiguous |= is_ambiguous;
+            struck.doubts = struck.doubts.and(doubts);
             let moved_by_time = self.rates_at_rest(u, x);
             moved(self.system, (self.t, u), x, &impulses);
             let after = self.system.rows_at(self.t, u, x);

@@ -36,7 +36,7 @@ pub(crate) use self::relevant::refresh;
 use self::relevant::{Relevant, bit};
 use self::sampled::Sampled;
 use self::search::{Found, Search};
-pub use self::sets::{Sets, begin, change, with_velocities};
+pub use self::sets::{Sets, begin, change, take_sides, with_velocities};
 pub use self::violated::switch_where_due;
 use self::violated::{Switched, required, switch_violated};
 pub(crate) use self::violated::{are_satisfied, switch_at_end, switch_each};

@@ -85,12 +85,23 @@ pub fn change<M: Sets<W>, const W: usize>(
 
 /// Takes the sides of all conditions of the state where a run begins: nothing becomes true by that.
 pub fn begin<M: Sets<W>, const W: usize>(system: &M, t: M::S, u: &mut M::U, x: &M::X) {
+    take_sides(system, t, u, x, (M::CONDITIONS, M::sides));
+}
+
+/// The same where no event sets states: `sides` gives those of all conditions, of which the first `conditions` are of the state.
+pub fn take_sides<M: System<S: Real>>(
+    system: &M,
+    t: M::S,
+    u: &mut M::U,
+    x: &M::X,
+    (conditions, sides): (usize, impl Fn(&mut M::U) -> &mut [M::S]),
+) {
     // The side of one may decide what another compares.
-    for _ in 0..=M::CONDITIONS {
+    for _ in 0..=conditions {
         let here = guards(system, t, u, x);
         let mut any = false;
-        for k in (0..M::CONDITIONS).filter(|k| here.at(*k) < M::S::ZERO && !system.must_hold(*k)) {
-            M::sides(u)[k] = -M::sides(u)[k];
+        for k in (0..conditions).filter(|k| here.at(*k) < M::S::ZERO && !system.must_hold(*k)) {
+            sides(u)[k] = -sides(u)[k];
             any = true;
         }
         if !any {

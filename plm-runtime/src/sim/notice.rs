@@ -3,6 +3,7 @@
 use core::fmt;
 
 use super::{Sim, Snapshot};
+use crate::contact::Counts;
 use crate::mechanism::Mechanism;
 use crate::stats::Stats;
 
@@ -42,6 +43,18 @@ pub enum Notice {
         /// At how many events.
         events: u64,
     },
+    /// Impacts had one of several outcomes, each of which satisfies all laws: the motion from there on is one of several. So may corners,
+    /// and several gaps that close at once by sequential impacts.
+    AmbiguousImpact {
+        /// At how many events.
+        events: u64,
+    },
+    /// Impacts whose impulses several rows may share in many ways, as a stop and a friction beside it: what a restitution gives back depends
+    /// on the share, so that the motion from there on is one of many.
+    UndeterminedImpact {
+        /// At how many events.
+        events: u64,
+    },
     /// Steps of fixed length are so long that a step errs by more than three thousandths of the size of a state, or all of them together
     /// by more than a tenth: the motion is a rough one, and may be another one. Shorter steps, or a method that chooses them by
     /// their error. Both are estimates of what the steps add; what a motion makes of that may be more or less.
@@ -60,6 +73,17 @@ impl Notice {
     pub(super) fn of_errors(stats: &Stats) -> Option<Self> {
         let Stats { largest_error: largest, errors: sum, longest_step: step, .. } = *stats;
         (largest >= LARGE || sum >= SUM).then_some(Self::LongSteps { largest, sum, step })
+    }
+
+    /// What contacts have left open, where they have.
+    pub(super) fn of_contacts(counts: &Counts) -> Option<Self> {
+        let Counts { ambiguous, ambiguous_impacts, undetermined_impacts, .. } = *counts;
+        let all = [
+            (ambiguous, Self::AmbiguousContact { events: ambiguous }),
+            (ambiguous_impacts, Self::AmbiguousImpact { events: ambiguous_impacts }),
+            (undetermined_impacts, Self::UndeterminedImpact { events: undetermined_impacts }),
+        ];
+        all.into_iter().find(|(events, _)| *events > 0).map(|(_, notice)| notice)
     }
 }
 
@@ -86,6 +110,15 @@ impl fmt::Display for Notice {
                 f,
                 "contacts could go on in several ways that satisfy all their laws, at {events} events: the motion is one of \
                  several"
+            ),
+            Self::AmbiguousImpact { events } => write!(
+                f,
+                "impacts could end in several ways that satisfy all their laws, at {events} events: the motion is one of several"
+            ),
+            Self::UndeterminedImpact { events } => write!(
+                f,
+                "impacts could share their impulses in many ways, of which restitution gives back a part, at {events} events: \
+                 the motion is one of many"
             ),
             Self::LongSteps { largest, sum, step } => write!(
                 f,

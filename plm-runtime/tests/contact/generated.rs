@@ -129,12 +129,19 @@ fn an_impact_rubs() {
 fn what_is_not_unique_is_told() {
     let mut sim = start(REST);
     assert_eq!(sim.notice(), None);
+    let outcome = Outcome { is_impact_undetermined: true, ..Outcome::default() };
+    sim.held.count(&outcome, false);
+    assert_eq!(sim.notice(), Some(Notice::UndeterminedImpact { events: 1 }));
+    let outcome = Outcome { is_impact_ambiguous: true, ..Outcome::default() };
+    sim.held.count(&outcome, false);
+    assert_eq!(sim.notice(), Some(Notice::AmbiguousImpact { events: 1 }));
     let outcome = Outcome { is_ambiguous: true, is_undetermined: true, ..Outcome::default() };
     sim.held.count(&outcome, false);
     let contact = &mut sim.held.contact;
     (contact.modes.of, contact.modes.carried) = ([Mode::Open, Mode::Forwards], [true; 2]);
     let stats = sim.contact_stats();
     assert_eq!((stats.ambiguous, stats.undetermined, stats.impacts), (1, 1, 0));
+    assert_eq!((stats.ambiguous_impacts, stats.undetermined_impacts), (1, 1));
     assert_eq!(sim.notice(), Some(Notice::AmbiguousContact { events: 1 }));
     assert!(sim.is_undetermined());
     assert_eq!((sim.contact("tip"), sim.contact("slip")), (Some(Mode::Closed), Some(Mode::Sticks)));

@@ -3,6 +3,7 @@
 
 mod block;
 mod bodies;
+mod corners;
 mod energy;
 mod friction;
 mod generated;

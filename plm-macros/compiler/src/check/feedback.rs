@@ -3,11 +3,11 @@
 use crate::collect::{CollectVec, MapEach};
 use plm_cas::{Expr, algebra};
 
-use crate::derive::forcing_terms;
+use crate::derive::{ForcingTerm, forcing_terms};
 use crate::diag::{Code, Diagnostics};
 use crate::model::{Model, Name};
 
-/// Reports forces that are not affine in what they read of the unknowns, and conditions that read them.
+/// Reports forces that are not affine in what they read of the unknowns, and those that jump on conditions which read them.
 pub(crate) fn check_feedback(model: &Model, diagnostics: &mut Diagnostics) {
     let unknowns = unknowns(model);
     for (part, read) in cycles(model, &unknowns) {
@@ -22,10 +22,13 @@ pub(crate) fn check_feedback(model: &Model, diagnostics: &mut Diagnostics) {
     }
     for switch in &model.switches {
         let held = algebra::symbols(&[switch.difference]);
-        if let Some((_, name)) = unknowns.iter().find(|(symbol, _)| held.contains(symbol)) {
-            let message = format!("`{}` jumps on a condition that reads {name}", switch.name);
+        let Some((_, name)) = unknowns.iter().find(|(symbol, _)| held.contains(symbol)) else { continue };
+        // Events read them; what jumps with their conditions would change what these read.
+        let jumps = |term: &ForcingTerm| algebra::symbols(&[term.value]).contains(&switch.symbol);
+        if let Some(term) = forcing_terms(model).find(jumps) {
+            let message = format!("`{}` jumps on a condition that reads {name}", term.name.text);
             diagnostics
-                .error(Code::Feedback, model.name.span, message)
+                .error(Code::Feedback, term.name.span, message)
                 .help("let the condition read a `state` that follows it with a lag");
         }
     }

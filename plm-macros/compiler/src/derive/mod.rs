@@ -32,8 +32,9 @@ use plm_cas::{Expr, algebra};
 pub(crate) use branch::Branch;
 pub(crate) use contact::ContactRow;
 pub(crate) use feedback::{Signal, feeds_back};
-pub(crate) use forcing::forcing_terms;
+pub(crate) use forcing::{ForcingTerm, forcing_terms};
 pub(crate) use massless::Massless;
+pub(crate) use range::range;
 pub(crate) use switches::hold_switches;
 pub(crate) use turns::{count_turns, with_turns};
 

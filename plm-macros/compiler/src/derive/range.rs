@@ -4,12 +4,12 @@
 use plm_cas::{Expr, Function, Node, algebra};
 
 /// From the least to the greatest value.
-pub(super) type Range = [f64; 2];
+pub(crate) type Range = [f64; 2];
 
 const ALL: Range = [f64::NEG_INFINITY, f64::INFINITY];
 
 /// The range of an expression.
-pub(super) fn range(expr: Expr) -> Range {
+pub(crate) fn range(expr: Expr) -> Range {
     let nodes = algebra::reachable(&[expr]);
     let mut ranges: Vec<Range> = Vec::with_capacity(nodes.len());
     for node in &nodes {

@@ -156,6 +156,7 @@ fn module(emission: &Emission) -> TokenStream {
         contract::moment::mechanism,
         item::start::assembled,
         contract::absolute::absolute,
+        contract::conditional::conditional,
         item::solved::solved,
         contract::pack::pack,
         contract::linear::linear,
@@ -290,9 +291,16 @@ impl Emission<'_> {
         rates.iter().any(|rate| algebra::symbols(&rate.roots()).contains(&self.model.time))
     }
 
-    /// Does an output read accelerations or multipliers?
+    /// Does an output or an event read accelerations or multipliers?
     fn reads_solution(&self) -> bool {
-        self.program.outputs.user.iter().any(|output| output.solves)
+        self.program.outputs.user.iter().any(|output| output.solves) || self.events_read_reactions()
+    }
+
+    /// Does a condition of an event read reactions of joints?
+    fn events_read_reactions(&self) -> bool {
+        let differences = self.model.switches.iter().map(|switch| switch.difference);
+        let read = algebra::symbols(&differences.collect_vec());
+        self.equations.lambda.iter().any(|lambda| read.contains(lambda))
     }
 }
 

@@ -18,7 +18,7 @@ mod reduced;
 mod resolvent;
 mod switches;
 
-pub(crate) use absolute::{Absolute, coordinate_name, eliminates_beyond, formulate};
+pub(crate) use absolute::{Absolute, Conditional, coordinate_name, eliminates_beyond, formulate};
 pub(crate) use colours::Reads;
 pub(crate) use contact::ContactFunctions;
 pub(crate) use function::{Function, Place};

@@ -9,6 +9,7 @@ use super::super::lower::inline;
 use super::super::{Emission, Sizes, number, quoted};
 use super::contact_events::PER_ROW;
 use super::contact_motion;
+use crate::derive::range;
 use crate::model::{Contact, ContactLaw, Impacts, Model, Stabilisation, bounding_reactions};
 
 /// Has the mechanism rows of contact?
@@ -53,7 +54,7 @@ fn contract(emission: &Emission) -> TokenStream {
         Impacts::Sequential => quote!(Sequential),
     };
     let (joints, existence) = (joints(emission), existence(emission));
-    let pushes = bounded_by_pushes(emission);
+    let (pushes, falling) = (bounded_by_pushes(emission), bounds_that_may_fall(emission));
     let size = emission.text(format!("{:?}", emission.report.length));
     quote! {
         impl<S: Real> rt::contact::Contacts<#count> for #name<S> {
@@ -107,6 +108,7 @@ fn contract(emission: &Emission) -> TokenStream {
 
             #existence
             #pushes
+            #falling
             #joints
         }
     }
@@ -152,6 +154,35 @@ fn bounded_by_pushes(emission: &Emission) -> Option<TokenStream> {
     (!rows.is_empty()).then(|| {
         quote! {
             fn is_bounded_by_pushes(&self, row: usize) -> bool {
+                matches!(row, #(#rows)|*)
+            }
+        }
+    })
+}
+
+/// Frictions whose bounds follow the state or the time, and are not known to be positive whatever these are.
+fn bounds_that_may_fall(emission: &Emission) -> Option<TokenStream> {
+    let model = emission.model;
+    let sizes = bounding_reactions(&model.contacts).into_iter().map(|reaction| reaction.size);
+    let presses = sizes.chain(model.contacts.iter().map(|row| row.lambda)).collect_vec();
+    let none = presses.iter().map(|press| (*press, Expr::ZERO)).collect_vec();
+    let held = model.params.iter().map(|param| param.symbol);
+    let held = held.chain(model.inputs.iter().map(|input| input.symbol)).collect_vec();
+    let falls = |value: Expr| {
+        let moves = algebra::symbols(&[value]).iter().any(|symbol| !held.contains(symbol));
+        moves && range(value)[0] < 0.0
+    };
+    let rows = model.contacts.iter().enumerate().filter(|(_, row)| {
+        let ContactLaw::Friction { kinetic, adhesion, .. } = &row.law else { return false };
+        [*kinetic, *adhesion].concat().into_iter().any(|limit| {
+            let own = algebra::substitute(&[limit], &none)[0];
+            falls(own) || presses.iter().any(|press| falls(limit.diff(*press)))
+        })
+    });
+    let rows: Vec<Literal> = rows.map(|(row, _)| number(row)).collect_vec();
+    (!rows.is_empty()).then(|| {
+        quote! {
+            fn bound_may_fall(&self, row: usize) -> bool {
                 matches!(row, #(#rows)|*)
             }
         }

@@ -2,6 +2,7 @@
 
 pub(super) mod absolute;
 pub(super) mod charted;
+pub(super) mod conditional;
 pub(super) mod contact;
 mod contact_events;
 mod contact_motion;

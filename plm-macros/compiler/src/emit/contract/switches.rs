@@ -2,7 +2,7 @@
 
 use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
-use plm_cas::algebra;
+use plm_cas::{Expr, algebra};
 use proc_macro2::TokenStream;
 use quote::format_ident;
 
@@ -18,29 +18,17 @@ use crate::model::{Decisions, End, Model, Switch};
 /// Guards and kinks, which every step evaluates, at a time and over an interval.
 pub(super) fn watched(emission: &Emission) -> TokenStream {
     let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
-    let Beside { take, guards: contact_guards, index: place, within: contact_within, .. } =
-        Beside::new(emission);
+    let Beside { take, guards: contact_guards, .. } = Beside::new(emission);
     let total = number(model.guards() + Beside::guards_of(emission));
     let [guards, kinks, all] = [model.guards(), model.kinks.len(), model.watched()].map_each(number);
-    let full = quote!(self.switching(t, u, &rt::charts::full(self, t, u, x), g));
-    let reads_contact = reads_contact(model);
-    let loaded = reads_contact.then(|| quote!(let u = &self.loaded_(t, u, x);));
-    // Enclosures of multipliers are wide: events that read them are looked for by samples.
-    let unknown = reads_contact.then(|| {
-        quote! {
-            return false;
-        }
-    });
-    let [here, within] = [(quote!(self), full), (quote!(mechanism), TokenStream::new())]
-        .map_each(|(of, free)| switching(emission, &of, &quote!({ #free })));
-    // Without a chart the state stands in what is held, and does not move with `x`.
-    let only = emission.loops().is_some().then(|| {
-        quote! {
-            if rt::charts::is_free::<Self>(u) {
-                return false;
-            }
-        }
-    });
+    let lambda = emission.events_read_reactions().then(|| quote!(&lambda,));
+    let full = quote!(self.switching(t, u, &rt::charts::full(self, t, u, x), #lambda g));
+    let solved = emission
+        .events_read_reactions()
+        .then(|| quote!(let (_, lambda) = <State<S> as rt::Moment>::new(*self, *u, t, *x).solved_();));
+    let loaded = reads_contact(model).then(|| quote!(let u = &self.loaded_(t, u, x);));
+    let here = switching(emission, &quote!(self), (&lambda, &quote!({ #full })));
+    let within = guards_within(emission);
     quote! {
         const KINKS: usize = #kinks;
 
@@ -48,6 +36,7 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
             let mut all = [S::lit(0.0); #all];
             let out = g;
             let g = &mut all;
+            #solved
             #loaded
             #here;
             for (guard, value) in out.iter_mut().zip(all)#take {
@@ -59,6 +48,7 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
         fn kinks(&self, t: S, u: &Self::U, x: &[S; #length], each: &mut impl FnMut(usize, S)) {
             let mut all = [S::lit(0.0); #all];
             let g = &mut all;
+            #solved
             #loaded
             #here;
             for (index, value) in all.into_iter().skip(#guards).enumerate() {
@@ -66,15 +56,44 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
             }
         }
 
+        #within
+    }
+}
+
+/// Guards and kinks over an interval of time. Enclosures of multipliers are wide: where events read some all are looked for by samples.
+fn guards_within(emission: &Emission) -> TokenStream {
+    let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
+    let head = quote! {
         fn guards_within(
             &self,
             t: rt::Enclosed<S>,
             u: &Self::U,
             x: &impl Fn(usize) -> rt::Enclosed<S>,
             each: &mut impl FnMut(usize, rt::Enclosed<S>),
-        ) -> bool {
+        ) -> bool
+    };
+    if reads_contact(model) || emission.events_read_reactions() {
+        return quote! {
+            #head {
+                let _ = (t, u, x, each);
+                false
+            }
+        };
+    }
+    let Beside { index: place, within: contact_within, .. } = Beside::new(emission);
+    let all = number(model.watched());
+    let within = switching(emission, &quote!(mechanism), (&None, &quote!({})));
+    // Without a chart the state stands in what is held, and does not move with `x`.
+    let only = emission.loops().is_some().then(|| {
+        quote! {
+            if rt::charts::is_free::<Self>(u) {
+                return false;
+            }
+        }
+    });
+    quote! {
+        #head {
             #only
-            #unknown
             use rt::lanes::Pack;
             let constant = |[s]: [S; 1]| rt::Enclosed::constant(s);
             let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
@@ -91,18 +110,32 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
 
 /// Does a condition of the state read forces of contact?
 fn reads_contact(model: &Model) -> bool {
-    let differences = model.switches.iter().map(|switch| switch.difference);
-    let read = algebra::symbols(&differences.collect_vec());
+    let read = read_by_conditions(model);
     model.contacts.iter().any(|row| read.contains(&row.lambda))
 }
 
-/// The call of the guards' function of a mechanism that is called so, with `g` as its last argument; `free` stands for it where
-/// loops have no chart.
-fn switching(emission: &Emission, mechanism: &TokenStream, free: &TokenStream) -> TokenStream {
-    let Some(reduced) = emission.loops() else { return quote!(#mechanism.switching(t, u, x, g)) };
+/// Does a condition of the state read what contacts do, or forces?
+pub(in super::super) fn read_forces(emission: &Emission) -> bool {
+    let read = read_by_conditions(emission.model);
+    let of_contact = emission.model.contacts.iter().any(|row| read.contains(&row.mode));
+    of_contact || reads_contact(emission.model) || emission.events_read_reactions()
+}
+
+fn read_by_conditions(model: &Model) -> Vec<Expr> {
+    algebra::symbols(&model.switches.iter().map(|switch| switch.difference).collect_vec())
+}
+
+/// The call of the guards' function of a mechanism that is called so, with multipliers if events read some, and `g` as its last
+/// argument; `free` stands for it where loops have no chart.
+fn switching(
+    emission: &Emission,
+    mechanism: &TokenStream,
+    (lambda, free): (&Option<TokenStream>, &TokenStream),
+) -> TokenStream {
+    let Some(reduced) = emission.loops() else { return quote!(#mechanism.switching(t, u, x, #lambda g)) };
     in_held(reduced, &quote!(u), free, |k| {
         let switching = format_ident!("switching_{k}");
-        quote!(#mechanism.#switching(t, u, m, x, g))
+        quote!(#mechanism.#switching(t, u, m, x, #lambda g))
     })
 }
 

@@ -5,8 +5,7 @@ use crate::emit::template::quote;
 use plm_cas::algebra;
 use proc_macro2::TokenStream;
 
-use super::super::contract::contact;
-use super::super::contract::{limits, sets, statics::MOST_LINES, switches};
+use super::super::contract::{conditional, contact, limits, sets, statics::MOST_LINES, switches};
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, Form, Sizes, docs, number, table_compression};
 use crate::model::{Body, Start, State};
@@ -277,8 +276,13 @@ fn begin(emission: &Emission) -> TokenStream {
         let count = contact::count(emission);
         quote!(rt::contact::begin::<Self, #count>(self, t, &mut held, &mut x)?;)
     });
+    // What contacts do, and reactions with their forces, are known behind that.
+    let again = (contact.is_some() && switches::read_forces(emission)).then(|| {
+        let count = sets::count(emission);
+        quote!(rt::events::begin::<Self, #count>(self, t, &mut held, &x);)
+    });
     let mut repeats = None;
-    let enter = match emission.form {
+    let enter: fn(&TokenStream) -> TokenStream = match emission.form {
         Form::Loops(reduced) => {
             // Charts count on all rows: where some repeat others they would leave out a freedom.
             repeats = (!reduced.is_redundant()).then(|| {
@@ -291,17 +295,21 @@ fn begin(emission: &Emission) -> TokenStream {
                     }
                 }
             });
-            quote!(rt::charts::enter(self, t, &mut held, (&assembly.q, &assembly.v), &mut x);)
+            |pose: &TokenStream| quote!(rt::charts::enter(self, t, &mut held, (#pose), &mut x);)
         }
-        Form::Tree(_) => quote!(self.to_chart(t, &assembly.q, &assembly.v, &mut x);),
-        Form::Absolute => quote!(absolute::join(&assembly.q, &assembly.v, &mut x);),
+        Form::Tree(_) => |pose: &TokenStream| quote!(self.to_chart(t, #pose, &mut x);),
+        Form::Absolute => |pose: &TokenStream| quote!(absolute::join(#pose, &mut x);),
     };
+    let [first, other] = [quote!(&assembly.q, &assembly.v), quote!(&q, &v)].map_each(|pose| enter(&pose));
+    let close = conditional::close(emission, &quote!(held = Self::holding_(input); #other #sides));
     quote! {
         #repeats
         let mut held = Self::holding_(input);
-        #enter
+        #first
         #sides
+        #close
         #contact
+        #again
     }
 }
 
@@ -309,13 +317,22 @@ fn begin(emission: &Emission) -> TokenStream {
 fn sides(emission: &Emission) -> TokenStream {
     let model = emission.model;
     let [of_time, of_state] = [model.switches.len() > model.guards(), model.guards() > 0];
+    let at_time = || of_time.then(|| switches::sides_at_time(emission));
     if sets::are_there(emission) {
-        let count = sets::count(emission);
-        let at_time = of_time.then(|| switches::sides_at_time(emission));
+        let (count, at_time) = (sets::count(emission), at_time());
         return quote! {
             let u = &mut held;
             #at_time
             rt::events::begin::<Self, #count>(self, t, u, &x);
+        };
+    }
+    if emission.program.conditional.is_some() {
+        // Contacts have their modes when all constraints that hold are closed.
+        let (guards, at_time) = (number(model.guards()), at_time());
+        return quote! {
+            let u = &mut held;
+            #at_time
+            rt::events::take_sides(self, t, u, &x, (#guards, |u: &mut Held<S>| &mut u.switches[..]));
         };
     }
     let pass = (!model.switches.is_empty())

@@ -17,6 +17,7 @@
 //!
 //! Elimination is a symbolic sparse `L D L^T` in the order of minimum degree.
 
+mod conditional;
 mod feedback;
 mod linearised;
 mod motion;
@@ -27,6 +28,7 @@ use crate::sorted::SortedSet;
 
 use plm_cas::{Expr, algebra};
 
+pub(crate) use self::conditional::Conditional;
 use self::motion::motion;
 use self::normal::min_norm;
 use super::colours::Reads;
@@ -67,6 +69,8 @@ pub(crate) struct Absolute {
     pub(crate) instants: Function,
     /// `holds` of the conditions of events.
     pub(crate) events: Function,
+    /// Constraints with a condition, if there are any.
+    pub(crate) conditional: Option<Conditional>,
     /// `exist` of the rows of contact.
     pub(crate) rows_exist: Function,
     /// `set`: the values that events give.
@@ -109,6 +113,7 @@ pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
         phi_q: released(Function::of_array("phi_q", &entries)),
         min_norm: released(min_norm(equations, &weights, &r, model.most_growth)),
         events: switches::events(model),
+        conditional: Conditional::new(model, equations),
         rows_exist: switches::rows_exist(model),
         values_set: switches::values_set(model),
         jumps: switches::jumps(model),

@@ -10,7 +10,7 @@ use crate::sorted::SortedMap;
 use plm_cas::{Expr, algebra};
 
 use crate::diag::Code;
-use crate::model::{Contact, Limit, Load, Output, Range, Row, State};
+use crate::model::{Contact, Limit, Load, Output, Range, Row, State, When};
 use crate::resolve::Resolver;
 use crate::resolve::names::ScopeId;
 use crate::resolve::values::{Eval, Failed, Reads};
@@ -44,7 +44,7 @@ impl<'a> Resolver<'a> {
         loads: &mut Vec<Load>,
         states: &mut [State],
         outputs: &mut [Output],
-        contacts: &mut [Contact],
+        (contacts, whens): (&mut [Contact], &mut [When]),
     ) -> Eval<(Vec<Row>, Vec<Row>)> {
         let mut multipliers: SortedMap<usize, Expr> = SortedMap::new();
         let mut all_found = Ok(());
@@ -78,7 +78,8 @@ impl<'a> Resolver<'a> {
         for output in outputs {
             output.components = algebra::substitute(&output.components, &stands_for);
         }
-        for place in contacts.iter_mut().flat_map(Contact::expressions_mut) {
+        let of_events = whens.iter_mut().map(|when| &mut when.condition);
+        for place in contacts.iter_mut().flat_map(Contact::expressions_mut).chain(of_events) {
             *place = algebra::substitute(&[*place], &stands_for)[0];
         }
         let (soft, rigid): (Vec<_>, Vec<_>) =

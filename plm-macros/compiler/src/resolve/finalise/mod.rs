@@ -51,11 +51,14 @@ impl<'a> Resolver<'a> {
         }
         loads.retain(|load| load.force != [Expr::ZERO; 3]);
         let of_contact = contacts.as_deref_mut().unwrap_or_default();
-        let rows = rows
-            .and_then(|rows| self.apply_compliances(rows, &mut loads, &mut states, &mut outputs, of_contact));
+        let rows = rows.and_then(|rows| {
+            let others = (of_contact, &mut whens[..]);
+            self.apply_compliances(rows, &mut loads, &mut states, &mut outputs, others)
+        });
         let rows = rows.and_then(|(rows, compliant)| {
             let of_contact = contacts.as_mut().map_err(|Failed| Failed)?;
-            let rows = self.apply_conditions(rows, &mut loads, (&states, &mut outputs), of_contact)?;
+            let rows =
+                self.apply_conditions(rows, &mut loads, (&states, &mut outputs, &mut whens), of_contact)?;
             Ok((rows, compliant))
         });
         // Last of all, so that pictures have no part in the order in which terms are made.

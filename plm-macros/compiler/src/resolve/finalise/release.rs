@@ -6,7 +6,7 @@ use plm_cas::{Expr, algebra};
 
 use crate::collect::{CollectVec, MapEach};
 use crate::diag::Code;
-use crate::model::{Contact, ContactLaw, Load, Output, Row, State};
+use crate::model::{Contact, ContactLaw, Load, Output, Row, State, When};
 use crate::resolve::Resolver;
 use crate::resolve::names::ScopeId;
 use crate::resolve::values::{Eval, Failed, Reads};
@@ -22,7 +22,7 @@ impl<'a> Resolver<'a> {
         &mut self,
         rows: Vec<Row>,
         loads: &mut Vec<Load>,
-        (states, outputs): (&[State], &mut [Output]),
+        (states, outputs, whens): (&[State], &mut [Output], &mut [When]),
         contacts: &mut Vec<Contact>,
     ) -> Eval<Vec<Row>> {
         let mut left = Vec::with_capacity(rows.len());
@@ -67,7 +67,8 @@ impl<'a> Resolver<'a> {
         for output in outputs {
             output.components = algebra::substitute(&output.components, &stands_for);
         }
-        for place in contacts.iter_mut().flat_map(Contact::expressions_mut) {
+        let of_events = whens.iter_mut().map(|when| &mut when.condition);
+        for place in contacts.iter_mut().flat_map(Contact::expressions_mut).chain(of_events) {
             *place = algebra::substitute(&[*place], &stands_for)[0];
         }
         for contact in contacts.iter().filter(|contact| matches!(contact.law, ContactLaw::Constraint)) {
