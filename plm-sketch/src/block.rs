@@ -215,5 +215,8 @@ fn draw_pin(pin: &Pin, along: f64, paper: &mut Paper) {
         paper.arrow("force", at(ends[0], ASIDE), at(ends[1], ASIDE));
     }
     let room = if out[0] == 0.0 { 0.5 * text_width(text, 13.0) + 6.0 } else { 11.0 };
-    paper.text("sign", at(0.5 * LEAD, ASIDE + room), text);
+    // A long text beside the box begins there.
+    let half = 0.5 * text_width(text, 13.0);
+    let middle = if out[0] != 0.0 && half > 0.5 * LEAD { half + 4.0 } else { 0.5 * LEAD };
+    paper.text("sign", at(middle, ASIDE + room), text);
 }

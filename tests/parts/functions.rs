@@ -130,3 +130,25 @@ fn a_table_of_tables_is_bilinear() {
         }
     }
 }
+
+plm::mechanism! {
+    pub Slide {
+        sliding_mass block() { mass: 1 kg; start_speed: 1 m/s; }
+        slider_ground floor();
+        slider_spring pull(floor.slider, block.slider) { preload: 1 N; }
+        part dry(a: slider) { force on a: -3 N*sign(rate(a.position)); }
+        dry rub(block.slider);
+        output block.speed;
+    }
+}
+
+/// A sign slides as Coulomb's friction does, and does not stick: where the slide should rest, its jumps follow each other.
+#[test]
+fn friction_by_a_sign_ends_where_it_should_stick() {
+    let mut sim = Slide::new().start().unwrap();
+    sim.step_to(0.4).unwrap();
+    near(sim.block_speed(), 1.0 - 2.0 * 0.4, 1e-12);
+    let fault = sim.step_to(1.0).unwrap_err();
+    near(fault.time, 0.5, 1e-6);
+    assert!(matches!(fault.cause, plm::Cause::Zeno { .. }), "{fault}");
+}

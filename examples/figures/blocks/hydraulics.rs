@@ -60,7 +60,6 @@ pub(super) fn blocks() -> Vec<Block> {
             .port(Side::Bottom, "tank")
             .noting("signal > 0 opens supply to a and b to tank;\nsignal < 0 opens supply to b and a to tank"),
         Block::new("pump", Symbol::Pump)
-            .input("setting")
             .port(Side::Left, "inlet")
             .inward("flow")
             .port(Side::Right, "outlet")
@@ -69,7 +68,6 @@ pub(super) fn blocks() -> Vec<Block> {
             .turning("torque")
             .noting("flow > 0 from inlet to outlet at a positive speed of the shaft"),
         Block::new("hydraulic_motor", Symbol::Motor)
-            .input("setting")
             .port(Side::Left, "a")
             .inward("flow")
             .port(Side::Right, "b")
@@ -90,7 +88,6 @@ pub(super) fn blocks() -> Vec<Block> {
             .outward("flow")
             .noting("flow > 0 from a to b; there is none back"),
         Block::new("flow_control", Symbol::FlowControl)
-            .input("setting")
             .port(Side::Left, "a")
             .inward("flow")
             .port(Side::Right, "b")

@@ -14,7 +14,6 @@ pub(super) fn blocks() -> Vec<Block> {
             .inward("mass_flow")
             .noting("mass_flow > 0 into the chamber"),
         Block::new("air_orifice", Symbol::Orifice)
-            .input("opening")
             .port(Side::Left, "a")
             .inward("mass_flow")
             .port(Side::Right, "b")

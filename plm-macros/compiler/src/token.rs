@@ -235,7 +235,9 @@ impl Sources {
     /// The files that the declaration names, in order, for who can read them: the compiler cannot.
     pub fn named_files(&self) -> Vec<String> {
         let tokens = self.get(0).map_or(&[][..], |source| &source.tokens);
-        let names = tokens.windows(3).filter(|three| matches!(three[0].text.as_str(), "contour" | "hole") && three[1].text == ":");
+        let names = tokens
+            .windows(3)
+            .filter(|three| matches!(three[0].text.as_str(), "contour" | "hole") && three[1].text == ":");
         names.filter_map(|three| Some(syn::parse_str::<LitStr>(&three[2].text).ok()?.value())).collect_vec()
     }
 

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::element::zigzag;
 use super::{Board, Point};
+use crate::element::zigzag;
 
 /// Direction of the triangle in the circle of a displacement machine.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -82,7 +82,11 @@ impl<'a> Resolver<'a> {
             let is_there = if field == "contour" { ast.contour.is_some() } else { has(ast, field) };
             if !is_there {
                 let message = format!("`{}` has a density and no {field}", name.text);
-                let help = if field == "contour" { "contour: (0, 0), (1, 0), (1, 1) m;" } else { "thickness: 1 cm;" };
+                let help = if field == "contour" {
+                    "contour: (0, 0), (1, 0), (1, 1) m;"
+                } else {
+                    "thickness: 1 cm;"
+                };
                 self.error(scope, Code::MissingValue, name.span, message).help(format!("write `{help}`"));
                 result = Err(Failed);
             }

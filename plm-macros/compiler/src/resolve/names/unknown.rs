@@ -121,7 +121,9 @@ pub(crate) fn function_elsewhere(name: &str, arguments: &[ast::Expr]) -> Option<
         ("ceil", _) => "write `-floor(-x)`".to_string(),
         ("round", _) => "write `floor(x + 0.5)`".to_string(),
         ("int" | "trunc" | "integer", _) => "the integer below is `floor(x)`".to_string(),
-        ("lookup" | "interp" | "interp1" | "table1", _) => "write `table(x, (x0, y0), (x1, y1), …)`".to_string(),
+        ("lookup" | "interp" | "interp1" | "table1", _) => {
+            "write `table(x, (x0, y0), (x1, y1), …)`".to_string()
+        }
         ("lookup2" | "interp2" | "table2", _) => {
             "a table of two arguments is a table of tables: `table(x, (x0, table(y, …)), (x1, table(y, …)))`"
                 .to_string()

@@ -110,7 +110,12 @@ impl<'a> Resolver<'a> {
     }
 
     /// Numbers of one dimension.
-    pub(crate) fn alike(&mut self, scope: ScopeId, span: Span, arguments: &'a [ast::Expr]) -> Eval<(Vec<Expr>, Nature)> {
+    pub(crate) fn alike(
+        &mut self,
+        scope: ScopeId,
+        span: Span,
+        arguments: &'a [ast::Expr],
+    ) -> Eval<(Vec<Expr>, Nature)> {
         // No iterator runs the evaluation: expressions nest deeply, and every frame takes of the stack.
         let mut found = Vec::with_capacity(arguments.len());
         for argument in arguments {
