@@ -15,7 +15,7 @@ use super::blocks::blocks;
 pub(crate) type Drawing = (String, String);
 
 /// Pages of parts whose example is drawn as it stands.
-const PLANAR: [&str; 12] = [
+const PLANAR: [&str; 20] = [
     "revolute",
     "prismatic",
     "pin_slot",
@@ -24,6 +24,14 @@ const PLANAR: [&str; 12] = [
     "spring",
     "jack",
     "sliding_mass",
+    "gear",
+    "rack",
+    "belt",
+    "elastic_belt",
+    "chain",
+    "fall",
+    "gas_spring",
+    "counterweight",
     "frame_axes",
     "position_sensor",
     "velocity_sensor",
@@ -209,7 +217,7 @@ pub(crate) fn sketch(picture: &Picture) -> Sketch {
             port: Some(frame.port),
         });
         let (name, kind, pair) = (part.name.clone(), part.kind.clone(), part.pair.map(str::to_owned));
-        Part { name, kind, pair, frames: frames.collect(), sizes: [].into() }
+        Part { name, kind, pair, frames: frames.collect(), sizes: part.sizes.iter().cloned().collect() }
     });
     let mechanism = Mechanism {
         name: picture.name.clone(),

@@ -44,6 +44,10 @@ pub(super) fn blocks() -> Vec<Block> {
             .port(Side::Right, "slider")
             .outward("force")
             .noting("position and the force on what is attached count to the right"),
+        Block::new("shaft_ground", Symbol::Ground)
+            .port(Side::Right, "shaft")
+            .turning("torque")
+            .noting("angle and the torque on what is attached count counter-clockwise"),
         Block::new("slider_velocity", Symbol::Motion)
             .input("velocity")
             .port(Side::Right, "slider")

@@ -2,11 +2,12 @@
 
 use plm::view::Block;
 
+mod drives;
 mod hydraulics;
 mod lines;
 mod signals;
 
 /// One box for each page.
 pub(crate) fn blocks() -> Vec<Block> {
-    [lines::blocks(), hydraulics::blocks(), signals::blocks()].concat()
+    [lines::blocks(), hydraulics::blocks(), drives::blocks(), signals::blocks()].concat()
 }
