@@ -15,7 +15,7 @@ use super::blocks::blocks;
 pub(crate) type Drawing = (String, String);
 
 /// Pages of parts whose example is drawn as it stands.
-const PLANAR: [&str; 19] = [
+const PLANAR: &[&str] = &[
     "revolute",
     "prismatic",
     "pin_slot",
@@ -31,6 +31,14 @@ const PLANAR: [&str; 19] = [
     "spring",
     "jack",
     "sliding_mass",
+    "gear",
+    "rack",
+    "belt",
+    "elastic_belt",
+    "chain",
+    "fall",
+    "gas_spring",
+    "counterweight",
     "frame_axes",
     "position_sensor",
     "velocity_sensor",
@@ -68,7 +76,7 @@ pub(crate) fn all(root: &Path) -> Result<Vec<Drawing>, Box<dyn Error>> {
     for block in blocks() {
         drawings.push((format!("docs/src/images/parts/{}.svg", block.name()), block.to_svg()));
     }
-    for page in PLANAR {
+    for page in PLANAR.iter().copied() {
         drawings.push((format!("docs/src/images/parts/{page}.svg"), of_part(root, page)?));
     }
     for (file, title) in DEMOS {
@@ -84,7 +92,7 @@ pub(crate) fn all(root: &Path) -> Result<Vec<Drawing>, Box<dyn Error>> {
 /// Parts of the library without a figure, and how to draw them.
 pub(crate) fn missing() -> Option<String> {
     let drawn: Vec<String> =
-        blocks().iter().map(|block| block.name().to_owned()).chain(PLANAR.map(str::to_owned)).collect();
+        blocks().iter().map(|block| block.name().to_owned()).chain(PLANAR.iter().map(ToString::to_string)).collect();
     let names = words::parts().iter().map(|(name, _)| *name);
     let mut missing: Vec<&str> = names.filter(|name| !drawn.iter().any(|drawn| drawn == name)).collect();
     missing.sort();
@@ -216,7 +224,7 @@ pub(crate) fn sketch(picture: &Picture) -> Sketch {
             port: Some(frame.port),
         });
         let (name, kind, pair) = (part.name.clone(), part.kind.clone(), part.pair.map(str::to_owned));
-        Part { name, kind, pair, frames: frames.collect(), sizes: [].into() }
+        Part { name, kind, pair, frames: frames.collect(), sizes: part.sizes.iter().cloned().collect() }
     });
     let mechanism = Mechanism {
         name: picture.name.clone(),

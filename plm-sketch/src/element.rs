@@ -26,6 +26,8 @@ impl Stage<'_> {
                 ("position_sensor", _) => self.draw_sensor(part, "x"),
                 ("velocity_sensor", _) => self.draw_sensor(part, "v"),
                 ("acceleration_sensor", _) => self.draw_sensor(part, "a"),
+                ("gear" | "rack" | "belt" | "elastic_belt" | "chain", _) => self.draw_wheels(part),
+                ("fall", _) => self.draw_fall(part),
                 (_, 2..) if !is_made_of_others => self.draw_link(part),
                 _ => {}
             }
@@ -45,7 +47,7 @@ impl Stage<'_> {
                 self.paper.line(&class, &zigzag(a.at, b.at));
                 9.0
             }
-            "jack" => {
+            "jack" | "gas_spring" => {
                 let barrel = [at(0.06, 9.0), at(0.62, 9.0), at(0.62, -9.0), at(0.06, -9.0)];
                 self.paper.line(&class, &[a.at, at(0.06, 0.0)]);
                 self.paper.polygon(&self.class(&part.name, "plate"), &barrel);
@@ -69,7 +71,7 @@ impl Stage<'_> {
         for end in [a, b] {
             self.paper.circle(&self.class(&part.name, "white"), end.at, 3.5);
         }
-        if self.has_signs(part) && matches!(part.kind.as_str(), "spring" | "jack") {
+        if self.has_signs(part) && matches!(part.kind.as_str(), "spring" | "jack" | "gas_spring") {
             let aside = width + 9.0;
             self.paper.arrow("force", at(0.62, aside), at(0.98, aside));
             self.paper.arrow("force", at(0.38, aside), at(0.02, aside));

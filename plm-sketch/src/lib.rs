@@ -2,6 +2,7 @@
 
 mod block;
 mod body;
+mod drives;
 mod element;
 mod joint;
 mod label;
@@ -10,6 +11,7 @@ mod mark;
 mod paper;
 mod stage;
 mod symbol;
+mod wheel;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

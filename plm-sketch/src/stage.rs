@@ -29,7 +29,7 @@ pub(super) struct Stage<'a> {
     pub(super) paper: Paper,
     pub(super) labels: Vec<Label>,
     /// Pixels in a metre, and where the origin of the mechanism is.
-    scale: f64,
+    pub(super) scale: f64,
     origin: Point,
 }
 
@@ -58,6 +58,7 @@ impl<'a> Stage<'a> {
             points.extend(ports.chain(self.port(Some(k), None)).map(|spot| spot.at));
             points.extend(self.outline(k).into_iter().flatten());
         }
+        points.extend(self.rims());
         points.extend(
             (0..mechanism.ground.len()).filter_map(|port| self.port(None, Some(port))).map(|spot| spot.at),
         );

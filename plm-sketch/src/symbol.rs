@@ -65,6 +65,30 @@ pub enum Symbol {
     FlowControl,
     /// A capsule with gas and oil.
     Accumulator,
+    /// A ring, a sun and planets.
+    Planetary,
+    /// A worm below its wheel.
+    Worm,
+    /// A nut on a thread.
+    Screw,
+    /// A rope over a drum, with both ends to one side or to both.
+    Rope,
+    /// A drum with a rope that leaves it.
+    Winch,
+    /// A rope that is wrapped round a drum.
+    Capstan,
+    /// An idler that bends a strand.
+    Tensioner,
+    /// A disc between linings.
+    Brake,
+    /// Two plates.
+    Clutch,
+    /// A ring with a wedge, which holds in one sense.
+    Freewheel,
+    /// A drum with two shoes.
+    Drum,
+    /// A circle with a letter.
+    ElectricMotor,
     /// Words.
     Text(String),
 }
@@ -103,43 +127,55 @@ impl Symbol {
             Symbol::Relief => board.relief(),
             Symbol::FlowControl => board.flow_control(),
             Symbol::Accumulator => board.accumulator(),
+            Symbol::Planetary => board.planetary(),
+            Symbol::Worm => board.worm(),
+            Symbol::Screw => board.screw(),
+            Symbol::Rope => board.rope(),
+            Symbol::Winch => board.winch(),
+            Symbol::Capstan => board.capstan(),
+            Symbol::Tensioner => board.tensioner(),
+            Symbol::Brake => board.brake(),
+            Symbol::Clutch => board.clutch(),
+            Symbol::Freewheel => board.freewheel(),
+            Symbol::Drum => board.drum(),
+            Symbol::ElectricMotor => board.motor(),
             Symbol::Text(text) => board.paper.text("name", middle, text),
         }
     }
 }
 
 /// A paper with places from a middle, in pixels, y upwards.
-struct Board<'a> {
-    paper: &'a mut Paper,
-    middle: Point,
+pub(super) struct Board<'a> {
+    pub(super) paper: &'a mut Paper,
+    pub(super) middle: Point,
 }
 
 impl Board<'_> {
-    fn at(&self, [x, y]: Point) -> Point {
+    pub(super) fn at(&self, [x, y]: Point) -> Point {
         [self.middle[0] + x, self.middle[1] - y]
     }
 
-    fn line(&mut self, class: &str, points: &[Point]) {
+    pub(super) fn line(&mut self, class: &str, points: &[Point]) {
         let points: Vec<Point> = points.iter().map(|at| self.at(*at)).collect();
         self.paper.line(class, &points);
     }
 
-    fn arrow(&mut self, class: &str, from: Point, to: Point) {
+    pub(super) fn arrow(&mut self, class: &str, from: Point, to: Point) {
         self.paper.arrow(class, self.at(from), self.at(to));
     }
 
     /// A rectangle between two corners.
-    fn plate(&mut self, class: &str, [left, low]: Point, [right, high]: Point) {
+    pub(super) fn plate(&mut self, class: &str, [left, low]: Point, [right, high]: Point) {
         let corners = [[left, high], [right, high], [right, low], [left, low]].map(|at| self.at(at));
         self.paper.polygon(class, &corners);
     }
 
-    fn text(&mut self, class: &str, at: Point, text: &str) {
+    pub(super) fn text(&mut self, class: &str, at: Point, text: &str) {
         self.paper.text(class, self.at(at), text);
     }
 
     /// Five strokes of the ground.
-    fn hatch(&mut self, first: Point, step: Point, stroke: Point) {
+    pub(super) fn hatch(&mut self, first: Point, step: Point, stroke: Point) {
         for k in 0..5 {
             let from = [0, 1].map(|axis| first[axis] + f64::from(k) * step[axis]);
             self.line("ground", &[from, [from[0] + stroke[0], from[1] + stroke[1]]]);
@@ -200,7 +236,7 @@ impl Board<'_> {
         }
     }
 
-    fn ground(&mut self) {
+    pub(super) fn ground(&mut self) {
         self.line("rail", &[[0.0, 0.0], [86.0, 0.0]]);
         self.line("ground", &[[0.0, 24.0], [0.0, -24.0]]);
         self.hatch([0.0, 24.0], [0.0, -10.0], [-9.0, -9.0]);

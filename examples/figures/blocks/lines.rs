@@ -49,6 +49,10 @@ pub(super) fn blocks() -> Vec<Block> {
             .port(Side::Right, "shaft")
             .turning("torque")
             .noting("speed and the torque on what is attached count in one sense"),
+        Block::new("shaft_ground", Symbol::Ground)
+            .port(Side::Right, "shaft")
+            .turning("torque")
+            .noting("angle and the torque on what is attached count counter-clockwise"),
         Block::new("slider_velocity", Symbol::Motion)
             .input("velocity")
             .port(Side::Right, "slider")

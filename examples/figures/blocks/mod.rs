@@ -2,6 +2,7 @@
 
 use plm::view::Block;
 
+mod drives;
 mod hydraulics;
 mod lines;
 mod pneumatics;
@@ -9,5 +10,5 @@ mod signals;
 
 /// One box for each page.
 pub(crate) fn blocks() -> Vec<Block> {
-    [lines::blocks(), hydraulics::blocks(), pneumatics::blocks(), signals::blocks()].concat()
+    [lines::blocks(), drives::blocks(), hydraulics::blocks(), pneumatics::blocks(), signals::blocks()].concat()
 }

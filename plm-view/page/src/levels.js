@@ -10,7 +10,7 @@
  */
 export function linkKind({ kind, pair, frames, sizes }) {
   if (frames.length < 2 || pair !== null) return null;
-  if (kind === "jack" || "piston" in sizes || "rod" in sizes) return "jack";
+  if (kind === "jack" || kind === "gas_spring" || "piston" in sizes || "rod" in sizes) return "jack";
   return kind === "spring" ? "spring" : null;
 }
 

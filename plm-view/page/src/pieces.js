@@ -102,6 +102,15 @@ class PartDraft {
     return pieces;
   }
 
+  /**
+   * A line on top of the bodies.
+   * @param {(places: Places) => number[]} shape
+   */
+  stroke(shape) {
+    const top = Math.max(...this.slabs().map((slab) => slab[1]));
+    return this.moving(this.tone, [top, top + 0.1 * this.thickness], shape, { isLine: true });
+  }
+
   slabs() {
     return this.part.frames.map((frame) => this.scene.slabOf(frame));
   }
@@ -150,6 +159,12 @@ const PART_PIECES = {
   pin_slot: slotPieces,
   jack: jackPieces,
   spring: springPieces,
+  gear: wheelPieces,
+  rack: wheelPieces,
+  belt: wheelPieces,
+  elastic_belt: wheelPieces,
+  chain: wheelPieces,
+  fall: (draft) => [draft.stroke((places) => [0, 1].flatMap((frame) => draft.pose(places, frame).slice(0, 2)))],
   attached_mass: (draft) => draft.pinPieces(0, [draft.slabs()[0], draft.slabs()[0]], 1.2 * draft.radius),
 };
 
@@ -266,4 +281,33 @@ function springPieces(draft) {
     return movedOutline(coilLine(length, 1.1 * draft.radius, 7), pose);
   }, { isLine: true });
   return [coil, ...draft.mounts(), ...ends];
+}
+
+/**
+ * Pitch circles about the frames `a` and `b`, with a mark on the x axis of each, and the strands of what runs on them.
+ * @param {PartDraft} draft
+ */
+function wheelPieces(draft) {
+  const { frames, kind, sizes } = draft.part;
+  const radii = { a: sizes["radius_a"] ?? sizes["radius"], b: sizes["radius_b"] };
+  const wheels = Object.entries(radii).flatMap(([name, radius]) => {
+    const frame = frames.findIndex(({ argument }) => argument === name);
+    return frame < 0 || radius === undefined ? [] : [{ frame, radius }];
+  });
+  const rims = wheels.map(({ frame, radius }) => {
+    const rim = circleOutline(0, 0, Math.abs(radius));
+    const closed = [0.85 * Math.abs(radius), 0, ...rim, ...rim.slice(0, 2)];
+    return draft.stroke((places) => movedOutline(closed, draft.pose(places, frame)));
+  });
+  if (wheels.length < 2 || kind === "gear") return rims;
+  const [a, b] = wheels;
+  const strands = [1, -1].map((sense) => draft.stroke((places) => {
+    const { pose, length } = linkLine(draft, places, [a.frame, b.frame]);
+    const normal = pose[2] + sense * (0.5 * Math.PI - Math.asin((a.radius - b.radius) / length));
+    return wheels.flatMap(({ frame, radius }) => {
+      const [x, y] = draft.pose(places, frame);
+      return [x + radius * Math.cos(normal), y + radius * Math.sin(normal)];
+    });
+  }));
+  return [...rims, ...strands];
 }

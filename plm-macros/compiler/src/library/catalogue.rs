@@ -15,8 +15,8 @@ pub(crate) const PARTS: &[(&str, &str)] = catalogue! {
     "masses": "attached_mass" "attached_rotor" "rotor" "sliding_mass";
     "sensors": "acceleration_sensor" "force_sensor" "position_sensor" "velocity_sensor";
     "lines":
-        "bristle_friction" "end_stop" "force_state_spring" "frame_axes" "shaft_spring" "shaft_velocity"
-        "slider_ground" "slider_spring" "slider_velocity" "torque_state_spring";
+        "bristle_friction" "end_stop" "force_state_spring" "frame_axes" "shaft_ground" "shaft_spring"
+        "shaft_velocity" "slider_ground" "slider_spring" "slider_velocity" "torque_state_spring";
     "hydraulics":
         "accumulator" "chamber" "check_valve" "counterbalance_valve" "cylinder" "flow_control" "fluid"
         "hydraulic_motor" "oil_line" "oil_source" "oil_tank" "orifice" "piston" "proportional_valve" "pump"
@@ -24,9 +24,15 @@ pub(crate) const PARTS: &[(&str, &str)] = catalogue! {
     "signals":
         "delay" "hysteresis" "lag" "lag2" "noise" "pid" "ramps" "rate_limit" "sampled_controller" "saturation";
     "pneumatics": "air_chamber" "air_cylinder" "air_orifice" "air_piston" "air_source";
+    "transmission":
+        "belt" "belt_tensioner" "capstan" "chain" "elastic_belt" "elastic_rope" "fall" "gear" "gearbox"
+        "lead_screw" "planetary" "rack" "rope" "winch" "worm";
+    "drives":
+        "brake" "clutch" "counterweight" "dc_motor" "drum_brake" "freewheel" "gas_spring" "motion"
+        "motor_curve" "servo";
 };
 
 /// Name of each domain of the library and the text that defines it.
 pub(crate) const DOMAINS: &[(&str, &str)] = catalogue! {
-    "domains": "air" "oil" "shaft" "slider";
+    "domains": "air" "cable" "oil" "shaft" "slider";
 };

@@ -91,6 +91,8 @@ impl UnresolvedContact<'_> {
 pub(crate) struct Displacement {
     pub(crate) value: Expr,
     pub(crate) dimension: Dimension,
+    /// It reads sums at nodes whose summands are not known yet: only its dimension is.
+    reads_sums: bool,
 }
 
 impl Displacement {
@@ -132,11 +134,15 @@ impl<'a> Resolver<'a> {
     /// The displacement of a row, worked out at its first use.
     pub(crate) fn displacement(&mut self, contact: usize) -> Eval<Displacement> {
         let UnresolvedContact { scope, written, .. } = self.unresolved.contacts[contact];
-        self.lazy(
+        let found = self.lazy(
             |of| &mut of.unresolved.contacts[contact].displacement,
             |_| (),
             |of| of.displacement_of(scope, written),
-        )
+        )?;
+        if found.reads_sums {
+            self.unresolved.contacts[contact].displacement = Lazy::Waiting;
+        }
+        Ok(found)
     }
 
     fn displacement_of(&mut self, scope: ScopeId, written: WrittenContact<'a>) -> Eval<Displacement> {
@@ -144,8 +150,10 @@ impl<'a> Resolver<'a> {
             WrittenContact::Unilateral(row) => self.gap(scope, row)?,
             WrittenContact::Friction(row) => self.eval_scalar(scope, &row.displacement)?,
         };
+        let found = self.with_sums(found);
         let (what, nature) = (written.displacement(), found.nature);
-        let beyond = nature.reads.beyond(Reads::GEOMETRY);
+        let reads_sums = nature.reads.has(Reads::SUM) && !self.unresolved.has_all_loads;
+        let beyond = nature.reads.beyond(if reads_sums { Reads::ALL } else { Reads::GEOMETRY });
         if beyond != Reads::NOTHING {
             let message = format!("{what} reads {}", beyond.describe());
             let (scope, span) = self.culprit_of(scope, written, beyond);
@@ -171,7 +179,7 @@ impl<'a> Resolver<'a> {
             self.error(scope, Code::WrongDimension, span, message);
             return Err(Failed);
         }
-        Ok(Displacement { value: found.value, dimension })
+        Ok(Displacement { value: found.value, dimension, reads_sums })
     }
 
     /// The smallest part of a displacement that reads what it may not.

@@ -48,6 +48,7 @@ impl<'a> Resolver<'a> {
             // A mistake has been reported; what else is wrong is found all the same.
             let _ = self.load(&load, &mut loads);
         }
+        self.unresolved.has_all_loads = true;
         loads
     }
 

@@ -62,8 +62,12 @@ pub(crate) struct UnresolvedModel<'a> {
     /// Values that must be positive when parameters are known.
     pub(crate) limits: Vec<Limit>,
     pub(crate) loads: Vec<UnresolvedLoad<'a>>,
+    /// All loads are evaluated: the summands of sums at nodes are known.
+    pub(crate) has_all_loads: bool,
     /// Actions of parts on bodies and on the ground, for who observes them.
     pub(crate) applied: Vec<Action>,
+    /// Scopes of what acts on nodes by more than zero.
+    pub(crate) on_nodes: Vec<ScopeId>,
     /// Outputs of the mechanism, with the documentation of their items.
     pub(crate) outputs: Vec<(ScopeId, &'a ast::Output, &'a [String])>,
     /// Names of `observe`.

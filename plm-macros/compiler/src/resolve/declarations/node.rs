@@ -4,7 +4,7 @@
 //! quantities (flows, forces), which the storage reads. Until everything that acts is known, a symbol stands for the sum.
 
 use crate::collect::{CollectVec, PushAll};
-use plm_cas::Expr;
+use plm_cas::{Expr, algebra};
 
 use crate::diag::{Code, help_similar};
 use crate::resolve::Resolver;
@@ -35,10 +35,12 @@ pub(crate) struct Through {
     pub(crate) rate: Expr,
     /// The summands.
     pub(crate) terms: Vec<Expr>,
+    /// Reads of all of them.
+    reads: Reads,
 }
 
 /// Reads that are assumed of a sum before its terms are known: they let it stand in forces and rates, but in no constraint.
-const SUM: Reads = Reads::STATE.and(Reads::POSITION).and(Reads::TIME);
+const SUM: Reads = Reads::SUM.and(Reads::POSITION).and(Reads::TIME);
 
 impl<'a> Resolver<'a> {
     /// `node name: kind = expr;`
@@ -99,7 +101,7 @@ impl<'a> Resolver<'a> {
             let symbol = Expr::symbol(format!("{}_of_{name}", quantity.name.text));
             let rate = Expr::symbol(format!("rate_{}_of_{name}", quantity.name.text));
             self.calculus.changes(symbol, rate);
-            Through { symbol, rate, terms: Vec::new() }
+            Through { symbol, rate, terms: Vec::new(), reads: Reads::NOTHING }
         });
         let through = through.collect_vec();
         self.unresolved.nodes.push(UnresolvedNode { domain, name, scope, span, across: None, through });
@@ -134,6 +136,7 @@ impl<'a> Resolver<'a> {
     ) -> Eval<Value> {
         let domain = self.unresolved.nodes[node].domain;
         match value {
+            Value::Node(other) if other == node => Err(self.needs_itself(scope, node, expr.span)),
             Value::Node(other) if std::ptr::eq(self.unresolved.nodes[other].domain, domain) => Ok(value),
             Value::Scalar(..) => {
                 let wanted = Wanted::Number(domain.across.unit.dimension, Reads::ACTING);
@@ -181,8 +184,8 @@ impl<'a> Resolver<'a> {
         names.filter(|name| !name.contains('.')).map(ToString::to_string).collect_vec()
     }
 
-    /// `node.pressure`, `node.flow`
-    pub(crate) fn node_member(&mut self, node: usize, name: &str) -> Option<Value> {
+    /// `node.pressure`, `node.flow`; `None` also where the across quantity is not known yet.
+    pub(crate) fn node_member(&self, node: usize, name: &str) -> Option<Value> {
         let state = &self.unresolved.nodes[node];
         if state.domain.across.name.text == name {
             return state.across.map(Value::Scalar);
@@ -190,6 +193,32 @@ impl<'a> Resolver<'a> {
         let through = state.domain.through.iter().position(|quantity| quantity.name.text == name)?;
         let nature = Nature::derived(state.domain.through[through].unit.dimension, SUM);
         Some(Quantity::new(state.through[through].symbol, nature).into())
+    }
+
+    /// The across quantity of a node reads itself.
+    pub(crate) fn needs_itself(&mut self, scope: ScopeId, node: usize, at: Span) -> Failed {
+        let declared = self.unresolved.nodes[node].span;
+        self.error(scope, Code::Cycle, at, "this value needs itself")
+            .note_at(declared, "its definition stands here");
+        Failed
+    }
+
+    /// A value with the summands of all sums that it reads. It is left as it is before all that acts on nodes is known.
+    pub(crate) fn with_sums(&self, mut value: Scalar) -> Scalar {
+        let sums = self.unresolved.nodes.iter().flat_map(|node| &node.through).collect_vec();
+        // A sum may read another: as many rounds as there are sums reach the last in a row.
+        for _ in 0..=sums.len() {
+            if !self.unresolved.has_all_loads || !value.nature.reads.has(Reads::SUM) {
+                break;
+            }
+            let read = algebra::symbols(&[value.value]);
+            let read = sums.iter().filter(|sum| read.contains(&sum.symbol)).collect_vec();
+            let own = value.nature.reads.beyond(Reads::SUM);
+            value.nature.reads = read.iter().fold(own, |reads, sum| reads.and(sum.reads));
+            let pairs = read.iter().map(|sum| (sum.symbol, algebra::sum(&sum.terms))).collect_vec();
+            value.value = algebra::substitute(&[value.value], &pairs)[0];
+        }
+        value
     }
 
     /// Names of the members of a node.
@@ -235,10 +264,15 @@ impl<'a> Resolver<'a> {
             help_similar(diagnostic, &name.text, "quantity", "what acts on it", &names);
             return Err(Failed);
         };
-        let value = self.eval_number(scope, &ast.value, domain.through[k].unit.dimension, Reads::ACTING)?;
-        self.unresolved.nodes[node].through[k].terms.push(value);
-        if let Some(from) = from {
-            self.unresolved.nodes[from].through[k].terms.push(-value);
+        let found = self.eval_quantity(scope, &ast.value, domain.through[k].unit.dimension, Reads::ACTING)?;
+        if !found.value.is_zero() {
+            self.unresolved.on_nodes.push(scope);
+        }
+        let acting = std::iter::once((node, found.value)).chain(from.map(|from| (from, -found.value)));
+        for (node, value) in acting {
+            let through = &mut self.unresolved.nodes[node].through[k];
+            through.terms.push(value);
+            through.reads = through.reads.and(found.nature.reads);
         }
         Ok(())
     }

@@ -8,9 +8,10 @@ use crate::diag::Code;
 use crate::model::Switch;
 use crate::resolve::Resolver;
 use crate::resolve::names::ScopeId;
+use crate::resolve::values::condition::side_text;
 use crate::resolve::values::{Condition, Eval, Failed, Reads};
 use crate::span::Span;
-use crate::syntax::ast::{self, ExprKind, Field};
+use crate::syntax::ast::{self, ExprKind, Field, Operator};
 
 /// A requirement that was declared.
 pub(crate) struct Requirement<'a> {
@@ -118,12 +119,62 @@ impl<'a> Resolver<'a> {
         if positive(&condition, &mut differences) {
             return Ok(differences);
         }
-        let message = match condition.known() {
-            Some(false) => format!("the requirement `{name}` never holds"),
-            _ => "a requirement is a comparison, or several with `and`".to_owned(),
-        };
+        if condition.known().is_some() {
+            return Err(self.never_holds(scope, expr, name));
+        }
+        let message = "a requirement is a comparison, or several with `and`";
         self.error(scope, Code::WrongKind, expr.span, message);
         Err(Failed)
+    }
+
+    /// A requirement that is known to fail: told where the use of the part sets what it compares, else where it stands.
+    fn never_holds(&mut self, scope: ScopeId, expr: &'a ast::Expr, name: &str) -> Failed {
+        let failing = self.failing(scope, expr);
+        let (sides, text) = match &failing.kind {
+            ExprKind::Chain(first, links) => {
+                let sides = [&**first, &links[0].operand];
+                let texts = sides.map(side_text);
+                let operator = links[0].operator.text();
+                let text = if let [Some(left), Some(right)] = texts {
+                    Some(format!("`{left} {operator} {right}`"))
+                } else {
+                    None
+                };
+                (sides.to_vec(), text)
+            }
+            _ => (Vec::new(), None),
+        };
+        let instance = self.names.instance(scope);
+        let set = sides.into_iter().find_map(|side| match &side.kind {
+            ExprKind::Name(name) if name.indices.is_empty() => self.names.field(instance?, &name.ident.text),
+            _ => None,
+        });
+        match set {
+            Some((outer, field)) => {
+                let text = text.unwrap_or_else(|| "another value".to_owned());
+                let message = format!("`{name}` requires {text}");
+                self.error(outer, Code::WrongKind, field.value.span, message)
+                    .note_at(failing.span, "the requirement stands here");
+            }
+            None => {
+                let message = format!("the requirement `{name}` never holds");
+                self.error(scope, Code::WrongKind, failing.span, message);
+            }
+        }
+        Failed
+    }
+
+    /// The first part of a condition with `and` that is known to fail.
+    fn failing(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> &'a ast::Expr {
+        let ExprKind::Chain(first, links) = &expr.kind else { return expr };
+        if links[0].operator != Operator::And {
+            return expr;
+        }
+        let mut parts = std::iter::once(&**first).chain(links.iter().map(|link| &link.operand));
+        let fails = |part: &&'a ast::Expr| {
+            self.condition(scope, part).is_ok_and(|(condition, _)| condition.known() == Some(false))
+        };
+        parts.find(fails).unwrap_or(expr)
     }
 }
 

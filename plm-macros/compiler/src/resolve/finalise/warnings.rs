@@ -76,7 +76,8 @@ impl<'a> Resolver<'a> {
             .map(|row| row.scope)
             .chain(self.unresolved.states.iter().map(|state| state.scope));
         let contacts = self.unresolved.contacts.iter().map(|contact| contact.scope);
-        for scope in others.chain(contacts).chain(self.unresolved.nodes.iter().map(|node| node.scope)) {
+        let nodes = self.unresolved.nodes.iter().map(|node| node.scope);
+        for scope in others.chain(contacts).chain(nodes).chain(self.unresolved.on_nodes.iter().copied()) {
             if let Some(instance) = self.names.around(scope).last() {
                 acts.insert(instance, true);
             }

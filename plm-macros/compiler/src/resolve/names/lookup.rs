@@ -13,6 +13,8 @@ use crate::diag::{Code, help_similar};
 use crate::resolve::Resolver;
 use crate::resolve::names::unknown::instead_of;
 use crate::resolve::names::{RowId, ScopeId, Slot, SlotId, Thunk};
+use crate::resolve::values::expect::Wanted;
+use crate::resolve::values::lazy::Lazy;
 use crate::resolve::values::{Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::span::Span;
 use crate::syntax::ast::{self, Ident, IndexedName};
@@ -25,7 +27,11 @@ pub(crate) const RESERVED: &[&str] =
 impl<'a> Resolver<'a> {
     /// The value of a slot, worked out if this is its first use.
     pub(crate) fn slot_value(&mut self, slot: SlotId, user: ScopeId, at: Span) -> Eval<Value> {
-        let Slot { span: declared, thunk, .. } = self.names.slots[slot];
+        let Slot { span: declared, thunk, ref value, .. } = self.names.slots[slot];
+        // The through quantities of a node are known before its across quantity, which may read them.
+        if let (Lazy::Busy, Some(Thunk { wanted: Wanted::Node(node), .. })) = (value, thunk) {
+            return Ok(Value::Node(node));
+        }
         self.lazy(
             |of| &mut of.names.slots[slot].value,
             |of| {

@@ -50,7 +50,13 @@ impl<'a> Resolver<'a> {
             }
             _ if !member.indices.is_empty() => None,
             Value::Frame(frame) => self.frame_member(*frame, name)?,
-            Value::Node(node) => self.node_member(*node, name),
+            Value::Node(node) => {
+                let found = self.node_member(*node, name);
+                if found.is_none() && self.members_of_node(*node).first() == Some(&name) {
+                    return Err(self.needs_itself(scope, *node, member.ident.span));
+                }
+                found
+            }
             Value::Vector(vector) => match name {
                 "x" => Some(vector.map(|v| v.x).into()),
                 "y" => Some(vector.map(|v| v.y).into()),

@@ -30,6 +30,8 @@ impl Reads {
 
     /// Modes of rows of contact: open, sticking.
     pub(crate) const MODE: Reads = Reads(1024);
+    /// A sum at a node, whose summands are not known yet.
+    pub(crate) const SUM: Reads = Reads(2048);
 
     /// Reads that are known before the run: parameters.
     pub(crate) const FIXED: Reads = Reads::PARAM;
@@ -38,7 +40,8 @@ impl Reads {
     /// Reads that a constraint may have.
     pub(crate) const GEOMETRY: Reads = Reads::SCHEDULED.and(Reads::POSITION);
     /// Reads that are known at a state: everything but the unknowns of the equations of motion.
-    pub(crate) const KNOWN: Reads = Reads::GEOMETRY.and(Reads::INPUT).and(Reads::STATE).and(Reads::VELOCITY);
+    pub(crate) const KNOWN: Reads =
+        Reads::GEOMETRY.and(Reads::INPUT).and(Reads::STATE).and(Reads::VELOCITY).and(Reads::SUM);
     /// Reads that a force or a rate may have: all but what contacts do, which is not known before they are solved.
     pub(crate) const ACTING: Reads = Reads::KNOWN.and(Reads::ACCELERATION).and(Reads::REACTION);
     /// Reads that the bound of a friction may have.
@@ -46,7 +49,7 @@ impl Reads {
     /// Reads that an event may have.
     pub(crate) const EVENT: Reads = Reads::KNOWN.and(Reads::MODE);
     /// Everything.
-    pub(crate) const ALL: Reads = Reads(2047);
+    pub(crate) const ALL: Reads = Reads(4095);
 
     const NAMES: [(Reads, &'static str); 11] = [
         (Reads::PARAM, "parameters"),
@@ -95,6 +98,8 @@ impl Reads {
         let names: Vec<&str> =
             Reads::NAMES.iter().filter(|(of, _)| self.has(*of)).map(|(_, name)| *name).collect_vec();
         match names.split_last() {
+            // A place that sums may stand in is told by what they read.
+            None if self.has(Reads::SUM) => "what acts on nodes".to_string(),
             None => "nothing".to_string(),
             Some((last, [])) => (*last).to_string(),
             Some((last, others)) => format!("{} and {last}", others.join(", ")),
