@@ -165,7 +165,7 @@ fn geneva_drives_index_and_lock() {
         assert_eq!(sim.cross_engaged(), if phase.abs() < PI / 4.0 { 1.0 } else { 0.0 });
     }
     // The pin's force times its distance from the wheel is the torque on the wheel.
-    sim.step_to(2.0 * PI / 2.0 + 0.2).unwrap();
+    sim.step_to(2.0 * PI + 0.2).unwrap();
     let l = (PI / 4.0).sin();
     let distance = 0.1 * (1.0 - 2.0 * l * 0.4_f64.cos() + l * l).sqrt();
     near(sim.cross_pin_force() * distance, sim.cross_torque(), 1e-9);

@@ -3,6 +3,8 @@
 mod cams;
 mod circles;
 mod grounds;
+mod polylines;
+mod rolling;
 mod wheels;
 
 const G: f64 = 9.81;

@@ -1,4 +1,4 @@
-//! What the use of a part hands over beside numbers: functions, and lists of points.
+//! Functions and lists of points that the use of a part hands over.
 
 use proc_macro2::Delimiter;
 use syn::Token;

@@ -32,7 +32,7 @@ pub struct Field {
     pub arguments: Vec<IndexedName>,
     /// To what.
     pub value: Expr,
-    /// What stands behind it in a list.
+    /// The other points of a list.
     pub others: Vec<Expr>,
     /// Is it the start of a state that is locked?
     pub locked: Option<Span>,

@@ -1,4 +1,4 @@
-//! What the use of a part hands over beside numbers: functions, and lists of points.
+//! Functions and lists of points that the use of a part hands over.
 
 use std::borrow::Cow;
 
@@ -8,10 +8,10 @@ use crate::collect::CollectVec;
 use crate::diag::Code;
 use crate::resolve::Resolver;
 use crate::resolve::names::ScopeId;
+use crate::resolve::names::Thunk;
 use crate::resolve::values::expect::Wanted;
 use crate::resolve::values::lazy::Lazy;
 use crate::resolve::values::{Eval, Failed, Nature, Quantity, Reads, Scalar, Value};
-use crate::resolve::names::Thunk;
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, Field, IndexedName};
 use crate::units::Dimension;

@@ -35,9 +35,9 @@ impl<'a> Resolver<'a> {
         }
         let mut contacts = all((0..self.unresolved.contacts.len()).map(|contact| self.contact(contact)))?;
         // A friction whose bound is the number zero is no row: a part may have one whose coefficient nobody sets.
-        let idle = contacts.iter().filter(|contact| is_idle(contact));
+        let idle = contacts.iter().filter(|contact| contact.is_idle());
         self.unresolved.idle = idle.flat_map(|of| [(of.lambda, of.span), (of.mode, of.span)]).collect_vec();
-        contacts.retain(|contact| !is_idle(contact));
+        contacts.retain(|contact| !contact.is_idle());
         for contact in &contacts {
             let lambda = contact.lambda;
             self.push_force(contact.displacement, contact.part, |entry| entry * lambda, loads);
@@ -356,16 +356,6 @@ impl<'a> Resolver<'a> {
                 loads.push(Load { body, part, force: forces });
             }
         }
-    }
-}
-
-/// Is it a friction that can hold nothing?
-fn is_idle(contact: &Contact) -> bool {
-    match &contact.law {
-        ContactLaw::Friction { kinetic, adhesion, .. } => {
-            kinetic.iter().chain(adhesion).all(|limit| limit.is_zero())
-        }
-        ContactLaw::Unilateral { .. } | ContactLaw::Constraint => false,
     }
 }
 

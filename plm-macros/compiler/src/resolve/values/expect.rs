@@ -85,9 +85,7 @@ impl<'a> Resolver<'a> {
             (
                 Wanted::Vector(dimension, reads) | Wanted::NumberOrVector(dimension, reads),
                 Value::Vector(found),
-            ) => {
-                Ok(self.suits(scope, expr, *found, dimension, reads)?.written_as(dimension).into())
-            }
+            ) => Ok(self.suits(scope, expr, *found, dimension, reads)?.written_as(dimension).into()),
             (Wanted::NumberOrVector(..), _) => {
                 Err(self.wrong_kind(scope, expr, "a number or a vector", &value))
             }
