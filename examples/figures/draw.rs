@@ -43,6 +43,21 @@ const PLANAR: &[&str] = &[
     "position_sensor",
     "velocity_sensor",
     "acceleration_sensor",
+    "point_on_line",
+    "point_on_circle",
+    "point_on_polyline",
+    "ground_profile",
+    "circle_on_line",
+    "circle_on_circle",
+    "circle_on_polyline",
+    "polygon_on_line",
+    "rolling",
+    "rolling_on_circle",
+    "point_on_curve",
+    "wheel",
+    "tyre",
+    "cam",
+    "geneva",
 ];
 
 /// Demos of the manual with a mechanism to be seen: the file, and the title.

@@ -9,6 +9,7 @@ mod label;
 mod look;
 mod mark;
 mod paper;
+mod shape;
 mod stage;
 mod symbol;
 mod wheel;

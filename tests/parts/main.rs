@@ -22,3 +22,5 @@ mod screws;
 pub(crate) fn near(found: f64, expected: f64, within: f64) {
     assert!((found - expected).abs() <= within, "{found} instead of {expected}");
 }
+//! Parts of the library, a module for each field, against closed forms and published figures.
+mod contact;

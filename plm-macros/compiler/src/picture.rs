@@ -57,7 +57,7 @@ pub struct PicturePart {
     pub pair: Option<&'static str>,
     /// Frames that it joins, by the names of the part.
     pub frames: Vec<(String, FrameRef)>,
-    /// Sizes that its definition shows, by their parameters, SI.
+    /// Its sizes for pictures, m or rad, by the names of its parameters.
     pub sizes: Vec<(String, f64)>,
 }
 

@@ -1,7 +1,7 @@
 //! Laws of the rows of contact, and their forces: `+lambda` along the gradient of the displacement, so that a positive
 //! multiplier pushes it up.
 
-use crate::collect::MapEach;
+use crate::collect::{CollectVec, MapEach};
 use plm_cas::{Expr, algebra};
 
 use super::bound::{Bounded, found, is_negative};
@@ -23,7 +23,11 @@ impl<'a> Resolver<'a> {
         if !self.unresolved.contacts.is_empty() {
             self.refuse_steps();
         }
-        let contacts = all((0..self.unresolved.contacts.len()).map(|contact| self.contact(contact)))?;
+        let mut contacts = all((0..self.unresolved.contacts.len()).map(|contact| self.contact(contact)))?;
+        // A friction whose bound is the number zero is no row: a part may have one whose coefficient nobody sets.
+        let idle = contacts.iter().filter(|contact| contact.is_idle());
+        self.unresolved.idle = idle.flat_map(|of| [(of.lambda, of.span), (of.mode, of.span)]).collect_vec();
+        contacts.retain(|contact| !contact.is_idle());
         for contact in &contacts {
             let lambda = contact.lambda;
             self.push_force(contact.displacement, contact.part, |entry| entry * lambda, loads);
