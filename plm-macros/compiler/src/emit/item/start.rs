@@ -275,7 +275,15 @@ fn begin(emission: &Emission) -> TokenStream {
     let sides = sides(emission);
     let contact = contact::are_there(emission).then(|| {
         let count = contact::count(emission);
-        quote!(rt::contact::begin::<Self, #count>(self, t, &mut held, &mut x)?;)
+        // Conditions read what contacts do: nothing becomes true by what they do where the run begins.
+        let sides = sets::are_there(emission).then(|| {
+            let count = sets::count(emission);
+            quote!(rt::events::begin::<Self, #count>(self, t, &mut held, &x);)
+        });
+        quote! {
+            rt::contact::begin::<Self, #count>(self, t, &mut held, &mut x)?;
+            #sides
+        }
     });
     let mut repeats = None;
     let enter = match emission.form {
