@@ -3,6 +3,7 @@
 //!
 //! ```sh
 //! cargo run --release --features sweep-all --example contacts -- 10000                     # so many cases
+//! cargo run --release --features sweep-all --example contacts -- 50 --first 1200           # from 1200 to 1249 of them: a shard
 //! cargo run --release --features sweep-all --example contacts -- --seed 7 --only block     # others, of some kinds
 //! cargo run --release --features sweep-all --example contacts -- --seed 7 --case 123       # one, with all its numbers
 //! ```
@@ -24,9 +25,11 @@ use std::time::Instant;
 use judge::{Case, Judged, Verdict};
 use plm::view::{Arguments, BadOption, Known};
 
-const KNOWN: [Known; 5] = [
+const KNOWN: [Known; 7] = [
     Known::word("CASES", "how many; 200 if nothing is said"),
     Known::value("seed", "N", "of the random mechanisms; 1 if nothing is said"),
+    Known::value("first", "N", "number of the first case; 0 if nothing is said"),
+    Known::value("threads", "N", "how many; one for each core if nothing is said"),
     Known::value("case", "N", "this one alone, with all its numbers"),
     Known::value("only", "KIND", "kinds whose name contains this"),
     Known::flag("verbose", "lists every case that is not right"),
@@ -51,15 +54,22 @@ fn sweep() -> Result<bool, BadOption> {
     }
     let seed: u64 = given.number("seed")?.unwrap_or(1);
     let cases: u64 = given.number("CASES")?.unwrap_or(200);
+    let (first, threads) = (given.number("first")?.unwrap_or(0), given.number("threads")?.unwrap_or(0));
     let only = given.text("only")?;
+    if judge::families(only.as_deref()).is_empty() {
+        let kinds: Vec<&str> = judge::families(None).iter().map(|family| family.name).collect();
+        eprintln!("no kind has this in its name; there are {}", kinds.join(", "));
+        return Ok(false);
+    }
     let clock = Instant::now();
-    println!("seed {seed}, {cases} cases");
+    println!("seed {seed}, {cases} cases from {first}");
     let one: Option<u64> = given.number("case")?;
     if let Some(number) = one {
         println!("{}", told(&Case::new(seed, number, only.as_deref())));
     }
-    let numbers: Vec<u64> = one.map_or((0..cases).collect(), |number| vec![number]);
+    let numbers: Vec<u64> = one.map_or((first..first + cases).collect(), |number| vec![number]);
     let runs = plm::batch::points(numbers)
+        .threads(threads)
         .quiet()
         .run(|number| Ok(Case::new(seed, number, only.as_deref()).judge()));
     let mut table: BTreeMap<(&str, &str), Vec<usize>> = BTreeMap::new();

@@ -11,6 +11,7 @@ mechanism! {
         gravity: 9.81 m/s^2;
         param mu = 0.1;
         discrete falls: 1 = 0;
+        discrete arrivals: 1 = 0;
         discrete landed: s = 0;
         discrete stopped: m = 0;
         body block { mass: 1 kg; inertia: 1 kg*m^2; start y: 0.8 m; start vx: 2 m/s; }
@@ -19,9 +20,10 @@ mechanism! {
         unilateral floor: block.y >= 0 m;
         friction drag: rate(block.x) within 0.5*reaction(floor);
         when is_open(table) { falls = falls + 1; }
+        when not is_open(table) { arrivals = arrivals + 1; }
         when not is_open(floor) { landed = t; }
         when is_sticking(drag) and not is_open(floor) { stopped = block.x; }
-        output push = reaction(table), landed, stopped, falls;
+        output push = reaction(table), landed, stopped, falls, arrivals;
         output on_table = if is_open(table) then 0 else 1;
     }
 }
@@ -36,6 +38,8 @@ fn a_block_leaves_its_table_and_lands() {
     sim.step_to(edge - 1e-6).unwrap();
     near(sim.push(), g, 1e-12);
     near(sim.on_table(), 1.0, 0.0);
+    // It begins on the table: that is no event.
+    near(sim.arrivals(), 0.0, 0.0);
     sim.step_to(edge + 1e-6).unwrap();
     near(sim.push(), 0.0, 0.0);
     near(sim.on_table(), 0.0, 0.0);

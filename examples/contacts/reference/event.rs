@@ -132,8 +132,9 @@ impl<'w> Runner<'w> {
             let problem = self.problem(&self.now);
             let touches: Vec<bool> = (0..problem.count()).map(|i| self.touches(&problem, i, due)).collect();
             let fastest = problem.rows.iter().fold(0.0, |fast: f64, row| fast.max(row.rate.abs()));
-            let approaches =
-                |i: usize| touches[i] && problem.rows[i].rate < -resting(&problem, i).max(1e-12 * fastest);
+            let approaches = |i: usize| {
+                touches[i] && problem.rows[i].rate < -self.resting(&problem, i).max(1e-12 * fastest)
+            };
             if !(0..problem.count()).any(approaches) {
                 return Ok(());
             }
@@ -148,12 +149,19 @@ impl<'w> Runner<'w> {
         Err(Stop::Endless)
     }
 
+    /// Slower than this a row rests. What pulls it back is of the size of the terms of its acceleration: that of a block on a block, which
+    /// would fall together, is their sum and may be zero.
+    fn resting(&self, problem: &Problem, i: usize) -> f64 {
+        (2.0 * problem.acceleration(i, &self.held.lambda).1 * LOWEST).sqrt()
+    }
+
     fn allowed(&self, problem: &Problem, i: usize, due: Option<usize>) -> Allowed {
         let rate = problem.rows[i].rate;
         match problem.laws[i] {
             Law::Gap { .. } => {
                 let fastest = problem.rows.iter().fold(0.0, |fast: f64, row| fast.max(row.rate.abs()));
-                let rests = self.touches(problem, i, due) && rate <= resting(problem, i).max(1e-12 * fastest);
+                let rests =
+                    self.touches(problem, i, due) && rate <= self.resting(problem, i).max(1e-12 * fastest);
                 let modes = if rests { vec![Mode::Closed, Mode::Open] } else { vec![Mode::Open] };
                 Allowed { modes, rests }
             }
@@ -214,9 +222,4 @@ fn lead(inertia: &[f64], matrix: &[Vec<f64>], asked: &[f64]) -> Option<Vec<f64>>
             })
             .collect(),
     )
-}
-
-/// Slower than this a row rests.
-fn resting(problem: &Problem, i: usize) -> f64 {
-    (2.0 * problem.c[i].abs() * LOWEST).sqrt()
 }

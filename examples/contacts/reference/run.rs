@@ -204,7 +204,14 @@ impl Runner<'_> {
                 }
                 _ => middle,
             };
-            let Some(state) = self.moved(tried) else { return Err(Stop::Lost) };
+            let Some(state) = self.moved(tried) else {
+                // The accelerations bend within it, where a margin is passed.
+                (high, side, behind) = ((tried, None), 0, None);
+                if high.0 - low.0 < 1e-9 {
+                    return Err(Stop::Lost);
+                }
+                continue;
+            };
             if let Some((value, found)) = self.passed(&state, tried) {
                 row = found;
                 let is_same = found.is_some() && value != -1.0;

@@ -66,8 +66,9 @@ fn a_pin_rattles_in_its_bush() {
 }
 
 mechanism! {
-    /// P. Flores, R. Leine, Ch. Glocker, Multibody Syst. Dyn. 23, 2010, 165-190: table 1.
+    /// P. Flores, R. Leine, Ch. Glocker, Multibody Syst. Dyn. 23, 2010, 165-190: table 1, with the law of impact of the paper.
     pub Clearance {
+        impacts: newton;
         param friction = 0.01;
         gravity: 9.81 m/s^2;
         ground { port o: (0, 0) m; }
@@ -107,7 +108,7 @@ mechanism! {
 type Pair = ([f64; 3], [f64; 3]);
 
 /// The equations of the paper (90) to (96), angles of crank, rod and slider.
-struct Flores;
+pub(super) struct Flores;
 
 impl Flores {
     const L: [f64; 2] = [0.153, 0.306];
@@ -124,13 +125,13 @@ impl Flores {
     }
 
     /// M^-1 times a vector.
-    fn divided(q: [f64; 3], f: [f64; 3]) -> [f64; 3] {
+    pub(super) fn divided(q: [f64; 3], f: [f64; 3]) -> [f64; 3] {
         let [a, b, c] = Self::mass(q);
         let determinant = a * c - b * b;
         [(c * f[0] - b * f[1]) / determinant, (a * f[1] - b * f[0]) / determinant, f[2] / Self::J[2]]
     }
 
-    fn acceleration(q: [f64; 3], v: [f64; 3]) -> [f64; 3] {
+    pub(super) fn acceleration(q: [f64; 3], v: [f64; 3]) -> [f64; 3] {
         let ([l1, l2], [m1, m2, m3]) = (Self::L, Self::M);
         let factor = (0.5 * m2 + m3) * l1 * l2 * (q[1] - q[0]).sin();
         let h1 = factor * v[1] * v[1] - (0.5 * m1 + m2 + m3) * 9.81 * l1 * q[0].cos();
@@ -139,7 +140,7 @@ impl Flores {
     }
 
     /// Gaps of the corners, each with its direction.
-    fn corners(q: [f64; 3]) -> [(f64, [f64; 3]); 4] {
+    pub(super) fn corners(q: [f64; 3]) -> [(f64, [f64; 3]); 4] {
         let ([l1, l2], (sin, cos)) = (Self::L, q[2].sin_cos());
         let y = l1 * q[0].sin() + l2 * q[1].sin();
         [(1.0, -0.05), (1.0, 0.05), (-1.0, -0.05), (-1.0, 0.05)].map(|(side, a): (f64, f64)| {
@@ -147,6 +148,13 @@ impl Flores {
             let gap = 0.026 - side * (y + a * sin + b * cos);
             (gap, [-side * l1 * q[0].cos(), -side * l2 * q[1].cos(), -side * (a * cos - b * sin)])
         })
+    }
+
+    /// Directions of the corners along the guides.
+    pub(super) fn slides(q: [f64; 3]) -> [[f64; 3]; 4] {
+        let ([l1, l2], (sin, cos)) = (Self::L, q[2].sin_cos());
+        [(1.0, -0.05), (1.0, 0.05), (-1.0, -0.05), (-1.0, 0.05)]
+            .map(|(side, a): (f64, f64)| [-l1 * q[0].sin(), -l2 * q[1].sin(), -a * sin - 0.025 * side * cos])
     }
 
     fn step(q: [f64; 3], v: [f64; 3], h: f64) -> ([f64; 3], [f64; 3]) {

@@ -2,6 +2,8 @@
 
 mod belts;
 mod clearance;
+mod clearance_steps;
+mod compass;
 mod impacts;
 mod known;
 mod limits;

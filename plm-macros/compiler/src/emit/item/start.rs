@@ -274,7 +274,15 @@ fn begin(emission: &Emission) -> TokenStream {
     let sides = sides(emission);
     let contact = contact::are_there(emission).then(|| {
         let count = contact::count(emission);
-        quote!(rt::contact::begin::<Self, #count>(self, t, &mut held, &mut x)?;)
+        // Conditions read what contacts do: nothing becomes true by what they do where the run begins.
+        let sides = sets::are_there(emission).then(|| {
+            let count = sets::count(emission);
+            quote!(rt::events::begin::<Self, #count>(self, t, &mut held, &x);)
+        });
+        quote! {
+            rt::contact::begin::<Self, #count>(self, t, &mut held, &mut x)?;
+            #sides
+        }
     });
     // What contacts do, and reactions with their forces, are known behind that.
     let again = (contact.is_some() && switches::read_forces(emission)).then(|| {
