@@ -195,7 +195,7 @@ pub fn excavator() -> Result<Sheet, Fault> {
         sim.step_to(0.1 * f64::from(k))?;
         most = most.max(sim.flow());
     }
-    sheet.theory("greatest flow of the pump", most * 60e3, "L/min", 500.0, 1e-9);
+    sheet.theory("greatest flow of the pump", most * 60e3, "L/min", 500.0, 1e-6);
     Ok(sheet)
 }
 

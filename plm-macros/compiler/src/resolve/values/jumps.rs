@@ -25,7 +25,7 @@ impl<'a> Resolver<'a> {
         let x = self.eval_quantity(scope, argument, Dimension::NUMBER, Reads::ALL)?;
         let text = text_of(argument).unwrap_or_else(|| x.value.to_string());
         let value = self.stepped(x, &text);
-        Ok(Quantity::new(value, Nature { ..x.nature }).into())
+        Ok(Quantity::new(value, x.nature).into())
     }
 
     /// `mod(x, period)`: what is left of x behind the last whole multiple of the period below it.
