@@ -44,6 +44,8 @@ pub enum Symbol {
     Swing,
     /// A piecewise linear course.
     Ramps,
+    /// Two gears in mesh, seen from the side.
+    Gears,
     /// A ring, a sun and planets.
     Planetary,
     /// A worm below its wheel.
@@ -97,6 +99,7 @@ impl Symbol {
                 board.curve(|t| 1.0 - (-5.0 * t).exp() * ((14.0 * t).cos() + 0.36 * (14.0 * t).sin()));
             }
             Symbol::Ramps => board.ramps(),
+            Symbol::Gears => board.gears(),
             Symbol::Planetary => board.planetary(),
             Symbol::Worm => board.worm(),
             Symbol::Screw => board.screw(),
