@@ -32,6 +32,7 @@ pages! {
     Equations = "theory/equations.md";
     ContactTheory = "theory/contact.md";
     MechanicsRecipes = "recipes/mechanics.md";
+    Motion = "parts/motion.md";
 }
 
 #[cfg(feature = "analysis")]

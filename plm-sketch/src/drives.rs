@@ -32,6 +32,13 @@ impl Board<'_> {
         self.hatch([from[0] - 14.0, -38.0], [7.0, 0.0], [-5.0, -6.0]);
     }
 
+    pub(super) fn gears(&mut self) {
+        self.line("rail", &[[-86.0, 0.0], [-60.0, 0.0], [-60.0, -20.0], [10.0, -20.0]]);
+        self.line("rail", &[[86.0, 0.0], [60.0, 0.0], [60.0, 14.0], [-10.0, 14.0]]);
+        self.plate("plate", [-6.0, -30.0], [6.0, -8.0]);
+        self.plate("plate", [-6.0, -8.0], [6.0, 38.0]);
+    }
+
     pub(super) fn planetary(&mut self) {
         self.disc("plate", [0.0, 0.0], 40.0);
         self.disc("white", [0.0, 0.0], 36.0);

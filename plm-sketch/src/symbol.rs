@@ -65,6 +65,8 @@ pub enum Symbol {
     FlowControl,
     /// A capsule with gas and oil.
     Accumulator,
+    /// Two gears in mesh, seen from the side.
+    Gears,
     /// A ring, a sun and planets.
     Planetary,
     /// A worm below its wheel.
@@ -127,6 +129,7 @@ impl Symbol {
             Symbol::Relief => board.relief(),
             Symbol::FlowControl => board.flow_control(),
             Symbol::Accumulator => board.accumulator(),
+            Symbol::Gears => board.gears(),
             Symbol::Planetary => board.planetary(),
             Symbol::Worm => board.worm(),
             Symbol::Screw => board.screw(),

@@ -10,6 +10,7 @@ plm::mechanism! {
     pub Ropes {
         param counter: kg = 1 kg;
         param heavy: kg = 3 kg;
+        param hoisting: N*m = 30 N*m;
         gravity: 9.81 m/s^2;
         ground {
             port line[0]: (0, 0) m, axis: 90 deg; port line[1]: (0.2, 0) m, axis: 90 deg; port line[2]: (5, 0) m, axis: 90 deg;
@@ -41,7 +42,7 @@ plm::mechanism! {
         fall down(turns.near, ground.post, load.line);
         fall up(turns.far, ground.post2, light.line);
 
-        rotor drum() { inertia: 0.5 kg*m^2; drive: 30 N*m; }
+        rotor drum() { inertia: 0.5 kg*m^2; drive: hoisting; }
         body crate { mass: 10 kg; inertia: 1 kg*m^2; port line: (0, 0) m, angle: 90 deg; start x: 8 m; start y: 1 m, locked; }
         prismatic guide[5](ground.line[5], crate.line);
         rope hoist() { length: 2 m; }
@@ -56,6 +57,11 @@ plm::mechanism! {
 
 fn started(ropes: Ropes) -> Sim<Ropes> {
     ropes.start_with(Dop853::new(1e-11)).unwrap()
+}
+
+/// Tackle and winch stand still.
+fn calm(heavy: f64) -> Ropes {
+    Ropes { counter: 2.0, heavy, hoisting: 9.81, ..Ropes::new() }
 }
 
 /// The block is pulled twice, the weight once: a = (2 m - M) g/(M + 4 m), T = 3 M m g/(M + 4 m).
@@ -96,7 +102,7 @@ fn a_rope_pulls_only() {
 /// The jumper comes as deep as m g (l + x) = c x^2/2.
 #[test]
 fn an_elastic_rope_catches_what_falls() {
-    let mut sim = started(Ropes { counter: 2.0, ..Ropes::new() });
+    let mut sim = started(calm(3.0));
     let (weight, stiffness) = (70.0 * G, 100.0);
     let deepest = (weight + (weight * weight + 2.0 * stiffness * weight * 9.5).sqrt()) / stiffness;
     // Free fall by 9.5 m, then from the middle of a swing.
@@ -118,14 +124,14 @@ fn an_elastic_rope_catches_what_falls() {
 #[test]
 fn a_capstan_holds_and_slips_by_euler_and_eytelwein() {
     let ratio = (0.25 * 1.5 * std::f64::consts::PI).exp();
-    let mut held = started(Ropes { counter: 2.0, heavy: 3.0, ..Ropes::new() });
+    let mut held = started(calm(3.0));
     held.step_to(2.0).unwrap();
     near(held.load_y(), 2.0, 1e-12);
     near(held.turns_tension_near(), 3.0 * G, 1e-9);
     near(held.turns_tension_far(), G, 1e-9);
     near(held.turns_torque(), -0.05 * 2.0 * G, 1e-9);
     for heavy in [4.0, 0.2] {
-        let mut sim = started(Ropes { counter: 2.0, heavy, ..Ropes::new() });
+        let mut sim = started(calm(heavy));
         sim.step_to(0.3).unwrap();
         let ratio = if heavy > 1.0 { ratio } else { 1.0 / ratio };
         let fall = G * (heavy - ratio) / (heavy + ratio);

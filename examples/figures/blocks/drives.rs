@@ -16,6 +16,14 @@ fn transmission() -> Vec<Block> {
             .port(Side::Top, "carrier")
             .turning("torque_carrier")
             .noting("angles count counter-clockwise; torques are what the gear does to the shafts"),
+        Block::new("gearbox", Symbol::Gears)
+            .port(Side::Left, "a")
+            .turning("torque_a")
+            .port(Side::Right, "b")
+            .turning("torque_b")
+            .noting(
+                "the ratio is the speed of a over that of b; torques are what the gears do to the shafts",
+            ),
         Block::new("worm", Symbol::Worm)
             .port(Side::Left, "a")
             .turning("torque_a")
@@ -42,8 +50,7 @@ fn ropes() -> Vec<Block> {
         Block::new("winch", Symbol::Winch)
             .port(Side::Left, "rope")
             .port(Side::Right, "a")
-            .turning("angle")
-            .noting("greater angles wind the rope up"),
+            .noting("the shaft winds the rope up where it turns counter-clockwise;\nspeed is that of the rope onto the drum"),
         Block::new("capstan", Symbol::Capstan)
             .port(Side::Left, "near")
             .port(Side::Right, "far")

@@ -47,10 +47,7 @@ pub(crate) const ELSEWHERE: &[(&[&str], &str)] = &[
     (&["shoe_brake"], "a brake with shoes is a `drum_brake`"),
     (&["overrunning", "one_way_clutch", "sprag", "backstop"], "what holds in one sense is a `freewheel`"),
     (&["gas_strut"], "a strut filled with gas is a `gas_spring`"),
-    (
-        &["prescribed_motion", "trajectory", "rheonomic", "driver"],
-        "a shaft that moves as it is told has a `motion`",
-    ),
+    (&["prescribed_motion", "trajectory", "rheonomic"], "a shaft that moves as it is told has a `motion`"),
     (
         &["nonlinear_spring", "spring_table", "table_spring"],
         "a spring with a curve is a `spring` with a `characteristic`",
