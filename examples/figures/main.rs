@@ -16,5 +16,5 @@ fn main() -> Result<(), Box<dyn Error>> {
         fs::create_dir_all(path.parent().unwrap_or(root))?;
         fs::write(path, svg)?;
     }
-    draw::missing(root)?.map_or(Ok(()), |missing| Err(missing.into()))
+    draw::missing().map_or(Ok(()), |missing| Err(missing.into()))
 }
