@@ -15,7 +15,7 @@ use super::blocks::blocks;
 pub(crate) type Drawing = (String, String);
 
 /// Pages of parts whose example is drawn as it stands.
-const PLANAR: [&str; 12] = [
+const PLANAR: [&str; 27] = [
     "revolute",
     "prismatic",
     "pin_slot",
@@ -28,6 +28,21 @@ const PLANAR: [&str; 12] = [
     "position_sensor",
     "velocity_sensor",
     "acceleration_sensor",
+    "point_on_line",
+    "point_on_circle",
+    "point_on_polyline",
+    "ground_profile",
+    "circle_on_line",
+    "circle_on_circle",
+    "circle_on_polyline",
+    "polygon_on_line",
+    "rolling",
+    "rolling_on_circle",
+    "point_on_curve",
+    "wheel",
+    "tyre",
+    "cam",
+    "geneva",
 ];
 
 /// Demos of the manual with a mechanism to be seen: the file, and the title.
@@ -80,7 +95,7 @@ pub(crate) fn missing() -> Option<String> {
         blocks().iter().map(|block| block.name().to_owned()).chain(PLANAR.map(str::to_owned)).collect();
     let names = words::parts().iter().map(|(name, _)| *name);
     let mut missing: Vec<&str> = names.filter(|name| !drawn.iter().any(|drawn| drawn == name)).collect();
-    missing.sort();
+    missing.sort_unstable();
     (!missing.is_empty()).then(|| {
         format!(
             "parts without a figure: {}. List a part that joins frames in `PLANAR` of examples/figures/draw.rs (it is drawn from \
@@ -209,7 +224,8 @@ pub(crate) fn sketch(picture: &Picture) -> Sketch {
             port: Some(frame.port),
         });
         let (name, kind, pair) = (part.name.clone(), part.kind.clone(), part.pair.map(str::to_owned));
-        Part { name, kind, pair, frames: frames.collect(), sizes: [].into() }
+        let sizes = part.sizes.iter().cloned().collect();
+        Part { name, kind, pair, frames: frames.collect(), sizes }
     });
     let mechanism = Mechanism {
         name: picture.name.clone(),

@@ -6,6 +6,7 @@ use plm_view::Part;
 
 use super::Sense;
 use super::paper::{Point, beside};
+use super::shape::has_shape;
 use super::stage::Stage;
 
 /// Length of the arrow of a sense, in pixels.
@@ -26,6 +27,7 @@ impl Stage<'_> {
                 ("position_sensor", _) => self.draw_sensor(part, "x"),
                 ("velocity_sensor", _) => self.draw_sensor(part, "v"),
                 ("acceleration_sensor", _) => self.draw_sensor(part, "a"),
+                _ if has_shape(part) => self.draw_shape(part),
                 (_, 2..) if !is_made_of_others => self.draw_link(part),
                 _ => {}
             }

@@ -7,6 +7,7 @@ mod joint;
 mod label;
 mod look;
 mod paper;
+mod shape;
 mod stage;
 mod symbol;
 

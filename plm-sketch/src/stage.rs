@@ -6,6 +6,7 @@ use plm_view::{Frame, Part};
 
 use super::label::{self, Label};
 use super::paper::{Paper, Point, beside};
+use super::shape::circles;
 use super::{Sketch, WIDTH, look};
 
 /// Where the mechanism may be, left and right, in pixels; on its left stand the axes.
@@ -61,12 +62,23 @@ impl<'a> Stage<'a> {
         points.extend(
             (0..mechanism.ground.len()).filter_map(|port| self.port(None, Some(port))).map(|spot| spot.at),
         );
+        for (frame, radius) in mechanism.parts.iter().flat_map(circles) {
+            let corners = [[-radius, -radius], [radius, radius]];
+            let at = self.frame(frame).map(|spot| spot.at);
+            points
+                .extend(at.into_iter().flat_map(|at| corners.map(|side| [at[0] + side[0], at[1] + side[1]])));
+        }
         points.into_iter().map(|[x, y]| [x, -y]).collect()
     }
 
     /// A place of the mechanism in the picture.
     fn place(&self, [x, y]: [f64; 2]) -> Point {
         [self.origin[0] + self.scale * x, self.origin[1] - self.scale * y]
+    }
+
+    /// A length of the mechanism in the picture.
+    pub(super) fn pixels(&self, length: f64) -> f64 {
+        length * self.scale
     }
 
     /// A port of a body or of the ground; without a port G or the origin.

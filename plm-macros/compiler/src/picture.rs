@@ -57,6 +57,8 @@ pub struct PicturePart {
     pub pair: Option<&'static str>,
     /// Frames that it joins, by the names of the part.
     pub frames: Vec<(String, FrameRef)>,
+    /// Its sizes for pictures, m or rad, by the names of its parameters.
+    pub sizes: Vec<(String, f64)>,
 }
 
 impl Oracle {
@@ -80,7 +82,7 @@ impl Oracle {
                     .map(|(row, pose)| body(row, pose, &number))
                     .collect_vec(),
                 ground: model.ground.iter().map(|row| port(row, &number)).collect_vec(),
-                parts: model.instances.iter().map(part).collect_vec(),
+                parts: model.instances.iter().map(|row| part(row, &number)).collect_vec(),
             }
         })
     }
@@ -99,7 +101,8 @@ fn port(port: &Port, number: &impl Fn(Expr) -> f64) -> PicturePort {
     PicturePort { name: port.name.text.clone(), place: [port.at.x, port.at.y, port.angle].map_each(number) }
 }
 
-fn part(instance: &Instance) -> PicturePart {
-    let Instance { name, kind, pair, frames, .. } = instance.clone();
-    PicturePart { name, kind, pair: pair.map(Pair::name), frames }
+fn part(instance: &Instance, number: &impl Fn(Expr) -> f64) -> PicturePart {
+    let Instance { name, kind, pair, frames, sizes, .. } = instance.clone();
+    let sizes = sizes.into_iter().map(|size| (size.name, number(size.value))).collect_vec();
+    PicturePart { name, kind, pair: pair.map(Pair::name), frames, sizes }
 }

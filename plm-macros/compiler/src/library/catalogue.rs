@@ -11,6 +11,10 @@ macro_rules! catalogue {
 pub(crate) const PARTS: &[(&str, &str)] = catalogue! {
     "joints": "pin_slot" "prismatic" "revolute" "weld";
     "forces": "force" "jack" "spring";
+    "contact":
+        "cam" "circle_on_circle" "circle_on_line" "circle_on_polyline" "geneva" "ground_profile" "point_on_circle"
+        "point_on_curve" "point_on_line" "point_on_polyline" "polygon_on_line" "rolling" "rolling_on_circle"
+        "tyre" "wheel";
     "masses": "attached_mass" "attached_rotor" "rotor" "sliding_mass";
     "sensors": "acceleration_sensor" "force_sensor" "position_sensor" "velocity_sensor";
     "lines":

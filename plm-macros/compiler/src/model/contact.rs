@@ -64,6 +64,16 @@ pub enum ContactLaw {
 }
 
 impl Contact {
+    /// Is it a friction that can hold nothing?
+    pub(crate) fn is_idle(&self) -> bool {
+        match &self.law {
+            ContactLaw::Friction { kinetic, adhesion, .. } => {
+                kinetic.iter().chain(adhesion).all(|limit| limit.is_zero())
+            }
+            ContactLaw::Unilateral { .. } | ContactLaw::Constraint => false,
+        }
+    }
+
     /// The reaction of joints that bounds it.
     pub(crate) fn reaction(&self) -> Option<&Reaction> {
         match &self.law {

@@ -171,7 +171,7 @@ impl Contour {
 }
 
 /// The unit behind the last of several points is that of all.
-fn share_unit(points: &mut [Expr]) {
+pub(super) fn share_unit(points: &mut [Expr]) {
     let Some((Expr { kind: ExprKind::Quantity(_, unit), .. }, others)) = points.split_last_mut() else {
         return;
     };

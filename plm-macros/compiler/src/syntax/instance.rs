@@ -3,6 +3,7 @@
 use proc_macro2::Delimiter;
 use syn::{Token, token};
 
+use super::body::share_unit;
 use super::expr::{Expr, ExprKind};
 use super::input::{Input, Reported, Result};
 use super::name::{Ident, IndexedName};
@@ -21,13 +22,18 @@ pub struct Instance {
     pub fields: Vec<Field>,
 }
 
-/// `name: expr, locked;` in the use of a part; `part.name: expr;` reaches into the parts that it contains.
+/// `name: expr, locked;` in the use of a part; `part.name: expr;` reaches into the parts that it contains. A function has its
+/// arguments behind the name, `lift(angle): expr;`, and points are a list, `corners: (0, 0), (1, 0) m;`.
 #[derive(Clone, Debug)]
 pub struct Field {
     /// Path of the value that is set, segment by segment.
     pub path: Vec<IndexedName>,
+    /// Names of the arguments of a function.
+    pub arguments: Vec<IndexedName>,
     /// To what.
     pub value: Expr,
+    /// The other points of a list.
+    pub others: Vec<Expr>,
     /// Is it the start of a state that is locked?
     pub locked: Option<Span>,
 }
@@ -52,7 +58,7 @@ impl Instance {
 }
 
 impl Field {
-    /// `name.name: expr, locked;`
+    /// `name.name: expr, locked;`, `name(argument): expr;` or `name: expr, expr;`
     fn parse(input: Input) -> Result<Field> {
         input.docs();
         let start = input.position();
@@ -60,11 +66,26 @@ impl Field {
         while input.eat(Token![.]) {
             path.push(IndexedName::parse(input, "the name of a parameter")?);
         }
-        input.colon_of(&input.text_of(input.span_from(start)))?;
-        let value = Expr::value(input);
+        let text = input.text_of(input.span_from(start));
+        let mut arguments = Vec::new();
+        if input.peek(token::Paren) {
+            let names = |input: Input| input.terminated(|input| IndexedName::parse(input, "an argument"));
+            arguments = input.group(Delimiter::Parenthesis, "`(`", names)?;
+        }
+        input.colon_of(&text)?;
+        let mut values = vec![Expr::value(input)];
+        while input.peek(Token![,]) && input.peek2(token::Paren) {
+            input.advance();
+            values.push(Expr::value(input));
+        }
         let locked = input.locked()?;
-        input.end_of(&value)?;
-        Ok(Field { path, value, locked })
+        if let Some(last) = values.last() {
+            input.end_of(last)?;
+        }
+        share_unit(&mut values);
+        let others = values.split_off(1);
+        let value = values.pop().unwrap_or(Expr { kind: ExprKind::Unknown, span: input.span_from(start) });
+        Ok(Field { path, arguments, value, others, locked })
     }
 
     /// All of its path.

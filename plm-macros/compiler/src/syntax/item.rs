@@ -10,6 +10,7 @@ use super::domain::{Domain, Node};
 use super::event::When;
 use super::expr::{Expr, ExprKind};
 use super::foreign_syntax::{behind_value, instead_of_item};
+use super::handed::{Function, Points};
 use super::input::{Input, Reported, Result};
 use super::instance::Instance;
 use super::keyword as kw;
@@ -67,6 +68,10 @@ pub enum ItemKind {
     Rate(IndexedName, Expr),
     /// `choice name: option | option = option;`
     Choice(Choice),
+    /// `function name(argument: unit): unit = expr;`
+    Function(Function),
+    /// `points name: unit;`
+    Points(Points),
     /// `pair: revolute;`
     Pair(Ident),
     /// `picture pin_diameter;`
@@ -158,6 +163,8 @@ const WORDS: &[(&str, Option<Context>, Reader)] = &[
     }),
     ("observe", Some(Mechanism), |input, _| input.listed(Expr::parse).map(ItemKind::Observe)),
     ("choice", Some(Part), |input, _| Choice::parse(input).map(ItemKind::Choice)),
+    ("function", Some(Part), |input, _| Function::parse(input).map(ItemKind::Function)),
+    ("points", Some(Part), |input, _| Points::parse(input).map(ItemKind::Points)),
     ("pair", Some(Part), |input, _| input.field_name("the name of a pair").map(ItemKind::Pair)),
     ("picture", Some(Part), |input, _| {
         input.listed(|input| IndexedName::parse(input, "a parameter")).map(ItemKind::Picture)

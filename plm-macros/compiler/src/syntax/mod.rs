@@ -16,6 +16,8 @@
 //!       | "observe" path { "," path } ";"
 //!       | definition
 //!       | "choice" NAME ":" NAME { "|" NAME } ["=" NAME] ";"        in a part
+//!       | "function" NAME "(" NAME ":" unit { "," NAME ":" unit } ")" ":" unit ["=" expr] ";"
+//!       | "points" NAME ":" unit ";"
 //!       | "pair" ":" NAME ";"
 //!       | "picture" name { "," name } ";"
 //!       | NAME "on" path ["from" path] ":" expr ";"
@@ -24,7 +26,7 @@
 //!       | "node" name ":" NAME "=" expr ";"
 //!       | ("let" | "rate") name "=" expr ";"
 //!       | "body" name "{" { field | port | start } "}"
-//!       | NAME name "(" exprs ")" (";" | "{" { name { "." name } ":" expr ["," "locked"] ";" } "}")
+//!       | NAME name "(" exprs ")" (";" | "{" { name { "." name } ["(" names ")"] ":" expr { "," expr } ["," "locked"] ";" } "}")
 //!       | "constraint" NAME ":" expr "=" expr (";" | "{" "when" ":" expr ";" "}")
 //!       | "unilateral" name ":" expr (">=" | "<=") expr (";" | "{" { ("restitution" | "when") ":" expr ";" } "}")
 //!       | "friction" name ":" "rate" "(" expr ")" "within" bound (";" | "{" { "static" ":" bound ";" | "when" ":" expr ";" } "}")
@@ -55,6 +57,7 @@ mod domain;
 mod event;
 mod expr;
 mod foreign_syntax;
+mod handed;
 mod input;
 mod instance;
 mod item;
@@ -77,6 +80,7 @@ pub mod ast {
     pub use super::domain::{Domain, Node, Quantity};
     pub use super::event::{Assignment, When};
     pub use super::expr::{Expr, ExprKind, Link};
+    pub use super::handed::{Function, Points};
     pub use super::instance::{Field, Instance};
     pub use super::item::{Item, ItemKind, Repeat};
     pub use super::name::{Ident, IndexedName};

@@ -86,7 +86,12 @@ fn sentence(docs: &[String]) -> String {
 fn shown(item: &Item, source: &Source) -> Option<String> {
     let written = || source.text(item.span).unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
     match &item.kind {
-        ItemKind::Param(_) | ItemKind::Input(_) | ItemKind::State(_) | ItemKind::Choice(_) => Some(written()),
+        ItemKind::Param(_)
+        | ItemKind::Input(_)
+        | ItemKind::State(_)
+        | ItemKind::Choice(_)
+        | ItemKind::Function(_)
+        | ItemKind::Points(_) => Some(written()),
         ItemKind::Node(node) => Some(format!("node {}: {};", node.name.ident.text, node.kind.text)),
         ItemKind::Output(outputs) => {
             let name = |of: &plm_compiler::syntax::ast::Output| match (&of.name, &of.value.kind) {

@@ -21,6 +21,8 @@ fn names(part: &Definition) -> Vec<&str> {
             }
             ItemKind::Node(node) => names.push(node.name.ident.text.as_str()),
             ItemKind::Choice(choice) => names.push(choice.name.text.as_str()),
+            ItemKind::Function(function) => names.push(function.name.text.as_str()),
+            ItemKind::Points(points) => names.push(points.name.text.as_str()),
             ItemKind::Output(outputs) => {
                 let of = outputs.iter().filter_map(|output| match (&output.name, &output.value.kind) {
                     (Some(name), _) | (None, ExprKind::Name(name)) => Some(name.ident.text.as_str()),

@@ -51,6 +51,8 @@ impl<'a> Resolver<'a> {
                 ItemKind::Let(name, value) => self.declare_let(scope, name, value),
                 ItemKind::Rate(name, value) => self.declare_rate(scope, name, value),
                 ItemKind::Choice(choice) => self.declare_choice(scope, choice),
+                ItemKind::Function(function) => self.declare_function(scope, function),
+                ItemKind::Points(points) => self.declare_points(scope, points),
                 ItemKind::Ground(ports) => self.declare_ground(scope, ports),
                 ItemKind::Body(body) => self.declare_body(scope, body),
                 ItemKind::Instance(instance) => self.declare_instance(scope, instance, part),

@@ -8,7 +8,7 @@ use crate::resolve::declarations::branch::{BRANCH, tells_branches};
 use crate::resolve::finalise::compliance::WORDS;
 use crate::resolve::finalise::release::WHEN;
 use crate::resolve::names::{Names, ScopeId};
-use crate::syntax::ast::{Field, Instance, Item, ItemKind};
+use crate::syntax::ast::{Definition, Field, Instance, Item, ItemKind};
 
 impl<'a> Names<'a> {
     /// The field that the uses around a part set for a name inside it. The outermost has the last word.
@@ -111,6 +111,23 @@ impl<'a> Resolver<'a> {
                 span,
                 format!("`{text}` is no state, and cannot be locked"),
             );
+        } else {
+            self.check_form(outer, definition, field, text);
+        }
+    }
+
+    /// Arguments stand behind the name of a function alone, and lists are points.
+    fn check_form(&mut self, outer: ScopeId, definition: &Definition, field: &Field, text: &str) {
+        let is_it = |item: &&Item| field_name(&item.kind) == Some(text);
+        let kind = definition.items.iter().find(is_it).map(|item| &item.kind);
+        let first = field.arguments.first().map(|name| name.ident.span);
+        if let Some(span) = first.filter(|_| !matches!(kind, Some(ItemKind::Function(_)))) {
+            let message = format!("`{text}` is no function, and has no argument");
+            self.error(outer, Code::UnexpectedToken, span, message).help(format!("write `{text}: …;`"));
+        }
+        if let Some(other) = field.others.first().filter(|_| !matches!(kind, Some(ItemKind::Points(_)))) {
+            let message = format!("`{text}` is one value, found a list");
+            self.error(outer, Code::UnexpectedToken, other.span, message);
         }
     }
 }
@@ -184,6 +201,8 @@ fn field_name(item: &ItemKind) -> Option<&str> {
         | ItemKind::State(value)
         | ItemKind::Discrete(value) => Some(&value.name.ident.text),
         ItemKind::Choice(choice) => Some(&choice.name.text),
+        ItemKind::Function(function) => Some(&function.name.text),
+        ItemKind::Points(points) => Some(&points.name.text),
         _ => None,
     }
 }

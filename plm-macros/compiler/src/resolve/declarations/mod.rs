@@ -7,6 +7,7 @@ pub(super) mod declare;
 pub(super) mod event;
 mod fields;
 pub(super) mod frame;
+pub(super) mod handed;
 pub(super) mod load;
 pub(super) mod node;
 pub(super) mod part;
@@ -15,6 +16,8 @@ pub(super) mod requirement;
 pub(super) mod row;
 pub(super) mod settings;
 pub(super) mod state;
+
+use plm_cas::Expr;
 
 use crate::model::{Comparison, Limit, Part};
 use crate::resolve::declarations::body::UnresolvedBody;
@@ -29,6 +32,7 @@ use crate::resolve::declarations::row::UnresolvedRow;
 use crate::resolve::declarations::settings::Settings;
 use crate::resolve::declarations::state::{UnresolvedRate, UnresolvedState};
 use crate::resolve::names::ScopeId;
+use crate::span::Span;
 use crate::syntax::ast;
 
 /// The declarations of a mechanism before evaluation.
@@ -50,6 +54,8 @@ pub(crate) struct UnresolvedModel<'a> {
     pub(crate) parts: Vec<Part>,
     pub(crate) rows: Vec<UnresolvedRow<'a>>,
     pub(crate) contacts: Vec<UnresolvedContact<'a>>,
+    /// Symbols of frictions that can hold nothing, which are zero.
+    pub(crate) idle: Vec<(Expr, Span)>,
     pub(crate) requirements: Vec<Requirement<'a>>,
     /// Events that set states.
     pub(crate) whens: Vec<(ScopeId, &'a ast::When)>,

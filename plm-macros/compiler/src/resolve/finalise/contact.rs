@@ -33,7 +33,11 @@ impl<'a> Resolver<'a> {
         if !self.unresolved.contacts.is_empty() {
             self.refuse_steps();
         }
-        let contacts = all((0..self.unresolved.contacts.len()).map(|contact| self.contact(contact)))?;
+        let mut contacts = all((0..self.unresolved.contacts.len()).map(|contact| self.contact(contact)))?;
+        // A friction whose bound is the number zero is no row: a part may have one whose coefficient nobody sets.
+        let idle = contacts.iter().filter(|contact| contact.is_idle());
+        self.unresolved.idle = idle.flat_map(|of| [(of.lambda, of.span), (of.mode, of.span)]).collect_vec();
+        contacts.retain(|contact| !contact.is_idle());
         for contact in &contacts {
             let lambda = contact.lambda;
             self.push_force(contact.displacement, contact.part, |entry| entry * lambda, loads);

@@ -61,6 +61,12 @@ impl Resolver<'_> {
             span: found.name.span,
         });
         let mut placeholders: Vec<Placeholder> = rates.collect_vec();
+        placeholders.push_all(self.unresolved.idle.iter().map(|(symbol, span)| Placeholder {
+            symbol: *symbol,
+            value: Expr::ZERO,
+            what: String::new(),
+            span: *span,
+        }));
         for node in &self.unresolved.nodes {
             for through in &node.through {
                 let value = algebra::sum(&through.terms);

@@ -13,6 +13,7 @@ use crate::diag::{Code, help_similar};
 use crate::resolve::Resolver;
 use crate::resolve::names::unknown::instead_of;
 use crate::resolve::names::{RowId, ScopeId, Slot, SlotId, Thunk};
+use crate::resolve::values::lazy::Lazy;
 use crate::resolve::values::{Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::span::Span;
 use crate::syntax::ast::{self, Ident, IndexedName};
@@ -94,6 +95,9 @@ impl<'a> Resolver<'a> {
             self.names.slots[slot].is_read = true;
             return self.slot_value(slot, scope, name.ident.span);
         }
+        if self.is_missing_list(scope, name) {
+            return Err(Failed);
+        }
         match key.as_ref() {
             "t" => {
                 Ok(Quantity::new(self.calculus.time, Nature::derived(Dimension::TIME, Reads::TIME)).into())
@@ -102,6 +106,12 @@ impl<'a> Resolver<'a> {
             "gravity" => self.gravity(scope, name.ident.span),
             _ => Err(self.unknown_name(scope, name, &key)),
         }
+    }
+
+    /// Is it an element of a list whose mistake has been told already?
+    fn is_missing_list(&self, scope: ScopeId, name: &IndexedName) -> bool {
+        let list = self.names.find(scope, &name.ident.text).filter(|_| !name.indices.is_empty());
+        list.is_some_and(|slot| matches!(self.names.slots[slot].value, Lazy::Failed))
     }
 
     /// A row of this part.

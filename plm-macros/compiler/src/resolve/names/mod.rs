@@ -9,6 +9,7 @@ use crate::sorted::{SortedMap, SortedSet};
 use std::borrow::Cow;
 
 use crate::diag::Use;
+use crate::resolve::declarations::handed::HandedFunction;
 use crate::resolve::declarations::part::PartInUse;
 use crate::resolve::finalise::warnings::Readable;
 use crate::resolve::values::Value;
@@ -31,6 +32,8 @@ pub(crate) struct Names<'a> {
     pub(crate) instances: Vec<PartInUse<'a>>,
     /// Chosen option of each choice, and all of them.
     pub(crate) choices: Vec<(&'a str, Vec<&'a str>)>,
+    /// Functions that uses of parts hand over.
+    pub(crate) functions: Vec<HandedFunction<'a>>,
     /// Slots to evaluate even if nothing reads them: their mistakes count.
     pub(crate) checks: Vec<SlotId>,
     /// Params, inputs and `let`s of the user's own, with their names.

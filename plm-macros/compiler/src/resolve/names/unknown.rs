@@ -105,7 +105,7 @@ pub(crate) fn function_elsewhere(name: &str, arguments: &[ast::Expr]) -> Option<
             _ => "a power is written `x^2`".to_string(),
         },
         ("atan" | "arctan", _) => "write `atan2(y, x)`".to_string(),
-        ("der" | "derivative" | "diff" | "ddt", _) => "the derivative with time is `rate(x)`".to_string(),
+        ("der" | "diff" | "ddt", _) => "the derivative with time is `rate(x)`".to_string(),
         ("deg" | "degrees" | "radians" | "rad", _) => "an angle has a unit: `30 deg`".to_string(),
         ("log", _) => "the natural logarithm is `ln(x)`".to_string(),
         _ => return None,

@@ -26,6 +26,9 @@ impl<'a> Resolver<'a> {
         name: &Ident,
         arguments: &'a [ast::Expr],
     ) -> Eval<Value> {
+        if let Some(function) = self.function_named(scope, &name.text) {
+            return self.call_handed(scope, span, function?, arguments);
+        }
         let Some(function) = Function::named(&name.text) else {
             return Err(self.unknown_function(scope, name, arguments));
         };
@@ -40,6 +43,8 @@ impl<'a> Resolver<'a> {
             Meaning::Turn => self.turned(scope, arguments),
             Meaning::Axes(to) => self.in_other_axes(scope, span, *to, arguments),
             Meaning::Rate => self.rate_of(scope, &arguments[0]),
+            Meaning::Derivative => self.derivative_of(scope, arguments),
+            Meaning::Count => self.count_of(scope, &arguments[0]),
             Meaning::Reaction => self.reaction(scope, arguments),
             Meaning::Mode(mode) => self.mode(scope, *mode, &arguments[0]),
             Meaning::Inertia(numerator, denominator) => {
@@ -70,6 +75,14 @@ impl<'a> Resolver<'a> {
         let message = format!("`{}` takes {wanted} arguments, found {found}", function.name);
         self.error(scope, Code::WrongCount, span, message);
         Err(Failed)
+    }
+
+    /// `count(corners)`
+    fn count_of(&mut self, scope: ScopeId, list: &'a ast::Expr) -> Eval<Value> {
+        match self.eval(scope, list)? {
+            Value::Points(count) => Ok(Quantity::new(Expr::from(count as i64), Nature::BARE).into()),
+            other => Err(self.wrong_kind(scope, list, "a list of points", &other)),
+        }
     }
 
     fn of_one(&mut self, scope: ScopeId, of: &OfOne, name: &str, argument: &'a ast::Expr) -> Eval<Value> {

@@ -27,6 +27,8 @@ pub(crate) enum Wanted {
     Node(usize),
     /// A number of a dimension that reads no more than it may.
     Number(Dimension, Reads),
+    /// A vector of a dimension that reads no more than it may.
+    Vector(Dimension, Reads),
     /// Such a number, or a vector of two.
     NumberOrVector(Dimension, Reads),
 }
@@ -80,12 +82,14 @@ impl<'a> Resolver<'a> {
                 Wanted::Number(dimension, reads) | Wanted::NumberOrVector(dimension, reads),
                 Value::Scalar(found),
             ) => Ok(self.suits(scope, expr, *found, dimension, reads)?.written_as(dimension).into()),
-            (Wanted::NumberOrVector(dimension, reads), Value::Vector(found)) => {
-                Ok(self.suits(scope, expr, *found, dimension, reads)?.written_as(dimension).into())
-            }
+            (
+                Wanted::Vector(dimension, reads) | Wanted::NumberOrVector(dimension, reads),
+                Value::Vector(found),
+            ) => Ok(self.suits(scope, expr, *found, dimension, reads)?.written_as(dimension).into()),
             (Wanted::NumberOrVector(..), _) => {
                 Err(self.wrong_kind(scope, expr, "a number or a vector", &value))
             }
+            (Wanted::Vector(..), _) => Err(self.wrong_kind(scope, expr, "a point", &value)),
             (Wanted::Number(..), _) => Err(self.wrong_kind(scope, expr, "a number", &value)),
         }
     }

@@ -36,6 +36,10 @@ pub(crate) enum Meaning {
     Axes(fn(Vec2, Vec2, Expr) -> Vec2),
     /// The derivative with respect to time.
     Rate,
+    /// The derivative of a function that a part has, by its argument.
+    Derivative,
+    /// The number of points in a list.
+    Count,
     /// The multipliers of one constraint row, or of two.
     Reaction,
     /// Does a row of contact do this?
@@ -122,6 +126,8 @@ pub(crate) const FUNCTIONS: &[Function] = &[
     function("to_absolute", 3..=3, Meaning::Axes(to_absolute)),
     function("to_relative", 3..=3, Meaning::Axes(to_relative)),
     function("rate", 1..=1, Meaning::Rate),
+    function("derivative", 2..=3, Meaning::Derivative),
+    function("count", 1..=1, Meaning::Count),
     function("reaction", 1..=2, Meaning::Reaction),
     function("is_open", 1..=1, Meaning::Mode(ContactMode::Open)),
     function("is_sticking", 1..=1, Meaning::Mode(ContactMode::Sticking)),

@@ -56,7 +56,11 @@ impl<'a> Resolver<'a> {
                 "y" => Some(vector.map(|v| v.y).into()),
                 _ => None,
             },
-            Value::Scalar(..) | Value::Condition(..) | Value::Choice(_) => None,
+            Value::Scalar(..)
+            | Value::Condition(..)
+            | Value::Choice(_)
+            | Value::Function(_)
+            | Value::Points(_) => None,
         };
         found.ok_or_else(|| self.unknown_member(scope, value, member))
     }

@@ -50,6 +50,10 @@ pub(crate) enum Value {
     Instance(usize),
     /// A choice made at compile time: index into the resolver's list.
     Choice(usize),
+    /// A function that was handed over: index into the resolver's list.
+    Function(usize),
+    /// A list of points: how many.
+    Points(usize),
 }
 
 impl Value {
@@ -84,6 +88,8 @@ impl Value {
             Value::Node(_) => "a node",
             Value::Instance(_) => "a part",
             Value::Choice(_) => "a choice",
+            Value::Function(_) => "a function",
+            Value::Points(_) => "a list of points",
         }
     }
 }
