@@ -50,7 +50,7 @@ plm::mechanism! {
 
 const RISE: f64 = 0.01;
 
-fn run(mechanism: Cams) -> Sim<Cams> {
+fn run(mechanism: &Cams) -> Sim<Cams> {
     mechanism.start_with(Dop853::new(1e-10)).unwrap()
 }
 
@@ -62,13 +62,13 @@ fn a_follower_lifts_off() {
     let held = stiffness * 0.005 + mass * G;
     let limit = ((2.0 * stiffness * RISE + held) / (mass * RISE)).sqrt();
     for (speed, mode) in [(limit * (1.0 - 1e-6), Mode::Closed), (limit * (1.0 + 1e-6), Mode::Open)] {
-        let mut sim = run(Cams { speed, ..Cams::new() });
+        let mut sim = run(&Cams { speed, ..Cams::new() });
         sim.step_to(PI / speed).unwrap();
         assert_eq!(sim.contact("flat.contact"), Some(mode), "{speed} rad/s");
     }
     // Faster, it lifts off where m e omega^2 cos + k e (1 - cos) + p + m g = 0.
     let speed = 1.2 * limit;
-    let mut sim = run(Cams { speed, ..Cams::new() });
+    let mut sim = run(&Cams { speed, ..Cams::new() });
     let cos = -(stiffness * RISE + held) / (mass * RISE * speed * speed - stiffness * RISE);
     let time = cos.acos() / speed;
     sim.step_to(time - 1e-9).unwrap();
@@ -82,7 +82,7 @@ fn a_follower_lifts_off() {
 /// A flat follower: force m a + k s + m g, its place e sin beside the axis, the torque -N e sin, and the radius of curvature r + e.
 #[test]
 fn a_flat_follower_is_pushed_beside_its_axis() {
-    let mut sim = run(Cams::new());
+    let mut sim = run(&Cams::new());
     for _ in 0..10 {
         sim.step(0.03).unwrap();
         let (sin, cos) = (20.0 * sim.time()).sin_cos();
@@ -97,7 +97,7 @@ fn a_flat_follower_is_pushed_beside_its_axis() {
 /// An eccentric is a crank of 10 mm with a coupler of 40 mm: sin(pressure angle) = -10/40 sin, and its pitch curve a circle of 40 mm.
 #[test]
 fn a_roller_on_an_eccentric_is_a_slider_crank() {
-    let mut sim = run(Cams::new());
+    let mut sim = run(&Cams::new());
     for _ in 0..10 {
         sim.step(0.03).unwrap();
         let (sin, cos) = (20.0 * sim.time()).sin_cos();
@@ -117,7 +117,7 @@ fn a_roller_on_an_eccentric_is_a_slider_crank() {
 /// Power of the shaft: what the followers take up, and mu N times the sliding speed. The other followers rub nowhere.
 #[test]
 fn a_knife_rubs() {
-    let mut sim = run(Cams::new());
+    let mut sim = run(&Cams::new());
     for _ in 0..10 {
         sim.step(0.03).unwrap();
         let (sin, cos) = (20.0 * sim.time()).sin_cos();
@@ -140,7 +140,7 @@ fn a_knife_rubs() {
 /// With the driver at phi from the line of centres: tan = l sin/(1 - l cos), ratio -l (cos - l)/(1 - 2 l cos + l^2), l = sin(pi/n).
 #[test]
 fn geneva_drives_index_and_lock() {
-    let mut sim = run(Cams { speed: 2.0, ..Cams::new() });
+    let mut sim = run(&Cams { speed: 2.0, ..Cams::new() });
     for k in 0..64 {
         sim.step_to(0.1 * f64::from(k)).unwrap();
         let angle: f64 = 2.0 * sim.time();

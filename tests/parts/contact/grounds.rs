@@ -31,7 +31,7 @@ plm::mechanism! {
     }
 }
 
-fn run(mechanism: Grounds) -> Sim<Grounds> {
+fn run(mechanism: &Grounds) -> Sim<Grounds> {
     mechanism.start_with(Dop853::new(1e-10)).unwrap()
 }
 
@@ -40,7 +40,7 @@ fn on_slope(slope: f64) -> Sim<Grounds> {
     let mut mechanism = Grounds { slope, ..Grounds::new() };
     let start = &mut mechanism.start.case;
     (start.x.value, start.y.value, start.angle.value) = (-0.2 * slope.sin(), 0.2 * slope.cos(), slope);
-    run(mechanism)
+    run(&mechanism)
 }
 
 /// A box of 0.2 m by 0.4 m tips from tan = 1/2 on, about its lower corner with m g (h sin - w cos)/2 over its inertia there. Before,
@@ -69,7 +69,7 @@ fn a_box_tips_on_a_slope() {
 /// With the path's angle a and curvature k: v' = -g sin a - mu (g cos a + k v^2) sign v, by Runge and Kutta's method in the arc.
 #[test]
 fn a_sled_slides_through_a_valley() {
-    let mut sim = run(Grounds::new());
+    let mut sim = run(&Grounds::new());
     let (mut x, mut v) = (-1.0_f64, 0.0_f64);
     let rate = |x: f64, v: f64| {
         let (cos, sin) = (1.0 / (1.0 + x * x).sqrt(), x / (1.0 + x * x).sqrt());
@@ -106,7 +106,7 @@ fn a_hiker_takes_off_on_a_crest() {
     for (speed, mode) in [(G.sqrt() - 1e-6, Mode::Closed), (G.sqrt() + 1e-6, Mode::Open)] {
         let mut mechanism = Grounds::new();
         mechanism.start.hiker.vx.value = speed;
-        let sim = run(mechanism);
+        let sim = run(&mechanism);
         assert_eq!(sim.contact("crest.contact"), Some(mode), "{speed} m/s");
         near(sim.crest_push(), (2.0 * (G - speed * speed)).max(0.0), 1e-9);
     }

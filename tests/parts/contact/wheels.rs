@@ -36,7 +36,7 @@ plm::mechanism! {
     }
 }
 
-fn run(mechanism: Wheels) -> Sim<Wheels> {
+fn run(mechanism: &Wheels) -> Sim<Wheels> {
     mechanism.start_with(Dop853::new(1e-10)).unwrap()
 }
 
@@ -48,11 +48,11 @@ fn a_braked_wheel_locks() {
     let whole = 1.0 + inertia / (mass * RADIUS * RADIUS);
     let limit = mu * mass * G * RADIUS * whole;
     for (brake, mode) in [(limit * (1.0 - 1e-6), Mode::Sticks), (limit * (1.0 + 1e-6), Mode::Forwards)] {
-        let sim = run(Wheels { brake, ..Wheels::new() });
+        let sim = run(&Wheels { brake, ..Wheels::new() });
         assert_eq!(sim.contact("braked.grip"), Some(mode), "{brake} N m");
     }
     let brake = 0.5 * limit;
-    let mut sim = run(Wheels { brake, ..Wheels::new() });
+    let mut sim = run(&Wheels { brake, ..Wheels::new() });
     let slows = 0.5 * mu * G;
     near(sim.braked_traction(), -mass * slows, 1e-9);
     let stops = SPEED / slows;
@@ -63,7 +63,7 @@ fn a_braked_wheel_locks() {
     near(sim.front().x, SPEED * SPEED / (2.0 * slows), 1e-8);
 
     let brake = 2.0 * limit;
-    let mut sim = run(Wheels { brake, ..Wheels::new() });
+    let mut sim = run(&Wheels { brake, ..Wheels::new() });
     let locks = inertia * SPEED / RADIUS / (brake - mu * mass * G * RADIUS);
     sim.step_to(locks - 1e-9).unwrap();
     assert_eq!(sim.contact("shoe"), Some(Mode::Backwards));
@@ -80,7 +80,7 @@ fn a_braked_wheel_locks() {
 /// A lever arm f of the load slows by f N r/(J + m r^2).
 #[test]
 fn a_wheel_coasts() {
-    let mut sim = run(Wheels::new());
+    let mut sim = run(&Wheels::new());
     let load = 20.0 * G;
     near(sim.coasting_resistance(), 0.003 * load, 1e-12);
     near(sim.coasting_lost(), 0.003 * load * SPEED / RADIUS, 1e-9);
@@ -93,7 +93,7 @@ fn a_wheel_coasts() {
 #[test]
 fn a_tyre_pulls_by_the_magic_formula() {
     for spin in [30.0, 40.0] {
-        let mut sim = run(Wheels { spin, ..Wheels::new() });
+        let mut sim = run(&Wheels { spin, ..Wheels::new() });
         let load = 2e5 * 0.01;
         let steady = (0.3 * spin - SPEED) / SPEED;
         for _ in 0..5 {
