@@ -106,8 +106,11 @@ pub(crate) fn all(root: &Path) -> Result<Vec<Drawing>, Box<dyn Error>> {
 
 /// Parts of the library without a figure, and how to draw them.
 pub(crate) fn missing() -> Option<String> {
-    let drawn: Vec<String> =
-        blocks().iter().map(|block| block.name().to_owned()).chain(PLANAR.iter().map(ToString::to_string)).collect();
+    let drawn: Vec<String> = blocks()
+        .iter()
+        .map(|block| block.name().to_owned())
+        .chain(PLANAR.iter().map(ToString::to_string))
+        .collect();
     let names = words::parts().iter().map(|(name, _)| *name);
     let mut missing: Vec<&str> = names.filter(|name| !drawn.iter().any(|drawn| drawn == name)).collect();
     missing.sort_unstable();

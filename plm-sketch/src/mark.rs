@@ -67,7 +67,8 @@ impl Stage<'_> {
         let at = |x: f64, y: f64| [middle[0] + x, middle[1] + y];
         let shackle: Vec<Point> =
             (0..=8).map(|k| beside(at(0.0, -7.0), PI * f64::from(k) / 8.0, 7.0)).collect();
-        let shackle: Vec<Point> = [at(7.0, -3.0)].into_iter().chain(shackle).chain([at(-7.0, -3.0)]).collect();
+        let shackle: Vec<Point> =
+            [at(7.0, -3.0)].into_iter().chain(shackle).chain([at(-7.0, -3.0)]).collect();
         self.paper.line(&self.class(&part.name, ""), &shackle);
         let case = [at(-10.0, -3.0), at(10.0, -3.0), at(10.0, 11.0), at(-10.0, 11.0)];
         self.paper.polygon(&self.class(&part.name, "plate"), &case);

@@ -35,7 +35,8 @@ mechanism! {
 /// Without Stribeck's fall and damping the bristles bend by z = Fc/s0 (1 - exp(-s0 x/Fc)): Dahl's curve, a spring at first.
 #[test]
 fn bristles_bend_before_they_slip() {
-    let mut sim = Bristles { sticking: 1.0, viscous: 0.0, ..Bristles::new() }.start_with(Dop853::new(1e-11)).unwrap();
+    let mut sim =
+        Bristles { sticking: 1.0, viscous: 0.0, ..Bristles::new() }.start_with(Dop853::new(1e-11)).unwrap();
     for k in 1..=20 {
         let time = 0.05 * f64::from(k);
         sim.step_to(time).unwrap();

@@ -245,7 +245,8 @@ fn a_slide_on_an_incline_holds_or_slides() {
     let a = G * (sin - 0.3 * cos) + 5.0 / 2.0;
     near((sim.sled().x - 10.0) / cos, 0.5 * a, 1e-9);
     near(sim.slope_friction_force(), -0.3 * 2.0 * G * cos, 1e-10);
-    let mut sim = Frictions { slope_friction: 0.29, ..Frictions::new() }.start_with(Dop853::new(1e-11)).unwrap();
+    let mut sim =
+        Frictions { slope_friction: 0.29, ..Frictions::new() }.start_with(Dop853::new(1e-11)).unwrap();
     sim.step_to(1.0).unwrap();
     near((sim.sled().x - 10.0) / cos, 0.5 * G * (sin - 0.29 * cos), 1e-9);
 }

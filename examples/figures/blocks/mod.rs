@@ -10,5 +10,6 @@ mod signals;
 
 /// One box for each page.
 pub(crate) fn blocks() -> Vec<Block> {
-    [lines::blocks(), drives::blocks(), hydraulics::blocks(), pneumatics::blocks(), signals::blocks()].concat()
+    [lines::blocks(), drives::blocks(), hydraulics::blocks(), pneumatics::blocks(), signals::blocks()]
+        .concat()
 }

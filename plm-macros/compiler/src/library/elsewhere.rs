@@ -8,10 +8,16 @@ pub(crate) const ELSEWHERE: &[(&[&str], &str)] = &[
     (&["clamp", "locking", "parking_brake"], "what a condition closes and opens is `lock`"),
     (&["lugre", "bristle", "dahl", "dynamic_friction"], "friction with bristles is `bristle_friction`"),
     (&["journal", "journal_bearing", "loose_joint", "clearance_joint"], "a journal with play is `clearance`"),
-    (&["mount", "rubber_mount", "compliant_joint", "flexure", "field"], "springs along and about both axes are `bushing`"),
+    (
+        &["mount", "rubber_mount", "compliant_joint", "flexure", "field"],
+        "springs along and about both axes are `bushing`",
+    ),
     (&["pawl", "ratchet_wheel", "one_way"], "a wheel with a pawl is `ratchet`"),
     (&["catch", "detent", "hook", "striker"], "what catches at a position is `latch`"),
-    (&["limit", "limits", "range"], "limits belong to the joint: `revolute name(a, b) { lower_limit: -30 deg; upper_limit: 60 deg; }`"),
+    (
+        &["limit", "limits", "range"],
+        "limits belong to the joint: `revolute name(a, b) { lower_limit: -30 deg; upper_limit: 60 deg; }`",
+    ),
     (&["slot", "slotted", "pin_in_slot"], "a pin that slides in a slot is `pin_slot`"),
     (
         &["motor", "actuator", "drive", "torque_motor"],

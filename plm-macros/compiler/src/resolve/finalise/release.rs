@@ -58,8 +58,7 @@ impl<'a> Resolver<'a> {
             for load in loads.iter_mut().filter(|load| load.part == part) {
                 load.force = load.force.map_each(|force| force * exists);
             }
-            let is_beside =
-                |of: &&mut Contact| of.part == part && !matches!(of.law, ContactLaw::Constraint);
+            let is_beside = |of: &&mut Contact| of.part == part && !matches!(of.law, ContactLaw::Constraint);
             for contact in contacts.iter_mut().filter(is_beside) {
                 contact.exists = Some(contact.exists.map_or(exists, |own| own * exists));
             }
