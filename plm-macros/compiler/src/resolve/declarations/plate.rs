@@ -41,7 +41,7 @@ struct Moments {
     second: Expr,
 }
 
-impl<'a> Resolver<'a> {
+impl Resolver<'_> {
     /// Is the mass of a body that of a plate?
     pub(crate) fn is_plate(&self, body: usize) -> bool {
         self.unresolved.bodies[body].ast.fields.iter().any(|(ident, _)| ident.text == "density")

@@ -160,7 +160,7 @@ impl<'a> Resolver<'a> {
         let [x, y, angle, vx, vy, omega] = starts?;
         let (ports, state) = (ports?, &self.unresolved.bodies[body]);
         let ((mass, mass_span), (inertia, inertia_span)) = match declared {
-            Some((mass, inertia)) => (mass?, inertia?),
+            Some([mass, inertia]) => (mass?, inertia?),
             None => assumed_mass(&ports).map_each(|value| (value, state.name.span)).into(),
         };
         Ok(Body {
@@ -183,13 +183,13 @@ impl<'a> Resolver<'a> {
     }
 
     /// Mass and inertia of a body that has some, and where they stand.
-    fn mass_and_inertia(&mut self, body: usize) -> (Eval<(Expr, Span)>, Eval<(Expr, Span)>) {
+    fn mass_and_inertia(&mut self, body: usize) -> [Eval<(Expr, Span)>; 2] {
         if !self.is_plate(body) {
             let mass = self.body_quantity(body, "mass", Dimension::MASS);
-            return (mass, self.body_quantity(body, "inertia", Dimension::INERTIA));
+            return [mass, self.body_quantity(body, "inertia", Dimension::INERTIA)];
         }
         let plate = self.plate(body);
-        (plate.map(|plate| (plate.mass, plate.span)), plate.map(|plate| (plate.inertia, plate.span)))
+        [plate.map(|plate| (plate.mass, plate.span)), plate.map(|plate| (plate.inertia, plate.span))]
     }
 
     fn evaluate_ports(&mut self, body: Option<usize>) -> Eval<Vec<Port>> {
