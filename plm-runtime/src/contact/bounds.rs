@@ -67,7 +67,7 @@ pub(super) fn look_at_falling_bounds<M: Contacts<N>, const N: usize>(
     Ok(())
 }
 
-/// What is rounding of a bound; infinite, or not a number, where the row has no direction.
+/// Rounding of a bound; infinite, or not a number, where the row has no direction.
 fn rounding<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize) -> S {
     S::lit(ROUNDING) * rows.free[row].abs() / rows.delassus[row][row]
 }
@@ -107,7 +107,7 @@ enum Alone<T> {
     Coefficient(T),
 }
 
-/// What a limit has, if that is one term alone.
+/// The term of a limit that has one alone.
 fn alone<T: Scalar, const N: usize>(limit: &Limit<T, N>) -> Option<Alone<T>> {
     let mut factors = limit.by.iter().chain(&limit.share).filter(|factor| **factor != T::ZERO);
     match (factors.next(), factors.next()) {

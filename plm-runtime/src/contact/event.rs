@@ -53,10 +53,8 @@ pub struct Outcome {
     pub newton: u32,
     /// The rows may go on with other accelerations as well.
     pub is_ambiguous: bool,
-    /// An impact may have other impulses as well, with other rates behind it.
-    pub is_impact_ambiguous: bool,
-    /// Rows may share the impulses of an impact otherwise, and restitution gives back other ones then.
-    pub is_impact_undetermined: bool,
+    /// What the laws of its impacts leave open.
+    pub doubts: Doubts,
     /// More rows rest than there are freedoms: accelerations are unique, multipliers are not.
     pub is_undetermined: bool,
 }
@@ -230,8 +228,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         self.arrive((&laws, &rows), (&before, impacts), u, x)?;
         let mut outcome = Outcome { impacts, newton: solution.newton, is_ambiguous, ..Outcome::default() };
         outcome.is_undetermined = after.are_undetermined();
-        let Doubts { is_ambiguous, is_undetermined } = struck.doubts;
-        (outcome.is_impact_ambiguous, outcome.is_impact_undetermined) = (is_ambiguous, is_undetermined);
+        outcome.doubts = struck.doubts;
         let begins = self.occasion == Occasion::Start;
         if !begins {
             outcome.compare(&before, &after);

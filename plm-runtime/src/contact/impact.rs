@@ -36,11 +36,11 @@ pub(super) enum Impulses<S, const N: usize> {
 
 /// What the laws of an impact leave open.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Doubts {
+pub struct Doubts {
     /// Other impulses, with other rates behind them, satisfy all inequalities as well; or another row could have been the first.
-    pub(super) is_ambiguous: bool,
+    pub is_ambiguous: bool,
     /// Compression may share its impulses otherwise, and expansion gives other rates then.
-    pub(super) is_undetermined: bool,
+    pub is_undetermined: bool,
 }
 
 impl Doubts {

@@ -37,7 +37,7 @@ pub use self::changed::state_was_set;
 pub use self::event::{Outcome, begin, switch, switch_behind, update};
 pub use self::guards::{guards, guards_within, stay};
 pub use self::held::{Held, Modal};
-pub use self::impact::ImpactLaw;
+pub use self::impact::{Doubts, ImpactLaw};
 pub use self::loads::{Affine, Load};
 pub use self::margins::{PER_ROW, guard_count};
 pub use self::modes::{Mode, Modes};

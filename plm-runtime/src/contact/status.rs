@@ -41,8 +41,8 @@ impl Counts {
         self.slips += u64::from(outcome.slips);
         self.newton += u64::from(outcome.newton);
         self.ambiguous += u64::from(outcome.is_ambiguous);
-        self.ambiguous_impacts += u64::from(outcome.is_impact_ambiguous);
-        self.undetermined_impacts += u64::from(outcome.is_impact_undetermined);
+        self.ambiguous_impacts += u64::from(outcome.doubts.is_ambiguous);
+        self.undetermined_impacts += u64::from(outcome.doubts.is_undetermined);
         self.undetermined += u64::from(outcome.is_undetermined);
     }
 }

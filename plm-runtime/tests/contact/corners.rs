@@ -89,9 +89,9 @@ fn a_corner_with_three_outcomes_is_told() {
             assert!(sticks || (rub + push * slips.signum()).abs() < 1e-12, "{impulses:?} {slips}");
         }
     }
-    assert!(outcome(&WEDGED).is_impact_ambiguous);
+    assert!(outcome(&WEDGED).doubts.is_ambiguous);
     let calm = Corner { friction: 0.3, ..WEDGED };
-    assert!(!outcome(&calm).is_impact_ambiguous && !outcome(&calm).is_impact_undetermined);
+    assert!(!outcome(&calm).doubts.is_ambiguous && !outcome(&calm).doubts.is_undetermined);
 }
 
 /// A point that comes into a corner at 45 deg: its momentum along the floor is taken by the wall and by the friction of the floor, in
@@ -105,11 +105,11 @@ fn a_stop_beside_a_friction_that_sticks_is_told() {
         restitution: [0.0, 0.5],
         law: ImpactLaw::Poisson,
     };
-    assert!(outcome(&point).is_impact_undetermined);
+    assert!(outcome(&point).doubts.is_undetermined);
     // What gives nothing back, and what does not rub, is determined.
     for determined in [Corner { restitution: [0.0; 2], ..point }, Corner { friction: 0.0, ..point }] {
         let outcome = outcome(&determined);
-        assert!(outcome.impacts > 0 && !outcome.is_impact_undetermined, "{outcome:?}");
+        assert!(outcome.impacts > 0 && !outcome.doubts.is_undetermined, "{outcome:?}");
     }
 }
 
@@ -120,7 +120,7 @@ fn what_is_struck_at_once_has_no_order() {
         let mut corner = Corner { velocity, law, friction: 0.0, restitution: [0.5; 2], ..WEDGED };
         // The second row is turned into another one of the floor by its point.
         corner.points = [[-1.0, -1.0], [-1.0, -1.0]];
-        outcome(&corner).is_impact_ambiguous
+        outcome(&corner).doubts.is_ambiguous
     };
     // Floor: vy - w, wall: vx + w.
     assert!(beam([-1.0, -1.0, 0.0], ImpactLaw::Sequential));

@@ -1,6 +1,6 @@
 //! What generated mechanisms do with their rows: multipliers in the discrete state, other numbers, names, counters, saved runs.
 
-use plm_runtime::contact::{self, Contacts, Modal, Mode, Outcome};
+use plm_runtime::contact::{self, Contacts, Doubts, Modal, Mode, Outcome};
 use plm_runtime::words::{InWords, Words};
 use plm_runtime::{Cause, Dop853, Dual, Enclosed, Interval, Linear, Mechanism, Notice, Rate, Rk4, Sim};
 
@@ -129,10 +129,11 @@ fn an_impact_rubs() {
 fn what_is_not_unique_is_told() {
     let mut sim = start(REST);
     assert_eq!(sim.notice(), None);
-    let outcome = Outcome { is_impact_undetermined: true, ..Outcome::default() };
+    let doubts = |is_ambiguous: bool| Doubts { is_ambiguous, is_undetermined: !is_ambiguous };
+    let outcome = Outcome { doubts: doubts(false), ..Outcome::default() };
     sim.held.count(&outcome, false);
     assert_eq!(sim.notice(), Some(Notice::UndeterminedImpact { events: 1 }));
-    let outcome = Outcome { is_impact_ambiguous: true, ..Outcome::default() };
+    let outcome = Outcome { doubts: doubts(true), ..Outcome::default() };
     sim.held.count(&outcome, false);
     assert_eq!(sim.notice(), Some(Notice::AmbiguousImpact { events: 1 }));
     let outcome = Outcome { is_ambiguous: true, is_undetermined: true, ..Outcome::default() };

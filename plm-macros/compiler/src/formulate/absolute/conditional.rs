@@ -7,7 +7,7 @@ use crate::derive::Equations;
 use crate::formulate::Function;
 use crate::model::{ContactLaw, Model};
 
-/// What assembly needs of them.
+/// Functions of these constraints for assembly.
 pub(crate) struct Conditional {
     /// Their places among the rows of contact.
     pub(crate) rows: Vec<usize>,
