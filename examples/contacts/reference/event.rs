@@ -34,9 +34,13 @@ impl<'w> Runner<'w> {
     /// Impacts, and the modes from now on. `due` is the row whose margin is passed.
     pub fn event(&mut self, due: Option<usize>) -> Result<(), Stop> {
         let before = self.now.v.clone();
-        self.impacts(due)?;
+        // Behind impacts rates are rounding of those before.
+        let rows = self.problem(&self.now).rows;
+        let none = 1e-12 * rows.iter().fold(0.0, |fast: f64, row| fast.max(row.rate.abs()));
+        self.impacts(due, none)?;
         let problem = self.problem(&self.now);
-        let allowed: Vec<Allowed> = (0..problem.count()).map(|i| self.allowed(&problem, i, due)).collect();
+        let allowed: Vec<Allowed> =
+            (0..problem.count()).map(|i| self.allowed(&problem, i, (due, none))).collect();
         let mut guess = self.held.lambda.clone();
         if guess.iter().all(|x| *x == 0.0) {
             guess.fill(1.0);
@@ -127,14 +131,13 @@ impl<'w> Runner<'w> {
         }
     }
 
-    fn impacts(&mut self, due: Option<usize>) -> Result<(), Stop> {
+    /// Impacts until no row approaches; a rate of `none` is rounding.
+    fn impacts(&mut self, due: Option<usize>, none: f64) -> Result<(), Stop> {
         for _ in 0..30 {
             let problem = self.problem(&self.now);
             let touches: Vec<bool> = (0..problem.count()).map(|i| self.touches(&problem, i, due)).collect();
-            let fastest = problem.rows.iter().fold(0.0, |fast: f64, row| fast.max(row.rate.abs()));
-            let approaches = |i: usize| {
-                touches[i] && problem.rows[i].rate < -self.resting(&problem, i).max(1e-12 * fastest)
-            };
+            let approaches =
+                |i: usize| touches[i] && problem.rows[i].rate < -self.resting(&problem, i).max(none);
             if !(0..problem.count()).any(approaches) {
                 return Ok(());
             }
@@ -155,13 +158,11 @@ impl<'w> Runner<'w> {
         (2.0 * problem.acceleration(i, &self.held.lambda).1 * LOWEST).sqrt()
     }
 
-    fn allowed(&self, problem: &Problem, i: usize, due: Option<usize>) -> Allowed {
+    fn allowed(&self, problem: &Problem, i: usize, (due, none): (Option<usize>, f64)) -> Allowed {
         let rate = problem.rows[i].rate;
         match problem.laws[i] {
             Law::Gap { .. } => {
-                let fastest = problem.rows.iter().fold(0.0, |fast: f64, row| fast.max(row.rate.abs()));
-                let rests =
-                    self.touches(problem, i, due) && rate <= self.resting(problem, i).max(1e-12 * fastest);
+                let rests = self.touches(problem, i, due) && rate <= self.resting(problem, i).max(none);
                 let modes = if rests { vec![Mode::Closed, Mode::Open] } else { vec![Mode::Open] };
                 Allowed { modes, rests }
             }
