@@ -13,6 +13,7 @@ mod painleve;
 mod pictures;
 mod release;
 mod scenes;
+mod sums;
 
 /// Asserts that two numbers differ by `within` at most.
 #[track_caller]

@@ -21,6 +21,7 @@ use crate::sorted::SortedSet;
 use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
+pub(crate) use contact::bounding_reactions;
 pub use contact::{Contact, ContactLaw, ContactMode, Impacts, Reaction};
 pub use event::{Target, When};
 pub use held::{Comparison, Counted, Decisions, End, Jump, Steady, Switch};

@@ -19,7 +19,7 @@ pub(super) fn look_at_bounds<M: Contacts<N>, const N: usize>(
     rows: &Rows<M::S, N>,
 ) -> Result<(), Fault> {
     let is_known =
-        |limit: &&Limit<M::S, N>| limit.share == M::S::ZERO && limit.by.iter().all(|by| *by == M::S::ZERO);
+        |limit: &&Limit<M::S, N>| limit.by.iter().chain(&limit.share).all(|factor| *factor == M::S::ZERO);
     for row in (0..N).filter(|row| system.exists(u, *row)) {
         let bounds = [&rows.kinetic[row], &rows.adhesion[row]];
         let limits = bounds.into_iter().flat_map(|bound| [&bound.lower, &bound.upper]);

@@ -4,8 +4,8 @@
 use super::loads::Load;
 use super::margins::stick;
 use super::modes::Mode;
-use super::multipliers::{Multipliers, multipliers};
 use super::rows::Rows;
+use super::signs::signed;
 use super::walk::walk;
 use crate::linalg::Lu;
 use crate::scalar::Real;
@@ -197,32 +197,8 @@ pub(super) fn is_off<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; 
     let (kinetic, adhesion) = (&rows.kinetic[row], &rows.adhesion[row]);
     [&kinetic.lower, &kinetic.upper, &adhesion.lower, &adhesion.upper].iter().all(|limit| {
         let is_open = |(k, by): (usize, &S)| *by == S::ZERO || matches!(modes[k], Mode::Open | Mode::Off);
-        let is_own = limit.own != S::ZERO || limit.share != S::ZERO;
-        !is_own && limit.by.iter().enumerate().all(is_open)
+        !limit.is_own() && limit.by.iter().enumerate().all(is_open)
     })
-}
-
-/// The multipliers of a combination, and the rows with the signs that reactions have with them, where these are others.
-fn signed<S: Real, const N: usize>(
-    rows: &Rows<S, N>,
-    modes: &[Mode; N],
-) -> Option<(Option<Rows<S, N>>, Multipliers<S, N>)> {
-    let (mut turned, mut flips) = (None, 0);
-    loop {
-        let present = turned.as_ref().unwrap_or(rows);
-        let found = multipliers(present, modes)?;
-        let is_wrong = |row: &usize| {
-            let none = S::lit(MARGINAL) * present.terms(*row, &found.lambda);
-            matches!(present.load[*row], Load::Line { .. }) && present.size(*row, &found.lambda) < -none
-        };
-        let Some(row) = (0..N).find(is_wrong).filter(|_| flips <= 2 * N) else {
-            return Some((turned, found));
-        };
-        if let Load::Line { negative } = &mut turned.get_or_insert(*rows).load[row] {
-            *negative = !*negative;
-        }
-        flips += 1;
-    }
 }
 
 /// Multipliers and accelerations of a combination, and its inequalities.

@@ -99,14 +99,15 @@ pub fn switch_behind<M: Contacts<N>, const N: usize>(
     x: &mut M::X,
     (index, step): (usize, M::S),
 ) -> Result<Outcome, Fault> {
-    let occasion = Occasion::of(index, N);
-    if let Occasion::Sign { row } = occasion {
+    let mut occasion = Occasion::of(index, N);
+    if let Occasion::Sign { load, row } = &mut occasion {
         // It is zero: the way that it goes decides.
         let lambda = lambda_of(&system.rows_at(t, u, x), u.modes());
         let rows = moving_rows(system, (t, u), x, &lambda);
         let lambda = multipliers(&rows, &u.modes().of).map_or([Dual::ZERO; N], |found| found.lambda);
-        let [reaction, _] = rows.reaction_at(row, &lambda);
-        u.modes_mut().negative[row] = reaction.tangents[0] < M::S::ZERO;
+        let [reaction, _] = rows.reaction_at(*load, &lambda);
+        u.modes_mut().negative[*load] = reaction.tangents[0] < M::S::ZERO;
+        *row = rows.reader(*load);
     }
     Event { system, t, occasion, step }.commit(u, x)
 }
@@ -148,8 +149,8 @@ pub(super) enum Occasion {
     Change,
     /// The guard of a row has passed zero.
     Guard { row: usize },
-    /// The sign of the reaction that bounds a row changes.
-    Sign { row: usize },
+    /// The sign of a reaction changes, which bounds a row.
+    Sign { load: usize, row: Option<usize> },
     /// The determinant of the active rows passes zero.
     Determinant,
 }
@@ -159,7 +160,7 @@ impl Occasion {
     fn of(index: usize, rows: usize) -> Self {
         match (index / PER_ROW, index % PER_ROW) {
             (row, _) if row >= rows => Self::Determinant,
-            (row, SIGN) => Self::Sign { row },
+            (load, SIGN) => Self::Sign { load, row: None },
             (row, _) => Self::Guard { row },
         }
     }
@@ -168,7 +169,8 @@ impl Occasion {
     pub(super) fn row(self) -> Option<usize> {
         match self {
             Self::Start | Self::Change | Self::Determinant => None,
-            Self::Guard { row } | Self::Sign { row } => Some(row),
+            Self::Guard { row } => Some(row),
+            Self::Sign { row, .. } => row,
         }
     }
 }
@@ -196,8 +198,8 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let (mut struck, mut slowest) = (Struck::nothing(), None);
         let (solution, is_ambiguous) = loop {
             self.impacts(&laws, (none, slowest, &mut rows), u, x, &mut struck)?;
-            if let Occasion::Sign { row } = self.occasion {
-                rows.load[row] = Load::Turned { negative: u.modes().negative[row] };
+            if let Occasion::Sign { load, .. } = self.occasion {
+                rows.load[load] = Load::Turned { negative: u.modes().negative[load] };
             }
             let allowed = self.allowed(&laws, (none, struck.count), &rows, u);
             let (solution, is_ambiguous) = self.choose(&rows, &allowed, u, x)?;

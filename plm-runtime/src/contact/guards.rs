@@ -5,7 +5,7 @@
 //! gap. So those two are enclosed over a step, and a row that slips is looked at in some places of it.
 
 use super::loads::Load;
-use super::margins::{PER_ROW, each_margin, margins};
+use super::margins::{PER_ROW, SIGN, each_margin, margins};
 use super::modes::{Mode, Modes};
 use super::multipliers::Multipliers;
 use super::rows::Rows;
@@ -64,7 +64,8 @@ pub fn guards_within<M: Contacts<N>, const N: usize>(
     if !modes.of.iter().all(|mode| mode.slips()) {
         let rows = system.kinematics(t, u, x, &Enclosed::constant);
         each_margin(&rows, (modes, orientation), &Multipliers::none(), &mut |index, margin| {
-            let is_known = modes.of.get(index / PER_ROW).map_or(!slips, |mode| !mode.slips());
+            let of_row = modes.of.get(index / PER_ROW).filter(|_| index % PER_ROW != SIGN);
+            let is_known = of_row.map_or(!slips, |mode| !mode.slips());
             if is_known {
                 each(index, margin);
             }
@@ -110,14 +111,17 @@ pub fn stay<M: Contacts<N>, const N: usize>(
         let (bent, changed) = ((a - b - b + c).abs(), (c - a).abs());
         a.min(b).min(c) > M::S::lit(BENT) * bent + M::S::lit(CHANGED) * changed
     };
-    (0..N).all(|row| !modes.of[row].slips() || (0..PER_ROW).all(|k| is_clear(row, k)))
+    // Signs of reactions that bound nothing are far.
+    (0..N).all(|row| !modes.of[row].slips() || (0..SIGN).all(|k| is_clear(row, k)))
+        && (0..N).all(|load| is_clear(load, SIGN))
 }
 
 /// Guards of rows while none holds; but those of gaps, which are left out.
 fn slipping<M: Contacts<N>, const N: usize>(system: &M, u: &M::U, t: M::S, x: &M::X) -> [[M::S; PER_ROW]; N] {
     let (modes, mut found) = (u.modes(), [[M::S::ZERO; PER_ROW]; N]);
     let kinematics = system.kinematics_at(t, u, x);
-    let has_sign = |row: usize| modes.of[row].slips() && matches!(kinematics.load[row], Load::Line { .. });
+    let is_line = |load: usize| matches!(kinematics.load[load], Load::Line { .. });
+    let has_sign = |row: usize| modes.of[row].slips() && kinematics.loads_of(row).any(is_line);
     let mut each = |index: usize, guard: M::S| {
         if let Some(row) = found.get_mut(index / PER_ROW) {
             row[index % PER_ROW] = guard;
@@ -139,7 +143,7 @@ fn is_free<M: Contacts<N>, const N: usize>(system: &M, u: &M::U) -> bool {
     u.modes().of.iter().enumerate().all(is_free)
 }
 
-/// Margins of rows that do not exist are far, and so are those of constraints.
+/// Margins of rows that do not exist are far, and so are those of constraints. Reactions have theirs where rows read them.
 fn existing<'a, M: Contacts<N>, T: Scalar, const N: usize>(
     system: &'a M,
     u: &'a M::U,
@@ -147,7 +151,8 @@ fn existing<'a, M: Contacts<N>, T: Scalar, const N: usize>(
 ) -> impl FnMut(usize, T) + 'a {
     move |index, margin| {
         let row = index / PER_ROW;
-        let has_margins = row >= N || system.exists(u, row) && !system.law(row).is_constraint();
+        let is_sign = index % PER_ROW == SIGN;
+        let has_margins = row >= N || is_sign || system.exists(u, row) && !system.law(row).is_constraint();
         each(index, if has_margins { margin } else { T::lit(1.0) });
     }
 }
@@ -157,6 +162,6 @@ fn reads_forces<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &Modes<S, N>)
     (0..N).any(|row| {
         let limits = [&rows.kinetic[row].lower, &rows.kinetic[row].upper];
         let couples = |j: usize| modes.of[j].slips() && limits.iter().any(|limit| limit.by[j] != S::ZERO);
-        modes.of[row].slips() && (rows.load[row] != Load::Nothing || (0..N).any(couples))
+        modes.of[row].slips() && (rows.loads_of(row).next().is_some() || (0..N).any(couples))
     })
 }

@@ -1,6 +1,6 @@
 //! Discrete state of contact rows in a generated mechanism: modes, multipliers, counters.
 //!
-//! Generated code for `N` rows, `rt` being [`generated`](crate::generated); `tests/contact/block.rs` has all of it for one mechanism.
+//! Generated code for `N` rows (or reactions that bound frictions, if there are more of these), `rt` being [`generated`](crate::generated); `tests/contact/block.rs` has all of it for one mechanism.
 //! `g` is the number of the mechanism's own conditions, `C` is `rt::contact::guard_count(N)`.
 //!
 //! * The discrete state has `rt::contact::Held<S, N>` as its `contact`: `open()` where it is made, `packed(&first.contact, all.map(|held|
@@ -14,14 +14,16 @@
 //!   [`with_multipliers`](super::with_multipliers). Where the rate is not affine in the multipliers, the motion with that copy, then
 //!   [`settle`](super::settle). Derivatives come from running all of it on [`Dual`](crate::Dual) numbers: multipliers depend on the state.
 //! * [`Contacts<N>`](super::Contacts), with `rows` and `kinematics` by `pack` and `pack_held`, `rows_at` and `kinematics_at` without; `project_joints` and `drift_of_joints`
-//!   are what `project` and `drift` of the mechanism were without contact.
+//!   are what `project` and `drift` of the mechanism were without contact. Where there are more reactions than rows, rows that are none
+//!   do not exist.
 //! * `Constraints`: [`project`](super::project), [`drift`](super::drift).
-//! * `Events`: `G` has `g + C` numbers, `CONTACTS` is `N`, `contacts` gives `u.contact.status()`. [`guards`](super::guards) and
+//! * `Events`: `G` has `g + C` numbers, `CONTACTS` is the number of rows, `contacts` gives `u.contact.status()`. [`guards`](super::guards) and
 //!   [`guards_within`](super::guards_within) give numbers `0..C`, to which `g` is added; kinks come behind them. Without conditions and kinks `stay` is [`stay`](super::stay). From `g` on
 //!   `switch_behind` is [`switch_behind`](super::switch_behind) of `index - g`, and `switch` is the same with a step of zero. An own
 //!   condition and `switch_at_time` call [`update`](super::update) behind their change. In `matters` the guards of contact have the root 1.
 //! * `Linear`: `held_rows` is [`held_rows`](super::held_rows).
-//! * `Labels`: `contact_name` has the rows; `guard_name` of the guard `g + i` that of the row `i / 3`.
+//! * `Labels`: `contact_name` has the rows; `guard_name` of the guard `g + i` that of the row `i / 3`, of each third one that of a row which reads the
+//!   reaction `i / 3`.
 //! * [`begin`](super::begin) is the last thing of a start; `state_was_set` is [`state_was_set`](super::state_was_set). A `renew` needs
 //!   no more.
 

@@ -27,7 +27,7 @@ impl<T: Scalar, const N: usize> Affine<T, N> {
     }
 }
 
-/// The kind of the reaction that bounds a friction.
+/// The kind of a reaction that bounds frictions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Load {
     /// There is none.
@@ -54,21 +54,39 @@ impl Load {
 }
 
 impl<T: Scalar, const N: usize> Rows<T, N> {
-    /// The reaction of a row.
-    pub(super) fn reaction_at(&self, row: usize, lambda: &[T; N]) -> [T; 2] {
-        let [x, y] = &self.reaction[row];
+    /// The reactions that the limits of a row read.
+    pub(super) fn loads_of(&self, row: usize) -> impl Iterator<Item = usize> + '_ {
+        (0..N).filter(move |load| self.read[row][*load])
+    }
+
+    /// The first row whose limits read a reaction.
+    pub(super) fn reader(&self, load: usize) -> Option<usize> {
+        (0..N).find(|row| self.read[*row][load])
+    }
+
+    /// The components of a reaction.
+    pub(super) fn reaction_at(&self, load: usize, lambda: &[T; N]) -> [T; 2] {
+        let [x, y] = &self.reaction[load];
         [x.at(lambda), y.at(lambda)]
     }
 
+    /// The unit vectors e with |R| = e . R of the reactions that a row reads which is `asked`; of the others zero.
+    pub(super) fn directions(&self, lambda: &[T; N], asked: impl Fn(usize) -> bool) -> [[T; 2]; N] {
+        core::array::from_fn(|load| {
+            let is_read = (0..N).any(|row| self.read[row][load] && asked(row));
+            if is_read { self.direction(load, lambda) } else { [T::ZERO; 2] }
+        })
+    }
+
     /// The unit vector e with |R| = e . R.
-    pub(super) fn direction(&self, row: usize, lambda: &[T; N]) -> [T; 2] {
-        match self.load[row] {
+    fn direction(&self, load: usize, lambda: &[T; N]) -> [T; 2] {
+        match self.load[load] {
             Load::Nothing => [T::ZERO; 2],
             Load::Line { negative } | Load::Turned { negative } => {
                 [T::lit(if negative { -1.0 } else { 1.0 }), T::ZERO]
             }
             Load::Plane => {
-                let [x, y] = self.reaction_at(row, lambda);
+                let [x, y] = self.reaction_at(load, lambda);
                 let size = (x * x + y * y).sqrt();
                 if size.to_f64() > 0.0 {
                     let inverse = T::lit(1.0) / size;
@@ -81,46 +99,49 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
     }
 
     /// |R|; negative where the sign that is held does not apply.
-    pub(super) fn size(&self, row: usize, lambda: &[T; N]) -> T {
-        if self.load[row] == Load::Nothing {
+    pub(super) fn size(&self, load: usize, lambda: &[T; N]) -> T {
+        if self.load[load] == Load::Nothing {
             return T::ZERO;
         }
-        let [x, y] = self.reaction_at(row, lambda);
-        if self.load[row] == Load::Plane {
+        let [x, y] = self.reaction_at(load, lambda);
+        if self.load[load] == Load::Plane {
             let square = x * x + y * y;
             return if square.to_f64() > 0.0 { square.sqrt() } else { T::ZERO };
         }
-        let [along, across] = self.direction(row, lambda);
+        let [along, across] = self.direction(load, lambda);
         x * along + y * across
     }
 
     /// The size of the terms of a reaction.
-    pub(super) fn terms(&self, row: usize, lambda: &[T; N]) -> T {
+    pub(super) fn terms(&self, load: usize, lambda: &[T; N]) -> T {
         let of = |component: &Affine<T, N>| {
             let terms = component.by.iter().zip(lambda);
             terms.fold(component.own.abs(), |sum, (by, lambda)| sum + (*by * *lambda).abs())
         };
-        let [x, y] = &self.reaction[row];
+        let [x, y] = &self.reaction[load];
         of(x) + of(y)
     }
 
     /// A limit of the friction `row` with these multipliers.
     pub(super) fn limit(&self, row: usize, limit: &Limit<T, N>, lambda: &[T; N]) -> T {
-        limit.share.mul_add(self.size(row, lambda), limit.at(lambda))
+        let add = |sum, load: usize| limit.share[load].mul_add(self.size(load, lambda), sum);
+        self.loads_of(row).fold(limit.at(lambda), add)
     }
 
-    /// A limit with e . R in the place of |R|: own part, and factors of the multipliers.
-    pub(super) fn along(&self, row: usize, limit: &Limit<T, N>, [along, across]: [T; 2]) -> Affine<T, N> {
-        if self.load[row] == Load::Nothing {
-            return Affine { own: limit.own, by: limit.by };
+    /// A limit with e . R in the place of each |R|: own part, and factors of the multipliers.
+    pub(super) fn along(&self, row: usize, limit: &Limit<T, N>, directions: &[[T; 2]; N]) -> Affine<T, N> {
+        let mut found = Affine { own: limit.own, by: limit.by };
+        for load in self.loads_of(row) {
+            let ([x, y], share, [along, across]) =
+                (&self.reaction[load], limit.share[load], directions[load]);
+            let add = |own: T, x: T, y: T| own + share * (along * x + across * y);
+            found.own = add(found.own, x.own, y.own);
+            found.by = core::array::from_fn(|j| add(found.by[j], x.by[j], y.by[j]));
         }
-        let ([x, y], share) = (&self.reaction[row], limit.share);
-        let sum = |own: T, x: T, y: T| own + share * (along * x + across * y);
-        let by = core::array::from_fn(|j| sum(limit.by[j], x.by[j], y.by[j]));
-        Affine { own: sum(limit.own, x.own, y.own), by }
+        found
     }
 
-    /// With the limits and the reaction of a row for multipliers times `factor`.
+    /// With the limits and the reactions of a row for multipliers times `factor`.
     pub(super) fn times(&self, row: usize, factor: T) -> Self {
         let mut rows = *self;
         for friction in [&mut rows.kinetic[row], &mut rows.adhesion[row]] {
@@ -128,8 +149,10 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
                 limit.own = limit.own * factor;
             }
         }
-        for reaction in &mut rows.reaction[row] {
-            reaction.own = reaction.own * factor;
+        for load in self.loads_of(row) {
+            for reaction in &mut rows.reaction[load] {
+                reaction.own = reaction.own * factor;
+            }
         }
         rows
     }

@@ -6,7 +6,8 @@ use super::multipliers::{Multipliers, multipliers};
 use super::rows::Rows;
 use crate::scalar::Scalar;
 
-/// Margins of each row. A friction that sticks has two, for the limits to both sides, and one for the sign of its reaction.
+/// Margins of each row. A friction that sticks has two, for the limits to both sides; the third one is for the sign of the reaction with the
+/// number of the row.
 pub const PER_ROW: usize = 3;
 /// The place of the last one among them.
 pub(super) const SIGN: usize = 2;
@@ -52,17 +53,21 @@ pub(super) fn each_margin<T: Scalar, const N: usize>(
         };
         each(PER_ROW * row, first);
         each(PER_ROW * row + 1, second);
-        let is_bounded = matches!(rows.load[row], Load::Line { .. }) && !matches!(mode, Mode::Off);
-        each(PER_ROW * row + SIGN, if is_bounded { rows.size(row, lambda) } else { far });
+    }
+    for load in 0..N {
+        let bounds = |row: usize| rows.read[row][load] && modes.of[row] != Mode::Off;
+        let is_read = matches!(rows.load[load], Load::Line { .. }) && (0..N).any(bounds);
+        each(PER_ROW * load + SIGN, if is_read { rows.size(load, lambda) } else { far });
     }
     let least = if modes.of.iter().any(|mode| mode.slips()) { UNIQUE } else { 0.0 };
     each(PER_ROW * N, orientation * *determinant - T::lit(least));
 }
 
-/// The limits of a friction to both sides together, with the share of a reaction as it is; zero where none can have a force.
+/// The limits of a friction to both sides together, with the shares of reactions as they are; zero where none can have a force.
 fn bound<T: Scalar, const N: usize>(rows: &Rows<T, N>, row: usize, lambda: &[T; N]) -> T {
-    let [lower, upper] = [&rows.adhesion[row].lower, &rows.adhesion[row].upper];
-    lower.at(lambda) + lower.share + (upper.at(lambda) + upper.share)
+    let [lower, upper] = [&rows.adhesion[row].lower, &rows.adhesion[row].upper]
+        .map(|limit| rows.loads_of(row).fold(limit.at(lambda), |sum, load| sum + limit.share[load]));
+    lower + upper
 }
 
 /// How far a row that sticks is from either limit.

@@ -26,6 +26,7 @@ mod paradox;
 mod pivots;
 mod project;
 mod rows;
+mod signs;
 mod status;
 mod strikes;
 mod sunk;

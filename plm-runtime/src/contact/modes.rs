@@ -79,7 +79,7 @@ pub struct Modes<S, const N: usize> {
     pub place: [S; N],
     /// One over the determinant of the active rows when the modes were chosen.
     pub orientation: S,
-    /// The reaction that bounds a friction is negative.
+    /// By reaction that bounds frictions: it is negative.
     pub negative: [bool; N],
 }
 

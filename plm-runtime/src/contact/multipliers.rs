@@ -156,7 +156,7 @@ fn directions<T: Scalar, const N: usize>(
     modes: &[Mode; N],
     lambda: &[T; N],
 ) -> [[T; 2]; N] {
-    core::array::from_fn(|row| if modes[row].slips() { rows.direction(row, lambda) } else { [T::ZERO; 2] })
+    rows.directions(lambda, |row| modes[row].slips())
 }
 
 impl<T: Scalar, const N: usize> System<T, N> {
@@ -170,7 +170,7 @@ impl<T: Scalar, const N: usize> System<T, N> {
         }
         for k in 0..system.order {
             let i = system.unknown[k];
-            let (row, right) = equation(rows, (modes[i], directions[i]), i);
+            let (row, right) = equation(rows, (modes[i], directions), i);
             system.rows[k] = core::array::from_fn(|l| {
                 let j = system.unknown[l];
                 if l < system.order { row[j] } else { T::ZERO }
@@ -246,7 +246,7 @@ fn ratio<T: Scalar>(entry: T, size: f64) -> f64 {
 /// The equation of the row `i`, and its right side. Rows that hold are divided by their diagonal entry.
 pub(super) fn equation<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,
-    (mode, direction): (Mode, [T; 2]),
+    (mode, directions): (Mode, &[[T; 2]; N]),
     i: usize,
 ) -> ([T; N], T) {
     let one = T::lit(1.0);
@@ -255,7 +255,7 @@ pub(super) fn equation<T: Scalar, const N: usize>(
         return (row.map(|d| d / row[i]), -rows.free[i] / row[i]);
     };
     // lambda_i + sigma by . lambda = -sigma own
-    let limit = rows.along(i, limit, direction);
+    let limit = rows.along(i, limit, directions);
     let sigma: T = mode.sign();
     let mut row = limit.by.map(|by| sigma * by);
     row[i] = row[i] + one;

@@ -36,7 +36,8 @@ pub(super) fn share<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N
 fn own_share<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N], row: usize) -> Option<S> {
     let one = S::lit(1.0);
     let slips = |k: &usize| modes[*k].slips();
-    let of = |k: usize| equation(rows, (modes[k], rows.direction(k, &[S::ZERO; N])), k).0;
+    let directions = rows.directions(&[S::ZERO; N], |row| modes[row].slips());
+    let of = |k: usize| equation(rows, (modes[k], &directions), k).0;
     match modes[row] {
         mode if mode.slips() => Some(of(row)[row]),
         mode if mode.holds() => {

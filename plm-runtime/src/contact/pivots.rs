@@ -27,7 +27,8 @@ pub(super) fn pivoted<S: Real, const N: usize>(
     allowed: &[Allowed; N],
     attempt: u32,
 ) -> Option<[Mode; N]> {
-    let is_curved = (0..N).any(|i| rows.load[i] == Load::Plane && allowed[i] == Allowed::Resting);
+    let is_curved = |i: usize| rows.loads_of(i).any(|load| rows.load[load] == Load::Plane);
+    let is_curved = (0..N).any(|i| allowed[i] == Allowed::Resting && is_curved(i));
     let mut forces = [S::ZERO; N];
     let mut modes = None;
     for _ in 0..if is_curved { MOST_DIRECTIONS } else { 1 } {
@@ -59,16 +60,16 @@ impl<'a, S: Real, const N: usize> Problem<'a, S, N> {
             core::array::from_fn(|i| core::array::from_fn(|j| if i == j { one } else { zero }));
         let mut constant = [zero; N];
         let mut upper = [Affine::zero(); N];
+        let directions = &rows.directions(forces, |_| true);
         for i in 0..N {
-            let direction = rows.direction(i, forces);
             let (lower, sign) = match allowed[i] {
                 // z = lambda + l.
-                Allowed::Resting => (rows.along(i, &rows.adhesion[i].lower, direction), one),
-                Allowed::Only(Mode::Forwards) => (rows.along(i, &rows.kinetic[i].lower, direction), one),
-                Allowed::Only(Mode::Backwards) => (rows.along(i, &rows.kinetic[i].upper, direction), -one),
+                Allowed::Resting => (rows.along(i, &rows.adhesion[i].lower, directions), one),
+                Allowed::Only(Mode::Forwards) => (rows.along(i, &rows.kinetic[i].lower, directions), one),
+                Allowed::Only(Mode::Backwards) => (rows.along(i, &rows.kinetic[i].upper, directions), -one),
                 _ => continue,
             };
-            upper[i] = rows.along(i, &rows.adhesion[i].upper, direction);
+            upper[i] = rows.along(i, &rows.adhesion[i].upper, directions);
             for j in 0..N {
                 matrix[i][j] = matrix[i][j] + sign * lower.by[j];
             }

@@ -32,12 +32,12 @@ pub(super) fn end_flights<M: Contacts<N>, const N: usize>(
     let modes = &u.modes().of;
     let Some(Multipliers { lambda, .. }) = multipliers(rows, modes) else { return };
     let mut problem = Rows { free: rows.rate, ..*rows };
+    // The size of a reaction changes along the reaction.
+    let directions = rows.directions(&lambda, |_| true);
     for row in 0..N {
-        // The size of a reaction changes along the reaction.
-        let direction = rows.direction(row, &lambda);
         let Friction { lower, upper } = &mut problem.kinetic[row];
         for limit in [lower, upper] {
-            *limit = Limit { by: rows.along(row, limit, direction).by, ..Limit::none() };
+            *limit = Limit { by: rows.along(row, limit, &directions).by, ..Limit::none() };
         }
     }
     if let Some(impulses) = multipliers(&problem, modes) {

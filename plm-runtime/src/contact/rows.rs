@@ -40,15 +40,15 @@ impl<S> Law<S> {
     }
 }
 
-/// The largest force of friction to one side: `own + by . lambda + share |R|`, R being the reaction of the row.
+/// The largest force of friction to one side: `own + by . lambda + sum over k of share_k |R_k|`, R_k being reactions of joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit<T, const N: usize> {
     /// What does not depend on contact forces, N or N m. It carries no impulse.
     pub own: T,
     /// Factors of the multipliers: a coefficient of friction at the row of its normal force.
     pub by: [T; N],
-    /// The coefficient of friction at the reaction.
-    pub share: T,
+    /// Coefficients of friction at the reactions.
+    pub share: [T; N],
 }
 
 impl<T: Scalar, const N: usize> Limit<T, N> {
@@ -61,19 +61,24 @@ impl<T: Scalar, const N: usize> Limit<T, N> {
     /// A force of its own.
     #[must_use]
     pub fn own(own: T) -> Self {
-        Self { own, by: [T::ZERO; N], share: T::ZERO }
+        Self { own, by: [T::ZERO; N], share: [T::ZERO; N] }
     }
 
     /// `coefficient` times the multiplier of the row `normal`.
     #[must_use]
     pub fn of(normal: usize, coefficient: T) -> Self {
         let by = core::array::from_fn(|row| if row == normal { coefficient } else { T::ZERO });
-        Self { own: T::ZERO, by, share: T::ZERO }
+        Self { own: T::ZERO, by, share: [T::ZERO; N] }
     }
 
     /// The part of the limit that is affine in the multipliers.
     pub(super) fn at(&self, lambda: &[T; N]) -> T {
         self.by.iter().zip(lambda).fold(self.own, |sum, (by, lambda)| by.mul_add(*lambda, sum))
+    }
+
+    /// Is it there without the forces of other rows?
+    pub(super) fn is_own(&self) -> bool {
+        self.own != T::ZERO || self.share.iter().any(|share| *share != T::ZERO)
     }
 }
 
@@ -94,7 +99,8 @@ impl<T: Scalar, const N: usize> Friction<T, N> {
     }
 }
 
-/// All rows at a state. Row i has the gap or displacement z_i, its rate w_i v + r_i, and the acceleration c_i + D_ij lambda_j.
+/// All rows at a state. Row i has the gap or displacement z_i, its rate w_i v + r_i, and the acceleration c_i + D_ij lambda_j. Reactions that
+/// bound frictions are counted by themselves; several rows may read one of them.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows<T, const N: usize> {
     /// Gaps of unilateral rows, displacements of frictions, m or rad. A friction whose displacement is not given keeps zero here.
@@ -109,10 +115,12 @@ pub struct Rows<T, const N: usize> {
     pub kinetic: [Friction<T, N>; N],
     /// Limits while it sticks.
     pub adhesion: [Friction<T, N>; N],
-    /// Reactions that bound frictions, N or N m: one component along a line, or two.
+    /// Reactions of joints that bound frictions, N or N m: one component along a line, or two.
     pub reaction: [[Affine<T, N>; 2]; N],
-    /// What these reactions are.
+    /// The kind of each of these reactions.
     pub load: [Load; N],
+    /// By row, the reactions that its limits read.
+    pub read: [[bool; N]; N],
 }
 
 /// A row that rests is slower than this fraction of the fastest one.
@@ -149,6 +157,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
             adhesion: [nothing; N],
             reaction: [[Affine::zero(); 2]; N],
             load: [Load::Nothing; N],
+            read: [[false; N]; N],
         }
     }
 

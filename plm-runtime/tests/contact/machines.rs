@@ -37,8 +37,9 @@ impl Scene<1, 1> for Capstan {
         let free = self.free(t, q, v)[0] + T::lit(GRAVITY);
         rows.reaction[0][0] = Affine { own: free, by: [T::lit(1.0 / (self.first + 1.0))] };
         rows.load[0] = Load::Line { negative: false };
-        let [lower, upper] =
-            [ratio() - 1.0, 1.0 - 1.0 / ratio()].map(|share| Limit { share: T::lit(share), ..Limit::none() });
+        rows.read[0][0] = true;
+        let [lower, upper] = [ratio() - 1.0, 1.0 - 1.0 / ratio()]
+            .map(|share| Limit { share: [T::lit(share)], ..Limit::none() });
         rows.kinetic[0] = Friction { lower, upper };
         rows.adhesion[0] = rows.kinetic[0];
     }
@@ -130,6 +131,8 @@ impl Scene<1, 2> for Planetary {
         for (row, reaction) in [first, second].into_iter().enumerate() {
             rows.reaction[row][0] = reaction;
             rows.load[row] = Load::Line { negative: false };
+            rows.read[row][row] = true;
+            let share = core::array::from_fn(|load| if load == row { share } else { T::ZERO });
             rows.set_friction(row, Limit { share, ..Limit::none() });
         }
     }

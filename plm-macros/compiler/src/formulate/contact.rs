@@ -15,7 +15,7 @@ use plm_cas::{Expr, algebra};
 
 use super::function::{Function, Place};
 use crate::derive::Equations;
-use crate::model::{Contact, ContactLaw, Model};
+use crate::model::{Contact, ContactLaw, Model, bounding_reactions};
 
 /// Functions of the rows of contact.
 pub(crate) struct ContactFunctions {
@@ -107,22 +107,28 @@ fn accelerations(
     results
 }
 
-/// Limits of frictions, each what it is by itself and its factors of the multipliers.
+/// Limits of frictions, each what it is by itself, and its factors of the multipliers and of the sizes of reactions.
 fn limits(model: &Model, motion: &Accelerated, lambda: &[Expr]) -> Vec<(Place, Expr)> {
+    let sizes = bounding_reactions(&model.contacts).into_iter().map(|reaction| reaction.size).collect_vec();
+    let none = sizes.iter().map(|size| (*size, Expr::ZERO)).collect_vec();
     let mut results = Vec::new();
     for (i, contact) in model.contacts.iter().enumerate() {
-        let ContactLaw::Friction { kinetic, adhesion, reaction } = &contact.law else { continue };
+        let ContactLaw::Friction { kinetic, adhesion, reactions } = &contact.law else { continue };
         for (which, limits) in [("kinetic", kinetic), ("adhesion", adhesion)] {
             let limits = algebra::substitute(limits, motion.substitution);
             for (side, limit) in ["lower", "upper"].into_iter().zip(limits) {
                 let place = format!("rows.{which}[{i}].{side}");
-                let Some(size) = reaction.as_ref().map(|reaction| reaction.size) else {
+                if reactions.is_empty() {
                     results.extend(affine(&place, limit, lambda));
                     continue;
-                };
-                let own = algebra::substitute(&[limit], &[(size, Expr::ZERO)])[0];
+                }
+                let own = algebra::substitute(&[limit], &none)[0];
                 results.extend(affine(&place, own, lambda));
-                results.push((Place::Path(format!("{place}.share")), limit.diff(size)));
+                results.push_all(
+                    sizes.iter().enumerate().map(|(load, size)| {
+                        (Place::Path(format!("{place}.share[{load}]")), limit.diff(*size))
+                    }),
+                );
             }
         }
     }
@@ -131,9 +137,9 @@ fn limits(model: &Model, motion: &Accelerated, lambda: &[Expr]) -> Vec<(Place, E
 
 /// Does a friction have limits that read no reaction?
 fn is_own(contact: &Contact, lambda: &[Expr]) -> bool {
-    let ContactLaw::Friction { kinetic, reaction, .. } = &contact.law else { return false };
+    let ContactLaw::Friction { kinetic, reactions, .. } = &contact.law else { return false };
     let read = algebra::symbols(kinetic);
-    reaction.is_none() && lambda.iter().all(|lambda| !read.contains(lambda))
+    reactions.is_empty() && lambda.iter().all(|lambda| !read.contains(lambda))
 }
 
 /// The kinetic limits of frictions that read no reaction.
@@ -158,10 +164,10 @@ fn reactions(
     let joints = equations.lambda.iter().copied().zip(motion.reactions.iter().copied());
     let known: Vec<(Expr, Expr)> = joints.chain(motion.substitution.iter().copied()).collect_vec();
     let mut results = Vec::new();
-    for (i, contact) in model.contacts.iter().enumerate() {
-        let components = contact.reaction().map(|reaction| algebra::substitute(&reaction.components, &known));
-        for (k, component) in components.into_iter().flatten().enumerate() {
-            results.extend(affine(&format!("rows.reaction[{i}][{k}]"), component, lambda));
+    for (load, reaction) in bounding_reactions(&model.contacts).into_iter().enumerate() {
+        let components = algebra::substitute(&reaction.components, &known);
+        for (k, component) in components.into_iter().enumerate() {
+            results.extend(affine(&format!("rows.reaction[{load}][{k}]"), component, lambda));
         }
     }
     results

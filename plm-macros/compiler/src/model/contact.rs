@@ -52,23 +52,23 @@ pub enum ContactLaw {
     /// A constraint while the row exists.
     Constraint,
     /// A force against the slip, between `-lower` and `upper`, N or N m; affine in the multipliers of unilateral rows and in
-    /// `size`.
+    /// the sizes of reactions.
     Friction {
         /// `[lower, upper]` while it slips.
         kinetic: [Expr; 2],
         /// `[lower, upper]` while it sticks.
         adhesion: [Expr; 2],
-        /// The reaction of joints that the limits read by its size.
-        reaction: Option<Reaction>,
+        /// The reactions of joints that the limits read by their sizes; other frictions may read them too.
+        reactions: Vec<Reaction>,
     },
 }
 
 impl Contact {
-    /// The reaction of joints that bounds it.
-    pub(crate) fn reaction(&self) -> Option<&Reaction> {
+    /// The reactions of joints that bound it.
+    pub(crate) fn reactions(&self) -> &[Reaction] {
         match &self.law {
-            ContactLaw::Unilateral { .. } | ContactLaw::Constraint => None,
-            ContactLaw::Friction { reaction, .. } => reaction.as_ref(),
+            ContactLaw::Unilateral { .. } | ContactLaw::Constraint => &[],
+            ContactLaw::Friction { reactions, .. } => reactions,
         }
     }
 
@@ -85,8 +85,8 @@ impl Contact {
         let of_law: Vec<&mut Expr> = match &mut self.law {
             ContactLaw::Unilateral { restitution } => vec![restitution],
             ContactLaw::Constraint => Vec::new(),
-            ContactLaw::Friction { kinetic, adhesion, reaction } => {
-                let components = reaction.iter_mut().flat_map(|reaction| &mut reaction.components);
+            ContactLaw::Friction { kinetic, adhesion, reactions } => {
+                let components = reactions.iter_mut().flat_map(|reaction| &mut reaction.components);
                 kinetic.iter_mut().chain(adhesion).chain(components).collect_vec()
             }
         };
@@ -94,7 +94,18 @@ impl Contact {
     }
 }
 
-/// A reaction of joints that bounds a friction.
+/// The reactions of joints that bound frictions, each once: their numbers at run time.
+pub(crate) fn bounding_reactions(contacts: &[Contact]) -> Vec<&Reaction> {
+    let mut all: Vec<&Reaction> = Vec::new();
+    for reaction in contacts.iter().flat_map(Contact::reactions) {
+        if all.iter().all(|known| known.size != reaction.size) {
+            all.push(reaction);
+        }
+    }
+    all
+}
+
+/// A reaction of joints that bounds frictions.
 #[derive(Clone, Debug)]
 pub struct Reaction {
     /// Stands in the limits for its size, N or N m.

@@ -4,7 +4,7 @@ use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Tape, algebra};
 
 use super::random::Random;
-use crate::model::{Contact, ContactMode, Model};
+use crate::model::{Contact, ContactMode, Model, bounding_reactions};
 
 /// f64's `Scalar::AGREEMENT`.
 const AGREEMENT: f64 = 1e9;
@@ -64,7 +64,7 @@ pub(crate) fn varied(model: &Model, seed: u64) -> Option<Vec<(Expr, f64)>> {
 
 /// Adds what is held over a step, at a state whose other symbols have values: the sides of the switches, and no contact forces.
 pub(crate) fn add_switches(model: &Model, values: &mut Vec<(Expr, f64)>) {
-    let sizes = model.contacts.iter().filter_map(|contact| Some(contact.reaction()?.size));
+    let sizes = bounding_reactions(&model.contacts).into_iter().map(|reaction| reaction.size);
     let lambda = model.contacts.iter().map(|contact| contact.lambda);
     values.push_all(lambda.chain(sizes).map(|symbol| (symbol, 0.0)));
     let is_open = |contact: &Contact| contact.kind_of_mode() == ContactMode::Open;

@@ -1,6 +1,6 @@
 //! `Contacts`: rows of contact as the runtime asks for them, and what the other contracts call of them.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, PushAll};
 use crate::emit::template::quote;
 use plm_cas::{Expr, algebra};
 use proc_macro2::{Literal, TokenStream};
@@ -9,16 +9,22 @@ use super::super::lower::inline;
 use super::super::{Emission, Sizes, number, quoted};
 use super::contact_events::PER_ROW;
 use super::contact_motion;
-use crate::model::{Contact, ContactLaw, Impacts, Stabilisation};
+use crate::model::{Contact, ContactLaw, Impacts, Model, Stabilisation, bounding_reactions};
 
 /// Has the mechanism rows of contact?
 pub(in super::super) fn are_there(emission: &Emission) -> bool {
     !emission.model.contacts.is_empty()
 }
 
-/// Number of rows.
+/// Room for rows, and for the reactions that bound them: the larger number of both.
 pub(in super::super) fn count(emission: &Emission) -> Literal {
-    number(emission.model.contacts.len())
+    number(places(emission.model))
+}
+
+/// Places for rows. Behind those that are declared there are some that never exist, where more reactions bound frictions than there are
+/// rows.
+pub(super) fn places(model: &Model) -> usize {
+    model.contacts.len().max(bounding_reactions(&model.contacts).len())
 }
 
 /// The type of what is held of contact.
@@ -109,13 +115,23 @@ fn contract(emission: &Emission) -> TokenStream {
 /// Which rows exist, where that is a question.
 fn existence(emission: &Emission) -> Option<TokenStream> {
     let count = count(emission);
-    some_may_not_exist(emission).then(|| {
-        quote! {
-            fn exists(&self, u: &Held<S>, row: usize) -> bool {
-                let mut exist = [S::lit(0.0); #count];
-                self.rows_exist(u, &mut exist);
-                exist[row] > S::lit(0.5)
+    let rows = emission.model.contacts.len();
+    let are_more = places(emission.model) > rows;
+    if !some_may_not_exist(emission) {
+        let rows = number(rows);
+        return are_more.then(|| {
+            quote! {
+                fn exists(&self, _u: &Held<S>, row: usize) -> bool {
+                    row < #rows
+                }
             }
+        });
+    }
+    Some(quote! {
+        fn exists(&self, u: &Held<S>, row: usize) -> bool {
+            let mut exist = [S::lit(0.0); #count];
+            self.rows_exist(u, &mut exist);
+            exist[row] > S::lit(0.5)
         }
     })
 }
@@ -125,7 +141,7 @@ fn bounded_by_pushes(emission: &Emission) -> Option<TokenStream> {
     let contacts = &emission.model.contacts;
     let none: Vec<(Expr, Expr)> = contacts.iter().map(|row| (row.lambda, Expr::ZERO)).collect_vec();
     let is_bounded = |row: &Contact| match &row.law {
-        ContactLaw::Friction { kinetic, adhesion, reaction: None } => {
+        ContactLaw::Friction { kinetic, adhesion, reactions } if reactions.is_empty() => {
             let limits = [*kinetic, *adhesion].concat();
             algebra::substitute(&limits, &none).into_iter().all(Expr::is_zero)
         }
@@ -166,8 +182,9 @@ fn joints(emission: &Emission) -> Option<TokenStream> {
 
 /// `contact_name` of `Labels`.
 pub(super) fn labels(emission: &Emission) -> Option<TokenStream> {
-    let (count, names) = (count(emission), emission.model.contacts.iter().map(|contact| &contact.name));
-    let names = emission.text(quoted(names));
+    let contacts = &emission.model.contacts;
+    let count = number(contacts.len());
+    let names = emission.text(quoted(contacts.iter().map(|contact| &contact.name)));
     are_there(emission).then(|| {
         quote! {
             fn contact_name(&self, row: usize) -> &'static str {
@@ -178,11 +195,22 @@ pub(super) fn labels(emission: &Emission) -> Option<TokenStream> {
     })
 }
 
-/// By guard of contact, the name of its row; the determinant of the active rows has that of the first.
-pub(super) fn names_of_guards<'a>(emission: &'a Emission) -> impl Iterator<Item = &'a String> {
+/// By guard of contact, the name of its row; the sign of a reaction has that of the first row that it bounds, and the determinant of the
+/// active rows that of the first.
+pub(super) fn names_of_guards<'a>(emission: &'a Emission) -> Vec<&'a String> {
     let contacts = &emission.model.contacts;
-    let of_rows = contacts.iter().flat_map(|contact| [&contact.name; PER_ROW]);
-    of_rows.chain(contacts.first().map(|contact| &contact.name))
+    let Some(first) = contacts.first() else { return Vec::new() };
+    let reactions = bounding_reactions(contacts);
+    let mut names = Vec::new();
+    for place in 0..places(emission.model) {
+        let own = &contacts.get(place).unwrap_or(first).name;
+        let size = reactions.get(place).map(|reaction| reaction.size);
+        let reads = |contact: &&Contact| contact.reactions().iter().any(|read| Some(read.size) == size);
+        let of_sign = contacts.iter().find(reads).map_or(own, |contact| &contact.name);
+        names.push_all([own; PER_ROW - 1].into_iter().chain([of_sign]));
+    }
+    names.push(&first.name);
+    names
 }
 
 /// Laws of the rows.

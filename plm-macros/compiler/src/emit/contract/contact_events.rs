@@ -16,15 +16,14 @@ struct Counts {
     own: Literal,
     /// Of contact.
     contact: Literal,
-    /// Rows of contact.
+    /// Places for rows of contact.
     rows: Literal,
 }
 
 impl Counts {
     fn of(emission: &Emission) -> Counts {
-        let rows = emission.model.contacts.len();
         let contact = number(Beside::guards_of(emission));
-        Counts { own: number(emission.model.guards()), contact, rows: number(rows) }
+        Counts { own: number(emission.model.guards()), contact, rows: contact::count(emission) }
     }
 }
 
@@ -37,10 +36,11 @@ pub(super) fn events(emission: &Emission) -> TokenStream {
     let known_times = (model.switches.len() > model.guards()).then(|| switches::known_times(emission));
     let jump = (!model.jumps.is_empty()).then(|| switches::jump(emission));
     let switch = switches::switch(emission);
+    let contacts = number(model.contacts.len());
     quote! {
         impl<S: Real> rt::Events for #name<S> {
             type G = [S; #all];
-            const CONTACTS: usize = #rows;
+            const CONTACTS: usize = #contacts;
             #watched
             #matters
             #switch
@@ -117,10 +117,7 @@ pub(super) struct Beside {
 impl Beside {
     /// Guards of contact.
     pub(super) fn guards_of(emission: &Emission) -> usize {
-        match emission.model.contacts.len() {
-            0 => 0,
-            rows => PER_ROW * rows + 1,
-        }
+        if contact::are_there(emission) { PER_ROW * contact::places(emission.model) + 1 } else { 0 }
     }
 
     pub(super) fn new(emission: &Emission) -> Beside {

@@ -8,8 +8,9 @@ use super::super::bindings::Origin;
 use super::super::function::function;
 use super::super::{Emission, Form, Sizes, memory};
 use super::charted::call;
-use super::contact::{count, some_may_not_exist};
+use super::contact::{count, places, some_may_not_exist};
 use crate::formulate::ContactFunctions;
+use crate::model::{Contact, bounding_reactions};
 
 /// Straight-line functions, chart by chart, and what calls them.
 pub(super) fn functions(emission: &Emission) -> [TokenStream; 2] {
@@ -164,7 +165,9 @@ fn rows(emission: &Emission) -> TokenStream {
 pub(super) fn rate(emission: &Emission) -> TokenStream {
     let of = of_charts(emission);
     let by_limits = of.first().filter(|(contact, _)| contact.own.contains(&true)).map(|(contact, _)| {
-        let own = emission.text(format!("{:?}", contact.own));
+        let mut own = contact.own.clone();
+        own.resize(places(emission.model), false);
+        let own = emission.text(format!("{own:?}"));
         let [_, memory] = emission.memory_argument();
         let (count, limits) = (count(emission), quote!(t, u, #memory x, &mut limits));
         let limits = call(emission, "contact_limits", &limits, &quote!({}));
@@ -199,15 +202,20 @@ pub(super) fn rate(emission: &Emission) -> TokenStream {
     }
 }
 
-/// Kinds of the reactions that bound frictions; the sign of one along a line is held.
+/// Kinds of the reactions that bound frictions, and of which frictions; the sign of one along a line is held.
 fn loads(emission: &Emission) -> TokenStream {
-    let contacts = emission.model.contacts.iter().enumerate();
-    let loads = contacts.filter_map(|(row, contact)| {
-        let load = match contact.reaction()?.components.len() {
-            1 => format!("Line {{ negative: u.contact.modes.negative[{row}] }}"),
+    let contacts = &emission.model.contacts;
+    let mut lines = Vec::new();
+    for (load, reaction) in bounding_reactions(contacts).into_iter().enumerate() {
+        let kind = match reaction.components.len() {
+            1 => format!("Line {{ negative: u.contact.modes.negative[{load}] }}"),
             _ => "Plane".to_owned(),
         };
-        Some(format!("rows.load[{row}] = rt::contact::Load::{load};"))
-    });
-    emission.text(loads.collect_vec().concat())
+        lines.push(format!("rows.load[{load}] = rt::contact::Load::{kind};"));
+        let reads = |contact: &Contact| contact.reactions().iter().any(|read| read.size == reaction.size);
+        for (row, _) in contacts.iter().enumerate().filter(|(_, contact)| reads(contact)) {
+            lines.push(format!("rows.read[{row}][{load}] = true;"));
+        }
+    }
+    emission.text(lines.concat())
 }

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use super::super::bindings::Origin;
 use super::super::function::body;
 use super::super::item::{start, state::unwrapped_state};
-use super::super::{Emission, Sizes, docs, table_compression};
+use super::super::{Emission, Sizes, docs, number, table_compression};
 use super::contact;
 use crate::model::Body;
 
@@ -135,7 +135,7 @@ impl OfContact {
             let rates = quote!(x_dot.into_iter().for_each(each););
             return Self { gaps: TokenStream::new(), rates, multipliers: TokenStream::new() };
         }
-        let count = contact::count(emission);
+        let count = number(emission.model.contacts.len());
         Self {
             gaps: quote!(let (mut gap, mut limit) = ([S::lit(0.0); #count], [S::lit(0.0); 2 * #count]);),
             rates: quote!(x_dot.into_iter().chain(gap).chain(limit).for_each(each);),

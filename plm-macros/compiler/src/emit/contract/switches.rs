@@ -178,8 +178,8 @@ pub(super) fn names(emission: &Emission) -> TokenStream {
     let model = emission.model;
     let of_contact = contact::names_of_guards(emission);
     let names = model.switches.iter().take(model.guards()).map(|switch| &switch.name);
-    let names = emission.text(quoted(names.chain(of_contact)));
-    let texts = emission.text(quoted(texts(model).chain(contact::names_of_guards(emission).cloned())));
+    let names = emission.text(quoted(names.chain(of_contact.iter().copied())));
+    let texts = emission.text(quoted(texts(model).chain(of_contact.into_iter().cloned())));
     let guards = number(model.guards() + Beside::guards_of(emission));
     quote! {
         fn guard_name(&self, index: usize) -> &'static str {

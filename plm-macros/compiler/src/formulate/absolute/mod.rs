@@ -216,12 +216,12 @@ fn displacement_at_rest(contact: &Contact) -> Expr {
 
 /// How much a row can give to either side while it holds; nothing is said of a gap, and a constraint gives all.
 fn limits_at_rest(contact: &Contact) -> [Expr; 2] {
-    let (adhesion, reaction) = match &contact.law {
+    let (adhesion, reactions) = match &contact.law {
         ContactLaw::Unilateral { .. } => return [Expr::ZERO; 2],
         ContactLaw::Constraint => return [Expr::from(1_000_000_000) * Expr::from(1_000_000_000); 2],
-        ContactLaw::Friction { adhesion, reaction, .. } => (adhesion, reaction),
+        ContactLaw::Friction { adhesion, reactions, .. } => (adhesion, reactions),
     };
-    let sizes = reaction.iter().map(|Reaction { size, components }| {
+    let sizes = reactions.iter().map(|Reaction { size, components }| {
         let square: Expr = components.iter().map(|&component| component * component).sum();
         (*size, square.sqrt())
     });

@@ -25,7 +25,7 @@ impl Layout<'_> {
 
     /// Multipliers of the joints where they bound a friction: by elimination in absolute coordinates, at the pose of the chart.
     fn reactions_of_joints(&self, motion: &Motion) -> Vec<Expr> {
-        if self.model.contacts.iter().all(|contact| contact.reaction().is_none()) {
+        if self.model.contacts.iter().all(|contact| contact.reactions().is_empty()) {
             return self.equations.lambda.clone();
         }
         algebra::substitute(self.lambda, &motion.substitution)

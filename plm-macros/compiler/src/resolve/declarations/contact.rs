@@ -74,8 +74,8 @@ pub(crate) struct UnresolvedContact<'a> {
     pub(crate) lambda: Expr,
     /// Stands for 1 where it is open, or sticks, else for 0.
     pub(crate) mode: Expr,
-    /// The reaction of joints that its bound reads.
-    pub(crate) reaction: Option<Reaction>,
+    /// The reactions of joints that its bound reads.
+    pub(crate) reactions: Vec<Reaction>,
     displacement: Lazy<Displacement>,
 }
 
@@ -118,7 +118,7 @@ impl<'a> Resolver<'a> {
             span: row.span,
             lambda: row.lambda,
             mode: Expr::symbol("mode"),
-            reaction: None,
+            reactions: Vec::new(),
             displacement: Lazy::Waiting,
         });
     }

@@ -1,5 +1,6 @@
 //! The model from its unresolved, when every name is bound.
 
+mod bound;
 pub(super) mod compliance;
 mod contact;
 mod observe;

@@ -1,4 +1,4 @@
-//! Reactions of joints that bound a friction: `mu*abs(reaction(row))`, `mu*norm(reaction(x, y))`.
+//! Reactions of joints that bound frictions: `mu*abs(reaction(row))`, `mu*norm(reaction(x, y))`, and sums of these.
 
 use crate::collect::CollectVec;
 use plm_cas::{Expr, Function, Node, Number, algebra};
@@ -7,33 +7,52 @@ use crate::model::Reaction;
 use crate::resolve::Resolver;
 
 impl Resolver<'_> {
-    /// A limit of the friction `contact` with a symbol in the place of the size of a reaction; `None` if it reads reactions in another
-    /// way, or those of two.
+    /// A limit of the friction `contact` with symbols in the places of the sizes of reactions; `None` if it reads reactions in another
+    /// way.
     pub(crate) fn sized(&mut self, contact: usize, limit: Expr) -> Option<Expr> {
         let joints: Vec<Expr> = self.unresolved.rows.iter().map(|row| row.lambda).collect_vec();
-        let reads = |expr: Expr| algebra::symbols(&[expr]).iter().any(|symbol| joints.contains(symbol));
-        let sizes = algebra::reachable(&[limit]).into_iter().filter(|expr| reads(*expr));
-        let sizes = sizes.filter_map(|expr| Some((expr, components(expr)?))).collect_vec();
-        let [(of, components)] = &sizes[..] else { return None };
-        let row = &mut self.unresolved.contacts[contact];
-        let size = Expr::symbol(format!("size_{}", row.name));
-        let reaction = row.reaction.get_or_insert_with(|| Reaction { size, components: components.clone() });
-        if reaction.components != *components {
-            return None;
+        let sizes = algebra::reachable(&[limit]).into_iter().filter(|expr| reads(*expr, &joints));
+        let sizes = sizes.filter_map(|expr| Some((expr, components(expr, &joints)?))).collect_vec();
+        let named = sizes.into_iter().map(|(of, components)| (of, self.size_of(contact, components)));
+        let found = algebra::substitute(&[limit], &named.collect_vec())[0];
+        (!reads(found, &joints)).then_some(found)
+    }
+
+    /// The symbol of the size of a reaction, which bounds the friction `contact`.
+    fn size_of(&mut self, contact: usize, components: Vec<Expr>) -> Expr {
+        let all = self.unresolved.contacts.iter().flat_map(|row| &row.reactions);
+        let count = all.clone().count();
+        let known = all.into_iter().find(|reaction| reaction.components == components).cloned();
+        let reaction = known
+            .unwrap_or_else(|| Reaction { size: Expr::symbol(format!("reaction_size_{count}")), components });
+        let own = &mut self.unresolved.contacts[contact].reactions;
+        let size = reaction.size;
+        if own.iter().all(|known| known.size != size) {
+            own.push(reaction);
         }
-        let found = algebra::substitute(&[limit], &[(*of, size)])[0];
-        let is_linear = !algebra::symbols(&[found.diff(size)]).contains(&size);
-        (is_linear && !reads(found)).then_some(found)
+        size
     }
 }
 
-/// The components of the vector that `abs` or `norm` takes the size of.
-fn components(size: Expr) -> Option<Vec<Expr>> {
-    match size.node() {
+/// Does an expression read any of these symbols?
+fn reads(expr: Expr, symbols: &[Expr]) -> bool {
+    algebra::symbols(&[expr]).iter().any(|symbol| symbols.contains(symbol))
+}
+
+/// The components of the vector that `abs` or `norm` takes the size of, where they are linear in the multipliers of `joints`.
+fn components(size: Expr, joints: &[Expr]) -> Option<Vec<Expr>> {
+    let found = match size.node() {
         Node::Call(Function::Abs, arguments) => Some(arguments.to_vec()),
         Node::Call(Function::Sqrt, arguments) => squares(*arguments.first()?),
         _ => None,
-    }
+    };
+    let bends = |expr: Expr| matches!(expr.node(), Node::Call(..) | Node::Less(..)) && reads(expr, joints);
+    let is_linear = |component: &Expr| {
+        let slopes = joints.iter().map(|joint| component.diff(*joint));
+        !algebra::reachable(&[*component]).into_iter().any(bends)
+            && !slopes.into_iter().any(|slope| reads(slope, joints))
+    };
+    found.filter(|found| found.iter().all(is_linear))
 }
 
 /// The one or two numbers of whose squares it is the sum.

@@ -178,7 +178,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Operands of an operation, arguments of a function; of a choice that is made already, what is chosen.
-    fn operands(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Vec<&'a ast::Expr> {
+    pub(crate) fn operands(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Vec<&'a ast::Expr> {
         match &expr.kind {
             ExprKind::Neg(inner) => vec![inner],
             ExprKind::Pair(x, y) | ExprKind::Power(x, y) => vec![x, y],

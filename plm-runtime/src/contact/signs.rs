@@ -1,0 +1,117 @@
+//! Signs of the reactions along lines that bound frictions: each |R| is taken as R or as -R, and R must have that sign.
+
+use super::candidates::MARGINAL;
+use super::loads::Load;
+use super::modes::Mode;
+use super::multipliers::{Multipliers, multipliers};
+use super::rows::Rows;
+use crate::scalar::Real;
+
+/// So many reactions along lines have all combinations of their signs tried.
+const MOST_SIGNS: usize = 10;
+
+/// The multipliers of a combination, and the rows with the signs that reactions have with them, where these are others.
+pub(super) fn signed<S: Real, const N: usize>(
+    rows: &Rows<S, N>,
+    modes: &[Mode; N],
+) -> Option<(Option<Rows<S, N>>, Multipliers<S, N>)> {
+    let mut turned = None;
+    for _ in 0..=2 * N {
+        let present = turned.as_ref().unwrap_or(rows);
+        let found = multipliers(present, modes)?;
+        let Some(load) = wrong_sign(present, &found) else { return Some((turned, found)) };
+        if let Load::Line { negative } = &mut turned.get_or_insert(*rows).load[load] {
+            *negative = !*negative;
+        }
+    }
+    by_all_signs(rows, modes)
+}
+
+/// A reaction along a line that has another sign than the one it is taken with.
+fn wrong_sign<S: Real, const N: usize>(
+    rows: &Rows<S, N>,
+    Multipliers { lambda, .. }: &Multipliers<S, N>,
+) -> Option<usize> {
+    (0..N).find(|load| {
+        let none = S::lit(MARGINAL) * rows.terms(*load, lambda);
+        matches!(rows.load[*load], Load::Line { .. }) && rows.size(*load, lambda) < -none
+    })
+}
+
+/// The same as [`signed`] by all combinations of signs, where turning one at a time goes round. None where no combination is met, so
+/// that these modes have no forces; and where there are too many.
+fn by_all_signs<S: Real, const N: usize>(
+    rows: &Rows<S, N>,
+    modes: &[Mode; N],
+) -> Option<(Option<Rows<S, N>>, Multipliers<S, N>)> {
+    let is_line = |load: &usize| matches!(rows.load[*load], Load::Line { .. });
+    let lines = (0..N).filter(is_line).count();
+    (0..1_u32 << lines.min(MOST_SIGNS)).find_map(|number| {
+        let (mut turned, mut left) = (*rows, number);
+        for load in &mut turned.load {
+            if let Load::Line { negative } = load {
+                (*negative, left) = (left % 2 == 1, left / 2);
+            }
+        }
+        let found = multipliers(&turned, modes)?;
+        wrong_sign(&turned, &found).is_none().then_some((Some(turned), found))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::rows::{Friction, Limit};
+    use super::*;
+
+    /// Numbers in -1..1: splitmix64 (G. L. Steele, D. Lea, C. H. Flood, OOPSLA 2014).
+    fn number(state: &mut u64) -> f64 {
+        *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = *state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    /// Two frictions that slip, each bounded by all three reactions; a third place is for the third reaction alone.
+    fn random(state: &mut u64) -> Rows<f64, 3> {
+        let mut rows = Rows::none();
+        for load in 0..3 {
+            let by = [2.0 * number(state), 2.0 * number(state), 0.0];
+            rows.reaction[load][0] = super::super::Affine { own: number(state), by };
+            rows.load[load] = Load::Line { negative: false };
+        }
+        for row in 0..2 {
+            rows.read[row] = [true; 3];
+            let share = core::array::from_fn(|_| number(state).abs());
+            rows.kinetic[row] = Friction::both(Limit { share, ..Limit::none() });
+            rows.adhesion[row] = rows.kinetic[row];
+        }
+        rows
+    }
+
+    /// lambda_i = -sum of s_k |R_k(lambda)| by each combination of signs: is there one in which all have theirs?
+    #[test]
+    fn signs_are_found_where_there_are_some() {
+        let (mut state, mut counts) = (7, [0; 2]);
+        let modes = [Mode::Forwards, Mode::Forwards, Mode::Off];
+        for _ in 0..3000 {
+            let rows = random(&mut state);
+            let any = (0..8).any(|number: u32| {
+                let mut turned = rows;
+                turned.load = core::array::from_fn(|load| Load::Line { negative: number >> load & 1 == 1 });
+                multipliers(&turned, &modes).is_some_and(|found| wrong_sign(&turned, &found).is_none())
+            });
+            let found = signed(&rows, &modes);
+            assert_eq!(found.is_some(), any);
+            counts[usize::from(any)] += 1;
+            let Some((turned, found)) = found else { continue };
+            let sizes: [f64; 3] = core::array::from_fn(|load| rows.reaction_at(load, &found.lambda)[0].abs());
+            let limit = |row: usize| -> f64 {
+                rows.kinetic[row].lower.share.iter().zip(sizes).map(|(s, r)| s * r).sum()
+            };
+            let largest = sizes.iter().fold(1.0, |most: f64, size| most.max(*size));
+            assert!((0..2).all(|row| (found.lambda[row] + limit(row)).abs() < 1e-6 * largest), "{turned:?}");
+        }
+        assert!(counts.iter().all(|count| *count > 100), "{counts:?}");
+    }
+}
