@@ -7,7 +7,9 @@ use crate::collect::CollectVec;
 use crate::sorted::{SortedMap, SortedSet};
 
 use crate::diag::{Code, Diagnostics};
-use crate::syntax::ast::{Argument, Declaration, Definition, Domain, Ident, Item, ItemKind, Shared, all_items};
+use crate::syntax::ast::{
+    Argument, Declaration, Definition, Domain, Ident, Item, ItemKind, Shared, all_items,
+};
 use crate::syntax::parse_parts;
 use crate::token::Sources;
 

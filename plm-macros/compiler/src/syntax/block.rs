@@ -69,8 +69,7 @@ impl Given {
             });
         }
         let items = Item::block(input, Context::Part)?;
-        let otherwise =
-            if input.eat(Token![else]) { Item::block(input, Context::Part)? } else { Vec::new() };
+        let otherwise = if input.eat(Token![else]) { Item::block(input, Context::Part)? } else { Vec::new() };
         for item in items.iter().chain(&otherwise) {
             if let ItemKind::Pair(_) = item.kind {
                 input

@@ -51,7 +51,8 @@ impl Value {
         }
         let value = input.eat(Token![=]).then(|| Expr::value(input));
         let locked = mark == Some(Mark::Locked) && input.locked()?.is_some();
-        let optional = if mark == Some(Mark::Optional) { input.marked(kw::optional, "`optional`")? } else { None };
+        let optional =
+            if mark == Some(Mark::Optional) { input.marked(kw::optional, "`optional`")? } else { None };
         if let (Some(span), Some(_)) = (optional, &value) {
             let message = format!("`{}` has a default, and so need not be set", name.ident.text);
             input

@@ -86,7 +86,7 @@ impl<'a> Resolver<'a> {
                 continue;
             }
             // A mistake has been reported; what else is wrong is found all the same.
-            let Ok(differences) = self.requirement(scope, condition) else { continue };
+            let Ok(differences) = self.requirement(scope, condition, &name) else { continue };
             for difference in differences {
                 let symbol = Expr::symbol(format!("switch_{}", switches.len()));
                 switches.push(Switch {
@@ -105,7 +105,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Expressions that are positive as long as a condition holds.
-    fn requirement(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<Vec<Expr>> {
+    fn requirement(&mut self, scope: ScopeId, expr: &'a ast::Expr, name: &str) -> Eval<Vec<Expr>> {
         let (condition, reads) = self.condition(scope, expr)?;
         let beyond = reads.beyond(Reads::KNOWN);
         if beyond != Reads::NOTHING {
@@ -118,9 +118,9 @@ impl<'a> Resolver<'a> {
         if positive(&condition, &mut differences) {
             return Ok(differences);
         }
-        let message = match condition {
-            Condition::Known(_) => "a requirement that never holds",
-            _ => "a requirement is a comparison, or several with `and`",
+        let message = match condition.known() {
+            Some(false) => format!("the requirement `{name}` never holds"),
+            _ => "a requirement is a comparison, or several with `and`".to_owned(),
         };
         self.error(scope, Code::WrongKind, expr.span, message);
         Err(Failed)
