@@ -82,7 +82,7 @@ fn a_pendulum_strikes_the_limit_of_its_hinge() {
 }
 
 /// Spring and damper that push and do not pull leave e = exp(-(beta/omega) (pi - 2 atan(beta/omega))) of the speed, after t = (pi - 2
-/// atan(beta/omega))/omega (T. Schwager, T. Poeschel, Granular Matter 9, 2007, equation 21).
+/// atan(beta/omega))/omega (T. Schwager, T. Poeschel, Granular Matter 9, 2007).
 #[test]
 fn an_elastic_limit_gives_back_what_its_damper_leaves() {
     let (inertia, stiffness, damping) = (0.5, 5e3_f64, 8.0);
