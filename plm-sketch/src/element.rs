@@ -57,16 +57,14 @@ impl Stage<'_> {
                 self.paper.line(&self.class(&part.name, "rail"), &[at(0.42, 0.0), b.at]);
                 9.0
             }
-            _ => match self.draw_mark(part, a, b) {
-                Some(reach) => {
+            _ => {
+                if let Some(reach) = self.draw_mark(part, a, b) {
                     self.name_of(&part.name, at(0.5, 0.0), reach);
                     return;
                 }
-                None => {
-                    self.paper.line(&self.class(&part.name, "dash"), &[a.at, b.at]);
-                    3.0
-                }
-            },
+                self.paper.line(&self.class(&part.name, "dash"), &[a.at, b.at]);
+                3.0
+            }
         };
         self.support(a.at, on_ground, angle);
         self.support(b.at, part.frames[1].body.is_none(), angle + PI);

@@ -4,7 +4,6 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 use plm_view::Part;
 
-use super::element::zigzag;
 use super::paper::{Point, beside};
 use super::stage::{Spot, Stage};
 
@@ -42,15 +41,14 @@ impl Stage<'_> {
         self.paper.circle(&self.class(&part.name, "plate"), b.at, 0.6 * BUSH);
     }
 
-    /// Two rings with springs along both axes of `a` between them.
+    /// Two rings with rubber between them.
     fn draw_bushing(&mut self, part: &Part, a: Spot) {
-        self.paper.circle(&self.class(&part.name, "white"), a.at, BUSH + 5.0);
-        for k in 0..4 {
-            let angle = a.angle + FRAC_PI_2 * f64::from(k);
-            let spring = zigzag(beside(a.at, angle, 4.0), beside(a.at, angle, BUSH + 5.0));
-            self.paper.line(&self.class(&part.name, ""), &spring);
+        self.paper.circle(&self.class(&part.name, "white"), a.at, BUSH + 2.0);
+        for k in 0..12 {
+            let at = |radius: f64| beside(a.at, a.angle + TAU * f64::from(k) / 12.0, radius);
+            self.paper.line(&self.class(&part.name, ""), &[at(6.0), at(BUSH + 2.0)]);
         }
-        self.paper.circle(&self.class(&part.name, "plate"), a.at, 4.0);
+        self.paper.circle(&self.class(&part.name, "plate"), a.at, 6.0);
     }
 
     /// A bolt beside the axis of `a`, whose slope lets pass and whose face holds.

@@ -46,7 +46,7 @@ fn bristles_bend_before_they_slip() {
     }
 }
 
-/// At a constant speed the friction is Fc + (Fs - Fc) exp(-(v/vs)^2) + s2 v, equation (6) of the paper.
+/// At a constant speed the friction is Fc + (Fs - Fc) exp(-(v/vs)^2) + s2 v.
 #[test]
 fn a_steady_slip_has_stribecks_friction() {
     for speed in [5e-4, 1e-3, 3e-3, 0.1] {

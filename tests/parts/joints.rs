@@ -82,7 +82,7 @@ fn a_pendulum_strikes_the_limit_of_its_hinge() {
 }
 
 /// Spring and damper that push and do not pull leave e = exp(-(beta/omega) (pi - 2 atan(beta/omega))) of the speed, after t = (pi - 2
-/// atan(beta/omega))/omega (T. Schwager, T. Poeschel, Granular Matter 9, 2007, equation 21).
+/// atan(beta/omega))/omega (T. Schwager, T. Poeschel, Granular Matter 9, 2007).
 #[test]
 fn an_elastic_limit_gives_back_what_its_damper_leaves() {
     let (inertia, stiffness, damping) = (0.5, 5e3_f64, 8.0);
@@ -180,6 +180,7 @@ mechanism! {
             port slope: (10, 0) m, axis: -20 deg;
             port slot: (15, 0) m;
             port eye: (25, 0) m;
+            port drawer: (30, 0) m;
         }
         body disc { mass: 3 kg; inertia: 0.02 kg*m^2; port hub: (0, 0) m; start x: 5 m; start omega: 4 rad/s, locked; }
         revolute axle(ground.axle, disc.hub) {
@@ -193,11 +194,14 @@ mechanism! {
         }
         body block { mass: 2 kg; inertia: 0.1 kg*m^2; port p: (0, 0) m; start x: 15 m; start vx: 3 m/s, locked; start omega: 2 rad/s, locked; }
         pin_slot slot(ground.slot, block.p) { friction: 0.25; }
+        body drawer { mass: 2 kg; inertia: 0.1 kg*m^2; port p: (-0.3, 0) m; start x: 30.3 m; start vx: 3 m/s, locked; }
+        prismatic case(ground.drawer, drawer.p) { friction: 0.25; guide_length: 0.4 m; }
+
         discrete holds = 1;
         when t > 0.2 s { holds = 0; }
         body wheel { mass: 3 kg; inertia: 0.02 kg*m^2; port hub: (0, 0) m; start x: 25 m; start omega: 4 rad/s, locked; }
         revolute eye(ground.eye, wheel.hub) { friction: 0.2; pin_diameter: 40 mm; upper_limit: 1 rad; when: holds > 0.5; }
-        output axle.friction_torque, axle.friction_loss, slope.friction_force, slot.friction_force;
+        output axle.friction_torque, axle.friction_loss, slope.friction_force, slot.friction_force, case.friction_force;
     }
 }
 
@@ -263,6 +267,20 @@ fn friction_and_limits_go_with_their_joint() {
     near(sim.wheel().omega, omega, 1e-10);
     near(sim.wheel().angle, 0.2 * (4.0 - 0.1 * brake) + 0.3 * omega, 1e-10);
     near(sim.wheel().y, -0.5 * G * 0.09, 1e-10);
+}
+
+/// G is 0.3 m before the middle of a guide of 0.4 m: its ends carry 1.25 and 0.25 times the weight, and rub by their sum.
+#[test]
+fn a_guide_rubs_at_both_ends() {
+    let mut sim = Frictions::new().start_with(Dop853::new(1e-11)).unwrap();
+    let brake = 0.25 * 1.5 * G;
+    let stop = 3.0 / brake;
+    sim.step_to(0.5 * stop).unwrap();
+    near(sim.case_friction_force(), -2.0 * brake, 1e-10);
+    near(sim.drawer().vx, 1.5, 1e-10);
+    sim.step_to(stop + 1.0).unwrap();
+    near(sim.drawer().x, 30.3 + 1.5 * stop, 1e-10);
+    near(sim.drawer().vx, 0.0, 1e-13);
 }
 
 /// The slot carries the weight: the block is braked by mu g and turns on.
