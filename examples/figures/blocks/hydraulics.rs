@@ -3,6 +3,11 @@
 use plm::view::{Block, Side, Symbol};
 
 pub(super) fn blocks() -> Vec<Block> {
+    [machines(), valves()].concat()
+}
+
+/// Volumes, and what moves or is moved by oil.
+fn machines() -> Vec<Block> {
     vec![
         Block::new("fluid", Symbol::Text("oil".into()))
             .input("pressure")
@@ -33,32 +38,6 @@ pub(super) fn blocks() -> Vec<Block> {
             .port(Side::Right, "rod")
             .outward("force")
             .noting("displacement from 0 to stroke; force > 0 pushes the rod out"),
-        Block::new("orifice", Symbol::Orifice)
-            .port(Side::Left, "a")
-            .inward("flow")
-            .port(Side::Right, "b")
-            .outward("flow")
-            .noting("flow > 0 from a to b"),
-        Block::new("servo_valve", Symbol::Valve)
-            .input("signal")
-            .output("opening")
-            .port(Side::Top, "a")
-            .outward("flow_a")
-            .port(Side::Top, "b")
-            .outward("flow_b")
-            .port(Side::Bottom, "supply")
-            .port(Side::Bottom, "tank")
-            .noting("signal > 0 opens supply to a and b to tank;\nsignal < 0 opens supply to b and a to tank"),
-        Block::new("proportional_valve", Symbol::Valve)
-            .input("signal")
-            .output("opening")
-            .port(Side::Top, "a")
-            .outward("flow_a")
-            .port(Side::Top, "b")
-            .outward("flow_b")
-            .port(Side::Bottom, "supply")
-            .port(Side::Bottom, "tank")
-            .noting("signal > 0 opens supply to a and b to tank;\nsignal < 0 opens supply to b and a to tank"),
         Block::new("pump", Symbol::Pump)
             .port(Side::Left, "inlet")
             .inward("flow")
@@ -75,6 +54,51 @@ pub(super) fn blocks() -> Vec<Block> {
             .port(Side::Top, "shaft")
             .turning("torque")
             .noting("flow > 0 from a to b turns the shaft towards greater angles"),
+        Block::new("accumulator", Symbol::Accumulator)
+            .port(Side::Left, "port")
+            .inward("flow")
+            .noting("flow > 0 into the accumulator"),
+        Block::new("oil_line", Symbol::Line)
+            .port(Side::Left, "port")
+            .inward("flow")
+            .port(Side::Right, "end")
+            .outward("flow")
+            .noting("flow > 0 leaves at end"),
+    ]
+}
+
+fn valves() -> Vec<Block> {
+    vec![
+        Block::new("orifice", Symbol::Orifice)
+            .port(Side::Left, "a")
+            .inward("flow")
+            .port(Side::Right, "b")
+            .outward("flow")
+            .noting("flow > 0 from a to b"),
+        Block::new("servo_valve", Symbol::Valve)
+            .input("signal")
+            .output("opening")
+            .port(Side::Top, "a")
+            .outward("flow_a")
+            .port(Side::Top, "b")
+            .outward("flow_b")
+            .port(Side::Bottom, "supply")
+            .port(Side::Bottom, "tank")
+            .noting(
+                "signal > 0 opens supply to a and b to tank;\nsignal < 0 opens supply to b and a to tank",
+            ),
+        Block::new("proportional_valve", Symbol::Valve)
+            .input("signal")
+            .output("opening")
+            .port(Side::Top, "a")
+            .outward("flow_a")
+            .port(Side::Top, "b")
+            .outward("flow_b")
+            .port(Side::Bottom, "supply")
+            .port(Side::Bottom, "tank")
+            .noting(
+                "signal > 0 opens supply to a and b to tank;\nsignal < 0 opens supply to b and a to tank",
+            ),
         Block::new("relief_valve", Symbol::Relief)
             .port(Side::Left, "a")
             .inward("flow")
@@ -100,15 +124,5 @@ pub(super) fn blocks() -> Vec<Block> {
             .outward("flow")
             .port(Side::Top, "pilot")
             .noting("flow > 0 from load to valve: the load goes down"),
-        Block::new("accumulator", Symbol::Accumulator)
-            .port(Side::Left, "port")
-            .inward("flow")
-            .noting("flow > 0 into the accumulator"),
-        Block::new("oil_line", Symbol::Line)
-            .port(Side::Left, "port")
-            .inward("flow")
-            .port(Side::Right, "end")
-            .outward("flow")
-            .noting("flow > 0 leaves at end"),
     ]
 }
