@@ -15,11 +15,18 @@ use super::blocks::blocks;
 pub(crate) type Drawing = (String, String);
 
 /// Pages of parts whose example is drawn as it stands.
-const PLANAR: [&str; 20] = [
+const PLANAR: [&str; 27] = [
     "revolute",
     "prismatic",
     "pin_slot",
     "weld",
+    "clearance",
+    "bushing",
+    "stop",
+    "latch",
+    "lock",
+    "ratchet",
+    "bristle_friction",
     "force",
     "spring",
     "jack",

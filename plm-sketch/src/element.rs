@@ -56,6 +56,10 @@ impl Stage<'_> {
                 9.0
             }
             _ => {
+                if let Some(reach) = self.draw_mark(part, a, b) {
+                    self.name_of(&part.name, at(0.5, 0.0), reach);
+                    return;
+                }
                 self.paper.line(&self.class(&part.name, "dash"), &[a.at, b.at]);
                 3.0
             }

@@ -7,6 +7,7 @@ mod element;
 mod joint;
 mod label;
 mod look;
+mod mark;
 mod paper;
 mod stage;
 mod symbol;

@@ -1,9 +1,13 @@
-//! Parts of the library beside closed forms and published figures.
+//! Parts of the library beside closed forms, published figures and conservation laws.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
 mod belts;
 mod brakes;
+mod bristles;
+mod catches;
 mod gears;
+mod joints;
+mod loose;
 mod motors;
 mod ropes;
 mod screws;

@@ -39,7 +39,7 @@ impl<'a> Names<'a> {
         chosen == Some(option)
     }
 
-    /// What the uses around an item set a name of its part to. The outermost has the last word.
+    /// The value that the uses around an item set for a name of its part. The outermost has the last word.
     fn field(&self, name: &str) -> Option<&'a Expr> {
         let mut path = name.to_owned();
         let mut found = None;

@@ -9,13 +9,14 @@ macro_rules! catalogue {
 
 /// Name of each part of the library and the text that defines it.
 pub(crate) const PARTS: &[(&str, &str)] = catalogue! {
-    "joints": "pin_slot" "prismatic" "revolute" "weld";
+    "joints": "bushing" "clearance" "pin_slot" "prismatic" "revolute" "weld";
+    "contacts": "latch" "lock" "ratchet" "stop";
     "forces": "force" "jack" "spring";
     "masses": "attached_mass" "attached_rotor" "rotor" "sliding_mass";
     "sensors": "acceleration_sensor" "force_sensor" "position_sensor" "velocity_sensor";
     "lines":
-        "end_stop" "force_state_spring" "frame_axes" "shaft_ground" "shaft_spring" "slider_ground" "slider_spring"
-        "slider_velocity" "torque_state_spring";
+        "bristle_friction" "end_stop" "force_state_spring" "frame_axes" "shaft_ground" "shaft_spring" "slider_ground"
+        "slider_spring" "slider_velocity" "torque_state_spring";
     "hydraulics":
         "chamber" "cylinder" "fluid" "oil_line" "oil_source" "oil_tank" "orifice" "piston" "servo_valve";
     "transmission":

@@ -10,7 +10,7 @@ use crate::model::Name;
 use crate::resolve::Resolver;
 use crate::resolve::declarations::contact::WrittenContact;
 use crate::resolve::declarations::state::StateKind;
-use crate::resolve::names::{ScopeId, Thunk};
+use crate::resolve::names::{Optional, ScopeId, Thunk};
 use crate::resolve::values::expect::Wanted;
 use crate::resolve::values::{Nature, Quantity, Reads};
 use crate::syntax::ast::{self, ExprKind, Item, ItemKind};
@@ -83,6 +83,8 @@ impl<'a> Resolver<'a> {
         let Some((key, unit)) = self.name_and_unit(scope, ast) else { return };
         let span = ast.name.ident.span;
         if ast.optional.is_some() && !self.is_set(scope, ast, &key) {
+            let owner = self.names.owner(scope);
+            self.names.scopes[owner].optional.insert(key, Optional::Unset);
             return;
         }
         let slot = if let Some(instance) = self.names.instance(scope) {
@@ -103,7 +105,7 @@ impl<'a> Resolver<'a> {
         self.should_be_read(what, &ast.name.ident, slot);
         if ast.optional.is_some() {
             let owner = self.names.owner(scope);
-            self.names.scopes[owner].optional.insert(key, Some(slot));
+            self.names.scopes[owner].optional.insert(key, Optional::Set(slot));
         } else {
             self.bind(scope, &ast.name.ident, key, slot);
         }

@@ -134,13 +134,13 @@ const ELSEWHERE: &[(&str, &str)] = &[
 const INSTEAD: &[(&[&str], &str)] = &[
     (
         &["limits", "limit", "stop", "stops", "range", "min", "max", "lower", "upper"],
-        "a joint has no stops of its own: a rigid one is a row, `unilateral name: b.angle <= 90 deg;`, one that gives way a stiff spring in \
-         its `drive` (the book, Recipes: mechanics, Stops)",
+        "a joint is limited by `lower_limit` and `upper_limit`, rigid with a `restitution` or with a `limit_stiffness`; of a joint of your own \
+         it is a row, `unilateral name: b.angle <= 90 deg;`",
     ),
     (
         &["friction", "coulomb", "mu", "dry_friction"],
-        "a friction that sticks is a row, `friction name: rate(b.angle) within 1 N*m;`, one that creeps a law in the joint's `drive` that \
-         reads its `speed` (the book, Recipes: mechanics, Friction)",
+        "a coefficient of friction is the `friction` of revolute, prismatic and pin_slot; elsewhere it is a row, \
+         `friction name: rate(b.angle) within 1 N*m;`",
     ),
     (
         &["motor", "speed", "velocity", "omega", "angle", "position", "displacement"],

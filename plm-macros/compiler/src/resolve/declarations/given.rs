@@ -9,7 +9,7 @@ use crate::collect::{CollectVec, PushAll};
 use crate::diag::Code;
 use crate::resolve::Resolver;
 use crate::resolve::declarations::fields::field_name;
-use crate::resolve::names::{Names, ScopeId, SlotId};
+use crate::resolve::names::{Names, Optional, ScopeId, SlotId};
 use crate::resolve::values::expect::text_of;
 use crate::resolve::values::{Condition, Eval, Failed, Value};
 use crate::syntax::ast::{self, ExprKind, Field, Given, Item, ItemKind, Link, Operator, all_items};
@@ -32,22 +32,17 @@ impl<'a> Resolver<'a> {
     }
 
     /// Does the use of a part set an optional parameter? In a mechanism there is none.
-    pub(crate) fn is_set(&mut self, scope: ScopeId, ast: &'a ast::Value, key: &Cow<'a, str>) -> bool {
+    pub(crate) fn is_set(&mut self, scope: ScopeId, ast: &'a ast::Value, key: &str) -> bool {
         let Some(instance) = self.names.instance(scope) else {
             let span = ast.optional.unwrap_or(ast.name.ident.span);
             self.error(scope, Code::MisplacedItem, span, "what a mechanism has is never left out")
                 .help("give it a default; a parameter of a part may be `optional`");
             return true;
         };
-        let is_set = self.names.field(instance, key).is_some();
-        if !is_set {
-            let owner = self.names.owner(scope);
-            self.names.scopes[owner].optional.insert(key.clone(), None);
-        }
-        is_set
+        self.names.field(instance, key).is_some()
     }
 
-    /// Whether a condition of a block holds, and what it says is set.
+    /// True where a condition of a block holds; adds the parameters that it says are set.
     fn is_given(&mut self, scope: ScopeId, expr: &'a ast::Expr, known: &mut Known<'a>) -> Eval<bool> {
         match &expr.kind {
             ExprKind::Unknown => Err(Failed),
@@ -84,15 +79,17 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Whether the use sets a parameter or an input.
+    /// True where the use sets a parameter or an input.
     fn sets(&mut self, scope: ScopeId, name: &'a ast::IndexedName, known: &mut Known<'a>) -> Eval<bool> {
         let key = self.key(scope, name)?;
-        if let Some(slot) = self.names.optional(scope, &key) {
-            if let Some(slot) = slot {
+        match self.names.optional(scope, &key) {
+            Some(Optional::Set(slot)) => {
                 self.names.slots[slot].is_read = true;
                 known.push((key, slot));
+                return Ok(true);
             }
-            return Ok(slot.is_some());
+            Some(Optional::Unset) => return Ok(false),
+            None => {}
         }
         let Some(instance) = self.names.instance(scope) else { return Err(Failed) };
         let text = name.ident.text.as_str();
@@ -120,22 +117,19 @@ impl<'a> Resolver<'a> {
         Ok(self.names.field(instance, &key).is_some())
     }
 
-    /// What the use of a part sets must exist in it.
+    /// Refuses what the use of a part sets of blocks that are left out.
     pub(crate) fn refuse_left_out(&mut self, id: usize) {
         let (definition, inside) = (self.names.instances[id].definition, self.names.instances[id].scope);
         let mut blocks = Vec::new();
-        conditional(&definition.items, None, &mut blocks);
-        for (name, block) in blocks {
+        conditional(&definition.items, &[], &mut blocks);
+        for (name, within) in blocks {
             if self.names.is_declared(inside, name) {
                 continue;
             }
             for (outer, path, field) in self.names.fields_within(id, name) {
                 let message = format!("`{path}` is set, and does not exist here");
                 let diagnostic = self.error(outer, Code::UnknownField, field.span(), message);
-                match block.text() {
-                    Some(condition) => diagnostic.help(format!("it exists {condition}")),
-                    None => diagnostic.note_at(block.given.condition.span, "it depends on this"),
-                };
+                diagnostic.help(format!("it exists {}", text_of_blocks(&within)));
             }
         }
     }
@@ -143,15 +137,15 @@ impl<'a> Resolver<'a> {
     /// Help for an output that a part has in other uses.
     pub(crate) fn where_given(&self, id: usize, name: &str) -> Option<String> {
         let mut blocks = Vec::new();
-        conditional(&self.names.instances[id].definition.items, None, &mut blocks);
-        let block = blocks.into_iter().find(|(of, _)| *of == name)?.1;
-        Some(format!("`{name}` exists {}", block.text()?))
+        conditional(&self.names.instances[id].definition.items, &[], &mut blocks);
+        let (_, within) = blocks.into_iter().find(|(of, _)| *of == name)?;
+        Some(format!("`{name}` exists {}", text_of_blocks(&within)))
     }
 }
 
 impl<'a> Names<'a> {
-    /// An optional parameter that can be seen in a scope, and its slot where it is set.
-    fn optional(&self, scope: ScopeId, key: &str) -> Option<Option<SlotId>> {
+    /// An optional parameter that can be seen in a scope.
+    fn optional(&self, scope: ScopeId, key: &str) -> Option<Optional> {
         self.outwards(scope).find_map(|scope| self.scopes[scope].optional.get(key).copied())
     }
 
@@ -190,11 +184,10 @@ struct Block<'a> {
     is_otherwise: bool,
 }
 
-impl Block<'_> {
-    /// In words: "where `friction` is set".
-    fn text(self) -> Option<String> {
-        Some(format!("where {}", condition_text(&self.given.condition, self.is_otherwise)?))
-    }
+/// Blocks in words, from the outermost inwards: "where `friction` is set".
+fn text_of_blocks(blocks: &[Block]) -> String {
+    let conditions = blocks.iter().filter_map(|of| condition_text(&of.given.condition, of.is_otherwise));
+    format!("where {}", conditions.collect_vec().join(", and "))
 }
 
 /// A condition in words; negated, where the block stands behind `else`.
@@ -219,24 +212,27 @@ fn condition_text(expr: &ast::Expr, negated: bool) -> Option<String> {
     }
 }
 
-/// Names of parameters, states, choices, outputs and parts that stand in blocks, with the innermost block of each.
-fn conditional<'a>(items: &'a [Item], block: Option<Block<'a>>, found: &mut Vec<(&'a str, Block<'a>)>) {
+/// Names of parameters, states, choices, outputs and parts that stand in blocks, with the blocks around each.
+fn conditional<'a>(items: &'a [Item], within: &[Block<'a>], found: &mut Vec<(&'a str, Vec<Block<'a>>)>) {
     for item in items {
         match &item.kind {
             ItemKind::Given(given) => {
-                conditional(&given.items, Some(Block { given, is_otherwise: false }), found);
-                conditional(&given.otherwise, Some(Block { given, is_otherwise: true }), found);
+                for (items, is_otherwise) in [(&given.items, false), (&given.otherwise, true)] {
+                    let mut within = within.to_vec();
+                    within.push(Block { given, is_otherwise });
+                    conditional(items, &within, found);
+                }
             }
-            ItemKind::Repeat(repeat) => conditional(&repeat.items, block, found),
-            kind => {
-                let Some(block) = block else { continue };
-                found.push_all(names_of(kind).into_iter().map(|name| (name, block)));
+            ItemKind::Repeat(repeat) => conditional(&repeat.items, within, found),
+            kind if !within.is_empty() => {
+                found.push_all(names_of(kind).into_iter().map(|name| (name, within.to_vec())));
             }
+            _ => {}
         }
     }
 }
 
-/// What the use of a part can name of an item.
+/// Names of an item that the use of a part can write.
 fn names_of(item: &ItemKind) -> Vec<&str> {
     match item {
         ItemKind::Instance(instance) => vec![instance.name.ident.text.as_str()],

@@ -250,7 +250,7 @@ impl<'a> Resolver<'a> {
         rows.map(|row| row.lambda).collect_vec()
     }
 
-    /// What presses a friction, none of it negative: pushes, and the sizes of reactions that its limits read.
+    /// Pushes, and the sizes of reactions that the limits of a friction read: none of them negative.
     pub(super) fn presses(&self, of: Bounded) -> Vec<Expr> {
         self.pushes().into_iter().chain(self.sizes(of)).collect_vec()
     }

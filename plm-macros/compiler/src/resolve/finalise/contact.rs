@@ -80,6 +80,7 @@ impl<'a> Resolver<'a> {
         let restitution = of.value;
         let loss = Expr::ONE - restitution;
         if is_negative(restitution, &[]) || is_negative(loss, &[]) {
+            let (scope, expr) = self.origin(scope, expr);
             let message = format!("a coefficient of restitution is 0 to 1{}", found(expr, restitution));
             let diagnostic = self.error(scope, Code::ContactNumber, expr.span, message);
             if is_negative(loss, &[]) {

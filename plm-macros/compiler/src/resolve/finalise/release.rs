@@ -16,8 +16,8 @@ use crate::syntax::ast;
 pub(crate) const WHEN: &str = "when";
 
 impl<'a> Resolver<'a> {
-    /// Makes rows of contact of the constraints that have a condition; the others are left. Springs and dampers of a joint act
-    /// while it holds.
+    /// Makes rows of contact of the constraints that have a condition; the others are left. Springs, dampers, limits and friction of a
+    /// joint act while it holds.
     pub(crate) fn apply_conditions(
         &mut self,
         rows: Vec<Row>,
@@ -57,6 +57,10 @@ impl<'a> Resolver<'a> {
             self.unresolved.parts[part].pair = None;
             for load in loads.iter_mut().filter(|load| load.part == part) {
                 load.force = load.force.map_each(|force| force * exists);
+            }
+            let is_beside = |of: &&mut Contact| of.part == part && !matches!(of.law, ContactLaw::Constraint);
+            for contact in contacts.iter_mut().filter(is_beside) {
+                contact.exists = Some(contact.exists.map_or(exists, |own| own * exists));
             }
         }
         for output in outputs {

@@ -50,12 +50,19 @@ pub(crate) struct Scope<'a> {
     pub(crate) rows: SortedMap<Cow<'a, str>, (RowId, Span)>,
     /// Outputs of a part.
     pub(crate) outputs: SortedMap<Cow<'a, str>, SlotId>,
-    /// Optional parameters of a part, and their slots where the use sets them.
-    pub(crate) optional: SortedMap<Cow<'a, str>, Option<SlotId>>,
+    /// Optional parameters of a part.
+    pub(crate) optional: SortedMap<Cow<'a, str>, Optional>,
     /// Is it the block of a `given`? What is declared in it belongs to what encloses it.
     is_given: bool,
     /// The part whose inside this is.
     instance: Option<usize>,
+}
+
+/// A parameter that the use of a part need not set.
+#[derive(Clone, Copy)]
+pub(crate) enum Optional {
+    Unset,
+    Set(SlotId),
 }
 
 /// A row: index into the list of its kind.

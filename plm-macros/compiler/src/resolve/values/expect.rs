@@ -164,6 +164,22 @@ impl<'a> Resolver<'a> {
         if let [part] = reading[..] {
             return self.culprit(scope, part, of);
         }
+        match self.named_in_library(scope, expr) {
+            Some(Thunk { scope, expr, .. }) => self.culprit(scope, expr, of),
+            None => (scope, expr.span),
+        }
+    }
+
+    /// A value as it was written: of a name in a part of the library, what the use of the part has set.
+    pub(crate) fn origin(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> (ScopeId, &'a ast::Expr) {
+        match self.named_in_library(scope, expr) {
+            Some(Thunk { scope, expr, .. }) => self.origin(scope, expr),
+            None => (scope, expr),
+        }
+    }
+
+    /// The expression of a name that stands in a part of the library.
+    fn named_in_library(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Option<Thunk<'a>> {
         let is_of_library = expr.span.source != 0;
         let slot = match &expr.kind {
             ExprKind::Name(name) if is_of_library => {
@@ -171,10 +187,7 @@ impl<'a> Resolver<'a> {
             }
             _ => None,
         };
-        match slot.and_then(|slot| self.names.slots[slot].thunk) {
-            Some(Thunk { scope, expr, .. }) => self.culprit(scope, expr, of),
-            None => (scope, expr.span),
-        }
+        self.names.slots[slot?].thunk
     }
 
     /// Operands of an operation, arguments of a function; of a choice that is made already, what is chosen.
