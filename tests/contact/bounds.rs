@@ -32,7 +32,7 @@ mechanism! {
     }
 }
 
-fn fault(fading: Fading<f64>, method: impl Method<Fading<f64>>) -> (String, f64, String) {
+fn fault(fading: &Fading<f64>, method: impl Method<Fading<f64>>) -> (String, f64, String) {
     let mut sim = fading.start_with(method).unwrap();
     let fault = sim.step_to(5.0).unwrap_err();
     (fault.part.to_owned(), fault.time, fault.to_string())
@@ -42,7 +42,7 @@ fn fault(fading: Fading<f64>, method: impl Method<Fading<f64>>) -> (String, f64,
 /// friction that falls by its place is zero where x'' = -0.6 + 0.8 x has x = 3/8, and one that touches zero is none that falls.
 #[test]
 fn a_bound_that_falls_below_zero_ends_the_run_at_once() {
-    let (part, time, text) = fault(Fading { by_place: 1.0, ..Fading::new() }, Dop853::new(1e-12));
+    let (part, time, text) = fault(&Fading { by_place: 1.0, ..Fading::new() }, Dop853::new(1e-12));
     assert_eq!(part, "place");
     near(time, 0.5 * 3.0_f64.ln(), 1e-9);
     assert!(
@@ -50,12 +50,12 @@ fn a_bound_that_falls_below_zero_ends_the_run_at_once() {
         "{text}"
     );
 
-    let (part, time, _) = fault(Fading { by_time: 0.5, ..Fading::new() }, Dop853::new(1e-12));
+    let (part, time, _) = fault(&Fading { by_time: 0.5, ..Fading::new() }, Dop853::new(1e-12));
     assert_eq!(part, "time");
     near(time, 2.0, 1e-9);
 
     // With w^2 = 1.6 and s = 3/8 - x: s'' = w^2 s, s = 3/8 cosh(w t) - sinh(w t)/w.
-    let (part, time, _) = fault(Fading { by_push: 0.8, ..Fading::new() }, Dop853::new(1e-12));
+    let (part, time, _) = fault(&Fading { by_push: 0.8, ..Fading::new() }, Dop853::new(1e-12));
     let w = 1.6_f64.sqrt();
     assert_eq!(part, "lean");
     near(time, (0.375 * w).atanh() / w, 1e-9);
@@ -64,7 +64,7 @@ fn a_bound_that_falls_below_zero_ends_the_run_at_once() {
     sim.step_to(5.0).unwrap();
 
     // Steps that end behind it tell of it at their end.
-    let (part, time, _) = fault(Fading { by_time: 0.5, ..Fading::new() }, Rk4::new(0.03));
+    let (part, time, _) = fault(&Fading { by_time: 0.5, ..Fading::new() }, Rk4::new(0.03));
     assert!(part == "time" && (2.0..2.03 + 1e-12).contains(&time), "{time}");
 }
 
