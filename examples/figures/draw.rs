@@ -95,7 +95,7 @@ pub(crate) fn missing() -> Option<String> {
         blocks().iter().map(|block| block.name().to_owned()).chain(PLANAR.map(str::to_owned)).collect();
     let names = words::parts().iter().map(|(name, _)| *name);
     let mut missing: Vec<&str> = names.filter(|name| !drawn.iter().any(|drawn| drawn == name)).collect();
-    missing.sort();
+    missing.sort_unstable();
     (!missing.is_empty()).then(|| {
         format!(
             "parts without a figure: {}. List a part that joins frames in `PLANAR` of examples/figures/draw.rs (it is drawn from \
