@@ -56,7 +56,7 @@ plm::mechanism! {
     }
 }
 
-fn started(belts: Belts) -> Sim<Belts> {
+fn started(belts: &Belts) -> Sim<Belts> {
     belts.start_with(Dop853::new(1e-11)).unwrap()
 }
 
@@ -67,7 +67,7 @@ fn a_belt_slips_by_euler_and_eytelwein() {
     let ratio = (0.3 * wrap).exp();
     let most = 400.0 * (ratio - 1.0) / (ratio + 1.0);
     for sense in [1.0, -1.0] {
-        let mut sim = started(Belts { pull: sense * 60.0, ..Belts::new() });
+        let mut sim = started(&Belts { pull: sense * 60.0, ..Belts::new() });
         near(sim.drive_wrap(), wrap, 1e-12);
         // It sticks: seen from the first pulley 0.02 + 0.05/4 kg m^2. The belt takes 0.05/4 of that.
         let torque = |time: f64| 60.0 * time * 0.0125 / 0.0325;
@@ -96,9 +96,9 @@ fn a_belt_slips_by_euler_and_eytelwein() {
 /// Both pulleys swing against each other with w^2 = 2 c (ra^2/Ja + rb^2/Jb), about a common motion that stays.
 #[test]
 fn an_elastic_belt_swings() {
-    let mut sim = started(Belts::new());
-    let [ra, rb, ja, jb, c] = [0.05, 0.1, 0.02, 0.05, 2e4];
-    let rate = (2.0 * c * (ra * ra / ja + rb * rb / jb) as f64).sqrt();
+    let mut sim = started(&Belts::new());
+    let [ra, rb, ja, jb, c] = [0.05_f64, 0.1, 0.02, 0.05, 2e4];
+    let rate = (2.0 * c * (ra * ra / ja + rb * rb / jb)).sqrt();
     // Speed of the left strand's elongation at the start; its mass along the belt.
     let speed = ra * 1.0 + rb * 0.2;
     for time in [0.01, 0.1] {
@@ -120,7 +120,7 @@ fn an_elastic_belt_swings() {
 /// Without slack wheels are tied; with slack the right strand pulls once it is taut, along its tangent.
 #[test]
 fn a_chain_ties_and_its_taut_strand_pulls_on_the_bearings() {
-    let mut sim = started(Belts::new());
+    let mut sim = started(&Belts::new());
     sim.step_to(0.5).unwrap();
     let radius = |teeth: f64| 0.0127 / (2.0 * (std::f64::consts::PI / teeth).sin());
     let ratio = radius(17.0) / radius(34.0);
@@ -146,7 +146,7 @@ fn a_chain_ties_and_its_taut_strand_pulls_on_the_bearings() {
 /// At rest the push is the tension times both sines, and the tension follows from the way that the idler adds.
 #[test]
 fn a_tensioner_is_pushed_back_by_both_sides_of_its_strand() {
-    let mut sim = started(Belts::new());
+    let mut sim = started(&Belts::new());
     sim.step_to(5.0).unwrap();
     let y = sim.idler_position();
     let (before, behind) = (0.2_f64.hypot(y), 0.4_f64.hypot(y));

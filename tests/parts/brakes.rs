@@ -32,14 +32,14 @@ plm::mechanism! {
     }
 }
 
-fn started(brakes: Brakes) -> Sim<Brakes> {
+fn started(brakes: &Brakes) -> Sim<Brakes> {
     brakes.start_with(Dop853::new(1e-10)).unwrap()
 }
 
 /// C = 2 0.3 1 kN 5 cm = 30 N m: the speeds meet after dw J1 J2/((J1 + J2) C), and the heat is J1 J2/(J1 + J2) dw^2/2.
 #[test]
 fn a_clutch_locks_in_time_and_with_its_heat() {
-    let mut sim = started(Brakes::new());
+    let mut sim = started(&Brakes::new());
     let reduced = 0.2 * 0.3 / 0.5;
     let time = 80.0 * reduced / 30.0;
     sim.step_to(time - 1e-6).unwrap();
@@ -57,7 +57,7 @@ fn a_clutch_locks_in_time_and_with_its_heat() {
 /// 2 N m on 0.4 kg m^2 for 1 s, then -2 N m on 0.1 kg m^2 alone; from 2 s on it catches up what it has lost, in 1 s.
 #[test]
 fn a_freewheel_takes_along_and_overruns() {
-    let mut sim = started(Brakes::new());
+    let mut sim = started(&Brakes::new());
     sim.step_to(0.9).unwrap();
     near(sim.hub_torque(), 1.5, 1e-9);
     near(sim.hub_locked(), 1.0, 0.0);
@@ -79,7 +79,7 @@ fn a_drum_brake_presses_its_leading_shoe_on() {
         let mut brakes = Brakes::new();
         brakes.start.five_wheel.omega.value = 20.0 * sense;
         brakes.start.six_wheel.omega.value = 20.0 * sense;
-        let mut sim = started(brakes);
+        let mut sim = started(&brakes);
         sim.step_to(0.1).unwrap();
         near(sim.drum_leading_torque(), 366.0, 1.0);
         near(sim.drum_trailing_torque(), 162.0, 1.0);
@@ -96,7 +96,7 @@ fn a_drum_brake_presses_its_leading_shoe_on() {
 /// The speed 10 - 10 t + t^2/2 is zero at 10 - sqrt(80) s. What holds is 15 N m, which the drive t N m reaches at 15 s; what slips is 10 N m.
 #[test]
 fn a_brake_stops_holds_and_breaks_away() {
-    let mut sim = started(Brakes::new());
+    let mut sim = started(&Brakes::new());
     let rest = 10.0 - 80_f64.sqrt();
     sim.step_to(1.0).unwrap();
     near(sim.seven_speed(), 0.5, 1e-9);

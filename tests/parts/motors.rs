@@ -45,14 +45,14 @@ plm::mechanism! {
     }
 }
 
-fn started(motors: Motors) -> Sim<Motors> {
+fn started(motors: &Motors) -> Sim<Motors> {
     motors.start_with(Dop853::new(1e-11)).unwrap()
 }
 
 /// L J w'' + R J w' + k^2 w = k V: two real roots here.
 #[test]
 fn a_dc_motor_answers_a_step_of_its_voltage() {
-    let mut sim = started(Motors::new());
+    let mut sim = started(&Motors::new());
     let (l, r, j, k, v) = (2e-2_f64, 0.5, 1e-3, 0.05, 12.0);
     let half = r / (2.0 * l);
     let root = half * half - k * k / (l * j);
@@ -79,7 +79,7 @@ fn a_dc_motor_answers_a_step_of_its_voltage() {
 
 #[test]
 fn a_motor_by_its_line_runs_up_and_a_servo_keeps_its_limits() {
-    let mut sim = started(Motors::new());
+    let mut sim = started(&Motors::new());
     // 2 N m (1/2 - w/300): a time constant of 0.01 300/2 s.
     sim.step_to(0.005).unwrap();
     near(sim.eight_speed(), 0.1 * 0.005 / 0.02, 1e-9);
@@ -98,12 +98,12 @@ fn a_motor_by_its_line_runs_up_and_a_servo_keeps_its_limits() {
 /// Inverse dynamics: J times the acceleration that is asked for.
 #[test]
 fn a_motion_takes_its_torque() {
-    let mut sim = started(Motors::new());
+    let mut sim = started(&Motors::new());
     sim.step_to(0.25).unwrap();
     // 10 s^3 - 15 s^4 + 6 s^5, twice: its second derivative is 2 (60 s - 180 s^2 + 120 s^3).
     near(sim.planned_torque(), 0.03 * 2.0 * (15.0 - 180.0 / 16.0 + 120.0 / 64.0), 1e-9);
     // A swing that is handed over every millisecond.
-    let mut sim = started(Motors { speed: 3.0, ..Motors::new() });
+    let mut sim = started(&Motors { speed: 3.0, ..Motors::new() });
     for k in 0..200 {
         let at = 1e-3 * f64::from(k);
         let (sin, cos) = (3.0 * at).sin_cos();
@@ -122,7 +122,7 @@ fn a_motion_takes_its_torque() {
 #[test]
 fn a_gas_spring_is_polytropic() {
     for index in [1.0, 1.4] {
-        let mut sim = started(Motors { index, ..Motors::new() });
+        let mut sim = started(&Motors { index, ..Motors::new() });
         let area = std::f64::consts::PI / 4.0 * 1e-4;
         let volume = |length: f64| 30e-6 - area * (0.5 - length);
         let pressure = |length: f64| 60e5 * (30e-6 / volume(length)).powf(index);
@@ -149,13 +149,13 @@ fn a_counterweight_balances_and_a_spring_has_its_characteristic() {
         let mut motors = Motors::new();
         motors.start.arm.angle.value = angle;
         motors.start.arm.angle.locked = true;
-        let sim = started(motors);
+        let sim = started(&motors);
         near(sim.balance_mass(), 4.0, 1e-12);
         near(sim.arm_alpha(), 0.0, 1e-9);
         // On the ground: both weights.
         near(sim.pivot_force()[1], -6.0 * 9.81, 1e-9);
     }
-    let mut sim = started(Motors::new());
+    let mut sim = started(&Motors::new());
     sim.step_to(0.1).unwrap();
     let x = sim.cart_x() - 0.1;
     assert!(x < 0.0999, "{x}");

@@ -55,7 +55,7 @@ plm::mechanism! {
     }
 }
 
-fn started(ropes: Ropes) -> Sim<Ropes> {
+fn started(ropes: &Ropes) -> Sim<Ropes> {
     ropes.start_with(Dop853::new(1e-11)).unwrap()
 }
 
@@ -68,7 +68,7 @@ fn calm(heavy: f64) -> Ropes {
 #[test]
 fn a_tackle_pulls_twice() {
     for weight in [1.0, 2.0, 2.5] {
-        let mut sim = started(Ropes { counter: weight, ..Ropes::new() });
+        let mut sim = started(&Ropes { counter: weight, ..Ropes::new() });
         sim.step_to(0.4).unwrap();
         near(sim.block_vy(), 0.4 * (2.0 * weight - 4.0) * G / (4.0 + 4.0 * weight), 1e-9);
         near(sim.weight_vy(), -2.0 * sim.block_vy(), 1e-9);
@@ -83,7 +83,7 @@ fn a_rope_pulls_only() {
     // The weight rests on the rope at the start; a start with a slack that opens is no impact.
     let mut ropes = Ropes { counter: 2.0, ..Ropes::new() };
     ropes.start.block.vy.value = 1.0;
-    let mut sim = started(ropes);
+    let mut sim = started(&ropes);
     sim.step_to(0.1).unwrap();
     near(sim.tackle_tension(), 0.0, 0.0);
     near(sim.block_vy(), 1.0 - 0.1 * G, 1e-9);
@@ -102,7 +102,7 @@ fn a_rope_pulls_only() {
 /// The jumper comes as deep as m g (l + x) = c x^2/2.
 #[test]
 fn an_elastic_rope_catches_what_falls() {
-    let mut sim = started(calm(3.0));
+    let mut sim = started(&calm(3.0));
     let (weight, stiffness) = (70.0 * G, 100.0);
     let deepest = (weight + (weight * weight + 2.0 * stiffness * weight * 9.5).sqrt()) / stiffness;
     // Free fall by 9.5 m, then from the middle of a swing.
@@ -124,14 +124,14 @@ fn an_elastic_rope_catches_what_falls() {
 #[test]
 fn a_capstan_holds_and_slips_by_euler_and_eytelwein() {
     let ratio = (0.25 * 1.5 * std::f64::consts::PI).exp();
-    let mut held = started(calm(3.0));
+    let mut held = started(&calm(3.0));
     held.step_to(2.0).unwrap();
     near(held.load_y(), 2.0, 1e-12);
     near(held.turns_tension_near(), 3.0 * G, 1e-9);
     near(held.turns_tension_far(), G, 1e-9);
     near(held.turns_torque(), -0.05 * 2.0 * G, 1e-9);
     for heavy in [4.0, 0.2] {
-        let mut sim = started(calm(heavy));
+        let mut sim = started(&calm(heavy));
         sim.step_to(0.3).unwrap();
         let ratio = if heavy > 1.0 { ratio } else { 1.0 / ratio };
         let fall = G * (heavy - ratio) / (heavy + ratio);
@@ -145,7 +145,7 @@ fn a_capstan_holds_and_slips_by_euler_and_eytelwein() {
 /// 30 N m lift 10 kg by a drum of 0.1 m and 0.5 kg m^2: (30 - 0.981 10)/(0.5 + 0.1) rad/s^2.
 #[test]
 fn a_winch_lifts() {
-    let mut sim = started(Ropes::new());
+    let mut sim = started(&Ropes::new());
     sim.step_to(0.2).unwrap();
     let alpha = (30.0 - 9.81) / 0.6;
     near(sim.drum_speed(), 0.2 * alpha, 1e-9);

@@ -33,7 +33,7 @@ plm::mechanism! {
     }
 }
 
-fn at(shafts: Shafts, time: f64) -> Sim<Shafts> {
+fn at(shafts: &Shafts, time: f64) -> Sim<Shafts> {
     let mut sim = shafts.start_with(Dop853::new(1e-10)).unwrap();
     sim.step_to(time).unwrap();
     sim
@@ -42,7 +42,7 @@ fn at(shafts: Shafts, time: f64) -> Sim<Shafts> {
 /// Torques of 1, k and -(1 + k), and speeds by Willis; the torque of the sun follows from all three inertias.
 #[test]
 fn three_shafts_turn_by_willis() {
-    let sim = at(Shafts::new(), 0.5);
+    let sim = at(&Shafts::new(), 0.5);
     let k = 3.0;
     let lambda = 2.0 / 0.01 / (1.0 / 0.01 + k * k / 0.1 + (1.0 + k) * (1.0 + k) / 0.2);
     near(sim.set_torque_sun(), -lambda, 1e-9);
@@ -58,7 +58,7 @@ fn three_shafts_turn_by_willis() {
 fn a_worm_has_the_efficiency_of_its_thread_and_holds() {
     let (tan, cos) = (5_f64.to_radians().tan(), 20_f64.to_radians().cos());
     let ratio = 0.02 * tan / 0.1;
-    let sim = at(Shafts::new(), 0.2);
+    let sim = at(&Shafts::new(), 0.2);
     assert!(sim.spindle_speed() > 1.0);
     near(sim.wheel_speed(), ratio * sim.spindle_speed(), 1e-9);
     let taken = -sim.drive_torque_a() * sim.spindle_speed();
@@ -67,16 +67,16 @@ fn a_worm_has_the_efficiency_of_its_thread_and_holds() {
     near(sim.drive_lost(), taken - given, 1e-9 * taken);
 
     let driven = |mu| Shafts { mu, spin: 0.0, load: 50.0, ..Shafts::new() };
-    let sim = at(driven(0.05), 0.2);
+    let sim = at(&driven(0.05), 0.2);
     let taken = -sim.drive_torque_b() * sim.wheel_speed();
     let given = sim.drive_torque_a() * sim.spindle_speed();
     assert!(taken > 0.0, "{taken}");
     near(given / taken, (cos * tan - 0.05) / ((cos + 0.05 * tan) * tan), 1e-9);
     // cos a tan g = 0.0822.
-    let held = at(driven(0.083), 2.0);
+    let held = at(&driven(0.083), 2.0);
     assert_eq!((held.wheel_angle(), held.wheel_speed()), (0.0, 0.0));
     near(held.drive_torque_b(), -50.0, 1e-9);
-    assert!(at(driven(0.081), 2.0).wheel_angle() > 1e-3);
+    assert!(at(&driven(0.081), 2.0).wheel_angle() > 1e-3);
 }
 
 /// The same, example 8-1: 26.18 N m to raise 6.4 kN, 9.77 N m to lower them, with a collar.
@@ -84,7 +84,7 @@ fn a_worm_has_the_efficiency_of_its_thread_and_holds() {
 fn a_lead_screw_raises_lowers_and_holds() {
     let published = [(100.0, 26.18, 1.0), (-20.0, 9.77, -1.0)];
     for (turn, torque, sense) in published {
-        let sim = at(Shafts { turn, ..Shafts::new() }, 0.05);
+        let sim = at(&Shafts { turn, ..Shafts::new() }, 0.05);
         near(-sense * sim.thread_torque() / sim.thread_force() * 6400.0, torque, 0.005);
         let (lead, diameter, mu) = (0.008, 0.03, 0.08);
         let turn = std::f64::consts::PI * diameter;
@@ -94,13 +94,13 @@ fn a_lead_screw_raises_lowers_and_holds() {
         let net = sim.thread_torque() * sim.screw_speed() + sim.thread_force() * sim.nut_speed();
         near(sim.thread_lost(), -net, 1e-9 * net.abs());
     }
-    let held = at(Shafts { turn: 0.0, ..Shafts::new() }, 1.0);
+    let held = at(&Shafts { turn: 0.0, ..Shafts::new() }, 1.0);
     assert_eq!((held.nut_position(), held.screw_speed()), (0.0, 0.0));
 }
 
 #[test]
 fn a_gearbox_gives_its_share_of_the_power() {
-    let sim = at(Shafts::new(), 0.3);
+    let sim = at(&Shafts::new(), 0.3);
     near(sim.fast_speed(), 10.0 * sim.slow_speed(), 1e-9);
     near(sim.reducer_torque_b() * sim.slow_speed(), -0.9 * sim.reducer_torque_a() * sim.fast_speed(), 1e-9);
     near(sim.reducer_lost(), -0.1 * sim.reducer_torque_a() * sim.fast_speed(), 1e-9);
