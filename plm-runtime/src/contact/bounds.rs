@@ -23,8 +23,8 @@ pub(super) fn look_at_bounds<M: Contacts<N>, const N: usize>(
     for row in (0..N).filter(|row| system.exists(u, *row)) {
         let bounds = [&rows.kinetic[row], &rows.adhesion[row]];
         let limits = bounds.into_iter().flat_map(|bound| [&bound.lower, &bound.upper]);
-        // Infinite, or not a number, where the row has no direction.
-        let none = M::S::lit(ROUNDING) * rows.free[row].abs() / rows.delassus[row][row];
+        // Infinite, or not a number, where the row has no direction; the entry of D may be rounding of either sign there.
+        let none = M::S::lit(ROUNDING) * (rows.free[row] / rows.delassus[row][row]).abs();
         if let Some(limit) = limits.filter(is_known).find(|limit| limit.own < -none) {
             let found = limit.own.to_f64();
             let cause = Cause::NotAllowed {
