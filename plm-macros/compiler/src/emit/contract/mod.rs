@@ -5,6 +5,7 @@ pub(super) mod charted;
 pub(super) mod contact;
 mod contact_events;
 mod contact_motion;
+pub(super) mod contact_sliding;
 pub(super) mod described;
 mod directions;
 pub(super) mod limits;
