@@ -149,17 +149,14 @@ impl<'a> Resolver<'a> {
             ExprKind::Name(name) if name.indices.is_empty() => self.names.field(instance?, &name.ident.text),
             _ => None,
         });
-        match set {
-            Some((outer, field)) => {
-                let text = text.unwrap_or_else(|| "another value".to_owned());
-                let message = format!("`{name}` requires {text}");
-                self.error(outer, Code::WrongKind, field.value.span, message)
-                    .note_at(failing.span, "the requirement stands here");
-            }
-            None => {
-                let message = format!("the requirement `{name}` never holds");
-                self.error(scope, Code::WrongKind, failing.span, message);
-            }
+        if let Some((outer, field)) = set {
+            let text = text.unwrap_or_else(|| "another value".to_owned());
+            let message = format!("`{name}` requires {text}");
+            self.error(outer, Code::WrongKind, field.value.span, message)
+                .note_at(failing.span, "the requirement stands here");
+        } else {
+            let message = format!("the requirement `{name}` never holds");
+            self.error(scope, Code::WrongKind, failing.span, message);
         }
         Failed
     }
