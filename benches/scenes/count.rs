@@ -26,10 +26,15 @@ pub(crate) fn counted(find: impl FnOnce(&str, &str) -> Steps) -> bool {
 }
 
 /// Instructions per step of what `find` of [`counted`] gives for these two words.
+#[allow(dead_code, reason = "some benches count runs")]
 pub(crate) fn per_step(scene: &str, what: &str) -> f64 {
-    let once = instructions(scene, what, STEPS);
-    let twice = instructions(scene, what, 2 * STEPS);
-    (twice - once) as f64 / f64::from(STEPS)
+    between(scene, what, [STEPS, 2 * STEPS]) / f64::from(STEPS)
+}
+
+/// The instructions that a run of the second length takes more than one of the first.
+pub(crate) fn between(scene: &str, what: &str, steps: [u32; 2]) -> f64 {
+    let [fewer, more] = steps.map(|steps| instructions(scene, what, steps));
+    more as f64 - fewer as f64
 }
 
 /// Instructions of a whole run of this program.

@@ -48,9 +48,9 @@ pub mod compact {
 
 pub mod contact {
     pub use crate::contact::{
-        Contacts, Held, ImpactLaw, Law, Load, Rows, Status, add_forces, appear, begin, drift, guard_count,
-        guards, guards_within, held_rows, project, settle, state_was_set, stay, sum_of, switch_behind,
-        update, with_limits, with_multipliers,
+        Contacts, Held, ImpactLaw, Kinematics, Law, Load, Rows, Status, add_forces, appear, begin, drift,
+        guard_count, guards, guards_within, held_rows, project, settle, slide, slipping, state_was_set, stay,
+        sum_of, switch_behind, update, with_multipliers,
     };
 }
 

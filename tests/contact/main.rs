@@ -14,6 +14,7 @@ mod machines;
 mod mixed;
 mod painleve;
 mod pictures;
+mod reactions;
 mod release;
 mod scenes;
 mod sums;

@@ -4,12 +4,13 @@ use crate::Result;
 use crate::place::Place;
 
 /// A name, what it measures, and the command.
-const BENCHES: [(&str, &str, &str); 6] = [
+const BENCHES: [(&str, &str, &str); 7] = [
     (
         "instructions",
         "instructions of a step beside their limits, by valgrind",
         "bash benches/instructions.sh",
     ),
+    ("contact", "instructions of a slider-crank with friction, by valgrind", "bash benches/contact.sh"),
     ("kernels", "generated code beside kernels written by hand", "bash benches/kernels.sh"),
     ("implicit", "linear systems of implicit methods along a chain", "cargo bench --quiet --bench implicit"),
     (

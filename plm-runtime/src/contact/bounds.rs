@@ -69,7 +69,7 @@ pub(super) fn look_at_falling_bounds<M: Contacts<N>, const N: usize>(
 
 /// Rounding of a bound; infinite, or not a number, where the row has no direction.
 fn rounding<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize) -> S {
-    S::lit(ROUNDING) * rows.free[row].abs() / rows.delassus[row][row]
+    S::lit(ROUNDING) * rows.free[row].abs() / rows.delassus[row][row].abs()
 }
 
 /// The fault of a bound.

@@ -207,11 +207,15 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             }
             let allowed = self.allowed(&laws, (none, struck.count), &rows, u);
             let (solution, is_ambiguous) = self.choose(&rows, &allowed, u, x)?;
+            let sinks = |i: usize, slow: M::S| {
+                allowed[i] == Allowed::Touching && rows.rate[i] < -slow && solution.opens(i)
+            };
+            if slowest.is_some() || !(0..N).any(|i| sinks(i, none)) {
+                break (solution, is_ambiguous);
+            }
             // Slow approaches are none to rows that close. One that opens would sink in, and be an event again at once.
-            let slow = none.max(self.no_slip(&rows, u));
-            let sinks =
-                |i: usize| allowed[i] == Allowed::Touching && rows.rate[i] < -slow && solution.opens(i);
-            if slowest.is_some() || !(0..N).any(sinks) {
+            let slow = none.max(self.no_slip(acceleration::<M, N>(&rows, u)));
+            if !(0..N).any(|i| sinks(i, slow)) {
                 break (solution, is_ambiguous);
             }
             slowest = Some(slow);
@@ -290,7 +294,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         rows: &Rows<M::S, N>,
         u: &M::U,
     ) -> [Allowed; N] {
-        let touches = self.touches(laws, rows, u);
+        let (touches, acceleration) = (self.touches(laws, rows, u), acceleration::<M, N>(rows, u));
         core::array::from_fn(|i| {
             let is_due = self.occasion.row() == Some(i);
             if let Some(mode) = laws[i].fixed(self.system.exists(u, i)) {
@@ -302,11 +306,11 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
                 return if rests { Allowed::Touching } else { Allowed::Only(Mode::Open) };
             }
             let since = if is_due && impacts == 0 && u.modes().of[i].slips() {
-                self.step * acceleration::<M, N>(rows, u)
+                self.step * acceleration
             } else {
                 M::S::ZERO
             };
-            let none = none.max(self.no_slip(rows, u)).max(since);
+            let none = none.max(self.no_slip(acceleration)).max(since);
             match rows.rate[i] {
                 slip if slip > none => Allowed::Only(Mode::Forwards),
                 slip if slip < -none => Allowed::Only(Mode::Backwards),
@@ -343,8 +347,8 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     }
 
     /// Slower than this a friction does not slip.
-    fn no_slip(&self, rows: &Rows<M::S, N>, u: &M::U) -> M::S {
-        M::S::lit(NO_SLIP) * speed(self.system, rows, u)
+    fn no_slip(&self, acceleration: M::S) -> M::S {
+        M::S::lit(NO_SLIP) * (acceleration * self.system.length()).sqrt()
     }
 
     pub(super) fn fault(&self, row: usize, cause: Cause) -> Fault {

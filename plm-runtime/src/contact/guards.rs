@@ -5,14 +5,14 @@
 //! gap. So those two are enclosed over a step, and a row that slips is looked at in some places of it.
 
 use super::bounds::least_bound;
+use super::kinematics::Kinematics;
 use super::loads::Load;
-use super::margins::{PER_ROW, SIGN, each_margin, margins};
+use super::margins::{PER_ROW, SIGN, UNIQUE, margins};
 use super::modes::{Mode, Modes};
-use super::multipliers::Multipliers;
 use super::rows::Rows;
 use super::{Contacts, Modal};
 use crate::enclosure::Enclosed;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 
 /// A guard stays on its side if it is larger than so many times its second difference over half of the step, ...
 const BENT: f64 = 2.0;
@@ -33,8 +33,12 @@ pub fn guards<M: Contacts<N>, const N: usize>(
     let (modes, each) = (u.modes(), &mut existing(system, u, each));
     if is_free(system, u) {
         let rows = system.kinematics_at(t, u, x);
-        if !reads_forces(&rows, modes) {
-            each_margin(&rows, (modes, modes.orientation), &Multipliers::none(), each);
+        if !rows.reads_forces(modes) {
+            free_margins(&rows, modes, (modes.orientation, None), each);
+            return;
+        }
+        if let Some(sizes) = system.sliding(t, u, x) {
+            free_margins(&rows, modes, (modes.orientation, Some(&sizes)), each);
             return;
         }
     }
@@ -66,7 +70,7 @@ pub fn guards_within<M: Contacts<N>, const N: usize>(
     // Where every row slips nothing is known.
     if !modes.of.iter().all(|mode| mode.slips()) {
         let rows = system.kinematics(t, u, x, &Enclosed::constant);
-        each_margin(&rows, (modes, orientation), &Multipliers::none(), &mut |index, margin| {
+        free_margins(&rows, modes, (orientation, None), &mut |index, margin| {
             let of_row = modes.of.get(index / PER_ROW).filter(|_| index % PER_ROW != SIGN);
             let is_known = of_row.map_or(!slips, |mode| !mode.slips());
             if is_known {
@@ -123,20 +127,48 @@ pub fn stay<M: Contacts<N>, const N: usize>(
 fn slipping<M: Contacts<N>, const N: usize>(system: &M, u: &M::U, t: M::S, x: &M::X) -> [[M::S; PER_ROW]; N] {
     let (modes, mut found) = (u.modes(), [[M::S::ZERO; PER_ROW]; N]);
     let kinematics = system.kinematics_at(t, u, x);
-    let is_line = |load: usize| matches!(kinematics.load[load], Load::Line { .. });
-    let has_sign = |row: usize| modes.of[row].slips() && kinematics.loads_of(row).any(is_line);
+    let has_sign = |load: usize| kinematics.is_line(load) && kinematics.bounds_slip(load, modes);
     let mut each = |index: usize, guard: M::S| {
         if let Some(row) = found.get_mut(index / PER_ROW) {
             row[index % PER_ROW] = guard;
         }
     };
-    if (0..N).any(has_sign) {
+    if !(0..N).any(has_sign) {
+        free_margins(&kinematics, modes, (modes.orientation, None), &mut each);
+    } else if let Some(sizes) = system.sliding(t, u, x) {
+        free_margins(&kinematics, modes, (modes.orientation, Some(&sizes)), &mut each);
+    } else {
         // Where multipliers are not unique guards are zero, which is not clear.
         let _ = margins(&system.rows_at(t, u, x), (modes, modes.orientation), &mut each);
-    } else {
-        each_margin(&kinematics, (modes, modes.orientation), &Multipliers::none(), &mut each);
     }
     found
+}
+
+/// Gives each margin where no row holds, and what is off stays off. `sizes` are those of reactions along a line where sweeps have found
+/// the forces of rows that slip: where these converge, the determinant has not come to zero since the modes were chosen.
+fn free_margins<T: Scalar, const N: usize>(
+    rows: &Kinematics<T, N>,
+    modes: &Modes<impl Scalar, N>,
+    (orientation, sizes): (T, Option<&[T; N]>),
+    each: &mut impl FnMut(usize, T),
+) {
+    let far = T::lit(1.0);
+    for (row, mode) in modes.of.iter().enumerate() {
+        let margin = match mode {
+            _ if modes.is_carried(row) => far,
+            Mode::Open => rows.gap[row],
+            Mode::Forwards | Mode::Backwards => mode.sign::<T>() * rows.rate[row],
+            Mode::Closed | Mode::Off | Mode::Sticks => far,
+        };
+        each(PER_ROW * row, margin);
+        each(PER_ROW * row + 1, far);
+    }
+    for load in 0..N {
+        let is_sized = rows.is_line(load) && rows.bounds_slip(load, modes);
+        each(PER_ROW * load + SIGN, sizes.filter(|_| is_sized).map_or(far, |sizes| sizes[load]));
+    }
+    let least = T::lit(if modes.of.iter().any(|mode| mode.slips()) { UNIQUE } else { 0.0 });
+    each(PER_ROW * N, if sizes.is_some() { far } else { orientation } - least);
 }
 
 /// No row holds, none that is off can get a force unless a gap closes, and no bound has to be looked at.
@@ -174,13 +206,4 @@ fn existing<'a, M: Contacts<N>, T: Scalar, const N: usize>(
         let has_margins = row >= N || is_sign || system.exists(u, row) && !system.law(row).is_constraint();
         each(index, if has_margins { margin } else { T::lit(1.0) });
     }
-}
-
-/// Do guards read forces, where no row holds? A bound by a reaction has a sign, and it couples the rows that slip.
-fn reads_forces<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &Modes<S, N>) -> bool {
-    (0..N).any(|row| {
-        let limits = [&rows.kinetic[row].lower, &rows.kinetic[row].upper];
-        let couples = |j: usize| modes.of[j].slips() && limits.iter().any(|limit| limit.by[j] != S::ZERO);
-        modes.of[row].slips() && (rows.loads_of(row).next().is_some() || (0..N).any(couples))
-    })
 }

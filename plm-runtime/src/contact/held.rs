@@ -9,11 +9,12 @@
 //!   of the rows and the `responses`, what a multiplier of one adds to the rate. They read no multipliers, and of the modes the signs of
 //!   reactions alone.
 //! * `Rate::rate`: where [`has_forces`](Held::has_forces), that second function, then [`add_forces`](super::add_forces); else the motion, which
-//!   reads `u.contact.lambda` as it reads inputs. Where all that slips has limits of its own ([`Modes::slip_by`]), the motion with a copy of
-//!   `u` by [`with_limits`](super::with_limits). The rate by rank and outputs need a copy by
+//!   reads `u.contact.lambda` as it reads inputs. Where nothing holds ([`slipping`](super::slipping)), the forces of rows that slip by
+//!   [`slide`](super::slide) with a function of sweeps, and accelerations with them. The rate by rank and outputs need a copy by
 //!   [`with_multipliers`](super::with_multipliers). Where the rate is not affine in the multipliers, the motion with that copy, then
 //!   [`settle`](super::settle). Derivatives come from running all of it on [`Dual`](crate::Dual) numbers: multipliers depend on the state.
-//! * [`Contacts<N>`](super::Contacts), with `rows` and `kinematics` by `pack` and `pack_held`, `rows_at` and `kinematics_at` without; `project_joints` and `drift_of_joints`
+//! * [`Contacts<N>`](super::Contacts), with `rows` and `kinematics` by `pack` and `pack_held`, `rows_at` and `kinematics_at` without; `sliding`
+//!   has the sizes of reactions along a line that `slide` has led to; `project_joints` and `drift_of_joints`
 //!   are what `project` and `drift` of the mechanism were without contact. Where there are more reactions than rows, rows that are none
 //!   do not exist.
 //! * `Constraints`: [`project`](super::project), [`drift`](super::drift).

@@ -17,6 +17,7 @@ mod event;
 mod guards;
 mod held;
 mod impact;
+mod kinematics;
 mod loads;
 mod marginal;
 mod margins;
@@ -27,6 +28,7 @@ mod pivots;
 mod project;
 mod rows;
 mod signs;
+mod sliding;
 mod status;
 mod strikes;
 mod sunk;
@@ -38,11 +40,13 @@ pub use self::event::{Outcome, begin, switch, switch_behind, update};
 pub use self::guards::{guards, guards_within, stay};
 pub use self::held::{Held, Modal};
 pub use self::impact::{Doubts, ImpactLaw};
+pub use self::kinematics::Kinematics;
 pub use self::loads::{Affine, Load};
 pub use self::margins::{PER_ROW, guard_count};
 pub use self::modes::{Mode, Modes};
 pub use self::project::{drift, held_rows, project};
 pub use self::rows::{Friction, Law, Limit, Rows};
+pub use self::sliding::{slide, slipping};
 pub use self::status::{Counts, Status};
 pub use self::sunk::appear;
 use crate::fault::Fault;
@@ -91,20 +95,27 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
         self.rows(t, u, &|i| x.at(i), &|number| number)
     }
 
-    /// Gaps, rates and [loads](Rows::load) of all rows alone, as [`rows`](Self::rows) gives them: what is known without forces.
+    /// What is known without forces, as [`rows`](Self::rows) gives it.
     fn kinematics<T: Scalar>(
         &self,
         t: T,
         u: &Self::U,
         x: &impl Fn(usize) -> T,
         constant: &impl Fn(Self::S) -> T,
-    ) -> Rows<T, N> {
-        self.rows(t, u, x, constant)
+    ) -> Kinematics<T, N> {
+        Kinematics::of(&self.rows(t, u, x, constant))
     }
 
     /// The same in the numbers of the system.
-    fn kinematics_at(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Rows<Self::S, N> {
-        self.rows_at(t, u, x)
+    fn kinematics_at(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Kinematics<Self::S, N> {
+        Kinematics::of(&self.rows_at(t, u, x))
+    }
+
+    /// Where every row that has a force slips, by row the size of a reaction along a line that bounds it, with the sign that is held;
+    /// nothing where [`rows`](Self::rows) are to say it.
+    fn sliding(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Option<[Self::S; N]> {
+        let _ = (t, u, x);
+        None
     }
 
     /// The rate of the state without contact forces.
@@ -173,22 +184,10 @@ pub fn with_multipliers<T: Scalar, const N: usize>(rows: &Rows<T, N>, held: &Hel
     Held { lambda: without_noise(rows, &held.modes), ..*held }
 }
 
-/// The discrete state with the multipliers of rows that slip, `[lower, upper]` being their limits; of use where every row that has a
-/// force slips, by limits of its own.
-#[must_use]
-pub fn with_limits<T: Scalar, const N: usize>(held: &Held<T, N>, limits: &[[T; 2]; N]) -> Held<T, N> {
-    let lambda = core::array::from_fn(|row| match held.modes.of[row] {
-        Mode::Forwards => -limits[row][0],
-        Mode::Backwards => limits[row][1],
-        _ => T::ZERO,
-    });
-    Held { lambda, ..*held }
-}
-
 /// The multipliers, without those that are rounding of the others: lambda_i sqrt(D_ii) has the same unit in every row.
 fn without_noise<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &Modes<T, N>) -> [T; N] {
     // Forces of rows that slip follow from their limits.
-    if !modes.of.iter().any(|mode| mode.holds()) {
+    if !modes.hold() {
         return multipliers::sliding(rows, &modes.of).unwrap_or_else(|| lambda_of(rows, modes));
     }
     let lambda = lambda_of(rows, modes);
@@ -209,7 +208,7 @@ pub fn add_forces<T: Scalar, X: Vector<T>, const N: usize>(
 ) {
     let lambda = without_noise(rows, &held.modes);
     *dx = dx.map2(&sum_of(responses, &lambda), |free, response| free + response);
-    if held.modes.of.iter().any(|mode| mode.holds()) {
+    if held.modes.hold() {
         balance(dx, &lambda, |lambda| sum_of(responses, lambda));
     }
 }
@@ -229,7 +228,7 @@ pub fn settle<T: Scalar, X: Vector<T>, const N: usize>(
     held: &Held<T, N>,
     response: impl FnOnce(&[T; N]) -> X,
 ) {
-    if held.modes.of.iter().any(|mode| mode.holds()) {
+    if held.modes.hold() {
         balance(dx, &held.lambda, response);
     }
 }

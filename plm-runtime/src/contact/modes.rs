@@ -111,9 +111,9 @@ impl<S: Scalar, const N: usize> Modes<S, N> {
         }
     }
 
-    /// No row holds, and of those that slip each is among `own`.
-    pub fn slip_by(&self, own: &[bool; N]) -> bool {
-        self.of.iter().zip(own).all(|(mode, own)| !mode.holds() && (*own || !mode.slips()))
+    /// Some row holds.
+    pub(super) fn hold(&self) -> bool {
+        self.of.iter().any(|mode| mode.holds())
     }
 
     /// The gap `row` is open: it neither pushes nor rests.

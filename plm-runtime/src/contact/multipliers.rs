@@ -38,13 +38,6 @@ pub(super) struct Multipliers<T, const N: usize> {
     pub(super) newton: u32,
 }
 
-impl<T: Scalar, const N: usize> Multipliers<T, N> {
-    /// Those where no row has a force.
-    pub(super) fn none() -> Self {
-        Self { lambda: [T::ZERO; N], determinant: T::lit(1.0), newton: 0 }
-    }
-}
-
 /// The system of the active rows.
 struct System<T, const N: usize> {
     rows: [[T; N]; N],

@@ -58,8 +58,11 @@ pub fn project<M: Contacts<N>, const N: usize>(
     let mut steps = 0;
     loop {
         system.project_joints(t, u, x)?;
+        if !u.modes().hold() {
+            return Ok(());
+        }
         let rows = system.rows_at(t, u, x);
-        let away = away::<M, N>(&rows, u);
+        let away = away::<M, N>(&rows.gap, u);
         let are_near = away.iter().all(|z| z.abs() <= M::S::EPSILON * system.length());
         let multipliers =
             if are_near || steps == MOST_STEPS { None } else { held(&rows, u.modes().of, away) };
@@ -78,8 +81,11 @@ pub fn project<M: Contacts<N>, const N: usize>(
 /// How far the joints are from closed, and the rows that hold from their places: the larger of both.
 pub fn drift<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &M::X) -> Drift<M::S> {
     let joints = system.drift_of_joints(t, u, x);
-    let rows = system.rows_at(t, u, x);
-    let away = away::<M, N>(&rows, u);
+    if !u.modes().hold() {
+        return joints;
+    }
+    let rows = system.kinematics_at(t, u, x);
+    let away = away::<M, N>(&rows.gap, u);
     let largest = |least: M::S, numbers: &[M::S; N]| numbers.iter().fold(least, |sum, z| sum.max(z.abs()));
     let rate: [M::S; N] =
         core::array::from_fn(|i| if u.modes().of[i].holds() { rows.rate[i] } else { M::S::ZERO });
@@ -94,8 +100,8 @@ pub fn held_rows<M: Contacts<N>, const N: usize>(
     x: &M::X,
     row: &mut impl FnMut(M::S),
 ) {
-    let rows = system.rows_at(t, u, x);
-    let away = away::<M, N>(&rows, u);
+    let rows = system.kinematics_at(t, u, x);
+    let away = away::<M, N>(&rows.gap, u);
     for i in (0..N).filter(|i| u.modes().of[*i].holds()) {
         row(away[i]);
         row(rows.rate[i]);
@@ -103,11 +109,11 @@ pub fn held_rows<M: Contacts<N>, const N: usize>(
 }
 
 /// Displacements of the rows that hold.
-fn away<M: Contacts<N>, const N: usize>(rows: &Rows<M::S, N>, u: &M::U) -> [M::S; N] {
+fn away<M: Contacts<N>, const N: usize>(gap: &[M::S; N], u: &M::U) -> [M::S; N] {
     let modes = u.modes();
     core::array::from_fn(|i| match modes.of[i] {
-        Mode::Closed => rows.gap[i],
-        Mode::Sticks => rows.gap[i] - modes.place[i],
+        Mode::Closed => gap[i],
+        Mode::Sticks => gap[i] - modes.place[i],
         _ => M::S::ZERO,
     })
 }

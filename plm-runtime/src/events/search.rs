@@ -18,6 +18,8 @@ const FINEST: u32 = 22;
 const ROUGHEST: u32 = 2;
 /// Where it cannot, halvings after which nothing more is learnt.
 const FINEST_OF_POINTS: u32 = 6;
+/// Halvings up to which the guards at the ends of intervals are remembered: they are the ends of shorter ones too.
+const REMEMBERED: usize = 4;
 /// Intervals of a step that are looked at; then what is left of it is left for the next step.
 const MOST: u32 = 4000;
 /// Four times the part of a step that intervals which all stay open get through.
@@ -138,9 +140,16 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         let half = M::S::lit(0.5);
         let (mut level, mut index, mut width, mut spent) = (0_u32, 0_u32, M::S::lit(1.0), 0_u32);
         let (mut from, mut left, mut noise) = (M::S::ZERO, self.first, self.noise);
+        // By halvings, the last end and its guards.
+        let mut ends: [(M::S, M::G); REMEMBERED] = [(M::S::ZERO, self.first); REMEMBERED];
         loop {
             let (to, is_local) = (from + width, level >= LOCAL);
-            let piece = Piece { from, to, left, right: self.values(to), is_local, noise };
+            let known = ends.iter().find(|(end, _)| *end == to).map(|(_, guards)| *guards);
+            let right = known.unwrap_or_else(|| self.values(to));
+            if let Some(end) = ends.get_mut(level as usize) {
+                *end = (to, right);
+            }
+            let piece = Piece { from, to, left, right, is_local, noise };
             spent += 1;
             let verdict = self.judge(&piece, level);
             if let Verdict::Crossing(i, theta) = verdict {

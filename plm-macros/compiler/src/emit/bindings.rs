@@ -3,6 +3,7 @@
 use plm_cas::Expr;
 
 use super::Emission;
+use super::contract::contact_sliding;
 use super::lower::Bindings;
 use crate::collect::PushAll;
 use crate::formulate::{Chart, Resolvent};
@@ -115,6 +116,9 @@ impl Emission<'_> {
         bind(&equations.lambda, "lambda", 0);
         bind(&self.program.weights, "w", 0);
         bind(&self.program.r, "r", 0);
+        for (symbols, array) in contact_sliding::symbols(self) {
+            bind(symbols, array, 0);
+        }
         let remembered = self.loops().into_iter().flat_map(|reduced| &reduced.memory);
         bindings.push_all(remembered.map(|(symbol, path)| (*symbol, format!("m.{path}"))));
         Bindings::of(bindings)

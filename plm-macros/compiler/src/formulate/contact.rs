@@ -14,8 +14,9 @@ use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, algebra};
 
 use super::function::{Function, Place};
+use super::sliding::{self, Sliding};
 use crate::derive::Equations;
-use crate::model::{Contact, ContactLaw, Model, bounding_reactions};
+use crate::model::{ContactLaw, Model, bounding_reactions};
 
 /// Functions of the rows of contact.
 pub(crate) struct ContactFunctions {
@@ -24,12 +25,10 @@ pub(crate) struct ContactFunctions {
     /// `dx` without contact forces, `response`, by which a multiplier of one changes it, and the rest of `rows`. It returns what the rate
     /// returns.
     pub(crate) motion: Function,
-    /// `limits`, the kinetic `[lower, upper]` of the rows that are `own`.
-    pub(crate) limits: Function,
-    /// By row: the limits of the friction read no reaction.
-    pub(crate) own: Vec<bool>,
     /// The rate is `dx` and the sum of the responses times their multipliers.
     pub(crate) is_affine: bool,
+    /// Frictions that all slip, where something else than pushes bounds one.
+    pub(crate) sliding: Option<Sliding>,
 }
 
 /// A motion whose accelerations are known.
@@ -44,6 +43,10 @@ pub(super) struct Accelerated<'a> {
     pub(super) substitution: &'a [(Expr, Expr)],
     /// Multipliers of the joints, in the order of the rows.
     pub(super) reactions: &'a [Expr],
+    /// Symbols of the accelerations of the coordinates.
+    pub(super) second: &'a [Expr],
+    /// Multipliers of the joints by those symbols, where that takes fewer operations.
+    pub(super) by_second: &'a [Expr],
 }
 
 /// The functions of the rows of contact; none if there are no rows.
@@ -68,9 +71,8 @@ pub(super) fn functions(
     Some(ContactFunctions {
         kinematics: kinematics(model, equations, motion),
         motion: Function::of_results(results).optimise(),
-        limits: own_limits(model, motion),
-        own: model.contacts.iter().map(|contact| is_own(contact, &lambda)).collect_vec(),
         is_affine,
+        sliding: if is_affine { sliding::functions(model, equations, motion) } else { None },
     })
 }
 
@@ -133,25 +135,6 @@ fn limits(model: &Model, motion: &Accelerated, lambda: &[Expr]) -> Vec<(Place, E
         }
     }
     results
-}
-
-/// Does a friction have limits that read no reaction?
-fn is_own(contact: &Contact, lambda: &[Expr]) -> bool {
-    let ContactLaw::Friction { kinetic, reactions, .. } = &contact.law else { return false };
-    let read = algebra::symbols(kinetic);
-    reactions.is_empty() && lambda.iter().all(|lambda| !read.contains(lambda))
-}
-
-/// The kinetic limits of frictions that read no reaction.
-fn own_limits(model: &Model, motion: &Accelerated) -> Function {
-    let lambda: Vec<Expr> = model.contacts.iter().map(|contact| contact.lambda).collect_vec();
-    let mut results = Vec::new();
-    for (i, contact) in model.contacts.iter().enumerate().filter(|(_, contact)| is_own(contact, &lambda)) {
-        let ContactLaw::Friction { kinetic, .. } = &contact.law else { continue };
-        let limits = algebra::substitute(kinetic, motion.substitution).into_iter().enumerate();
-        results.push_all(limits.map(|(side, limit)| (Place::Entry("limits", i, side), limit)));
-    }
-    without_zeros(Function::of_results(results)).optimise()
 }
 
 /// Reactions of joints that bound frictions.

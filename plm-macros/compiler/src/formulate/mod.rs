@@ -16,6 +16,7 @@ mod pattern;
 mod program;
 mod reduced;
 mod resolvent;
+mod sliding;
 mod switches;
 
 pub(crate) use absolute::{Absolute, Conditional, coordinate_name, eliminates_beyond, formulate};
@@ -26,3 +27,4 @@ pub(crate) use linearised::{Augmented, Linearised, Part, Term};
 pub(crate) use program::{Program, reduce};
 pub(crate) use reduced::{Chart, Reduced, is_tree};
 pub(crate) use resolvent::Resolvent;
+pub(crate) use sliding::Sliding;

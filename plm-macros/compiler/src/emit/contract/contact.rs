@@ -8,7 +8,7 @@ use proc_macro2::{Literal, TokenStream};
 use super::super::lower::inline;
 use super::super::{Emission, Sizes, number, quoted};
 use super::contact_events::PER_ROW;
-use super::contact_motion;
+use super::{contact_motion, contact_sliding};
 use crate::derive::range;
 use crate::model::{Contact, ContactLaw, Impacts, Model, Stabilisation, bounding_reactions};
 
@@ -40,8 +40,8 @@ pub(crate) fn contacts(emission: &Emission) -> TokenStream {
         return TokenStream::new();
     }
     let [functions, rows] = contact_motion::functions(emission);
-    let contract = contract(emission);
-    quote!(#functions #rows #contract)
+    let (sliding, contract) = (contact_sliding::functions(emission), contract(emission));
+    quote!(#functions #rows #sliding #contract)
 }
 
 /// `Contacts`.
@@ -55,6 +55,7 @@ fn contract(emission: &Emission) -> TokenStream {
     };
     let (joints, existence) = (joints(emission), existence(emission));
     let (pushes, falling) = (bounded_by_pushes(emission), bounds_that_may_fall(emission));
+    let sliding = contact_sliding::contract(emission);
     let size = emission.text(format!("{:?}", emission.report.length));
     quote! {
         impl<S: Real> rt::contact::Contacts<#count> for #name<S> {
@@ -75,14 +76,14 @@ fn contract(emission: &Emission) -> TokenStream {
 
             fn kinematics<T: Scalar>(
                 &self, t: T, u: &Held<S>, x: &impl Fn(usize) -> T, constant: &impl Fn(S) -> T
-            ) -> rt::contact::Rows<T, #count> {
+            ) -> rt::contact::Kinematics<T, #count> {
                 use rt::lanes::Pack;
                 let number = |[s]: [S; 1]| constant(s);
                 let (mechanism, held) = (self.pack([self], number), Self::pack_held(u, [u], number));
                 mechanism.contact_kinematics_(t, &held, &core::array::from_fn(x))
             }
 
-            fn kinematics_at(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
+            fn kinematics_at(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Kinematics<S, #count> {
                 self.contact_kinematics_(t, u, x)
             }
 
@@ -109,6 +110,7 @@ fn contract(emission: &Emission) -> TokenStream {
             #existence
             #pushes
             #falling
+            #sliding
             #joints
         }
     }

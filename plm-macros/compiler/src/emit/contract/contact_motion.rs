@@ -8,7 +8,8 @@ use super::super::bindings::Origin;
 use super::super::function::function;
 use super::super::{Emission, Form, Sizes, memory};
 use super::charted::call;
-use super::contact::{count, places, some_may_not_exist};
+use super::contact::{count, some_may_not_exist};
+use super::contact_sliding;
 use crate::formulate::ContactFunctions;
 use crate::model::{Contact, bounding_reactions};
 
@@ -35,7 +36,7 @@ fn straight_line(emission: &Emission) -> TokenStream {
 }
 
 /// Functions of the rows in each chart.
-fn of_charts<'a>(emission: &Emission<'a>) -> Vec<(&'a ContactFunctions, Origin<'a>)> {
+pub(super) fn of_charts<'a>(emission: &Emission<'a>) -> Vec<(&'a ContactFunctions, Origin<'a>)> {
     match emission.form {
         Form::Absolute => {
             emission.program.contact.iter().map(|contact| (contact, Origin::Arguments)).collect_vec()
@@ -60,18 +61,9 @@ fn in_chart(emission: &Emission, k: usize, (contact, origin): (&ContactFunctions
     let kinematics = function(
         emission,
         "Gaps and rates of the rows of contact.",
-        &quote!(fn #kinematics(&self, #state, rows: &mut rt::contact::Rows<S, #count>)),
+        &quote!(fn #kinematics(&self, #state, rows: &mut rt::contact::Kinematics<S, #count>)),
         (&contact.kinematics, origin),
     );
-    let limits = contact.own.contains(&true).then(|| {
-        let limits = emission.in_chart("contact_limits", k);
-        function(
-            emission,
-            "Limits of frictions that read no reaction, as `[lower, upper]`.",
-            &quote!(fn #limits(&self, #state, limits: &mut [[S; 2]; #count])),
-            (&contact.limits, origin),
-        )
-    });
     let health = (!matches!(emission.form, Form::Tree(_))).then(|| quote!(-> S));
     let motion = function(
         emission,
@@ -87,7 +79,7 @@ fn in_chart(emission: &Emission, k: usize, (contact, origin): (&ContactFunctions
         },
         (&contact.motion, origin),
     );
-    quote!(#kinematics #limits #motion)
+    quote!(#kinematics #motion)
 }
 
 /// The rows at a state, and what is held with the multipliers there.
@@ -107,8 +99,10 @@ fn rows(emission: &Emission) -> TokenStream {
     quote! {
         impl<S: Scalar> #name<S> {
             #[inline]
-            fn contact_kinematics_(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
-                let mut rows = rt::contact::Rows::none();
+            fn contact_kinematics_(
+                &self, t: S, u: &Held<S>, x: &[S; #length]
+            ) -> rt::contact::Kinematics<S, #count> {
+                let mut rows = rt::contact::Kinematics::none();
                 #kinematics;
                 #loads
                 rows
@@ -126,7 +120,7 @@ fn rows(emission: &Emission) -> TokenStream {
             }
 
             fn contact_rows_(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
-                let mut rows = self.contact_kinematics_(t, u, x);
+                let mut rows = self.contact_kinematics_(t, u, x).rows();
                 let _ = self.contact_motion_(t, u, x, &mut rows);
                 rows
             }
@@ -164,29 +158,13 @@ fn rows(emission: &Emission) -> TokenStream {
 /// The rate without contact forces, and those of the rows, from one pass; from two where it is not affine in them.
 pub(super) fn rate(emission: &Emission) -> TokenStream {
     let of = of_charts(emission);
-    let by_limits = of.first().filter(|(contact, _)| contact.own.contains(&true)).map(|(contact, _)| {
-        let mut own = contact.own.clone();
-        own.resize(places(emission.model), false);
-        let own = emission.text(format!("{own:?}"));
-        let [_, memory] = emission.memory_argument();
-        let (count, limits) = (count(emission), quote!(t, u, #memory x, &mut limits));
-        let limits = call(emission, "contact_limits", &limits, &quote!({}));
-        quote! {
-            // Forces are known before the accelerations.
-            if u.contact.modes.slip_by(&#own) {
-                let (mut limits, mut held) = ([[S::lit(0.0); 2]; #count], *u);
-                #limits;
-                held.contact = rt::contact::with_limits(&u.contact, &limits);
-                return self.rate_holding_(t, &held, x, dx);
-            }
-        }
-    });
+    let by_sweeps = contact_sliding::rate(emission);
     if of.iter().all(|(contact, _)| contact.is_affine) {
         return quote! {
             if !u.contact.has_forces() {
                 return self.rate_holding_(t, u, x, dx);
             }
-            #by_limits
+            #by_sweeps
             let mut rows = rt::contact::Rows::none();
             let (free, response, health) = self.contact_motion_(t, u, x, &mut rows);
             *dx = free;

@@ -6,6 +6,7 @@ pub(super) mod conditional;
 pub(super) mod contact;
 mod contact_events;
 mod contact_motion;
+pub(super) mod contact_sliding;
 pub(super) mod described;
 mod directions;
 pub(super) mod limits;

@@ -69,7 +69,9 @@ impl Motion {
         rate.push((Place::Value, self.health));
         let (bodies, coordinates) = (&self.acceleration, self.acceleration.len());
         let (substitution, reactions, rate) = (&self.read, &self.lambda, &rate);
-        let motion = Accelerated { bodies, rate, coordinates, substitution, reactions };
+        let second = (0..coordinates).map(|k| Expr::symbol(format!("second_{k}"))).collect_vec();
+        let (second, by_second) = (&second, reactions);
+        let motion = Accelerated { bodies, rate, coordinates, substitution, reactions, second, by_second };
         functions(model, equations, &motion)
     }
 

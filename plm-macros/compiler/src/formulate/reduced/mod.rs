@@ -5,6 +5,7 @@ mod bodies;
 mod charts;
 mod contact;
 mod dense;
+mod forces;
 #[cfg(test)]
 mod forms;
 mod groups;
@@ -252,7 +253,7 @@ impl Layout<'_> {
         // Where a pose is read nothing is held.
         let remember_pose = loops.then(|| self.remember_pose(scheme).substitute(&model.released));
         let reactions = if loops { None } else { self.reactions(&motion, &rate) };
-        let contact = self.contact(&motion, &rate);
+        let contact = self.contact(&motion, scheme, &rate);
         let described = |group: &Group| {
             let names: Vec<&str> =
                 group.unknowns().into_iter().map(|unknown| motion.names[unknown].as_str()).collect_vec();

@@ -10,7 +10,7 @@ use crate::formulate::reduced::motion::Motion;
 #[derive(Clone, Copy)]
 pub(crate) struct ExplicitRow {
     /// Place of the row in [`Coordinates::rows`].
-    row: usize,
+    pub(crate) row: usize,
     pub(crate) unknown: usize,
 }
 
@@ -18,6 +18,14 @@ impl ExplicitRow {
     /// If the row can be solved for the unknown.
     pub(crate) fn of(coordinates: &Coordinates, row: usize, unknown: usize) -> Option<ExplicitRow> {
         coordinates.rows[row].coefficient(unknown).map(|_| ExplicitRow { row, unknown })
+    }
+
+    /// The derivatives of the row by the unknowns that it holds.
+    pub(crate) fn slopes(&self, motion: &Motion) -> Vec<(usize, Expr)> {
+        let row = &motion.coordinates.rows[self.row];
+        let slopes: Vec<Expr> = row.held.iter().map(|&(_, symbol)| row.phi.diff(symbol)).collect_vec();
+        let slopes = algebra::substitute(&slopes, &known(motion, &row.held));
+        row.held.iter().map(|held| held.0).zip(slopes).collect_vec()
     }
 
     /// Writes the unknown, its coefficients and rate into `motion`.

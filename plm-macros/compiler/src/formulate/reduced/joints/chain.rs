@@ -67,3 +67,11 @@ impl Chain {
             .map(|(orientation, _, vector)| (orientation, vector))
     }
 }
+
+/// Adds to how often a loop goes through a joint.
+pub(crate) fn cross(crossed: &mut Vec<(usize, i32)>, joint: usize, times: i32) {
+    match crossed.iter_mut().find(|(other, _)| *other == joint) {
+        Some((_, sum)) => *sum += times,
+        None => crossed.push((joint, times)),
+    }
+}

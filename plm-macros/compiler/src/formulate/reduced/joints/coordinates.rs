@@ -8,7 +8,7 @@
 use crate::collect::{CollectVec, MapEach};
 use plm_cas::{Expr, Rotation, Vec2, algebra};
 
-use crate::formulate::reduced::joints::chain::Chain;
+use crate::formulate::reduced::joints::chain::{Chain, cross};
 use crate::formulate::reduced::joints::explicit::{Explicit, explicit};
 use crate::model::{FrameRef, Model, Pair, Port};
 use crate::topology::{Forest, shortest_cycle_basis, spanning_forest};
@@ -84,6 +84,8 @@ pub(crate) struct Coordinates {
     pub(crate) loops: Vec<Vec<usize>>,
     /// The joints that close them.
     pub(crate) chords: Vec<usize>,
+    /// By loop, the joints that it goes through, and how often from `a` to `b`.
+    pub(crate) crossed: Vec<Vec<(usize, i32)>>,
 }
 
 /// Edge of the spanning tree: the joint that holds a body on the way from the ground.
@@ -148,6 +150,7 @@ impl Coordinates {
             rows: Vec::new(),
             loops: Vec::new(),
             chords: forest.chords,
+            crossed: Vec::new(),
         };
         coordinates.walk(model);
         for chord in coordinates.chords.clone() {
@@ -155,10 +158,12 @@ impl Coordinates {
         }
         for cycle in shortest_cycle_basis(nodes, &edges) {
             coordinates.loops.push(cycle.iter().map(|step| step.0).collect_vec());
-            let mut closure = Chain::default();
+            let (mut closure, mut crossed) = (Chain::default(), Vec::new());
             for (joint, along) in cycle {
                 coordinates.add_across(&mut closure, model, joint, !along);
+                cross(&mut crossed, joint, if along { 1 } else { -1 });
             }
+            coordinates.crossed.push(crossed);
             coordinates.closures.push(closure);
         }
         coordinates.shorten_closures();
@@ -205,14 +210,17 @@ impl Coordinates {
             .filter(|(i, j, _)| i != j)
             .collect_vec();
         // Every change shortens a loop, so there is an end.
-        while let Some((i, shorter)) = all.iter().find_map(|&(i, j, negative)| {
+        while let Some((i, j, negative, shorter)) = all.iter().find_map(|&(i, j, negative)| {
             let mut sum = self.closures[i].clone();
             for (orientation, displacement, vector) in self.closures[j].terms() {
                 sum.add(orientation, displacement, vector, negative);
             }
-            (sum.moving() < self.closures[i].moving()).then_some((i, sum))
+            (sum.moving() < self.closures[i].moving()).then_some((i, j, negative, sum))
         }) {
             self.closures[i] = shorter;
+            for (joint, times) in self.crossed[j].clone() {
+                cross(&mut self.crossed[i], joint, if negative { -times } else { times });
+            }
         }
     }
 

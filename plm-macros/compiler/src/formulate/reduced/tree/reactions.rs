@@ -139,7 +139,7 @@ impl Layout<'_> {
     }
 
     /// `phi_q` as a function of the coordinates.
-    fn phi_q(&mut self, motion: &Motion) -> Vec<SparseRow> {
+    pub(crate) fn phi_q(&self, motion: &Motion) -> Vec<SparseRow> {
         let entries: Vec<Expr> = self.equations.phi_q.iter().flatten().map(|&(_, entry)| entry).collect_vec();
         let mut entries = algebra::substitute(&entries, &motion.substitution).into_iter();
         let row = |row: &SparseRow| row.iter().map(|&(k, _)| k).zip(entries.by_ref()).collect_vec();
@@ -164,26 +164,10 @@ fn solve(columns: &[Spatial], asked: Spatial, pairs: bool) -> Option<Vec<Expr>> 
     let direction = |k: usize| columns[k].plane();
     let (couples, forces): (Vec<usize>, Vec<usize>) =
         (0..columns.len()).partition(|&k| direction(k).is_zero());
-    let force = asked.plane();
     let mut lambda = vec![Expr::ZERO; columns.len()];
-    match forces[..] {
-        [] => {}
-        [one] => {
-            let along = direction(one).dot(force);
-            let square = direction(one).squared();
-            if !pairs && square.as_number().is_none() {
-                return None;
-            }
-            lambda[one] = along / square;
-        }
-        [first, second] => {
-            let determinant = direction(first).cross(direction(second));
-            // What depends on the pose could vanish.
-            determinant.as_number().filter(|number| !number.is_zero())?;
-            let minors = [force.cross(direction(second)), direction(first).cross(force)];
-            [lambda[first], lambda[second]] = minors.map_each(|minor| minor / determinant);
-        }
-        _ => return None,
+    let directions = forces.iter().map(|&k| direction(k)).collect_vec();
+    for (&k, value) in forces.iter().zip(by_force(&directions, asked.plane(), pairs)?) {
+        lambda[k] = value;
     }
     match couples[..] {
         [] => {}
@@ -194,6 +178,26 @@ fn solve(columns: &[Spatial], asked: Spatial, pairs: bool) -> Option<Vec<Expr>> 
         _ => return None,
     }
     Some(lambda)
+}
+
+/// Multipliers that give a force along these directions of rows.
+pub(crate) fn by_force(directions: &[Vec2], force: Vec2, pairs: bool) -> Option<Vec<Expr>> {
+    match *directions {
+        [] => Some(Vec::new()),
+        [one] => {
+            let square = one.squared();
+            let is_safe = pairs || square.as_number().is_some();
+            is_safe.then(|| vec![one.dot(force) / square])
+        }
+        [first, second] => {
+            let determinant = first.cross(second);
+            // What depends on the pose could vanish.
+            determinant.as_number().filter(|number| !number.is_zero())?;
+            let minors = [force.cross(second), first.cross(force)];
+            Some(minors.map_each(|minor| minor / determinant).to_vec())
+        }
+        _ => None,
+    }
 }
 
 /// The accelerations of the coordinates in the results of a rate.

@@ -1,0 +1,67 @@
+//! Contact rows at a state as far as they are known without forces.
+
+use super::loads::Load;
+use super::modes::Modes;
+use super::rows::Rows;
+use crate::scalar::Scalar;
+
+/// Gaps and rates of all rows, and the kinds of their loads.
+#[derive(Clone, Copy, Debug)]
+pub struct Kinematics<T, const N: usize> {
+    /// As [`Rows::gap`].
+    pub gap: [T; N],
+    /// As [`Rows::rate`].
+    pub rate: [T; N],
+    /// As [`Rows::load`].
+    pub load: [Load; N],
+    /// As [`Rows::read`].
+    pub read: [[bool; N]; N],
+    /// Limits of the row read multipliers.
+    pub is_coupled: [bool; N],
+}
+
+impl<T: Scalar, const N: usize> Kinematics<T, N> {
+    /// Zeros, and no loads.
+    #[must_use]
+    pub fn none() -> Self {
+        Self {
+            gap: [T::ZERO; N],
+            rate: [T::ZERO; N],
+            load: [Load::Nothing; N],
+            read: [[false; N]; N],
+            is_coupled: [false; N],
+        }
+    }
+
+    /// Those of rows that are known.
+    pub(super) fn of(rows: &Rows<T, N>) -> Self {
+        let Rows { gap, rate, load, read, .. } = *rows;
+        let is_coupled = core::array::from_fn(|row| {
+            let mut limits = [&rows.kinetic[row].lower, &rows.kinetic[row].upper].into_iter();
+            limits.any(|limit| limit.by.iter().any(|by| by.to_f64() != 0.0))
+        });
+        Self { gap, rate, load, read, is_coupled }
+    }
+
+    /// Rows with these gaps and rates, of which nothing else is known yet.
+    #[must_use]
+    pub fn rows(self) -> Rows<T, N> {
+        let Self { gap, rate, load, read, .. } = self;
+        Rows { gap, rate, load, read, ..Rows::none() }
+    }
+
+    /// Is a reaction a force along a line, whose sign is held?
+    pub(super) fn is_line(&self, load: usize) -> bool {
+        matches!(self.load[load], Load::Line { .. })
+    }
+
+    /// Does a reaction bound a row that slips?
+    pub(super) fn bounds_slip(&self, load: usize, modes: &Modes<impl Scalar, N>) -> bool {
+        (0..N).any(|row| self.read[row][load] && modes.of[row].slips())
+    }
+
+    /// Do guards read forces, where no row holds? A bound by a reaction has a sign, and it couples the rows that slip.
+    pub(super) fn reads_forces(&self, modes: &Modes<impl Scalar, N>) -> bool {
+        (0..N).any(|row| modes.of[row].slips() && (self.read[row].contains(&true) || self.is_coupled[row]))
+    }
+}
