@@ -5,7 +5,7 @@
 #     bash tests/machines.sh --quick      # what CI can afford: Cortex-M4F in f32, Cortex-M7 in f64, WebAssembly
 #     PLM_BLESS=1 bash tests/machines.sh  # writes the book's table anew
 #
-# Programs: tests/no_std (all methods) and examples/firmware (10 000 steps of five mechanisms). Targets come by rustup, QEMU
+# Programs: tests/no_std (all methods) and examples/firmware (10 000 steps of six mechanisms). Targets come by rustup, QEMU
 # by apt into the target folder, the disassembler by rustup; what cannot be had is named and left out.
 set -euo pipefail
 cd "$(dirname "$0")/.."

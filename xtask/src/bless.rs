@@ -95,6 +95,13 @@ const TEXTS: [Text; 13] = [
         command: "cargo run --example contact_peers -- docs/src/images/contact-peers",
     },
     Text {
+        name: "contact-steps",
+        what: "picture and tables of steps of Moreau and Jean, of the stored runs",
+        is_compared: false,
+        variable: None,
+        command: "cargo run --example contact_peers -- --steps docs/src/images/contact-steps",
+    },
+    Text {
         name: "machines",
         what: "the book's table of microcontrollers",
         is_compared: false,

@@ -1,6 +1,6 @@
 //! Bounds of frictions that are negative.
 
-use super::rows::Rows;
+use super::rows::{Friction, Rows};
 use super::{Contacts, Limit};
 use crate::fault::{Cause, Fault};
 use crate::scalar::Scalar;
@@ -37,4 +37,20 @@ pub(super) fn look_at_bounds<M: Contacts<N>, const N: usize>(
         }
     }
     Ok(())
+}
+
+/// The same where only bounds are looked at that are negative by themselves.
+///
+/// # Errors
+/// As [`look_at_bounds`].
+pub(super) fn look_at_signs<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: M::S,
+    u: &M::U,
+    rows: &Rows<M::S, N>,
+) -> Result<(), Fault> {
+    let is_negative =
+        |friction: &Friction<M::S, N>| friction.lower.own < M::S::ZERO || friction.upper.own < M::S::ZERO;
+    let is_any = rows.kinetic.iter().chain(&rows.adhesion).any(is_negative);
+    if is_any { look_at_bounds(system, t, u, rows) } else { Ok(()) }
 }

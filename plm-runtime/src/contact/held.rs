@@ -27,7 +27,7 @@
 
 use super::booked::Booked;
 use super::event::Outcome;
-use super::modes::{Mode, Modes};
+use super::modes::{Change, Mode, Modes};
 use super::status::{Counts, Status};
 use crate::held;
 use crate::scalar::{Real, Scalar};
@@ -64,11 +64,12 @@ impl<S: Scalar, const N: usize> Held<S, N> {
         all: [&Self; K],
         number: &impl Fn([S; K]) -> T,
     ) -> Held<T, N> {
-        let Self { modes: Modes { of, carried, negative, .. }, counts, booked, .. } = *first;
+        let Self { modes: Modes { of, carried, negative, change, .. }, counts, booked, .. } = *first;
         let place = core::array::from_fn(|row| number(all.map(|one| one.modes.place[row])));
         let orientation = number(all.map(|one| one.modes.orientation));
         let lambda = core::array::from_fn(|row| number(all.map(|one| one.lambda[row])));
-        Held { modes: Modes { of, carried, place, orientation, negative }, lambda, counts, booked }
+        let modes = Modes { of, carried, place, orientation, negative, change };
+        Held { modes, lambda, counts, booked }
     }
 
     /// Some row pushes or rubs; else multipliers are zero, as they are held.
@@ -84,11 +85,11 @@ impl<S: Scalar, const N: usize> Held<S, N> {
     }
 }
 
-/// Modes, rows that others hold, signs of reactions, places, orientation, multipliers, impulses and energy of impacts. What was counted
+/// Modes, rows that others hold, signs of reactions, when they change, places, orientation, multipliers, impulses and energy of impacts. What was counted
 /// is not shown.
 impl<S: Real, const N: usize> InWords for Held<S, N> {
     fn each(&mut self, words: &mut impl Words) {
-        let Modes { of, carried, place, orientation, negative } = &mut self.modes;
+        let Modes { of, carried, place, orientation, negative, change } = &mut self.modes;
         for mode in of {
             let mut number = mode.number();
             words.word(&mut number);
@@ -97,6 +98,9 @@ impl<S: Real, const N: usize> InWords for Held<S, N> {
         for flag in carried.iter_mut().chain(negative) {
             words.flag(flag);
         }
+        let mut in_steps = *change == Change::InSteps;
+        words.flag(&mut in_steps);
+        *change = if in_steps { Change::InSteps } else { Change::AtEvents };
         words.numbers(place);
         words.number(orientation);
         words.numbers(&mut self.lambda);

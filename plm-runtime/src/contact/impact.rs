@@ -31,11 +31,21 @@ pub(super) enum Impulses<S, const N: usize> {
     TooMany,
 }
 
-/// The impulses of the rows that touch, `touches`, of which one approaches at least.
+/// Impulses and rates of one phase of an impact.
+pub(super) struct Answer<S, const N: usize> {
+    pub(super) lambda: [S; N],
+    /// The rates of the rows behind it.
+    pub(super) rate: [S; N],
+    /// Other impulses, with other rates behind them, satisfy all inequalities as well.
+    pub(super) is_ambiguous: bool,
+}
+
+/// The impulses of the rows that touch, `touches`, of which one approaches at least; `solve` solves the problem of a phase.
 pub(super) fn impulses<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     laws: &[Law<S>; N],
     (law, mut touches): (ImpactLaw, [bool; N]),
+    solve: &mut impl FnMut(&Rows<S, N>, &[bool; N]) -> Result<Answer<S, N>, Impulses<S, N>>,
 ) -> Impulses<S, N> {
     if law == ImpactLaw::Sequential {
         let fastest = (0..N)
@@ -46,10 +56,13 @@ pub(super) fn impulses<S: Real, const N: usize>(
         }
     }
     let problem = without_own_limits(rows);
-    match law {
-        ImpactLaw::Newton => newton(problem, laws, &touches),
-        ImpactLaw::Poisson | ImpactLaw::Sequential => poisson(&problem, laws, &touches),
-    }
+    let found = match law {
+        ImpactLaw::Newton => newton(problem, laws, |problem| solve(problem, &touches)),
+        ImpactLaw::Poisson | ImpactLaw::Sequential => {
+            poisson(&problem, laws, |problem| solve(problem, &touches))
+        }
+    };
+    found.unwrap_or_else(|none| none)
 }
 
 /// The problem of rates: accelerations are rates behind the impact, forces are impulses.
@@ -65,41 +78,34 @@ fn without_own_limits<S: Real, const N: usize>(rows: &Rows<S, N>) -> Rows<S, N> 
 fn newton<S: Real, const N: usize>(
     mut problem: Rows<S, N>,
     laws: &[Law<S>; N],
-    touches: &[bool; N],
-) -> Impulses<S, N> {
+    mut solve: impl FnMut(&Rows<S, N>) -> Result<Answer<S, N>, Impulses<S, N>>,
+) -> Result<Impulses<S, N>, Impulses<S, N>> {
     for i in 0..N {
         if let Law::Unilateral { restitution } = laws[i] {
             problem.free[i] = problem.free[i] + restitution * problem.free[i].min(S::ZERO);
         }
     }
-    match solve(&problem, laws, touches) {
-        Found::Modes(Solution { lambda, .. }, is_ambiguous) => Impulses::Found(lambda, is_ambiguous),
-        Found::Nothing => Impulses::Nothing,
-        Found::TooMany => Impulses::TooMany,
-    }
+    let Answer { lambda, is_ambiguous, .. } = solve(&problem)?;
+    Ok(Impulses::Found(lambda, is_ambiguous))
 }
 
 fn poisson<S: Real, const N: usize>(
     problem: &Rows<S, N>,
     laws: &[Law<S>; N],
-    touches: &[bool; N],
-) -> Impulses<S, N> {
-    let (compression, is_ambiguous) = match solve(problem, laws, touches) {
-        Found::Modes(solution, is_ambiguous) => (solution, is_ambiguous),
-        Found::Nothing => return Impulses::Nothing,
-        Found::TooMany => return Impulses::TooMany,
-    };
+    mut solve: impl FnMut(&Rows<S, N>) -> Result<Answer<S, N>, Impulses<S, N>>,
+) -> Result<Impulses<S, N>, Impulses<S, N>> {
+    let compression = solve(problem)?;
     let back: [S; N] = core::array::from_fn(|i| match laws[i] {
         Law::Unilateral { restitution } => restitution * compression.lambda[i],
         Law::Friction | Law::Constraint => S::ZERO,
     });
     if back.iter().all(|impulse| *impulse == S::ZERO) {
-        return Impulses::Found(compression.lambda, is_ambiguous);
+        return Ok(Impulses::Found(compression.lambda, compression.is_ambiguous));
     }
     let mut expansion = *problem;
     for i in 0..N {
         let sum = expansion.delassus[i].iter().zip(&back);
-        expansion.free[i] = sum.fold(compression.acceleration[i], |rate, (d, back)| d.mul_add(*back, rate));
+        expansion.free[i] = sum.fold(compression.rate[i], |rate, (d, back)| d.mul_add(*back, rate));
         for friction in [&mut expansion.kinetic[i], &mut expansion.adhesion[i]] {
             for limit in [&mut friction.lower, &mut friction.upper] {
                 *limit = Limit { own: limit.at(&back), ..*limit };
@@ -109,26 +115,27 @@ fn poisson<S: Real, const N: usize>(
             reaction.own = reaction.at(&back);
         }
     }
-    match solve(&expansion, laws, touches) {
-        Found::Modes(solution, is_other) => {
-            let sum = |i: usize| compression.lambda[i] + back[i] + solution.lambda[i];
-            Impulses::Found(core::array::from_fn(sum), is_ambiguous || is_other)
-        }
-        Found::Nothing => Impulses::Nothing,
-        Found::TooMany => Impulses::TooMany,
-    }
+    let others = solve(&expansion)?;
+    let sum = |i: usize| compression.lambda[i] + back[i] + others.lambda[i];
+    Ok(Impulses::Found(core::array::from_fn(sum), compression.is_ambiguous || others.is_ambiguous))
 }
 
-/// Impulses and rates, by all inequalities.
-fn solve<S: Real, const N: usize>(
+/// Impulses and rates of a phase, by all inequalities.
+pub(super) fn by_enumeration<S: Real, const N: usize>(
     problem: &Rows<S, N>,
     laws: &[Law<S>; N],
     touches: &[bool; N],
-) -> Found<S, N> {
+) -> Result<Answer<S, N>, Impulses<S, N>> {
     let allowed = core::array::from_fn(|i| match laws[i].fixed(touches[i]) {
         Some(mode) => Allowed::Only(mode),
         None if laws[i].is_unilateral() => Allowed::Touching,
         None => Allowed::Resting,
     });
-    enumerate(problem, &allowed, |_, margins| margins.broken())
+    match enumerate(problem, &allowed, |_, margins| margins.broken()) {
+        Found::Modes(Solution { lambda, acceleration, .. }, is_ambiguous) => {
+            Ok(Answer { lambda, rate: acceleration, is_ambiguous })
+        }
+        Found::Nothing => Err(Impulses::Nothing),
+        Found::TooMany => Err(Impulses::TooMany),
+    }
 }

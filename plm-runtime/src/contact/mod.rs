@@ -6,7 +6,8 @@
 //! Unilateral Contacts, 1996; V. Acary, B. Brogliato, Numerical Methods for Nonsmooth Dynamical Systems, 2008).
 //!
 //! A system has [`Contacts`], and its contracts call the functions of this module: [`rate`], [`guards`], [`guards_within`], [`switch`],
-//! [`switch_behind`], [`state_was_set`], [`update`], [`project`], [`drift`], [`begin`].
+//! [`switch_behind`], [`state_was_set`], [`update`], [`project`], [`drift`], [`begin`]. Steps of fixed length without events are made by
+//! [`step`].
 
 mod booked;
 mod bounds;
@@ -27,6 +28,7 @@ mod pivots;
 mod project;
 mod rows;
 mod status;
+mod stepping;
 mod strikes;
 mod sunk;
 mod walk;
@@ -39,10 +41,11 @@ pub use self::held::{Held, Modal};
 pub use self::impact::ImpactLaw;
 pub use self::loads::{Affine, Load};
 pub use self::margins::{PER_ROW, guard_count};
-pub use self::modes::{Mode, Modes};
+pub use self::modes::{Change, Mode, Modes};
 pub use self::project::{drift, held_rows, project};
 pub use self::rows::{Friction, Law, Limit, Rows};
 pub use self::status::{Counts, Status};
+pub use self::stepping::{Motion, Solution, Stride, smooth_step, step};
 pub use self::sunk::appear;
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
@@ -106,6 +109,27 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
     /// What contact forces add to the rate: M^-1 W^T lambda in the places of the velocities, zero elsewhere.
     fn response(&self, t: Self::S, u: &Self::U, x: &Self::X, lambda: &[Self::S; N]) -> Self::X;
 
+    /// Motion and rows at a state, for steps that need all of them.
+    fn motion_at(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Motion<Self::S, Self::X, N> {
+        let mut rate = *x;
+        let health = self.free_rate(t, u, x, &mut rate);
+        let one = |j: usize| core::array::from_fn(|i| Self::S::lit(if i == j { 1.0 } else { 0.0 }));
+        let responses = core::array::from_fn(|j| self.response(t, u, x, &one(j)));
+        Motion { rate, responses, rows: self.rows_at(t, u, x), health }
+    }
+
+    /// The rate with these multipliers, where it is not affine in them.
+    fn rate_with_forces(
+        &self,
+        t: Self::S,
+        u: &Self::U,
+        x: &Self::X,
+        lambda: &[Self::S; N],
+    ) -> Option<Self::X> {
+        let _ = (t, u, x, lambda);
+        None
+    }
+
     /// The law of impact.
     fn impact_law(&self) -> ImpactLaw {
         ImpactLaw::default()
@@ -130,6 +154,11 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
         let _ = (t, u, x);
         Drift { phi: Self::S::ZERO, phi_dot: Self::S::ZERO }
     }
+}
+
+/// Do steps decide the modes, so that rows have no events? Near singular poses, which steps leave to another method, they have.
+fn change_in_steps<M: Contacts<N>, const N: usize>(system: &M, u: &M::U) -> bool {
+    u.modes().change == Change::InSteps && system.is_regular(u)
 }
 
 /// The multipliers at a state in the modes held: pushes and frictions, N or N m. Not a number where they are not unique.

@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | [`SemiImplicitEuler`] | 1 | fixed |
 //! | [`Rk4`] | 4 | fixed |
+//! | [`MoreauJean`] | 1, over impacts and changes of stick and slip | fixed |
 //! | [`Dopri5`] | 5, dense output of order 4 | by error control |
 //! | [`Dop853`] | 8, dense output of order 7 | by error control |
 //! | [`Vern9`] | 9, dense output of order 8 | by error control |
@@ -28,6 +29,7 @@ mod fixed;
 mod gauss;
 mod jacobian;
 mod length;
+mod moreau_jean;
 mod partition;
 mod path;
 mod projection;
@@ -51,6 +53,7 @@ pub(crate) use fixed::looked_at;
 pub use fixed::{FixedStep, Formula, Made};
 pub use gauss::Gauss;
 pub(crate) use length::coarseness;
+pub use moreau_jean::MoreauJean;
 pub(crate) use partition::Partition;
 pub use path::Path;
 pub use radau::RadauIia5;
