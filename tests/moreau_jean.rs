@@ -121,7 +121,7 @@ fn a_four_bar_with_limits_converges() {
                 found.iter().zip(&angles).fold(0.0_f64, |most, (found, known)| most.max((found - known).abs()))
             });
             println!("{theta} {h}: {errors:?}");
-            assert!(errors.iter().all(|error| *error < 8.0 * h), "{theta} {h}: {errors:?}");
+            assert!(errors.iter().all(|error| *error < 1.5 * h), "{theta} {h}: {errors:?}");
             assert!(joint.method().largest_residual() < 1e-5 && absolute.method().largest_residual() < 1e-5);
         }
     }

@@ -1,7 +1,7 @@
 //! A step of fixed length by itself, without a [`Sim`](crate::Sim): what targets run whose code holds the step of a
 //! mechanism as straight lines.
 
-use crate::contact::{Change, Solution, Stride};
+use crate::contact::{Solution, Stride};
 use crate::events;
 use crate::fault::{Cause, Fault};
 use crate::lanes::Pack;
@@ -74,7 +74,7 @@ where
     T: Moment<M = M>,
 {
     let InPlace { system, held, time, x } = moment.in_place();
-    let (before, end, mut after) = ((*time, *x), *time + h, *held);
+    let (before, end) = ((*time, *x), *time + h);
     if !system.is_regular(held) {
         return Err(not_regular(before.0));
     }
@@ -83,23 +83,19 @@ where
     if !moves {
         return Err(Fault::new(before.0.to_f64(), Cause::StepTooSmall { step: h.to_f64() }));
     }
-    M::change_contact(&mut after, Change::InSteps);
     let (mut next, stride) = (before.1, Stride { t: before.0, h, theta });
-    let solution = system.stride(&stride, &mut after, &mut next)?;
-    if !(solution.health.is_good() && next.is_finite()) {
-        return Err(unhealthy(system, held, before, next));
-    }
-    let step = Step {
-        system,
-        held: &after,
-        from: (before.0, &before.1),
-        to: (end, &next),
-        health: solution.health.0,
-    };
-    if !is_uneventful(&step) {
-        next = arrive(system, &mut after, (solution.health.0, before), (end, next))?;
-    }
-    (*time, *held, *x) = (end, after, next);
+    let solution = system.stride(&stride, held, &mut next, |held, next, Solution { health, .. }| {
+        if !(health.is_good() && next.is_finite()) {
+            return Err(unhealthy(system, held, before, *next));
+        }
+        let step =
+            Step { system, held: &*held, from: (before.0, &before.1), to: (end, &*next), health: health.0 };
+        if !is_uneventful(&step) {
+            *next = arrive(system, held, (health.0, before), (end, *next))?;
+        }
+        Ok(())
+    })?;
+    (*time, *x) = (end, next);
     Ok(solution)
 }
 

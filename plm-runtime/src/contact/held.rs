@@ -20,6 +20,8 @@
 //!   [`guards_within`](super::guards_within) give numbers `0..C`, to which `g` is added; kinks come behind them. Without conditions and kinks `stay` is [`stay`](super::stay). From `g` on
 //!   `switch_behind` is [`switch_behind`](super::switch_behind) of `index - g`, and `switch` is the same with a step of zero. An own
 //!   condition and `switch_at_time` call [`update`](super::update) behind their change. In `matters` the guards of contact have the root 1.
+//! * Steps of time: `Events` has `stride`, which is [`step`](super::step), and `change_contact`, which sets [`Modes::change`]; `Contacts` has
+//!   `motion_at`, the rate without contact forces, the responses and the rows in one pass, and `moves_by_time`.
 //! * `Linear`: `held_rows` is [`held_rows`](super::held_rows).
 //! * `Labels`: `contact_name` has the rows; `guard_name` of the guard `g + i` that of the row `i / 3`.
 //! * [`begin`](super::begin) is the last thing of a start; `state_was_set` is [`state_was_set`](super::state_was_set). A `renew` needs

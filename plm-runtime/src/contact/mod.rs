@@ -130,6 +130,11 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
         None
     }
 
+    /// Do rows move by the time alone, or joints that they read? Else rates are zero where velocities are.
+    fn moves_by_time(&self) -> bool {
+        true
+    }
+
     /// The law of impact.
     fn impact_law(&self) -> ImpactLaw {
         ImpactLaw::default()

@@ -83,7 +83,7 @@ impl<S: Real> MoreauJean<S> {
         held: &mut M::U,
         x: &mut M::X,
     ) -> Result<(), Fault> {
-        let Solution { residual, health, .. } = context.system.stride(stride, held, x)?;
+        let Solution { residual, health, .. } = context.system.stride(stride, held, x, |_, _, _| Ok(()))?;
         context.stats.evaluations += 1;
         context.health = context.health.min(health.0);
         if !health.is_good() {

@@ -157,6 +157,7 @@ pub trait Events: Rate {
         stride: &contact::Stride<Self::S>,
         u: &mut Self::U,
         x: &mut Self::X,
+        behind: impl FnOnce(&mut Self::U, &mut Self::X, &contact::Solution<Self::S>) -> Result<(), Fault>,
     ) -> Result<contact::Solution<Self::S>, Fault>
     where
         Self: Sized,
@@ -164,7 +165,8 @@ pub trait Events: Rate {
     {
         let mut health = Health::perfect();
         contact::smooth_step::<Self>(stride, x, |t, x, dx| health = self.rate(t, u, x, dx));
-        Ok(contact::Solution { residual: Self::S::ZERO, rounds: 0, health })
+        let solution = contact::Solution { residual: Self::S::ZERO, rounds: 0, health };
+        behind(u, x, &solution).map(|()| solution)
     }
 
     /// Brings up to date what the discrete state says of the state, which may have been set from outside: rows of contact that hold may

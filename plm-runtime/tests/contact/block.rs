@@ -218,8 +218,9 @@ impl<S: Real> rt::Events for Block<S> {
         stride: &rt::contact::Stride<S>,
         u: &mut Self::U,
         x: &mut [S; LENGTH],
+        behind: impl FnOnce(&mut Self::U, &mut [S; LENGTH], &rt::contact::Solution<S>) -> Result<(), Fault>,
     ) -> Result<rt::contact::Solution<S>, Fault> {
-        rt::contact::step::<Self, ROWS>(self, stride, u, x)
+        rt::contact::step::<Self, ROWS>(self, stride, u, x, behind)
     }
 }
 

@@ -133,7 +133,7 @@ fn one_step(scene: &Random) -> ([f64; 3], f64) {
     let (mut u, mut x) = (Held::<f64, 4>::open(), [0.0, 0.0, 0.0, v[0], v[1], v[2]]);
     u.modes_mut().change = Change::InSteps;
     let stride = Stride { t: 0.0, h: 1e-6, theta: 1.0 };
-    let solution = contact::step::<_, 4>(scene, &stride, &mut u, &mut x).unwrap();
+    let solution = contact::step::<_, 4>(scene, &stride, &mut u, &mut x, |_, _, _| Ok(())).unwrap();
     assert!(solution.rounds <= 60, "{}", solution.rounds);
     ([x[3], x[4], x[5]], solution.residual)
 }

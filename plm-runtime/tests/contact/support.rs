@@ -176,8 +176,13 @@ macro_rules! system {
                 stride: &plm_runtime::contact::Stride<f64>,
                 u: &mut Self::U,
                 x: &mut Self::X,
+                behind: impl FnOnce(
+                    &mut Self::U,
+                    &mut Self::X,
+                    &plm_runtime::contact::Solution<f64>,
+                ) -> Result<(), plm_runtime::Fault>,
             ) -> Result<plm_runtime::contact::Solution<f64>, plm_runtime::Fault> {
-                plm_runtime::contact::step::<Self, $n>(self, stride, u, x)
+                plm_runtime::contact::step::<Self, $n>(self, stride, u, x, behind)
             }
             fn guards_within(
                 &self,

@@ -30,6 +30,8 @@ pub(crate) struct ContactFunctions {
     pub(crate) own: Vec<bool>,
     /// Both in one, where a step of Moreau and Jean is ordered, which needs all of it.
     pub(crate) together: Option<Function>,
+    /// Rates are not zero where velocities are: rows, or joints, move by the time.
+    pub(crate) moves_by_time: bool,
     /// The rate is `dx` and the sum of the responses times their multipliers.
     pub(crate) is_affine: bool,
 }
@@ -76,10 +78,18 @@ pub(super) fn functions(
         kinematics: kinematics.optimise(),
         motion: Function::of_results(results).optimise(),
         together,
+        moves_by_time: moves_by_time(equations),
         limits: own_limits(model, motion),
         own: model.contacts.iter().map(|contact| is_own(contact, &lambda)).collect_vec(),
         is_affine,
     })
+}
+
+/// Are there rates of rows or of joints that are not zero where velocities are?
+fn moves_by_time(equations: &Equations) -> bool {
+    let at_rest: Vec<(Expr, Expr)> = equations.v.iter().map(|&v| (v, Expr::ZERO)).collect_vec();
+    let rates = equations.contacts.iter().map(|row| row.rate).chain(equations.phi_dot.iter().copied());
+    algebra::substitute(&rates.collect_vec(), &at_rest).into_iter().any(|rate| !rate.is_zero())
 }
 
 /// Gaps and rates.

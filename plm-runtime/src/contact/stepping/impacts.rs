@@ -7,7 +7,7 @@ use crate::contact::event::CLOSED;
 use crate::contact::impact::{Answer, ImpactLaw, Impulses, impulses};
 use crate::contact::modes::{Mode, Modes};
 use crate::contact::rows::{Law, Rows};
-use crate::contact::{Contacts, sum_of};
+use crate::contact::{Contacts, Modal, sum_of};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
@@ -16,9 +16,7 @@ use crate::vector::Vector;
 const MOST_PAIRS: u32 = 16;
 
 /// What a step has done so far.
-pub(super) struct Begun<S, const N: usize> {
-    /// The modes before it.
-    pub(super) modes: Modes<S, N>,
+pub(super) struct Begun<S> {
     /// The largest residual of impacts, as a rate.
     pub(super) residual: S,
     pub(super) rounds: u32,
@@ -30,14 +28,14 @@ pub(super) fn impacts<M: Contacts<N>, const N: usize>(
     (stride, laws, exists): (&Stride<M::S>, &[Law<M::S>; N], &[bool; N]),
     u: &M::U,
     (motion, x): (&mut Motion<M::S, M::X, N>, &mut M::X),
-    begun: &mut Begun<M::S, N>,
+    begun: &mut Begun<M::S>,
 ) -> Result<Struck<M::S, N>, Fault> {
     let mut struck = Struck::nothing();
     let Some(mut row) = striking(stride, (laws, exists), &motion.rows) else { return Ok(struck) };
     let law = system.impact_law();
     let most = if law == ImpactLaw::Sequential { MOST_PAIRS } else { 1 };
     let moved_by_time = rates_at_rest(system, stride, u, x);
-    let touches = touches(stride, (laws, exists), &motion.rows, (&begun.modes, system.length()));
+    let touches = touches(stride, (laws, exists), &motion.rows, (u.modes(), system.length()));
     for _ in 0..most {
         let mut by_rounds = |rows: &Rows<M::S, N>, touches: &[bool; N]| {
             let rules = core::array::from_fn(|i| rule(&laws[i], touches[i]));
@@ -148,6 +146,9 @@ fn rates_at_rest<M: Contacts<N>, const N: usize>(
     u: &M::U,
     x: &M::X,
 ) -> [M::S; N] {
+    if !system.moves_by_time() {
+        return [M::S::ZERO; N];
+    }
     let ([before, _], mut rest) = (stride.parts(), *x);
     for i in M::NQ..2 * M::NQ {
         rest.set(i, M::S::ZERO);

@@ -26,6 +26,7 @@ use self::impacts::{Begun, impacts};
 use self::problem::{Problem, away, lead_back};
 pub use self::smooth::smooth_step;
 use self::solver::Solved;
+use super::booked::Struck;
 use super::event::Outcome;
 use super::modes::{Change, Mode, Modes};
 use super::{Contacts, Modal};
@@ -77,59 +78,76 @@ pub struct Motion<S, X, const N: usize> {
     pub health: Health<S>,
 }
 
-/// Makes a step; `x` becomes the state at its end, and `u` gets the modes that have led there.
+/// Makes a step; `x` becomes the state at its end, and `u` gets the modes that have led there. `behind` looks at both, or goes on from
+/// there; what it refuses is not made.
 ///
 /// # Errors
-/// Those of [`Contacts::project_joints`]; [`Cause::ImpactGains`](crate::Cause::ImpactGains) and
+/// Those of [`Contacts::project_joints`] and of `behind`; [`Cause::ImpactGains`](crate::Cause::ImpactGains) and
 /// [`Cause::NotAllowed`](crate::Cause::NotAllowed) as at events. `x` is of no use then, and `u` is as before.
 pub fn step<M: Contacts<N>, const N: usize>(
     system: &M,
     stride: &Stride<M::S>,
     u: &mut M::U,
     x: &mut M::X,
+    behind: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
 ) -> Result<Solution<M::S>, Fault> {
-    let [before, behind] = stride.parts();
-    drift::<M>(before, x);
-    let mut motion = system.motion_at(stride.t + before, u, x);
+    let [ahead, rest] = stride.parts();
+    drift::<M>(ahead, x);
+    let mut motion = system.motion_at(stride.t + ahead, u, x);
     super::bounds::look_at_signs(system, stride.t, u, &motion.rows)?;
     let laws = core::array::from_fn(|row| system.law(row));
     let exists = core::array::from_fn(|row| system.exists(u, row));
-    let mut begun = Begun { modes: *u.modes(), residual: M::S::ZERO, rounds: 0 };
+    let before = *u.modes();
+    let mut begun = Begun { residual: M::S::ZERO, rounds: 0 };
     let struck = impacts(system, (stride, &laws, &exists), u, (&mut motion, x), &mut begun)?;
-    let problem = Problem::of(stride, (&laws, &exists), &motion.rows, &begun.modes);
-    let solved = problem.solve();
-    let away = away(stride, &motion.rows, &solved, &begun.modes);
-    let corrections = lead_back(&motion.rows, &solved.modes, &away);
-    if let Some(rate) = system.rate_with_forces(stride.t + before, u, x, &solved.lambda) {
+    let problem = Problem::of(stride, (&laws, &exists), &mut motion.rows, &before);
+    let solved = problem.solve(&motion.rows);
+    let after = modes(&motion.rows, (stride, &problem), &solved, &before);
+    if let Some(rate) = system.rate_with_forces(stride.t + ahead, u, x, &solved.lambda) {
         for i in 2 * M::NQ..M::X::LEN {
             motion.rate.set(i, rate.at(i));
         }
     }
-    arrive::<M, N>((stride.h, behind), &motion, (&solved.lambda, corrections.as_ref()), x);
+    let away = away(stride, &motion.rows, &solved, &before);
+    let corrections = lead_back(&mut motion.rows, &solved.modes, &away);
+    arrive::<M, N>((stride.h, rest), &motion, (&solved.lambda, corrections.as_ref()), x);
     let solution = Solution {
         residual: begun.residual.max(solved.residual * stride.h),
         rounds: begun.rounds + solved.rounds,
         health: motion.health,
     };
     if !(motion.health.is_good() && x.is_finite()) {
-        return Ok(solution);
+        return behind(u, x, &solution).map(|()| solution);
     }
     super::project::joints_behind_step(system, stride.t + stride.h, u, x)?;
-    let after = modes(&motion.rows, (stride, &problem), &solved, &begun.modes);
-    let impacts = struck.count;
-    if after.of != u.modes().of || impacts > 0 {
-        let mut outcome = Outcome { impacts, ..Outcome::default() };
-        outcome.compare(u.modes(), &after);
-        outcome.is_undetermined = after.are_undetermined() && !u.modes().are_undetermined();
-        u.count(&outcome, false);
-    }
     *u.modes_mut() = after;
-    if impacts > 0
+    if let Err(fault) = behind(u, x, &solution) {
+        *u.modes_mut() = before;
+        return Err(fault);
+    }
+    count(u, (stride, &struck), &before, &after);
+    Ok(solution)
+}
+
+/// Counts what a step has done, and books its impacts.
+fn count<S: Real, U: Modal<S, N>, const N: usize>(
+    u: &mut U,
+    (stride, struck): (&Stride<S>, &Struck<S, N>),
+    before: &Modes<S, N>,
+    after: &Modes<S, N>,
+) {
+    if after.of == before.of && struck.count == 0 {
+        return;
+    }
+    let mut outcome = Outcome { impacts: struck.count, ..Outcome::default() };
+    outcome.compare(before, after);
+    outcome.is_undetermined = after.are_undetermined() && !before.are_undetermined();
+    u.count(&outcome, false);
+    if struck.count > 0
         && let Some(booked) = u.booked()
     {
-        booked.book((stride.t + stride.h).to_f64(), &struck);
+        booked.book((stride.t + stride.h).to_f64(), struck);
     }
-    Ok(solution)
 }
 
 /// Moves positions on with the velocities for a time.

@@ -9,9 +9,8 @@ use crate::scalar::Real;
 /// A friction may stick at first if its rate is below this fraction of what accelerations give in a step.
 const NO_SLIP: f64 = 1e-9;
 
-/// Rows of a step whose free accelerations are the changes of rates over the step that laws ask for, by its length.
+/// Rows of a step. Their free accelerations become the changes of rates over the step that laws ask for, by its length.
 pub(super) struct Problem<S, const N: usize> {
-    rows: Rows<S, N>,
     rules: [Rule; N],
     guess: [Mode; N],
     /// What of the free acceleration lets a gap close within the step.
@@ -24,7 +23,7 @@ impl<S: Real, const N: usize> Problem<S, N> {
     pub(super) fn of(
         stride: &Stride<S>,
         (laws, exists): (&[Law<S>; N], &[bool; N]),
-        rows: &Rows<S, N>,
+        rows: &mut Rows<S, N>,
         before: &Modes<S, N>,
     ) -> Self {
         let ([ahead, behind], inverse) = (stride.parts(), S::lit(1.0) / stride.h);
@@ -32,7 +31,7 @@ impl<S: Real, const N: usize> Problem<S, N> {
         let (share, closing) = (ahead * inverse, inverse / behind);
         let fastest = rows.free.iter().fold(S::ZERO, |most, free| most.max(free.abs()));
         let none = S::lit(NO_SLIP).max(S::lit(64.0) * S::EPSILON) * stride.h * fastest;
-        let mut problem = Self { rows: *rows, rules, guess: before.of, slack: [S::ZERO; N], h: stride.h };
+        let mut problem = Self { rules, guess: before.of, slack: [S::ZERO; N], h: stride.h };
         for i in 0..N {
             // (3): free acceleration and bias are those of the intermediate place.
             let over_step = rows.rate[i].mul_add(inverse, rows.free[i] - share * rows.bias[i]);
@@ -40,11 +39,11 @@ impl<S: Real, const N: usize> Problem<S, N> {
                 let gap = at_standstill(stride, rows, i).max(S::ZERO);
                 problem.slack[i] = gap * closing;
             }
-            problem.rows.free[i] = over_step + problem.slack[i];
+            rows.free[i] = over_step + problem.slack[i];
             problem.guess[i] = match rules[i] {
                 Rule::Absent(mode) => mode,
                 Rule::Constraint => Mode::Closed,
-                Rule::Gap if problem.rows.free[i] < S::ZERO => Mode::Closed,
+                Rule::Gap if rows.free[i] < S::ZERO => Mode::Closed,
                 Rule::Gap => Mode::Open,
                 Rule::Friction if before.is_sticking(i) => Mode::Sticks,
                 Rule::Friction => slip(rows.rate[i], none),
@@ -54,8 +53,8 @@ impl<S: Real, const N: usize> Problem<S, N> {
     }
 
     /// Forces over the step.
-    pub(super) fn solve(&self) -> Solved<S, N> {
-        solve(&self.rows, &self.rules, self.guess)
+    pub(super) fn solve(&self, rows: &Rows<S, N>) -> Solved<S, N> {
+        solve(rows, &self.rules, self.guess)
     }
 
     /// The rate of a row at the end of the step.
@@ -102,9 +101,10 @@ pub(super) fn away<S: Real, const N: usize>(
     })
 }
 
-/// Factors of the responses that lead rows which hold back by these displacements; none where there is nothing to lead back.
+/// Factors of the responses that lead rows which hold back by these displacements; none where there is nothing to lead back. The free
+/// accelerations of the rows are lost.
 pub(super) fn lead_back<S: Real, const N: usize>(
-    rows: &Rows<S, N>,
+    rows: &mut Rows<S, N>,
     modes: &[Mode; N],
     away: &[S; N],
 ) -> Option<[S; N]> {
@@ -112,6 +112,6 @@ pub(super) fn lead_back<S: Real, const N: usize>(
         return None;
     }
     let only = modes.map(|mode| if mode.holds() { mode } else { Mode::Open });
-    let problem = Rows { free: *away, ..*rows };
-    Some(eliminate(&problem, &only, &[[S::ZERO; 2]; N]).0)
+    rows.free = *away;
+    Some(eliminate(rows, &only, &[[S::ZERO; 2]; N]).0)
 }

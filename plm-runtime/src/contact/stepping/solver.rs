@@ -84,6 +84,12 @@ pub(super) fn solve<S: Real, const N: usize>(
     guess: [Mode; N],
 ) -> Solved<S, N> {
     let (mut modes, mut lambda) = (without_force(rows, rules, guess), [S::ZERO; N]);
+    if modes.iter().all(|mode| !(mode.holds() || mode.slips())) {
+        // A gap whose free acceleration closes it would not be open.
+        let (carried, negative) = ([false; N], [false; N]);
+        let (acceleration, residual, rounds) = (rows.free, S::ZERO, 0);
+        return Solved { rules: *rules, modes, carried, negative, lambda, acceleration, residual, rounds };
+    }
     let mut best: Option<Solved<S, N>> = None;
     for round in 1..=ROUNDS + SINGLE_ROUNDS {
         let Seen { solved, next, is_met } = self::round(rows, rules, (modes, round), &lambda);
@@ -273,40 +279,38 @@ pub(super) fn eliminate<S: Real, const N: usize>(
     directions: &[[S; 2]; N],
 ) -> ([S; N], [bool; N]) {
     let (mut matrix, mut right, mut inverse) = ([[S::ZERO; N]; N], [S::ZERO; N], [S::ZERO; N]);
-    let (mut active, mut order, mut dropped) = ([0; N], 0, [false; N]);
-    for (i, mode) in modes.iter().enumerate() {
-        if mode.holds() || mode.slips() {
-            (matrix[order], right[order]) = equation(rows, (*mode, directions[i]), i);
-            active[order] = i;
-            order += 1;
+    let active: [bool; N] = core::array::from_fn(|i| modes[i].holds() || modes[i].slips());
+    for i in 0..N {
+        if active[i] {
+            (matrix[i], right[i]) = equation(rows, (modes[i], directions[i]), i);
         }
     }
     let least = S::lit(DEPENDENT).max(S::lit(ROUNDING) * S::EPSILON);
-    for k in 0..order {
-        let pivot = matrix[k][active[k]];
-        // Without it for what is not a number, as where a row has no direction.
-        let is_regular = pivot.abs() > least;
-        inverse[k] = if is_regular { S::lit(1.0) / pivot } else { S::ZERO };
-        dropped[active[k]] = !is_regular;
-        if !is_regular {
+    let mut used = active;
+    for k in 0..N {
+        // Not used where it is not a number, as where a row has no direction.
+        used[k] &= matrix[k][k].abs() > least;
+        if !used[k] {
             continue;
         }
-        let (row, of_row) = (matrix[k], right[k]);
-        for i in k + 1..order {
-            let factor = matrix[i][active[k]] * inverse[k];
-            for column in &active[k + 1..order] {
-                matrix[i][*column] = matrix[i][*column] - factor * row[*column];
+        inverse[k] = S::lit(1.0) / matrix[k][k];
+        for i in k + 1..N {
+            if !active[i] {
+                continue;
             }
-            right[i] = right[i] - factor * of_row;
+            let factor = matrix[i][k] * inverse[k];
+            for j in k + 1..N {
+                matrix[i][j] = matrix[i][j] - factor * matrix[k][j];
+            }
+            right[i] = right[i] - factor * right[k];
         }
     }
     let mut lambda = [S::ZERO; N];
-    for k in (0..order).rev() {
-        let mut rest = right[k];
-        for column in &active[k + 1..order] {
-            rest = rest - matrix[k][*column] * lambda[*column];
+    for k in (0..N).rev() {
+        if used[k] {
+            let terms = (k + 1..N).map(|j| matrix[k][j] * lambda[j]);
+            lambda[k] = inverse[k] * terms.fold(right[k], |rest, term| rest - term);
         }
-        lambda[active[k]] = if dropped[active[k]] { S::ZERO } else { rest * inverse[k] };
     }
-    (lambda, dropped)
+    (lambda, core::array::from_fn(|i| active[i] && !used[i]))
 }

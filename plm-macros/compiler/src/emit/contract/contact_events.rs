@@ -60,9 +60,13 @@ pub(super) fn events(emission: &Emission) -> TokenStream {
             }
 
             fn stride(
-                &self, stride: &rt::contact::Stride<S>, u: &mut Self::U, x: &mut [S; #length]
+                &self,
+                stride: &rt::contact::Stride<S>,
+                u: &mut Self::U,
+                x: &mut [S; #length],
+                behind: impl FnOnce(&mut Self::U, &mut [S; #length], &rt::contact::Solution<S>) -> Result<(), Fault>,
             ) -> Result<rt::contact::Solution<S>, Fault> {
-                rt::contact::step::<Self, #rows>(self, stride, u, x)
+                rt::contact::step::<Self, #rows>(self, stride, u, x, behind)
             }
         }
     }

@@ -219,7 +219,13 @@ pub(super) fn motion_at(emission: &Emission) -> TokenStream {
             }
         }
     });
+    let moves_by_time = of.iter().any(|(contact, _)| contact.moves_by_time);
+    let moves_by_time = emission.text(format!("{moves_by_time}"));
     quote! {
+        fn moves_by_time(&self) -> bool {
+            #moves_by_time
+        }
+
         fn motion_at(
             &self, t: S, u: &Held<S>, x: &[S; #length]
         ) -> rt::contact::Motion<S, [S; #length], #count> {
