@@ -86,16 +86,16 @@ fn ordered_steps_have_the_bits_of_a_run() {
             }
         };
     }
-    same!(FourBar, 500);
+    same!(FourBar, 300);
     same!(Absolute, 100);
-    same!(Bench, 600);
+    same!(Bench, 450);
 }
 
 /// The error of an angle of the four-bar beside the event-driven run falls with the step, in joint and in absolute coordinates.
 #[test]
 fn a_four_bar_with_limits_converges() {
-    let samples = |sim: &mut dyn FnMut() -> f64| (0..30).map(|_| sim()).collect::<Vec<f64>>();
-    let mut known = FourBar::new().start_with(Dop853::new(1e-10)).unwrap();
+    let samples = |sim: &mut dyn FnMut() -> f64| (0..20).map(|_| sim()).collect::<Vec<f64>>();
+    let mut known = FourBar::new().start_with(Dop853::new(1e-7)).unwrap();
     let angles = samples(&mut || {
         known.step(0.03).unwrap();
         known.crank().angle
@@ -103,7 +103,7 @@ fn a_four_bar_with_limits_converges() {
     let turned = angles.iter().fold(0.0_f64, |most, angle| most.max((angle - angles[0]).abs()));
     assert!(turned > 0.3 && known.contact_stats().impacts >= 2, "{turned} {:?}", known.contact_stats());
     for theta in [0.5, 1.0] {
-        for h in [3e-3, 3.75e-4] {
+        for h in [3e-3, 1e-3] {
             let method = MoreauJean::new(h).with_theta(theta);
             let mut joint = FourBar::new().start_with(method).unwrap();
             let mut absolute = Absolute::new().start_with(method).unwrap();
@@ -143,7 +143,7 @@ fn a_bench_of_rows_follows_closed_forms() -> Result<(), Fault> {
     sim.step(1.2)?;
     assert!((sim.block().x - (0.5 + leaves * fall)).abs() < 3.0 * h * leaves, "{} {edge}", sim.block().x);
     assert!(sim.ball().y.abs() < 1e-15 && sim.ball().vy.abs() < 1e-15, "{}", sim.ball().y);
-    let mut known = Bench::new().start_with(Dop853::new(1e-10))?;
+    let mut known = Bench::new().start_with(Dop853::new(1e-8))?;
     known.step(2.0)?;
     assert!((sim.mass().x - known.mass().x).abs() < h * 0.5, "{} {}", sim.mass().x, known.mass().x);
     assert!(sim.method().largest_residual() < 1e-12, "{:e}", sim.method().largest_residual());
