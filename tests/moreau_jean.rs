@@ -118,7 +118,10 @@ fn a_four_bar_with_limits_converges() {
                 }),
             ];
             let errors = all.map(|found| {
-                found.iter().zip(&angles).fold(0.0_f64, |most, (found, known)| most.max((found - known).abs()))
+                found
+                    .iter()
+                    .zip(&angles)
+                    .fold(0.0_f64, |most, (found, known)| most.max((found - known).abs()))
             });
             println!("{theta} {h}: {errors:?}");
             assert!(errors.iter().all(|error| *error < 1.5 * h), "{theta} {h}: {errors:?}");
@@ -135,7 +138,11 @@ fn a_bench_of_rows_follows_closed_forms() -> Result<(), Fault> {
     let leaves = (4.0 - 2.0 * 0.1 * g * 0.5).sqrt();
     let edge = (2.0 - leaves) / (0.1 * g);
     sim.step(0.39)?;
-    assert!((sim.mass().vx - 0.1).abs() < 1e-9 && (sim.block().vx - leaves).abs() < 0.1 * g * h, "{}", sim.block().vx);
+    assert!(
+        (sim.mass().vx - 0.1).abs() < 1e-9 && (sim.block().vx - leaves).abs() < 0.1 * g * h,
+        "{}",
+        sim.block().vx
+    );
     // The pull and the weight reach 20 N at 0.5095 s.
     sim.step(0.41)?;
     assert!((sim.torn() - (20.0 - g) / 20.0).abs() < 2.0 * h, "{}", sim.torn());

@@ -78,7 +78,8 @@ fn panel(
         text(svg, [x0 + width - 4.0, above], name, CURVES[colour], more);
         above += 15.0;
     }
-    let by_events = line(peers, scene, "plm", "DOP853").into_iter().find(|run| (run.size / 1e-8 - 1.0).abs() < 1e-6);
+    let by_events =
+        line(peers, scene, "plm", "DOP853").into_iter().find(|run| (run.size / 1e-8 - 1.0).abs() < 1e-6);
     if let Some(error) = by_events.and_then(|run| run.error) {
         let at = y(error);
         let _ = writeln!(
@@ -103,8 +104,7 @@ pub fn tables(runs: &[Run]) -> String {
 }
 
 fn table(runs: &[Run], (mark, scene): (&str, &str), value: &dyn Fn(&Run) -> Option<f64>) -> String {
-    let mut text =
-        format!("<!-- ANCHOR: {mark} -->\n| | 10 ms | 1 ms | 0.1 ms |\n|---|---:|---:|---:|\n");
+    let mut text = format!("<!-- ANCHOR: {mark} -->\n| | 10 ms | 1 ms | 0.1 ms |\n|---|---:|---:|---:|\n");
     for settings in LINES {
         let line = line(runs, scene, "plm", settings);
         let cells = [1e-2, 1e-3, 1e-4].map(|step| {

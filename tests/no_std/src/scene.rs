@@ -2,8 +2,8 @@
 
 use plm::runtime::Vector;
 use plm::{
-    Adams, Dop853, Dopri5, Fault, Gauss, Mechanism, Method, Moment, MoreauJean, RadauIia5, Real, Rk4, Ros34Pw2, Scalar,
-    SemiImplicitEuler, Vern9,
+    Adams, Dop853, Dopri5, Fault, Gauss, Mechanism, Method, Moment, MoreauJean, RadauIia5, Real, Rk4,
+    Ros34Pw2, Scalar, SemiImplicitEuler, Vern9,
 };
 
 plm::mechanism! {

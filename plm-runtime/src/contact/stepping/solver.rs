@@ -13,10 +13,11 @@ use crate::contact::multipliers::equation;
 use crate::contact::rows::{Law, Limit, Rows};
 use crate::scalar::Real;
 
-/// Rounds in which every row may change its mode.
-const ROUNDS: u32 = 8;
-/// Rounds in which one row alone may.
-const SINGLE_ROUNDS: u32 = 8;
+/// Rounds in which every row may change its mode, and then such in which one row alone may, of so many rows.
+const fn rounds(rows: usize) -> [u32; 2] {
+    [2 * rows as u32 + 2, 2 * rows as u32]
+}
+
 /// Sweeps behind these.
 const SWEEPS: u32 = 32;
 /// A law is met if it is off by less than so many roundings of the terms of the acceleration.
@@ -91,7 +92,8 @@ pub(super) fn solve<S: Real, const N: usize>(
         return Solved { rules: *rules, modes, carried, negative, lambda, acceleration, residual, rounds };
     }
     let mut best: Option<Solved<S, N>> = None;
-    for round in 1..=ROUNDS + SINGLE_ROUNDS {
+    let [all, single] = rounds(N);
+    for round in 1..=all + single {
         let Seen { solved, next, is_met } = self::round(rows, rules, (modes, round), &lambda);
         if is_met {
             return solved;
@@ -101,7 +103,7 @@ pub(super) fn solve<S: Real, const N: usize>(
         if is_better {
             best = Some(solved);
         }
-        if round < ROUNDS {
+        if round < all {
             modes = without_force(rows, rules, next);
         } else if let Some(row) = (0..N).find(|row| next[*row] != modes[*row]) {
             modes[row] = next[row];
@@ -143,7 +145,7 @@ fn swept<S: Real, const N: usize>(
             };
         }
     }
-    let round = ROUNDS + SINGLE_ROUNDS + 1;
+    let round = rounds(N)[0] + rounds(N)[1] + 1;
     let by_sweeps = look(rows, rules, (modes, round), lambda, &[false; N]);
     let next = without_force(rows, rules, by_sweeps.next);
     let by_modes = self::round(rows, rules, (next, round), &lambda);
