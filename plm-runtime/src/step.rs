@@ -7,7 +7,7 @@ use crate::fault::{Cause, Fault};
 use crate::lanes::Pack;
 use crate::mechanism::{InPlace, Mechanism, Moment};
 use crate::method::{
-    Context, DriftCheck, Estimate, Formula, Length, Rk4Formula, Ros34Pw2Formula, Trial, not_finite,
+    Context, DriftCheck, Estimate, Formula, Length, Rk4Formula, Ros34Pw2Formula, Trial, unhealthy,
 };
 use crate::protocol::{Limits, Proposal, Rules, Verdict, judge};
 use crate::scalar::{Real, Scalar};
@@ -170,22 +170,6 @@ fn switched<M: Mechanism>(context: &mut Context<'_, M>, before: M::S) -> Result<
         context.x = x;
     }
     Ok(())
-}
-
-/// Why the rates of a step are of no use.
-#[cold]
-pub(crate) fn unhealthy<M: System<S: Real>>(
-    system: &M,
-    held: &M::U,
-    (time, x): (M::S, M::X),
-    next: M::X,
-) -> Fault {
-    let mut rate = x;
-    match system.rate_by_rank(time, held, &x, &mut rate) {
-        Err(fault) => fault,
-        Ok(()) if !next.is_finite() => not_finite(system, time, &next),
-        Ok(()) => not_regular(time),
-    }
 }
 
 #[cold]

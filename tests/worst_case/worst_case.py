@@ -40,7 +40,7 @@ ROUNDS = {
 # Bytes at most that copies of words leave to one of bytes.
 RESTS = {"__aeabi_memcpy4": 3, "__aeabi_memcpy8": 3}
 # A step that comes there ends in a fault.
-FAULTS = {"step::unhealthy"}
+FAULTS = {"method::unhealthy"}
 # Modes by events, which steps of Moreau and Jean have not: their discrete state says so, and their guards are then constants.
 EVENTS = {"multipliers::multipliers_above", "violated::switch_violated"}
 # Sines of angles of 64 turns and more, in f64 of 65536. A state has its angles within three quarters of a turn.

@@ -202,10 +202,10 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let (mut struck, mut slowest) = (Struck::nothing(), None);
         let (solution, is_ambiguous) = loop {
             self.impacts(&laws, (none, slowest, &mut rows), u, x, &mut struck)?;
-            if let Occasion::Sign { row } = self.occasion {
-                if let (Some(load), Some(&negative)) = (rows.load.get_mut(row), u.modes().negative.get(row)) {
-                    *load = Load::Turned { negative };
-                }
+            if let Occasion::Sign { row } = self.occasion
+                && let (Some(load), Some(&negative)) = (rows.load.get_mut(row), u.modes().negative.get(row))
+            {
+                *load = Load::Turned { negative };
             }
             let allowed = self.allowed(&laws, (none, struck.count), &rows, u);
             let (solution, is_ambiguous) = self.choose(&rows, &allowed, u, x)?;

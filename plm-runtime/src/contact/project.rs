@@ -4,7 +4,6 @@ use super::multipliers::{Multipliers, multipliers};
 use super::rows::{Friction, Limit, Rows};
 use super::{Contacts, Modal, modes::Mode, moved};
 use crate::fault::Fault;
-use crate::method::{drift_of_size, excess};
 use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
 use crate::vector::Vector;
@@ -90,8 +89,11 @@ pub(super) fn joints_behind_step<M: Contacts<N>, const N: usize>(
     x: &mut M::X,
 ) -> Result<(), Fault> {
     let drift = system.drift_of_joints(t, u, x);
-    let limit = drift_of_size(system, M::S::lit(DRIFT).max(M::S::lit(64.0) * M::S::EPSILON));
-    if excess(drift, limit) > M::S::lit(1.0) { system.project_joints(t, u, x) } else { Ok(()) }
+    let (typical, tolerance) = (system.typical(), M::S::lit(DRIFT).max(M::S::lit(64.0) * M::S::EPSILON));
+    let largest = |from: usize| (from..from + M::NQ).fold(M::S::ZERO, |size, i| typical.at(i).max(size));
+    // False for what is not a number.
+    let is_near = drift.phi <= tolerance * largest(0) && drift.phi_dot <= tolerance * largest(M::NQ);
+    if is_near { Ok(()) } else { system.project_joints(t, u, x) }
 }
 
 /// How far the joints are from closed, and the rows that hold from their places: the larger of both.

@@ -77,6 +77,22 @@ pub(crate) fn not_finite<M: System>(system: &M, t: M::S, x: &M::X) -> Fault {
     Fault::of_part(t.to_f64(), part, Cause::NotFinite)
 }
 
+/// Why the rates of a step are of no use.
+#[cold]
+pub(crate) fn unhealthy<M: System<S: Real>>(
+    system: &M,
+    held: &M::U,
+    (time, x): (M::S, M::X),
+    next: M::X,
+) -> Fault {
+    let mut rate = x;
+    match system.rate_by_rank(time, held, &x, &mut rate) {
+        Err(fault) => fault,
+        Ok(()) if !next.is_finite() => not_finite(system, time, &next),
+        Ok(()) => Fault::new(time.to_f64(), Cause::NotRegular),
+    }
+}
+
 /// Drift of the size `fraction` of the largest typical coordinate and velocity.
 pub(crate) fn drift_of_size<M: System<S: Real>>(system: &M, fraction: M::S) -> Drift<M::S> {
     let typical = system.typical();

@@ -3,11 +3,11 @@
 use super::partition::Partition;
 use super::{
     Context, DenseOutput, DriftCheck, ErrorControl, FixedLength, Length, Method, drift_of_size, not_finite,
+    unhealthy,
 };
 use crate::contact::{Change, Solution, Stride, smooth_step};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
-use crate::step::unhealthy;
 use crate::system::{Drift, System};
 use crate::vector::Vector;
 use crate::words::{InWords, Words};

@@ -16,7 +16,7 @@ use crate::vector::Vector;
 const MOST_PAIRS: u32 = 16;
 
 /// What a step has done so far.
-pub(super) struct Begun<S> {
+pub(super) struct Progress<S> {
     /// The largest residual of impacts, as a rate.
     pub(super) residual: S,
     pub(super) rounds: u32,
@@ -25,10 +25,11 @@ pub(super) struct Begun<S> {
 /// Impacts where the step begins. Rates of the rows, velocities and the intermediate place become those behind them.
 pub(super) fn impacts<M: Contacts<N>, const N: usize>(
     system: &M,
-    (stride, laws, exists): (&Stride<M::S>, &[Law<M::S>; N], &[bool; N]),
+    stride: &Stride<M::S>,
+    (laws, exists): (&[Law<M::S>; N], &[bool; N]),
     u: &M::U,
     (motion, x): (&mut Motion<M::S, M::X, N>, &mut M::X),
-    begun: &mut Begun<M::S>,
+    progress: &mut Progress<M::S>,
 ) -> Result<Struck<M::S, N>, Fault> {
     let mut struck = Struck::nothing();
     let Some(mut row) = striking(stride, (laws, exists), &motion.rows) else { return Ok(struck) };
@@ -41,8 +42,8 @@ pub(super) fn impacts<M: Contacts<N>, const N: usize>(
             let rules = core::array::from_fn(|i| rule(&laws[i], touches[i]));
             let guess = core::array::from_fn(|i| guess(rules[i], rows.free[i]));
             let solved = solve(rows, &rules, guess);
-            begun.residual = begun.residual.max(solved.residual);
-            begun.rounds += solved.rounds;
+            progress.residual = progress.residual.max(solved.residual);
+            progress.rounds += solved.rounds;
             Ok(Answer { lambda: solved.lambda, rate: solved.acceleration, is_ambiguous: false })
         };
         let Impulses::Found(impulses, _) = impulses(&motion.rows, laws, (law, touches), &mut by_rounds)

@@ -22,7 +22,7 @@ mod problem;
 mod smooth;
 mod solver;
 
-use self::impacts::{Begun, impacts};
+use self::impacts::{Progress, impacts};
 use self::problem::{Problem, away, lead_back};
 pub use self::smooth::smooth_step;
 use self::solver::Solved;
@@ -98,8 +98,8 @@ pub fn step<M: Contacts<N>, const N: usize>(
     let laws = core::array::from_fn(|row| system.law(row));
     let exists = core::array::from_fn(|row| system.exists(u, row));
     let before = *u.modes();
-    let mut begun = Begun { residual: M::S::ZERO, rounds: 0 };
-    let struck = impacts(system, (stride, &laws, &exists), u, (&mut motion, x), &mut begun)?;
+    let mut progress = Progress { residual: M::S::ZERO, rounds: 0 };
+    let struck = impacts(system, stride, (&laws, &exists), u, (&mut motion, x), &mut progress)?;
     let problem = Problem::of(stride, (&laws, &exists), &mut motion.rows, &before);
     let solved = problem.solve(&motion.rows);
     let after = modes(&motion.rows, (stride, &problem), &solved, &before);
@@ -112,8 +112,8 @@ pub fn step<M: Contacts<N>, const N: usize>(
     let corrections = lead_back(&mut motion.rows, &solved.modes, &away);
     arrive::<M, N>((stride.h, rest), &motion, (&solved.lambda, corrections.as_ref()), x);
     let solution = Solution {
-        residual: begun.residual.max(solved.residual * stride.h),
-        rounds: begun.rounds + solved.rounds,
+        residual: progress.residual.max(solved.residual * stride.h),
+        rounds: progress.rounds + solved.rounds,
         health: motion.health,
     };
     if !(motion.health.is_good() && x.is_finite()) {

@@ -129,7 +129,9 @@ fn swept<S: Real, const N: usize>(
     for _ in 0..SWEEPS {
         for i in 0..N {
             let own = rows.delassus[i][i];
-            if matches!(rules[i], Rule::Absent(_)) || !(own > S::ZERO) {
+            // False for what is not a number.
+            let has_direction = own > S::ZERO;
+            if matches!(rules[i], Rule::Absent(_)) || !has_direction {
                 lambda[i] = S::ZERO;
                 continue;
             }
