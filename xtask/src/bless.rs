@@ -16,7 +16,7 @@ struct Text {
 
 const BLESS: Option<(&str, &str)> = Some(("PLM_BLESS", "1"));
 
-const TEXTS: [Text; 13] = [
+const TEXTS: [Text; 14] = [
     Text {
         name: "ui",
         what: "what rustc prints for wrong declarations: tests/ui/**/*.stderr",
