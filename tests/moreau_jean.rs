@@ -94,7 +94,7 @@ fn ordered_steps_have_the_bits_of_a_run() {
 /// The error of an angle of the four-bar beside the event-driven run falls with the step, in joint and in absolute coordinates.
 #[test]
 fn a_four_bar_with_limits_converges() {
-    let samples = |sim: &mut dyn FnMut() -> f64| (0..20).map(|_| sim()).collect::<Vec<f64>>();
+    let samples = |sim: &mut dyn FnMut() -> f64| (0..30).map(|_| sim()).collect::<Vec<f64>>();
     let mut known = FourBar::new().start_with(Dop853::new(1e-7)).unwrap();
     let angles = samples(&mut || {
         known.step(0.03).unwrap();
