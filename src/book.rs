@@ -26,6 +26,7 @@ pages! {
     Described = "running/described.md";
     Integrators = "running/integrators.md";
     Methods = "running/methods.md";
+    RealTime = "running/real-time.md";
     Scalars = "running/scalars.md";
     Stack = "running/stack.md";
     Targets = "targets.md";

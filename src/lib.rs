@@ -38,7 +38,7 @@
 //!    body begins and what assembly must keep.
 //! 3. [`Sim`] is a running simulation: it steps, runs to a time, samples, saves and resumes.
 //! 4. [`Dop853`] is the method of integration that `start` takes. `start_with` takes another: [`Dopri5`], [`Vern9`], [`Adams`] and
-//!    [`RadauIia5`] control their error; [`Rk4`], [`SemiImplicitEuler`], [`Gauss`] and [`Ros34Pw2`] have fixed steps.
+//!    [`RadauIia5`] control their error; [`Rk4`], [`SemiImplicitEuler`], [`MoreauJean`], [`Gauss`] and [`Ros34Pw2`] have fixed steps.
 //! 5. [`Fault`] says when, where and why a run ended, and [`Notice`] what is doubtful about one that did not.
 //! 6. [`Described`] tells of a mechanism by number: bodies, joints, parameters with their units, and every quantity that can be
 //!    observed. Recorders, C, FMUs and Python are written with it.
@@ -97,8 +97,9 @@ pub use plm_runtime as runtime;
 pub use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
 pub use plm_runtime::{
     Adams, BodyMotion, BodyStart, BodyState, Cause, Constraints, Described, Dop853, Dopri5, Dual, Events,
-    Fault, Found, Labels, Mechanism, Method, Moment, Names, Notice, Observed, Operations, Rate, Real, Rk4,
-    Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats, System, Vern9, to_absolute, to_relative,
+    Fault, Found, Labels, Mechanism, Method, Moment, MoreauJean, Names, Notice, Observed, Operations, Rate,
+    Real, Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats, System, Vern9, to_absolute,
+    to_relative,
 };
 #[cfg(doctest)]
 mod book;

@@ -13,6 +13,8 @@ mod measure;
 mod report;
 #[path = "../examples/contact_peers/runs.rs"]
 mod runs;
+#[path = "../examples/contact_peers/steps.rs"]
+mod steps;
 #[path = "../examples/work_precision/stored.rs"]
 mod stored;
 #[path = "../examples/work_precision/summary.rs"]
@@ -175,6 +177,33 @@ fn the_picture_and_tables_of_contact_are_those_of_the_runs() {
     let is_same = chart::svg(&runs) == include_str!("../docs/src/images/contact-peers/chart.svg")
         && tables::all(&runs) == include_str!("../docs/src/images/contact-peers/tables.txt");
     assert!(is_same, "the example contact_peers draws them: `-- docs/src/images/contact-peers`");
+}
+
+#[test]
+fn the_picture_of_steps_of_moreau_and_jean_is_that_of_the_runs() {
+    let found = runs::read(include_str!("../docs/src/images/contact-steps/runs.csv")).unwrap();
+    let is_same = steps::svg(&found, &contact_runs())
+        == include_str!("../docs/src/images/contact-steps/chart.svg")
+        && steps::tables(&found) == include_str!("../docs/src/images/contact-steps/tables.txt");
+    assert!(is_same, "the example contact_peers draws it: `-- --steps docs/src/images/contact-steps`");
+    // Of order 1, without creep, and no impact gains.
+    for theta in steps::LINES {
+        for (scene, most) in [("oscillator", 2.0), ("ball", 20.0), ("rocking", 10.0), ("slider-crank", 500.0)]
+        {
+            for run in runs::line(&found, scene, "plm", theta) {
+                assert!(
+                    run.error.is_some_and(|error| error < most * run.size),
+                    "{scene} {theta} {}",
+                    run.size
+                );
+            }
+        }
+        for scene in ["block", "oscillator"] {
+            for run in runs::line(&found, scene, "plm", theta) {
+                assert!(run.creep.is_some_and(|creep| creep < 1e-9), "{scene} {theta} {}", run.size);
+            }
+        }
+    }
 }
 
 /// What the page says in words: plm sticks exactly, its errors follow the tolerance, and no other program comes as near.

@@ -6,8 +6,8 @@ use plm_view::svg::{CURVES, FONT, INK, dark_style, escape};
 
 use crate::runs::{LINES, Run, line};
 
-const FAINT: &str = "#5c6675";
-const GRID: &str = "#dfe3ea";
+pub(crate) const FAINT: &str = "#5c6675";
+pub(crate) const GRID: &str = "#dfe3ea";
 const WIDTH: f64 = 860.0;
 const PANEL: [f64; 2] = [422.0, 268.0];
 const TOP: f64 = 74.0;
@@ -19,7 +19,7 @@ const TIMES: [f64; 2] = [-4.6, -0.5];
 /// Labels stand at least so far apart.
 const APART: f64 = 15.0;
 
-const SCENES: [(&str, &str); 4] = [
+pub(crate) const SCENES: [(&str, &str); 4] = [
     ("oscillator", "Coulomb oscillator, at rest (m)"),
     ("ball", "Bouncing ball, after 6 impacts (m)"),
     ("rocking", "Rocking block, after 2 impacts (rad)"),
@@ -111,7 +111,7 @@ fn panel(svg: &mut String, runs: &[Run], (scene, title): (&str, &str), [left, to
     }
 }
 
-fn curve(svg: &mut String, points: &[[f64; 2]], colour: &str) {
+pub(crate) fn curve(svg: &mut String, points: &[[f64; 2]], colour: &str) {
     let path: Vec<String> = points.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
     let _ = writeln!(
         svg,
@@ -174,7 +174,7 @@ impl Dots {
 }
 
 /// `10⁻³`, `1`.
-fn power(decade: f64) -> String {
+pub(crate) fn power(decade: f64) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     if decade == 0.0 {
         return "1".to_owned();
@@ -185,6 +185,6 @@ fn power(decade: f64) -> String {
     format!("10{sign}{raised}")
 }
 
-fn text(svg: &mut String, [x, y]: [f64; 2], text: &str, colour: &str, more: &str) {
+pub(crate) fn text(svg: &mut String, [x, y]: [f64; 2], text: &str, colour: &str, more: &str) {
     let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"{colour}\" {more}>{}</text>", escape(text));
 }

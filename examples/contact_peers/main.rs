@@ -3,6 +3,8 @@
 //! ```sh
 //! cargo run --example contact_peers -- docs/src/images/contact-peers                           # of the stored runs
 //! cargo run --example contact_peers -- docs/src/images/contact-peers target/plm/contact-*.csv  # of new ones
+//! cargo run --example contact_peers -- --steps docs/src/images/contact-steps                           # of MoreauJean by its step
+//! cargo run --example contact_peers -- --steps docs/src/images/contact-steps target/plm/contact-steps.csv
 //! ```
 //!
 //! The page `docs/src/running/contact-peers.md` names the programs that measure.
@@ -10,6 +12,7 @@
 
 mod chart;
 mod runs;
+mod steps;
 mod tables;
 
 use std::error::Error;
@@ -17,7 +20,8 @@ use std::fs;
 use std::path::PathBuf;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut arguments = std::env::args().skip(1).map(PathBuf::from);
+    let mut arguments = std::env::args().skip(1).map(PathBuf::from).peekable();
+    let by_step = arguments.next_if(|first| first.as_os_str() == "--steps").is_some();
     let folder = arguments.next().ok_or("say the folder of runs.csv")?;
     let files: Vec<PathBuf> = arguments.collect();
     let stored = folder.join("runs.csv");
@@ -29,6 +33,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         fs::write(&stored, format!("{}\n{rows}", runs::HEAD))?;
     }
     let runs = runs::read(&fs::read_to_string(stored)?)?;
+    if by_step {
+        let peers = runs::read(include_str!("../../docs/src/images/contact-peers/runs.csv"))?;
+        fs::write(folder.join("chart.svg"), steps::svg(&runs, &peers))?;
+        fs::write(folder.join("tables.txt"), steps::tables(&runs))?;
+        return Ok(());
+    }
     fs::write(folder.join("chart.svg"), chart::svg(&runs))?;
     fs::write(folder.join("tables.txt"), tables::all(&runs))?;
     Ok(())

@@ -22,7 +22,7 @@ use syn::parse::Parser;
 /// | `stabilisation: projection;` or `baumgarte(0.1 s);` | how constraints are kept; projection unless said otherwise, `baumgarte` alone has 0.1 s |
 /// | `impacts: poisson;`, `newton` or `sequential` | the law of impact of contacts |
 /// | `code: rolled;` or `unrolled` | orders whether what repeats itself stands in loops; without it the number of operations decides |
-/// | `emit: step(rk4, linearly_implicit);` | the code holds a step of fixed length by itself; `semi_implicit_euler` is the third |
+/// | `emit: step(rk4, linearly_implicit);` | the code holds a step of fixed length by itself; `semi_implicit_euler` and, with contact, `moreau_jean` are the others |
 /// | `param k: N/m = 1e4 N/m;` | a number that can change between runs; without a default `new` takes it |
 /// | `input drive: N*m = 0;` | a number that can change while it runs |
 /// | `let span = 0.3 m + offset;` | a name for an expression |

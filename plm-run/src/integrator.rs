@@ -163,7 +163,7 @@ mod tests {
         }
         assert_eq!(
             METHODS,
-            "Dop853[:TOLERANCE], Vern9, Adams, Dopri5, RadauIia5; Rk4:STEP, SemiImplicitEuler, Gauss2, Gauss3, Ros34Pw2"
+            "Dop853[:TOLERANCE], Vern9, Adams, Dopri5, RadauIia5; Rk4:STEP, SemiImplicitEuler, Gauss2, Gauss3, Ros34Pw2, MoreauJean"
         );
     }
 

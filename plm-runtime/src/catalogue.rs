@@ -43,6 +43,9 @@ macro_rules! methods {
                 Ros34Pw2 (9, "ROS34PW2", $crate::method::Ros34Pw2<M::S>, "Ros34Pw2<REAL>",
                     "[`Ros34Pw2`](plm_runtime::method::Ros34Pw2)",
                     "order 3, steps of fixed length, for what is stiff")
+                MoreauJean (10, "MOREAU_JEAN", $crate::method::MoreauJean<M::S>, "MoreauJean<REAL>",
+                    "[`MoreauJean`](plm_runtime::method::MoreauJean)",
+                    "order 1, steps of fixed length over impacts and friction")
             }
         }
     };

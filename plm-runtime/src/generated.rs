@@ -48,9 +48,9 @@ pub mod compact {
 
 pub mod contact {
     pub use crate::contact::{
-        Contacts, Held, ImpactLaw, Kinematics, Law, Load, Rows, Status, add_forces, appear, begin, drift,
-        guard_count, guards, guards_within, held_rows, project, settle, slide, slipping, state_was_set, stay,
-        sum_of, switch_behind, update, with_multipliers,
+        Change, Contacts, Held, ImpactLaw, Kinematics, Law, Load, Motion, Rows, Solution, Status, Stride,
+        add_forces, appear, begin, drift, guard_count, guards, guards_within, held_rows, project, settle,
+        slide, slipping, state_was_set, stay, step, sum_of, switch_behind, update, with_multipliers,
     };
 }
 
@@ -97,7 +97,7 @@ pub mod start {
 }
 
 pub mod step {
-    pub use crate::step::{rk4, singular, solvable, step, take};
+    pub use crate::step::{moreau_jean, rk4, singular, solvable, step, take};
 }
 
 pub mod system {

@@ -95,7 +95,7 @@ pub use linear::Linear;
 #[doc(hidden)]
 pub use mechanism::HasMasses;
 pub use mechanism::{AsMoment, At, InPlace, Mechanism, Moment};
-pub use method::{Adams, Dop853, Dopri5, Method, Rk4, SemiImplicitEuler, Vern9};
+pub use method::{Adams, Dop853, Dopri5, Method, MoreauJean, Rk4, SemiImplicitEuler, Vern9};
 pub use observed::Observed;
 pub use plm_math::Operations;
 pub use ports::Ports;

@@ -55,7 +55,10 @@ pub struct Snapshot<M: Mechanism, I = Dop853<M>>(Sim<M, I>);
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// A simulation that begins in `state`.
-    pub fn new(state: M::State, method: I) -> Self {
+    pub fn new(mut state: M::State, method: I) -> Self {
+        if M::CONTACTS > 0 {
+            M::change_contact(state.in_place().held, I::CHANGE);
+        }
         Self {
             parameters: state.mechanism().fingerprint(),
             start_time: state.time(),

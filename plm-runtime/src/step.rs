@@ -1,12 +1,13 @@
 //! A step of fixed length by itself, without a [`Sim`](crate::Sim): what targets run whose code holds the step of a
 //! mechanism as straight lines.
 
+use crate::contact::{Solution, Stride};
 use crate::events;
 use crate::fault::{Cause, Fault};
 use crate::lanes::Pack;
 use crate::mechanism::{InPlace, Mechanism, Moment};
 use crate::method::{
-    Context, DriftCheck, Estimate, Formula, Length, Rk4Formula, Ros34Pw2Formula, Trial, not_finite,
+    Context, DriftCheck, Estimate, Formula, Length, Rk4Formula, Ros34Pw2Formula, Trial, unhealthy,
 };
 use crate::protocol::{Limits, Proposal, Rules, Verdict, judge};
 use crate::scalar::{Real, Scalar};
@@ -61,22 +62,60 @@ where
     Ok(())
 }
 
+/// Takes a mechanism on by a step of `h`, in s, by the time stepping of Moreau and Jean with `theta`, 1/2 to 1: that of
+/// [`MoreauJean`](crate::MoreauJean). Behind it all is as behind any [`step`].
+///
+/// # Errors
+/// As [`step`].
+#[inline]
+pub fn moreau_jean<T, M>(moment: &mut T, h: M::S, theta: M::S) -> Result<Solution<M::S>, Fault>
+where
+    M: Pack,
+    T: Moment<M = M>,
+{
+    let InPlace { system, held, time, x } = moment.in_place();
+    let (before, end) = ((*time, *x), *time + h);
+    if !system.is_regular(held) {
+        return Err(not_regular(before.0));
+    }
+    // False for what is not a number.
+    let moves = end > before.0;
+    if !moves {
+        return Err(Fault::new(before.0.to_f64(), Cause::StepTooSmall { step: h.to_f64() }));
+    }
+    let (mut next, stride) = (before.1, Stride { t: before.0, h, theta });
+    let solution = system.stride(&stride, held, &mut next, |held, next, Solution { health, .. }| {
+        if !(health.is_good() && next.is_finite()) {
+            return Err(unhealthy(system, held, before, *next));
+        }
+        let step =
+            Step { system, held: &*held, from: (before.0, &before.1), to: (end, &*next), health: health.0 };
+        if !is_uneventful(&step) {
+            *next = arrive(system, held, (health.0, before), (end, *next))?;
+        }
+        Ok(())
+    })?;
+    (*time, *x) = (end, next);
+    Ok(solution)
+}
+
 /// Is there nothing to do behind a step? All is looked at where it stands; of a loop in a good chart, whether the state is near
 /// to the last one that was looked at.
 #[inline]
 fn is_uneventful<M: Pack>(step: &Step<'_, M>) -> bool {
     let &Step { system, held, from: (start, _), to: (end, x), .. } = step;
     system.is_calm(end, held, x)
-        && !drift_check().fails((system, held), end, x)
+        && !drifts(system, held, (end, x))
         && matches!(M::Rescue::nearness(step, Length::Alone), Nearness::Regular)
         && events::are_satisfied(system, end, held, x)
         && is_before_instants(system, held, (start, end))
 }
 
-/// How far the state may be from its constraints.
+/// Is the state too far from its constraints? A step with rows of contact has projected it.
 #[inline]
-fn drift_check<S: Real>() -> DriftCheck<S> {
-    DriftCheck::Above { tolerance: S::lit(DRIFT).max(S::lit(64.0) * S::EPSILON), above: S::lit(1.0) }
+fn drifts<M: System<S: Real>>(system: &M, held: &M::U, (t, x): (M::S, &M::X)) -> bool {
+    let tolerance = M::S::lit(DRIFT).max(M::S::lit(64.0) * M::S::EPSILON);
+    M::CONTACTS == 0 && DriftCheck::Above { tolerance, above: M::S::lit(1.0) }.fails((system, held), t, x)
 }
 
 /// Does no condition change in a step that the time alone decides?
@@ -93,7 +132,7 @@ fn arrive<M: Mechanism>(
     (health, before): (M::S, (M::S, M::X)),
     (end, mut x): (M::S, M::X),
 ) -> Result<M::X, Fault> {
-    if drift_check().fails((system, &*held), end, &x) {
+    if drifts(system, held, (end, &x)) {
         system.project(end, held, &mut x)?;
     }
     let rules = Rules { length: Length::Alone, drift: DriftCheck::Skip, limits: Limits::NONE };
@@ -131,17 +170,6 @@ fn switched<M: Mechanism>(context: &mut Context<'_, M>, before: M::S) -> Result<
         context.x = x;
     }
     Ok(())
-}
-
-/// Why the rates of a step are of no use.
-#[cold]
-fn unhealthy<M: System<S: Real>>(system: &M, held: &M::U, (time, x): (M::S, M::X), next: M::X) -> Fault {
-    let mut rate = x;
-    match system.rate_by_rank(time, held, &x, &mut rate) {
-        Err(fault) => fault,
-        Ok(()) if !next.is_finite() => not_finite(system, time, &next),
-        Ok(()) => not_regular(time),
-    }
 }
 
 #[cold]

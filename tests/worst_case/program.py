@@ -38,6 +38,18 @@ class Instruction:
         if goes_on and after is not None:
             self.targets.append(after)
 
+    def follow_table(self, data, inside):
+        """Finds where a jump by a table goes on, which has `data` behind it: distances in halfwords, of a byte or two each."""
+        # What is aligned has no operations before it, `00 bf`.
+        while data.endswith(b"\x00\xbf"):
+            data = data[:-2]
+        size, base = (1 if self.mnemonic == "tbb" else 2), self.address + 4
+        places = range(0, len(data) - size + 1, size)
+        targets = {base + 2*int.from_bytes(data[place:place + size], "little") for place in places}
+        # A byte that fills the table up is zero: it goes to the table.
+        self.targets = sorted(targets & inside.keys())
+        self.is_known = bool(self.targets) and targets <= inside.keys() | {base}
+
     def _jump(self, kind, target, inside):
         if kind == "bl":
             self.call = target
@@ -55,13 +67,23 @@ class Function:
     def __init__(self, address, name):
         # The hash tells instances apart and changes with every version.
         self.address, self.name = address, re.sub(r"::h[0-9a-f]{16}$", "", name)
-        self.instructions = {}
+        self.instructions, self.data = {}, {}
 
     def link(self):
         """Finds where its instructions go on."""
         addresses = list(self.instructions)
         for address, after in zip(addresses, addresses[1:] + [None]):
-            self.instructions[address].follow(self.instructions, after)
+            instruction = self.instructions[address]
+            instruction.follow(self.instructions, after)
+            if instruction.mnemonic in ("tbb", "tbh"):
+                instruction.follow_table(self._data_at(address + 4), self.instructions)
+
+    def _data_at(self, address):
+        """The bytes of data from an address to the next instruction."""
+        found = b""
+        while address + len(found) in self.data:
+            found += self.data[address + len(found)]
+        return found
 
     def successors(self, address):
         """Where an instruction goes on in the function."""
@@ -78,6 +100,8 @@ def read(lines):
             # Behind @ stand remarks.
             operands = code[3].split("@")[0].strip()
             function.instructions[int(code[1], 16)] = Instruction(int(code[1], 16), code[2], operands)
+        elif data := re.match(r" *([0-9a-f]+):((?: [0-9a-f]{2})+)\s+\t\.", line):
+            function.data[int(data[1], 16)] = bytes.fromhex(data[2])
     for function in functions.values():
         function.link()
     return functions

@@ -16,7 +16,7 @@ struct Text {
 
 const BLESS: Option<(&str, &str)> = Some(("PLM_BLESS", "1"));
 
-const TEXTS: [Text; 13] = [
+const TEXTS: [Text; 14] = [
     Text {
         name: "ui",
         what: "what rustc prints for wrong declarations: tests/ui/**/*.stderr",
@@ -93,6 +93,13 @@ const TEXTS: [Text; 13] = [
         is_compared: false,
         variable: None,
         command: "cargo run --example contact_peers -- docs/src/images/contact-peers",
+    },
+    Text {
+        name: "contact-steps",
+        what: "picture and tables of steps of Moreau and Jean, of the stored runs",
+        is_compared: false,
+        variable: None,
+        command: "cargo run --example contact_peers -- --steps docs/src/images/contact-steps",
     },
     Text {
         name: "machines",

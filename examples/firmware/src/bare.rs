@@ -5,6 +5,7 @@
 #![no_main]
 
 mod arm;
+mod limits;
 mod steps;
 
 use steps::Run;

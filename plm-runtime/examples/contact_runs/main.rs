@@ -2,6 +2,7 @@
 //!
 //! ```sh
 //! cargo run --release -p plm-runtime --example contact_runs > target/plm/contact-plm.csv
+//! cargo run --release -p plm-runtime --example contact_runs -- steps > target/plm/contact-steps.csv  # of MoreauJean
 //! ```
 //!
 //! The systems are written by hand, as those of `tests/contact` are. `benches/data/contact.csv` has the reference values.
@@ -15,6 +16,7 @@
 
 mod clock;
 mod scenes;
+mod steps;
 #[path = "../../tests/contact/support.rs"]
 mod support;
 
@@ -33,6 +35,9 @@ fn reference(scene: &str, name: &str) -> f64 {
 }
 
 fn main() {
+    if std::env::args().nth(1).as_deref() == Some("steps") {
+        return steps::all();
+    }
     for tolerance in TOLERANCES {
         block(tolerance);
         oscillator(tolerance);

@@ -40,6 +40,24 @@ pub(super) fn look_at_bounds<M: Contacts<N>, const N: usize>(
     Ok(())
 }
 
+/// Looks at bounds as [`look_at_bounds`] where only those are looked at that have a negative part.
+///
+/// # Errors
+/// As [`look_at_bounds`].
+pub(super) fn look_at_signs<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: M::S,
+    u: &M::U,
+    rows: &Rows<M::S, N>,
+) -> Result<(), Fault> {
+    let is_negative = |row: usize| {
+        let factors = |limit: &Limit<M::S, N>| limit.by.iter().chain(&limit.share).any(|f| *f < M::S::ZERO);
+        let may_fall = system.bound_may_fall(row);
+        limits(rows, row).any(|limit| limit.own < M::S::ZERO || (may_fall && factors(limit)))
+    };
+    if (0..N).any(is_negative) { look_at_bounds(system, t, u, rows) } else { Ok(()) }
+}
+
 /// Looks at the bounds that follow the state or the time where they come to zero: one that falls is negative from here on.
 ///
 /// # Errors

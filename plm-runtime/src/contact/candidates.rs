@@ -283,21 +283,28 @@ fn size<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize, lambda: &[S; N])
 /// Do the rows that hold leave the row `i` no freedom: D_ii - D_iH D_HH^-1 D_Hi = 0?
 fn depends<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N], i: usize) -> bool {
     let (mut held, mut order) = ([0; N], 0);
+    let mut places = held.iter_mut();
     for (j, mode) in modes.iter().enumerate() {
         if mode.holds() {
-            held[order] = j;
+            if let Some(place) = places.next() {
+                *place = j;
+            }
             order += 1;
         }
     }
+    let entry = |i: usize, j: usize| {
+        let row = rows.delassus.get(i).and_then(|row| row.get(j));
+        row.copied().unwrap_or(S::ZERO)
+    };
     let mut matrix = [[S::ZERO; N]; N];
-    for k in 0..order {
-        matrix[k] = core::array::from_fn(|l| rows.delassus[held[k]][held[l]]);
+    for k in 0..order.min(N) {
+        matrix[k] = core::array::from_fn(|l| entry(held[k], held[l]));
     }
     let Some(lu) = Lu::new(matrix, order) else { return false };
-    let column: [S; N] = core::array::from_fn(|k| rows.delassus[held[k]][i]);
+    let column: [S; N] = core::array::from_fn(|k| entry(held[k], i));
     let mut y = column;
     lu.solve(&mut y);
-    let own = (0..order).fold(rows.delassus[i][i], |own, k| own - column[k] * y[k]);
+    let own = (0..order.min(N)).fold(entry(i, i), |own, k| own - column[k] * y[k]);
     own <= S::lit(DEPENDENT) * rows.delassus[i][i]
 }
 

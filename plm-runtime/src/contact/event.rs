@@ -17,7 +17,7 @@ use super::paradox::lost;
 use super::project::{end_flights, project, stop};
 use super::rows::{Law, Rows};
 use super::sunk::above;
-use super::{Contacts, Modal, lambda_of};
+use super::{Contacts, Modal, change_in_steps, lambda_of};
 use crate::dual::Dual;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
@@ -61,7 +61,7 @@ pub struct Outcome {
 
 impl Outcome {
     /// Counts the rows that do something else than before.
-    fn compare<S: Scalar, const N: usize>(&mut self, before: &Modes<S, N>, after: &Modes<S, N>) {
+    pub(super) fn compare<S: Scalar, const N: usize>(&mut self, before: &Modes<S, N>, after: &Modes<S, N>) {
         let sticks = |modes: &Modes<S, N>, i: usize| modes.is_sticking(i);
         for i in 0..N {
             let (was, is) = (before.of[i], after.of[i]);
@@ -102,6 +102,9 @@ pub fn switch_behind<M: Contacts<N>, const N: usize>(
     x: &mut M::X,
     (index, step): (usize, M::S),
 ) -> Result<Outcome, Fault> {
+    if change_in_steps(system, u) {
+        return Ok(Outcome::default());
+    }
     let mut occasion = Occasion::of(index, N);
     if let Occasion::Sign { load, row } = &mut occasion {
         // It is zero: the way that it goes decides.
@@ -125,6 +128,9 @@ pub fn update<M: Contacts<N>, const N: usize>(
     u: &mut M::U,
     x: &mut M::X,
 ) -> Result<Outcome, Fault> {
+    if change_in_steps(system, u) {
+        return Ok(Outcome::default());
+    }
     Event { system, t, occasion: Occasion::Change, step: M::S::ZERO }.commit(u, x)
 }
 
@@ -202,8 +208,10 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let (mut struck, mut slowest) = (Struck::nothing(), None);
         let (solution, is_ambiguous) = loop {
             self.impacts(&laws, (none, slowest, &mut rows), u, x, &mut struck)?;
-            if let Occasion::Sign { load, .. } = self.occasion {
-                rows.load[load] = Load::Turned { negative: u.modes().negative[load] };
+            if let Occasion::Sign { load, .. } = self.occasion
+                && let (Some(load), Some(&negative)) = (rows.load.get_mut(load), u.modes().negative.get(load))
+            {
+                *load = Load::Turned { negative };
             }
             let allowed = self.allowed(&laws, (none, struck.count), &rows, u);
             let (solution, is_ambiguous) = self.choose(&rows, &allowed, u, x)?;
@@ -227,7 +235,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         // One that sticks on stays in its place.
         let sticks_on = |i: usize| before.of[i] == Mode::Sticks && of[i] == Mode::Sticks;
         let place = core::array::from_fn(|i| if sticks_on(i) { before.place[i] } else { rows.gap[i] });
-        let after = Modes { of, carried, place, orientation, negative };
+        let after = Modes { of, carried, place, orientation, negative, change: before.change };
         *u.modes_mut() = after;
         self.arrive((&laws, &rows), (&before, impacts), u, x)?;
         let mut outcome = Outcome { impacts, newton: solution.newton, is_ambiguous, ..Outcome::default() };

@@ -10,7 +10,7 @@ use super::loads::Load;
 use super::margins::{PER_ROW, SIGN, UNIQUE, margins};
 use super::modes::{Mode, Modes};
 use super::rows::Rows;
-use super::{Contacts, Modal};
+use super::{Contacts, Modal, change_in_steps};
 use crate::enclosure::Enclosed;
 use crate::scalar::Scalar;
 
@@ -30,6 +30,10 @@ pub fn guards<M: Contacts<N>, const N: usize>(
     x: &M::X,
     each: &mut impl FnMut(usize, M::S),
 ) {
+    if change_in_steps(system, u) {
+        (0..=PER_ROW * N).for_each(|index| each(index, M::S::lit(1.0)));
+        return;
+    }
     let (modes, each) = (u.modes(), &mut existing(system, u, each));
     if is_free(system, u) {
         let rows = system.kinematics_at(t, u, x);
@@ -58,6 +62,10 @@ pub fn guards_within<M: Contacts<N>, const N: usize>(
     x: &impl Fn(usize) -> Enclosed<M::S>,
     each: &mut impl FnMut(usize, Enclosed<M::S>),
 ) -> bool {
+    if change_in_steps(system, u) {
+        (0..=PER_ROW * N).for_each(|index| each(index, Enclosed::constant(M::S::lit(1.0))));
+        return true;
+    }
     let (modes, each) = (u.modes(), &mut existing(system, u, each));
     let orientation = Enclosed::constant(modes.orientation);
     if !is_free(system, u) {

@@ -22,6 +22,8 @@
 //!   [`guards_within`](super::guards_within) give numbers `0..C`, to which `g` is added; kinks come behind them. Without conditions and kinks `stay` is [`stay`](super::stay). From `g` on
 //!   `switch_behind` is [`switch_behind`](super::switch_behind) of `index - g`, and `switch` is the same with a step of zero. An own
 //!   condition and `switch_at_time` call [`update`](super::update) behind their change. In `matters` the guards of contact have the root 1.
+//! * Steps of time: `Events` has `stride`, which is [`step`](super::step), and `change_contact`, which sets [`Modes::change`]; `Contacts` has
+//!   `motion_at`, the rate without contact forces, the responses and the rows in one pass, and `moves_by_time`.
 //! * `Linear`: `held_rows` is [`held_rows`](super::held_rows).
 //! * `Labels`: `contact_name` has the rows; `guard_name` of the guard `g + i` that of the row `i / 3`, of each third one that of a row which reads the
 //!   reaction `i / 3`.
@@ -30,7 +32,7 @@
 
 use super::booked::Booked;
 use super::event::Outcome;
-use super::modes::{Mode, Modes};
+use super::modes::{Change, Mode, Modes};
 use super::status::{Counts, Status};
 use crate::held;
 use crate::scalar::{Real, Scalar};
@@ -67,11 +69,12 @@ impl<S: Scalar, const N: usize> Held<S, N> {
         all: [&Self; K],
         number: &impl Fn([S; K]) -> T,
     ) -> Held<T, N> {
-        let Self { modes: Modes { of, carried, negative, .. }, counts, booked, .. } = *first;
+        let Self { modes: Modes { of, carried, negative, change, .. }, counts, booked, .. } = *first;
         let place = core::array::from_fn(|row| number(all.map(|one| one.modes.place[row])));
         let orientation = number(all.map(|one| one.modes.orientation));
         let lambda = core::array::from_fn(|row| number(all.map(|one| one.lambda[row])));
-        Held { modes: Modes { of, carried, place, orientation, negative }, lambda, counts, booked }
+        let modes = Modes { of, carried, place, orientation, negative, change };
+        Held { modes, lambda, counts, booked }
     }
 
     /// Some row pushes or rubs; else multipliers are zero, as they are held.
@@ -87,11 +90,11 @@ impl<S: Scalar, const N: usize> Held<S, N> {
     }
 }
 
-/// Modes, rows that others hold, signs of reactions, places, orientation, multipliers, impulses and energy of impacts. What was counted
+/// Modes, rows that others hold, signs of reactions, when they change, places, orientation, multipliers, impulses and energy of impacts. What was counted
 /// is not shown.
 impl<S: Real, const N: usize> InWords for Held<S, N> {
     fn each(&mut self, words: &mut impl Words) {
-        let Modes { of, carried, place, orientation, negative } = &mut self.modes;
+        let Modes { of, carried, place, orientation, negative, change } = &mut self.modes;
         for mode in of {
             let mut number = mode.number();
             words.word(&mut number);
@@ -100,6 +103,9 @@ impl<S: Real, const N: usize> InWords for Held<S, N> {
         for flag in carried.iter_mut().chain(negative) {
             words.flag(flag);
         }
+        let mut in_steps = *change == Change::InSteps;
+        words.flag(&mut in_steps);
+        *change = if in_steps { Change::InSteps } else { Change::AtEvents };
         words.numbers(place);
         words.number(orientation);
         words.numbers(&mut self.lambda);

@@ -51,11 +51,23 @@ impl Doubts {
     }
 }
 
-/// The impulses of the rows that touch, `touches`, of which one approaches at least.
+/// Impulses and rates of one phase of an impact.
+pub(super) struct Answer<S, const N: usize> {
+    pub(super) lambda: [S; N],
+    /// The rates of the rows behind it.
+    pub(super) rate: [S; N],
+    /// Other impulses, with other rates behind them, satisfy all inequalities as well.
+    pub(super) is_ambiguous: bool,
+    /// The combination of modes that gives them, where all were tried.
+    pub(super) combination: Option<Solution<S, N>>,
+}
+
+/// The impulses of the rows that touch, `touches`, of which one approaches at least; `solve` solves the problem of a phase.
 pub(super) fn impulses<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     laws: &[Law<S>; N],
     (law, mut touches): (ImpactLaw, [bool; N]),
+    solve: &mut impl FnMut(&Rows<S, N>, &[bool; N]) -> Result<Answer<S, N>, Impulses<S, N>>,
 ) -> Impulses<S, N> {
     let mut first = Doubts::default();
     if law == ImpactLaw::Sequential {
@@ -71,10 +83,12 @@ pub(super) fn impulses<S: Real, const N: usize>(
     }
     let problem = without_own_limits(rows);
     let found = match law {
-        ImpactLaw::Newton => newton(problem, laws, &touches),
-        ImpactLaw::Poisson | ImpactLaw::Sequential => poisson(&problem, laws, &touches),
+        ImpactLaw::Newton => newton(problem, laws, |problem| solve(problem, &touches)),
+        ImpactLaw::Poisson | ImpactLaw::Sequential => {
+            poisson(&problem, (laws, &touches), |problem| solve(problem, &touches))
+        }
     };
-    match found {
+    match found.unwrap_or_else(|none| none) {
         Impulses::Found(impulses, doubts) => Impulses::Found(impulses, doubts.and(first)),
         none => none,
     }
@@ -101,42 +115,34 @@ fn without_own_limits<S: Real, const N: usize>(rows: &Rows<S, N>) -> Rows<S, N> 
 fn newton<S: Real, const N: usize>(
     mut problem: Rows<S, N>,
     laws: &[Law<S>; N],
-    touches: &[bool; N],
-) -> Impulses<S, N> {
+    mut solve: impl FnMut(&Rows<S, N>) -> Result<Answer<S, N>, Impulses<S, N>>,
+) -> Result<Impulses<S, N>, Impulses<S, N>> {
     for i in 0..N {
         if let Law::Unilateral { restitution } = laws[i] {
             problem.free[i] = problem.free[i] + restitution * problem.free[i].min(S::ZERO);
         }
     }
-    match solve(&problem, laws, touches) {
-        Found::Modes(Solution { lambda, .. }, is_ambiguous) => {
-            Impulses::Found(lambda, Doubts { is_ambiguous, ..Doubts::default() })
-        }
-        Found::Nothing => Impulses::Nothing,
-        Found::TooMany => Impulses::TooMany,
-    }
+    let Answer { lambda, is_ambiguous, .. } = solve(&problem)?;
+    Ok(Impulses::Found(lambda, Doubts { is_ambiguous, ..Doubts::default() }))
 }
 
 fn poisson<S: Real, const N: usize>(
     problem: &Rows<S, N>,
-    laws: &[Law<S>; N],
-    touches: &[bool; N],
-) -> Impulses<S, N> {
-    let (compression, is_ambiguous) = match solve(problem, laws, touches) {
-        Found::Modes(solution, is_ambiguous) => (solution, is_ambiguous),
-        Found::Nothing => return Impulses::Nothing,
-        Found::TooMany => return Impulses::TooMany,
-    };
-    let is_undetermined = is_shared(problem, laws, (touches, &compression));
-    let doubts = Doubts { is_ambiguous, is_undetermined };
+    (laws, touches): (&[Law<S>; N], &[bool; N]),
+    mut solve: impl FnMut(&Rows<S, N>) -> Result<Answer<S, N>, Impulses<S, N>>,
+) -> Result<Impulses<S, N>, Impulses<S, N>> {
+    let compression = solve(problem)?;
+    let combination = compression.combination.as_ref();
+    let is_undetermined = combination.is_some_and(|found| is_shared(problem, laws, (touches, found)));
+    let doubts = Doubts { is_ambiguous: compression.is_ambiguous, is_undetermined };
     let back = given_back(laws, &compression.lambda);
     if back.iter().all(|impulse| *impulse == S::ZERO) {
-        return Impulses::Found(compression.lambda, doubts);
+        return Ok(Impulses::Found(compression.lambda, doubts));
     }
     let mut expansion = *problem;
     for i in 0..N {
         let sum = expansion.delassus[i].iter().zip(&back);
-        expansion.free[i] = sum.fold(compression.acceleration[i], |rate, (d, back)| d.mul_add(*back, rate));
+        expansion.free[i] = sum.fold(compression.rate[i], |rate, (d, back)| d.mul_add(*back, rate));
         for friction in [&mut expansion.kinetic[i], &mut expansion.adhesion[i]] {
             for limit in [&mut friction.lower, &mut friction.upper] {
                 *limit = Limit { own: limit.at(&back), ..*limit };
@@ -146,15 +152,10 @@ fn poisson<S: Real, const N: usize>(
             reaction.own = reaction.at(&back);
         }
     }
-    match solve(&expansion, laws, touches) {
-        Found::Modes(solution, is_other) => {
-            let sum = |i: usize| compression.lambda[i] + back[i] + solution.lambda[i];
-            let other = Doubts { is_ambiguous: is_other, ..Doubts::default() };
-            Impulses::Found(core::array::from_fn(sum), doubts.and(other))
-        }
-        Found::Nothing => Impulses::Nothing,
-        Found::TooMany => Impulses::TooMany,
-    }
+    let others = solve(&expansion)?;
+    let sum = |i: usize| compression.lambda[i] + back[i] + others.lambda[i];
+    let other = Doubts { is_ambiguous: others.is_ambiguous, ..Doubts::default() };
+    Ok(Impulses::Found(core::array::from_fn(sum), doubts.and(other)))
 }
 
 /// What expansion gives back at least of the impulses of compression.
@@ -195,13 +196,20 @@ fn is_shared<S: Real, const N: usize>(
     differs
 }
 
-/// Impulses and rates, by all inequalities.
-fn solve<S: Real, const N: usize>(
+/// Impulses and rates of a phase, by all inequalities.
+pub(super) fn by_enumeration<S: Real, const N: usize>(
     problem: &Rows<S, N>,
     laws: &[Law<S>; N],
     touches: &[bool; N],
-) -> Found<S, N> {
-    enumerate(problem, &allowed(laws, touches), |_, margins| margins.broken())
+) -> Result<Answer<S, N>, Impulses<S, N>> {
+    match enumerate(problem, &allowed(laws, touches), |_, margins| margins.broken()) {
+        Found::Modes(found, is_ambiguous) => {
+            let (lambda, rate) = (found.lambda, found.acceleration);
+            Ok(Answer { lambda, rate, is_ambiguous, combination: Some(found) })
+        }
+        Found::Nothing => Err(Impulses::Nothing),
+        Found::TooMany => Err(Impulses::TooMany),
+    }
 }
 
 /// The modes of each row.

@@ -79,7 +79,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
     }
 
     /// The unit vector e with |R| = e . R.
-    fn direction(&self, load: usize, lambda: &[T; N]) -> [T; 2] {
+    pub(super) fn direction(&self, load: usize, lambda: &[T; N]) -> [T; 2] {
         match self.load[load] {
             Load::Nothing => [T::ZERO; 2],
             Load::Line { negative } | Load::Turned { negative } => {

@@ -6,7 +6,8 @@
 //! Unilateral Contacts, 1996; V. Acary, B. Brogliato, Numerical Methods for Nonsmooth Dynamical Systems, 2008).
 //!
 //! A system has [`Contacts`], and its contracts call the functions of this module: [`rate`], [`guards`], [`guards_within`], [`switch`],
-//! [`switch_behind`], [`state_was_set`], [`update`], [`project`], [`drift`], [`begin`].
+//! [`switch_behind`], [`state_was_set`], [`update`], [`project`], [`drift`], [`begin`]. Steps of fixed length without events are made by
+//! [`step`].
 
 mod booked;
 mod bounds;
@@ -30,6 +31,7 @@ mod rows;
 mod signs;
 mod sliding;
 mod status;
+mod stepping;
 mod strikes;
 mod sunk;
 mod walk;
@@ -43,11 +45,12 @@ pub use self::impact::{Doubts, ImpactLaw};
 pub use self::kinematics::Kinematics;
 pub use self::loads::{Affine, Load};
 pub use self::margins::{PER_ROW, guard_count};
-pub use self::modes::{Mode, Modes};
+pub use self::modes::{Change, Mode, Modes};
 pub use self::project::{drift, held_rows, project};
 pub use self::rows::{Friction, Law, Limit, Rows};
 pub use self::sliding::{slide, slipping};
 pub use self::status::{Counts, Status};
+pub use self::stepping::{Motion, Solution, Stride, smooth_step, step};
 pub use self::sunk::appear;
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
@@ -124,6 +127,32 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
     /// What contact forces add to the rate: M^-1 W^T lambda in the places of the velocities, zero elsewhere.
     fn response(&self, t: Self::S, u: &Self::U, x: &Self::X, lambda: &[Self::S; N]) -> Self::X;
 
+    /// Motion and rows at a state, for steps that need all of them.
+    fn motion_at(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Motion<Self::S, Self::X, N> {
+        let mut rate = *x;
+        let health = self.free_rate(t, u, x, &mut rate);
+        let one = |j: usize| core::array::from_fn(|i| Self::S::lit(if i == j { 1.0 } else { 0.0 }));
+        let responses = core::array::from_fn(|j| self.response(t, u, x, &one(j)));
+        Motion { rate, responses, rows: self.rows_at(t, u, x), health }
+    }
+
+    /// The rate with these multipliers, where it is not affine in them.
+    fn rate_with_forces(
+        &self,
+        t: Self::S,
+        u: &Self::U,
+        x: &Self::X,
+        lambda: &[Self::S; N],
+    ) -> Option<Self::X> {
+        let _ = (t, u, x, lambda);
+        None
+    }
+
+    /// Do rows move by the time alone, or joints that they read? Else rates are zero where velocities are.
+    fn moves_by_time(&self) -> bool {
+        true
+    }
+
     /// The law of impact.
     fn impact_law(&self) -> ImpactLaw {
         ImpactLaw::default()
@@ -148,6 +177,11 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
         let _ = (t, u, x);
         Drift { phi: Self::S::ZERO, phi_dot: Self::S::ZERO }
     }
+}
+
+/// Do steps decide the modes, so that rows have no events? Near singular poses, which steps leave to another method, they have.
+fn change_in_steps<M: Contacts<N>, const N: usize>(system: &M, u: &M::U) -> bool {
+    u.modes().change == Change::InSteps && system.is_regular(u)
 }
 
 /// The multipliers at a state in the modes held: pushes and frictions, N or N m. Not a number where they are not unique.

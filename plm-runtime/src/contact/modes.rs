@@ -83,6 +83,16 @@ impl Mode {
     }
 }
 
+/// When the modes of rows change.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Change {
+    /// At events, which are located: a step has one mode.
+    #[default]
+    AtEvents,
+    /// In every step, by a method that steps over them.
+    InSteps,
+}
+
 /// The modes of all rows, and what they remember.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Modes<S, const N: usize> {
@@ -96,6 +106,8 @@ pub struct Modes<S, const N: usize> {
     pub orientation: S,
     /// By reaction that bounds frictions: it is negative.
     pub negative: [bool; N],
+    /// When they change.
+    pub change: Change,
 }
 
 impl<S: Scalar, const N: usize> Modes<S, N> {
@@ -108,6 +120,7 @@ impl<S: Scalar, const N: usize> Modes<S, N> {
             place: [S::ZERO; N],
             orientation: S::lit(1.0),
             negative: [false; N],
+            change: Change::AtEvents,
         }
     }
 

@@ -155,18 +155,21 @@ fn directions<T: Scalar, const N: usize>(
 impl<T: Scalar, const N: usize> System<T, N> {
     fn of(rows: &Rows<T, N>, (modes, directions): (&[Mode; N], &[[T; 2]; N])) -> Self {
         let mut system = Self { rows: [[T::ZERO; N]; N], right: [T::ZERO; N], unknown: [0; N], order: 0 };
+        let mut unknowns = system.unknown.iter_mut();
         for (i, mode) in modes.iter().enumerate() {
             if mode.holds() || mode.slips() {
-                system.unknown[system.order] = i;
+                if let Some(unknown) = unknowns.next() {
+                    *unknown = i;
+                }
                 system.order += 1;
             }
         }
-        for k in 0..system.order {
-            let i = system.unknown[k];
+        for k in 0..system.order.min(N) {
+            let i = system.unknown[k].min(N - 1);
             let (row, right) = equation(rows, (modes[i], directions), i);
             system.rows[k] = core::array::from_fn(|l| {
-                let j = system.unknown[l];
-                if l < system.order { row[j] } else { T::ZERO }
+                let entry = row.get(system.unknown[l]).filter(|_| l < system.order);
+                entry.copied().unwrap_or(T::ZERO)
             });
             system.right[k] = right;
         }
@@ -176,28 +179,32 @@ impl<T: Scalar, const N: usize> System<T, N> {
     /// Gaussian elimination; gives the determinant. None where a pivot is not above the fraction `least` of its row. Where all rows
     /// `slide` they hardly depend on each other.
     fn eliminate(&mut self, (slide, least): (bool, f64)) -> Option<T> {
-        let order = self.order;
+        let order = self.order.min(N);
         let mut determinant = T::lit(1.0);
         let mut sizes = [0.0_f64; N];
         for k in 0..order {
-            sizes[k] = self.rows[k][..order].iter().fold(0.0, |size, entry| size.max(entry.to_f64().abs()));
+            sizes[k] =
+                self.rows[k].iter().take(order).fold(0.0, |size, entry| size.max(entry.to_f64().abs()));
         }
         for k in 0..order {
             let mut pivot = k;
             // False for what is not a number.
             let is_large = slide && self.rows[k][k].to_f64().abs() >= PIVOT * sizes[k] && sizes[k] > 0.0;
             if !is_large {
-                for i in k..order {
-                    if ratio(self.rows[i][k], sizes[i]) > ratio(self.rows[pivot][k], sizes[pivot]) {
-                        pivot = i;
+                let mut largest = ratio(self.rows[k][k], sizes[k]);
+                for i in k + 1..order {
+                    let found = ratio(self.rows[i][k], sizes[i]);
+                    if found > largest {
+                        (pivot, largest) = (i, found);
                     }
                 }
-                let is_regular = ratio(self.rows[pivot][k], sizes[pivot]) > least;
+                let is_regular = largest > least;
                 if !is_regular {
                     return None;
                 }
             }
-            if pivot != k {
+            // A pivot is below `order`, which compilers do not see.
+            if pivot != k && pivot < N {
                 self.rows.swap(k, pivot);
                 self.right.swap(k, pivot);
                 sizes.swap(k, pivot);
@@ -219,13 +226,16 @@ impl<T: Scalar, const N: usize> System<T, N> {
     /// The multipliers of all rows of contact behind the elimination.
     fn substitute(&self) -> [T; N] {
         let (mut solution, mut lambda) = ([T::ZERO; N], [T::ZERO; N]);
-        for k in (0..self.order).rev() {
+        let order = self.order.min(N);
+        for k in (0..order).rev() {
             let mut rest = self.right[k];
-            for j in k + 1..self.order {
+            for j in k + 1..order {
                 rest = rest - self.rows[k][j] * solution[j];
             }
             solution[k] = rest / self.rows[k][k];
-            lambda[self.unknown[k]] = solution[k];
+            if let Some(lambda) = lambda.get_mut(self.unknown[k]) {
+                *lambda = solution[k];
+            }
         }
         lambda
     }

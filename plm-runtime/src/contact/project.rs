@@ -10,6 +10,9 @@ use crate::vector::Vector;
 
 /// Newton's steps for positions.
 const MOST_STEPS: u32 = 4;
+/// Drift of the joints that a step may leave, as a fraction of the typical coordinate and velocity; of what the scalar can resolve, if
+/// that is more.
+const DRIFT: f64 = 1e-10;
 
 /// Takes the rates of rows that hold out of the velocities; `rows` are those of the state.
 pub(super) fn stop<M: Contacts<N>, const N: usize>(
@@ -76,6 +79,24 @@ pub fn project<M: Contacts<N>, const N: usize>(
         }
         steps += 1;
     }
+}
+
+/// Projects the joints behind a step that has led rows back itself, where they drifted.
+///
+/// # Errors
+/// Those of [`Contacts::project_joints`].
+pub(super) fn joints_behind_step<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: M::S,
+    u: &M::U,
+    x: &mut M::X,
+) -> Result<(), Fault> {
+    let drift = system.drift_of_joints(t, u, x);
+    let (typical, tolerance) = (system.typical(), M::S::lit(DRIFT).max(M::S::lit(64.0) * M::S::EPSILON));
+    let largest = |from: usize| (from..from + M::NQ).fold(M::S::ZERO, |size, i| typical.at(i).max(size));
+    // False for what is not a number.
+    let is_near = drift.phi <= tolerance * largest(0) && drift.phi_dot <= tolerance * largest(M::NQ);
+    if is_near { Ok(()) } else { system.project_joints(t, u, x) }
 }
 
 /// How far the joints are from closed, and the rows that hold from their places: the larger of both.

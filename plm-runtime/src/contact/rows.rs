@@ -109,6 +109,8 @@ pub struct Rows<T, const N: usize> {
     pub rate: [T; N],
     /// Accelerations c without contact forces, m/s^2 or rad/s^2.
     pub free: [T; N],
+    /// Accelerations zeta of the rows where nothing has an acceleration, m/s^2 or rad/s^2; a part of c.
+    pub bias: [T; N],
     /// The Delassus operator D = W M^-1 W^T, 1/kg or 1/(kg m^2).
     pub delassus: [[T; N]; N],
     /// Limits while a row slips; of no meaning at unilateral rows.
@@ -152,6 +154,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
             gap: [T::ZERO; N],
             rate: [T::ZERO; N],
             free: [T::ZERO; N],
+            bias: [T::ZERO; N],
             delassus: [[T::ZERO; N]; N],
             kinetic: [nothing; N],
             adhesion: [nothing; N],
@@ -174,7 +177,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
     }
 
     /// The acceleration of a row with these multipliers.
-    pub(super) fn acceleration(&self, row: usize, lambda: &[T; N]) -> T {
+    pub(in crate::contact) fn acceleration(&self, row: usize, lambda: &[T; N]) -> T {
         self.delassus[row].iter().zip(lambda).fold(self.free[row], |sum, (d, lambda)| d.mul_add(*lambda, sum))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::booked::Struck;
 use super::event::Event;
-use super::impact::{ImpactLaw, Impulses, impulses};
+use super::impact::{ImpactLaw, Impulses, by_enumeration, impulses};
 use super::rows::{Law, Rows};
 use super::{Contacts, moved};
 use crate::fault::{Cause, Fault};
@@ -41,7 +41,8 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             if struck.count >= most {
                 return Err(self.fault(row, Cause::Impact { tried: struck.count }));
             }
-            let Impulses::Found(impulses, doubts) = impulses(rows, laws, (law, touches)) else {
+            let solve = &mut |rows: &Rows<M::S, N>, touches: &[bool; N]| by_enumeration(rows, laws, touches);
+            let Impulses::Found(impulses, doubts) = impulses(rows, laws, (law, touches), solve) else {
                 return Err(self.fault(row, Cause::Impact { tried: struck.count + 1 }));
             };
             struck.doubts = struck.doubts.and(doubts);

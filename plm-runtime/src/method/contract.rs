@@ -1,6 +1,7 @@
 //! What a method does, and what the protocol asks it: the step, states within it, and who chooses its length.
 
 use super::{Context, Estimate, Path, drift_of_size, excess};
+use crate::contact::Change;
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::stats::Stats;
@@ -17,6 +18,9 @@ pub trait Method<M: System>: Copy + DenseOutput<M> + ErrorControl<M> + FixedLeng
     const NAME: &'static str = "";
     /// The choice of step lengths: by an estimate of the error, or by the user.
     const LENGTH: Length = if Self::DENSE { Length::Error } else { Length::Fixed { caution: 1.0 } };
+
+    /// When the modes of contact rows change: at events that are located, or in its steps.
+    const CHANGE: Change = Change::AtEvents;
 
     /// Divides the interval from `context.time` to `context.end` into steps.
     ///

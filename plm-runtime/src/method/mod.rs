@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | [`SemiImplicitEuler`] | 1 | fixed |
 //! | [`Rk4`] | 4 | fixed |
+//! | [`MoreauJean`] | 1, over impacts and changes of stick and slip | fixed |
 //! | [`Dopri5`] | 5, dense output of order 4 | by error control |
 //! | [`Dop853`] | 8, dense output of order 7 | by error control |
 //! | [`Vern9`] | 9, dense output of order 8 | by error control |
@@ -28,6 +29,7 @@ mod fixed;
 mod gauss;
 mod jacobian;
 mod length;
+mod moreau_jean;
 mod partition;
 mod path;
 mod projection;
@@ -51,6 +53,7 @@ pub(crate) use fixed::looked_at;
 pub use fixed::{FixedStep, Formula, Made};
 pub use gauss::Gauss;
 pub(crate) use length::coarseness;
+pub use moreau_jean::MoreauJean;
 pub(crate) use partition::Partition;
 pub use path::Path;
 pub use radau::RadauIia5;
@@ -72,6 +75,22 @@ pub(crate) fn not_finite<M: System>(system: &M, t: M::S, x: &M::X) -> Fault {
     let index = (0..M::X::LEN).find(|i| !x.at(*i).is_finite());
     let part = index.map_or("", |i| system.part_of_state(i));
     Fault::of_part(t.to_f64(), part, Cause::NotFinite)
+}
+
+/// Why the rates of a step are of no use.
+#[cold]
+pub(crate) fn unhealthy<M: System<S: Real>>(
+    system: &M,
+    held: &M::U,
+    (time, x): (M::S, M::X),
+    next: M::X,
+) -> Fault {
+    let mut rate = x;
+    match system.rate_by_rank(time, held, &x, &mut rate) {
+        Err(fault) => fault,
+        Ok(()) if !next.is_finite() => not_finite(system, time, &next),
+        Ok(()) => Fault::new(time.to_f64(), Cause::NotRegular),
+    }
 }
 
 /// Drift of the size `fraction` of the largest typical coordinate and velocity.

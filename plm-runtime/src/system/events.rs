@@ -4,7 +4,7 @@ use crate::contact;
 use crate::enclosure::Enclosed;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
-use crate::system::Rate;
+use crate::system::{Health, Rate};
 use crate::vector::Vector;
 
 /// Events, at which the discrete state changes and the state may be reset. Without any, `type G = [S; 0]` is all of it.
@@ -140,6 +140,33 @@ pub trait Events: Rate {
     fn contacts(u: &Self::U) -> contact::Status<'_> {
         let _ = u;
         contact::Status::default()
+    }
+
+    /// Decides when the modes of contact rows change; nothing without any.
+    fn change_contact(u: &mut Self::U, change: contact::Change) {
+        let _ = (u, change);
+    }
+
+    /// A step of [`MoreauJean`](crate::MoreauJean), with the modes that it leads to: [`contact::step`], without rows
+    /// [`contact::smooth_step`].
+    ///
+    /// # Errors
+    /// As [`contact::step`].
+    fn stride(
+        &self,
+        stride: &contact::Stride<Self::S>,
+        u: &mut Self::U,
+        x: &mut Self::X,
+        behind: impl FnOnce(&mut Self::U, &mut Self::X, &contact::Solution<Self::S>) -> Result<(), Fault>,
+    ) -> Result<contact::Solution<Self::S>, Fault>
+    where
+        Self: Sized,
+        Self::S: Real,
+    {
+        let mut health = Health::perfect();
+        contact::smooth_step::<Self>(stride, x, |t, x, dx| health = self.rate(t, u, x, dx));
+        let solution = contact::Solution { residual: Self::S::ZERO, rounds: 0, health };
+        behind(u, x, &solution).map(|()| solution)
     }
 
     /// Brings up to date what the discrete state says of the state, which may have been set from outside: rows of contact that hold may

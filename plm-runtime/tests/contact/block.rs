@@ -210,6 +210,18 @@ impl<S: Real> rt::Events for Block<S> {
     fn contacts(u: &Self::U) -> rt::contact::Status<'_> {
         u.contact.status()
     }
+    fn change_contact(u: &mut Self::U, change: rt::contact::Change) {
+        u.contact.modes.change = change;
+    }
+    fn stride(
+        &self,
+        stride: &rt::contact::Stride<S>,
+        u: &mut Self::U,
+        x: &mut [S; LENGTH],
+        behind: impl FnOnce(&mut Self::U, &mut [S; LENGTH], &rt::contact::Solution<S>) -> Result<(), Fault>,
+    ) -> Result<rt::contact::Solution<S>, Fault> {
+        rt::contact::step::<Self, ROWS>(self, stride, u, x, behind)
+    }
 }
 
 impl<S: Real> rt::Labels for Block<S> {

@@ -67,7 +67,7 @@ impl Scene<3, 4> for Body {
 system!(Body, 3, 4);
 
 /// A block of half width 0.1 m and half height 0.5 m that stands on its right corner, turned by `angle` to the right.
-fn rocking(angle: f64) -> Body {
+pub(crate) fn rocking(angle: f64) -> Body {
     let (b, h) = (0.1_f64, 0.5_f64);
     let (sin, cos) = angle.sin_cos();
     // The right corner is in the origin, and turns by -angle.

@@ -7,15 +7,15 @@ use crate::support::{Row, Scene, dot, system};
 
 /// Two contacts with friction between bodies with three coordinates.
 #[derive(Clone, Copy, Debug)]
-struct Random {
-    inverse: [[f64; 3]; 3],
-    directions: [[f64; 3]; 4],
-    friction: f64,
-    restitution: f64,
-    law: ImpactLaw,
+pub(crate) struct Random {
+    pub(crate) inverse: [[f64; 3]; 3],
+    pub(crate) directions: [[f64; 3]; 4],
+    pub(crate) friction: f64,
+    pub(crate) restitution: f64,
+    pub(crate) law: ImpactLaw,
     /// How fast the contacts are moved.
-    drive: [f64; 4],
-    speed: [f64; 3],
+    pub(crate) drive: [f64; 4],
+    pub(crate) speed: [f64; 3],
 }
 
 impl Scene<3, 4> for Random {
@@ -50,10 +50,10 @@ impl Scene<3, 4> for Random {
 system!(Random, 3, 4, Held<f64, 4>);
 
 /// Numbers in -1..1 without a pattern: splitmix64 (G. L. Steele, D. Lea, C. H. Flood, OOPSLA 2014).
-struct Numbers(u64);
+pub(crate) struct Numbers(pub(crate) u64);
 
 impl Numbers {
-    fn next(&mut self) -> f64 {
+    pub(crate) fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -77,12 +77,12 @@ fn masses(numbers: &mut Numbers) -> ([[f64; 3]; 3], [[f64; 3]; 3]) {
     (mass, core::array::from_fn(|i| core::array::from_fn(|j| cofactor(j, i) / determinant)))
 }
 
-fn energy(mass: &[[f64; 3]; 3], v: &[f64; 3]) -> f64 {
+pub(crate) fn energy(mass: &[[f64; 3]; 3], v: &[f64; 3]) -> f64 {
     0.5 * (0..3).fold(0.0, |sum, i| sum + v[i] * dot(&mass[i], v))
 }
 
 /// A random system, with its mass matrix.
-fn random(numbers: &mut Numbers, law: ImpactLaw) -> (Random, [[f64; 3]; 3]) {
+pub(crate) fn random(numbers: &mut Numbers, law: ImpactLaw) -> (Random, [[f64; 3]; 3]) {
     let (mass, inverse) = masses(numbers);
     let directions = core::array::from_fn(|_| core::array::from_fn(|_| numbers.next()));
     let (friction, restitution) = (0.5 * (1.0 + numbers.next()), 0.5 * (1.0 + numbers.next()));
@@ -91,7 +91,7 @@ fn random(numbers: &mut Numbers, law: ImpactLaw) -> (Random, [[f64; 3]; 3]) {
 }
 
 /// The start of a run: discrete state, and velocities behind the impacts, whether there is a fault or none.
-fn begin(scene: &Random) -> (Held<f64, 4>, [f64; 3], Result<(), Cause>) {
+pub(crate) fn begin(scene: &Random) -> (Held<f64, 4>, [f64; 3], Result<(), Cause>) {
     let speed = scene.speed;
     let (mut u, mut x) = (Held::open(), [0.0, 0.0, 0.0, speed[0], speed[1], speed[2]]);
     let found = contact::begin::<_, 4>(scene, 0.0, &mut u, &mut x);

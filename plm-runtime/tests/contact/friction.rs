@@ -9,11 +9,11 @@ const GRAVITY: f64 = 9.81;
 
 /// A mass on a spring of 100 N/m and on a belt: 1 kg.
 #[derive(Clone, Copy, Debug)]
-struct Oscillator {
-    kinetic: f64,
-    adhesion: f64,
-    belt: f64,
-    start: [f64; 2],
+pub(crate) struct Oscillator {
+    pub(crate) kinetic: f64,
+    pub(crate) adhesion: f64,
+    pub(crate) belt: f64,
+    pub(crate) start: [f64; 2],
 }
 
 impl Scene<1, 1> for Oscillator {
@@ -91,13 +91,13 @@ fn a_mass_on_a_belt_sticks_and_slips() {
 
 /// A disc, hoop or sphere of radius 1 m and mass 1 kg on a plane that is inclined: along it, away from it, angle.
 #[derive(Clone, Copy, Debug)]
-struct Roller {
+pub(crate) struct Roller {
     /// Inertia over m r^2.
-    inertia: f64,
-    friction: f64,
-    incline: f64,
+    pub(crate) inertia: f64,
+    pub(crate) friction: f64,
+    pub(crate) incline: f64,
     /// Speed along the plane, spin.
-    start: [f64; 2],
+    pub(crate) start: [f64; 2],
 }
 
 impl Scene<3, 2> for Roller {

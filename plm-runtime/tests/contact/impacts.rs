@@ -9,10 +9,10 @@ const GRAVITY: f64 = 9.81;
 
 /// A ball that falls from `height` on ground that is inclined by `angle`: along the slope, and away from it.
 #[derive(Clone, Copy, Debug)]
-struct Ball {
-    height: f64,
-    angle: f64,
-    restitution: f64,
+pub(crate) struct Ball {
+    pub(crate) height: f64,
+    pub(crate) angle: f64,
+    pub(crate) restitution: f64,
 }
 
 impl Scene<2, 1> for Ball {
@@ -71,10 +71,10 @@ fn a_ball_on_a_smooth_incline_slides_at_last() {
 
 /// Balls in a row, with a gap between each two.
 #[derive(Clone, Copy, Debug)]
-struct Cradle {
-    gap: f64,
-    restitution: f64,
-    law: ImpactLaw,
+pub(crate) struct Cradle {
+    pub(crate) gap: f64,
+    pub(crate) restitution: f64,
+    pub(crate) law: ImpactLaw,
 }
 
 impl Scene<3, 2> for Cradle {

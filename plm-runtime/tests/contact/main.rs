@@ -12,4 +12,5 @@ mod laws;
 mod machines;
 mod many;
 mod painleve;
+mod stepping;
 mod support;

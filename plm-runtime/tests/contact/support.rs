@@ -60,6 +60,7 @@ pub(crate) fn rows<T: Scalar, C: Scene<NQ, N>, const NQ: usize, const N: usize>(
         rows.gap[i] = row.gap;
         rows.rate[i] = dot(&row.direction, &v) + row.drive;
         rows.free[i] = dot(&row.direction, &free) + row.rest;
+        rows.bias[i] = row.rest;
         for j in 0..N {
             rows.delassus[i][j] = dot(&row.direction, &moved[j]);
         }
@@ -165,6 +166,23 @@ macro_rules! system {
                 at: (usize, f64),
             ) -> Result<(), plm_runtime::Fault> {
                 plm_runtime::contact::switch_behind::<Self, $n>(self, t, u, x, at).map(|_| ())
+            }
+            const CONTACTS: usize = $n;
+            fn change_contact(u: &mut Self::U, change: plm_runtime::contact::Change) {
+                plm_runtime::contact::Modal::modes_mut(u).change = change;
+            }
+            fn stride(
+                &self,
+                stride: &plm_runtime::contact::Stride<f64>,
+                u: &mut Self::U,
+                x: &mut Self::X,
+                behind: impl FnOnce(
+                    &mut Self::U,
+                    &mut Self::X,
+                    &plm_runtime::contact::Solution<f64>,
+                ) -> Result<(), plm_runtime::Fault>,
+            ) -> Result<plm_runtime::contact::Solution<f64>, plm_runtime::Fault> {
+                plm_runtime::contact::step::<Self, $n>(self, stride, u, x, behind)
             }
             fn guards_within(
                 &self,

@@ -16,7 +16,7 @@ use plm_cas::{Expr, algebra};
 use super::function::{Function, Place};
 use super::sliding::{self, Sliding};
 use crate::derive::Equations;
-use crate::model::{ContactLaw, Model, bounding_reactions};
+use crate::model::{ContactLaw, Model, Step, bounding_reactions};
 
 /// Functions of the rows of contact.
 pub(crate) struct ContactFunctions {
@@ -25,6 +25,10 @@ pub(crate) struct ContactFunctions {
     /// `dx` without contact forces, `response`, by which a multiplier of one changes it, and the rest of `rows`. It returns what the rate
     /// returns.
     pub(crate) motion: Function,
+    /// Both in one, where a step of Moreau and Jean is ordered, which needs all of it.
+    pub(crate) together: Option<Function>,
+    /// Rates are not zero where velocities are: rows, or joints, move by the time.
+    pub(crate) moves_by_time: bool,
     /// The rate is `dx` and the sum of the responses times their multipliers.
     pub(crate) is_affine: bool,
     /// Frictions that all slip, where something else than pushes bounds one.
@@ -68,12 +72,26 @@ pub(super) fn functions(
     let rows = without_zeros(Function::of_results(rows).substitute(&without));
     let rate = Function::of_results(motion.rate.to_vec()).substitute(&without);
     let results = rate.results.into_iter().chain(rows.results).collect_vec();
+    let kinematics = kinematics(model, equations, motion);
+    let together = model.steps.contains(&Step::MoreauJean).then(|| {
+        let results = kinematics.results.iter().chain(&results).cloned().collect_vec();
+        Function::of_results(results).optimise()
+    });
     Some(ContactFunctions {
-        kinematics: kinematics(model, equations, motion),
+        kinematics: kinematics.optimise(),
         motion: Function::of_results(results).optimise(),
+        together,
+        moves_by_time: moves_by_time(equations),
         is_affine,
         sliding: if is_affine { sliding::functions(model, equations, motion) } else { None },
     })
+}
+
+/// Are there rates of rows or of joints that are not zero where velocities are?
+fn moves_by_time(equations: &Equations) -> bool {
+    let at_rest: Vec<(Expr, Expr)> = equations.v.iter().map(|&v| (v, Expr::ZERO)).collect_vec();
+    let rates = equations.contacts.iter().map(|row| row.rate).chain(equations.phi_dot.iter().copied());
+    algebra::substitute(&rates.collect_vec(), &at_rest).into_iter().any(|rate| !rate.is_zero())
 }
 
 /// Gaps and rates.
@@ -84,7 +102,7 @@ fn kinematics(model: &Model, equations: &Equations, motion: &Accelerated) -> Fun
         results.push((Place::Path(format!("rows.gap[{i}]")), here(contact.displacement)));
         results.push((Place::Path(format!("rows.rate[{i}]")), here(row.rate)));
     }
-    without_zeros(Function::of_results(results)).optimise()
+    without_zeros(Function::of_results(results))
 }
 
 /// (1) with the multipliers still in it, and (2).
@@ -101,6 +119,7 @@ fn accelerations(
         let terms = row.direction.iter().map(|&(k, entry)| here(entry) * motion.bodies[k]);
         let along: Expr = terms.sum();
         results.push((Place::Path(format!("rows.free[{i}]")), along + here(row.bias)));
+        results.push((Place::Path(format!("rows.bias[{i}]")), here(row.bias)));
         let columns = lambda.iter().enumerate();
         results.push_all(
             columns.map(|(j, &lambda)| (Place::Path(format!("rows.delassus[{i}][{j}]")), along.diff(lambda))),

@@ -9,14 +9,17 @@ pub enum Step {
     SemiImplicitEuler,
     /// A Rosenbrock-W method of order 3, for stiff equations.
     LinearlyImplicit,
+    /// The time stepping of Moreau and Jean, over impacts and friction.
+    MoreauJean,
 }
 
 impl Step {
     /// The methods as the language names them.
-    pub const NAMES: [(&'static str, Step); 3] = [
+    pub const NAMES: [(&'static str, Step); 4] = [
         ("rk4", Step::Rk4),
         ("semi_implicit_euler", Step::SemiImplicitEuler),
         ("linearly_implicit", Step::LinearlyImplicit),
+        ("moreau_jean", Step::MoreauJean),
     ];
 
     /// The method of a name.

@@ -53,7 +53,8 @@ fn contract(emission: &Emission) -> TokenStream {
         Impacts::Newton => quote!(Newton),
         Impacts::Sequential => quote!(Sequential),
     };
-    let (joints, existence) = (joints(emission), existence(emission));
+    let (joints, existence, motion_at) =
+        (joints(emission), existence(emission), contact_motion::motion_at(emission));
     let (pushes, falling) = (bounded_by_pushes(emission), bounds_that_may_fall(emission));
     let sliding = contact_sliding::contract(emission);
     let size = emission.text(format!("{:?}", emission.report.length));
@@ -98,6 +99,8 @@ fn contract(emission: &Emission) -> TokenStream {
             ) -> [S; #length] {
                 self.contact_response_(t, u, x, lambda)
             }
+
+            #motion_at
 
             fn impact_law(&self) -> rt::contact::ImpactLaw {
                 rt::contact::ImpactLaw::#impacts

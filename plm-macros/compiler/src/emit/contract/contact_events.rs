@@ -54,6 +54,20 @@ pub(super) fn events(emission: &Emission) -> TokenStream {
             fn contacts(u: &Self::U) -> rt::contact::Status<'_> {
                 u.contact.status()
             }
+
+            fn change_contact(u: &mut Self::U, change: rt::contact::Change) {
+                u.contact.modes.change = change;
+            }
+
+            fn stride(
+                &self,
+                stride: &rt::contact::Stride<S>,
+                u: &mut Self::U,
+                x: &mut [S; #length],
+                behind: impl FnOnce(&mut Self::U, &mut [S; #length], &rt::contact::Solution<S>) -> Result<(), Fault>,
+            ) -> Result<rt::contact::Solution<S>, Fault> {
+                rt::contact::step::<Self, #rows>(self, stride, u, x, behind)
+            }
         }
     }
 }

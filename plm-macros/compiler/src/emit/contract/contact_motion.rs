@@ -79,7 +79,24 @@ fn in_chart(emission: &Emission, k: usize, (contact, origin): (&ContactFunctions
         },
         (&contact.motion, origin),
     );
-    quote!(#kinematics #motion)
+    let together = contact.together.as_ref().map(|together| {
+        let name = emission.in_chart("contact_together", k);
+        function(
+            emission,
+            "Rate, responses and rows at once, for steps that need all of them.",
+            &quote! {
+                fn #name(
+                    &self,
+                    #state,
+                    dx: &mut [S; #length],
+                    response: &mut [[S; #length]; #count],
+                    rows: &mut rt::contact::Rows<S, #count>
+                ) #health
+            },
+            (together, origin),
+        )
+    });
+    quote!(#kinematics #motion #together)
 }
 
 /// The rows at a state, and what is held with the multipliers there.
@@ -152,6 +169,64 @@ fn rows(emission: &Emission) -> TokenStream {
                 self.mechanism.loaded_(self.time, &self.held, &self.x)
             }
         }
+    }
+}
+
+/// Motion and rows for steps of time, of `Contacts`: in one pass where such a step is ordered.
+pub(super) fn motion_at(emission: &Emission) -> TokenStream {
+    let (Sizes { length, .. }, count) = (&emission.sizes, count(emission));
+    let (of, [_, memory]) = (of_charts(emission), emission.memory_argument());
+    let is_ordered = of.iter().all(|(contact, _)| contact.together.is_some());
+    let body = if is_ordered {
+        let arguments = quote!(t, u, #memory x, &mut dx, &mut response, rows);
+        let health = if let Form::Tree(_) = emission.form {
+            let call = call(emission, "contact_together", &arguments, &quote!({}));
+            quote!(#call; let health = rt::Health::perfect();)
+        } else {
+            let call = call(emission, "contact_together", &arguments, &quote!(S::lit(0.0)));
+            quote!(let health = rt::Health(#call);)
+        };
+        let loads = loads(emission);
+        quote! {
+            let mut all = rt::contact::Rows::none();
+            let rows = &mut all;
+            let (mut dx, mut response) = ([S::lit(0.0); #length], [[S::lit(0.0); #length]; #count]);
+            #health
+            #loads
+            rt::contact::Motion { rate: dx, responses: response, rows: all, health }
+        }
+    } else {
+        quote! {
+            let mut rows = self.contact_kinematics_(t, u, x);
+            let (rate, responses, health) = self.contact_motion_(t, u, x, &mut rows);
+            rt::contact::Motion { rate, responses, rows, health }
+        }
+    };
+    let with_forces = (!of.iter().all(|(contact, _)| contact.is_affine)).then(|| {
+        quote! {
+            fn rate_with_forces(
+                &self, t: S, u: &Held<S>, x: &[S; #length], lambda: &[S; #count]
+            ) -> Option<[S; #length]> {
+                let (mut held, mut dx) = (*u, [S::lit(0.0); #length]);
+                held.contact.lambda = *lambda;
+                self.rate_holding_(t, &held, x, &mut dx);
+                Some(dx)
+            }
+        }
+    });
+    let moves_by_time = of.iter().any(|(contact, _)| contact.moves_by_time);
+    let moves_by_time = emission.text(format!("{moves_by_time}"));
+    quote! {
+        fn moves_by_time(&self) -> bool {
+            #moves_by_time
+        }
+
+        fn motion_at(
+            &self, t: S, u: &Held<S>, x: &[S; #length]
+        ) -> rt::contact::Motion<S, [S; #length], #count> {
+            #body
+        }
+        #with_forces
     }
 }
 

@@ -1,6 +1,6 @@
 //! Steps that the user ordered: a method of the state, and the formula as a function of the mechanism.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::{joined, quote};
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
@@ -29,6 +29,7 @@ fn one(emission: &Emission, step: Step) -> TokenStream {
             "ROS34PW2, a linearly implicit method of order 3 for stiff equations",
             implicit::linearly_implicit(emission),
         ),
+        Step::MoreauJean => return moreau_jean(emission),
     };
     let (name, docs) = (&emission.name, docs::docs(emission, &format!("One step of `h`, s, by {source}.")));
     let method = Ident::new(method, proc_macro2::Span::call_site());
@@ -50,6 +51,35 @@ fn one(emission: &Emission, step: Step) -> TokenStream {
             }
         }
         #formula
+    }
+}
+
+/// The step of the runtime: rows of contact are rows of arrays.
+fn moreau_jean(emission: &Emission) -> TokenStream {
+    let [docs, with_theta] =
+        ["by the time stepping of Moreau and Jean with theta = 1/2.", "by that with `theta`, 1/2 to 1."]
+            .map_each(|by| docs::docs(emission, &format!("One step of `h`, s, {by}")));
+    quote! {
+        impl<S: Real> State<S> {
+            #docs
+            ///
+            /// Contact needs no event; the result says by how much its laws are not met. Conditions switch at the end of the step; what
+            /// is past a singular pose is left to [`Sim`].
+            ///
+            /// # Errors
+            /// When the step cannot be made; the state then stays as it was.
+            pub fn step_moreau_jean(&mut self, h: S) -> Result<rt::contact::Solution<S>, Fault> {
+                rt::step::moreau_jean(self, h, S::lit(0.5))
+            }
+
+            #with_theta
+            ///
+            /// # Errors
+            /// When the step cannot be made; the state then stays as it was.
+            pub fn step_moreau_jean_with(&mut self, h: S, theta: S) -> Result<rt::contact::Solution<S>, Fault> {
+                rt::step::moreau_jean(self, h, theta)
+            }
+        }
     }
 }
 

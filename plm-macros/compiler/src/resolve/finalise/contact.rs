@@ -6,7 +6,7 @@ use plm_cas::{Expr, algebra};
 
 use super::bound::{Bounded, found, is_negative};
 use crate::diag::Code;
-use crate::model::{Contact, ContactLaw, Load, Range, Reaction};
+use crate::model::{Contact, ContactLaw, Load, Range, Reaction, Step};
 use crate::resolve::Resolver;
 use crate::resolve::declarations::contact::{Displacement, UnresolvedContact, WrittenContact};
 use crate::resolve::names::ScopeId;
@@ -66,12 +66,16 @@ impl<'a> Resolver<'a> {
         })
     }
 
-    /// An ordered step solves for no contact forces.
+    /// Of the ordered steps one solves for contact forces.
     fn refuse_steps(&mut self) {
-        for (_, span) in std::mem::take(&mut self.unresolved.settings.steps) {
-            let message = "a mechanism with contact has no steps of its own";
+        for (step, span) in std::mem::take(&mut self.unresolved.settings.steps) {
+            if step == Step::MoreauJean {
+                self.unresolved.settings.steps.insert(step, span);
+                continue;
+            }
+            let message = "this step knows no contact";
             self.error(MECHANISM, Code::MisplacedItem, span, message)
-                .help("leave it out: `start()` and `start_with` run the mechanism with its events");
+                .help("`moreau_jean` steps over impacts and friction; `start()` and `start_with` run the mechanism with its events");
         }
     }
 

@@ -1,0 +1,115 @@
+//! The same scenes by the time stepping of Moreau and Jean: error, creep and energy by its step.
+
+use plm_runtime::{Mechanism, MoreauJean, Sim};
+
+use crate::scenes::{Ball, Block, Crank, Oscillator};
+use crate::{clock, gain, reference};
+
+/// Steps, s.
+const STEPS: [f64; 7] = [1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4];
+/// Shares of a step that positions make with the velocity at its end.
+const THETAS: [f64; 2] = [0.5, 1.0];
+
+/// All rows.
+pub fn all() {
+    for theta in THETAS {
+        for h in STEPS {
+            let by = Stepped { theta, h };
+            by.block();
+            by.oscillator();
+            by.ball();
+            by.rocking();
+            by.crank();
+        }
+    }
+}
+
+/// Runs by steps of a length.
+#[derive(Clone, Copy)]
+struct Stepped {
+    theta: f64,
+    h: f64,
+}
+
+type Run<M> = Sim<M, MoreauJean<f64>>;
+
+impl Stepped {
+    fn start<M: Mechanism<S = f64>>(self, scene: M) -> Run<M> {
+        scene.start_with(MoreauJean::new(self.h).with_theta(self.theta)).unwrap()
+    }
+
+    /// A run to a time.
+    fn to<M: Mechanism<S = f64>>(self, scene: M, time: f64) -> Run<M> {
+        let mut sim = self.start(scene);
+        sim.step_to(time).unwrap();
+        sim
+    }
+
+    fn row<M: Mechanism<S = f64>>(
+        self,
+        scene: &str,
+        error: f64,
+        (mechanism, time): (M, f64),
+        [creep, gain]: [f64; 2],
+    ) {
+        let seconds = clock::seconds(|| self.to(mechanism, time).stats().steps);
+        let steps = self.to(mechanism, time).stats().steps;
+        let number = |value: f64| if value.is_nan() { String::new() } else { format!("{value:.3e}") };
+        println!(
+            "{scene},plm,theta {},{:.0e},{error:.3e},{seconds:.3e},{steps},{},{}",
+            self.theta,
+            self.h,
+            number(creep),
+            number(gain)
+        );
+    }
+
+    /// An hour under 99 % of what friction can bear; a minute by steps below 1 ms.
+    fn block(self) {
+        let time = if self.h < 1e-3 { 60.0 } else { 3600.0 };
+        let mut sim = self.to(Block::pushed(), 0.5 * time);
+        let half = sim.x[0];
+        sim.step_to(time).unwrap();
+        let start = self.start(Block::pushed()).x[0];
+        let creep = 1e6 * (sim.x[0] - half).abs() / (0.5 * time);
+        self.row("block", (sim.x[0] - start).abs(), (Block::pushed(), time), [creep, f64::NAN]);
+    }
+
+    fn oscillator(self) {
+        let mut sim = self.to(Oscillator, 2.0);
+        let rest = sim.x[0];
+        sim.step_to(12.0).unwrap();
+        let error = (rest - reference("oscillator", "x")).abs();
+        self.row("oscillator", error, (Oscillator, 2.0), [1e5 * (sim.x[0] - rest).abs(), f64::NAN]);
+    }
+
+    fn ball(self) {
+        let mut sim = self.start(Ball);
+        let mut energies = vec![9.81];
+        let impact = |k: usize| reference("ball", &format!("impact_{k}"));
+        for k in 0..5 {
+            sim.step_to(0.5 * (impact(k) + impact(k + 1))).unwrap();
+            energies.push(9.81 * sim.x[0] + 0.5 * sim.x[1] * sim.x[1]);
+        }
+        let error = (self.to(Ball, 3.0).x[0] - reference("ball", "y")).abs();
+        self.row("ball", error, (Ball, 3.0), [f64::NAN, gain(&energies, 0.64)]);
+    }
+
+    fn rocking(self) {
+        let mut sim = self.start(Block::rocking());
+        let mut energies = vec![Block::rocking().energy(&sim.x)];
+        let impact = |k: usize| reference("rocking", &format!("impact_{k}"));
+        for k in 0..3 {
+            sim.step_to(0.5 * (impact(k) + impact(k + 1))).unwrap();
+            energies.push(Block::rocking().energy(&sim.x));
+        }
+        let error = (self.to(Block::rocking(), 1.2).x[2].abs() - reference("rocking", "angle")).abs();
+        let gain = gain(&energies, reference("rocking", "energy_ratio"));
+        self.row("rocking", error, (Block::rocking(), 1.2), [f64::NAN, gain]);
+    }
+
+    fn crank(self) {
+        let error = (self.to(Crank, 1.0).x[0] - reference("slider-crank", "angle")).abs();
+        self.row("slider-crank", error, (Crank, 1.0), [f64::NAN; 2]);
+    }
+}

@@ -1,0 +1,159 @@
+//! Impacts of a step: rows with restitution that the step would close, before its forces.
+
+use super::solver::{Rule, solve};
+use super::{Motion, Stride, problem};
+use crate::contact::booked::Struck;
+use crate::contact::event::CLOSED;
+use crate::contact::impact::{Answer, ImpactLaw, Impulses, impulses};
+use crate::contact::modes::{Mode, Modes};
+use crate::contact::rows::{Law, Rows};
+use crate::contact::{Contacts, Modal, sum_of};
+use crate::fault::{Cause, Fault};
+use crate::scalar::{Real, Scalar};
+use crate::vector::Vector;
+
+/// Impacts of pairs one after the other in one step, at most.
+const MOST_PAIRS: u32 = 16;
+
+/// What a step has done so far.
+pub(super) struct Progress<S> {
+    /// The largest residual of impacts, as a rate.
+    pub(super) residual: S,
+    pub(super) rounds: u32,
+}
+
+/// Impacts where the step begins. Rates of the rows, velocities and the intermediate place become those behind them.
+pub(super) fn impacts<M: Contacts<N>, const N: usize>(
+    system: &M,
+    stride: &Stride<M::S>,
+    (laws, exists): (&[Law<M::S>; N], &[bool; N]),
+    u: &M::U,
+    (motion, x): (&mut Motion<M::S, M::X, N>, &mut M::X),
+    progress: &mut Progress<M::S>,
+) -> Result<Struck<M::S, N>, Fault> {
+    let mut struck = Struck::nothing();
+    let Some(mut row) = striking(stride, (laws, exists), &motion.rows) else { return Ok(struck) };
+    let law = system.impact_law();
+    let most = if law == ImpactLaw::Sequential { MOST_PAIRS } else { 1 };
+    let moved_by_time = rates_at_rest(system, stride, u, x);
+    let touches = touches(stride, (laws, exists), &motion.rows, (u.modes(), system.length()));
+    for _ in 0..most {
+        let mut by_rounds = |rows: &Rows<M::S, N>, touches: &[bool; N]| {
+            let rules = core::array::from_fn(|i| rule(&laws[i], touches[i]));
+            let guess = core::array::from_fn(|i| guess(rules[i], rows.free[i]));
+            let solved = solve(rows, &rules, guess);
+            progress.residual = progress.residual.max(solved.residual);
+            progress.rounds += solved.rounds;
+            let (lambda, rate) = (solved.lambda, solved.acceleration);
+            Ok(Answer { lambda, rate, is_ambiguous: false, combination: None })
+        };
+        let Impulses::Found(impulses, _) = impulses(&motion.rows, laws, (law, touches), &mut by_rounds)
+        else {
+            break;
+        };
+        let after = behind(stride, &motion.rows, &impulses);
+        struck.add((&motion.rows, &after), &moved_by_time, &impulses).map_err(|[by, of]| {
+            Fault::of_part(stride.t.to_f64(), system.contact_name(row), Cause::ImpactGains { by, of })
+        })?;
+        motion.rows = after;
+        let ([before, _], change) = (stride.parts(), sum_of(&motion.responses, &impulses));
+        for i in 0..M::NQ {
+            let v = M::NQ + i;
+            x.set(v, x.at(v) + change.at(v));
+            x.set(i, before.mul_add(change.at(v), x.at(i)));
+        }
+        let Some(next) = striking(stride, (laws, exists), &motion.rows) else { break };
+        row = next;
+    }
+    Ok(struck)
+}
+
+fn rule<S>(law: &Law<S>, touches: bool) -> Rule {
+    Rule::of(law, touches)
+}
+
+fn guess<S: Real>(rule: Rule, rate: S) -> Mode {
+    match rule {
+        Rule::Absent(mode) => mode,
+        Rule::Gap if rate >= S::ZERO => Mode::Open,
+        Rule::Gap | Rule::Constraint => Mode::Closed,
+        Rule::Friction => Mode::Sticks,
+    }
+}
+
+/// A row that strikes: the step would close its gap, and its bounce would last longer than a step.
+fn striking<S: Real, const N: usize>(
+    stride: &Stride<S>,
+    (laws, exists): (&[Law<S>; N], &[bool; N]),
+    rows: &Rows<S, N>,
+) -> Option<usize> {
+    // What pulls a row may be what pulls others: a_i^2/D_ii has the same unit in every row.
+    let pull = |i: usize| rows.free[i] * rows.free[i] / rows.delassus[i][i];
+    let mut most = None;
+    (0..N).find(|&i| {
+        let Law::Unilateral { restitution } = laws[i] else { return false };
+        let approaches = exists[i] && rows.rate[i] < S::ZERO && restitution > S::ZERO;
+        if !approaches || !closes(stride, rows, i) {
+            return false;
+        }
+        let most = *most.get_or_insert_with(|| {
+            let gaps = (0..N).filter(|j| laws[*j].is_unilateral() && rows.delassus[*j][*j] > S::ZERO);
+            gaps.fold(S::ZERO, |most, j| most.max(pull(j)))
+        });
+        let (bounce, h) = (restitution * rows.rate[i], stride.h);
+        bounce * bounce > h * h * rows.delassus[i][i] * most
+    })
+}
+
+/// Would the step close the gap if there were no contact?
+fn closes<S: Real, const N: usize>(stride: &Stride<S>, rows: &Rows<S, N>, i: usize) -> bool {
+    let [before, _] = stride.parts();
+    let rate = stride.h.mul_add(rows.free[i], rows.rate[i]) - before * rows.bias[i];
+    problem::end(stride, rows, i, rate) < S::ZERO
+}
+
+/// Rows that have a part in the impact: gaps that are closed, or that the step would close, and frictions.
+fn touches<S: Real, const N: usize>(
+    stride: &Stride<S>,
+    (laws, exists): (&[Law<S>; N], &[bool; N]),
+    rows: &Rows<S, N>,
+    (modes, length): (&Modes<S, N>, S),
+) -> [bool; N] {
+    core::array::from_fn(|i| {
+        let is_near = || {
+            let was_closed = modes.of[i] == Mode::Closed || modes.carried[i];
+            was_closed || rows.gap[i] <= S::lit(CLOSED) * length || closes(stride, rows, i)
+        };
+        exists[i] && (!laws[i].is_unilateral() || is_near())
+    })
+}
+
+/// The rows behind impulses.
+fn behind<S: Real, const N: usize>(stride: &Stride<S>, rows: &Rows<S, N>, impulses: &[S; N]) -> Rows<S, N> {
+    let [before, _] = stride.parts();
+    let mut after = *rows;
+    for i in 0..N {
+        let terms = rows.delassus[i].iter().zip(impulses);
+        let change = terms.fold(S::ZERO, |sum, (d, impulse)| d.mul_add(*impulse, sum));
+        after.rate[i] = rows.rate[i] + change;
+        after.gap[i] = before.mul_add(change, rows.gap[i]);
+    }
+    after
+}
+
+/// The rates that time alone gives the rows.
+fn rates_at_rest<M: Contacts<N>, const N: usize>(
+    system: &M,
+    stride: &Stride<M::S>,
+    u: &M::U,
+    x: &M::X,
+) -> [M::S; N] {
+    if !system.moves_by_time() {
+        return [M::S::ZERO; N];
+    }
+    let ([before, _], mut rest) = (stride.parts(), *x);
+    for i in M::NQ..2 * M::NQ {
+        rest.set(i, M::S::ZERO);
+    }
+    system.kinematics_at(stride.t + before, u, &rest).rate
+}

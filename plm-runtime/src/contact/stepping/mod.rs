@@ -1,0 +1,200 @@
+//! Steps of time with contact after J. J. Moreau and M. Jean: impulses of all rows over a step of fixed length, without events.
+//!
+//! With an intermediate place `q_m = q + (1 - theta) h v` at `t_m = t + (1 - theta) h`, and everything evaluated there once,
+//!
+//! ```text
+//! (1)  v' = v + h (a_0 + sum_j a_j lambda_j)
+//! (2)  q' = q_m + theta h v'
+//! (3)  z_i' = w_i v' + r_i + theta h zeta_i,  the rate of row i at the end of the step
+//! ```
+//!
+//! (J. J. Moreau, Unilateral contact and dry friction in finite freedom dynamics, 1988, with theta = 1/2; M. Jean, The non-smooth contact
+//! dynamics method, Computer Methods in Applied Mechanics and Engineering 177, 1999; V. Acary, B. Brogliato, Numerical Methods for
+//! Nonsmooth Dynamical Systems, 2008, chapter 10). A gap that the step would close has `z' >= -z/(theta h)`, complementary to its push, so
+//! that it closes at the end of the step and does not become negative; a friction has `z' = 0` or the force of its limit. Impacts with
+//! restitution stand before that, where the step begins. What (2) leaves of a negative gap, or takes a friction that sticks away from its
+//! place, is led back by the rows that hold, in positions alone: velocities, and so the kinetic energy, know nothing of it (V. Acary,
+//! Projected event-capturing time-stepping schemes for nonsmooth mechanical systems with unilateral contact and Coulomb's friction,
+//! Computer Methods in Applied Mechanics and Engineering 256, 2013).
+
+mod impacts;
+mod problem;
+mod smooth;
+mod solver;
+
+use self::impacts::{Progress, impacts};
+use self::problem::{Problem, away, lead_back};
+pub use self::smooth::smooth_step;
+use self::solver::Solved;
+use super::booked::Struck;
+use super::event::Outcome;
+use super::modes::{Change, Mode, Modes};
+use super::{Contacts, Modal};
+use crate::fault::Fault;
+use crate::scalar::{Real, Scalar};
+use crate::system::{Health, Rate};
+use crate::vector::Vector;
+
+/// A step of time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stride<S> {
+    /// When it begins, s.
+    pub t: S,
+    /// Its length, s.
+    pub h: S,
+    /// The share of the step, 1/2 to 1, that positions make with the velocity at its end.
+    pub theta: S,
+}
+
+impl<S: Scalar> Stride<S> {
+    /// The times from its begin to the intermediate place and from there to its end, s.
+    fn parts(&self) -> [S; 2] {
+        let behind = self.theta * self.h;
+        [self.h - behind, behind]
+    }
+}
+
+/// What is known of a step that was made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solution<S> {
+    /// The largest rate, m/s or rad/s, by which a law of contact is not met: rounding where its small problem was solved.
+    pub residual: S,
+    /// Systems of equations that were solved for the modes.
+    pub rounds: u32,
+    /// The health of the equations of motion.
+    pub health: Health<S>,
+}
+
+/// Motion and rows at a state, in one pass.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion<S, X, const N: usize> {
+    /// The rate without contact forces.
+    pub rate: X,
+    /// What a multiplier of one adds to it.
+    pub responses: [X; N],
+    /// The rows.
+    pub rows: super::Rows<S, N>,
+    /// The health of the equations.
+    pub health: Health<S>,
+}
+
+/// Makes a step; `x` becomes the state at its end, and `u` gets the modes that have led there. `behind` looks at both, or goes on from
+/// there; what it refuses is not made.
+///
+/// # Errors
+/// Those of [`Contacts::project_joints`] and of `behind`; [`Cause::ImpactGains`](crate::Cause::ImpactGains) and
+/// [`Cause::NotAllowed`](crate::Cause::NotAllowed) as at events. `x` is of no use then, and `u` is as before.
+pub fn step<M: Contacts<N>, const N: usize>(
+    system: &M,
+    stride: &Stride<M::S>,
+    u: &mut M::U,
+    x: &mut M::X,
+    behind: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
+) -> Result<Solution<M::S>, Fault> {
+    let [ahead, rest] = stride.parts();
+    drift::<M>(ahead, x);
+    let mut motion = system.motion_at(stride.t + ahead, u, x);
+    super::bounds::look_at_signs(system, stride.t, u, &motion.rows)?;
+    let laws = core::array::from_fn(|row| system.law(row));
+    let exists = core::array::from_fn(|row| system.exists(u, row));
+    let before = *u.modes();
+    let mut progress = Progress { residual: M::S::ZERO, rounds: 0 };
+    let struck = impacts(system, stride, (&laws, &exists), u, (&mut motion, x), &mut progress)?;
+    let problem = Problem::of(stride, (&laws, &exists), &mut motion.rows, &before);
+    let solved = problem.solve(&motion.rows);
+    let after = modes(&motion.rows, (stride, &problem), &solved, &before);
+    if let Some(rate) = system.rate_with_forces(stride.t + ahead, u, x, &solved.lambda) {
+        for i in 2 * M::NQ..M::X::LEN {
+            motion.rate.set(i, rate.at(i));
+        }
+    }
+    let away = away(stride, &motion.rows, &solved, &before);
+    let corrections = lead_back(&mut motion.rows, &solved.modes, &away);
+    arrive::<M, N>((stride.h, rest), &motion, (&solved.lambda, corrections.as_ref()), x);
+    let solution = Solution {
+        residual: progress.residual.max(solved.residual * stride.h),
+        rounds: progress.rounds + solved.rounds,
+        health: motion.health,
+    };
+    if !(motion.health.is_good() && x.is_finite()) {
+        return behind(u, x, &solution).map(|()| solution);
+    }
+    super::project::joints_behind_step(system, stride.t + stride.h, u, x)?;
+    *u.modes_mut() = after;
+    if let Err(fault) = behind(u, x, &solution) {
+        *u.modes_mut() = before;
+        return Err(fault);
+    }
+    count(u, (stride, &struck), &before, &after);
+    Ok(solution)
+}
+
+/// Counts what a step has done, and books its impacts.
+fn count<S: Real, U: Modal<S, N>, const N: usize>(
+    u: &mut U,
+    (stride, struck): (&Stride<S>, &Struck<S, N>),
+    before: &Modes<S, N>,
+    after: &Modes<S, N>,
+) {
+    if after.of == before.of && struck.count == 0 {
+        return;
+    }
+    let mut outcome = Outcome { impacts: struck.count, ..Outcome::default() };
+    outcome.compare(before, after);
+    outcome.is_undetermined = after.are_undetermined() && !before.are_undetermined();
+    u.count(&outcome, false);
+    if struck.count > 0
+        && let Some(booked) = u.booked()
+    {
+        booked.book((stride.t + stride.h).to_f64(), struck);
+    }
+}
+
+/// Moves positions on with the velocities for a time.
+fn drift<M: Rate>(time: M::S, x: &mut M::X) {
+    for i in 0..M::NQ {
+        x.set(i, time.mul_add(x.at(M::NQ + i), x.at(i)));
+    }
+}
+
+/// (1) and (2), from the intermediate place; positions with corrections.
+fn arrive<M: Rate, const N: usize>(
+    (h, behind): (M::S, M::S),
+    motion: &Motion<M::S, M::X, N>,
+    (lambda, corrections): (&[M::S; N], Option<&[M::S; N]>),
+    x: &mut M::X,
+) {
+    let forced = |i: usize, rate: M::S, factors: &[M::S; N]| {
+        let terms = motion.responses.iter().zip(factors);
+        terms.fold(rate, |sum, (response, factor)| response.at(i).mul_add(*factor, sum))
+    };
+    for i in M::NQ..M::X::LEN {
+        let rate = motion.rate.at(i);
+        let rate = if i < 2 * M::NQ { forced(i, rate, lambda) } else { rate };
+        x.set(i, h.mul_add(rate, x.at(i)));
+    }
+    for i in 0..M::NQ {
+        let v = M::NQ + i;
+        let place = corrections.map_or(x.at(i), |corrections| forced(v, x.at(i), corrections));
+        x.set(i, behind.mul_add(x.at(v), place));
+    }
+}
+
+/// The modes behind a step, and where frictions began to stick.
+fn modes<S: Real, const N: usize>(
+    rows: &super::Rows<S, N>,
+    (stride, problem): (&Stride<S>, &Problem<S, N>),
+    solved: &Solved<S, N>,
+    before: &Modes<S, N>,
+) -> Modes<S, N> {
+    let sticks = |i: usize| solved.modes[i] == Mode::Sticks && before.of[i] != Mode::Sticks;
+    let place = core::array::from_fn(|i| {
+        if sticks(i) {
+            problem::end(stride, rows, i, problem.rate_at_end(solved, i))
+        } else {
+            before.place[i]
+        }
+    });
+    let Solved { modes: of, carried, negative, .. } = *solved;
+    Modes { of, carried, place, orientation: S::lit(1.0), negative, change: Change::InSteps }
+}

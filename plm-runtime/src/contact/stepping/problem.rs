@@ -1,0 +1,117 @@
+//! The problem of a step: accelerations over it, complementary to the forces of the rows; and the way back of rows that hold.
+
+use super::Stride;
+use super::solver::{Rule, Solved, eliminate, solve};
+use crate::contact::modes::{Mode, Modes};
+use crate::contact::rows::{Law, Rows};
+use crate::scalar::Real;
+
+/// A friction may stick at first if its rate is below this fraction of what accelerations give in a step.
+const NO_SLIP: f64 = 1e-9;
+
+/// Rows of a step. Their free accelerations become the changes of rates over the step that laws ask for, by its length.
+pub(super) struct Problem<S, const N: usize> {
+    rules: [Rule; N],
+    guess: [Mode; N],
+    /// What of the free acceleration lets a gap close within the step.
+    slack: [S; N],
+    h: S,
+}
+
+impl<S: Real, const N: usize> Problem<S, N> {
+    /// Of the rows at the intermediate place, behind impacts; `before` it they had these modes.
+    pub(super) fn of(
+        stride: &Stride<S>,
+        (laws, exists): (&[Law<S>; N], &[bool; N]),
+        rows: &mut Rows<S, N>,
+        before: &Modes<S, N>,
+    ) -> Self {
+        let ([ahead, behind], inverse) = (stride.parts(), S::lit(1.0) / stride.h);
+        let rules = core::array::from_fn(|i| Rule::of(&laws[i], exists[i]));
+        let (share, closing) = (ahead * inverse, inverse / behind);
+        let fastest = rows.free.iter().fold(S::ZERO, |most, free| most.max(free.abs()));
+        let none = S::lit(NO_SLIP).max(S::lit(64.0) * S::EPSILON) * stride.h * fastest;
+        let mut problem = Self { rules, guess: before.of, slack: [S::ZERO; N], h: stride.h };
+        for i in 0..N {
+            // (3): free acceleration and bias are those of the intermediate place.
+            let over_step = rows.rate[i].mul_add(inverse, rows.free[i] - share * rows.bias[i]);
+            if rules[i] == Rule::Gap {
+                let gap = at_standstill(stride, rows, i).max(S::ZERO);
+                problem.slack[i] = gap * closing;
+            }
+            rows.free[i] = over_step + problem.slack[i];
+            problem.guess[i] = match rules[i] {
+                Rule::Absent(mode) => mode,
+                Rule::Constraint => Mode::Closed,
+                Rule::Gap if rows.free[i] < S::ZERO => Mode::Closed,
+                Rule::Gap => Mode::Open,
+                Rule::Friction if before.is_sticking(i) => Mode::Sticks,
+                Rule::Friction => slip(rows.rate[i], none),
+            };
+        }
+        problem
+    }
+
+    /// Forces over the step.
+    pub(super) fn solve(&self, rows: &Rows<S, N>) -> Solved<S, N> {
+        solve(rows, &self.rules, self.guess)
+    }
+
+    /// The rate of a row at the end of the step.
+    pub(super) fn rate_at_end(&self, solved: &Solved<S, N>, i: usize) -> S {
+        self.h * (solved.acceleration[i] - self.slack[i])
+    }
+}
+
+/// The mode that a friction begins with.
+fn slip<S: Real>(rate: S, none: S) -> Mode {
+    if rate > none {
+        Mode::Forwards
+    } else if rate < -none {
+        Mode::Backwards
+    } else {
+        Mode::Sticks
+    }
+}
+
+/// The displacement at the end of a step in which the row has no rate there: a parabola from the intermediate place.
+fn at_standstill<S: Real, const N: usize>(stride: &Stride<S>, rows: &Rows<S, N>, i: usize) -> S {
+    let [_, behind] = stride.parts();
+    rows.gap[i] - S::lit(0.5) * behind * behind * rows.bias[i]
+}
+
+/// The displacement of a row at the end of a step with a rate there.
+pub(super) fn end<S: Real, const N: usize>(stride: &Stride<S>, rows: &Rows<S, N>, i: usize, rate: S) -> S {
+    let [_, behind] = stride.parts();
+    behind.mul_add(rate, at_standstill(stride, rows, i))
+}
+
+/// How far rows that hold are from their places at the end of a step; a gap that closes there is in its place.
+pub(super) fn away<S: Real, const N: usize>(
+    stride: &Stride<S>,
+    rows: &Rows<S, N>,
+    solved: &Solved<S, N>,
+    before: &Modes<S, N>,
+) -> [S; N] {
+    core::array::from_fn(|i| match (solved.modes[i], solved.rules[i]) {
+        (Mode::Closed, Rule::Gap) => at_standstill(stride, rows, i).min(S::ZERO),
+        (Mode::Closed, _) => at_standstill(stride, rows, i),
+        (Mode::Sticks, _) if before.of[i] == Mode::Sticks => at_standstill(stride, rows, i) - before.place[i],
+        _ => S::ZERO,
+    })
+}
+
+/// Factors of the responses that lead rows which hold back by these displacements; none where there is nothing to lead back. The free
+/// accelerations of the rows are lost.
+pub(super) fn lead_back<S: Real, const N: usize>(
+    rows: &mut Rows<S, N>,
+    modes: &[Mode; N],
+    away: &[S; N],
+) -> Option<[S; N]> {
+    if away.iter().all(|displacement| *displacement == S::ZERO) {
+        return None;
+    }
+    let only = modes.map(|mode| if mode.holds() { mode } else { Mode::Open });
+    rows.free = *away;
+    Some(eliminate(rows, &only, &[[S::ZERO; 2]; N]).0)
+}

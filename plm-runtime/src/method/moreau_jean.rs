@@ -1,0 +1,164 @@
+//! The time stepping of J. J. Moreau and M. Jean: fixed steps over impacts and friction, without events of contact.
+
+use super::partition::Partition;
+use super::{
+    Context, DenseOutput, DriftCheck, ErrorControl, FixedLength, Length, Method, drift_of_size, not_finite,
+    unhealthy,
+};
+use crate::contact::{Change, Solution, Stride, smooth_step};
+use crate::fault::Fault;
+use crate::scalar::{Real, Scalar};
+use crate::system::{Drift, System};
+use crate::vector::Vector;
+use crate::words::{InWords, Words};
+
+/// The time stepping of Moreau and Jean with steps of equal length: order 1, one rate a step, whatever contact does in it.
+///
+/// Forces, masses and rows are evaluated at one intermediate place, `q + (1 - theta) h v`, with the velocity where the step begins. The
+/// impulses of all rows of contact over the step are one small problem, which takes a bounded number of rounds; no event of a row is
+/// searched. What sticks keeps its place, and a closed gap does not sink ([`contact`](crate::contact), [`Stride`]). Conditions, and
+/// events by `when`, switch at the end of the step.
+///
+/// Where nothing touches it is a semi-implicit Euler method with `theta = 1`, and with `theta = 1/2` the midpoint rule of positions, of
+/// order 2 where forces depend on places alone. It does not resolve what is stiff.
+#[derive(Clone, Copy, Debug)]
+pub struct MoreauJean<S> {
+    /// Longest step, s.
+    pub longest_step: S,
+    /// The share of a step, 1/2 to 1, that positions make with the velocity at its end.
+    pub theta: S,
+    /// Drift of the joints that is tolerated, as a fraction of the typical coordinate and velocity.
+    pub tolerance: S,
+    partition: Partition<S>,
+    /// Of the last step.
+    residual: S,
+    /// Of all steps so far.
+    largest_residual: S,
+}
+
+impl<S: Real> MoreauJean<S> {
+    /// The [`theta`](Self::theta) of [`new`](Self::new).
+    pub const THETA: f64 = 0.5;
+
+    /// Steps of at most `longest_step`, in s, with [`THETA`](Self::THETA); a drift of 1e-10 (of what the scalar can resolve, if that is
+    /// more).
+    pub fn new(longest_step: S) -> Self {
+        Self {
+            longest_step,
+            theta: S::lit(Self::THETA),
+            tolerance: S::lit(1e-10).max(S::lit(64.0) * S::EPSILON),
+            partition: Partition::none(),
+            residual: S::ZERO,
+            largest_residual: S::ZERO,
+        }
+    }
+
+    /// The same with another [`theta`](Self::theta); a number outside of 1/2 to 1 becomes the nearest one within.
+    #[must_use]
+    pub fn with_theta(self, theta: S) -> Self {
+        Self { theta: theta.max(S::lit(0.5)).min(S::lit(1.0)), ..self }
+    }
+
+    /// The same with another tolerance on the drift, as a fraction of the typical coordinate and velocity.
+    #[must_use]
+    pub fn with_tolerance(self, tolerance: S) -> Self {
+        Self { tolerance, ..self }
+    }
+
+    /// The rate, m/s or rad/s, by which a law of contact was not met in the last step: rounding where its problem was solved.
+    pub fn residual(&self) -> S {
+        self.residual
+    }
+
+    /// The largest [`residual`](Self::residual) of all steps.
+    pub fn largest_residual(&self) -> S {
+        self.largest_residual
+    }
+
+    /// A step with rows of contact.
+    fn stride_of_rows<M: System<S = S>>(
+        &mut self,
+        context: &mut Context<'_, M>,
+        stride: &Stride<S>,
+        held: &mut M::U,
+        x: &mut M::X,
+    ) -> Result<(), Fault> {
+        let Solution { residual, health, .. } = context.system.stride(stride, held, x, |_, _, _| Ok(()))?;
+        context.stats.evaluations += 1;
+        context.health = context.health.min(health.0);
+        if !health.is_good() {
+            let here = (context.time, context.x);
+            return Err(unhealthy(context.system, &context.held, here, context.x));
+        }
+        self.residual = residual;
+        self.largest_residual = self.largest_residual.max(residual);
+        Ok(())
+    }
+}
+
+impl<M: System<S: Real>> Method<M> for MoreauJean<M::S> {
+    const NAME: &'static str = "MoreauJean";
+    const LENGTH: Length = Length::Fixed { caution: 1.0 };
+    const CHANGE: Change = Change::InSteps;
+
+    fn begin(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        self.partition = Partition::of_interval(context, self.longest_step)?;
+        Ok(())
+    }
+
+    fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        let (h, theta) = (self.partition.h, self.theta);
+        let (mut held, mut next) = (context.held, context.x);
+        let stride = Stride { t: context.time, h, theta };
+        if M::CONTACTS > 0 {
+            self.stride_of_rows(context, &stride, &mut held, &mut next)?;
+        } else {
+            let mut outcome = Ok(());
+            smooth_step::<M>(&stride, &mut next, |t, x, dx| outcome = context.rate(t, x, dx));
+            outcome?;
+        }
+        if !next.is_finite() {
+            return Err(not_finite(context.system, self.partition.next_time, &next));
+        }
+        context.stats.steps += 1;
+        (context.time, context.held, context.x) = (self.partition.next_time, held, next);
+        self.partition.next();
+        Ok(())
+    }
+
+    fn restart(&mut self) {}
+
+    fn fresh(&self) -> Self {
+        Self::new(self.longest_step).with_theta(self.theta).with_tolerance(self.tolerance)
+    }
+
+    fn drift_limit(&self, system: &M) -> Drift<M::S> {
+        drift_of_size(system, self.tolerance)
+    }
+}
+
+impl<M: System<S: Real>> DenseOutput<M> for MoreauJean<M::S> {}
+
+impl<M: System<S: Real>> ErrorControl<M> for MoreauJean<M::S> {}
+
+impl<M: System<S: Real>> FixedLength<M> for MoreauJean<M::S> {
+    // With rows of contact a step projects its joints by itself.
+    fn drift_check(&self) -> DriftCheck<M::S> {
+        if M::CONTACTS > 0 {
+            return DriftCheck::Skip;
+        }
+        DriftCheck::Above { tolerance: self.tolerance, above: M::S::lit(1.0) }
+    }
+
+    fn shorter(&self, longest: M::S) -> Option<Self> {
+        Some(Self::new(longest).with_theta(self.theta).with_tolerance(self.tolerance))
+    }
+}
+
+/// The options, and the residuals.
+impl<S: Real> InWords for MoreauJean<S> {
+    fn each(&mut self, words: &mut impl Words) {
+        let Self { longest_step, theta, tolerance, residual, largest_residual, .. } = self;
+        words.numbers([longest_step, theta, tolerance, residual, largest_residual]);
+    }
+}

@@ -1,0 +1,161 @@
+//! The time stepping of Moreau and Jean in declarations: beside the event-driven run, as an ordered step, and in every formulation.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+
+use plm::runtime::{Moment, Vector};
+use plm::{Dop853, Fault, MoreauJean};
+
+/// A four-bar whose rocker moves between two limits, with friction in a pin by its reaction.
+macro_rules! four_bar {
+    ($name:ident, $formulation:ident) => {
+        plm::mechanism! {
+            $name {
+                gravity: 9.81 m/s^2;
+                formulation: $formulation;
+                emit: step(moreau_jean);
+                discrete strikes: 1 = 0;
+                ground { port o: (0, 0) m; port p: (1, 0) m; }
+                body crank { mass: 1 kg; inertia: 0.02 kg*m^2; port a: (-0.15, 0) m; port b: (0.15, 0) m; start angle: 60 deg, locked; start omega: 5 rad/s, locked; }
+                body coupler { mass: 2 kg; inertia: 0.2 kg*m^2; port b: (-0.45, 0) m; port c: (0.45, 0) m; }
+                body rocker { mass: 1.5 kg; inertia: 0.1 kg*m^2; port c: (0.4, 0) m; port p: (-0.4, 0) m; start angle: 100 deg; }
+                revolute o(ground.o, crank.a) { drive: 4 N*m*cos(8 rad/s*t); }
+                revolute b(crank.b, coupler.b);
+                revolute c(coupler.c, rocker.c) { damping: 0.5 N*m*s/rad; }
+                revolute p(ground.p, rocker.p);
+                unilateral low: rocker.angle >= 85 deg { restitution: 0.4; }
+                unilateral high: rocker.angle <= 110 deg;
+                friction rub: rate(rocker.angle) within 0.2*(0.02 m)*norm(p.force);
+                when not is_open(high) { strikes = strikes + 1; }
+                output strikes, push = reaction(high);
+            }
+        }
+    };
+}
+
+four_bar!(FourBar, loops);
+four_bar!(Absolute, absolute);
+
+plm::mechanism! {
+    /// A mass on a belt; a block that slides from its table onto the floor; a ball that bounces; a latch that lets go of a load.
+    Bench {
+        allow(W0002);
+        gravity: 9.81 m/s^2;
+        emit: step(moreau_jean);
+        discrete holds: 1 = 1;
+        discrete torn: s = 0;
+        body mass { mass: 1 kg; inertia: 1 kg*m^2; port p: (0, 0) m; start vx: 0.1 m/s; }
+        constraint level: mass.angle = 0;
+        constraint height: mass.y = 0;
+        force spring(mass.p) { x: -(100 N/m)*mass.x; }
+        friction belt: rate(mass.x - (0.1 m/s)*t) within 2.4525 N { static: 3.924 N; }
+        body block { mass: 1 kg; inertia: 1 kg*m^2; start y: 0.8 m; start vx: 2 m/s; }
+        unilateral table: block.y >= 0.8 m { when: block.x < 0.5 m; }
+        friction rub: rate(block.x) within 0.1*reaction(table) { when: block.x < 0.5 m; }
+        unilateral floor: block.y >= 0 m;
+        friction drag: rate(block.x) within 0.5*reaction(floor);
+        body ball { mass: 2 kg; inertia: 1 kg*m^2; start y: 1 m; }
+        unilateral ground_: ball.y >= 0 m { restitution: 0.5; }
+        body load { mass: 1 kg; inertia: 1 kg*m^2; port p: (0, 0) m; start y: -1 m; }
+        force pull(load.p) { y: -(20 N/s)*t; }
+        unilateral hook: load.y >= -1 m { when: holds > 0.5; }
+        when reaction(hook) > 20 N { holds = 0; torn = t; }
+        output torn, push = reaction(hook);
+    }
+}
+
+fn bits<X: Vector<f64>>(x: &X) -> Vec<u64> {
+    (0..X::LEN).map(|i| x.at(i).to_bits()).collect()
+}
+
+/// Emitted steps are those of a run, to the bit, with their modes and counts.
+#[test]
+fn ordered_steps_have_the_bits_of_a_run() {
+    let h = 1.0 / 1024.0;
+    macro_rules! same {
+        ($mechanism:ident, $count:literal) => {
+            for theta in [0.5, 1.0] {
+                let method = MoreauJean::new(h).with_theta(theta);
+                let mut sim = $mechanism::new().start_with(method).unwrap();
+                let mut state = *$mechanism::new().start().unwrap().state();
+                for k in 0..$count {
+                    sim.step(h).unwrap();
+                    let solution = state.step_moreau_jean_with(h, theta).unwrap();
+                    assert_eq!(bits(sim.state().x()), bits(state.x()), "{k}");
+                    assert_eq!(solution.residual, sim.method().residual(), "{k}");
+                }
+                assert_eq!(sim.state().held(), state.held());
+            }
+        };
+    }
+    same!(FourBar, 300);
+    same!(Absolute, 100);
+    same!(Bench, 450);
+}
+
+/// The error of an angle of the four-bar beside the event-driven run falls with the step, in joint and in absolute coordinates.
+#[test]
+fn a_four_bar_with_limits_converges() {
+    let samples = |sim: &mut dyn FnMut() -> f64| (0..30).map(|_| sim()).collect::<Vec<f64>>();
+    let mut known = FourBar::new().start_with(Dop853::new(1e-7)).unwrap();
+    let angles = samples(&mut || {
+        known.step(0.03).unwrap();
+        known.crank().angle
+    });
+    let turned = angles.iter().fold(0.0_f64, |most, angle| most.max((angle - angles[0]).abs()));
+    assert!(turned > 0.3 && known.contact_stats().impacts >= 2, "{turned} {:?}", known.contact_stats());
+    for theta in [0.5, 1.0] {
+        for h in [3e-3, 1e-3] {
+            let method = MoreauJean::new(h).with_theta(theta);
+            let mut joint = FourBar::new().start_with(method).unwrap();
+            let mut absolute = Absolute::new().start_with(method).unwrap();
+            let all = [
+                samples(&mut || {
+                    joint.step(0.03).unwrap();
+                    joint.crank().angle
+                }),
+                samples(&mut || {
+                    absolute.step(0.03).unwrap();
+                    absolute.crank().angle
+                }),
+            ];
+            let errors = all.map(|found| {
+                found
+                    .iter()
+                    .zip(&angles)
+                    .fold(0.0_f64, |most, (found, known)| most.max((found - known).abs()))
+            });
+            println!("{theta} {h}: {errors:?}");
+            assert!(errors.iter().all(|error| *error < 1.5 * h), "{theta} {h}: {errors:?}");
+            assert!(joint.method().largest_residual() < 1e-5 && absolute.method().largest_residual() < 1e-5);
+        }
+    }
+}
+
+/// Closed forms of the bench at steps of 1 ms: within some steps of the time or what the speed makes of it.
+#[test]
+fn a_bench_of_rows_follows_closed_forms() -> Result<(), Fault> {
+    let (g, h) = (9.81_f64, 1e-3);
+    let mut sim = Bench::new().start_with(MoreauJean::new(h))?;
+    let leaves = (4.0 - 2.0 * 0.1 * g * 0.5).sqrt();
+    let edge = (2.0 - leaves) / (0.1 * g);
+    sim.step(0.39)?;
+    assert!(
+        (sim.mass().vx - 0.1).abs() < 1e-9 && (sim.block().vx - leaves).abs() < 0.1 * g * h,
+        "{}",
+        sim.block().vx
+    );
+    // The pull and the weight reach 20 N at 0.5095 s.
+    sim.step(0.41)?;
+    assert!((sim.torn() - (20.0 - g) / 20.0).abs() < 2.0 * h, "{}", sim.torn());
+    let fall = (2.0 * 0.8 / g).sqrt();
+    sim.step(1.2)?;
+    assert!((sim.block().x - (0.5 + leaves * fall)).abs() < 3.0 * h * leaves, "{} {edge}", sim.block().x);
+    assert!(sim.ball().y.abs() < 1e-15 && sim.ball().vy.abs() < 1e-15, "{}", sim.ball().y);
+    let mut known = Bench::new().start_with(Dop853::new(1e-8))?;
+    known.step(2.0)?;
+    assert!((sim.mass().x - known.mass().x).abs() < h * 0.5, "{} {}", sim.mass().x, known.mass().x);
+    assert!(sim.method().largest_residual() < 1e-12, "{:e}", sim.method().largest_residual());
+    let place = sim.block().x;
+    sim.step(1.0)?;
+    assert!((sim.block().x - place).abs() < 1e-15);
+    Ok(())
+}
