@@ -197,7 +197,7 @@ pub(super) fn motion_at(emission: &Emission) -> TokenStream {
         }
     } else {
         quote! {
-            let mut rows = self.contact_kinematics_(t, u, x);
+            let mut rows = self.contact_kinematics_(t, u, x).rows();
             let (rate, responses, health) = self.contact_motion_(t, u, x, &mut rows);
             rt::contact::Motion { rate, responses, rows, health }
         }
