@@ -112,7 +112,9 @@ pub fn switch_behind<M: Contacts<N>, const N: usize>(
         let rows = moving_rows(system, (t, u), x, &lambda);
         let lambda = multipliers(&rows, &u.modes().of).map_or([Dual::ZERO; N], |found| found.lambda);
         let [reaction, _] = rows.reaction_at(*load, &lambda);
-        u.modes_mut().negative[*load] = reaction.tangents[0] < M::S::ZERO;
+        if let Some(negative) = u.modes_mut().negative.get_mut(*load) {
+            *negative = reaction.tangents[0] < M::S::ZERO;
+        }
         *row = rows.reader(*load);
     }
     Event { system, t, occasion, step }.commit(u, x)

@@ -96,10 +96,12 @@ pub(super) fn impulses<S: Real, const N: usize>(
 
 /// Does another row approach as fast as the fastest one, and do their impacts change each other? Then their order decides what comes out.
 fn is_as_fast<S: Real, const N: usize>(rows: &Rows<S, N>, fastest: usize, other: usize) -> bool {
-    let (d, none) = (&rows.delassus, S::lit(MARGINAL));
-    let couples = d[fastest][other].abs() > none * (d[fastest][fastest] * d[other][other]).sqrt();
-    let apart = (rows.rate[other] - rows.rate[fastest]).abs();
-    other != fastest && couples && apart <= none * rows.rate[fastest].abs()
+    let none = S::lit(MARGINAL);
+    let (Some(d), Some(&rate)) = (rows.delassus.get(fastest), rows.rate.get(fastest)) else { return false };
+    let (Some(&own), Some(&coupling)) = (d.get(fastest), d.get(other)) else { return false };
+    let couples = coupling.abs() > none * (own * rows.delassus[other][other]).sqrt();
+    let apart = (rows.rate[other] - rate).abs();
+    other != fastest && couples && apart <= none * rate.abs()
 }
 
 /// The problem of rates: accelerations are rates behind the impact, forces are impulses.

@@ -56,18 +56,18 @@ impl Load {
 impl<T: Scalar, const N: usize> Rows<T, N> {
     /// The reactions that the limits of a row read.
     pub(super) fn loads_of(&self, row: usize) -> impl Iterator<Item = usize> + '_ {
-        (0..N).filter(move |load| self.read[row][*load])
+        let read = self.read.get(row).into_iter().flatten();
+        read.enumerate().filter(|(_, read)| **read).map(|(load, _)| load)
     }
 
     /// The first row whose limits read a reaction.
     pub(super) fn reader(&self, load: usize) -> Option<usize> {
-        (0..N).find(|row| self.read[*row][load])
+        self.read.iter().position(|read| read.get(load) == Some(&true))
     }
 
     /// The components of a reaction.
     pub(super) fn reaction_at(&self, load: usize, lambda: &[T; N]) -> [T; 2] {
-        let [x, y] = &self.reaction[load];
-        [x.at(lambda), y.at(lambda)]
+        self.reaction.get(load).map_or([T::ZERO; 2], |[x, y]| [x.at(lambda), y.at(lambda)])
     }
 
     /// The unit vectors e with |R| = e . R of the reactions that a row reads which is `asked`; of the others zero.

@@ -20,7 +20,7 @@ pub(super) fn signed<S: Real, const N: usize>(
         let present = turned.as_ref().unwrap_or(rows);
         let found = multipliers(present, modes)?;
         let Some(load) = wrong_sign(present, &found) else { return Some((turned, found)) };
-        if let Load::Line { negative } = &mut turned.get_or_insert(*rows).load[load] {
+        if let Some(Load::Line { negative }) = turned.get_or_insert(*rows).load.get_mut(load) {
             *negative = !*negative;
         }
     }
