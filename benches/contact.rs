@@ -6,10 +6,10 @@
 
 #[path = "scenes/count.rs"]
 mod count;
-#[macro_use]
 #[path = "../tests/contact/machines.rs"]
 mod machines;
 
+use machines::slider_crank;
 use plm::{Dop853, Fault, Mechanism, Stats, mechanism};
 
 /// Makes so many units of work, as [`count`] asks for.

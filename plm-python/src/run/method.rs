@@ -92,7 +92,7 @@ mod tests {
                 Some(1.0),
                 Err(
                     "there is no method 'rk5'; did you mean 'rk4'? There are dop853, vern9, adams, dopri5, radauiia5, \
-                     rk4, semiimpliciteuler, gauss2, gauss3, ros34pw2",
+                     rk4, semiimpliciteuler, gauss2, gauss3, ros34pw2, moreaujean",
                 ),
             ),
         ] {

@@ -82,6 +82,7 @@ const LIVE: &[(&str, &str)] = &[
     ("shape", include_str!("../../page/src/shape.js")),
     ("write", include_str!("../../page/src/write.js")),
     ("worker", include_str!("../../page/src/worker.js")),
+    ("startworker", include_str!("../../page/src/startworker.js")),
     ("followcamera", include_str!("../../page/src/followcamera.js")),
     ("keptstates", include_str!("../../page/src/keptstates.js")),
     ("live", include_str!("../../page/src/live.js")),
