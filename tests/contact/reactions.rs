@@ -110,9 +110,9 @@ collar!(CollarInAbsolute, absolute);
 
 /// The rate at a state by sweeps is that of the system of equations of all rows.
 #[track_caller]
-fn sweeps_solve_the_system<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &M::X)
+fn sweeps_solve_the_system<M, const N: usize>(system: &M, t: M::S, u: &M::U, x: &M::X)
 where
-    M: System<S = f64, X: AsRef<[f64]> + Copy>,
+    M: Contacts<N> + System<S = f64, X: AsRef<[f64]> + Copy>,
 {
     let (mut found, mut known) = (*x, *x);
     let _ = system.rate(t, u, x, &mut found);

@@ -24,16 +24,10 @@ ROUNDS = {
     # what is not due, at an inner one; the longest path has all at the outer one. Of a body, the coordinates of a chart that are
     # its angle: one at most.
     "FourBar::update": (3, 1),
-    "Limits::update": (3, 1),
     "SliderCrank::update": (3, 1),
     "Andrews::update": (7, 1),
     # Conditions of the arm, which are gone through once more than there are: plm_runtime::events::switch_each.
     "step::arrive": (5,),
-    # Of the two limits: their rows, rounds of their small problem, sweeps behind these.
-    "solver::look": (2, 2),
-    "solver::solve": (10, 2, 2),
-    "solver::swept": (32, 2, 2),
-    "impacts::impacts": (2,),
     # Angles side by side: plm_math::sin_cos_lanes.
     "sin_cos::sin_cos_each": (8,),
 }
@@ -41,12 +35,8 @@ ROUNDS = {
 RESTS = {"__aeabi_memcpy4": 3, "__aeabi_memcpy8": 3}
 # A step that comes there ends in a fault.
 FAULTS = {"method::unhealthy"}
-# Modes by events, which steps of Moreau and Jean have not: their discrete state says so, and their guards are then constants.
-EVENTS = {"multipliers::multipliers_above", "violated::switch_violated"}
 # Sines of angles of 64 turns and more, in f64 of 65536. A state has its angles within three quarters of a turn.
 FAR_TURNED = {"sin_cos::sin_cos_large", "sin_cos::sin_cos_each"}
-# Steps of Moreau and Jean, which are no straight line.
-STEPPED = {"four-bar with limits"}
 # Where a step goes that is no straight line, or has something to do behind it.
 ASIDE = {"step::rk4", "step::arrive"}
 
@@ -126,16 +116,13 @@ def walk_board(functions, report, rules):
     for (name, scalar, by, fewest, most, *_), function in zip(runs, steps):
         if by == "step":
             step = Step(function)
-            chosen = ["all of steps", "few turns of steps"] if name in STEPPED else ["all", "few turns", "line"]
-            costs = {rule: step.cost(longest[rule]) for rule in chosen}
+            costs = {rule: step.cost(walk) for rule, walk in longest.items()}
             check(name, all(costs.values()), "what is left out leaves no path")
-            everything, usual = (costs[rule] for rule in chosen[:2])
-            if name not in STEPPED:
-                line = (step.cost(shortest).count, costs["line"].count)
-                describe(f"{name}, {scalar}", line, usual)
-                check(name, line[0] == int(fewest), f"the line of {line[0]} is not the fewest that were measured, {fewest}")
+            line, usual = (step.cost(shortest).count, costs["line"].count), costs["few turns"]
+            describe(f"{name}, {scalar}", line, usual)
+            check(name, line[0] == int(fewest), f"the line of {line[0]} is not the fewest that were measured, {fewest}")
             check(name, usual.count >= int(most), f"{usual.count} at most is less than was measured, {most}")
-            yield f"{name},{everything.count},{usual.count}\n"
+            yield f"{name},{costs['all'].count},{usual.count}\n"
 
 
 def describe(name, line, cost):
@@ -155,8 +142,6 @@ def main(objdump, *boards):
     rules = {
         "all": Rules(ROUNDS, RESTS, FAULTS),
         "few turns": Rules(ROUNDS, RESTS, FAULTS | FAR_TURNED),
-        "all of steps": Rules(ROUNDS, RESTS, FAULTS | EVENTS),
-        "few turns of steps": Rules(ROUNDS, RESTS, FAULTS | EVENTS | FAR_TURNED),
         "line": Rules(ROUNDS, RESTS, FAULTS | FAR_TURNED | ASIDE),
     }
     for program, report in zip(boards[::2], boards[1::2]):

@@ -5,7 +5,6 @@
 #![no_main]
 
 mod arm;
-mod limits;
 mod steps;
 
 use steps::Run;

@@ -1,7 +1,6 @@
 //! The same steps in an ordinary program, with std and its square root.
 
 mod arm;
-mod limits;
 mod steps;
 
 fn main() {
