@@ -50,7 +50,7 @@ const SCENES: [Scene; 4] = [
     },
 ];
 
-/// What so many seconds take.
+/// Counters of a run of so many seconds.
 fn run<M: Mechanism<S = f64>>(mechanism: M, seconds: u32) -> Result<Stats, Fault> {
     let mut sim = mechanism.start_with(Dop853::new(1e-9))?;
     sim.step_to(f64::from(seconds))?;

@@ -68,6 +68,18 @@ fn machines() -> Vec<Block> {
 }
 
 fn valves() -> Vec<Block> {
+    let directional = |name| {
+        Block::new(name, Symbol::Valve)
+            .input("signal")
+            .output("opening")
+            .port(Side::Top, "a")
+            .outward("flow_a")
+            .port(Side::Top, "b")
+            .outward("flow_b")
+            .port(Side::Bottom, "supply")
+            .port(Side::Bottom, "tank")
+            .noting("signal > 0 opens supply to a and b to tank;\nsignal < 0 opens supply to b and a to tank")
+    };
     vec![
         Block::new("orifice", Symbol::Orifice)
             .port(Side::Left, "a")
@@ -75,30 +87,8 @@ fn valves() -> Vec<Block> {
             .port(Side::Right, "b")
             .outward("flow")
             .noting("flow > 0 from a to b"),
-        Block::new("servo_valve", Symbol::Valve)
-            .input("signal")
-            .output("opening")
-            .port(Side::Top, "a")
-            .outward("flow_a")
-            .port(Side::Top, "b")
-            .outward("flow_b")
-            .port(Side::Bottom, "supply")
-            .port(Side::Bottom, "tank")
-            .noting(
-                "signal > 0 opens supply to a and b to tank;\nsignal < 0 opens supply to b and a to tank",
-            ),
-        Block::new("proportional_valve", Symbol::Valve)
-            .input("signal")
-            .output("opening")
-            .port(Side::Top, "a")
-            .outward("flow_a")
-            .port(Side::Top, "b")
-            .outward("flow_b")
-            .port(Side::Bottom, "supply")
-            .port(Side::Bottom, "tank")
-            .noting(
-                "signal > 0 opens supply to a and b to tank;\nsignal < 0 opens supply to b and a to tank",
-            ),
+        directional("servo_valve"),
+        directional("proportional_valve"),
         Block::new("relief_valve", Symbol::Relief)
             .port(Side::Left, "a")
             .inward("flow")

@@ -99,19 +99,24 @@ fn in_chart(emission: &Emission, k: usize, (contact, origin): (&ContactFunctions
     quote!(#kinematics #motion #together)
 }
 
+/// The call of a function of the charts that gives the rate; binds its health, which is perfect where it gives none.
+fn with_health(emission: &Emission, name: &str, arguments: &TokenStream) -> TokenStream {
+    if let Form::Tree(_) = emission.form {
+        let call = call(emission, name, arguments, &quote!({}));
+        quote!(#call; let health = rt::Health::perfect();)
+    } else {
+        let call = call(emission, name, arguments, &quote!(S::lit(0.0)));
+        quote!(let health = rt::Health(#call);)
+    }
+}
+
 /// The rows at a state, and what is held with the multipliers there.
 fn rows(emission: &Emission) -> TokenStream {
     let (Emission { name, sizes: Sizes { length, .. }, .. }, count) = (emission, count(emission));
     let [_, memory] = emission.memory_argument();
     let kinematics = call(emission, "contact_kinematics", &quote!(t, u, #memory x, &mut rows), &quote!({}));
     let arguments = quote!(t, u, #memory x, &mut dx, &mut response, rows);
-    let motion = if let Form::Tree(_) = emission.form {
-        let motion = call(emission, "contact_motion", &arguments, &quote!({}));
-        quote!(#motion; let health = rt::Health::perfect();)
-    } else {
-        let motion = call(emission, "contact_motion", &arguments, &quote!(S::lit(0.0)));
-        quote!(let health = rt::Health(#motion);)
-    };
+    let motion = with_health(emission, "contact_motion", &arguments);
     let loads = loads(emission);
     quote! {
         impl<S: Scalar> #name<S> {
@@ -179,13 +184,7 @@ pub(super) fn motion_at(emission: &Emission) -> TokenStream {
     let is_ordered = of.iter().all(|(contact, _)| contact.together.is_some());
     let body = if is_ordered {
         let arguments = quote!(t, u, #memory x, &mut dx, &mut response, rows);
-        let health = if let Form::Tree(_) = emission.form {
-            let call = call(emission, "contact_together", &arguments, &quote!({}));
-            quote!(#call; let health = rt::Health::perfect();)
-        } else {
-            let call = call(emission, "contact_together", &arguments, &quote!(S::lit(0.0)));
-            quote!(let health = rt::Health(#call);)
-        };
+        let health = with_health(emission, "contact_together", &arguments);
         let loads = loads(emission);
         quote! {
             let mut all = rt::contact::Rows::none();
