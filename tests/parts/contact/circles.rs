@@ -3,7 +3,7 @@
 use plm::runtime::contact::Mode;
 use plm::{Dop853, Sim};
 
-use super::{G, near};
+use super::{G, near, opens};
 
 plm::mechanism! {
     /// A ball that slides and one that rolls on a cylinder of 1 m.
@@ -48,25 +48,6 @@ fn leaving() -> Sim<Leaving> {
 
 fn rubbing(fall: f64) -> Sim<Rubbing> {
     Rubbing { fall, ..Rubbing::new() }.start_with(Dop853::new(1e-10)).unwrap()
-}
-
-/// Runs to where a row opens, by bisection.
-fn opens(sim: &mut Sim<Leaving>, row: &str) {
-    let mut saved = sim.save();
-    while sim.contact(row) == Some(Mode::Closed) {
-        assert!(sim.time() < 10.0, "{row} does not open");
-        saved = sim.save();
-        sim.step(0.01).unwrap();
-    }
-    let (mut low, mut high) = (sim.time() - 0.01, sim.time());
-    for _ in 0..30 {
-        let half = 0.5 * (low + high);
-        sim.resume(&saved);
-        sim.step_to(half).unwrap();
-        *(if sim.contact(row) == Some(Mode::Closed) { &mut low } else { &mut high }) = half;
-    }
-    sim.resume(&saved);
-    sim.step_to(low).unwrap();
 }
 
 /// A ball that slides off leaves at cos = 2/3 + v^2/(3 g R), one that rolls at (10 + 7 v^2/(g R))/17, with R between the centres.

@@ -3,7 +3,7 @@
 use plm::Dop853;
 use plm::runtime::contact::Mode;
 
-use super::{G, near};
+use super::{G, near, opens};
 
 plm::mechanism! {
     /// A pebble on stairs, a disc that rolls off an edge.
@@ -54,20 +54,7 @@ fn a_disc_rolls_off_an_edge() {
     sim.step_to(over + 1e-6).unwrap();
     assert_eq!(sim.contact("edge.corner[1]"), Some(Mode::Closed));
     near(sim.edge_push(), 3.0 * (G - 0.09 / 0.2), 1e-4);
-    let mut saved = sim.save();
-    while sim.contact("edge.corner[1]") == Some(Mode::Closed) {
-        saved = sim.save();
-        sim.step(0.01).unwrap();
-    }
-    let (mut low, mut high) = (sim.time() - 0.01, sim.time());
-    for _ in 0..30 {
-        let half = 0.5 * (low + high);
-        sim.resume(&saved);
-        sim.step_to(half).unwrap();
-        *(if sim.contact("edge.corner[1]") == Some(Mode::Closed) { &mut low } else { &mut high }) = half;
-    }
-    sim.resume(&saved);
-    sim.step_to(low).unwrap();
+    opens(&mut sim, "edge.corner[1]");
     // Just before, a friction of a million times the push is not enough.
     near(sim.disc().y / 0.2, (4.0 + 3.0 * 0.09 / (G * 0.2)) / 7.0, 3e-8);
     near(sim.edge_lost(), 0.0, 1e-3);
