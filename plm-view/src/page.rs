@@ -17,8 +17,10 @@ use bundle::Kind;
 /// The page before anything is put into it.
 const TEMPLATE: &str = include_str!("../page/page.html");
 const STYLE: &str = include_str!("../page/style.css");
-/// The script stands deflated in a page that is a file, which makes the file smaller by a fifth or more; this starts it.
+/// Style and script stand deflated in a page that is a file, which makes the file smaller by a fifth or more; this starts it.
 const UNPACK: &str = include_str!("../page/unpack.js");
+/// The style until then.
+const UNSEEN: &str = "body > :not(noscript) { visibility: hidden; }";
 
 /// A page that shows results: one HTML file for any browser, without network.
 ///
@@ -59,30 +61,31 @@ impl Page {
     /// The text of the file.
     pub fn to_html(&self) -> String {
         let kind = if self.module.is_empty() { Kind::Results } else { Kind::Live };
-        let mut packed = element("packed", bundle::script(kind).as_bytes());
+        let mut packed = element("packed-style", STYLE.as_bytes());
+        packed += &element("packed", bundle::script(kind).as_bytes());
         if !self.module.is_empty() {
             packed += &element("module", &self.module);
         }
-        self.filled(&bundle::without_noise(UNPACK), &packed)
+        self.filled(UNSEEN, &bundle::without_noise(UNPACK), &packed)
     }
 
     /// The text of the page as a running program serves it.
     pub(crate) fn to_served_html(&self) -> String {
-        self.filled(&bundle::script(Kind::Served), "")
+        self.filled(STYLE, &bundle::script(Kind::Served), "")
     }
 
     /// The template with everything in its places.
-    fn filled(&self, script: &str, packed: &str) -> String {
+    fn filled(&self, style: &str, script: &str, packed: &str) -> String {
         let results = STANDARD.encode(&self.results);
         let mut html =
-            String::with_capacity(TEMPLATE.len() + STYLE.len() + script.len() + packed.len() + results.len());
+            String::with_capacity(TEMPLATE.len() + style.len() + script.len() + packed.len() + results.len());
         let mut rest = TEMPLATE;
         // In one pass, so that braces in a title stay what they are.
         while let Some((before, (name, after))) = next_place(rest) {
             html.push_str(before);
             match name {
                 "title" => html.push_str(&escape(&self.title)),
-                "style" => html.push_str(STYLE),
+                "style" => html.push_str(style),
                 "script" => html.push_str(script),
                 "results" => html.push_str(&results),
                 "packed" => html.push_str(packed),
@@ -172,8 +175,9 @@ mod tests {
 
     #[test]
     fn nothing_is_asked_of_a_network() {
-        // The script stands packed in it.
+        // Style and script stand packed in it.
         let html = Page::new(&[], "x").with_module(&[0]).to_html()
+            + STYLE
             + &[Kind::Results, Kind::Live].map(bundle::script).concat();
         let addresses: Vec<&str> = html.split("http").skip(1).collect();
         // The name of a vocabulary, which nobody fetches.
