@@ -1,25 +1,12 @@
 //! Conditions that stand within others: what is looked at, and that nothing that matters is missed.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
+#[path = "support/random.rs"]
+mod random;
+
 use plm::{Adams, Cause, Dop853, Dopri5, Mechanism, RadauIia5, Rk4, Stats};
 
-/// Numbers without a pattern: splitmix64.
-struct Random(u64);
-
-impl Random {
-    /// In 0 to 1.
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-}
+use random::Random;
 
 /// Four points that swing, each by itself, and a clock that runs as long as a condition of them holds.
 macro_rules! clock {
@@ -137,11 +124,11 @@ macro_rules! found {
         fn $name() {
             let mut random = Random($seed);
             for case in 0..6 {
-                let mut swing = || Swing { w: random.within(0.3, 12.0), at: random.within(-0.95, 0.95) };
+                let mut swing = || Swing { w: random.between(0.3, 12.0), at: random.between(-0.95, 0.95) };
                 let mut swings = [swing(), swing(), swing(), swing()];
                 // Two that are hardly ever on the same side.
                 if case % 3 == 0 {
-                    swings[1] = Swing { w: swings[0].w, at: -swings[0].at + random.within(0.0, 0.02) };
+                    swings[1] = Swing { w: swings[0].w, at: -swings[0].at + random.between(0.0, 0.02) };
                 }
                 let until = 5.0;
                 let known = $module::expected(&swings, until);
@@ -198,11 +185,11 @@ macro_rules! begins_again {
         fn $name() {
             let mut random = Random($seed);
             for case in 0..40 {
-                let (drag, level) = (random.within(0.0, 2.0), random.within(-3.0, 0.9));
-                let far = 10.0_f64.powf(random.within(0.0, 3.0));
+                let (drag, level) = (random.between(0.0, 2.0), random.between(-3.0, 0.9));
+                let far = 10.0_f64.powf(random.between(0.0, 3.0));
                 let mut ball = $module::Ball { drag, level: level * far, ..$module::Ball::new() };
                 ball.start.ball.y.value = far;
-                ball.start.ball.vy.value = random.within(-20.0, 5.0);
+                ball.start.ball.vy.value = random.between(-20.0, 5.0);
                 let what = format!("seed {}, case {case}: drag {drag}, from {far} to {}", $seed, ball.level);
                 let mut sim = ball.start().unwrap();
                 let fault = sim.step(1e4).unwrap_err();
@@ -227,7 +214,7 @@ macro_rules! begins_again {
                 let mut up = ball.start_at(time, Rk4::new(1e-3)).unwrap();
                 assert!(up.step(1e-3 * speed.min(5.0)).is_ok(), "{what}");
                 // Beyond rounding it is on the wrong side, whatever its speed.
-                let by = far * 10.0_f64.powf(random.within(-9.0, 0.0));
+                let by = far * 10.0_f64.powf(random.between(-9.0, 0.0));
                 ball.start.ball.y.value = ball.level - by;
                 for fault in [
                     ball.start_at(time, Dop853::default()).unwrap().step(0.1).unwrap_err(),

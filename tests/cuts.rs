@@ -2,22 +2,13 @@
 //! of domains.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
+#[path = "support/random.rs"]
+mod random;
+
 use plm::{Cause, Dop853, Dopri5, Fault, RadauIia5, Rk4};
 use std::f64::consts::{PI, TAU};
 
-/// Numbers without a pattern: splitmix64.
-struct Random(u64);
-
-impl Random {
-    /// In `low` to `high`.
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        low + (high - low) * (((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64)
-    }
-}
+use random::Random;
 
 /// A wheel that follows a drive which turns freely, by a row of the drive's angle.
 macro_rules! follower {
@@ -61,8 +52,8 @@ macro_rules! jumps {
         fn $name() {
             let mut random = Random($seed);
             for case in 0..30 {
-                let (gain, from) = (random.within(0.1, 0.9), random.within(-3.0, 3.0));
-                let speed = random.within(0.3, 4.0) * if case % 2 == 0 { 1.0 } else { -1.0 };
+                let (gain, from) = (random.between(0.1, 0.9), random.between(-3.0, 3.0));
+                let speed = random.between(0.3, 4.0) * if case % 2 == 0 { 1.0 } else { -1.0 };
                 let mut follower = start!($module, gain, from, speed);
                 follower.start.drive.angle.locked = true;
                 // The drive keeps its speed until its angle is `from` and half a turn.
@@ -146,10 +137,10 @@ fn a_force_that_jumps_at_a_cut_is_switched_there() {
     let seed = 20_261_113;
     let mut random = Random(seed);
     for case in 0..20 {
-        let stiffness = random.within(0.1, 3.0);
+        let stiffness = random.between(0.1, 3.0);
         // Enough to go over the top, where half a turn is wound.
         let speed =
-            (stiffness * PI * PI).sqrt() * random.within(1.05, 3.0) * if case % 2 == 0 { 1.0 } else { -1.0 };
+            (stiffness * PI * PI).sqrt() * random.between(1.05, 3.0) * if case % 2 == 0 { 1.0 } else { -1.0 };
         let mut saw = saw::Saw { stiffness, ..saw::Saw::new() };
         saw.start.rotor.omega.value = speed;
         let mut sim = saw.start_with(Dop853::new(1e-10)).unwrap();
@@ -213,7 +204,7 @@ fn poles_end_the_run_and_say_what_vanishes() {
     let seed = 20_261_114;
     let mut random = Random(seed);
     for case in 0..20 {
-        let (at, strength) = (random.within(0.3, 1.5), random.within(-2.0, 2.0));
+        let (at, strength) = (random.between(0.3, 1.5), random.between(-2.0, 2.0));
         for (part, outcomes) in [
             ("drive", outcomes!(over, at, strength)),
             ("drive", outcomes!(tangent, at, strength)),

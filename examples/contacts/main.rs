@@ -13,6 +13,7 @@
 
 mod families;
 mod judge;
+#[path = "../../tests/support/random.rs"]
 mod random;
 mod reference;
 mod run;

@@ -6,12 +6,6 @@ mod stream;
 pub use stream::Random;
 
 impl Random {
-    /// A stream of its own for each case.
-    pub fn new(seed: u64, case: u64) -> Self {
-        let mut mixed = Self(seed.wrapping_add(case.wrapping_mul(0x9e37_79b9_7f4a_7c15)));
-        Self(mixed.bits() ^ case)
-    }
-
     /// Evenly between two numbers, as a number that f32 has too.
     pub fn single(&mut self, low: f64, high: f64) -> f64 {
         round(self.between(low, high))
@@ -21,10 +15,6 @@ impl Random {
     pub fn logarithmic(&mut self, low: f64, high: f64) -> f64 {
         let size = 10_f64.powf(self.between(low.log10(), high.log10()));
         if self.chance(0.5) { size } else { -size }
-    }
-
-    pub fn chance(&mut self, probability: f64) -> bool {
-        self.between(0.0, 1.0) < probability
     }
 }
 

@@ -39,15 +39,7 @@ where
     T: Moment<M = M>,
 {
     let InPlace { system, held, time, x } = moment.in_place();
-    let (before, end) = ((*time, *x), *time + h);
-    if !system.is_regular(held) {
-        return Err(not_regular(before.0));
-    }
-    // False for what is not a number.
-    let moves = end > before.0;
-    if !moves {
-        return Err(Fault::new(before.0.to_f64(), Cause::StepTooSmall { step: h.to_f64() }));
-    }
+    let (before, end) = ((*time, *x), end_of(system, held, *time, h)?);
     let mut next = before.1;
     let health = formula(system, before.0, held, &mut next)?;
     if !(health.is_good() && next.is_finite()) {
@@ -74,15 +66,7 @@ where
     T: Moment<M = M>,
 {
     let InPlace { system, held, time, x } = moment.in_place();
-    let (before, end) = ((*time, *x), *time + h);
-    if !system.is_regular(held) {
-        return Err(not_regular(before.0));
-    }
-    // False for what is not a number.
-    let moves = end > before.0;
-    if !moves {
-        return Err(Fault::new(before.0.to_f64(), Cause::StepTooSmall { step: h.to_f64() }));
-    }
+    let (before, end) = ((*time, *x), end_of(system, held, *time, h)?);
     let (mut next, stride) = (before.1, Stride { t: before.0, h, theta });
     let solution = system.stride(&stride, held, &mut next, |held, next, Solution { health, .. }| {
         if !(health.is_good() && next.is_finite()) {
@@ -97,6 +81,18 @@ where
     })?;
     (*time, *x) = (end, next);
     Ok(solution)
+}
+
+/// The end of a step of `h` from `time`, where one can begin.
+#[inline]
+fn end_of<M: Pack>(system: &M, held: &M::U, time: M::S, h: M::S) -> Result<M::S, Fault> {
+    if !system.is_regular(held) {
+        return Err(not_regular(time));
+    }
+    let end = time + h;
+    // False for what is not a number.
+    let moves = end > time;
+    if moves { Ok(end) } else { Err(Fault::new(time.to_f64(), Cause::StepTooSmall { step: h.to_f64() })) }
 }
 
 /// Is there nothing to do behind a step? All is looked at where it stands; of a loop in a good chart, whether the state is near

@@ -29,6 +29,26 @@ fn an_arm_is_braked_by_the_reaction_of_its_pin() {
     near(sim.drag(), -1.5 * k * sim.arm().omega.powi(2), 1e-10);
 }
 
+mechanism! {
+    /// A block on a rail at 30°: both components of the rail's force are shares of one multiplier.
+    pub Inclined {
+        gravity: 9.81 m/s^2;
+        ground { port rail: (0, 0) m, angle: 30 deg; }
+        body block { mass: 2 kg; inertia: 0.01 kg*m^2; port shoe: (0, 0) m; }
+        prismatic rail(ground.rail, block.shoe);
+        friction rub: rate(rail.displacement) within 0.2*norm(rail.force) { static: 0.3*norm(rail.force); }
+        output way = rail.displacement;
+    }
+}
+
+#[test]
+fn a_rail_at_an_angle_presses_by_its_normal_force() {
+    let mut sim = Inclined::new().start_with(Dop853::new(1e-12)).unwrap();
+    sim.step_to(1.0).unwrap();
+    let way = 0.5 * 9.81 * (0.5 - 0.2 * 0.75_f64.sqrt());
+    near(sim.way(), -way, 1e-12);
+}
+
 slider_crank!(InCharts, loops, 30,
     friction rub: rate(slider.x) within mu*norm(rail.force);
     output drag = reaction(rub);

@@ -7,6 +7,12 @@
 pub struct Random(pub u64);
 
 impl Random {
+    /// A stream of its own for each case.
+    pub fn new(seed: u64, case: u64) -> Self {
+        let mut mixed = Self(seed.wrapping_add(case.wrapping_mul(0x9e37_79b9_7f4a_7c15)));
+        Self(mixed.bits() ^ case)
+    }
+
     /// 64 of them.
     pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -33,5 +39,9 @@ impl Random {
     /// One of some, which are not none.
     pub fn one_of<'a, T>(&mut self, of: &'a [T]) -> &'a T {
         &of[self.below(of.len())]
+    }
+
+    pub fn chance(&mut self, probability: f64) -> bool {
+        self.between(0.0, 1.0) < probability
     }
 }

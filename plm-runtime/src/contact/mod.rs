@@ -27,6 +27,8 @@ mod multipliers;
 mod paradox;
 mod pivots;
 mod project;
+#[cfg(test)]
+mod random;
 mod rows;
 mod signs;
 mod sliding;

@@ -60,17 +60,9 @@ fn by_all_signs<S: Real, const N: usize>(
 
 #[cfg(test)]
 mod tests {
+    use super::super::random::number;
     use super::super::rows::{Friction, Limit};
     use super::*;
-
-    /// Numbers in -1..1: splitmix64 (G. L. Steele, D. Lea, C. H. Flood, OOPSLA 2014).
-    fn number(state: &mut u64) -> f64 {
-        *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = *state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
 
     /// Two frictions that slip, each bounded by all three reactions; a third place is for the third reaction alone.
     fn random(state: &mut u64) -> Rows<f64, 3> {

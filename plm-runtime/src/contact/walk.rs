@@ -85,17 +85,9 @@ fn settled<S: Real, const N: usize>(
 #[cfg(test)]
 mod tests {
     use super::super::candidates::{Found, enumerate};
+    use super::super::random::number;
     use super::super::rows::{Friction, Limit, Rows};
     use super::*;
-
-    /// Numbers in -1..1: splitmix64 (G. L. Steele, D. Lea, C. H. Flood, OOPSLA 2014).
-    fn number(state: &mut u64) -> f64 {
-        *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = *state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
 
     /// Three contacts with friction on `M` freedoms: with fewer than six more rows rest than can.
     fn random<const M: usize>(state: &mut u64, friction: f64) -> (Rows<f64, 6>, [Allowed; 6]) {

@@ -65,7 +65,9 @@ fn squares(sum: Expr) -> Option<Vec<Expr>> {
         let Node::Product(factors) = term.node() else { return None };
         let roots = factors.iter().map(|&(factor, power)| (power % 2 == 0).then(|| factor.powi(power / 2)));
         let root = roots.collect::<Option<Vec<_>>>()?.into_iter().reduce(|root, factor| root * factor)?;
-        (coefficient == Number::ONE).then_some(root)
+        // A row whose normal is at a constant angle has components like `0.5*lambda`.
+        let scale = coefficient.to_f64().sqrt();
+        (scale > 0.0).then(|| Expr::from(Number::from_f64(scale)) * root)
     });
     found.collect::<Option<Vec<_>>>().filter(|found| found.len() <= 2)
 }
