@@ -33,8 +33,8 @@ pub trait Linear: System<S: Real, X: Dense<<Self as Rate>::S>> {
         let _ = (t, x, row);
     }
 
-    /// Gives `row` the residuals of the [contact rows](crate::contact) that hold, which a state has to keep as long as they do:
-    /// displacements and rates.
+    /// Gives `row` what a state has to keep until the next event: displacements and rates of the [contact rows](crate::contact) that
+    /// hold, and discrete states.
     fn held_rows(&self, t: Self::S, u: &Self::U, x: &Self::X, row: &mut impl FnMut(Self::S)) {
         let _ = (t, u, x, row);
     }

@@ -59,7 +59,9 @@ in_both_formulations!(oscillator {
         inertia: 1 kg*m^2;
         port slide: (0, 0) m;
     }
-    prismatic rail(ground.rail, mass.slide) { stiffness: 800 N/m; damping: 16 N*s/m; drive: push; }
+    prismatic rail(ground.rail, mass.slide) { stiffness: 800 N/m; damping: 16 N*s/m; drive: push + 3 N*gusts.value; }
+    // Its discrete states keep their values: they are none of the system.
+    noise gusts() { period: 10 ms; }
     output mass.x in mm, mass.ax;
 });
 

@@ -28,14 +28,7 @@ pub(crate) fn linear(emission: &Emission) -> TokenStream {
             }
         }
     });
-    let held_rows = contact::are_there(emission).then(|| {
-        let count = contact::count(emission);
-        quote! {
-            fn held_rows(&self, t: S, u: &Held<S>, x: &[S; #length], row: &mut impl FnMut(S)) {
-                rt::contact::held_rows::<Self, #count>(self, t, u, x, row);
-            }
-        }
-    });
+    let held_rows = held_rows(emission);
     quote! {
         impl<S: Real> rt::Linear for #name<S> {
             type Lifted<const K: usize> = #name<rt::Dual<S, K>>;
@@ -52,6 +45,26 @@ pub(crate) fn linear(emission: &Emission) -> TokenStream {
             #jacobian
         }
     }
+}
+
+/// Rows that hold: those of contact, and each discrete state, which keeps its value until the next event.
+fn held_rows(emission: &Emission) -> Option<TokenStream> {
+    let Sizes { length, second_order, .. } = &emission.sizes;
+    let contacts = contact::are_there(emission).then(|| {
+        let count = contact::count(emission);
+        quote!(rt::contact::held_rows::<Self, #count>(self, t, u, x, row);)
+    });
+    let states = emission.model.states.iter().enumerate();
+    let discrete = states.filter(|(_, state)| state.rate.is_zero()).map(|(k, _)| number(second_order + k));
+    let discrete = discrete.collect_vec();
+    (contacts.is_some() || !discrete.is_empty()).then(|| {
+        quote! {
+            fn held_rows(&self, t: S, u: &Held<S>, x: &[S; #length], row: &mut impl FnMut(S)) {
+                #contacts
+                #(row(x[#discrete]);)*
+            }
+        }
+    })
 }
 
 /// The full matrix in the chart that is held, where every chart has it entry by entry.
