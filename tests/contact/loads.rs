@@ -23,8 +23,10 @@ macro_rules! pendulum {
                     start angle: 0 deg, locked; start omega: 0 rad/s, locked;
                 }
                 revolute pin(ground.o, rod.o);
+                discrete tangential: rad = 0;
+                when rod.alpha > -20 rad/s^2 { tangential = rod.angle; }
                 when norm(pin.force) > 30 N { place = rod.angle; moment = t; strikes = strikes + 1; }
-                output place, moment, strikes, carries = norm(pin.force);
+                output place, moment, strikes, tangential, carries = norm(pin.force);
                 output warns = if norm(pin.force) > 29 N then 1 else 0;
             }
         }
@@ -49,6 +51,8 @@ fn a_pendulum_tells_when_its_pin_carries_so_much() {
             sim.step_to(0.45).unwrap();
             near(sim.strikes(), 1.0, 0.0);
             near(sim.place(), -(core::f64::consts::FRAC_PI_2 - crosses), 1e-10);
+            // alpha = -(g/l) k cos(angle).
+            near(sim.tangential(), -(20.0 / (G * k / 0.3)).acos(), 1e-10);
             // It carries as much a second time on its way back.
             let first = sim.moment();
             assert!(sim.carries() > 30.0 && sim.warns() == 1.0);

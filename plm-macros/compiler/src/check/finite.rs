@@ -35,7 +35,7 @@ pub(super) fn check_forces(scene: &Scene, found: &Assembly, diagnostics: &mut Di
     }
 }
 
-/// Adds accelerations and multipliers at the start.
+/// Gives accelerations and multipliers their values at the start.
 fn add_unknowns(scene: &Scene, values: &mut Vec<(Expr, f64)>) {
     let equations = scene.equations;
     let nq = equations.q.len();
@@ -46,6 +46,7 @@ fn add_unknowns(scene: &Scene, values: &mut Vec<(Expr, f64)>) {
     });
     let (symbols, results): (Vec<Expr>, Vec<Expr>) = results.unzip();
     let found = numeric::values(&results, values);
+    values.retain(|(symbol, _)| !symbols.contains(symbol));
     values.push_all(symbols.into_iter().zip(found));
 }
 

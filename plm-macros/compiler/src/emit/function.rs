@@ -124,15 +124,15 @@ fn switching(
     state: &TokenStream,
     guards: (&Function, Origin),
 ) -> TokenStream {
-    let (count, nc) = (number(emission.model.watched()), &emission.sizes.nc);
-    let lambda = emission.events_read_reactions().then(|| quote!(lambda: &[S; #nc],));
+    let (count, Sizes { nq, nc, .. }) = (number(emission.model.watched()), &emission.sizes);
+    let solution = emission.events_read_solution().then(|| quote!(a: &[S; #nq], lambda: &[S; #nc],));
     if emission.model.watched() == 0 {
         return TokenStream::new();
     }
     function(
         emission,
         "How far every condition is from switching: positive while the side that is held applies; then what bends where it passes zero.",
-        &quote!(fn #name(&self, #state, #lambda g: &mut [S; #count])),
+        &quote!(fn #name(&self, #state, #solution g: &mut [S; #count])),
         guards,
     )
 }

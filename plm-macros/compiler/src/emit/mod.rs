@@ -293,14 +293,14 @@ impl Emission<'_> {
 
     /// Does an output or an event read accelerations or multipliers?
     fn reads_solution(&self) -> bool {
-        self.program.outputs.user.iter().any(|output| output.solves) || self.events_read_reactions()
+        self.program.outputs.user.iter().any(|output| output.solves) || self.events_read_solution()
     }
 
-    /// Does a condition of an event read reactions of joints?
-    fn events_read_reactions(&self) -> bool {
+    /// Does a condition of an event read accelerations or reactions of joints?
+    fn events_read_solution(&self) -> bool {
         let differences = self.model.switches.iter().map(|switch| switch.difference);
         let read = algebra::symbols(&differences.collect_vec());
-        self.equations.lambda.iter().any(|lambda| read.contains(lambda))
+        self.equations.a.iter().chain(&self.equations.lambda).any(|unknown| read.contains(unknown))
     }
 }
 

@@ -62,12 +62,14 @@ pub(crate) fn varied(model: &Model, seed: u64) -> Option<Vec<(Expr, f64)>> {
     (!model.params.is_empty()).then_some(values)
 }
 
-/// Adds what is held over a step, at a state whose other symbols have values: the sides of the switches, and no contact forces and reactions.
+/// Adds what is held over a step, at a state whose other symbols have values: the sides of the switches, and no contact forces,
+/// reactions and accelerations.
 pub(crate) fn add_switches(model: &Model, values: &mut Vec<(Expr, f64)>) {
     let sizes = bounding_reactions(&model.contacts).into_iter().map(|reaction| reaction.size);
     let of_joints = model.rows.iter().map(|row| row.lambda);
     let lambda = model.contacts.iter().map(|contact| contact.lambda).chain(of_joints);
-    values.push_all(lambda.chain(sizes).map(|symbol| (symbol, 0.0)));
+    let accelerations = model.bodies.iter().flat_map(|body| body.a);
+    values.push_all(lambda.chain(sizes).chain(accelerations).map(|symbol| (symbol, 0.0)));
     let is_open = |contact: &Contact| contact.kind_of_mode() == ContactMode::Open;
     values.push_all(model.contacts.iter().map(|contact| (contact.mode, f64::from(is_open(contact)))));
     let differences: Vec<Expr> = model.switches.iter().map(|switch| switch.difference).collect_vec();

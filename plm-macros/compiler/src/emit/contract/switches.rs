@@ -21,13 +21,13 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
     let Beside { take, guards: contact_guards, .. } = Beside::new(emission);
     let total = number(model.guards() + Beside::guards_of(emission));
     let [guards, kinks, all] = [model.guards(), model.kinks.len(), model.watched()].map_each(number);
-    let lambda = emission.events_read_reactions().then(|| quote!(&lambda,));
-    let full = quote!(self.switching(t, u, &rt::charts::full(self, t, u, x), #lambda g));
+    let solution = emission.events_read_solution().then(|| quote!(&a, &lambda,));
+    let full = quote!(self.switching(t, u, &rt::charts::full(self, t, u, x), #solution g));
     let solved = emission
-        .events_read_reactions()
-        .then(|| quote!(let (_, lambda) = <State<S> as rt::Moment>::new(*self, *u, t, *x).solved_();));
+        .events_read_solution()
+        .then(|| quote!(let (a, lambda) = <State<S> as rt::Moment>::new(*self, *u, t, *x).solved_();));
     let loaded = reads_contact(model).then(|| quote!(let u = &self.loaded_(t, u, x);));
-    let here = switching(emission, &quote!(self), (&lambda, &quote!({ #full })));
+    let here = switching(emission, &quote!(self), (&solution, &quote!({ #full })));
     let within = guards_within(emission);
     quote! {
         const KINKS: usize = #kinks;
@@ -60,7 +60,8 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
     }
 }
 
-/// Guards and kinks over an interval of time. Enclosures of multipliers are wide: where events read some all are looked for by samples.
+/// Guards and kinks over an interval of time. Enclosures of accelerations and multipliers are wide: where events read some, all are
+/// looked for by samples.
 fn guards_within(emission: &Emission) -> TokenStream {
     let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
     let head = quote! {
@@ -72,7 +73,7 @@ fn guards_within(emission: &Emission) -> TokenStream {
             each: &mut impl FnMut(usize, rt::Enclosed<S>),
         ) -> bool
     };
-    if reads_contact(model) || emission.events_read_reactions() {
+    if reads_contact(model) || emission.events_read_solution() {
         return quote! {
             #head {
                 let _ = (t, u, x, each);
@@ -118,24 +119,24 @@ fn reads_contact(model: &Model) -> bool {
 pub(in super::super) fn read_forces(emission: &Emission) -> bool {
     let read = read_by_conditions(emission.model);
     let of_contact = emission.model.contacts.iter().any(|row| read.contains(&row.mode));
-    of_contact || reads_contact(emission.model) || emission.events_read_reactions()
+    of_contact || reads_contact(emission.model) || emission.events_read_solution()
 }
 
 fn read_by_conditions(model: &Model) -> Vec<Expr> {
     algebra::symbols(&model.switches.iter().map(|switch| switch.difference).collect_vec())
 }
 
-/// The call of the guards' function of a mechanism that is called so, with multipliers if events read some, and `g` as its last
+/// The call of the guards' function of a mechanism that is called so, with accelerations and multipliers if events read some, and `g` as its last
 /// argument; `free` stands for it where loops have no chart.
 fn switching(
     emission: &Emission,
     mechanism: &TokenStream,
-    (lambda, free): (&Option<TokenStream>, &TokenStream),
+    (solution, free): (&Option<TokenStream>, &TokenStream),
 ) -> TokenStream {
-    let Some(reduced) = emission.loops() else { return quote!(#mechanism.switching(t, u, x, #lambda g)) };
+    let Some(reduced) = emission.loops() else { return quote!(#mechanism.switching(t, u, x, #solution g)) };
     in_held(reduced, &quote!(u), free, |k| {
         let switching = format_ident!("switching_{k}");
-        quote!(#mechanism.#switching(t, u, m, x, #lambda g))
+        quote!(#mechanism.#switching(t, u, m, x, #solution g))
     })
 }
 

@@ -27,7 +27,8 @@ impl<'a> Resolver<'a> {
     }
 
     fn when(&mut self, scope: ScopeId, ast: &'a ast::When) -> Eval<When> {
-        let allowed = Reads::EVENT.and(Reads::REACTION).and(Reads::PUSH).and(Reads::FRICTION);
+        let forces = Reads::REACTION.and(Reads::PUSH).and(Reads::FRICTION);
+        let allowed = Reads::EVENT.and(Reads::ACCELERATION).and(forces);
         let condition = self.event_condition(scope, &ast.condition, ("an event", allowed));
         let mut set = Vec::new();
         let mut failed = false;
