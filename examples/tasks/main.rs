@@ -8,12 +8,14 @@
 //! Each module begins with its question and ends with its answers; `tests/tasks` checks all of them.
 #![allow(missing_docs, unreachable_pub, reason = "modules of a program with public mechanisms")]
 
+mod bounce;
 mod brake;
 mod bucket;
 mod cam;
 mod engine;
 mod five_bar;
 mod gripper;
+mod hopper;
 mod incline;
 mod inverse_closed;
 mod inverse_open;
@@ -61,12 +63,14 @@ macro_rules! tasks {
 }
 
 pub const TASKS: &[Task] = tasks![
+    bounce,
     brake,
     bucket,
     cam,
     engine,
     five_bar,
     gripper,
+    hopper,
     incline,
     inverse_closed,
     inverse_open,

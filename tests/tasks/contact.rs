@@ -122,3 +122,43 @@ fn a_gripper() {
         ],
     );
 }
+
+/// A ball comes back to e^2 of its height; all bounces last (1 + e)/(1 - e) times the first fall. Flights of 1000 roundings of a metre
+/// are none: they begin with v = 2 um/s, and would take 2 v/(g (1 - e)) = 2 us.
+#[test]
+fn a_ball() {
+    let (height, e) = (1.0, 0.8);
+    let fall: f64 = (2.0 * height / G).sqrt();
+    check(
+        "bounce",
+        &[
+            ("height after the first bounce", e * e * height, 1e-9),
+            ("height after the second bounce", e * e * e * e * height, 1e-9),
+            ("lies still from", fall * (1.0 + e) / (1.0 - e), 3e-6),
+            ("presses on the floor with", 0.6 * G, 1e-9),
+        ],
+    );
+}
+
+/// The foot stops at once, the leg springs back and is pushed on its way out; its end takes the foot along by an impact. The push begins
+/// at 1 mm/s, 10 nm above the lowest point.
+#[test]
+fn a_hopper() {
+    let (hull, foot, stiffness, preload, thrust) = (4.0, 0.5, 2000.0, 50.0, 40.0);
+    let jump = |height: &f64| {
+        let square = 2.0 * G * height;
+        let pressed = hull * G - preload;
+        let shorter = (pressed + (pressed * pressed + stiffness * hull * (square - 1e-6)).sqrt()) / stiffness;
+        let leaves: f64 = (square + 2.0 * thrust * shorter / hull).sqrt() * hull / (hull + foot);
+        Some(leaves * leaves / (2.0 * G))
+    };
+    let heights: Vec<f64> = std::iter::successors(Some(0.3), jump).take(11).collect();
+    check(
+        "hopper",
+        &[
+            ("first jump", heights[1], 1e-9),
+            ("second jump", heights[2], 1e-9),
+            ("tenth jump", heights[10], 1e-8),
+        ],
+    );
+}
