@@ -10,13 +10,12 @@ plm::mechanism! {
         ground { port road: (0, 0) m; }
         body car { mass: 300 kg; inertia: 50 kg*m^2; port hub: (0, 0) m; start y: 0.3 m; }
         body rim { mass: 20 kg; inertia: disc(20 kg, 0.3 m); port hub: (0, 0) m; start y: 0.3 m; }
-        ground { port rail: (0, 0.3) m; }
         revolute bearing(car.hub, rim.hub) { drive: -400 N*m/s*t; }
         wheel tread(ground.road, rim.hub) { radius: 0.3 m; friction: 0.7; static_friction: 0.9; }
         constraint upright: car.angle = 0;
         discrete slips: s = 0;
         discrete speed: m/s = 0;
-        when tread.slip < -1e-6 m/s { slips = t; speed = car.vx; }
+        when tread.rolls < 0.5 { slips = t; speed = car.vx; }
         output slips, speed, car.vx, tread.slip, tread.traction;
     }
 }
