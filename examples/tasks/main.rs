@@ -8,11 +8,22 @@
 //! Each module begins with its question and ends with its answers; `tests/tasks` checks all of them.
 #![allow(missing_docs, unreachable_pub, reason = "modules of a program with public mechanisms")]
 
+mod bode;
 mod brake;
 mod bucket;
 mod cam;
+mod cart_pole;
+mod clearance;
+mod crane;
+mod door_stop;
 mod engine;
+mod filter;
+mod fit;
 mod five_bar;
+mod from_file;
+mod gears;
+mod geneva;
+mod gradients;
 mod gripper;
 mod incline;
 mod inverse_closed;
@@ -20,7 +31,13 @@ mod inverse_open;
 mod joint_friction;
 mod kinematics;
 mod lamp;
+mod latch;
+mod pid;
+mod sweep;
+mod synthesis;
 mod toggle;
+mod tolerances;
+mod walker;
 mod wheel;
 mod wiper;
 
@@ -61,11 +78,22 @@ macro_rules! tasks {
 }
 
 pub const TASKS: &[Task] = tasks![
+    bode,
     brake,
     bucket,
     cam,
+    cart_pole,
+    clearance,
+    crane,
+    door_stop,
     engine,
+    filter,
+    fit,
     five_bar,
+    from_file,
+    gears,
+    geneva,
+    gradients,
     gripper,
     incline,
     inverse_closed,
@@ -73,7 +101,13 @@ pub const TASKS: &[Task] = tasks![
     joint_friction,
     kinematics,
     lamp,
+    latch,
+    pid,
+    sweep,
+    synthesis,
     toggle,
+    tolerances,
+    walker,
     wheel,
     wiper,
 ];
