@@ -23,7 +23,7 @@ fn a_jack_with_a_ratchet_and_a_latch() {
             ("the pawl bears", mass * G * radius, 1e-8),
             ("the latch holds at", 200.0, 1e-7),
             ("the latch bears", mass * G, 1e-7),
-            ("the latch holds 20 N m more", f64::from(mass * G + 20.0 / radius < 1000.0), 0.0),
+            ("it lets go, turned down by", ((1000.0 - mass * G) * radius * 10.0).ceil() / 10.0, 1e-9),
         ],
     );
 }
