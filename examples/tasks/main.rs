@@ -8,12 +8,23 @@
 //! Each module begins with its question and ends with its answers; `tests/tasks` checks all of them.
 #![allow(missing_docs, unreachable_pub, reason = "modules of a program with public mechanisms")]
 
+mod bode;
 mod bounce;
 mod brake;
 mod bucket;
 mod cam;
+mod cart_pole;
+mod clearance;
+mod crane;
+mod door_stop;
 mod engine;
+mod filter;
+mod fit;
 mod five_bar;
+mod from_file;
+mod gears;
+mod geneva;
+mod gradients;
 mod gripper;
 mod hopper;
 mod incline;
@@ -22,7 +33,13 @@ mod inverse_open;
 mod joint_friction;
 mod kinematics;
 mod lamp;
+mod latch;
+mod pid;
+mod sweep;
+mod synthesis;
 mod toggle;
+mod tolerances;
+mod walker;
 mod wheel;
 mod wiper;
 
@@ -63,12 +80,23 @@ macro_rules! tasks {
 }
 
 pub const TASKS: &[Task] = tasks![
+    bode,
     bounce,
     brake,
     bucket,
     cam,
+    cart_pole,
+    clearance,
+    crane,
+    door_stop,
     engine,
+    filter,
+    fit,
     five_bar,
+    from_file,
+    gears,
+    geneva,
+    gradients,
     gripper,
     hopper,
     incline,
@@ -77,7 +105,13 @@ pub const TASKS: &[Task] = tasks![
     joint_friction,
     kinematics,
     lamp,
+    latch,
+    pid,
+    sweep,
+    synthesis,
     toggle,
+    tolerances,
+    walker,
     wheel,
     wiper,
 ];
@@ -106,8 +140,9 @@ impl Task {
         let answers = (self.run)()?;
         let width = answers.iter().map(|answer| answer.name.len()).max().unwrap_or(0);
         for Answer { name, value, unit } in answers {
-            // Six digits, whatever the size.
-            let decimals = 5.0 - value.abs().max(0.1).log10().floor();
+            // Six digits, whatever the size; counts have none behind the point.
+            let decimals =
+                if value.fract() == 0.0 { 0.0 } else { 5.0 - value.abs().max(0.1).log10().floor() };
             println!("  {name:width$}  {value:.*} {unit}", decimals.max(0.0) as usize);
         }
         Ok(())

@@ -1,12 +1,19 @@
 //! The tasks of `examples/tasks`: each answer beside a closed form, a published figure, another formulation or a conservation law.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
+#[path = "../support/compass.rs"]
+mod compass;
 #[path = "../../examples/tasks/main.rs"]
 mod tasks;
 
+mod catches;
 mod contact;
+mod control;
 mod linkages;
 mod machines;
+mod studies;
+mod swings;
+mod trains;
 
 use tasks::{TASKS, Task};
 
