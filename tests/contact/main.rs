@@ -4,6 +4,8 @@
 mod around;
 mod assembled;
 mod bounds;
+#[path = "../support/compass.rs"]
+mod compass;
 mod existence;
 mod flights;
 mod friction;

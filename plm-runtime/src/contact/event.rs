@@ -286,13 +286,15 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     /// Gaps that are closed, and frictions.
     pub(super) fn touches(&self, laws: &[Law<M::S>; N], rows: &Rows<M::S, N>, u: &M::U) -> [bool; N] {
         let modes = u.modes();
+        // An event of something else ends no flight, as that of a ball at its highest point.
+        let near = if self.occasion == Occasion::Change { self.lowest_flight() } else { self.closed() };
         core::array::from_fn(|i| {
             let was_closed = modes.of[i] == Mode::Closed || modes.carried[i];
             let is_due = self.occasion.row() == Some(i);
             if !self.system.exists(u, i) {
                 return false;
             }
-            !laws[i].is_unilateral() || was_closed || is_due || rows.gap[i] <= self.closed()
+            !laws[i].is_unilateral() || was_closed || is_due || rows.gap[i] <= near
         })
     }
 
@@ -345,8 +347,12 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let pulls =
             |j: &usize| self.system.law(*j).is_unilateral() && rows.delassus[*j][*j] > M::S::lit(LIGHT) * own;
         let pull = (0..N).filter(pulls).fold(rows.free[row].abs(), |most, j| most.max(pull(j)));
-        let height = M::S::lit(LOWEST_FLIGHT) * M::S::EPSILON * self.system.length();
-        (M::S::lit(2.0) * pull * height).sqrt()
+        (M::S::lit(2.0) * pull * self.lowest_flight()).sqrt()
+    }
+
+    /// A flight of a smaller height is none.
+    fn lowest_flight(&self) -> M::S {
+        M::S::lit(LOWEST_FLIGHT) * M::S::EPSILON * self.system.length()
     }
 
     /// Slower than this the flight of a row whose impact was not located would end within a step, or below zero where it has begun.

@@ -1,0 +1,57 @@
+//! How well does a Kalman filter know place and speed of a stage in gusts, if a noisy sensor tells its place alone?
+use std::error::Error;
+
+use nalgebra::{DMatrix, RowVector2, Vector2};
+
+use super::{Answer, Answers};
+
+plm::mechanism! {
+    /// A stage on springs. Gusts push it with 3 N, the sensor is wrong by 2 mm, both as standard deviations.
+    pub Stage {
+        /// What a motor would push with: gusts act at the same place.
+        input push: N = 0 N;
+        ground { port rail: (0, 0) m; }
+        body stage { mass: 2 kg; inertia: 0.01 kg*m^2; port shoe: (0, 0) m; }
+        prismatic rail(ground.rail, stage.shoe) { stiffness: 200 N/m; damping: 2 N*s/m; drive: push + 3 N*gusts.value; }
+        noise gusts() { period: 10 ms; seed: 12345; }
+        noise hiss() { period: 10 ms; seed: 67890; next: 5 ms; }
+        output measured = rail.displacement + 2 mm*hiss.value;
+    }
+}
+
+pub fn run() -> Result<Answers, Box<dyn Error>> {
+    let mut sim = Stage::new().start()?;
+    let system = plm::linearise(&sim)?;
+    // The first two states are place and speed, the others belong to the noises. Over 10 ms the force is constant: x goes
+    // to a x + b u, by one exponential.
+    let mut both = DMatrix::zeros(3, 3);
+    both.view_mut((0, 0), (2, 2)).copy_from(&system.a.view((0, 0), (2, 2)));
+    both.view_mut((0, 2), (2, 1)).copy_from(&system.b.view((0, 0), (2, 1)));
+    let both = (both * 0.01).exp();
+    let (a, b) = (both.fixed_view::<2, 2>(0, 0).into_owned(), both.fixed_view::<2, 1>(0, 2).into_owned());
+    let c = RowVector2::new(system.c[(0, 0)], system.c[(0, 1)]);
+
+    let (push, sensor) = (b * b.transpose() * 9.0, 2e-3_f64.powi(2));
+    let (mut x, mut p) = (Vector2::zeros(), push);
+    let (mut errors, mut raw, mut last) = ([0.0; 2], 0.0, 0.0);
+    for _ in 0..1500 {
+        sim.step(0.01)?;
+        (x, p) = (a * x, a * p * a.transpose() + push);
+        let gain = p * c.transpose() / ((c * p * c.transpose())[0] + sensor);
+        x += gain * (sim.measured() - (c * x)[0]);
+        p -= gain * c * p;
+
+        let stage = sim.stage();
+        errors[0] += (x[0] - stage.x).powi(2) / 1500.0;
+        errors[1] += (x[1] - stage.vx).powi(2) / 1500.0;
+        raw += ((sim.measured() - last) / 0.01 - stage.vx).powi(2) / 1500.0;
+        last = sim.measured();
+    }
+    Ok(vec![
+        Answer::new("error of the place, predicted", p[(0, 0)].sqrt() * 1e3, "mm"),
+        Answer::new("error of the place, found", errors[0].sqrt() * 1e3, "mm"),
+        Answer::new("error of the speed, predicted", p[(1, 1)].sqrt() * 1e3, "mm/s"),
+        Answer::new("error of the speed, found", errors[1].sqrt() * 1e3, "mm/s"),
+        Answer::new("error of a difference quotient", raw.sqrt() * 1e3, "mm/s"),
+    ])
+}
