@@ -24,6 +24,7 @@ ROUNDS = {
     # what is not due, at an inner one; the longest path has all at the outer one. Of a body, the coordinates of a chart that are
     # its angle: one at most.
     "FourBar::update": (3, 1),
+    "Limits::update": (3, 1),
     "SliderCrank::update": (3, 1),
     "Andrews::update": (7, 1),
     # Conditions of the arm, which are gone through once more than there are: plm_runtime::events::switch_each.
@@ -36,29 +37,27 @@ RESTS = {"__aeabi_memcpy4": 3, "__aeabi_memcpy8": 3}
 # A step that comes there ends in a fault.
 FAULTS = {"method::unhealthy"}
 # Modes by events, which steps of Moreau and Jean have not: their discrete state says so, and their guards are then constants.
-EVENTS = {"multipliers::multipliers_above", "violated::switch_violated"}
+EVENTS = {"multipliers::multipliers_above", "violated::switch_violated", "impact::is_shared"}
 # Sines of angles of 64 turns and more, in f64 of 65536. A state has its angles within three quarters of a turn.
 FAR_TURNED = {"sin_cos::sin_cos_large", "sin_cos::sin_cos_each"}
-# Mechanisms whose steps are those of Moreau and Jean, which are no straight line: by their name, that of their type, rows of contact.
-STEPPED = {
-    "four-bar with limits": ("Limits", 2),
-    "rack with backlash": ("Rack", 2),
-    "ratchet": ("Ratchet", 3),
-}
+# Mechanisms whose steps are those of Moreau and Jean, which are no straight line, with their rows of contact.
+STEPPED = {"four-bar with limits": 2, "rack with backlash": 2}
+# Mechanisms of which nothing is stated: events that set states follow each other up to a hundred times.
+UNBOUNDED = {"ratchet"}
 # Rules of steps that are a straight line, and of that line alone.
 LINE_STEPS, LINE = "steps", "line"
 # Where a step goes that is no straight line, or has something to do behind it.
 ASIDE = {"step::rk4", "step::arrive"}
 
 
-def rounds_of(mechanism, rows):
+def rounds_of(rows):
     """Rounds of the loops of a step of Moreau and Jean: rows, rounds of their small problem, sweeps behind these."""
     return ROUNDS | {
-        f"{mechanism}::update": (3, 1),
         "solver::look": (rows, rows),
         "solver::solve": (4*rows + 2, rows, rows),
         "solver::swept": (32, rows, rows),
         "impacts::impacts": (rows,),
+        "multipliers::equation": (rows, rows),
     }
 
 
@@ -135,7 +134,9 @@ def walk_board(functions, report, rules):
     longest = {key: Walk(functions, rules[key], True) for key in rules}
     shortest = Walk(functions, rules[LINE], False)
     for (name, scalar, by, fewest, most, *_), function in zip(runs, steps):
-        if by == "step":
+        if by == "step" and name in UNBOUNDED:
+            yield f"{name},-,-\n"
+        elif by == "step":
             step, kind = Step(function), name if name in STEPPED else LINE_STEPS
             everything, usual = (step.cost(longest[kind, turns]) for turns in ("all", "few turns"))
             check(name, everything and usual, "what is left out leaves no path")
@@ -164,8 +165,8 @@ def check(name, holds, what):
 def main(objdump, *boards):
     rules = {LINE: Rules(ROUNDS, RESTS, FAULTS | FAR_TURNED | ASIDE)}
     for kind in (LINE_STEPS, *STEPPED):
-        rounds = rounds_of(*STEPPED[kind]) if kind in STEPPED else ROUNDS
-        left_out = FAULTS | EVENTS if kind in STEPPED else FAULTS
+        rounds = rounds_of(STEPPED[kind]) if kind in STEPPED else ROUNDS
+        left_out = FAULTS | (EVENTS if kind in STEPPED else set())
         rules[kind, "all"] = Rules(rounds, RESTS, left_out)
         rules[kind, "few turns"] = Rules(rounds, RESTS, left_out | FAR_TURNED)
     for program, report in zip(boards[::2], boards[1::2]):

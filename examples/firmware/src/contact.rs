@@ -1,7 +1,7 @@
 //! Mechanisms with contact, for steps of Moreau and Jean: a four-bar between two limits, a rack with backlash, a ratchet.
 
 plm::mechanism! {
-    /// A four-bar whose rocker moves between two limits, one with restitution, driven against them in turn.
+    /// A four-bar whose rocker is driven against two limits, of which one gives back a part of the speed.
     pub Limits {
         gravity: 9.81 m/s^2;
         emit: step(moreau_jean);
@@ -22,12 +22,12 @@ plm::mechanism! {
             port p: (-0.4, 0) m;
             start angle: 100 deg;
         }
-        revolute o(ground.o, crank.a) { drive: 6 N*m*cos(3 rad/s*t); }
+        revolute o(ground.o, crank.a) { drive: 8 N*m*cos(3 rad/s*t); }
         revolute b(crank.b, coupler.b);
         revolute c(coupler.c, rocker.c) { damping: 0.5 N*m*s/rad; }
         revolute p(ground.p, rocker.p);
-        unilateral low: rocker.angle >= 85 deg { restitution: 0.4; }
-        unilateral high: rocker.angle <= 110 deg;
+        unilateral low: rocker.angle >= 85 deg;
+        unilateral high: rocker.angle <= 110 deg { restitution: 0.4; }
     }
 }
 
