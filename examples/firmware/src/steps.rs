@@ -57,6 +57,9 @@ fn precision<S: Real>(
         ($name:literal, $mechanism:ty, $h:literal) => {
             mechanism!($name, $mechanism, $h, Rk4, |s, h| s.step_rk4(h))
         };
+        ($name:literal, $mechanism:ty) => {
+            mechanism!($name, $mechanism, 1e-3, MoreauJean, |s, h| s.step_moreau_jean(h).map(|_| ()))
+        };
         ($name:literal, $mechanism:ty, $h:literal, $method:ident, |$s:ident, $step:ident| $alone:expr) => {{
             let (mechanism, h) = (<$mechanism>::of(), S::lit($h));
             let mut sim = |sim: &mut Sim<$mechanism, $method<S>>| sim.step(h);
@@ -77,9 +80,9 @@ fn precision<S: Real>(
     mechanism!("slider-crank", s6::SliderCrank::<S>, 1e-3);
     mechanism!("Andrews", s5::Andrews::<S>, 1e-5);
     mechanism!("arm on a jack", Arm::<S>, 1e-5);
-    mechanism!("four-bar with limits", Limits::<S>, 1e-3, MoreauJean, |s, h| s.step_moreau_jean(h).map(|_| ()));
-    mechanism!("rack with backlash", Rack::<S>, 1e-3, MoreauJean, |s, h| s.step_moreau_jean(h).map(|_| ()));
-    mechanism!("ratchet", Ratchet::<S>, 1e-3, MoreauJean, |s, h| s.step_moreau_jean(h).map(|_| ()));
+    mechanism!("four-bar with limits", Limits::<S>);
+    mechanism!("rack with backlash", Rack::<S>);
+    mechanism!("ratchet", Ratchet::<S>);
     emit(roots::<S>());
     Ok(())
 }
