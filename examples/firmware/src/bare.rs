@@ -5,6 +5,7 @@
 #![no_main]
 
 mod arm;
+mod contact;
 mod steps;
 
 use steps::Run;

@@ -1,9 +1,11 @@
-//! Runge-Kutta 4 steps of fixed length of five mechanisms, by [`Sim`] and by the step that their code holds.
+//! Runge-Kutta 4 steps of fixed length of five mechanisms, and steps of Moreau and Jean of three with contact, by [`Sim`] and by the
+//! step that their code holds.
 
 use plm::runtime::Vector;
-use plm::{Fault, Moment, Real, Rk4, Sim};
+use plm::{Fault, Moment, MoreauJean, Real, Rk4, Sim};
 
 use crate::arm::Arm;
+use crate::contact::{Limits, Rack, Ratchet};
 use scenes::{andrews, double_pendulum, four_bar, slider_crank};
 
 #[path = "../../../tests/support/scenes.rs"]
@@ -52,18 +54,25 @@ fn precision<S: Real>(
 ) -> Result<(), Fault> {
     /// A mechanism has its own step as a method of its own state, which no trait names.
     macro_rules! mechanism {
-        ($name:literal, $mechanism:ty, $h:literal) => {{
+        ($name:literal, $mechanism:ty, $h:literal) => {
+            mechanism!($name, $mechanism, $h, Rk4, |s, h| s.step_rk4(h))
+        };
+        ($name:literal, $mechanism:ty) => {
+            mechanism!($name, $mechanism, 1e-3, MoreauJean, |s, h| s.step_moreau_jean(h).map(|_| ()))
+        };
+        ($name:literal, $mechanism:ty, $h:literal, $method:ident, |$s:ident, $step:ident| $alone:expr) => {{
             let (mechanism, h) = (<$mechanism>::of(), S::lit($h));
-            let mut sim = |sim: &mut Sim<$mechanism, Rk4<S>>| sim.step(h);
+            let mut sim = |sim: &mut Sim<$mechanism, $method<S>>| sim.step(h);
             done(&steps(
                 [$name, scalar, "Sim"],
-                || mechanism.start_with(Rk4::new(h)),
+                || mechanism.start_with($method::new(h)),
                 |s| *s.state().x(),
                 &mut sim,
                 emit,
             )?);
-            let start = || Ok(*mechanism.start_with(Rk4::new(h))?.state());
-            done(&steps([$name, scalar, "step"], start, |s| *s.x(), &mut |s| s.step_rk4(h), emit)?);
+            let start = || Ok(*mechanism.start_with($method::new(h))?.state());
+            let $step = h;
+            done(&steps([$name, scalar, "step"], start, |s| *s.x(), &mut |$s| $alone, emit)?);
         }};
     }
     mechanism!("double pendulum", s1::DoublePendulum::<S>, 1e-3);
@@ -71,6 +80,9 @@ fn precision<S: Real>(
     mechanism!("slider-crank", s6::SliderCrank::<S>, 1e-3);
     mechanism!("Andrews", s5::Andrews::<S>, 1e-5);
     mechanism!("arm on a jack", Arm::<S>, 1e-5);
+    mechanism!("four-bar with limits", Limits::<S>);
+    mechanism!("rack with backlash", Rack::<S>);
+    mechanism!("ratchet", Ratchet::<S>);
     emit(roots::<S>());
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! The same steps in an ordinary program, with std and its square root.
 
 mod arm;
+mod contact;
 mod steps;
 
 fn main() {

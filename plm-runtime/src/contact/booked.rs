@@ -5,7 +5,6 @@
 //! does the work `-sum Lambda_i r_i`.
 
 use super::impact::Doubts;
-use super::rows::Rows;
 use crate::scalar::Real;
 use crate::words::{InWords, Words};
 
@@ -60,18 +59,18 @@ impl<S: Real, const N: usize> Struck<S, N> {
         Self { impulses: [S::ZERO; N], lost: S::ZERO, work: S::ZERO, count: 0, doubts: Doubts::default() }
     }
 
-    /// Adds an impact between the rates of `before` and `after`; `moved` are those that time alone gives. Gives what it gains and what
+    /// Adds an impact between the rates of the rows `before` and `after` it; `moved` are those that time alone gives. Gives what it gains and what
     /// impulses turn over, J, if it gains.
     pub(super) fn add(
         &mut self,
-        (before, after): (&Rows<S, N>, &Rows<S, N>),
+        [before, after]: [&[S; N]; 2],
         moved: &[S; N],
         impulses: &[S; N],
     ) -> Result<(), [f64; 2]> {
         let half = S::lit(0.5);
         let (mut lost, mut size) = (S::ZERO, S::ZERO);
         for i in 0..N {
-            let (impulse, rates) = (impulses[i], [before.rate[i], after.rate[i]]);
+            let (impulse, rates) = (impulses[i], [before[i], after[i]]);
             lost = lost - half * impulse * (rates[0] + rates[1]);
             size = size + half * impulse.abs() * (rates[0].abs() + rates[1].abs());
             self.work = self.work - impulse * moved[i];
@@ -103,16 +102,25 @@ impl<const N: usize> Booked<N> {
         if struck.count == 0 {
             return;
         }
+        // Bits are compared, and nothing is added to zero: processors without f64 take a hundred instructions for each such sum.
+        let is_same = |other: f64| other.to_bits() == time.to_bits();
         for (row, impulse) in self.impulses.iter_mut().zip(struck.impulses) {
-            let before = if row.time == time { row.size } else { 0.0 };
             if impulse != S::ZERO {
-                *row = Impulse { time, size: before + impulse.to_f64() };
+                let size = impulse.to_f64();
+                *row = Impulse { time, size: if is_same(row.time) { row.size + size } else { size } };
             }
         }
-        let before = if self.time == time { self.energy.last } else { 0.0 };
-        let ImpactEnergy { lost, work, .. } = self.energy;
-        let (loses, works) = (struck.lost.to_f64(), struck.work.to_f64());
-        self.energy = ImpactEnergy { last: before + loses, lost: lost + loses, work: work + works };
+        let ImpactEnergy { last, lost, work } = &mut self.energy;
+        if !is_same(self.time) {
+            *last = 0.0;
+        }
+        if struck.lost != S::ZERO {
+            let loses = struck.lost.to_f64();
+            (*last, *lost) = (if is_same(self.time) { *last + loses } else { loses }, *lost + loses);
+        }
+        if struck.work != S::ZERO {
+            *work += struck.work.to_f64();
+        }
         self.time = time;
     }
 

@@ -1,7 +1,7 @@
 //! Bounds of frictions that are negative.
 
 use super::event::moving_rows;
-use super::rows::Rows;
+use super::rows::{Law, Rows, below, indices};
 use super::{Contacts, Limit, Modal, lambda_of};
 use crate::dual::Dual;
 use crate::fault::{Cause, Fault};
@@ -24,9 +24,9 @@ pub(super) fn look_at_bounds<M: Contacts<N>, const N: usize>(
     u: &M::U,
     rows: &Rows<M::S, N>,
 ) -> Result<(), Fault> {
-    for row in (0..N).filter(|row| system.exists(u, *row)) {
+    for row in indices::<N>().filter(|row| system.exists(u, *row)) {
         let none = rounding(rows, row);
-        for found in limits(rows, row).filter_map(alone) {
+        for found in limits(rows, row).into_iter().filter_map(alone) {
             let what = match found {
                 Alone::Force(force) if force < -none => ("bound of friction", force, FORCE),
                 Alone::Coefficient(factor) if factor < -M::S::lit(ROUNDING) => {
@@ -53,9 +53,10 @@ pub(super) fn look_at_signs<M: Contacts<N>, const N: usize>(
     let is_negative = |row: usize| {
         let factors = |limit: &Limit<M::S, N>| limit.by.iter().chain(&limit.share).any(|f| *f < M::S::ZERO);
         let may_fall = system.bound_may_fall(row);
-        limits(rows, row).any(|limit| limit.own < M::S::ZERO || (may_fall && factors(limit)))
+        system.law(row) == Law::Friction
+            && limits(rows, row).iter().any(|limit| limit.own < M::S::ZERO || (may_fall && factors(limit)))
     };
-    if (0..N).any(is_negative) { look_at_bounds(system, t, u, rows) } else { Ok(()) }
+    if indices::<N>().any(is_negative) { look_at_bounds(system, t, u, rows) } else { Ok(()) }
 }
 
 /// Looks at the bounds that follow the state or the time where they come to zero: one that falls is negative from here on.
@@ -68,7 +69,7 @@ pub(super) fn look_at_falling_bounds<M: Contacts<N>, const N: usize>(
     (u, x): (&M::U, &M::X),
     rows: &Rows<M::S, N>,
 ) -> Result<(), Fault> {
-    for row in (0..N).filter(|row| system.bound_may_fall(*row) && system.exists(u, *row)) {
+    for row in indices::<N>().filter(|row| system.bound_may_fall(*row) && system.exists(u, *row)) {
         let none = rounding(rows, row);
         let none = if none.is_finite() { none } else { M::S::ZERO };
         let moving = moving_rows(system, (t, u), x, &lambda_of(rows, u.modes()));
@@ -77,7 +78,7 @@ pub(super) fn look_at_falling_bounds<M: Contacts<N>, const N: usize>(
             let slope = found.tangents[0];
             slope < M::S::ZERO && found.value.abs() <= none.max(M::S::lit(AT_ONCE) * slope.abs())
         };
-        if limits(&moving, row).filter_map(alone).any(falls) {
+        if limits(&moving, row).into_iter().filter_map(alone).any(falls) {
             let what = ("bound of friction, which falls below zero,", M::S::ZERO, FORCE);
             return Err(negative(system, t, row, what));
         }
@@ -87,6 +88,7 @@ pub(super) fn look_at_falling_bounds<M: Contacts<N>, const N: usize>(
 
 /// Rounding of a bound; infinite, or not a number, where the row has no direction.
 fn rounding<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize) -> S {
+    let row = below::<N>(row);
     S::lit(ROUNDING) * rows.free[row].abs() / rows.delassus[row][row].abs()
 }
 
@@ -105,16 +107,17 @@ fn negative<M: Contacts<N>, const N: usize>(
 /// The least of the limits of a friction that no force of contact decides, and of coefficients that are all of a limit. One that is
 /// nothing but zero stays so.
 pub(super) fn least_bound<T: Scalar, const N: usize>(rows: &Rows<T, N>, row: usize) -> T {
-    let known = limits(rows, row).filter_map(alone).map(|found| match found {
+    let known = limits(rows, row).into_iter().filter_map(alone).map(|found| match found {
         Alone::Force(found) | Alone::Coefficient(found) => found,
     });
     known.filter(|found| *found != T::ZERO).fold(T::lit(1.0), T::min)
 }
 
 /// The limits of a friction.
-fn limits<T, const N: usize>(rows: &Rows<T, N>, row: usize) -> impl Iterator<Item = &Limit<T, N>> {
-    let bounds = [&rows.kinetic[row], &rows.adhesion[row]];
-    bounds.into_iter().flat_map(|bound| [&bound.lower, &bound.upper])
+fn limits<T, const N: usize>(rows: &Rows<T, N>, row: usize) -> [&Limit<T, N>; 4] {
+    let row = below::<N>(row);
+    let (kinetic, adhesion) = (&rows.kinetic[row], &rows.adhesion[row]);
+    [&kinetic.lower, &kinetic.upper, &adhesion.lower, &adhesion.upper]
 }
 
 /// A limit that has one term.

@@ -4,7 +4,7 @@
 use super::loads::Load;
 use super::margins::stick;
 use super::modes::Mode;
-use super::rows::Rows;
+use super::rows::{Rows, below, indices};
 use super::signs::signed;
 use super::walk::walk;
 use crate::linalg::Lu;
@@ -75,6 +75,7 @@ pub(super) struct Solution<S, const N: usize> {
 impl<S, const N: usize> Solution<S, N> {
     /// The gap is open, and not closed by other rows.
     pub(super) fn opens(&self, row: usize) -> bool {
+        let row = below::<N>(row);
         self.modes[row] == Mode::Open && !self.carried[row]
     }
 }
@@ -173,16 +174,16 @@ fn combination<S: Real, const N: usize>(
 ) -> Option<[Mode; N]> {
     let mut modes = [Mode::Off; N];
     let mut first = [true; N];
-    for (i, row) in allowed.iter().enumerate() {
-        let choices = row.modes();
+    for i in 0..N {
+        let choices = allowed[i].modes();
         let count = choices.len() as u32;
-        modes[i] = choices[(number % count) as usize];
-        first[i] = number.is_multiple_of(count);
-        number /= count;
+        let (rest, place) = (number.checked_div(count)?, number.checked_rem(count)?);
+        modes[i] = *choices.get(place as usize)?;
+        (first[i], number) = (place == 0, rest);
     }
     let chosen = modes;
-    for (i, row) in allowed.iter().enumerate() {
-        if row.is_friction() && is_off(rows, &chosen, i) {
+    for i in 0..N {
+        if allowed[i].is_friction() && is_off(rows, &chosen, i) {
             if !first[i] {
                 return None;
             }
@@ -194,10 +195,11 @@ fn combination<S: Real, const N: usize>(
 
 /// A friction whose limits are those of rows that are open has no force.
 pub(super) fn is_off<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N], row: usize) -> bool {
+    let row = below::<N>(row);
     let (kinetic, adhesion) = (&rows.kinetic[row], &rows.adhesion[row]);
     [&kinetic.lower, &kinetic.upper, &adhesion.lower, &adhesion.upper].iter().all(|limit| {
-        let is_open = |(k, by): (usize, &S)| *by == S::ZERO || matches!(modes[k], Mode::Open | Mode::Off);
-        !limit.is_own() && limit.by.iter().enumerate().all(is_open)
+        let is_open = |(by, mode): (&S, &Mode)| *by == S::ZERO || matches!(mode, Mode::Open | Mode::Off);
+        !limit.is_own() && limit.by.iter().zip(modes).all(is_open)
     })
 }
 
@@ -212,7 +214,7 @@ pub(super) fn solve<S: Real, const N: usize>(
     let lambda = found.lambda;
     // A row without direction, of which D_ii is rounding, would be held by a force without end.
     let has_direction = |i: usize| !modes[i].holds() || rows.delassus[i][i] > S::ZERO;
-    if !(0..N).all(|i| has_direction(i) && lambda[i].is_finite()) {
+    if !indices::<N>().all(|i| has_direction(i) && lambda[i].is_finite()) {
         return None;
     }
     let acceleration = core::array::from_fn(|i| rows.acceleration(i, &lambda));
@@ -223,7 +225,8 @@ pub(super) fn solve<S: Real, const N: usize>(
         Solution { modes, carried, negative, lambda, determinant, newton, slack, acceleration };
     let mut margins = Margins { value: [S::ZERO; N], size: [None; N] };
     let sizes = sizes(rows, &lambda);
-    for (i, mode) in modes.iter().enumerate() {
+    for i in 0..N {
+        let mode = modes[i];
         let rests = !matches!(allowed[i], Allowed::Only(_));
         let (terms, inverse) = (sizes[i], S::lit(1.0) / rows.delassus[i][i]);
         let (value, size) = match mode {
@@ -250,8 +253,7 @@ pub(super) fn solve<S: Real, const N: usize>(
             Mode::Backwards => margins.value[i] = -value,
             _ => margins.value[i] = value,
         }
-        margins.size[i] =
-            Some(if *mode == Mode::Sticks { held_size(rows, i, (&lambda, size)) } else { size });
+        margins.size[i] = Some(if mode == Mode::Sticks { held_size(rows, i, (&lambda, size)) } else { size });
     }
     Some((solution, margins))
 }
@@ -261,7 +263,7 @@ fn sizes<S: Real, const N: usize>(rows: &Rows<S, N>, lambda: &[S; N]) -> [S; N] 
     let terms: [S; N] = core::array::from_fn(|i| size(rows, i, lambda));
     let roots: [S; N] = core::array::from_fn(|i| rows.delassus[i][i].max(S::ZERO).sqrt());
     let largest =
-        (0..N).filter(|i| roots[*i] > S::ZERO).fold(S::ZERO, |most, i| most.max(terms[i] / roots[i]));
+        indices::<N>().filter(|i| roots[*i] > S::ZERO).fold(S::ZERO, |most, i| most.max(terms[i] / roots[i]));
     let rounding = S::lit(ROUNDING) * S::EPSILON / S::lit(MARGINAL) * largest;
     core::array::from_fn(|i| terms[i].max(rounding * roots[i]))
 }
@@ -269,6 +271,7 @@ fn sizes<S: Real, const N: usize>(rows: &Rows<S, N>, lambda: &[S; N]) -> [S; N] 
 /// The size of the margin of a row that sticks: of its force and its limits, but not below the rounding of `terms`, those of the
 /// equation of its force. Where a row has almost no direction they are far larger than its force: others balance them.
 fn held_size<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize, (lambda, terms): (&[S; N], S)) -> S {
+    let row = below::<N>(row);
     let [lower, upper] = stick(rows, row, lambda);
     let own = lambda[row].abs() + (lower + upper).abs();
     own.max(S::lit(ROUNDED) * S::EPSILON * terms).min(terms)
@@ -276,6 +279,7 @@ fn held_size<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize, (lambda, te
 
 /// The size of the terms of an acceleration.
 fn size<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize, lambda: &[S; N]) -> S {
+    let row = below::<N>(row);
     let terms = rows.delassus[row].iter().zip(lambda);
     terms.fold(rows.free[row].abs(), |sum, (d, lambda)| sum + (*d * *lambda).abs())
 }
@@ -283,19 +287,11 @@ fn size<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize, lambda: &[S; N])
 /// Do the rows that hold leave the row `i` no freedom: D_ii - D_iH D_HH^-1 D_Hi = 0?
 fn depends<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N], i: usize) -> bool {
     let (mut held, mut order) = ([0; N], 0);
-    let mut places = held.iter_mut();
-    for (j, mode) in modes.iter().enumerate() {
-        if mode.holds() {
-            if let Some(place) = places.next() {
-                *place = j;
-            }
-            order += 1;
-        }
+    for j in indices::<N>().filter(|j| modes[*j].holds()) {
+        held[below::<N>(order)] = j;
+        order += 1;
     }
-    let entry = |i: usize, j: usize| {
-        let row = rows.delassus.get(i).and_then(|row| row.get(j));
-        row.copied().unwrap_or(S::ZERO)
-    };
+    let entry = |i: usize, j: usize| rows.delassus[below::<N>(i)][below::<N>(j)];
     let mut matrix = [[S::ZERO; N]; N];
     for k in 0..order.min(N) {
         matrix[k] = core::array::from_fn(|l| entry(held[k], held[l]));
@@ -305,7 +301,7 @@ fn depends<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N], i: usi
     let mut y = column;
     lu.solve(&mut y);
     let own = (0..order.min(N)).fold(entry(i, i), |own, k| own - column[k] * y[k]);
-    own <= S::lit(DEPENDENT) * rows.delassus[i][i]
+    own <= S::lit(DEPENDENT) * entry(i, i)
 }
 
 /// How many of the rows that could rest move.
@@ -314,7 +310,7 @@ fn moving<S: Real, const N: usize>(allowed: &[Allowed; N], solution: &Solution<S
         let rests = matches!(allowed[*i], Allowed::Touching | Allowed::Resting);
         rests && !solution.modes[*i].holds() && !solution.carried[*i] && solution.modes[*i] != Mode::Off
     };
-    (0..N).filter(moves).count()
+    indices::<N>().filter(moves).count()
 }
 
 /// Accelerations of rows are the same if they differ by less than this fraction of the largest terms.
@@ -332,7 +328,7 @@ fn sticks_by_law<S: Real, const N: usize>(
         (Mode::Sticks, mode) | (mode, Mode::Sticks) => !mode.slips() || rows.adhesion[i] == rows.kinetic[i],
         _ => true,
     };
-    !(0..N).any(differs)
+    !indices::<N>().any(differs)
 }
 
 /// Are the accelerations of all rows the same?
@@ -343,8 +339,8 @@ pub(super) fn is_same_motion<S: Real, const N: usize>(
 ) -> bool {
     let size = |i: usize| size(rows, i, &one.lambda).max(size(rows, i, &other.lambda));
     // What is all rounding of the others differs by rounding.
-    let largest = (0..N).fold(S::ZERO, |largest, i| largest.max(size(i)));
-    (0..N).all(|i| {
+    let largest = indices::<N>().fold(S::ZERO, |largest, i| largest.max(size(i)));
+    indices::<N>().all(|i| {
         let apart = (one.acceleration[i] - other.acceleration[i]).abs();
         apart <= (S::lit(4.0 * MARGINAL) * size(i)).max(S::lit(NO_DIFFERENCE) * largest)
     })

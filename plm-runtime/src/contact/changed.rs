@@ -2,8 +2,9 @@
 
 use super::bounds::look_at_bounds;
 use super::candidates::is_off;
-use super::event::{speed, update};
+use super::event::update;
 use super::modes::{Mode, Modes};
+use super::scales::speed;
 use super::{Contacts, Modal};
 use crate::fault::Fault;
 use crate::scalar::Scalar;

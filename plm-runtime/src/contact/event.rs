@@ -15,7 +15,8 @@ use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
 use super::paradox::lost;
 use super::project::{end_flights, project, stop};
-use super::rows::{Law, Rows};
+use super::rows::{Law, Rows, below, indices};
+use super::scales::{acceleration, rounding};
 use super::sunk::above;
 use super::{Contacts, Modal, change_in_steps, lambda_of};
 use crate::dual::Dual;
@@ -33,8 +34,6 @@ const LOWEST_FLIGHT: f64 = 1000.0;
 const LIGHT: f64 = 1e-6;
 /// A slip is none below this fraction of the speed that the free acceleration gives over the length of the mechanism.
 const NO_SLIP: f64 = 1e-10;
-/// A rate of so many roundings of the largest one, before the impacts of the event, is none.
-const RATE_ULPS: f64 = 4096.0;
 
 /// What an event did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -112,9 +111,7 @@ pub fn switch_behind<M: Contacts<N>, const N: usize>(
         let rows = moving_rows(system, (t, u), x, &lambda);
         let lambda = multipliers(&rows, &u.modes().of).map_or([Dual::ZERO; N], |found| found.lambda);
         let [reaction, _] = rows.reaction_at(*load, &lambda);
-        if let Some(negative) = u.modes_mut().negative.get_mut(*load) {
-            *negative = reaction.tangents[0] < M::S::ZERO;
-        }
+        u.modes_mut().negative[below::<N>(*load)] = reaction.tangents[0] < M::S::ZERO;
         *row = rows.reader(*load);
     }
     Event { system, t, occasion, step }.commit(u, x)
@@ -210,22 +207,21 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let (mut struck, mut slowest) = (Struck::nothing(), None);
         let (solution, is_ambiguous) = loop {
             self.impacts(&laws, (none, slowest, &mut rows), u, x, &mut struck)?;
-            if let Occasion::Sign { load, .. } = self.occasion
-                && let (Some(load), Some(&negative)) = (rows.load.get_mut(load), u.modes().negative.get(load))
-            {
-                *load = Load::Turned { negative };
+            if let Occasion::Sign { load, .. } = self.occasion {
+                let load = below::<N>(load);
+                rows.load[load] = Load::Turned { negative: u.modes().negative[load] };
             }
             let allowed = self.allowed(&laws, (none, struck.count), &rows, u);
             let (solution, is_ambiguous) = self.choose(&rows, &allowed, u, x)?;
             let sinks = |i: usize, slow: M::S| {
                 allowed[i] == Allowed::Touching && rows.rate[i] < -slow && solution.opens(i)
             };
-            if slowest.is_some() || !(0..N).any(|i| sinks(i, none)) {
+            if slowest.is_some() || !indices::<N>().any(|i| sinks(i, none)) {
                 break (solution, is_ambiguous);
             }
             // Slow approaches are none to rows that close. One that opens would sink in, and be an event again at once.
             let slow = none.max(self.no_slip(acceleration::<M, N>(&rows, u)));
-            if !(0..N).any(|i| sinks(i, slow)) {
+            if !indices::<N>().any(|i| sinks(i, slow)) {
                 break (solution, is_ambiguous);
             }
             slowest = Some(slow);
@@ -268,7 +264,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let after = u.modes();
         let begins = self.occasion == Occasion::Start;
         let closes = |i: usize| laws[i].is_unilateral() && before.is_open(i) && !after.is_open(i);
-        if !begins && (impacts > 0 || (0..N).any(closes)) {
+        if !begins && (impacts > 0 || indices::<N>().any(closes)) {
             end_flights(self.system, (self.t, u, rows), x);
         }
         // A gap that closes may be some tolerances away from zero: no step is to find that. Behind a step of fixed length it is left to
@@ -276,7 +272,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let most =
             if self.step > M::S::ZERO { self.closed() } else { M::S::lit(NEAR) * self.system.length() };
         let is_far = |i: usize| laws[i].is_unilateral() && rows.gap[i].abs() > most;
-        if (0..N).any(|i| after.of[i] == Mode::Closed && is_far(i)) {
+        if indices::<N>().any(|i| after.of[i] == Mode::Closed && is_far(i)) {
             stop(self.system, (self.t, u, &self.system.rows_at(self.t, u, x)), x);
             return Ok(());
         }
@@ -342,11 +338,14 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     /// Slower than this a row rests: its flight would be lower than rounding. What pulls it may be what pulls others: a block on a block
     /// falls as fast as that, until it is held.
     pub(super) fn resting(&self, rows: &Rows<M::S, N>, row: usize) -> M::S {
+        let row = below::<N>(row);
         let own = rows.delassus[row][row];
-        let pull = |j: usize| rows.free[j].abs() * (own / rows.delassus[j][j]).sqrt();
-        let pulls =
-            |j: &usize| self.system.law(*j).is_unilateral() && rows.delassus[*j][*j] > M::S::lit(LIGHT) * own;
-        let pull = (0..N).filter(pulls).fold(rows.free[row].abs(), |most, j| most.max(pull(j)));
+        let (mut pull, light) = (rows.free[row].abs(), M::S::lit(LIGHT) * own);
+        for j in 0..N {
+            if self.system.law(j).is_unilateral() && rows.delassus[j][j] > light {
+                pull = pull.max(rows.free[j].abs() * (own / rows.delassus[j][j]).sqrt());
+            }
+        }
         (M::S::lit(2.0) * pull * self.lowest_flight()).sqrt()
     }
 
@@ -357,6 +356,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
 
     /// Slower than this the flight of a row whose impact was not located would end within a step, or below zero where it has begun.
     fn short(&self, rows: &Rows<M::S, N>, row: usize) -> M::S {
+        let row = below::<N>(row);
         let (zero, pull) = (M::S::ZERO, rows.free[row].abs());
         let depth = if self.step > zero { (-rows.gap[row]).max(zero) } else { zero };
         (M::S::lit(0.5) * self.step * pull).max((M::S::lit(2.0) * pull * depth).sqrt())
@@ -372,20 +372,6 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     }
 }
 
-/// The speed that the accelerations of the rows give over the length of the mechanism.
-pub(super) fn speed<M: Contacts<N>, const N: usize>(system: &M, rows: &Rows<M::S, N>, u: &M::U) -> M::S {
-    (acceleration::<M, N>(rows, u) * system.length()).sqrt()
-}
-
-/// The largest term of an acceleration of the rows, with the forces of the modes until now.
-fn acceleration<M: Contacts<N>, const N: usize>(rows: &Rows<M::S, N>, u: &M::U) -> M::S {
-    let lambda = multipliers(rows, &u.modes().of).map_or([M::S::ZERO; N], |found| found.lambda);
-    (0..N).fold(M::S::ZERO, |largest, i| {
-        let terms = rows.delassus[i].iter().zip(&lambda);
-        terms.fold(largest.max(rows.free[i].abs()), |largest, (d, lambda)| largest.max((*d * *lambda).abs()))
-    })
-}
-
 /// The rows with their rates of change, where contact forces are `lambda`.
 pub(super) fn moving_rows<M: Contacts<N>, const N: usize>(
     system: &M,
@@ -399,10 +385,4 @@ pub(super) fn moving_rows<M: Contacts<N>, const N: usize>(
     motion.add([(M::S::lit(1.0), &response)]);
     let moving = |i: usize| Dual { value: x.at(i), tangents: [motion.at(i)] };
     system.rows(Dual::variable(t, 0), u, &moving, &Dual::constant)
-}
-
-/// Rounding of the rates.
-fn rounding<S: Real, const N: usize>(rows: &Rows<S, N>) -> S {
-    let largest = rows.rate.iter().fold(S::ZERO, |largest, rate| largest.max(rate.abs()));
-    S::lit(RATE_ULPS) * S::EPSILON * largest
 }

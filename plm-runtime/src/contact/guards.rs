@@ -9,7 +9,7 @@ use super::kinematics::Kinematics;
 use super::loads::Load;
 use super::margins::{PER_ROW, SIGN, UNIQUE, margins};
 use super::modes::{Mode, Modes};
-use super::rows::Rows;
+use super::rows::{Rows, below, indices};
 use super::{Contacts, Modal, change_in_steps};
 use crate::enclosure::Enclosed;
 use crate::scalar::Scalar;
@@ -105,12 +105,13 @@ pub fn stay<M: Contacts<N>, const N: usize>(
     if modes.of.contains(&Mode::Open) {
         let rows = system.kinematics(time, u, x, &Enclosed::constant);
         let is_far = |row: usize| {
+            let row = below::<N>(row);
             let gap = rows.gap[row].range(half);
             modes.of[row] != Mode::Open
                 || !system.exists(u, row)
                 || gap.low > M::S::lit(CHANGED) * (gap.high - gap.low)
         };
-        if !(0..N).all(is_far) {
+        if !indices::<N>().all(is_far) {
             return false;
         }
     }
@@ -122,13 +123,14 @@ pub fn stay<M: Contacts<N>, const N: usize>(
     }
     let [first, second] = places.map(|(t, x)| slipping(system, u, t, x));
     let is_clear = |row: usize, k: usize| {
-        let (a, b, c) = (first[row][k], second[row][k], end(PER_ROW * row + k));
+        let place = |guards: &[[M::S; PER_ROW]; N]| guards[below::<N>(row)][below::<PER_ROW>(k)];
+        let (a, b, c) = (place(&first), place(&second), end(PER_ROW * row + k));
         let (bent, changed) = ((a - b - b + c).abs(), (c - a).abs());
         a.min(b).min(c) > M::S::lit(BENT) * bent + M::S::lit(CHANGED) * changed
     };
     // Signs of reactions that bound nothing are far.
-    (0..N).all(|row| !modes.of[row].slips() || (0..SIGN).all(|k| is_clear(row, k)))
-        && (0..N).all(|load| is_clear(load, SIGN))
+    indices::<N>().all(|row| !modes.of[row].slips() || (0..SIGN).all(|k| is_clear(row, k)))
+        && indices::<N>().all(|load| is_clear(load, SIGN))
 }
 
 /// Guards of rows while none holds; but those of gaps, which are left out.
@@ -141,7 +143,7 @@ fn slipping<M: Contacts<N>, const N: usize>(system: &M, u: &M::U, t: M::S, x: &M
             row[index % PER_ROW] = guard;
         }
     };
-    if !(0..N).any(has_sign) {
+    if !indices::<N>().any(has_sign) {
         free_margins(&kinematics, modes, (modes.orientation, None), &mut each);
     } else if let Some(sizes) = system.sliding(t, u, x) {
         free_margins(&kinematics, modes, (modes.orientation, Some(&sizes)), &mut each);
@@ -161,7 +163,8 @@ fn free_margins<T: Scalar, const N: usize>(
     each: &mut impl FnMut(usize, T),
 ) {
     let far = T::lit(1.0);
-    for (row, mode) in modes.of.iter().enumerate() {
+    for row in 0..N {
+        let mode = modes.of[row];
         let margin = match mode {
             _ if modes.is_carried(row) => far,
             Mode::Open => rows.gap[row],

@@ -9,7 +9,8 @@
 //! of them, and so rates that are one of many.
 
 use super::candidates::{Allowed, Found, MARGINAL, Solution, enumerate, is_same_motion};
-use super::rows::{Law, Limit, Rows};
+use super::loads::Load;
+use super::rows::{Law, Rows, below, indices};
 use crate::scalar::Real;
 
 /// The law of impact.
@@ -71,21 +72,22 @@ pub(super) fn impulses<S: Real, const N: usize>(
 ) -> Impulses<S, N> {
     let mut first = Doubts::default();
     if law == ImpactLaw::Sequential {
-        let fastest = (0..N)
+        let fastest = indices::<N>()
             .filter(|i| touches[*i] && laws[*i].is_unilateral())
-            .reduce(|a, b| if rows.rate[b] < rows.rate[a] { b } else { a });
+            .map(below::<N>)
+            .reduce(|a, b| if rows.rate[b] < rows.rate[below::<N>(a)] { b } else { a });
         first.is_ambiguous = fastest.is_some_and(|fastest| {
-            (0..N).any(|i| touches[i] && laws[i].is_unilateral() && is_as_fast(rows, fastest, i))
+            indices::<N>().any(|i| touches[i] && laws[i].is_unilateral() && is_as_fast(rows, fastest, i))
         });
         for i in 0..N {
             touches[i] &= fastest == Some(i) || !laws[i].is_unilateral();
         }
     }
-    let problem = without_own_limits(rows);
+    let problem = &mut without_own_limits(rows);
     let found = match law {
         ImpactLaw::Newton => newton(problem, laws, |problem| solve(problem, &touches)),
         ImpactLaw::Poisson | ImpactLaw::Sequential => {
-            poisson(&problem, (laws, &touches), |problem| solve(problem, &touches))
+            poisson(problem, (laws, &touches), |problem| solve(problem, &touches))
         }
     };
     match found.unwrap_or_else(|none| none) {
@@ -96,12 +98,11 @@ pub(super) fn impulses<S: Real, const N: usize>(
 
 /// Does another row approach as fast as the fastest one, and do their impacts change each other? Then their order decides what comes out.
 fn is_as_fast<S: Real, const N: usize>(rows: &Rows<S, N>, fastest: usize, other: usize) -> bool {
-    let none = S::lit(MARGINAL);
-    let (Some(d), Some(&rate)) = (rows.delassus.get(fastest), rows.rate.get(fastest)) else { return false };
-    let (Some(&own), Some(&coupling)) = (d.get(fastest), d.get(other)) else { return false };
-    let couples = coupling.abs() > none * (own * rows.delassus[other][other]).sqrt();
-    let apart = (rows.rate[other] - rate).abs();
-    other != fastest && couples && apart <= none * rate.abs()
+    let (d, none) = (&rows.delassus, S::lit(MARGINAL));
+    let [fastest, other] = [fastest, other].map(below::<N>);
+    let couples = d[fastest][other].abs() > none * (d[fastest][fastest] * d[other][other]).sqrt();
+    let apart = (rows.rate[other] - rows.rate[fastest]).abs();
+    other != fastest && couples && apart <= none * rows.rate[fastest].abs()
 }
 
 /// The problem of rates: accelerations are rates behind the impact, forces are impulses.
@@ -115,7 +116,7 @@ fn without_own_limits<S: Real, const N: usize>(rows: &Rows<S, N>) -> Rows<S, N> 
 }
 
 fn newton<S: Real, const N: usize>(
-    mut problem: Rows<S, N>,
+    problem: &mut Rows<S, N>,
     laws: &[Law<S>; N],
     mut solve: impl FnMut(&Rows<S, N>) -> Result<Answer<S, N>, Impulses<S, N>>,
 ) -> Result<Impulses<S, N>, Impulses<S, N>> {
@@ -124,12 +125,12 @@ fn newton<S: Real, const N: usize>(
             problem.free[i] = problem.free[i] + restitution * problem.free[i].min(S::ZERO);
         }
     }
-    let Answer { lambda, is_ambiguous, .. } = solve(&problem)?;
+    let Answer { lambda, is_ambiguous, .. } = solve(problem)?;
     Ok(Impulses::Found(lambda, Doubts { is_ambiguous, ..Doubts::default() }))
 }
 
 fn poisson<S: Real, const N: usize>(
-    problem: &Rows<S, N>,
+    problem: &mut Rows<S, N>,
     (laws, touches): (&[Law<S>; N], &[bool; N]),
     mut solve: impl FnMut(&Rows<S, N>) -> Result<Answer<S, N>, Impulses<S, N>>,
 ) -> Result<Impulses<S, N>, Impulses<S, N>> {
@@ -141,20 +142,23 @@ fn poisson<S: Real, const N: usize>(
     if back.iter().all(|impulse| *impulse == S::ZERO) {
         return Ok(Impulses::Found(compression.lambda, doubts));
     }
-    let mut expansion = *problem;
+    // From here on it is that of expansion.
     for i in 0..N {
-        let sum = expansion.delassus[i].iter().zip(&back);
-        expansion.free[i] = sum.fold(compression.rate[i], |rate, (d, back)| d.mul_add(*back, rate));
-        for friction in [&mut expansion.kinetic[i], &mut expansion.adhesion[i]] {
-            for limit in [&mut friction.lower, &mut friction.upper] {
-                *limit = Limit { own: limit.at(&back), ..*limit };
+        let sum = problem.delassus[i].iter().zip(&back);
+        problem.free[i] = sum.fold(compression.rate[i], |rate, (d, back)| d.mul_add(*back, rate));
+        if let Law::Friction = laws[i] {
+            for friction in [&mut problem.kinetic[i], &mut problem.adhesion[i]] {
+                friction.lower.own = friction.lower.at(&back);
+                friction.upper.own = friction.upper.at(&back);
             }
         }
-        for reaction in &mut expansion.reaction[i] {
-            reaction.own = reaction.at(&back);
+        if problem.load[i] != Load::Nothing {
+            for reaction in &mut problem.reaction[i] {
+                reaction.own = reaction.at(&back);
+            }
         }
     }
-    let others = solve(&expansion)?;
+    let others = solve(problem)?;
     let sum = |i: usize| compression.lambda[i] + back[i] + others.lambda[i];
     let other = Doubts { is_ambiguous: others.is_ambiguous, ..Doubts::default() };
     Ok(Impulses::Found(core::array::from_fn(sum), doubts.and(other)))
@@ -185,8 +189,8 @@ fn is_shared<S: Real, const N: usize>(
         let broken = margins.broken();
         if !broken.contains(&true) && is_same_motion(problem, compression, solution) {
             let back = given_back(laws, &solution.lambda);
-            differs |= (0..N).any(|i| {
-                let terms = (0..N).map(|j| (problem.delassus[i][j], known[j], back[j]));
+            differs |= indices::<N>().any(|i| {
+                let terms = indices::<N>().map(|j| (problem.delassus[i][j], known[j], back[j]));
                 let (apart, size) = terms.fold((S::ZERO, S::ZERO), |(apart, size), (d, one, other)| {
                     (d.mul_add(one - other, apart), size + d.abs() * (one.abs() + other.abs()))
                 });

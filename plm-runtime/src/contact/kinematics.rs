@@ -2,7 +2,7 @@
 
 use super::loads::Load;
 use super::modes::Modes;
-use super::rows::Rows;
+use super::rows::{Rows, below, indices};
 use crate::scalar::Scalar;
 
 /// Gaps and rates of all rows, and the kinds of their loads.
@@ -52,16 +52,18 @@ impl<T: Scalar, const N: usize> Kinematics<T, N> {
 
     /// Is a reaction a force along a line, whose sign is held?
     pub(super) fn is_line(&self, load: usize) -> bool {
-        matches!(self.load[load], Load::Line { .. })
+        matches!(self.load[below::<N>(load)], Load::Line { .. })
     }
 
     /// Does a reaction bound a row that slips?
     pub(super) fn bounds_slip(&self, load: usize, modes: &Modes<impl Scalar, N>) -> bool {
-        (0..N).any(|row| self.read[row][load] && modes.of[row].slips())
+        let load = below::<N>(load);
+        indices::<N>().any(|row| self.read[row][load] && modes.of[row].slips())
     }
 
     /// Do guards read forces, where no row holds? A bound by a reaction has a sign, and it couples the rows that slip.
     pub(super) fn reads_forces(&self, modes: &Modes<impl Scalar, N>) -> bool {
-        (0..N).any(|row| modes.of[row].slips() && (self.read[row].contains(&true) || self.is_coupled[row]))
+        indices::<N>()
+            .any(|row| modes.of[row].slips() && (self.read[row].contains(&true) || self.is_coupled[row]))
     }
 }

@@ -3,7 +3,7 @@
 //! Newton's method on |R| replaces it by e . R with the unit vector e of the last R, since |R| + e . dR = e . (R + dR). For a reaction
 //! along one line e is a sign, which is held over a step; at its change the rate bends.
 
-use super::rows::{Limit, Rows};
+use super::rows::{Limit, Rows, below, indices};
 use crate::scalar::Scalar;
 
 /// An affine function of the multipliers.
@@ -56,31 +56,33 @@ impl Load {
 impl<T: Scalar, const N: usize> Rows<T, N> {
     /// The reactions that the limits of a row read.
     pub(super) fn loads_of(&self, row: usize) -> impl Iterator<Item = usize> + '_ {
-        let read = self.read.get(row).into_iter().flatten();
-        read.enumerate().filter(|(_, read)| **read).map(|(load, _)| load)
+        let read = &self.read[below::<N>(row)];
+        indices::<N>().filter(|load| read[*load])
     }
 
     /// The first row whose limits read a reaction.
     pub(super) fn reader(&self, load: usize) -> Option<usize> {
-        self.read.iter().position(|read| read.get(load) == Some(&true))
+        let load = below::<N>(load);
+        self.read.iter().position(|read| read[load])
     }
 
     /// The components of a reaction.
     pub(super) fn reaction_at(&self, load: usize, lambda: &[T; N]) -> [T; 2] {
-        self.reaction.get(load).map_or([T::ZERO; 2], |[x, y]| [x.at(lambda), y.at(lambda)])
+        let [x, y] = &self.reaction[below::<N>(load)];
+        [x.at(lambda), y.at(lambda)]
     }
 
     /// The unit vectors e with |R| = e . R of the reactions that a row reads which is `asked`; of the others zero.
     pub(super) fn directions(&self, lambda: &[T; N], asked: impl Fn(usize) -> bool) -> [[T; 2]; N] {
         core::array::from_fn(|load| {
-            let is_read = (0..N).any(|row| self.read[row][load] && asked(row));
+            let is_read = indices::<N>().any(|row| self.read[row][load] && asked(row));
             if is_read { self.direction(load, lambda) } else { [T::ZERO; 2] }
         })
     }
 
     /// The unit vector e with |R| = e . R.
     pub(super) fn direction(&self, load: usize, lambda: &[T; N]) -> [T; 2] {
-        match self.load[load] {
+        match self.load[below::<N>(load)] {
             Load::Nothing => [T::ZERO; 2],
             Load::Line { negative } | Load::Turned { negative } => {
                 [T::lit(if negative { -1.0 } else { 1.0 }), T::ZERO]
@@ -100,11 +102,12 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
 
     /// |R|; negative where the sign that is held does not apply.
     pub(super) fn size(&self, load: usize, lambda: &[T; N]) -> T {
-        if self.load[load] == Load::Nothing {
+        let kind = self.load[below::<N>(load)];
+        if kind == Load::Nothing {
             return T::ZERO;
         }
         let [x, y] = self.reaction_at(load, lambda);
-        if self.load[load] == Load::Plane {
+        if kind == Load::Plane {
             let square = x * x + y * y;
             return if square.to_f64() > 0.0 { square.sqrt() } else { T::ZERO };
         }
@@ -118,20 +121,20 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
             let terms = component.by.iter().zip(lambda);
             terms.fold(component.own.abs(), |sum, (by, lambda)| sum + (*by * *lambda).abs())
         };
-        let [x, y] = &self.reaction[load];
+        let [x, y] = &self.reaction[below::<N>(load)];
         of(x) + of(y)
     }
 
     /// A limit of the friction `row` with these multipliers.
     pub(super) fn limit(&self, row: usize, limit: &Limit<T, N>, lambda: &[T; N]) -> T {
-        let add = |sum, load: usize| limit.share[load].mul_add(self.size(load, lambda), sum);
+        let add = |sum, load: usize| limit.share[below::<N>(load)].mul_add(self.size(load, lambda), sum);
         self.loads_of(row).fold(limit.at(lambda), add)
     }
 
     /// A limit with e . R in the place of each |R|: own part, and factors of the multipliers.
     pub(super) fn along(&self, row: usize, limit: &Limit<T, N>, directions: &[[T; 2]; N]) -> Affine<T, N> {
         let mut found = Affine { own: limit.own, by: limit.by };
-        for load in self.loads_of(row) {
+        for load in self.loads_of(row).map(below::<N>) {
             let ([x, y], share, [along, across]) =
                 (&self.reaction[load], limit.share[load], directions[load]);
             let add = |own: T, x: T, y: T| own + share * (along * x + across * y);
@@ -143,13 +146,13 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
 
     /// With the limits and the reactions of a row for multipliers times `factor`.
     pub(super) fn times(&self, row: usize, factor: T) -> Self {
-        let mut rows = *self;
+        let (mut rows, row) = (*self, below::<N>(row));
         for friction in [&mut rows.kinetic[row], &mut rows.adhesion[row]] {
             for limit in [&mut friction.lower, &mut friction.upper] {
                 limit.own = limit.own * factor;
             }
         }
-        for load in self.loads_of(row) {
+        for load in self.loads_of(row).map(below::<N>) {
             for reaction in &mut rows.reaction[load] {
                 reaction.own = reaction.own * factor;
             }

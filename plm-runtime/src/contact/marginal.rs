@@ -6,7 +6,7 @@ use super::candidates::{MARGINAL, Margins, Solution};
 use super::margins::stick;
 use super::modes::Mode;
 use super::multipliers::multipliers;
-use super::rows::Rows;
+use super::rows::{Rows, below};
 use crate::dual::Dual;
 use crate::scalar::{Real, Scalar};
 
@@ -58,6 +58,7 @@ fn held_force<S: Real, const N: usize>(
     i: usize,
     lambda: &[Dual<S, 1>; N],
 ) -> [Dual<S, 1>; N] {
+    let i = below::<N>(i);
     let others = core::array::from_fn(|j| if j == i { Dual::ZERO } else { lambda[j] });
     let mut forces = others.map(|lambda| lambda * rows.delassus[i][i]);
     forces[i] = -rows.acceleration(i, &others);
@@ -66,6 +67,7 @@ fn held_force<S: Real, const N: usize>(
 
 /// The size of the terms of the rate of an acceleration.
 fn size<S: Real, const N: usize>(rows: &Rows<Dual<S, 1>, N>, row: usize, lambda: &[Dual<S, 1>; N]) -> S {
+    let row = below::<N>(row);
     let terms = rows.delassus[row].iter().zip(lambda);
     let moved = |sum: S, (d, lambda): (&Dual<S, 1>, &Dual<S, 1>)| {
         sum + (d.value * lambda.value).abs() + (d.value * lambda.tangents[0]).abs()

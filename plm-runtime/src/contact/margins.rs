@@ -3,7 +3,7 @@
 use super::loads::Load;
 use super::modes::{Mode, Modes};
 use super::multipliers::{Multipliers, multipliers};
-use super::rows::Rows;
+use super::rows::{Limit, Rows, below, indices};
 use crate::scalar::Scalar;
 
 /// Margins of each row. A friction that sticks has two, for the limits to both sides; the third one is for the sign of the reaction with the
@@ -42,7 +42,8 @@ pub(super) fn each_margin<T: Scalar, const N: usize>(
     each: &mut impl FnMut(usize, T),
 ) {
     let far = T::lit(1.0);
-    for (row, mode) in modes.of.iter().enumerate() {
+    for row in 0..N {
+        let mode = modes.of[row];
         let [first, second] = match mode {
             _ if modes.is_carried(row) => [far, far],
             Mode::Open => [rows.gap[row], far],
@@ -56,7 +57,7 @@ pub(super) fn each_margin<T: Scalar, const N: usize>(
     }
     for load in 0..N {
         let bounds = |row: usize| rows.read[row][load] && modes.of[row] != Mode::Off;
-        let is_read = matches!(rows.load[load], Load::Line { .. }) && (0..N).any(bounds);
+        let is_read = matches!(rows.load[load], Load::Line { .. }) && indices::<N>().any(bounds);
         each(PER_ROW * load + SIGN, if is_read { rows.size(load, lambda) } else { far });
     }
     let least = if modes.of.iter().any(|mode| mode.slips()) { UNIQUE } else { 0.0 };
@@ -65,13 +66,18 @@ pub(super) fn each_margin<T: Scalar, const N: usize>(
 
 /// The limits of a friction to both sides together, with the shares of reactions as they are; zero where none can have a force.
 fn bound<T: Scalar, const N: usize>(rows: &Rows<T, N>, row: usize, lambda: &[T; N]) -> T {
-    let [lower, upper] = [&rows.adhesion[row].lower, &rows.adhesion[row].upper]
-        .map(|limit| rows.loads_of(row).fold(limit.at(lambda), |sum, load| sum + limit.share[load]));
+    let adhesion = &rows.adhesion[below::<N>(row)];
+    let add = |limit: &Limit<T, N>| {
+        let shares = rows.loads_of(row).map(|load| limit.share[below::<N>(load)]);
+        shares.fold(limit.at(lambda), |sum, share| sum + share)
+    };
+    let [lower, upper] = [&adhesion.lower, &adhesion.upper].map(add);
     lower + upper
 }
 
 /// How far a row that sticks is from either limit.
 pub(super) fn stick<T: Scalar, const N: usize>(rows: &Rows<T, N>, row: usize, lambda: &[T; N]) -> [T; 2] {
+    let row = below::<N>(row);
     let adhesion = &rows.adhesion[row];
     let [lower, upper] = [&adhesion.lower, &adhesion.upper].map(|limit| rows.limit(row, limit, lambda));
     [lambda[row] + lower, upper - lambda[row]]

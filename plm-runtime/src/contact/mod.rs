@@ -30,6 +30,7 @@ mod project;
 #[cfg(test)]
 mod random;
 mod rows;
+mod scales;
 mod signs;
 mod sliding;
 mod status;
@@ -276,10 +277,14 @@ fn balance<T: Scalar, X: Vector<T>, const N: usize>(
     lambda: &[T; N],
     response: impl FnOnce(&[T; N]) -> X,
 ) {
-    // The fractions of multiples of the golden ratio lie far apart.
-    let weight = |i: usize| T::lit(1.0 + (i as f64 * 0.618_033_988_749_894_9) % 1.0);
-    let weighted = core::array::from_fn(|i| weight(i) * lambda[i]);
+    let weighted = core::array::from_fn(|i| T::lit(1.0 + apart(i)) * lambda[i]);
     *dx = dx.map2(&response(&weighted), |sum, size| balanced(sum, size.abs()));
+}
+
+/// A number from 0 to 1, far from that of others: the fractions of multiples of the golden ratio lie far apart.
+fn apart(number: usize) -> f64 {
+    let multiple = number as f64 * 0.618_033_988_749_894_9;
+    multiple - f64::from(multiple as u32)
 }
 
 /// An acceleration; zero where it is rounding of contact forces of a size.

@@ -7,7 +7,7 @@
 
 use super::loads::Load;
 use super::modes::Mode;
-use super::rows::{Limit, Rows};
+use super::rows::{Limit, Rows, below, indices};
 use crate::scalar::Scalar;
 
 /// A pivot below this fraction of the largest entry of its row depends on others.
@@ -136,9 +136,10 @@ fn swept<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &[Mode; N], sweeps
 
 /// The limit of a row that slips.
 fn slip_limit<T, const N: usize>(rows: &Rows<T, N>, mode: Mode, row: usize) -> Option<&Limit<T, N>> {
+    let kinetic = &rows.kinetic[below::<N>(row)];
     match mode {
-        Mode::Forwards => Some(&rows.kinetic[row].lower),
-        Mode::Backwards => Some(&rows.kinetic[row].upper),
+        Mode::Forwards => Some(&kinetic.lower),
+        Mode::Backwards => Some(&kinetic.upper),
         _ => None,
     }
 }
@@ -149,27 +150,21 @@ fn directions<T: Scalar, const N: usize>(
     modes: &[Mode; N],
     lambda: &[T; N],
 ) -> [[T; 2]; N] {
-    rows.directions(lambda, |row| modes[row].slips())
+    rows.directions(lambda, |row| modes[below::<N>(row)].slips())
 }
 
 impl<T: Scalar, const N: usize> System<T, N> {
     fn of(rows: &Rows<T, N>, (modes, directions): (&[Mode; N], &[[T; 2]; N])) -> Self {
         let mut system = Self { rows: [[T::ZERO; N]; N], right: [T::ZERO; N], unknown: [0; N], order: 0 };
-        let mut unknowns = system.unknown.iter_mut();
-        for (i, mode) in modes.iter().enumerate() {
-            if mode.holds() || mode.slips() {
-                if let Some(unknown) = unknowns.next() {
-                    *unknown = i;
-                }
-                system.order += 1;
-            }
+        for i in indices::<N>().filter(|i| modes[*i].holds() || modes[*i].slips()) {
+            system.unknown[below::<N>(system.order)] = i;
+            system.order += 1;
         }
         for k in 0..system.order.min(N) {
-            let i = system.unknown[k].min(N - 1);
+            let i = below::<N>(system.unknown[k]);
             let (row, right) = equation(rows, (modes[i], directions), i);
             system.rows[k] = core::array::from_fn(|l| {
-                let entry = row.get(system.unknown[l]).filter(|_| l < system.order);
-                entry.copied().unwrap_or(T::ZERO)
+                if l < system.order { row[below::<N>(system.unknown[l])] } else { T::ZERO }
             });
             system.right[k] = right;
         }
@@ -203,9 +198,12 @@ impl<T: Scalar, const N: usize> System<T, N> {
                     return None;
                 }
             }
-            // A pivot is below `order`, which compilers do not see.
-            if pivot != k && pivot < N {
-                self.rows.swap(k, pivot);
+            if pivot != k {
+                let pivot = below::<N>(pivot);
+                for j in k..order {
+                    let entries = (self.rows[k][j], self.rows[pivot][j]);
+                    (self.rows[pivot][j], self.rows[k][j]) = entries;
+                }
                 self.right.swap(k, pivot);
                 sizes.swap(k, pivot);
                 determinant = -determinant;
@@ -233,9 +231,7 @@ impl<T: Scalar, const N: usize> System<T, N> {
                 rest = rest - self.rows[k][j] * solution[j];
             }
             solution[k] = rest / self.rows[k][k];
-            if let Some(lambda) = lambda.get_mut(self.unknown[k]) {
-                *lambda = solution[k];
-            }
+            lambda[below::<N>(self.unknown[k])] = solution[k];
         }
         lambda
     }
@@ -247,12 +243,13 @@ fn ratio<T: Scalar>(entry: T, size: f64) -> f64 {
 }
 
 /// The equation of the row `i`, and its right side. Rows that hold are divided by their diagonal entry.
+#[inline]
 pub(super) fn equation<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,
     (mode, directions): (Mode, &[[T; 2]; N]),
     i: usize,
 ) -> ([T; N], T) {
-    let one = T::lit(1.0);
+    let (one, i) = (T::lit(1.0), below::<N>(i));
     let Some(limit) = slip_limit(rows, mode, i) else {
         let row = rows.delassus[i];
         return (row.map(|d| d / row[i]), -rows.free[i] / row[i]);

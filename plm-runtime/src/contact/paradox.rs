@@ -8,7 +8,7 @@
 use super::margins::UNIQUE;
 use super::modes::{Mode, Modes};
 use super::multipliers::{Multipliers, equation, multipliers};
-use super::rows::Rows;
+use super::rows::{Rows, below, indices};
 use crate::scalar::Real;
 
 /// The row that has no unique force where the determinant of the active rows has come to zero, and p there; none where it has not, or
@@ -20,7 +20,7 @@ pub(super) fn lost<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &Modes<S, 
         return None;
     }
     let p = share(rows, of)?;
-    let pairs = (0..N).filter_map(|row| Some((row, own_share(rows, of, row)?)));
+    let pairs = indices::<N>().filter_map(|row| Some((row, own_share(rows, of, row)?)));
     let (row, _) = pairs.reduce(|least, next| if next.1 < least.1 { next } else { least })?;
     Some((row, p))
 }
@@ -34,7 +34,7 @@ pub(super) fn share<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N
 
 /// p of one row beside the slips alone.
 fn own_share<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N], row: usize) -> Option<S> {
-    let one = S::lit(1.0);
+    let (one, row) = (S::lit(1.0), below::<N>(row));
     let slips = |k: &usize| modes[*k].slips();
     let directions = rows.directions(&[S::ZERO; N], |row| modes[row].slips());
     let of = |k: usize| equation(rows, (modes[k], &directions), k).0;
@@ -42,7 +42,7 @@ fn own_share<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N], row:
         mode if mode.slips() => Some(of(row)[row]),
         mode if mode.holds() => {
             let d = &rows.delassus[row];
-            Some((0..N).filter(slips).fold(one, |p, k| p - d[k] / d[row] * of(k)[row]))
+            Some(indices::<N>().filter(slips).fold(one, |p, k| p - d[k] / d[row] * of(k)[row]))
         }
         _ => None,
     }

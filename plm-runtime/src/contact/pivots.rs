@@ -7,10 +7,11 @@
 //! The Linear Complementarity Problem, 1992, section 4.4; F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996,
 //! chapter 6). What is found is one solution, where there is one; whether there are others is not known.
 
+use super::apart;
 use super::candidates::Allowed;
 use super::loads::{Affine, Load};
 use super::modes::Mode;
-use super::rows::Rows;
+use super::rows::{Rows, below, indices};
 use crate::linalg::Lu;
 use crate::scalar::Real;
 
@@ -27,8 +28,8 @@ pub(super) fn pivoted<S: Real, const N: usize>(
     allowed: &[Allowed; N],
     attempt: u32,
 ) -> Option<[Mode; N]> {
-    let is_curved = |i: usize| rows.loads_of(i).any(|load| rows.load[load] == Load::Plane);
-    let is_curved = (0..N).any(|i| allowed[i] == Allowed::Resting && is_curved(i));
+    let is_curved = |i: usize| rows.loads_of(i).any(|load| rows.load[below::<N>(load)] == Load::Plane);
+    let is_curved = indices::<N>().any(|i| allowed[i] == Allowed::Resting && is_curved(i));
     let mut forces = [S::ZERO; N];
     let mut modes = None;
     for _ in 0..if is_curved { MOST_DIRECTIONS } else { 1 } {
@@ -158,14 +159,14 @@ enum Column {
 impl<S: Real, const N: usize> Line<S, N> {
     fn at(&self, column: Column) -> S {
         match column {
-            Column::Of(row, pair) => self.by[row][pair],
+            Column::Of(row, pair) => self.by[below::<N>(row)][below::<2>(pair)],
             Column::Last => self.cover,
         }
     }
 
     fn set(&mut self, column: Column, value: S) {
         match column {
-            Column::Of(row, pair) => self.by[row][pair] = value,
+            Column::Of(row, pair) => self.by[below::<N>(row)][below::<2>(pair)] = value,
             Column::Last => self.cover = value,
         }
     }
@@ -176,21 +177,21 @@ impl<S: Real, const N: usize> Tableau<S, N> {
         let Problem { rows, columns, constant, upper, scale } = problem;
         let (one, zero) = (S::lit(1.0), S::ZERO);
         let dot = |a: &[S; N], b: &[S; N]| a.iter().zip(b).fold(zero, |sum, (a, b)| a.mul_add(*b, sum));
-        let rests = |i: usize, pair: usize| match allowed[i] {
+        let rests = |i: usize, pair: usize| match allowed[below::<N>(i)] {
             Allowed::Touching => pair == 0,
             Allowed::Resting => true,
             Allowed::Only(_) => false,
         };
         let line = |i: usize, pair: usize| {
+            let i = below::<N>(i);
             let basic = Variable::rate(i, pair);
-            // The fractions of multiples of the golden ratio lie far apart.
-            let cover = 1.0 + f64::from(attempt) * ((2 * i + pair) as f64 * 0.618_033_988_749_894_9 % 1.0);
+            let cover = 1.0 + f64::from(attempt) * apart(2 * i + pair);
             let (by, cover) = ([[zero; 2]; N], S::lit(cover));
             let mut line = Line { basic, by, cover, right: zero, is_there: rests(i, pair) };
             if !line.is_there {
                 return line;
             }
-            for j in (0..N).filter(|j| rests(*j, 0)) {
+            for j in indices::<N>().filter(|j| rests(*j, 0)).map(below::<N>) {
                 let column = &columns[j];
                 line.by[j][0] = if pair == 0 {
                     dot(&rows.delassus[i], column) / (scale[i] * scale[j])
@@ -277,7 +278,7 @@ impl<S: Real, const N: usize> Tableau<S, N> {
 
     /// The basic variable of a line and the zero one of a column change their places; gives the one that was basic.
     fn exchange(&mut self, (i, pair): (usize, usize), column: Column) -> Variable {
-        let one = S::lit(1.0);
+        let (one, i, pair) = (S::lit(1.0), below::<N>(i), below::<2>(pair));
         let mut line = self.lines[i][pair];
         let pivot = one / line.at(column);
         // basic = right + by . zero, solved for the variable of the column.
@@ -298,7 +299,7 @@ impl<S: Real, const N: usize> Tableau<S, N> {
             other.right = factor.mul_add(line.right, other.right);
         }
         let zero = match column {
-            Column::Of(row, pair) => &mut self.zero[row][pair],
+            Column::Of(row, pair) => &mut self.zero[below::<N>(row)][below::<2>(pair)],
             Column::Last => &mut self.last,
         };
         let left = core::mem::replace(zero, line.basic);
@@ -336,7 +337,7 @@ impl<S: Real, const N: usize> Tableau<S, N> {
     }
 
     fn line(&self, (row, pair): (usize, usize)) -> &Line<S, N> {
-        &self.lines[row][pair]
+        &self.lines[below::<N>(row)][below::<2>(pair)]
     }
 
     /// The places of the pairs.
@@ -349,7 +350,8 @@ impl<S: Real, const N: usize> Tableau<S, N> {
         if self.last == variable {
             return Some(Column::Last);
         }
-        let place = self.places().find(|(row, pair)| self.zero[*row][*pair] == variable)?;
+        let zero = |(row, pair): &(usize, usize)| self.zero[below::<N>(*row)][below::<2>(*pair)];
+        let place = self.places().find(|place| zero(place) == variable)?;
         Some(Column::Of(place.0, place.1))
     }
 }

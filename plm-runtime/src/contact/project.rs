@@ -1,7 +1,7 @@
 //! Rows that hold, at position and velocity level: a friction that sticks stays in its place.
 
 use super::multipliers::{Multipliers, multipliers};
-use super::rows::{Friction, Limit, Rows};
+use super::rows::{Friction, Limit, Rows, below, indices};
 use super::{Contacts, Modal, modes::Mode, moved};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
@@ -123,7 +123,7 @@ pub fn held_rows<M: Contacts<N>, const N: usize>(
 ) {
     let rows = system.kinematics_at(t, u, x);
     let away = away::<M, N>(&rows.gap, u);
-    for i in (0..N).filter(|i| u.modes().of[*i].holds()) {
+    for i in indices::<N>().filter(|i| u.modes().of[*i].holds()).map(below::<N>) {
         row(away[i]);
         row(rows.rate[i]);
     }

@@ -4,6 +4,17 @@ use super::loads::{Affine, Load};
 use super::modes::Mode;
 use crate::scalar::{Real, Scalar};
 
+/// The number of a row or of a reaction, below `N` as compilers see it too: an array that it indexes has no check that could fail.
+pub(super) fn below<const N: usize>(index: usize) -> usize {
+    debug_assert!(index < N, "{index} of {N}");
+    index.min(N.saturating_sub(1))
+}
+
+/// The numbers of all rows, or of all reactions, each [`below`] `N`.
+pub(super) fn indices<const N: usize>() -> impl Iterator<Item = usize> {
+    (0..N).map(below::<N>)
+}
+
 /// What a row says.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law<S> {
@@ -135,9 +146,10 @@ impl<T: Real, const N: usize> Rows<T, N> {
     /// `none`. The speed along w, |w v|/sqrt(w M^-1 w^T), is then no smaller than theirs, unless D is rounding alone. Contact forces do
     /// not accelerate such a row: it slips on to the side of its free acceleration. `length` is that of the mechanism.
     pub(super) fn turns(&self, row: usize, none: T, length: T) -> bool {
+        let row = below::<N>(row);
         let own = |i: usize| self.delassus[i][i];
         let speed = |i: usize| self.rate[i].abs() / own(i).sqrt();
-        let slips = (0..N).filter(|i| self.rate[*i].abs() > none);
+        let slips = indices::<N>().filter(|i| self.rate[*i].abs() > none);
         let (fastest, largest) = slips
             .fold((T::ZERO, T::ZERO), |(fastest, largest), i| (fastest.max(speed(i)), largest.max(own(i))));
         let is_cancelled = own(row) <= T::lit(CANCELLED) * largest * (length * length).min(T::lit(1.0));
@@ -178,6 +190,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
 
     /// The acceleration of a row with these multipliers.
     pub(in crate::contact) fn acceleration(&self, row: usize, lambda: &[T; N]) -> T {
+        let row = below::<N>(row);
         self.delassus[row].iter().zip(lambda).fold(self.free[row], |sum, (d, lambda)| d.mul_add(*lambda, sum))
     }
 }

@@ -4,7 +4,7 @@ use super::candidates::MARGINAL;
 use super::loads::Load;
 use super::modes::Mode;
 use super::multipliers::{Multipliers, multipliers};
-use super::rows::Rows;
+use super::rows::{Rows, indices};
 use crate::scalar::Real;
 
 /// So many reactions along lines have all combinations of their signs tried.
@@ -32,7 +32,7 @@ fn wrong_sign<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     Multipliers { lambda, .. }: &Multipliers<S, N>,
 ) -> Option<usize> {
-    (0..N).find(|load| {
+    indices::<N>().find(|load| {
         let none = S::lit(MARGINAL) * rows.terms(*load, lambda);
         matches!(rows.load[*load], Load::Line { .. }) && rows.size(*load, lambda) < -none
     })
@@ -45,7 +45,7 @@ fn by_all_signs<S: Real, const N: usize>(
     modes: &[Mode; N],
 ) -> Option<(Option<Rows<S, N>>, Multipliers<S, N>)> {
     let is_line = |load: &usize| matches!(rows.load[*load], Load::Line { .. });
-    let lines = (0..N).filter(is_line).count();
+    let lines = indices::<N>().filter(is_line).count();
     (0..1_u32 << lines.min(MOST_SIGNS)).find_map(|number| {
         let (mut turned, mut left) = (*rows, number);
         for load in &mut turned.load {

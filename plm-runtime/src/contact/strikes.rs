@@ -3,7 +3,7 @@
 use super::booked::Struck;
 use super::event::Event;
 use super::impact::{ImpactLaw, Impulses, by_enumeration, impulses};
-use super::rows::{Law, Rows};
+use super::rows::{Law, Rows, below, indices};
 use super::{Contacts, moved};
 use crate::fault::{Cause, Fault};
 use crate::scalar::Scalar;
@@ -30,14 +30,15 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         loop {
             let touches = self.touches(laws, rows, u);
             let approaches = |i: &usize| {
-                let slow = slowest.unwrap_or_else(|| self.resting(rows, *i).max(none));
-                match laws[*i] {
-                    Law::Unilateral { .. } => touches[*i] && rows.rate[*i] < -slow,
-                    Law::Constraint => touches[*i] && rows.rate[*i].abs() > slow,
+                let i = below::<N>(*i);
+                let slow = slowest.unwrap_or_else(|| self.resting(rows, i).max(none));
+                match laws[i] {
+                    Law::Unilateral { .. } => touches[i] && rows.rate[i] < -slow,
+                    Law::Constraint => touches[i] && rows.rate[i].abs() > slow,
                     Law::Friction => false,
                 }
             };
-            let Some(row) = (0..N).find(approaches) else { return Ok(()) };
+            let Some(row) = indices::<N>().find(approaches) else { return Ok(()) };
             if struck.count >= most {
                 return Err(self.fault(row, Cause::Impact { tried: struck.count }));
             }
@@ -50,7 +51,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             moved(self.system, (self.t, u), x, &impulses);
             let after = self.system.rows_at(self.t, u, x);
             struck
-                .add((rows, &after), &moved_by_time, &impulses)
+                .add([&rows.rate, &after.rate], &moved_by_time, &impulses)
                 .map_err(|[by, of]| self.fault(row, Cause::ImpactGains { by, of }))?;
             *rows = after;
         }

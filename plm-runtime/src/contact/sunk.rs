@@ -2,6 +2,7 @@
 
 use super::Contacts;
 use super::event::CLOSED;
+use super::rows::{below, indices};
 use crate::fault::{Cause, Fault};
 use crate::scalar::Scalar;
 
@@ -15,7 +16,7 @@ pub fn appear<M: Contacts<N>, const N: usize>(
     (u, x): (&M::U, &M::X),
     existed: [bool; N],
 ) -> Result<(), Fault> {
-    above((system, t), u, x, |row| !existed[row])
+    above((system, t), u, x, |row| !existed[below::<N>(row)])
 }
 
 /// A constraint that begins to exist may be open by this fraction of the length of the mechanism: it is led back. Starts are rounded.
@@ -28,18 +29,24 @@ pub(super) fn above<M: Contacts<N>, const N: usize>(
     x: &M::X,
     of: impl Fn(usize) -> bool,
 ) -> Result<(), Fault> {
-    let rows = system.rows_at(t, u, x);
     let is_new = |row: &usize| of(*row) && system.exists(u, *row);
-    let is_open = |row: &usize| rows.gap[*row].abs() > M::S::lit(ROUNDED) * system.length();
-    if let Some(row) = (0..N).filter(is_new).filter(|row| system.law(*row).is_constraint()).find(is_open) {
-        let cause = Cause::Open { gap: rows.gap[row].abs().to_f64() };
+    if !indices::<N>().any(|row| is_new(&row)) {
+        return Ok(());
+    }
+    let rows = system.rows_at(t, u, x);
+    let gap = |row: usize| rows.gap[below::<N>(row)];
+    let is_open = |row: &usize| gap(*row).abs() > M::S::lit(ROUNDED) * system.length();
+    if let Some(row) =
+        indices::<N>().filter(is_new).filter(|row| system.law(*row).is_constraint()).find(is_open)
+    {
+        let cause = Cause::Open { gap: gap(row).abs().to_f64() };
         return Err(Fault::of_part(t.to_f64(), system.contact_name(row), cause));
     }
     let is_asked = |row: &usize| is_new(row) && system.law(*row).is_unilateral();
-    let deepest = (0..N).filter(is_asked).reduce(|a, b| if rows.gap[b] < rows.gap[a] { b } else { a });
-    match deepest.filter(|row| rows.gap[*row] < -M::S::lit(CLOSED) * system.length()) {
+    let deepest = indices::<N>().filter(is_asked).reduce(|a, b| if gap(b) < gap(a) { b } else { a });
+    match deepest.filter(|row| gap(*row) < -M::S::lit(CLOSED) * system.length()) {
         Some(row) => {
-            let cause = Cause::Sunk { by: -rows.gap[row].to_f64() };
+            let cause = Cause::Sunk { by: -gap(row).to_f64() };
             Err(Fault::of_part(t.to_f64(), system.contact_name(row), cause))
         }
         None => Ok(()),

@@ -57,11 +57,11 @@ pub fn change<M: Sets<W>, const W: usize>(
     change(u, x)?;
     let mut is_settled = true;
     for _ in 0..MOST_ROUNDS {
-        is_settled &= !follow(system, t, u, x, &before);
+        let (has_followed, here) = follow(system, t, u, x, &before);
+        is_settled &= !has_followed;
         let now = system.holds(u);
         let due: [bool; W] = core::array::from_fn(|k| now[k] && !held[k]);
-        held = now;
-        before = differences(system, t, u, x);
+        (held, before) = (now, here);
         if due.contains(&true) {
             for k in (0..W).filter(|k| due[*k]) {
                 system.set(t, u, x, k)?;
@@ -101,8 +101,10 @@ pub fn take_sides<M: System<S: Real>>(
         let here = guards(system, t, u, x);
         let mut any = false;
         for k in (0..conditions).filter(|k| here.at(*k) < M::S::ZERO && !system.must_hold(*k)) {
-            sides(u)[k] = -sides(u)[k];
-            any = true;
+            if let Some(side) = sides(u).get_mut(k) {
+                *side = -*side;
+                any = true;
+            }
         }
         if !any {
             return;
@@ -114,33 +116,42 @@ pub fn take_sides<M: System<S: Real>>(
 fn differences<M: Sets<W>, const W: usize>(system: &M, t: M::S, u: &M::U, x: &M::X) -> M::G {
     let (guards, mut held) = (guards(system, t, u, x), *u);
     let sides = M::sides(&mut held);
-    M::G::from_fn(|k| if k < M::CONDITIONS { sides[k] * guards.at(k) } else { M::S::ZERO })
+    M::G::from_fn(|k| match sides.get(k) {
+        Some(side) if k < M::CONDITIONS => *side * guards.at(k),
+        _ => M::S::ZERO,
+    })
 }
 
 fn changed<G: Vector<S>, S: Real>(before: &G, after: &G, k: usize) -> bool {
     before.at(k) != after.at(k)
 }
 
-/// Gives conditions whose values have jumped the sides of the new ones; whether any has got another one. That of the event itself has
-/// not jumped: its value is rounding.
-fn follow<M: Sets<W>, const W: usize>(system: &M, t: M::S, u: &mut M::U, x: &M::X, before: &M::G) -> bool {
+/// Gives conditions whose values have jumped the sides of the new ones; whether any has got another one, and their differences then. That
+/// of the event itself has not jumped: its value is rounding.
+fn follow<M: Sets<W>, const W: usize>(
+    system: &M,
+    t: M::S,
+    u: &mut M::U,
+    x: &M::X,
+    before: &M::G,
+) -> (bool, M::G) {
     let mut has_followed = false;
     for _ in 0..=M::CONDITIONS {
         let after = differences(system, t, u, x);
         let mut any = false;
         for k in (0..M::CONDITIONS).filter(|k| changed(before, &after, *k) && !system.must_hold(*k)) {
             let side = M::S::lit(if after.at(k) < M::S::ZERO { -1.0 } else { 1.0 });
-            if side != M::sides(u)[k] {
-                M::sides(u)[k] = side;
+            if let Some(held) = M::sides(u).get_mut(k).filter(|held| **held != side) {
+                *held = side;
                 any = true;
             }
         }
         has_followed |= any;
         if !any {
-            break;
+            return (has_followed, after);
         }
     }
-    has_followed
+    (has_followed, differences(system, t, u, x))
 }
 
 /// Velocities of all bodies where some have got other ones, by number: what joints demand of the rest costs the least change in the

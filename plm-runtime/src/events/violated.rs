@@ -36,12 +36,14 @@ pub(crate) fn switch_each<M: System<S: Real>>(
     mut each: impl FnMut(usize),
 ) -> Result<(), Fault> {
     refresh(system, t, u, x);
+    let mut here = guards(system, t, u, x);
     for _ in 0..=M::G::LEN {
         let mut any = false;
         for i in 0..M::G::LEN {
-            if is_below(system, &guards(system, t, u, x), &edges, i) {
+            if is_below(system, &here, &edges, i) {
                 system.switch_behind(t, u, x, (i, within))?;
-                edges.set(i, guards(system, t, u, x).at(i).min(M::S::ZERO));
+                here = guards(system, t, u, x);
+                edges.set(i, here.at(i).min(M::S::ZERO));
                 each(i);
                 any = true;
             }

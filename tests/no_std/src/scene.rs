@@ -2,8 +2,8 @@
 
 use plm::runtime::Vector;
 use plm::{
-    Adams, Dop853, Dopri5, Fault, Gauss, Mechanism, Method, Moment, RadauIia5, Real, Rk4, Ros34Pw2, Scalar,
-    SemiImplicitEuler, Vern9,
+    Adams, Dop853, Dopri5, Fault, Gauss, Mechanism, Method, Moment, MoreauJean, RadauIia5, Real, Rk4,
+    Ros34Pw2, Scalar, SemiImplicitEuler, Vern9,
 };
 
 plm::mechanism! {
@@ -130,6 +130,26 @@ plm::mechanism! {
     }
 }
 
+plm::mechanism! {
+    /// A block that sticks on an incline after a slide, a ball that bounces; a door whose pin rubs, a drawer whose guide rubs at both ends.
+    pub Stand {
+        gravity: 9.81 m/s^2;
+        emit: step(moreau_jean);
+        body block { mass: 1 kg; inertia: 1 kg*m^2; start vx: 0.4 m/s; }
+        constraint level: block.angle = 0;
+        unilateral floor: block.y >= 0.1*block.x;
+        friction grip: rate(block.x + 0.1*block.y) within 0.3*reaction(floor) { static: 0.4*reaction(floor); }
+        ground { port hinge: (-2, 0) m; port rail: (-4, 0) m, axis: 20 deg; }
+        body door { mass: 1 kg; inertia: 0.1 kg*m^2; port hinge: (-0.5, 0) m; start x: -1.5 m; start omega: 1 rad/s; }
+        revolute hinge(ground.hinge, door.hinge) { pin_diameter: 0.1 m; friction: 0.2; }
+        body drawer { mass: 2 kg; inertia: 0.1 kg*m^2; port rail: (0, 0.1) m; start x: -4 m; }
+        prismatic rail(ground.rail, drawer.rail) { friction: 0.2; guide_length: 0.3 m; }
+        body ball { mass: 2 kg; inertia: 1 kg*m^2; start x: 3 m; start y: 0.5 m; }
+        unilateral base: ball.y >= 0 m { restitution: 0.5; }
+        output push = reaction(floor);
+    }
+}
+
 /// Gives the bits of time and state at some moments of some runs.
 ///
 /// # Errors
@@ -148,6 +168,8 @@ pub fn run(mut emit: impl FnMut(u64)) -> Result<(), Fault> {
     moments(Plate::new(), Rk4::new(1e-2), &mut emit)?;
     moments(Rope::new(), Rk4::new(1e-2), &mut emit)?;
     moments(Rope::new(), Ros34Pw2::new(1e-2), &mut emit)?;
+    moments(Stand::new(), MoreauJean::new(1e-3), &mut emit)?;
+    moments(Stand::<f32>::of(), MoreauJean::new(1e-3), &mut emit)?;
     let mut rope = Rope::new().start_with(Rk4::new(1e-2))?;
     rope.step(0.1)?;
     rope.outputs().iter().chain([&rope.kinetic_energy()]).for_each(|output| emit(output.to_bits()));

@@ -6,7 +6,7 @@ use crate::contact::booked::Struck;
 use crate::contact::event::CLOSED;
 use crate::contact::impact::{Answer, ImpactLaw, Impulses, impulses};
 use crate::contact::modes::{Mode, Modes};
-use crate::contact::rows::{Law, Rows};
+use crate::contact::rows::{Law, Rows, below, indices};
 use crate::contact::{Contacts, Modal, sum_of};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
@@ -37,7 +37,7 @@ pub(super) fn impacts<M: Contacts<N>, const N: usize>(
     let most = if law == ImpactLaw::Sequential { MOST_PAIRS } else { 1 };
     let moved_by_time = rates_at_rest(system, stride, u, x);
     let touches = touches(stride, (laws, exists), &motion.rows, (u.modes(), system.length()));
-    for _ in 0..most {
+    for pair in 1..=most {
         let mut by_rounds = |rows: &Rows<M::S, N>, touches: &[bool; N]| {
             let rules = core::array::from_fn(|i| rule(&laws[i], touches[i]));
             let guess = core::array::from_fn(|i| guess(rules[i], rows.free[i]));
@@ -51,18 +51,24 @@ pub(super) fn impacts<M: Contacts<N>, const N: usize>(
         else {
             break;
         };
-        let after = behind(stride, &motion.rows, &impulses);
-        struck.add((&motion.rows, &after), &moved_by_time, &impulses).map_err(|[by, of]| {
+        let ([before, _], changes) = (stride.parts(), changes(&motion.rows, &impulses));
+        let Rows { gap, rate, .. } = &mut motion.rows;
+        let after = core::array::from_fn(|i| rate[i] + changes[i]);
+        struck.add([rate, &after], &moved_by_time, &impulses).map_err(|[by, of]| {
             Fault::of_part(stride.t.to_f64(), system.contact_name(row), Cause::ImpactGains { by, of })
         })?;
-        motion.rows = after;
-        let ([before, _], change) = (stride.parts(), sum_of(&motion.responses, &impulses));
+        *rate = after;
+        for i in 0..N {
+            gap[i] = before.mul_add(changes[i], gap[i]);
+        }
+        let change = sum_of(&motion.responses, &impulses);
         for i in 0..M::NQ {
             let v = M::NQ + i;
             x.set(v, x.at(v) + change.at(v));
             x.set(i, before.mul_add(change.at(v), x.at(i)));
         }
-        let Some(next) = striking(stride, (laws, exists), &motion.rows) else { break };
+        let next = if pair < most { striking(stride, (laws, exists), &motion.rows) } else { None };
+        let Some(next) = next else { break };
         row = next;
     }
     Ok(struck)
@@ -90,14 +96,15 @@ fn striking<S: Real, const N: usize>(
     // What pulls a row may be what pulls others: a_i^2/D_ii has the same unit in every row.
     let pull = |i: usize| rows.free[i] * rows.free[i] / rows.delassus[i][i];
     let mut most = None;
-    (0..N).find(|&i| {
+    indices::<N>().find(|&i| {
+        let i = below::<N>(i);
         let Law::Unilateral { restitution } = laws[i] else { return false };
         let approaches = exists[i] && rows.rate[i] < S::ZERO && restitution > S::ZERO;
         if !approaches || !closes(stride, rows, i) {
             return false;
         }
         let most = *most.get_or_insert_with(|| {
-            let gaps = (0..N).filter(|j| laws[*j].is_unilateral() && rows.delassus[*j][*j] > S::ZERO);
+            let gaps = indices::<N>().filter(|j| laws[*j].is_unilateral() && rows.delassus[*j][*j] > S::ZERO);
             gaps.fold(S::ZERO, |most, j| most.max(pull(j)))
         });
         let (bounce, h) = (restitution * rows.rate[i], stride.h);
@@ -107,7 +114,7 @@ fn striking<S: Real, const N: usize>(
 
 /// Would the step close the gap if there were no contact?
 fn closes<S: Real, const N: usize>(stride: &Stride<S>, rows: &Rows<S, N>, i: usize) -> bool {
-    let [before, _] = stride.parts();
+    let ([before, _], i) = (stride.parts(), below::<N>(i));
     let rate = stride.h.mul_add(rows.free[i], rows.rate[i]) - before * rows.bias[i];
     problem::end(stride, rows, i, rate) < S::ZERO
 }
@@ -128,17 +135,12 @@ fn touches<S: Real, const N: usize>(
     })
 }
 
-/// The rows behind impulses.
-fn behind<S: Real, const N: usize>(stride: &Stride<S>, rows: &Rows<S, N>, impulses: &[S; N]) -> Rows<S, N> {
-    let [before, _] = stride.parts();
-    let mut after = *rows;
-    for i in 0..N {
+/// The changes of the rates of the rows by impulses.
+fn changes<S: Real, const N: usize>(rows: &Rows<S, N>, impulses: &[S; N]) -> [S; N] {
+    core::array::from_fn(|i| {
         let terms = rows.delassus[i].iter().zip(impulses);
-        let change = terms.fold(S::ZERO, |sum, (d, impulse)| d.mul_add(*impulse, sum));
-        after.rate[i] = rows.rate[i] + change;
-        after.gap[i] = before.mul_add(change, rows.gap[i]);
-    }
-    after
+        terms.fold(S::ZERO, |sum, (d, impulse)| d.mul_add(*impulse, sum))
+    })
 }
 
 /// The rates that time alone gives the rows.

@@ -3,7 +3,7 @@
 use super::Stride;
 use super::solver::{Rule, Solved, eliminate, solve};
 use crate::contact::modes::{Mode, Modes};
-use crate::contact::rows::{Law, Rows};
+use crate::contact::rows::{Law, Rows, below};
 use crate::scalar::Real;
 
 /// A friction may stick at first if its rate is below this fraction of what accelerations give in a step.
@@ -59,6 +59,7 @@ impl<S: Real, const N: usize> Problem<S, N> {
 
     /// The rate of a row at the end of the step.
     pub(super) fn rate_at_end(&self, solved: &Solved<S, N>, i: usize) -> S {
+        let i = below::<N>(i);
         self.h * (solved.acceleration[i] - self.slack[i])
     }
 }
@@ -77,6 +78,7 @@ fn slip<S: Real>(rate: S, none: S) -> Mode {
 /// The displacement at the end of a step in which the row has no rate there: a parabola from the intermediate place.
 fn at_standstill<S: Real, const N: usize>(stride: &Stride<S>, rows: &Rows<S, N>, i: usize) -> S {
     let [_, behind] = stride.parts();
+    let i = below::<N>(i);
     rows.gap[i] - S::lit(0.5) * behind * behind * rows.bias[i]
 }
 

@@ -10,7 +10,7 @@ use crate::contact::candidates::is_off;
 use crate::contact::loads::Load;
 use crate::contact::modes::Mode;
 use crate::contact::multipliers::equation;
-use crate::contact::rows::{Law, Limit, Rows};
+use crate::contact::rows::{Law, Limit, Rows, below, indices};
 use crate::scalar::Real;
 
 /// Rounds in which every row may change its mode, and then such in which one row alone may, of so many rows.
@@ -105,7 +105,7 @@ pub(super) fn solve<S: Real, const N: usize>(
         }
         if round < all {
             modes = without_force(rows, rules, next);
-        } else if let Some(row) = (0..N).find(|row| next[*row] != modes[*row]) {
+        } else if let Some(row) = indices::<N>().find(|row| next[*row] != modes[*row]).map(below::<N>) {
             modes[row] = next[row];
             modes = without_force(rows, rules, modes);
         } else if rows.load.iter().all(|load| *load == Load::Nothing) {
@@ -225,6 +225,7 @@ fn look<S: Real, const N: usize>(
 
 /// The terms of an acceleration.
 fn size<S: Real, const N: usize>(rows: &Rows<S, N>, i: usize, lambda: &[S; N]) -> S {
+    let i = below::<N>(i);
     let terms = rows.delassus[i].iter().zip(lambda);
     terms.fold(rows.free[i].abs(), |sum, (d, lambda)| (*d * *lambda).abs() + sum)
 }
@@ -250,7 +251,7 @@ fn without_force<S: Real, const N: usize>(
 
 /// The unit vector e with |R| = e . R of a reaction that bounds frictions.
 fn direction<S: Real, const N: usize>(rows: &Rows<S, N>, load: usize, lambda: &[S; N]) -> [S; 2] {
-    match rows.load[load] {
+    match rows.load[below::<N>(load)] {
         Load::Nothing => [S::ZERO; 2],
         Load::Plane => rows.direction(load, lambda),
         Load::Line { .. } | Load::Turned { .. } => {
@@ -261,6 +262,7 @@ fn direction<S: Real, const N: usize>(rows: &Rows<S, N>, load: usize, lambda: &[
 
 /// A reaction is negative along its line, or in its first component.
 fn is_negative<S: Real, const N: usize>(rows: &Rows<S, N>, load: usize, lambda: &[S; N]) -> bool {
+    let load = below::<N>(load);
     rows.load[load] != Load::Nothing && rows.reaction[load][0].at(lambda) < S::ZERO
 }
 
@@ -272,11 +274,14 @@ fn size_of_reaction<S: Real, const N: usize>(rows: &Rows<S, N>, load: usize, lam
 
 /// The largest forces of a friction backwards and forwards: static on the sides to which it does not slip.
 fn limits<S: Real, const N: usize>(rows: &Rows<S, N>, (mode, i): (Mode, usize), lambda: &[S; N]) -> [S; 2] {
+    let i = below::<N>(i);
     let (kinetic, adhesion) = (&rows.kinetic[i], &rows.adhesion[i]);
     let lower = if mode == Mode::Forwards { &kinetic.lower } else { &adhesion.lower };
     let upper = if mode == Mode::Backwards { &kinetic.upper } else { &adhesion.upper };
     let limit = |limit: &Limit<S, N>| {
-        let add = |sum, load: usize| limit.share[load].mul_add(size_of_reaction(rows, load, lambda), sum);
+        let add = |sum, load: usize| {
+            limit.share[below::<N>(load)].mul_add(size_of_reaction(rows, load, lambda), sum)
+        };
         rows.loads_of(i).fold(limit.at(lambda), add).max(S::ZERO)
     };
     [limit(lower), limit(upper)]
