@@ -5,7 +5,7 @@ use plm_cas::algebra::Vec2;
 use plm_compiler::compile;
 use plm_compiler::diag::Diagnostics;
 use plm_compiler::front::parse_and_resolve;
-use plm_compiler::model::{FrameRef, Model, Shape};
+use plm_compiler::model::{FrameRef, Look, Model, Shape};
 use plm_compiler::token::Sources;
 
 use crate::support::Values;
@@ -153,6 +153,27 @@ fn shapes_stand_on_frames() {
     assert_eq!(found(&values), known(40_000));
     values.set(model.params[0].symbol, 0.1);
     assert_eq!(found(&values), known(100_000));
+}
+
+/// A cam whose lift has no value at some angles is a cam all the same; what is no number is not drawn.
+#[test]
+fn a_lift_without_a_value_is_no_mistake() {
+    let model = resolve(
+        "pub P { ground { port o: (0, 0) m; } body shaft { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }
+         body rod { mass: 1 kg; inertia: 1 kg*m^2; port c: (0, 0) m; start x: 3 cm; }
+         revolute bearing(ground.o, shaft.o); prismatic guide(ground.o, rod.c);
+         cam lobe(shaft.o, rod.c) { base_radius: 2 cm; roller_radius: 1 cm; lift(a): 1 mm*sqrt(1 - (a/(1 rad))^2); } }",
+        &[],
+    );
+    let lobe = model.instances.iter().find(|part| part.name == "lobe").unwrap();
+    let [outline, roller] = &lobe.shapes[..] else { panic!("{:?}", lobe.shapes) };
+    assert_eq!([outline.look, roller.look], [Look::Outline, Look::Circle]);
+    let radius = |k: usize| {
+        let [x, y] = outline.points[k].components().map(|of| Values::of(&model).at(&model, of));
+        x.hypot(y)
+    };
+    // At 0 and at 10 degrees, and at 180.
+    assert!((radius(0) - 0.021).abs() < 1e-12 && radius(2) < radius(0) && radius(36).is_nan());
 }
 
 /// From G, as the contour: of the square without a triangle, G is 40/21 mm from the middle.
