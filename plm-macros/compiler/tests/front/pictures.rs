@@ -1,5 +1,7 @@
 //! Contours, depths and sizes: what pictures need.
 
+use std::fmt::Write;
+
 use plm_cas::Expr;
 use plm_cas::algebra::Vec2;
 use plm_compiler::compile;
@@ -242,14 +244,14 @@ fn sections_are_those_that_are_printed() {
     let rows: Vec<(&str, (u32, f64, f64))> = rows.collect();
     let mut text = "pub P {\n".to_owned();
     for (name, (size, ..)) in &rows {
-        text += &format!("param a_{name}{size}: m^2 = section_area({name}, {size});\n");
-        text += &format!("param i_{name}{size}: m^4 = section_moment({name}, {size});\n");
+        writeln!(text, "param a_{name}{size}: m^2 = section_area({name}, {size});").unwrap();
+        writeln!(text, "param i_{name}{size}: m^4 = section_moment({name}, {size});").unwrap();
     }
     text += "param side = 3 cm;\n";
     for section in ["rectangle, 2 cm, side", "round, side", "tube, side, 2 mm", "box, 2 cm, side, 2 mm"] {
         let name = section.split(',').next().unwrap();
-        text += &format!("param a_{name}: m^2 = section_area({section});\n");
-        text += &format!("param i_{name}: m^4 = section_moment({section});\n");
+        writeln!(text, "param a_{name}: m^2 = section_area({section});").unwrap();
+        writeln!(text, "param i_{name}: m^4 = section_moment({section});").unwrap();
     }
     text += "body bar { mass: 1 kg; inertia: 1 kg*m^2; } }";
     let model = resolve(&text, &[]);
