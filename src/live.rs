@@ -145,7 +145,8 @@ impl<M: Described<S = f64> + Statics> Live<M> {
 
     /// Numbers of a picture that parameters change, SI: of each body mass, moment of inertia, depth, place and angle of each port, the
     /// number of points of its contour, and these; of each port of the ground x, y and angle at time 0, and depth; the sizes of
-    /// [`size_names`](Self::size_names), 0 where none was given.
+    /// [`size_names`](Self::size_names), 0 where none was given; of each shape of a part, then of each hole of a body, the number of its
+    /// points, and these.
     pub fn shape(&mut self) -> &[f64] {
         self.shape.clear();
         by_number::shape(&self.mechanism, &mut |number| self.shape.push(number));

@@ -5,9 +5,9 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::fs;
 use std::path::Path;
 
-use plm::view::{Body, Frame, GroundPort, Mechanism, Part, Port, Sense, Sketch};
+use plm::view::{Body, Frame, GroundPort, Mechanism, Part, Port, Sense, Shape, Sketch};
 use plm_compiler::token::Sources;
-use plm_compiler::{Picture, PicturePort, compile, words};
+use plm_compiler::{Picture, PicturePort, PictureShape, compile, words};
 
 use super::blocks::blocks;
 
@@ -57,6 +57,7 @@ const PLANAR: &[&str] = &[
     "wheel",
     "tyre",
     "cam",
+    "oscillating_follower",
     "geneva",
 ];
 
@@ -223,6 +224,12 @@ pub(crate) fn picture(declaration: &str) -> Result<Picture, Box<dyn Error>> {
 
 /// The drawing of a mechanism at its start.
 pub(crate) fn sketch(picture: &Picture) -> Sketch {
+    let poses = picture.bodies.iter().map(|body| body.pose);
+    Sketch::new(mechanism(picture), poses).with_gravity(picture.gravity)
+}
+
+/// A mechanism as a results file tells of it, without what drawings do not need.
+pub(crate) fn mechanism(picture: &Picture) -> Mechanism {
     let bodies = picture.bodies.iter().map(|body| Body {
         name: body.name.clone(),
         mass: 0.0,
@@ -230,6 +237,7 @@ pub(crate) fn sketch(picture: &Picture) -> Sketch {
         depth: 0.0,
         ports: body.ports.iter().map(port).collect(),
         contour: (!body.contour.is_empty()).then(|| body.contour.clone()),
+        holes: body.holes.clone(),
     });
     let ground = picture.ground.iter().map(|port| {
         let (name, [x, y, angle]) = (port.name.clone(), port.place);
@@ -242,16 +250,34 @@ pub(crate) fn sketch(picture: &Picture) -> Sketch {
             port: Some(frame.port),
         });
         let (name, kind, pair) = (part.name.clone(), part.kind.clone(), part.pair.map(str::to_owned));
-        Part { name, kind, pair, frames: frames.collect(), sizes: part.sizes.iter().cloned().collect() }
+        let sizes = part.sizes.iter().cloned().collect();
+        Part {
+            name,
+            kind,
+            pair,
+            frames: frames.collect(),
+            sizes,
+            shapes: part.shapes.iter().map(shape).collect(),
+        }
     });
-    let mechanism = Mechanism {
+    Mechanism {
         name: picture.name.clone(),
         bodies: bodies.collect(),
         ground: ground.collect(),
         parts: parts.collect(),
         ..Mechanism::default()
-    };
-    Sketch::new(mechanism, picture.bodies.iter().map(|body| body.pose)).with_gravity(picture.gravity)
+    }
+}
+
+fn shape(shape: &PictureShape) -> Shape {
+    Shape {
+        look: shape.look.to_owned(),
+        body: shape.at.body,
+        port: Some(shape.at.port),
+        towards: shape.towards.map(|frame| (frame.body, Some(frame.port))),
+        symbol: shape.is_symbol,
+        points: shape.points.clone(),
+    }
 }
 
 fn port(port: &PicturePort) -> Port {

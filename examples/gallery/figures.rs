@@ -190,12 +190,13 @@ pub fn excavator() -> Result<Sheet, Fault> {
         arm / 1e3,
         1e-6,
     );
-    let (mut sim, mut most) = (held.start()?, 0.0_f64);
-    for k in 1..=60 {
-        sim.step_to(0.1 * f64::from(k))?;
-        most = most.max(sim.flow());
+    let (mut sim, mut flow, mut power) = (held.start()?, 0.0_f64, 0.0_f64);
+    for k in 1..=600 {
+        sim.step_to(0.02 * f64::from(k))?;
+        (flow, power) = (flow.max(sim.main_flow()), power.max(sim.main_power()));
     }
-    sheet.theory("greatest flow of the pump", most * 60e3, "L/min", 500.0, 1e-6);
+    sheet.theory("greatest flow of the pump", flow * 60e3, "L/min", 430.0, 1e-6);
+    sheet.theory("greatest power of the pump", power / 1e3, "kW", 90.0, 1e-3);
     Ok(sheet)
 }
 

@@ -136,7 +136,7 @@ pub const MACHINES: [Machine; 13] = [
         name: "excavator",
         title: "Excavator",
         source: "lengths and masses are our own, near those of a machine of 20 t",
-        text: "Boom, arm, and bucket with its four-bar, on three cylinders of stiff oil and a pump of limited flow. It digs; on the live page each lever is a slider.",
+        text: "Boom, arm, and bucket with its four-bar, on three cylinders behind proportional valves. One load-sensing pump feeds them, limited in flow and in power. It digs; on the live page each lever is a slider.",
         paths: "bucket.teeth",
         loops: [0.0, 12.0],
         program: excavator::program,

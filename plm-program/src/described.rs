@@ -2,7 +2,7 @@
 
 use plm_runtime::described::{self, Described, Place};
 use plm_runtime::{Rate, Scalar};
-use plm_view::{Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report};
+use plm_view::{Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report, Shape};
 
 /// What a results file tells of a mechanism with its parameters as they are.
 pub fn mechanism<M: Described>(of: &M) -> Mechanism {
@@ -40,19 +40,24 @@ fn body<M: Described>(of: &M, k: usize) -> Body {
         let [x, y, angle] = numbers(of.port(k, j));
         Port { name: (*name).to_owned(), x, y, angle }
     });
-    let points = (0..row.contour).map(|point| of.contour(k, point).map(|at| at.map(Scalar::to_f64)));
-    // Parameters may make one that cannot be drawn.
-    let contour: Option<Vec<[f64; 2]>> = points.collect();
-    let contour =
-        contour.filter(|points| !points.is_empty() && points.iter().flatten().all(|x| x.is_finite()));
+    let contour = Some(points(row.contour, |point| of.contour(k, point)));
+    let holes = M::HOLES.iter().enumerate().filter(|(_, hole)| hole.body == k);
     Body {
         name: row.name.to_owned(),
         mass: number(of.mass(k)),
         inertia: number(of.inertia(k)),
         depth: number(of.depth(k)),
         ports: ports.collect(),
-        contour,
+        contour: contour.filter(|points| !points.is_empty()),
+        holes: holes.map(|(k, hole)| points(hole.points, |point| of.hole_point(k, point))).collect(),
     }
+}
+
+/// Points of a shape; none where parameters make one that cannot be drawn.
+fn points<S: Scalar>(count: usize, at: impl Fn(usize) -> Option<[S; 2]>) -> Vec<[f64; 2]> {
+    let points: Option<Vec<[f64; 2]>> =
+        (0..count).map(|point| Some(at(point)?.map(Scalar::to_f64))).collect();
+    points.filter(|points| points.iter().flatten().all(|x| x.is_finite())).unwrap_or_default()
 }
 
 /// Place and angle.
@@ -80,6 +85,19 @@ fn part<M: Described>(of: &M, k: usize) -> Part {
         pair: row.pair.map(ToOwned::to_owned),
         frames: frames.collect(),
         sizes: sizes.filter(|(_, size)| size.is_finite() && *size != 0.0).collect(),
+        shapes: (0..M::SHAPES.len()).filter(|j| M::SHAPES[*j].part == k).map(|j| shape(of, j)).collect(),
+    }
+}
+
+fn shape<M: Described>(of: &M, k: usize) -> Shape {
+    let row = &M::SHAPES[k];
+    Shape {
+        look: row.look.to_owned(),
+        body: row.at.0,
+        port: Some(row.at.1),
+        towards: row.towards.map(|(body, port)| (body, Some(port))),
+        symbol: row.is_symbol,
+        points: points(row.points, |point| of.shape_point(k, point)),
     }
 }
 

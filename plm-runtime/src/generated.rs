@@ -56,7 +56,7 @@ pub mod contact {
 
 pub mod described {
     pub use crate::described::{
-        Body, Frame, GroundPort, Motion, Part, Quantity, Reads, Report, Tables, nearest,
+        Body, Frame, GroundPort, Hole, Motion, Part, Quantity, Reads, Report, Shape, Tables, nearest,
     };
 }
 

@@ -29,7 +29,10 @@ impl Stage<'_> {
         if let Some(outline) =
             self.outline(body).filter(|outline| outline.as_flattened().iter().all(|x| x.is_finite()))
         {
-            self.paper.polygon(&self.class(name, "plate"), &outline);
+            let holes = &self.sketch.mechanism.bodies[body].holes;
+            let holes = holes.iter().filter_map(|hole| self.placed(body, hole));
+            let rings: Vec<Vec<Point>> = [outline].into_iter().chain(holes).collect();
+            self.paper.rings(&self.class(name, "plate"), &rings);
         }
         let points = self.of(body);
         let hull = hull(points);

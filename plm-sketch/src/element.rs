@@ -6,7 +6,6 @@ use plm_view::Part;
 
 use super::Sense;
 use super::paper::{Point, beside};
-use super::shape::has_shape;
 use super::stage::Stage;
 
 /// Length of the arrow of a sense, in pixels.
@@ -17,7 +16,8 @@ const LEAD: f64 = 52.0;
 impl Stage<'_> {
     pub(super) fn draw_elements(&mut self) {
         let parts = &self.sketch.mechanism.parts;
-        for part in parts.iter().filter(|part| part.pair.is_none() && !part.frames.is_empty()) {
+        let is_somewhere = |part: &&Part| !part.frames.is_empty() || !part.shapes.is_empty();
+        for part in parts.iter().filter(|part| part.pair.is_none()).filter(is_somewhere) {
             let is_made_of_others = parts
                 .iter()
                 .any(|other| other.name.strip_prefix(&part.name).is_some_and(|rest| rest.starts_with('.')));
@@ -29,7 +29,8 @@ impl Stage<'_> {
                 ("acceleration_sensor", _) => self.draw_sensor(part, "a"),
                 ("gear" | "rack" | "belt" | "elastic_belt" | "chain", _) => self.draw_wheels(part),
                 ("fall", _) => self.draw_fall(part),
-                _ if has_shape(part) => self.draw_shape(part),
+                ("spring", _) => self.draw_link(part),
+                _ if !part.shapes.is_empty() => self.draw_shapes(part),
                 (_, 2..) if !is_made_of_others => self.draw_link(part),
                 _ => {}
             }
@@ -45,7 +46,7 @@ impl Stage<'_> {
         let at = |part: f64, left: f64| beside(beside(a.at, angle, part * length), angle + FRAC_PI_2, left);
         let class = self.class(&part.name, "");
         let width = match part.kind.as_str() {
-            "spring" => {
+            "spring" if part.shapes.is_empty() => {
                 self.paper.line(&class, &zigzag(a.at, b.at));
                 9.0
             }
@@ -57,11 +58,11 @@ impl Stage<'_> {
                 self.paper.line(&self.class(&part.name, "rail"), &[at(0.42, 0.0), b.at]);
                 9.0
             }
+            "spring" => {
+                part.shapes.iter().for_each(|shape| self.draw_shape(part, shape));
+                9.0
+            }
             _ => {
-                if let Some(reach) = self.draw_mark(part, a, b) {
-                    self.name_of(&part.name, at(0.5, 0.0), reach);
-                    return;
-                }
                 self.paper.line(&self.class(&part.name, "dash"), &[a.at, b.at]);
                 3.0
             }

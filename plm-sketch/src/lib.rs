@@ -7,7 +7,6 @@ mod element;
 mod joint;
 mod label;
 mod look;
-mod mark;
 mod paper;
 mod shape;
 mod stage;
@@ -46,11 +45,11 @@ pub enum Sense {
 /// let (x, y, angle) = (0.0, 0.0, 0.0);
 /// let ground = GroundPort { name: "o".into(), x, y, angle, depth: 0.0, moves: false };
 /// let port = Port { name: "top".into(), x: -0.5, y, angle };
-/// let bar = Body { name: "bar".into(), mass: 1.0, inertia: 0.1, depth: 0.0, ports: vec![port], contour: None };
+/// let bar = Body { name: "bar".into(), mass: 1.0, inertia: 0.1, depth: 0.0, ports: vec![port], contour: None, holes: [].into() };
 /// let frame = |argument: &str, body| Frame { argument: argument.into(), body, port: Some(0) };
 /// let frames = vec![frame("a", None), frame("b", Some(0))];
 /// let [name, kind, pair] = ["pin", "revolute", "revolute"].map(String::from);
-/// let pin = Part { name, kind, pair: Some(pair), frames, sizes: [].into() };
+/// let pin = Part { name, kind, pair: Some(pair), frames, sizes: [].into(), shapes: [].into() };
 /// let pendulum = Mechanism { bodies: vec![bar], ground: vec![ground], parts: vec![pin], ..Mechanism::default() };
 ///
 /// let svg = Sketch::new(pendulum, [[0.5, 0.0, 0.0]]).titled("Pendulum").with_gravity([0.0, -9.81]).to_svg();

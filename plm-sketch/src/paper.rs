@@ -9,6 +9,8 @@ pub(super) type Point = [f64; 2];
 
 /// Distance of the dots that stand for a line, in pixels.
 const GRAIN: f64 = 4.0;
+/// From so many corners of a shape on, dots are farther apart: they would count more than texts.
+const MOST_CORNERS: usize = 40;
 /// Length and half the width of the head of an arrow, in pixels.
 const HEAD: (f64, f64) = (9.0, 3.6);
 
@@ -32,13 +34,31 @@ impl Paper {
             self.remember(*last, *first);
             // What is within is covered too.
             let middle = [0, 1].map(|k| points.iter().map(|at| at[k]).sum::<f64>() / points.len() as f64);
-            for corner in points {
+            for corner in
+                points.iter().step_by(if points.len() < MOST_CORNERS { 1 } else { points.len() / 8 })
+            {
                 self.remember(*corner, middle);
             }
             if class.starts_with("edge") {
                 self.widen(points);
             }
         }
+    }
+
+    /// A closed line with holes, which are closed lines within it.
+    pub(super) fn rings(&mut self, class: &str, rings: &[Vec<Point>]) {
+        let [whole, holes @ ..] = rings else { return };
+        if holes.is_empty() {
+            return self.polygon(class, whole);
+        }
+        let text = |ring: &Vec<Point>| {
+            let corners: Vec<String> = ring.iter().map(|at| pair(*at)).collect();
+            format!("M{}Z", corners.join("L"))
+        };
+        let texts: Vec<String> = rings.iter().map(text).collect();
+        let _ =
+            writeln!(self.shapes, r#"<path class="{class}" fill-rule="evenodd" d="{}"/>"#, texts.concat());
+        rings.iter().flat_map(|ring| ring.windows(2)).for_each(|ends| self.remember(ends[0], ends[1]));
     }
 
     /// Remembers how wide a link is.
@@ -52,7 +72,9 @@ impl Paper {
     fn path(&mut self, class: &str, points: &[Point], end: &str) {
         let corners: Vec<String> = points.iter().map(|at| pair(*at)).collect();
         let _ = writeln!(self.shapes, r#"<path class="{class}" d="M{}{end}"/>"#, corners.join("L"));
-        points.windows(2).for_each(|ends| self.remember(ends[0], ends[1]));
+        let corners: Vec<Point> =
+            points.iter().step_by(points.len().div_ceil(MOST_CORNERS).max(1)).copied().collect();
+        corners.windows(2).for_each(|ends| self.remember(ends[0], ends[1]));
     }
 
     pub(super) fn circle(&mut self, class: &str, at: Point, radius: f64) {

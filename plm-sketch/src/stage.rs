@@ -2,11 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use plm_view::{Frame, Part};
+use plm_view::{Frame, Part, Shape};
 
 use super::label::{self, Label};
 use super::paper::{Paper, Point, beside};
-use super::shape::circles;
 use super::{Sketch, WIDTH, look};
 
 /// Where the mechanism may be, left and right, in pixels; on its left stand the axes.
@@ -63,13 +62,24 @@ impl<'a> Stage<'a> {
         points.extend(
             (0..mechanism.ground.len()).filter_map(|port| self.port(None, Some(port))).map(|spot| spot.at),
         );
-        for (frame, radius) in mechanism.parts.iter().flat_map(circles) {
-            let corners = [[-radius, -radius], [radius, radius]];
-            let at = self.frame(frame).map(|spot| spot.at);
-            points
-                .extend(at.into_iter().flat_map(|at| corners.map(|side| [at[0] + side[0], at[1] + side[1]])));
+        for shape in mechanism.parts.iter().flat_map(|part| &part.shapes).filter(|shape| !shape.symbol) {
+            points.extend(self.extent(shape));
         }
         points.into_iter().map(|[x, y]| [x, -y]).collect()
+    }
+
+    /// Points of a shape, of a circle the corners around it.
+    fn extent(&self, shape: &Shape) -> Vec<Point> {
+        let (Some(spot), Some(places)) = (self.port(shape.body, shape.port), self.points_of(shape)) else {
+            return Vec::new();
+        };
+        match (shape.look.as_str(), &shape.points[..]) {
+            // About the frame, or near enough to it.
+            ("circle", [_, [radius, _]]) => {
+                [-radius.abs(), radius.abs()].map(|r| spot.at.map(|x| x + r)).to_vec()
+            }
+            _ => places,
+        }
     }
 
     /// A place of the mechanism in the picture.
@@ -119,8 +129,12 @@ impl<'a> Stage<'a> {
 
     /// The outline of a body, if it has one.
     pub(super) fn outline(&self, body: usize) -> Option<Vec<Point>> {
-        let (pose, points) =
-            (*self.sketch.poses.get(body)?, self.sketch.mechanism.bodies[body].contour.as_ref()?);
+        self.placed(body, self.sketch.mechanism.bodies[body].contour.as_ref()?)
+    }
+
+    /// Points in the axes of a body, in the picture.
+    pub(super) fn placed(&self, body: usize, points: &[[f64; 2]]) -> Option<Vec<Point>> {
+        let pose = *self.sketch.poses.get(body)?;
         let place = |&[x, y]: &[f64; 2]| {
             let [x, y, _] = moved(pose, [x, y, 0.0]);
             self.place([x, y])

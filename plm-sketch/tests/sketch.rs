@@ -13,7 +13,7 @@ fn port(name: &str, x: f64, y: f64) -> Port {
 }
 
 fn body(name: &str, ports: Vec<Port>) -> Body {
-    Body { name: name.into(), mass: 1.0, inertia: 0.1, depth: 0.0, ports, contour: None }
+    Body { name: name.into(), mass: 1.0, inertia: 0.1, depth: 0.0, ports, contour: None, holes: [].into() }
 }
 
 fn ground(name: &str, x: f64, y: f64, angle: f64) -> GroundPort {
@@ -28,7 +28,14 @@ fn part(name: &str, kind: &str, pair: Option<&str>, ends: [(Option<usize>, usize
         port: Some(*port),
     });
     let (name, kind) = (name.into(), kind.into());
-    Part { name, kind, pair: pair.map(str::to_owned), frames: frames.collect(), sizes: [].into() }
+    Part {
+        name,
+        kind,
+        pair: pair.map(str::to_owned),
+        frames: frames.collect(),
+        sizes: [].into(),
+        shapes: [].into(),
+    }
 }
 
 /// Two bars on pins, the first of 0.4 m upright, the second of 0.3 m level.

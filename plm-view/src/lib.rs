@@ -42,4 +42,6 @@ pub use figures::{Figure, Figures};
 pub use page::Page;
 pub use plm_math::Operations;
 pub use recording::{About, Column, Event, Fault, Recording, Row};
-pub use results::{Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report, Results};
+pub use results::{
+    Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report, Results, Shape,
+};

@@ -7,7 +7,7 @@ use std::process::Command;
 
 use plm_view::{
     Body, Fault, Frame, GroundPort, Mechanism, Operations, Parameter, Part, Port, Quantity, Recording,
-    Report, Results, Row,
+    Report, Results, Row, Shape,
 };
 use zip::write::SimpleFileOptions;
 use zip::{ZipArchive, ZipWriter};
@@ -30,6 +30,7 @@ fn mechanism(mass: f64) -> Mechanism {
         inertia: 0.1 + 0.2,
         depth: 0.0,
         ports: vec![port("a", -0.5), port("b", 0.5)],
+        holes: if name == "arm" { vec![vec![[0.4, 0.3], [0.6, 0.3], [0.5, 0.6]]] } else { Vec::new() },
         contour,
     };
     Mechanism {
@@ -59,6 +60,14 @@ fn mechanism(mass: f64) -> Mechanism {
                 Frame { argument: "b".into(), body: Some(1), port: None },
             ],
             sizes: [("pin".to_owned(), 0.02)].into(),
+            shapes: vec![Shape {
+                look: "circle".into(),
+                body: Some(1),
+                port: None,
+                towards: Some((None, Some(0))),
+                symbol: true,
+                points: vec![[0.0, 0.0], [2.5, 0.0]],
+            }],
         }],
         parameters: vec![Parameter { quantity: quantity("mass", "kg", 1.0), default: None, value: mass }],
         inputs: vec![quantity("drive", "kN", 1000.0)],

@@ -875,9 +875,45 @@ mod plm_bouncer_ {
             const OBSERVED: &'static [(&'static str, &'static str)] = &State::<S>::OBSERVED;
             const DECLARATION: &'static str = "/// A block that is pushed back to the middle, a spring that does not pull, and a clock: conditions of the state and of the time.\npub Bouncer {\n    /// When the pulse ends.\n    param until: s = 0.7 s;\n    input push: N = 0 N;\n    ground { port o: (0, 0) m; }\n    body block { mass: 2 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start x: 1 m; }\n    body clock { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }\n    prismatic rail(ground.o, block.o);\n    prismatic other(ground.o, clock.o);\n    force back(block.o) { x: if block.x < 0 m then 4 N else -2 N; }\n    force pulse(clock.o) { x: push + (if t < 0.3 s then 0 N else if t < until then 3 N else 0 N); }\n    force stop(clock.o) { x: if clock.x < 100 m then 0 N else -10 N/m*(clock.x - 100 m); }\n    require near: block.x < 10 m;\n    output block.x;\n}\n";
             const FILES: &'static [(&'static str, &'static str)] = &[];
+            const SHAPES: &'static [described::Shape] = &[
+                described::Shape {
+                    part: 2,
+                    look: "mark",
+                    at: (Some(0), 0),
+                    towards: None,
+                    is_symbol: true,
+                    points: 8,
+                    first: 16,
+                },
+                described::Shape {
+                    part: 3,
+                    look: "mark",
+                    at: (Some(1), 0),
+                    towards: None,
+                    is_symbol: true,
+                    points: 8,
+                    first: 32,
+                },
+                described::Shape {
+                    part: 4,
+                    look: "mark",
+                    at: (Some(1), 0),
+                    towards: None,
+                    is_symbol: true,
+                    points: 8,
+                    first: 48,
+                },
+            ];
+
             fn figure(&self, t: S, index: usize) -> Option<S> {
                 let constants: &[f64] = const {
-                    &[2.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+                    &[
+                        2.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+                        0.0, -3.0, -0.25, -1.3, -0.25, -1.3, -0.8, 0.0, 0.0, -1.3, 0.8, -1.3, 0.25, -3.0,
+                        0.25, 0.0, 0.0, -3.0, -0.25, -1.3, -0.25, -1.3, -0.8, 0.0, 0.0, -1.3, 0.8, -1.3,
+                        0.25, -3.0, 0.25, 0.0, 0.0, -3.0, -0.25, -1.3, -0.25, -1.3, -0.8, 0.0, 0.0, -1.3,
+                        0.8, -1.3, 0.25, -3.0, 0.25,
+                    ]
                 };
                 constants.get(index).copied().map(S::lit)
             }

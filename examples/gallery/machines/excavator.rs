@@ -1,8 +1,9 @@
 //! An excavator: boom, arm, and bucket with its four-bar, on three cylinders.
 //!
-//! Source: lengths and masses are our own, near those of a machine of 20 t: boom 5.0 m, arm 2.6 m, rocker 0.5 m, link 0.45 m. Oil is a stiff
-//! spring on which a flow acts, so that each cylinder holds what statics asks for: its force times its lever about a pivot is the moment of
-//! all weights beyond that pivot. The pump has a limit: where it does not suffice all valves open less, by one factor.
+//! Source: lengths and masses are our own, near those of a machine of 20 t: boom 5.0 m, arm 2.6 m, rocker 0.5 m, link 0.45 m. Each cylinder
+//! holds what statics asks for: its force times its lever about a pivot is the moment of all weights beyond that pivot. One pump with a
+//! swash plate feeds three proportional valves. It keeps its pressure above that of the heaviest load (load sensing), delivers no more
+//! than its displacement times its speed, and takes no more than a power: where that does not suffice all cylinders are slower.
 
 use std::error::Error;
 
@@ -10,29 +11,47 @@ use plm::Stabilise;
 use plm::view::{Options, Program};
 
 plm::mechanism! {
-    /// A cylinder whose oil is stiff. A valve leads it along its way, with a share of the speed that it wants.
-    part ram(a: frame, b: frame) {
-        param free_length: m; input way: m; input lever: m/s; input share: 1;
-        state place: m = 0; state force: kN = 0;
-        let want = rate(way) + (way - place)/(0.3 s);
-        let speed = share*(want + lever);
-        rate place = share*want;
-        rate force = 2e7 N/m*(speed - cylinder.speed);
-        jack cylinder(a, b) {
-            free_length: free_length; piston_diameter: 0.16 m; rod_diameter: 0.1 m;
-            drive: force + 4e5 N*s/m*(speed - cylinder.speed);
+    /// A cylinder behind a proportional valve, whose spool follows a way. Oil comes back from the drain where a load runs ahead.
+    part ram(a: frame, b: frame, supply: oil, drain: oil) {
+        param free_length: m; param begin: m; param stroke: m; input way: m; input lever: m/s;
+        state moved: m = 0; rate moved = lever;
+        let target = begin + way + moved;
+        jack tube(a, b) { free_length: free_length; piston_diameter: 0.16 m; rod_diameter: 0.1 m; }
+        cylinder oil(tube.slider) {
+            piston_diameter: 0.16 m; rod_diameter: 0.1 m; stroke: stroke; dead_volume: 6 L; friction: 3e4 N/(m/s);
+            chamber2.pressure: 30 bar, locked; chamber1.pressure: 80 bar;
         }
-        output force, needs = pi/4*(0.16 m)^2*abs(want + lever);
+        // What the load shakes by is taken off the speed: it damps the mass on its oil.
+        state settled: kN = 0; rate settled = (oil.force - settled)/(0.3 s);
+        let wanted = rate(target) + 2.5/(1 s)*(target - tube.displacement) - 2.5e-7 m/s/(1 N)*(oil.force - settled);
+        let command = clamp(wanted/(0.45 m/s), -1, 1);
+        proportional_valve valve(supply, oil.port1, oil.port2, drain) {
+            signal: command; overlap: 0.03; rated_flow: 400 L/min; rated_drop: 20 bar; transition: 3 bar; frequency: 15 Hz;
+        }
+        check_valve fill1(drain, oil.port1) { rated_flow: 400 L/min; rated_drop: 5 bar; transition: 3 bar; rise: 2 bar; }
+        check_valve fill2(drain, oil.port2) { rated_flow: 400 L/min; rated_drop: 5 bar; transition: 3 bar; rise: 2 bar; }
+        output force = oil.force, load = clamp(20*valve.opening, 0, 1)*oil.pressure1 + clamp(-20*valve.opening, 0, 1)*oil.pressure2;
     }
+    /// An engine whose governor keeps its speed.
+    part diesel() { param speed: rad/s; node shaft: shaft = speed*t; }
     /// An excavator that digs; each lever of the driver is an input.
     pub Excavator {
         gravity: 9.81 m/s^2;
-        input boom_lever: m/s = 0; input arm_lever: m/s = 0; input bucket_lever: m/s = 0; param pump_flow: L/min = 500 L/min;
-        let needs = boom_ram.needs + arm_ram.needs + bucket_ram.needs;
-        let share = min(1, pump_flow/max(needs, 1 L/min));
+        input boom_lever: m/s = 0; input arm_lever: m/s = 0; input bucket_lever: m/s = 0;
+        param pump_flow: L/min = 430 L/min; param pump_power: kW = 90 kW;
         let boom_way = smooth_table(t, (0 s, 0 m), (2 s, -0.42 m), (5 s, -0.38 m), (7.5 s, 0.1 m), (10 s, 0.1 m), (12 s, 0 m));
         let arm_way = smooth_table(t, (0 s, 0 m), (2 s, -0.1 m), (5 s, 0.6 m), (7.5 s, 0.55 m), (9.5 s, 0 m), (12 s, 0 m));
         let bucket_way = smooth_table(t, (0 s, 0 m), (2.5 s, 0 m), (5.5 s, 0.3 m), (8 s, 0.32 m), (9.5 s, 0 m), (12 s, 0 m));
+
+        diesel engine() { speed: 1800 rev/min; }
+        oil_tank tank() { pressure: 5 bar; }
+        chamber line() { dead_volume: 8 L; pressure: 30 bar; }
+        let load = max(boom_ram.load, arm_ram.load, bucket_ram.load);
+        let wanted = clamp((load + 30 bar - line.pressure)/(20 bar), 0, 1);
+        lag swash() { signal: wanted; time_constant: 30 ms; }
+        let most = pump_power/(pump_flow*max(line.pressure - 5 bar, 1 bar));
+        pump main(engine.shaft, tank.port, line.port) { displacement: pump_flow/(1800 rev/min); setting: min(swash.value, most); }
+        relief_valve safety(line.port, tank.port) { cracking: 340 bar; rise: 20 bar; rated_flow: 430 L/min; rated_drop: 340 bar; transition: 3 bar; }
         ground { port track: (0, 0) m; }
         body machine {
             mass: 15000 kg; inertia: 3e4 kg*m^2; port track: (0, 0) m; port foot: (0.2, 1.55) m; port ram: (0.75, 1.15) m; depth: -0.3 m;
@@ -64,11 +83,12 @@ plm::mechanism! {
         revolute a(arm.rocker, rocker.arm);
         revolute b(rocker.link, link.rocker);
         revolute c(link.bucket, bucket.link);
-        ram boom_ram(machine.ram, boom.ram) { free_length: 1.5 m; way: boom_way; lever: boom_lever; share: share; }
-        ram arm_ram(boom.arm, arm.ram) { free_length: 1.9 m; way: arm_way; lever: arm_lever; share: share; }
-        ram bucket_ram(arm.bucket_ram, rocker.link) { free_length: 1.7 m; way: bucket_way; lever: bucket_lever; share: share; }
+        ram boom_ram(machine.ram, boom.ram, line.port, tank.port) { free_length: 1.5 m; begin: 0.7818 m; stroke: 1.2 m; way: boom_way; lever: boom_lever; }
+        ram arm_ram(boom.arm, arm.ram, line.port, tank.port) { free_length: 1.9 m; begin: 0.594 m; stroke: 1.4 m; way: arm_way; lever: arm_lever; }
+        ram bucket_ram(arm.bucket_ram, rocker.link, line.port, tank.port) { free_length: 1.5 m; begin: 0.7003 m; stroke: 1.1 m; way: bucket_way; lever: bucket_lever; }
         observe boom, arm, rocker, link, bucket;
-        output boom_ram.force in kN, arm_ram.force in kN, bucket_ram.force in kN, bucket.teeth.position, flow = share*needs in L/min;
+        output main.flow in L/min, main.power in kW, line.pressure in bar;
+        output boom_ram.force in kN, arm_ram.force in kN, bucket_ram.force in kN, bucket.teeth.position;
     }
 }
 

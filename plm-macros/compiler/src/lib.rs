@@ -33,5 +33,5 @@ pub use bug::{bug_message, without_panic};
 pub use compile::{Expansion, compile, names_only};
 pub use emit::Code;
 pub use oracle::{InChart, Oracle};
-pub use picture::{Picture, PictureBody, PicturePart, PicturePort};
+pub use picture::{Picture, PictureBody, PicturePart, PicturePort, PictureShape};
 pub use report::Report;

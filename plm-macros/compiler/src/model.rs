@@ -25,7 +25,7 @@ pub(crate) use contact::bounding_reactions;
 pub use contact::{Contact, ContactLaw, ContactMode, Impacts, Reaction};
 pub use event::{Target, When};
 pub use held::{Comparison, Counted, Decisions, End, Jump, Steady, Switch};
-pub use instance::{Instance, Size};
+pub use instance::{Instance, Look, Shape, Size};
 pub use joint::{FrameRef, Pair, Part, Turn};
 pub use limit::{Limit, Range};
 pub use step::Step;
@@ -257,6 +257,8 @@ pub struct Body {
     pub start_velocity: [Start; 3],
     /// Outline for pictures: points from G in the body's axes, m; empty if there is none.
     pub contour: Vec<Vec2>,
+    /// Holes of the contour, in the same axes, m.
+    pub holes: Vec<Vec<Vec2>>,
     /// Depth for pictures, m.
     pub depth: Option<Expr>,
 }

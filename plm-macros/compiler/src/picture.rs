@@ -4,8 +4,9 @@
 
 use crate::collect::{CollectVec, MapEach};
 use plm_cas::Expr;
+use plm_cas::algebra::Vec2;
 
-use crate::model::{Body, FrameRef, Instance, Pair, Port};
+use crate::model::{Body, FrameRef, Instance, Pair, Port, Shape};
 use crate::numeric::{Reach, Scene, add_switches, assemble, value};
 use crate::oracle::Oracle;
 
@@ -35,6 +36,8 @@ pub struct PictureBody {
     pub ports: Vec<PicturePort>,
     /// Points from G, in the axes of the body, m; none without outline.
     pub contour: Vec<[f64; 2]>,
+    /// Holes of the outline, in the same axes.
+    pub holes: Vec<Vec<[f64; 2]>>,
 }
 
 /// A port of a body or of the ground.
@@ -59,6 +62,23 @@ pub struct PicturePart {
     pub frames: Vec<(String, FrameRef)>,
     /// Its sizes for pictures, m or rad, by the names of its parameters.
     pub sizes: Vec<(String, f64)>,
+    /// Its shapes for pictures.
+    pub shapes: Vec<PictureShape>,
+}
+
+/// A shape of a part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PictureShape {
+    /// How it is drawn: `outline`, `mark`, `line`, `surface`, `circle`.
+    pub look: &'static str,
+    /// Its frame.
+    pub at: FrameRef,
+    /// The frame that its x axis points to.
+    pub towards: Option<FrameRef>,
+    /// Do its points count in half widths of a bar?
+    pub is_symbol: bool,
+    /// Its points.
+    pub points: Vec<[f64; 2]>,
 }
 
 impl Oracle {
@@ -93,8 +113,13 @@ fn body(body: &Body, pose: &[f64], number: &impl Fn(Expr) -> f64) -> PictureBody
         name: body.name.text.clone(),
         pose: [pose[0], pose[1], pose[2]],
         ports: body.ports.iter().map(|row| port(row, number)).collect_vec(),
-        contour: body.contour.iter().map(|point| point.components().map_each(number)).collect_vec(),
+        contour: points(&body.contour, number),
+        holes: body.holes.iter().map(|hole| points(hole, number)).collect_vec(),
     }
+}
+
+fn points(of: &[Vec2], number: &impl Fn(Expr) -> f64) -> Vec<[f64; 2]> {
+    of.iter().map(|point| point.components().map_each(number)).collect_vec()
 }
 
 fn port(port: &Port, number: &impl Fn(Expr) -> f64) -> PicturePort {
@@ -102,7 +127,14 @@ fn port(port: &Port, number: &impl Fn(Expr) -> f64) -> PicturePort {
 }
 
 fn part(instance: &Instance, number: &impl Fn(Expr) -> f64) -> PicturePart {
-    let Instance { name, kind, pair, frames, sizes, .. } = instance.clone();
+    let Instance { name, kind, pair, frames, sizes, shapes } = instance.clone();
     let sizes = sizes.into_iter().map(|size| (size.name, number(size.value))).collect_vec();
-    PicturePart { name, kind, pair: pair.map(Pair::name), frames, sizes }
+    let shapes = shapes.into_iter().map(|Shape { look, at, towards, is_symbol, points: of }| PictureShape {
+        look: look.name(),
+        at,
+        towards,
+        is_symbol,
+        points: points(&of, number),
+    });
+    PicturePart { name, kind, pair: pair.map(Pair::name), frames, sizes, shapes: shapes.collect_vec() }
 }

@@ -6,6 +6,7 @@
 //! Constants cost rustc next to nothing: a chain of 64 bars has 3 % more text by its table.
 
 use crate::collect::{CollectVec, MapEach, PushAll};
+use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, algebra};
 
 use crate::model::{Body, Model, Port};
@@ -22,6 +23,10 @@ pub(crate) struct NumericTable {
     pub(crate) ground: Vec<Ground>,
     /// Of each part in use: its sizes.
     pub(crate) parts: Vec<usize>,
+    /// Of each shape of each part: x, y of each point.
+    pub(crate) shapes: Vec<usize>,
+    /// Of each hole of each body: x, y of each point.
+    pub(crate) holes: Vec<usize>,
 }
 
 /// A number of the table.
@@ -42,8 +47,14 @@ pub(crate) struct Ground {
 
 impl NumericTable {
     pub(crate) fn new(model: &Model) -> NumericTable {
-        let mut table =
-            NumericTable { all: Vec::new(), bodies: Vec::new(), ground: Vec::new(), parts: Vec::new() };
+        let mut table = NumericTable {
+            all: Vec::new(),
+            bodies: Vec::new(),
+            ground: Vec::new(),
+            parts: Vec::new(),
+            shapes: Vec::new(),
+            holes: Vec::new(),
+        };
         for body in &model.bodies {
             let first = table.push_masses(body);
             table.push([body.depth.unwrap_or(Expr::ZERO)]);
@@ -65,6 +76,14 @@ impl NumericTable {
             let first = table.push(instance.sizes.iter().map(|size| size.value));
             table.parts.push(first);
         }
+        for shape in model.instances.iter().flat_map(|instance| &instance.shapes) {
+            let first = table.push_points(&shape.points);
+            table.shapes.push(first);
+        }
+        for hole in model.bodies.iter().flat_map(|body| &body.holes) {
+            let first = table.push_points(hole);
+            table.holes.push(first);
+        }
         table
     }
 
@@ -75,6 +94,10 @@ impl NumericTable {
         }
         self.all.push_all([Entry::Constant(f64::NAN), Entry::Constant(f64::NAN)]);
         self.all.len() - 2
+    }
+
+    fn push_points(&mut self, points: &[Vec2]) -> usize {
+        self.push(points.iter().flat_map(|at| at.components()))
     }
 
     /// Adds numbers and returns the index of the first.

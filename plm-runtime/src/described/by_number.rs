@@ -34,7 +34,7 @@ pub fn moment<M: Described<S = f64>>(state: &M::State, each: &mut impl FnMut(f64
 
 /// Gives `each` what parameters change of bodies and ground, SI: of each body mass, moment of inertia, depth, place and angle of each
 /// port, the number of points of its contour, and these; of each port of the ground x, y and angle at time 0, and depth; the sizes of
-/// [`SizeNames`], 0 where none was given.
+/// [`SizeNames`], 0 where none was given; of each shape of a part, then of each hole of a body, the number of its points, and these.
 pub fn shape<M: Described<S = f64>>(of: &M, each: &mut impl FnMut(f64)) {
     let number = |number: Option<f64>| number.unwrap_or(f64::NAN);
     for (k, body) in M::TABLES.bodies.iter().enumerate() {
@@ -42,10 +42,7 @@ pub fn shape<M: Described<S = f64>>(of: &M, each: &mut impl FnMut(f64)) {
         for port in 0..body.ports.len() {
             Place::components(of.port(k, port)).into_iter().for_each(&mut *each);
         }
-        each(body.contour as f64);
-        for point in 0..body.contour {
-            of.contour(k, point).unwrap_or([f64::NAN; 2]).into_iter().for_each(&mut *each);
-        }
+        points(body.contour, |point| of.contour(k, point), each);
     }
     for k in 0..M::TABLES.ground.len() {
         Place::components(of.ground(0.0, k)).into_iter().for_each(&mut *each);
@@ -54,6 +51,18 @@ pub fn shape<M: Described<S = f64>>(of: &M, each: &mut impl FnMut(f64)) {
     for (k, part) in M::TABLES.parts.iter().enumerate() {
         (0..part.sizes.len()).map(|size| number(of.size(k, size))).for_each(&mut *each);
     }
+    for (k, shape) in M::SHAPES.iter().enumerate() {
+        points(shape.points, |point| of.shape_point(k, point), each);
+    }
+    for (k, hole) in M::HOLES.iter().enumerate() {
+        points(hole.points, |point| of.hole_point(k, point), each);
+    }
+}
+
+/// Gives `each` the number of points, and these.
+fn points(count: usize, at: impl Fn(usize) -> Option<[f64; 2]>, each: &mut impl FnMut(f64)) {
+    each(count as f64);
+    (0..count).flat_map(|point| at(point).unwrap_or([f64::NAN; 2])).for_each(each);
 }
 
 /// The parts that have sizes, a line each: the name of the part, and those of its sizes, with blanks between.

@@ -9,7 +9,7 @@ pub mod pulls;
 mod tables;
 mod words;
 
-pub use tables::{Body, Frame, GroundPort, Motion, Part, Quantity, Reads, Report, Tables};
+pub use tables::{Body, Frame, GroundPort, Hole, Motion, Part, Quantity, Reads, Report, Shape, Tables};
 pub use words::mechanism_in_words;
 
 use crate::body::BodyState;
@@ -68,6 +68,11 @@ pub trait Described: Mechanism + Ports {
     /// Files that it names, and where they were when it was compiled.
     const FILES: &'static [(&'static str, &'static str)];
 
+    /// Shapes of parts for pictures, in the order of the parts.
+    const SHAPES: &'static [Shape] = &[];
+    /// Holes of the contours of bodies, in the order of the bodies.
+    const HOLES: &'static [Hole] = &[];
+
     /// Steps by themselves that it orders, as it names them: `rk4`, which is `State::step_rk4`.
     const STEPS: &'static [&'static str] = &[];
 
@@ -119,8 +124,7 @@ pub trait Described: Mechanism + Ports {
     /// A point of the contour of a body, from its centre of gravity in its axes, m.
     fn contour(&self, body: usize, point: usize) -> Option<[Number<Self>; 2]> {
         let Body { ports, contour, first, .. } = *Self::TABLES.bodies.get(body)?;
-        let first = first + OF_BODY + OF_PORT * ports.len() + 2 * point;
-        if point < contour { Some([self.constant(first)?, self.constant(first + 1)?]) } else { None }
+        self.point(contour, first + OF_BODY + OF_PORT * ports.len(), point)
     }
 
     /// A port of the ground at the time `t`, s; from the origin, absolute axes.
@@ -138,6 +142,18 @@ pub trait Described: Mechanism + Ports {
         let Part { sizes, first, .. } = Self::TABLES.parts.get(part)?;
         sizes.get(size)?;
         self.constant(first + size)
+    }
+
+    /// A point of a shape of [`SHAPES`](Self::SHAPES), in the axes of its frame; m, or in the measure of symbols.
+    fn shape_point(&self, shape: usize, point: usize) -> Option<[Number<Self>; 2]> {
+        let Shape { points, first, .. } = *Self::SHAPES.get(shape)?;
+        self.point(points, first, point)
+    }
+
+    /// A point of a hole of [`HOLES`](Self::HOLES), from the centre of gravity of its body in its axes, m.
+    fn hole_point(&self, hole: usize, point: usize) -> Option<[Number<Self>; 2]> {
+        let Hole { points, first, .. } = *Self::HOLES.get(hole)?;
+        self.point(points, first, point)
     }
 
     /// Sets a parameter; false if there is none with this index. A run looks at it before its next step.
@@ -174,6 +190,13 @@ pub trait Described: Mechanism + Ports {
     #[doc(hidden)]
     fn declared(&self, index: usize) -> Option<Number<Self>> {
         self.constant(index).filter(|number| !number.to_f64().is_nan())
+    }
+
+    /// One of so many points of the tables, the first of which begins at an index.
+    #[doc(hidden)]
+    fn point(&self, points: usize, first: usize, point: usize) -> Option<[Number<Self>; 2]> {
+        let at = first + 2 * point;
+        if point < points { Some([self.constant(at)?, self.constant(at + 1)?]) } else { None }
     }
 
     /// Three numbers of the tables.

@@ -113,6 +113,38 @@ pub struct Part {
     pub first: usize,
 }
 
+/// A shape that pictures draw of a part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shape {
+    /// The number of its part.
+    pub part: usize,
+    /// How it is drawn: `outline`, `mark`, `line`, `surface`, `circle`.
+    pub look: &'static str,
+    /// The number of the body of its frame, none for the ground, and that of the port.
+    pub at: (Option<usize>, usize),
+    /// The frame that its x axis points to; without it the axis is that of its frame.
+    pub towards: Option<(Option<usize>, usize)>,
+    /// Do its points count in half widths of a bar, and along the line to another frame as shares of that? Else they are in m.
+    pub is_symbol: bool,
+    /// How many points it has. The first of a symbol and of a circle is where its origin is, m; a circle has one more, on its rim.
+    pub points: usize,
+    /// Where they begin.
+    #[doc(hidden)]
+    pub first: usize,
+}
+
+/// A hole of the contour of a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hole {
+    /// The number of its body.
+    pub body: usize,
+    /// How many points it has.
+    pub points: usize,
+    /// Where they begin.
+    #[doc(hidden)]
+    pub first: usize,
+}
+
 /// A frame that a part joins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Frame {

@@ -5,7 +5,9 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { test } from "node:test";
-import { BODIES, drawn, madePage, open, openedIn, pieces as allPieces, settle, shot, state, withoutPage } from "./support/browser.js";
+import { DARK, LIGHT } from "../src/palette.js";
+import { looks } from "../tests/support/scenes.js";
+import { BODIES, drawn, madePage, open, openedIn, pieces as allPieces, settle, shot, skip, state, withoutPage, writeRuns } from "./support/browser.js";
 
 const GROUND_PIN = [104, 110, 120];
 const PIN = [44, 52, 66];
@@ -181,6 +183,42 @@ test("a slot lies along its axis, with its pin in it", { skip: withoutPage("Plmt
   assert.ok(Math.abs((slot.top + slot.bottom) / 2 - least[1]) < 2, "along x");
   assert.ok((await drawn(page, "#picture", { groove: GROOVE })).groove > 20);
 });
+
+/** Colours of the picture at places (m), and of its background; the view is from the front. */
+async function coloursAt(page, places) {
+  const wanted = await onPicture(page, places);
+  return page.evaluate((points) => {
+    const canvas = document.querySelector("#picture");
+    const ratio = canvas.width / canvas.getBoundingClientRect().width;
+    const context = canvas.getContext("2d");
+    const at = ([x, y]) => [...context.getImageData(Math.round(ratio * x), Math.round(ratio * y), 1, 1).data].slice(0, 3);
+    return { found: points.map(at), back: at([2, 2]) };
+  }, wanted);
+}
+
+const isNear = (a, b, limit = 14) => a.every((part, at) => Math.abs(part - b[at]) <= limit);
+
+for (const [theme, palette] of [["light", LIGHT], ["dark", DARK]]) {
+  test(`looks that parts declare, ${theme}: a wheel, its plate with a hole, the steps below, a symbol in front`, { skip }, async () => {
+    const { page, errors } = await open(writeRuns(`looks-${theme}`, [looks()]), { theme, hash: "#t=1&paths=" });
+    assert.deepEqual(errors, []);
+    await shot(page, `looks-${theme}`);
+    const radius = await state(page, "app.scene.radius");
+    const pose = [0.2, 0.2, -1];
+    const on = (point) => pointOf(pose, point);
+    const places = [on([0.02, -0.035]), on([0.09, -0.09]), on([-0.06, 0.08]), on([0.1 + 0.3 * radius, 0]), [-0.2, -0.6 * radius], [1.3, 0.1 - 0.6 * radius], [1.3, 0.1 + radius]];
+    const { found, back } = await coloursAt(page, places);
+    const [hole, plate, rim, mark, low, high, above] = found;
+    assert.ok(isNear(hole, back) && isNear(above, back), JSON.stringify({ found, back }));
+    for (const colour of [plate, rim]) assert.ok(isNear(colour, palette.bodies[0]), JSON.stringify({ colour }));
+    assert.ok(isNear(mark, palette.tones.ground), JSON.stringify({ mark }));
+    for (const colour of [low, high]) assert.ok(isNear(colour, palette.tones.mount), JSON.stringify({ colour }));
+    // All around the hub the circle is drawn, in the colour of what stands on the ground.
+    const rims = Array.from({ length: 12 }, (_, k) => on([0.2 * Math.cos(k / 2), 0.2 * Math.sin(k / 2)]));
+    const round = await coloursAt(page, rims);
+    for (const colour of round.found) assert.ok(!isNear(colour, back), JSON.stringify(round));
+  });
+}
 
 test("pages of real runs are small", { skip: withoutPage("DoubleArm") }, () => {
   // 4 s at 200 Hz, all quantities in full precision.

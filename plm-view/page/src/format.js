@@ -2,11 +2,15 @@
 
 /**
  * @typedef {{name: string, x: number, y: number, angle: number}} Port place from G, in the axes of the body
- * @typedef {{name: string, mass: number, inertia: number, depth: number, ports: Port[], contour: number[][] | null}} Body
+ * @typedef {{name: string, mass: number, inertia: number, depth: number, ports: Port[], contour: number[][] | null,
+ *   holes: number[][][]}} Body
  * @typedef {Port & {depth: number, moves?: boolean}} GroundPort place in absolute axes, at time 0
  * @typedef {{argument: string, body: number | null, port: number | null}} Frame body null: ground; port null: G, or the
  *   origin of the ground
- * @typedef {{name: string, kind: string, pair: string | null, frames: Frame[], sizes: {[name: string]: number}}} Part
+ * @typedef {{look: string, body: number | null, port: number | null, towards: (number | null)[] | null, symbol: boolean,
+ *   points: number[][]}} Look what is drawn of a part, in the axes of a frame; the first point of a symbol and of a circle is where its origin is
+ * @typedef {{name: string, kind: string, pair: string | null, frames: Frame[], sizes: {[name: string]: number},
+ *   shapes: Look[]}} Part
  * @typedef {{name: string, unit: string, factor: number, exponents: number[], default: number, value: number}} Parameter
  * @typedef {{name: string, unit: string, factor: number, exponents?: number[], default?: number | null}} Input
  * @typedef {{formulation: string, reason: string, degrees_of_freedom: number, operations: {[name: string]: number}}} Report
@@ -88,6 +92,7 @@ function fillRun(run) {
   mechanism.states ??= [];
   for (const body of mechanism.bodies) {
     body.contour ??= null;
+    body.holes ??= [];
     // JSON has no NaN: a body without mass.
     body.mass ??= NaN;
     body.inertia ??= NaN;
@@ -96,12 +101,17 @@ function fillRun(run) {
   for (const part of mechanism.parts) {
     part.pair ??= null;
     part.sizes ??= {};
-    for (const frame of part.frames) checkFrame(frame, mechanism, part.name);
+    part.shapes ??= [];
+    for (const shape of part.shapes) {
+      shape.towards ??= null;
+      shape.symbol ??= false;
+    }
+    for (const frame of [...part.frames, ...part.shapes]) checkFrame(frame, mechanism, part.name);
   }
 }
 
 /**
- * @param {Frame} frame
+ * @param {{body: number | null, port: number | null}} frame
  * @param {Mechanism} mechanism
  * @param {string} part
  */

@@ -66,12 +66,13 @@ function bendOf(a, b, c) {
  * @param {number} x
  * @param {number} y
  * @param {number} radius
+ * @param {number} [corners]
  * @returns {Outline}
  */
-export function circleOutline(x, y, radius) {
+export function circleOutline(x, y, radius, corners = ROUND) {
   const outline = [];
-  for (let step = 0; step < ROUND; step++) {
-    const angle = (2 * Math.PI * step) / ROUND;
+  for (let step = 0; step < corners; step++) {
+    const angle = (2 * Math.PI * step) / corners;
     outline.push(x + radius * Math.cos(angle), y + radius * Math.sin(angle));
   }
   return outline;
@@ -89,13 +90,21 @@ export function boxOutline(left, right, low, high) {
 }
 
 /**
- * A contour as it was given, turned so that its inside is on the left.
+ * A contour as it was given, turned so that its inside is on the left. With holes each of them and the contour itself is a ring
+ * that ends where it begins, and no numbers stand behind it.
  * @param {number[][]} contour
+ * @param {number[][][]} [holes]
  * @returns {Outline}
  */
-export function contourOutline(contour) {
-  const outline = contour.flatMap(([x, y]) => [x, y]);
-  return areaOf(outline) < 0 ? contour.toReversed().flatMap(([x, y]) => [x, y]) : outline;
+export function contourOutline(contour, holes = []) {
+  if (holes.length > 0) {
+    return [contour, ...holes].flatMap((ring, at) => {
+      const turned = areaOf(ring.flat()) < 0 === at > 0 ? ring : ring.toReversed();
+      return [...turned, turned[0], [NaN, NaN]].flat();
+    });
+  }
+  const outline = contour.flat();
+  return areaOf(outline) < 0 ? contour.toReversed().flat() : outline;
 }
 
 /**
@@ -172,7 +181,8 @@ export function distanceToLine(line, x, y) {
     const [dx, dy] = [line[at] - xa, line[at + 1] - ya];
     const square = dx * dx + dy * dy;
     const share = square > 0 ? Math.min(1, Math.max(0, ((x - xa) * dx + (y - ya) * dy) / square)) : 0;
-    nearest = Math.min(nearest, Math.hypot(x - xa - share * dx, y - ya - share * dy));
+    const distance = Math.hypot(x - xa - share * dx, y - ya - share * dy);
+    if (distance < nearest) nearest = distance;
   }
   return nearest;
 }

@@ -48,7 +48,11 @@ export class CanvasPen {
     const { context } = this;
     context.beginPath();
     context.moveTo(points[0], points[1]);
-    for (let at = 2; at < points.length; at += 2) context.lineTo(points[at], points[at + 1]);
+    for (let at = 2; at < points.length; at += 2) {
+      // No numbers stand behind the rings of a contour with holes.
+      if (!Number.isNaN(points[at])) context.lineTo(points[at], points[at + 1]);
+      else if (at + 2 < points.length) context.moveTo(points[at + 2], points[at + 3]);
+    }
     if (isClosed) context.closePath();
   }
 
@@ -110,7 +114,9 @@ export class SvgPen {
 
   /** @param {ArrayLike<number>} points @param {Paint} paint */
   polygon(points, paint) {
-    this.parts.push(`<polygon points="${svgPoints(points)}" ${svgPaint(paint)}/>`);
+    const rings = svgPoints(points).split(/ NaN,NaN ?/);
+    const shape = rings.length === 1 ? `polygon points="${rings[0]}"` : `path d="${rings.map((ring) => ring && `M${ring}Z`).join("")}"`;
+    this.parts.push(`<${shape} ${svgPaint(paint)}/>`);
   }
 
   /** @param {ArrayLike<number>} points @param {Paint} paint */

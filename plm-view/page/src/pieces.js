@@ -1,6 +1,7 @@
 // What is drawn of a part: pins, rails, slots, jacks, springs.
 
 import { depthOfFrame, linkKind } from "./levels.js";
+import { shapePieces } from "./looks.js";
 import { boxOutline, circleOutline, coilLine, movedOutline, roundedHull } from "./outline.js";
 import { fixedPiece, framePose } from "./solid.js";
 
@@ -22,13 +23,14 @@ import { fixedPiece, framePose } from "./solid.js";
  */
 export function piecesOfPart(scene, index) {
   const part = scene.mechanism.parts[index];
-  if (part.frames.length === 0) return [];
+  if (part.frames.length + part.shapes.length === 0) return [];
   const make = PART_PIECES[linkKind(part) ?? part.pair ?? part.kind];
-  return make === undefined ? [] : make(new PartDraft(scene, index));
+  const draft = new PartDraft(scene, index);
+  return [...(make === undefined ? [] : make(draft)), ...shapePieces(draft)];
 }
 
 /** A part while it becomes pieces. */
-class PartDraft {
+export class PartDraft {
   /**
    * @param {Surroundings} scene
    * @param {number} index
@@ -43,7 +45,7 @@ class PartDraft {
     this.radius = scene.radius;
     this.thickness = scene.levels.thickness;
     /** Red is what stands on the ground, blue what joins two bodies. @type {Tone} */
-    this.tone = this.part.frames.some((frame) => frame.body === null) ? "ground" : "joint";
+    this.tone = [...this.part.frames, ...this.part.shapes].some((frame) => frame.body === null) ? "ground" : "joint";
     this.pin = 0.5 * (this.part.sizes["pin"] || 0.9 * this.radius);
   }
 
@@ -126,15 +128,19 @@ class PartDraft {
   }
 
   /**
-   * How far the second frame has been seen along the x axis of the first, from the origin of that.
+   * How far frames have been seen along the x axis of another one, from the origin of that.
+   * @param {Frame} axis
+   * @param {number[]} frames
    * @returns {(places: Places) => {low: number, high: number}}
    */
-  reach() {
+  reach(axis = this.part.frames[0], frames = [1]) {
     const reach = { low: Infinity, high: -Infinity };
     return (places) => {
-      const [[x, y, angle], [u, v]] = [this.pose(places, 0), this.pose(places, 1)];
-      const along = (u - x) * Math.cos(angle) + (v - y) * Math.sin(angle);
-      if (Number.isFinite(along)) {
+      const [x, y, angle] = framePose(this.scene.mechanism, axis, places);
+      for (const frame of frames) {
+        const [u, v] = this.pose(places, frame);
+        const along = (u - x) * Math.cos(angle) + (v - y) * Math.sin(angle);
+        if (!Number.isFinite(along)) continue;
         reach.low = Math.min(reach.low, along);
         reach.high = Math.max(reach.high, along);
       }
@@ -159,13 +165,9 @@ const PART_PIECES = {
   pin_slot: slotPieces,
   jack: jackPieces,
   spring: springPieces,
-  gear: wheelPieces,
-  rack: wheelPieces,
-  belt: wheelPieces,
-  elastic_belt: wheelPieces,
-  chain: wheelPieces,
-  fall: (draft) => [draft.stroke((places) => [0, 1].flatMap((frame) => draft.pose(places, frame).slice(0, 2)))],
-  attached_mass: (draft) => draft.pinPieces(0, [draft.slabs()[0], draft.slabs()[0]], 1.2 * draft.radius),
+  belt: beltPieces,
+  elastic_belt: beltPieces,
+  chain: beltPieces,
 };
 
 /**
@@ -280,28 +282,19 @@ function springPieces(draft) {
     const { pose, length } = linkLine(draft, places);
     return movedOutline(coilLine(length, 1.1 * draft.radius, 7), pose);
   }, { isLine: true });
-  return [coil, ...draft.mounts(), ...ends];
+  return [...(draft.part.shapes.length > 0 ? [] : [coil]), ...draft.mounts(), ...ends];
 }
 
 /**
- * Pitch circles about the frames `a` and `b`, with a mark on the x axis of each, and the strands of what runs on them.
+ * The strands of what runs on two wheels, `a` and `b`.
  * @param {PartDraft} draft
  */
-function wheelPieces(draft) {
-  const { frames, kind, sizes } = draft.part;
-  const radii = { a: sizes["radius_a"] ?? sizes["radius"], b: sizes["radius_b"] };
-  const wheels = Object.entries(radii).flatMap(([name, radius]) => {
-    const frame = frames.findIndex(({ argument }) => argument === name);
-    return frame < 0 || radius === undefined ? [] : [{ frame, radius }];
-  });
-  const rims = wheels.map(({ frame, radius }) => {
-    const rim = circleOutline(0, 0, Math.abs(radius));
-    const closed = [0.85 * Math.abs(radius), 0, ...rim, ...rim.slice(0, 2)];
-    return draft.stroke((places) => movedOutline(closed, draft.pose(places, frame)));
-  });
-  if (wheels.length < 2 || kind === "gear") return rims;
+function beltPieces(draft) {
+  const { frames, sizes } = draft.part;
+  const wheels = ["a", "b"].map((name) => ({ frame: frames.findIndex(({ argument }) => argument === name), radius: sizes[`radius_${name}`] }));
   const [a, b] = wheels;
-  const strands = [1, -1].map((sense) => draft.stroke((places) => {
+  if (a.radius === undefined || b.radius === undefined) return [];
+  return [1, -1].map((sense) => draft.stroke((places) => {
     const { pose, length } = linkLine(draft, places, [a.frame, b.frame]);
     const normal = pose[2] + sense * (0.5 * Math.PI - Math.asin((a.radius - b.radius) / length));
     return wheels.flatMap(({ frame, radius }) => {
@@ -309,5 +302,4 @@ function wheelPieces(draft) {
       return [x + radius * Math.cos(normal), y + radius * Math.sin(normal)];
     });
   }));
-  return [...rims, ...strands];
 }

@@ -47,7 +47,7 @@ export class Scene {
     const outline =
       body.contour === null
         ? roundedHull(pointsOfBody(body), this.radiusOf(body, index))
-        : contourOutline(body.contour);
+        : contourOutline(body.contour, body.holes);
     return [fixedPiece({ kind: "body", index }, "body", [middle - half, middle + half], index, outline)];
   }
 
@@ -152,6 +152,7 @@ function typicalSize(run) {
 function widen(box, outline, piece) {
   for (let at = 0; at < outline.length; at++) {
     const axis = at % 2;
+    if (Number.isNaN(outline[at])) continue;
     box.low[axis] = Math.min(box.low[axis], outline[at]);
     box.high[axis] = Math.max(box.high[axis], outline[at]);
   }

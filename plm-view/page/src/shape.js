@@ -17,13 +17,16 @@ export function readShape(mechanism, numbers, sizeNames) {
   knownShapes.set(mechanism, text);
   let at = 0;
   const next = () => numbers[at++];
+  const points = () => {
+    const list = Array.from({ length: next() }, () => [next(), next()]);
+    return list.flat().every(Number.isFinite) ? list : [];
+  };
   const place = (/** @type {import("./format.js").Port} */ port) => ([port.x, port.y, port.angle] = [next(), next(), next()]);
   for (const body of mechanism.bodies) {
     [body.mass, body.inertia, body.depth] = [next(), next(), next()];
     body.ports.forEach(place);
-    const contour = Array.from({ length: next() }, () => [next(), next()]);
-    const canBeDrawn = contour.length > 0 && contour.flat().every(Number.isFinite);
-    body.contour = canBeDrawn ? contour : null;
+    const contour = points();
+    body.contour = contour.length > 0 ? contour : null;
   }
   for (const port of mechanism.ground) {
     place(port);
@@ -36,5 +39,7 @@ export function readShape(mechanism, numbers, sizeNames) {
     // As in a results file: what was not given is left out.
     if (part !== undefined) part.sizes = Object.fromEntries(read.filter(([, size]) => Number.isFinite(size) && size !== 0));
   }
+  for (const part of mechanism.parts) part.shapes.forEach((shape) => (shape.points = points()));
+  for (const body of mechanism.bodies) body.holes = body.holes.map(points);
   return true;
 }

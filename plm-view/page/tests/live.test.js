@@ -247,12 +247,14 @@ test("a pull holds the weight at a few sizes of a body, and shakes no light one"
 
 test("what parameters change of bodies is drawn", () => {
   const pin = { name: "hinge", kind: "revolute", pair: "revolute", frames: [{ argument: "a", body: null, port: 0 }, { argument: "b", body: 0, port: 0 }], sizes: { pin: 0.1 } };
-  const { mechanism } = oneBody({ parts: [pin, { ...pin, name: "ram", kind: "jack", pair: null, sizes: {} }] });
+  const { mechanism } = oneBody({ parts: [pin, { ...pin, name: "ram", kind: "jack", pair: null, sizes: {}, shapes: [{ look: "circle", body: 0, port: 0, towards: null, symbol: false, points: [[0, 0], [1, 0]] }] }] });
+  mechanism.bodies[0].holes = [[]];
   const sizes = "hinge pin_diameter\nram free_length piston_diameter rod_diameter";
-  const numbers = Float64Array.from([3, 0.6, 0.1, 1.5, 0, 0, 3, 0, 0, 1, 0, 0, 1, 0.2, 0.3, 0, 0.05, 0.15, 0.7, 0.09, 0]);
+  const numbers = Float64Array.from([3, 0.6, 0.1, 1.5, 0, 0, 3, 0, 0, 1, 0, 0, 1, 0.2, 0.3, 0, 0.05, 0.15, 0.7, 0.09, 0, 2, 0, 0, 0.4, 0, 3, 0.1, 0.1, 0.2, 0.1, 0.1, 0.2]);
   assert.ok(readShape(mechanism, numbers, sizes));
   assert.deepEqual(mechanism.parts.map((part) => part.sizes), [{ pin: 0.15 }, { free_length: 0.7, piston: 0.09 }]);
-  assert.deepEqual(mechanism.bodies[0], { name: "b", mass: 3, inertia: 0.6, depth: 0.1, ports: [{ name: "p", x: 1.5, y: 0, angle: 0 }], contour: [[0, 0], [1, 0], [0, 1]] });
+  assert.deepEqual(mechanism.bodies[0], { name: "b", mass: 3, inertia: 0.6, depth: 0.1, ports: [{ name: "p", x: 1.5, y: 0, angle: 0 }], contour: [[0, 0], [1, 0], [0, 1]], holes: [[[0.1, 0.1], [0.2, 0.1], [0.1, 0.2]]] });
+  assert.deepEqual(mechanism.parts[1].shapes[0].points, [[0, 0], [0.4, 0]]);
   assert.deepEqual(mechanism.ground[0], { name: "o", x: 0.2, y: 0.3, angle: 0, depth: 0.05 });
   assert.ok(!readShape(mechanism, numbers.slice(), sizes), "nothing has changed");
 });

@@ -2,13 +2,14 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { areaOf, convexHull, isInside, roundedHull } from "../src/outline.js";
 import { readResults } from "../src/results.js";
+import { SvgPen } from "../src/pen.js";
 import { pickItem } from "../src/pick.js";
 import { placePieces } from "../src/place.js";
 import { Scene } from "../src/scene.js";
 import { framePose, outlineAt } from "../src/solid.js";
 import { PRESETS, View } from "../src/view.js";
 import { makeNpz } from "./support/npz.js";
-import { chain, doublePendulum, headOf, sampled, workshop } from "./support/scenes.js";
+import { chain, doublePendulum, headOf, looks, sampled, workshop } from "./support/scenes.js";
 
 const AREA = { x: 0, y: 0, width: 800, height: 600 };
 
@@ -81,6 +82,49 @@ test("the wider side of a jack is its cylinder, the other its rod: piston at the
     assert.ok(near(cylinder, a) && !isInside(cylinder, b[0], b[1]), "cylinder");
     assert.ok(near(rod, b) && !isInside(rod, a[0], a[1]), "rod");
   }
+});
+
+test("shapes stand where the declaration of their part puts them", async () => {
+  const scene = await sceneOf(looks());
+  const places = scene.at(1);
+  const [circle, outline, mark, line, steps, level] = piecesOf(scene, "tread");
+  const near = (found, wanted) => wanted.forEach((value, at) => assert.ok(Math.abs(found[at] - value) < 1e-12, `${found} is not ${wanted}`));
+  const points = (piece) => outlineAt(piece, places);
+  const [x, y, angle] = [0.2, 0.2, -1];
+  const moved = ([u, v]) => [x + Math.cos(angle) * u - Math.sin(angle) * v, y + Math.sin(angle) * u + Math.cos(angle) * v];
+  // The radius that shows how it turns, from 0.8 of it on.
+  near(points(circle), moved([0.16, 0]));
+  for (let at = 2; at < points(circle).length; at += 2) assert.ok(Math.abs(Math.hypot(points(circle)[at] - x, points(circle)[at + 1] - y) - 0.2) < 1e-12);
+  // Its inside is on the left, however it was written.
+  near(points(outline), [[0.15, 0], [0, 0.15], [0, 0]].flatMap(moved));
+  assert.deepEqual([outline.tone, outline.body], ["body", 0]);
+  // In half widths of a bar, from 0.1 m along the axis on.
+  near(points(mark), [[0.1 + scene.radius, 0], [0.1, scene.radius], [0.1, -scene.radius]].flatMap(moved));
+  // To the hub: shares of the way along it, half a bar's width across.
+  const way = Math.hypot(x, y);
+  near(points(line), [0, 0, x / 2 - (scene.radius * y) / way, y / 2 + (scene.radius * x) / way, x, y]);
+  // The solid is on the right of the steps.
+  near(points(steps).slice(8), [1.4, 0.1, 1, 0.1, 1, 0, -0.3, 0]);
+  assert.ok(isInside(points(steps), 0.5, -0.5 * scene.radius) && !isInside(points(steps), 0.5, 0.5 * scene.radius));
+  // The axis goes as far as the wheel has been seen, 0.4 m, and 4 half widths on.
+  const ends = points(level).filter((_, at) => at % 2 === 0);
+  near([Math.min(...ends), Math.max(...ends)], [-4 * scene.radius, 0.4 + 4 * scene.radius]);
+});
+
+test("a hole of a contour is open: not filled, not picked, and it widens nothing", async () => {
+  const scene = await sceneOf(looks());
+  const places = scene.at(0);
+  const plate = outlineAt(scene.pieces.find(({ item }) => item.kind === "body"), places);
+  assert.ok(isInside(plate, 0.08, 0.2) && isInside(plate, 0, 0.27) && !isInside(plate, 0, 0.2));
+  const { low, high } = scene.extents();
+  assert.ok([...low, ...high].every(Number.isFinite));
+  // The rings go round in opposite senses, so that both rules of filling leave the hole open.
+  const ends = plate.findIndex(Number.isNaN);
+  assert.ok(areaOf(plate.slice(0, ends)) > 0 && areaOf(plate.slice(ends + 2, -2)) < 0);
+  const pen = new SvgPen();
+  pen.polygon(plate, { fill: "#000" });
+  assert.match(pen.parts[0], /^<path d="M[^MZ]+ZM[^MZ]+Z" fill/);
+  assert.ok(!pen.parts[0].includes("NaN"));
 });
 
 test("a rail reaches as far as its carriage goes", async () => {

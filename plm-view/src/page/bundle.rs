@@ -19,6 +19,7 @@ const MODULES: &[(&str, &str)] = &[
     ("view", include_str!("../../page/src/view.js")),
     ("levels", include_str!("../../page/src/levels.js")),
     ("solid", include_str!("../../page/src/solid.js")),
+    ("looks", include_str!("../../page/src/looks.js")),
     ("pieces", include_str!("../../page/src/pieces.js")),
     ("scene", include_str!("../../page/src/scene.js")),
     ("palette", include_str!("../../page/src/palette.js")),

@@ -81,6 +81,9 @@ pub struct Body {
     pub ports: Vec<Port>,
     /// Its outline, if it has one: points from G, in the axes of the body, m.
     pub contour: Option<Vec<[f64; 2]>>,
+    /// Holes of its outline, in the same axes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub holes: Vec<Vec<[f64; 2]>>,
 }
 
 /// A port of a body.
@@ -134,6 +137,28 @@ pub struct Part {
     pub frames: Vec<Frame>,
     /// Sizes for pictures that are not 0, m: `pin`, `piston`, `rod`, `free_length`, or what a part of one's own names.
     pub sizes: BTreeMap<String, f64>,
+    /// Shapes for pictures.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub shapes: Vec<Shape>,
+}
+
+/// A shape of a part.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Shape {
+    /// How it is drawn: `outline`, `mark`, `line`, `surface`, `circle`.
+    pub look: String,
+    /// The index of the body of its frame; none for the ground.
+    pub body: Option<usize>,
+    /// The index of the port of its frame.
+    pub port: Option<usize>,
+    /// The frame that its x axis points to, by body and port.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub towards: Option<(Option<usize>, Option<usize>)>,
+    /// Do its points count in half widths of a bar, and along the line to another frame as shares of that? Else they are in m.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub symbol: bool,
+    /// Points in the axes of its frame. The first of a symbol and of a circle is where its origin is, m; a circle has one more, on its rim.
+    pub points: Vec<[f64; 2]>,
 }
 
 /// A frame that a part joins.

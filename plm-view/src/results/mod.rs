@@ -17,7 +17,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 pub(crate) use archive::write as zipped;
-pub use mechanism::{Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report};
+pub use mechanism::{Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report, Shape};
 
 use crate::error::{Error, Unread, read_file, write_file};
 use crate::recording::{About, OF_GROUND, OF_POSE, Recording};

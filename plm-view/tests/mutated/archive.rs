@@ -82,6 +82,7 @@ fn mechanism(moves: bool) -> Mechanism {
         depth: 0.0,
         ports: vec![port.clone()],
         contour: Some(vec![[0.0, 1.0], [1.0, 0.0], [0.0, 0.0]]),
+        holes: Vec::new(),
     };
     Mechanism {
         name: "Press".into(),

@@ -8,7 +8,8 @@ use plm::{Dop853, Sim};
 use super::{G, near};
 
 plm::mechanism! {
-    /// A shaft with a harmonic cam under a flat follower and under a knife, and an eccentric under a roller; two Geneva drives.
+    /// A shaft with a harmonic cam under a flat follower and under a knife, and an eccentric under a roller and under one on an arm; two
+    /// Geneva drives.
     pub Cams {
         param speed: rad/s = 20 rad/s;
         gravity: 9.81 m/s^2;
@@ -32,6 +33,25 @@ plm::mechanism! {
             roller_radius: 10 mm;
             lift(angle): -10 mm*cos(angle) + sqrt((40 mm)^2 - (10 mm*sin(angle))^2) - 30 mm;
         }
+        // A disc of 30 mm, 10 mm beside its shaft, under a roller of 10 mm on an arm of 95 mm, whose pivot is 100 mm above the shaft.
+        ground { port pivot: (0, 100) mm; }
+        body arm {
+            mass: 0.5 kg;
+            inertia: 1e-3 kg*m^2;
+            port o: (0, 0) mm;
+            start y: 100 mm;
+            start angle: 270 deg - acos(((95 mm)^2 + (90 mm)^2 - (40 mm)^2)/(2*95 mm*90 mm));
+            start omega: -speed/9;
+        }
+        revolute pivot(ground.pivot, arm.o) { stiffness: 20 N*m/rad; rest: 300 deg; }
+        oscillating_follower lever(ground.cam, shaft.cam, arm.o) {
+            distance: 100 mm;
+            arm_length: 95 mm;
+            roller_radius: 10 mm;
+            swing(a): atan2(10 mm*sin(a), 100 mm - 10 mm*cos(a))
+                + acos(((95 mm)^2 + (100 mm)^2 + (10 mm)^2 - 2*(10 mm)*(100 mm)*cos(a) - (40 mm)^2)
+                    /(2*95 mm*sqrt((100 mm)^2 + (10 mm)^2 - 2*(10 mm)*(100 mm)*cos(a))));
+        }
 
         body four { mass: 1 kg; inertia: 0.02 kg*m^2; port o: (0, 0) m; start x: 0.1 m*cos(15 deg); start y: 0.1 m*sin(15 deg); start angle: 15 deg; }
         ground { port four: (0.1*cos(15 deg), 0.1*sin(15 deg)) m; }
@@ -44,6 +64,7 @@ plm::mechanism! {
         output flat.push, flat.gap, flat.torque, flat.contact_offset, flat.curvature_radius, plate.acceleration;
         output knife.push, knife.lost, knife.torque, knife.pressure_angle, knife.lift, edge.velocity, edge.acceleration;
         output roller.push, roller.torque, roller.pressure_angle, roller.curvature_radius, rod.acceleration;
+        output lever.push, lever.gap, lever.torque, lever.arm_torque, lever.pressure_angle, arm.alpha, pivot.torque, pivot.force;
         output cross.ratio, cross.engaged, cross.torque, cross.pin_force, star.ratio, six.alpha, motor = -reaction(drive);
     }
 }
@@ -114,6 +135,36 @@ fn a_roller_on_an_eccentric_is_a_slider_crank() {
     }
 }
 
+/// An eccentric pushes along the line from its centre to that of the roller: the coupler of a four-bar with the crank 10 mm, the coupler
+/// 40 mm and the rocker 95 mm, whose force turns the arm and loads its pivot.
+#[test]
+fn a_roller_on_an_arm_is_a_four_bar() {
+    let mut sim = run(&Cams::new());
+    for _ in 0..10 {
+        sim.step(0.03).unwrap();
+        let (sin, cos) = (20.0 * sim.time()).sin_cos();
+        let centre = [-RISE * sin, RISE * cos];
+        let (angle, alpha) = (sim.arm().angle, sim.arm_alpha());
+        let arm = [0.095 * angle.cos(), 0.095 * angle.sin()];
+        let between = [arm[0] - centre[0], 0.1 + arm[1] - centre[1]];
+        let length = between[0].hypot(between[1]);
+        near(length, 0.04, 1e-9);
+        near(sim.lever_gap(), 0.0, 1e-9);
+        let normal = between.map(|x| x / length);
+        let moment = 1e-3 * alpha - sim.pivot_torque();
+        let push = moment / (arm[0] * normal[1] - arm[1] * normal[0]);
+        near(sim.lever_push(), push, 1e-7);
+        near(sim.lever_arm_torque(), moment, 1e-8);
+        near(sim.lever_torque(), -push * (centre[0] * normal[1] - centre[1] * normal[0]), 1e-8);
+        // The way of the roller where the cam lifts it: clockwise about the pivot.
+        let way = [arm[1] / 0.095, -arm[0] / 0.095];
+        near(sim.lever_pressure_angle().cos(), way[0] * normal[0] + way[1] * normal[1], 1e-9);
+        // On the ground: the pivot holds the weight and the push.
+        near(sim.pivot_force()[0], push * normal[0], 1e-7);
+        near(sim.pivot_force()[1], push * normal[1] - 0.5 * G, 1e-7);
+    }
+}
+
 /// Power of the shaft: what the followers take up, and mu N times the sliding speed. The other followers rub nowhere.
 #[test]
 fn a_knife_rubs() {
@@ -130,7 +181,7 @@ fn a_knife_rubs() {
         let [_, speed] = sim.edge_velocity();
         let upwards = 0.5 * (sim.edge_acceleration()[1] + G) + 2000.0 * sim.edge().y;
         near(-sim.knife_torque() * 20.0, upwards * speed + sim.knife_lost(), 1e-7);
-        let others = sim.flat_torque() + sim.roller_torque() + sim.knife_torque();
+        let others = sim.flat_torque() + sim.roller_torque() + sim.knife_torque() + sim.lever_torque();
         // The Geneva wheels need torque too: 0.02 kg m^2 each.
         let wheels = sim.cross_torque() * sim.cross_ratio() + 0.02 * sim.six_alpha() * sim.star_ratio();
         near(sim.motor(), wheels - others, 1e-7);

@@ -181,14 +181,16 @@ impl<'a> Names<'a> {
     }
 
     fn repeat(&mut self, repeat: &'a ast::Repeat, prefix: &str, depth: usize) {
-        let (Some(from), Some(to)) = (self.int(&repeat.from), self.int(&repeat.to)) else { return };
-        let to = if repeat.inclusive { to.saturating_add(1) } else { to };
+        let (Some(from), Some(to)) = (self.int(&repeat.turns.from), self.int(&repeat.turns.to)) else {
+            return;
+        };
+        let to = if repeat.turns.inclusive { to.saturating_add(1) } else { to };
         for value in from..to {
             if self.items > MAX_ITEMS {
                 return;
             }
             self.items += 1;
-            self.indices.push((&repeat.index.text, value));
+            self.indices.push((&repeat.turns.index.text, value));
             self.walk(&repeat.items, prefix, depth);
             self.indices.pop();
         }
@@ -339,6 +341,7 @@ fn body(name: Name) -> Body {
         centre: Vec2::ZERO,
         ports: Vec::new(),
         contour: Vec::new(),
+        holes: Vec::new(),
         depth: None,
         start: [start; 3],
         start_velocity: [start; 3],

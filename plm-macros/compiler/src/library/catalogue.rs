@@ -13,7 +13,7 @@ pub(crate) const PARTS: &[(&str, &str)] = catalogue! {
     "forces": "force" "jack" "spring";
     "contact":
         "cam" "circle_on_circle" "circle_on_line" "circle_on_polyline" "geneva" "ground_profile" "latch" "lock"
-        "point_on_circle" "point_on_curve" "point_on_line" "point_on_polyline" "polygon_on_line" "ratchet"
+        "oscillating_follower" "point_on_circle" "point_on_curve" "point_on_line" "point_on_polyline" "polygon_on_line" "ratchet"
         "rolling" "rolling_on_circle" "stop" "tyre" "wheel";
     "masses": "attached_mass" "attached_rotor" "rotor" "sliding_mass";
     "sensors": "acceleration_sensor" "force_sensor" "position_sensor" "velocity_sensor";

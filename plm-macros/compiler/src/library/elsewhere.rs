@@ -77,6 +77,10 @@ pub(crate) const ELSEWHERE: &[(&[&str], &str)] = &[
     ),
     (&["tire", "pacejka"], "a wheel with the magic formula is a `tyre`"),
     (&["cam_follower", "follower", "camshaft"], "a cam with its follower is `cam`"),
+    (
+        &["swinging_follower", "rocker_follower", "oscillating_cam"],
+        "a cam whose follower swings is `oscillating_follower`",
+    ),
     (&["geneva_drive", "maltese_cross", "indexer"], "a Geneva drive is `geneva`"),
     (&["curve", "path", "bead", "point_curve"], "a point that keeps to a curve is `point_on_curve`"),
     (

@@ -13,9 +13,9 @@ use super::item::{Context, Item, ItemKind};
 use super::name::Ident;
 use crate::diag::Code;
 
-/// `repeat i in from..to { … }`
+/// `i in from..to`
 #[derive(Clone, Debug)]
-pub struct Repeat {
+pub struct Turns {
     /// The index.
     pub index: Ident,
     /// Its first value.
@@ -24,6 +24,13 @@ pub struct Repeat {
     pub to: Expr,
     /// Is the bound a value of the index, `0..=n`?
     pub inclusive: bool,
+}
+
+/// `repeat i in from..to { … }`
+#[derive(Clone, Debug)]
+pub struct Repeat {
+    /// The index and its values.
+    pub turns: Turns,
     /// Items to repeat.
     pub items: Vec<Item>,
 }
@@ -39,9 +46,9 @@ pub struct Given {
     pub otherwise: Vec<Item>,
 }
 
-impl Repeat {
-    /// `name in expr..expr { items }`
-    pub(super) fn parse(input: Input, context: Context) -> Result<Repeat> {
+impl Turns {
+    /// `name in expr..expr`
+    pub(super) fn parse(input: Input) -> Result<Turns> {
         let index = Ident::parse(input, "the name of an index")?;
         input.expect(Token![in], "`in`")?;
         let from = Expr::parse(input)?;
@@ -49,8 +56,16 @@ impl Repeat {
         input.expect(Token![.], "`..`")?;
         let inclusive = input.eat(Token![=]);
         let to = Expr::parse(input)?;
+        Ok(Turns { index, from, to, inclusive })
+    }
+}
+
+impl Repeat {
+    /// `name in expr..expr { items }`
+    pub(super) fn parse(input: Input, context: Context) -> Result<Repeat> {
+        let turns = Turns::parse(input)?;
         let items = Item::block(input, context)?;
-        Ok(Repeat { index, from, to, inclusive, items })
+        Ok(Repeat { turns, items })
     }
 }
 

@@ -15,6 +15,7 @@ use super::handed::{Function, Points};
 use super::input::{Input, Reported, Result};
 use super::instance::Instance;
 use super::keyword as kw;
+use super::look::{Shape, picture};
 use super::name::{Ident, IndexedName};
 use super::output::Output;
 use super::part::{Choice, Definition};
@@ -77,6 +78,8 @@ pub enum ItemKind {
     Pair(Ident),
     /// `picture pin_diameter;`
     Picture(Vec<IndexedName>),
+    /// `picture outline on a: (0, 0), (1, 0), (1, 1) cm;`
+    Shape(Box<Shape>),
     /// `ground { … }`
     Ground(Vec<Port>),
     /// `body name { … }`
@@ -155,9 +158,7 @@ const WORDS: &[(&str, Option<Context>, Reader)] = &[
     ("points", Some(Part), |input, _| Points::parse(input).map(ItemKind::Points)),
     ("pair", Some(Part), |input, _| input.field_name("the name of a pair").map(ItemKind::Pair)),
     ("given", Some(Part), |input, _| Given::parse(input).map(|given| ItemKind::Given(Box::new(given)))),
-    ("picture", Some(Part), |input, _| {
-        input.listed(|input| IndexedName::parse(input, "a parameter")).map(ItemKind::Picture)
-    }),
+    ("picture", Some(Part), |input, _| picture(input)),
     ("param", None, |input, _| Value::parse(input, Some(Mark::Optional)).map(ItemKind::Param)),
     ("input", None, |input, _| Value::parse(input, Some(Mark::Optional)).map(ItemKind::Input)),
     ("state", None, |input, _| Value::parse(input, Some(Mark::Locked)).map(ItemKind::State)),

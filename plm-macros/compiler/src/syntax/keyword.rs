@@ -9,7 +9,7 @@ macro_rules! words {
     };
 }
 
-words! { across and angle axis depth domain from joint locked not on optional or part parts port start step then through within }
+words! { across and angle at axis depth domain from joint locked not on optional or part parts port start step then through within }
 
 // `**`, which other languages have.
 syn::custom_punctuation!(Power, **);

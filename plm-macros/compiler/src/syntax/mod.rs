@@ -20,6 +20,7 @@
 //!       | "points" NAME ":" unit ";"
 //!       | "pair" ":" NAME ";"
 //!       | "picture" name { "," name } ";"
+//!       | "picture" NAME "on" path ["," path] ["at" expr] [":" expr { "," expr } ["for" NAME "in" expr ".." ["="] expr]] ";"
 //!       | "given" expr "{" { item } "}" ["else" "{" { item } "}"]
 //!       | NAME "on" path ["from" path] ":" expr ";"
 //!       | ("param" | "input" | "state" | "discrete") name [":" unit] ["=" expr] ["," ("locked" | "optional")] ";"    in both
@@ -64,6 +65,7 @@ mod input;
 mod instance;
 mod item;
 mod keyword;
+mod look;
 mod name;
 mod operator;
 mod output;
@@ -76,7 +78,7 @@ mod value;
 
 /// The tree of a declaration, as written: names are not bound, but units are known (their table is closed).
 pub mod ast {
-    pub use super::block::{Given, Repeat, all_items};
+    pub use super::block::{Given, Repeat, Turns, all_items};
     pub use super::body::{Body, Contour, Port, Start};
     pub use super::contact::{Bound, Friction, Unilateral};
     pub use super::declaration::{Declaration, Mechanism, Shared};
@@ -86,6 +88,7 @@ pub mod ast {
     pub use super::handed::{Function, Points};
     pub use super::instance::{Field, Instance};
     pub use super::item::{Item, ItemKind};
+    pub use super::look::Shape;
     pub use super::name::{Ident, IndexedName};
     pub use super::operator::Operator;
     pub use super::output::Output;

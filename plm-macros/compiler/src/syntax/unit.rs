@@ -19,7 +19,7 @@ use crate::diag::{Code, nearest};
 use crate::units::{self, DisplayUnit, UnitFactor, is_unit, names};
 
 /// Words that may follow a number without being a unit.
-const WORDS: &[&str] = &["then", "else", "and", "or", "in", "within"];
+const WORDS: &[&str] = &["then", "else", "and", "or", "in", "within", "for"];
 
 /// Largest exponent of a unit.
 const MAX_EXPONENT: i32 = 9;

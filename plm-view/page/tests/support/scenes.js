@@ -16,9 +16,10 @@ const part = (name, kind, frames, more = {}) => ({
 
 /** @param {any} mechanism */
 export function headOf(mechanism, more = {}) {
+  const [bodies, parts] = [mechanism.bodies.map((each) => ({ holes: [], ...each })), (mechanism.parts ?? []).map((each) => ({ shapes: [], ...each }))];
   return {
     name: "run",
-    mechanism: { doc: "", report: null, ground: [], parts: [], parameters: [], inputs: [], states: [], ...mechanism },
+    mechanism: { doc: "", report: null, ground: [], parameters: [], inputs: [], states: [], ...mechanism, bodies, parts },
     method: "closed form",
     columns: [],
     events: [],
@@ -183,6 +184,30 @@ export function workshop({ end = 4, rate = 100, fault = null, gap = false } = {}
     const turn = poses[0][2];
     return [angle, poses[4][0] - 1.7, 40 * Math.cos(turn), 25 * Math.sin(2 * turn), 12 * Math.sin(turn), -18 * Math.cos(turn)];
   });
+}
+
+/**
+ * What declarations say of the looks of their parts: a wheel on a plate with a hole, which rolls on steps, and a strut.
+ * The wheel rolls to the right at 0.2 m/s and touches the ground at y = 0.
+ */
+export function looks() {
+  const shape = (look, [of, at], points, more = {}) => ({ look, body: of, port: at, towards: null, symbol: false, points, ...more });
+  const plate = { contour: [[-0.1, -0.1], [-0.1, 0.1], [0.1, 0.1], [0.1, -0.1]], holes: [[[-0.05, -0.05], [0.05, -0.05], [0, 0.05]]] };
+  const shapes = [
+    shape("circle", [0, 0], [[0, 0], [0.2, 0]]),
+    shape("outline", [0, 0], [[0, 0], [0, 0.15], [0.15, 0]]),
+    shape("mark", [0, 0], [[0.1, 0], [1, 0], [0, 1], [0, -1]], { symbol: true }),
+    shape("line", [null, 0], [[0, 0], [0, 0], [0.5, 1], [1, 0]], { towards: [0, 0], symbol: true }),
+    shape("surface", [null, 0], [[-0.3, 0], [1, 0], [1, 0.1], [1.4, 0.1]]),
+    shape("surface", [null, 1], []),
+  ];
+  const mechanism = {
+    name: "Looks",
+    bodies: [body("wheel", [port("hub", 0, 0)], plate)],
+    ground: [ground("o", 0, 0), ground("level", 0, -0.2, 0)],
+    parts: [part("tread", "tread", [[null, 0], [0, 0]], { shapes })],
+  };
+  return sampled(headOf(mechanism), timesTo(2, 0.05), (t) => [[0.2 * t, 0.2, -t]]);
 }
 
 function workshopPoses(t) {

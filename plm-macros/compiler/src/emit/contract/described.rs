@@ -22,7 +22,8 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
     let declaration = emission.text(format!("{:?}", emission.model.text));
     let file = |name: &String| format!("({name:?}, concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/\", {name:?}))");
     let files = emission.list(emission.model.files.iter().map(file));
-    let steps = steps(emission);
+    let (steps, shapes, holes) =
+        (steps(emission), tables::shapes(emission, &table), tables::holes(emission, &table));
     quote! {
         impl<S: Real> rt::Described for #name<S> {
             const TABLES: &'static described::Tables = &#tables;
@@ -30,6 +31,8 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
             const DECLARATION: &'static str = #declaration;
             const FILES: &'static [(&'static str, &'static str)] = &[#files];
             #steps
+            #shapes
+            #holes
 
             #function
 

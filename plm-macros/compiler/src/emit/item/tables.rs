@@ -7,7 +7,7 @@ use plm_cas::Expr;
 use proc_macro2::{Literal, TokenStream};
 
 use super::super::{Emission, docs, number, quoted, table_compression};
-use crate::model::{Instance, Name, Pair};
+use crate::model::{FrameRef, Instance, Name, Pair, Shape};
 use crate::numeric::value;
 use crate::reads::{Reads, reads};
 use crate::sorted::SortedMap;
@@ -140,6 +140,37 @@ fn parts(emission: &Emission, numbers: &NumericTable) -> TokenStream {
             )
         }
     }
+}
+
+/// The shapes of parts, where there are some.
+pub(crate) fn shapes(emission: &Emission, numbers: &NumericTable) -> Option<TokenStream> {
+    let parts = emission.model.instances.iter().enumerate();
+    let shapes = parts.flat_map(|(part, instance)| instance.shapes.iter().map(move |shape| (part, shape)));
+    let rows = shapes.zip(&numbers.shapes).map(|((part, shape), first)| {
+        let Shape { look, at, towards, is_symbol, points } = shape;
+        let place = |of: &FrameRef| format!("({:?}, {})", of.body, of.port);
+        let towards = towards.as_ref().map_or("None".to_owned(), |of| format!("Some({})", place(of)));
+        format!(
+            "described::Shape {{ part: {part}, look: {:?}, at: {}, towards: {towards}, is_symbol: {is_symbol}, \
+             points: {}, first: {first} }}",
+            look.name(),
+            place(at),
+            points.len()
+        )
+    });
+    let rows = emission.lines(rows);
+    (!numbers.shapes.is_empty()).then(|| quote!(const SHAPES: &'static [described::Shape] = &[#rows];))
+}
+
+/// The holes of bodies, where there are some.
+pub(crate) fn holes(emission: &Emission, numbers: &NumericTable) -> Option<TokenStream> {
+    let bodies = emission.model.bodies.iter().enumerate();
+    let holes = bodies.flat_map(|(k, body)| body.holes.iter().map(move |hole| (k, hole.len())));
+    let rows = holes.zip(&numbers.holes).map(|((body, points), first)| {
+        format!("described::Hole {{ body: {body}, points: {points}, first: {first} }}")
+    });
+    let rows = emission.lines(rows);
+    (!numbers.holes.is_empty()).then(|| quote!(const HOLES: &'static [described::Hole] = &[#rows];))
 }
 
 fn part(instance: &Instance, name: &str, frames: &str, first: usize) -> String {

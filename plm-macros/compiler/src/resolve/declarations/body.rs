@@ -33,6 +33,7 @@ pub(crate) struct UnresolvedBody<'a> {
     pub(crate) ports: Vec<UnresolvedPort<'a>>,
     placement: Lazy<Placement>,
     pub(crate) outline: Lazy<Vec<Vec2>>,
+    pub(crate) holes: Lazy<Vec<Vec<Vec2>>>,
     pub(crate) plate: Lazy<Plate>,
 }
 
@@ -134,6 +135,7 @@ impl<'a> Resolver<'a> {
             ports,
             placement: Lazy::Waiting,
             outline: Lazy::Waiting,
+            holes: Lazy::Waiting,
             plate: Lazy::Waiting,
         });
         self.bind(scope, &ast.name.ident, key, slot);

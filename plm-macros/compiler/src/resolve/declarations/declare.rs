@@ -1,6 +1,7 @@
 //! The first pass: binding names.
 
 use std::borrow::Cow;
+use std::ops::Range;
 
 use plm_cas::Expr;
 
@@ -12,7 +13,7 @@ use crate::resolve::declarations::contact::WrittenContact;
 use crate::resolve::declarations::state::StateKind;
 use crate::resolve::names::{Optional, ScopeId, Thunk};
 use crate::resolve::values::expect::Wanted;
-use crate::resolve::values::{Nature, Quantity, Reads};
+use crate::resolve::values::{Eval, Nature, Quantity, Reads};
 use crate::syntax::ast::{self, ExprKind, Item, ItemKind};
 use crate::units::{Dimension, DisplayUnit};
 
@@ -68,6 +69,7 @@ impl<'a> Resolver<'a> {
                 ItemKind::Node(node) => self.declare_node(scope, node),
                 ItemKind::Output(outputs) => self.declare_outputs(scope, outputs, &item.docs),
                 ItemKind::Picture(names) => self.declare_picture(scope, names),
+                ItemKind::Shape(shape) => self.declare_shape(scope, shape),
                 ItemKind::Observe(list) => {
                     self.unresolved.observed.push_all(list.iter().map(|expr| (scope, expr)));
                 }
@@ -180,22 +182,34 @@ impl<'a> Resolver<'a> {
     }
 
     fn declare_repeat(&mut self, scope: ScopeId, repeat: &'a ast::Repeat, part: Option<usize>) {
-        let bounds = (self.eval_int(scope, &repeat.from), self.eval_int(scope, &repeat.to));
-        let (Ok(from), Ok(to)) = bounds else { return };
-        let to = if repeat.inclusive { to.saturating_add(1) } else { to };
-        for index in from..to {
+        let Ok(indices) = self.indices(scope, &repeat.turns) else { return };
+        for index in indices {
             self.unresolved.turns += 1;
             if self.unresolved.turns > MAX_TURNS {
                 let message = format!("more than {MAX_TURNS} repetitions in all");
-                self.error(scope, Code::TooMany, repeat.from.span.to(repeat.to.span), message);
+                let span = repeat.turns.from.span.to(repeat.turns.to.span);
+                self.error(scope, Code::TooMany, span, message);
                 return;
             }
-            let turn = self.names.new_scope(Some(scope), None);
-            let value = Quantity::new(Expr::from(index), Nature::BARE).into();
-            let slot = self.names.known_slot(repeat.index.span, value);
-            self.bind(turn, &repeat.index, Cow::Borrowed(&repeat.index.text), slot);
+            let turn = self.turn(scope, &repeat.turns, index);
             self.declare(&repeat.items, turn, part);
         }
+    }
+
+    /// The values of the index of a repetition.
+    pub(crate) fn indices(&mut self, scope: ScopeId, turns: &'a ast::Turns) -> Eval<Range<i64>> {
+        let (from, to) = (self.eval_int(scope, &turns.from), self.eval_int(scope, &turns.to));
+        let (from, to) = (from?, to?);
+        Ok(from..if turns.inclusive { to.saturating_add(1) } else { to })
+    }
+
+    /// A scope that has a value of the index of a repetition.
+    pub(crate) fn turn(&mut self, scope: ScopeId, turns: &'a ast::Turns, index: i64) -> ScopeId {
+        let turn = self.names.new_scope(Some(scope), None);
+        let value = Quantity::new(Expr::from(index), Nature::BARE).into();
+        let slot = self.names.known_slot(turns.index.span, value);
+        self.bind(turn, &turns.index, Cow::Borrowed(&turns.index.text), slot);
+        turn
     }
 
     /// In a repetition a name that the rest of the mechanism can see needs an index.

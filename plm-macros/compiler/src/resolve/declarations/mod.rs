@@ -28,7 +28,7 @@ use crate::resolve::declarations::declare::UnresolvedField;
 use crate::resolve::declarations::frame::UnresolvedPort;
 use crate::resolve::declarations::load::{Action, UnresolvedLoad};
 use crate::resolve::declarations::node::UnresolvedNode;
-use crate::resolve::declarations::picture::UnresolvedSize;
+use crate::resolve::declarations::picture::{UnresolvedShape, UnresolvedSize};
 use crate::resolve::declarations::requirement::{Requirement, Switched};
 use crate::resolve::declarations::row::UnresolvedRow;
 use crate::resolve::declarations::settings::Settings;
@@ -80,6 +80,8 @@ pub(crate) struct UnresolvedModel<'a> {
     pub(crate) observed: Vec<(ScopeId, &'a ast::Expr)>,
     /// Sizes of parts for pictures.
     pub(crate) sizes: Vec<UnresolvedSize>,
+    /// Shapes of parts for pictures.
+    pub(crate) shapes: Vec<UnresolvedShape<'a>>,
     /// Turns of repetitions so far.
     pub(crate) turns: usize,
     /// It has been said that there are too many parts.

@@ -95,11 +95,7 @@ impl Resolver<'_> {
         let density = self.body_quantity(body, "density", Dimension::DENSITY);
         let thickness = self.body_quantity(body, "thickness", Dimension::LENGTH);
         let outline = self.outline(body);
-        let mut holes = Vec::new();
-        for points in &ast.holes {
-            holes.push(self.points(scope, points));
-        }
-        let holes = holes.into_iter().collect::<Eval<Vec<_>>>()?;
+        let holes = self.holes(body)?;
         let ((density, span), (thickness, _), outline) = (density?, thickness?, outline?);
         let origin = outline[0];
         let moments = holes.iter().map(|hole| moments_of(hole, origin)).collect_vec();

@@ -63,6 +63,7 @@ impl<'a> Resolver<'a> {
         });
         // Last of all, so that pictures have no part in the order in which terms are made.
         let instances = self.evaluate_instances();
+        let bodies = bodies.and_then(|bodies| self.with_holes(bodies));
         self.warn(declaration, mechanism);
         if self.sink.has_errors() {
             return None;
@@ -178,6 +179,7 @@ impl<'a> Resolver<'a> {
             start: [x, y, angle],
             start_velocity: [vx, vy, omega],
             contour: contour?,
+            holes: Vec::new(),
             depth: depth?,
         })
     }

@@ -22,7 +22,7 @@ use crate::units::{Dimension, unit};
 
 /// Names that the language has taken.
 pub(crate) const RESERVED: &[&str] =
-    &["t", "pi", "gravity", "if", "then", "else", "and", "or", "not", "in", "ground"];
+    &["t", "pi", "gravity", "if", "then", "else", "and", "or", "not", "in", "for", "ground"];
 
 impl<'a> Resolver<'a> {
     /// The value of a slot, worked out if this is its first use.

@@ -52,6 +52,7 @@ impl<'a> Resolver<'a> {
             Meaning::Inertia(numerator, denominator) => {
                 self.moment_of_inertia(scope, [*numerator, *denominator], arguments)
             }
+            Meaning::Section(wanted) => self.of_section(scope, *wanted, arguments),
         }
     }
 

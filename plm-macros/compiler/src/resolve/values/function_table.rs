@@ -7,6 +7,7 @@ use plm_cas::algebra::{Rotation, Vec2};
 
 use crate::model::ContactMode;
 use crate::resolve::values::interpolation::Interpolation;
+use crate::resolve::values::section::SectionValue;
 use crate::units::Dimension;
 
 /// A function of the language.
@@ -50,6 +51,8 @@ pub(crate) enum Meaning {
     Mode(ContactMode),
     /// `Izz = factor mass (a^2 + b^2 + …)` over the lengths that follow the mass: numerator and denominator of the factor.
     Inertia(i32, i32),
+    /// Of a cross section, by its name and its sizes.
+    Section(SectionValue),
 }
 
 /// A function of one number.
@@ -144,6 +147,8 @@ pub(crate) const FUNCTIONS: &[Function] = &[
     function("plate", 3..=3, Meaning::Inertia(1, 12)),
     function("sphere", 2..=2, Meaning::Inertia(2, 5)),
     function("thin_sphere", 2..=2, Meaning::Inertia(2, 3)),
+    function("section_area", 2..=4, Meaning::Section(SectionValue::Area)),
+    function("section_moment", 2..=4, Meaning::Section(SectionValue::Moment)),
 ];
 
 const NUMBER: Option<Dimension> = Some(Dimension::NUMBER);

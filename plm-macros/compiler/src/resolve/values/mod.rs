@@ -13,6 +13,7 @@ pub(super) mod member;
 pub(super) mod member_table;
 mod quantity;
 mod rate;
+pub(super) mod section;
 
 use crate::collect::CollectVec;
 use plm_cas::Expr;
