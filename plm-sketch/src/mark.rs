@@ -23,6 +23,7 @@ impl Stage<'_> {
             "latch" => self.draw_bolt(part, a, b),
             "lock" => self.draw_padlock(part, a, b),
             "ratchet" => self.draw_ratchet(part, b),
+            "torque_limiter" => self.draw_discs(part, b),
             "bristle_friction" => self.draw_bristles(part, a, b),
             _ => return None,
         }
@@ -82,6 +83,21 @@ impl Stage<'_> {
         let foot = beside(tip, b.angle + FRAC_PI_4, 26.0);
         self.paper.line(&self.class(&part.name, "rail"), &[foot, tip]);
         self.paper.circle(&self.class(&part.name, "white"), foot, 3.5);
+    }
+
+    /// Two discs of one axis with linings between them, and the sense of the torque on `b`.
+    fn draw_discs(&mut self, part: &Part, b: Spot) {
+        self.paper.circle(&self.class(&part.name, "plate"), b.at, WHEEL + 3.0);
+        self.paper.circle(&self.class(&part.name, "white"), b.at, 0.6 * WHEEL);
+        for k in 0..6 {
+            let at = |radius: f64, turn: f64| beside(b.at, TAU * f64::from(k) / 6.0 + turn, radius);
+            let (inner, outer) = (0.6 * WHEEL, WHEEL);
+            let lining = [at(inner, -0.2), at(outer, -0.2), at(outer, 0.2), at(inner, 0.2)];
+            self.paper.polygon(&self.class(&part.name, "black"), &lining);
+        }
+        if self.has_signs(part) {
+            self.draw_turn(b.at, "torque");
+        }
     }
 
     /// Bristles on the axis of `a` below `b`.
