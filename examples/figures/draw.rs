@@ -27,6 +27,7 @@ const PLANAR: &[&str] = &[
     "lock",
     "ratchet",
     "bristle_friction",
+    "torque_limiter",
     "force",
     "spring",
     "jack",

@@ -1,4 +1,4 @@
-//! Clutches, freewheels and brakes: times, heat, self-energising shoes.
+//! Clutches, torque limiters, freewheels and brakes: times, heat, self-energising shoes.
 
 use plm::{Dop853, Sim};
 
@@ -26,9 +26,19 @@ plm::mechanism! {
         }
         rotor seven() { start_speed: 10 rad/s; inertia: 1 kg*m^2; drive: 1 N*m*(t/1 s); }
         brake stop(seven.shaft) { capacity: 10 N*m; static_ratio: 1.5; }
+        ground { port bed: (0, 0) m; }
+        body driver { mass: 1 kg; inertia: 0.2 kg*m^2; port hub: (0, 0) m; start omega: 20 rad/s; }
+        body driven { mass: 1 kg; inertia: 0.3 kg*m^2; port hub: (0, 0) m; start omega: 20 rad/s; }
+        revolute front(ground.bed, driver.hub) { drive: if t < 1 s then 0 else if t < 2 s then 100 N*m/s*(t - 1 s) else 0; }
+        revolute rear(ground.bed, driven.hub);
+        torque_limiter limiter(driver.hub, driven.hub) { capacity: 30 N*m; static_ratio: 1.5; }
+        when t > 0.1 s { driver.omega = 100 rad/s; }
+        state slip_heat: J = 0;
+        rate slip_heat = limiter.lost;
         output one.speed, two.speed, coupling.speed, coupling.locked, coupling.torque, heat;
         output three.speed, four.speed, hub.torque, hub.locked;
         output drum.torque, drum.leading_torque, drum.trailing_torque, drum.lost, pair.torque, seven.speed, stop.torque, stop.lost;
+        output driver.omega, driven.omega, limiter.slip, limiter.torque, limiter.lost, limiter.locked, slip_heat;
     }
 }
 
@@ -108,4 +118,42 @@ fn a_brake_stops_holds_and_breaks_away() {
     sim.step_to(16.0).unwrap();
     near(sim.stop_torque(), -10.0, 1e-12);
     near(sim.seven_speed(), (36.0 - 25.0) / 2.0, 1e-8);
+}
+
+/// The driver jumps by dw = 80 rad/s: the slip ends after J1 J2 dw/((J1 + J2) T), and its heat is J1 J2 dw^2/(2 (J1 + J2)).
+#[test]
+fn a_torque_limiter_slips_after_a_jump_until_the_speeds_meet() {
+    let mut sim = started(&Brakes::new());
+    let reduced = 0.2 * 0.3 / 0.5;
+    let end = 0.1 + reduced * 80.0 / 30.0;
+    sim.step_to(0.05).unwrap();
+    near(sim.limiter_locked(), 1.0, 0.0);
+    near(sim.limiter_torque(), 0.0, 1e-9);
+    sim.step_to(0.1 + 1e-9).unwrap();
+    near(sim.driver_omega(), 100.0, 1e-6);
+    near(sim.driven_omega(), 20.0, 1e-6);
+    sim.step_to(end - 1e-6).unwrap();
+    near(sim.limiter_locked(), 0.0, 0.0);
+    near(sim.limiter_torque(), 30.0, 1e-12);
+    near(sim.limiter_slip(), -30.0 / reduced * 1e-6, 1e-9);
+    near(sim.limiter_lost(), 30.0 * 30.0 / reduced * 1e-6, 1e-7);
+    sim.step_to(end + 1e-6).unwrap();
+    near(sim.limiter_locked(), 1.0, 0.0);
+    near(sim.slip_heat(), 0.5 * reduced * 80.0 * 80.0, 1e-6);
+    near(sim.driver_omega(), (0.2 * 100.0 + 0.3 * 20.0) / 0.5, 1e-9);
+}
+
+/// Of a drive M, the limiter carries M J2/(J1 + J2) while it holds: 1.5 30 N m at 1.75 s, for M = 100 N m/s (t - 1 s). Behind that the
+/// slip has the rate 30/J2 - (M - 30)/J1.
+#[test]
+fn a_torque_limiter_breaks_away_at_its_static_torque() {
+    let mut sim = started(&Brakes::new());
+    sim.step_to(1.7499).unwrap();
+    near(sim.limiter_locked(), 1.0, 0.0);
+    near(sim.limiter_torque(), 74.99 * 0.6, 1e-9);
+    sim.step_to(1.8).unwrap();
+    near(sim.limiter_torque(), 30.0, 1e-12);
+    let slip = (30.0 / 0.3 + 30.0 / 0.2) * 0.05 - 50.0 / 0.2 * (0.8 * 0.8 - 0.75 * 0.75);
+    near(sim.limiter_slip(), slip, 1e-8);
+    near(sim.limiter_lost(), -30.0 * slip, 1e-6);
 }

@@ -32,7 +32,7 @@ pub(crate) const PARTS: &[(&str, &str)] = catalogue! {
         "lead_screw" "planetary" "rack" "rope" "winch" "worm";
     "drives":
         "brake" "clutch" "counterweight" "dc_motor" "drum_brake" "freewheel" "gas_spring" "motion"
-        "motor_curve" "servo";
+        "motor_curve" "servo" "torque_limiter";
 };
 
 /// Name of each domain of the library and the text that defines it.

@@ -51,6 +51,10 @@ pub(crate) const ELSEWHERE: &[(&[&str], &str)] = &[
     ),
     (&["disc_brake", "disk_brake"], "a brake on a shaft is a `brake`"),
     (&["shoe_brake"], "a brake with shoes is a `drum_brake`"),
+    (
+        &["slip_clutch", "slipper_clutch", "safety_clutch", "overload_clutch", "friction_hinge"],
+        "what slips above a torque is a `torque_limiter`",
+    ),
     (&["overrunning", "one_way_clutch", "sprag", "backstop"], "what holds in one sense is a `freewheel`"),
     (&["gas_strut"], "a strut filled with gas is a `gas_spring`"),
     (&["prescribed_motion", "trajectory", "rheonomic"], "a shaft that moves as it is told has a `motion`"),
