@@ -32,10 +32,12 @@ impl Stepping {
         let (halved, off) = (apart(&long, &short), apart(run, &short));
         // False for what is not a number.
         let is_known = halved <= OPEN;
-        match off <= ALLOWED + TIMES * halved {
-            _ if !is_known => Self::Open,
-            true => Self::Agrees,
-            false => Self::Differs([off, halved]),
+        if !is_known {
+            Self::Open
+        } else if off <= ALLOWED + TIMES * halved {
+            Self::Agrees
+        } else {
+            Self::Differs([off, halved])
         }
     }
 }
