@@ -6,6 +6,7 @@
 //! cargo run --release --features sweep-all --example contacts -- 50 --first 1200           # from 1200 to 1249 of them: a shard
 //! cargo run --release --features sweep-all --example contacts -- --seed 7 --only block     # others, of some kinds
 //! cargo run --release --features sweep-all --example contacts -- --seed 7 --case 123       # one, with all its numbers
+//! cargo run --release --features sweep-all --example contacts -- --seed 7 --case 123 --tolerance 1e-12
 //! ```
 #![allow(missing_docs, reason = "the modules are private to an example")]
 #![allow(unreachable_pub, reason = "the modules are private to an example")]
@@ -17,6 +18,7 @@ mod judge;
 mod random;
 mod reference;
 mod run;
+mod stepping;
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -25,13 +27,16 @@ use std::time::Instant;
 
 use judge::{Case, Judged, Verdict};
 use plm::view::{Arguments, BadOption, Known};
+use run::{Method, Pace};
+use stepping::Stepping;
 
-const KNOWN: [Known; 7] = [
+const KNOWN: [Known; 8] = [
     Known::word("CASES", "how many; 200 if nothing is said"),
     Known::value("seed", "N", "of the random mechanisms; 1 if nothing is said"),
     Known::value("first", "N", "number of the first case; 0 if nothing is said"),
     Known::value("threads", "N", "how many; one for each core if nothing is said"),
     Known::value("case", "N", "this one alone, with all its numbers"),
+    Known::value("tolerance", "X", "of that one; 1e-10 if nothing is said"),
     Known::value("only", "KIND", "kinds whose name contains this"),
     Known::flag("verbose", "lists every case that is not right"),
 ];
@@ -66,7 +71,8 @@ fn sweep() -> Result<bool, BadOption> {
     println!("seed {seed}, {cases} cases from {first}");
     let one: Option<u64> = given.number("case")?;
     if let Some(number) = one {
-        println!("{}", told(&Case::new(seed, number, only.as_deref())));
+        let tolerance = given.number("tolerance")?.unwrap_or(judge::TOLERANCE);
+        println!("{}", told(&Case::new(seed, number, only.as_deref()), tolerance));
     }
     let numbers: Vec<u64> = one.map_or((first..first + cases).collect(), |number| vec![number]);
     let runs = plm::batch::points(numbers)
@@ -76,11 +82,15 @@ fn sweep() -> Result<bool, BadOption> {
     let mut table: BTreeMap<(&str, &str), Vec<usize>> = BTreeMap::new();
     let (mut holds, verbose) = (true, given.flag("verbose") || one.is_some());
     let (mut impacts, mut events) = (0, 0);
+    let mut stepped: BTreeMap<&str, [usize; 3]> = BTreeMap::new();
     for (number, judged) in runs.values() {
         let name = Case::new(seed, *number, only.as_deref()).family.name;
         for judged in judged {
             let place = column(&judged.verdict);
             table.entry((name, judged.formulation)).or_insert_with(|| vec![0; COLUMNS.len()])[place] += 1;
+            if let Some(stepping) = judged.stepping {
+                stepped.entry(COLUMNS[place]).or_default()[said(stepping)] += 1;
+            }
             holds &= !matches!(judged.verdict, Verdict::Wrong(_) | Verdict::FalseStop(_));
             let is_listed = !matches!(judged.verdict, Verdict::Right | Verdict::Sensitive) || one.is_some();
             if verbose && is_listed {
@@ -95,16 +105,20 @@ fn sweep() -> Result<bool, BadOption> {
         holds = false;
     }
     print(&table);
+    for (column, [agrees, differs, open]) in stepped {
+        println!("{column}: time stepping agrees with {agrees}, differs from {differs}, leaves {open} open");
+    }
     println!("{events} events, {impacts} impacts; {:.1} s", clock.elapsed().as_secs_f64());
     Ok(holds)
 }
 
-const COLUMNS: [&str; 9] = [
+const COLUMNS: [&str; 10] = [
     "right",
     "sensitive",
     "ambiguous",
     "stopped",
     "too many",
+    "coarse",
     "WRONG",
     "FALSE STOP",
     "unknown",
@@ -118,10 +132,19 @@ fn column(verdict: &Verdict) -> usize {
         Verdict::Ambiguous => 2,
         Verdict::Stopped => 3,
         Verdict::TooMany => 4,
-        Verdict::Wrong(_) => 5,
-        Verdict::FalseStop(_) => 6,
-        Verdict::Unknown(_) => 7,
-        Verdict::Undetermined => 8,
+        Verdict::Coarse(_) => 5,
+        Verdict::Wrong(_) => 6,
+        Verdict::FalseStop(_) => 7,
+        Verdict::Unknown(_) => 8,
+        Verdict::Undetermined => 9,
+    }
+}
+
+fn said(stepping: Stepping) -> usize {
+    match stepping {
+        Stepping::Agrees => 0,
+        Stepping::Differs(_) => 1,
+        Stepping::Open => 2,
     }
 }
 
@@ -148,14 +171,21 @@ fn print(table: &BTreeMap<(&str, &str), Vec<usize>>) {
 }
 
 fn line(judged: &Judged) -> String {
-    let Judged { formulation, pace, verdict, worst, impacts, events } = judged;
+    let Judged { formulation, pace, verdict, worst, stepping, impacts, events } = judged;
+    let stepping = match stepping {
+        Some(Stepping::Differs([off, halved])) => {
+            format!("; time stepping: {off:.1e} apart, by half the step {halved:.1e}")
+        }
+        Some(stepping) => format!("; time stepping: {stepping:?}"),
+        None => String::new(),
+    };
     format!(
-        "{formulation}, {pace:?}: {verdict:?}; {worst:.1e} of what is allowed; {events} events, {impacts} impacts"
+        "{formulation}, {pace:?}: {verdict:?}; {worst:.1e} of what is allowed; {events} events, {impacts} impacts{stepping}"
     )
 }
 
 /// A case with all its numbers.
-fn told(case: &Case) -> String {
+fn told(case: &Case, tolerance: f64) -> String {
     let [run, other] = case.reference([0.0125, 0.009]);
     let mut text = format!("{}: {:?}\nstart {:?}\n", case.family.name, case.draft.numbers, case.draft.starts);
     for event in &run.events {
@@ -165,7 +195,7 @@ fn told(case: &Case) -> String {
         let _ = writeln!(text, "{:.3} {:.9?} {:.9?}", state.t, state.q, state.v);
     }
     for (number, (formulation, _)) in case.family.runners.iter().enumerate() {
-        let outcome = case.run(number, run::Pace::Watched, 1e-10);
+        let outcome = case.run(number, Method::Events { pace: Pace::Watched, tolerance });
         for sample in &outcome.samples {
             let _ = writeln!(text, "{formulation} {} {:.9?} {:.9?}", sample.index, sample.q, sample.v);
         }

@@ -2,7 +2,7 @@
 
 use plm::runtime::Seen;
 use plm::runtime::contact::{Counts, Mode};
-use plm::{Dop853, Fault, Mechanism, Moment, Sim};
+use plm::{Dop853, Fault, Mechanism, Moment, MoreauJean, Sim};
 
 /// A declared mechanism that takes its numbers from a case.
 pub trait Build: Mechanism<S = f64> {
@@ -43,8 +43,16 @@ pub struct Order<'c> {
     /// The distance of samples, s, a whole number of milliseconds, and how many.
     pub every: f64,
     pub samples: usize,
-    pub pace: Pace,
-    pub tolerance: f64,
+    pub method: Method,
+}
+
+/// A method, and how exact it is.
+#[derive(Clone, Copy, Debug)]
+pub enum Method {
+    /// From event to event, with this tolerance.
+    Events { pace: Pace, tolerance: f64 },
+    /// `MoreauJean` with steps of this length, s.
+    Steps { length: f64 },
 }
 
 /// A sample.
@@ -75,9 +83,28 @@ pub struct Outcome {
 const MOST_STEPS: u64 = 50_000;
 
 pub fn runner<M: Build>(order: &Order) -> Outcome {
+    let built = M::build(order.numbers, order.starts);
+    match order.method {
+        Method::Events { pace, tolerance } => {
+            let method = Dop853::new(tolerance).with_most_steps(MOST_STEPS);
+            outcome(built.start_with(method), |sim, outcome| at_pace(order, pace, sim, outcome))
+        }
+        Method::Steps { length } => outcome(built.start_with(MoreauJean::new(length)), |sim, outcome| {
+            each_sample(order, outcome, |index| {
+                sim.step_to(order.every * index as f64)?;
+                Ok(look::<M>(index, sim.state()))
+            })
+        }),
+    }
+}
+
+/// What comes of a run that `run` makes.
+fn outcome<M: Build, I: plm::Method<M>>(
+    started: Result<Sim<M, I>, Fault>,
+    run: impl FnOnce(&mut Sim<M, I>, &mut Outcome) -> Result<(), Fault>,
+) -> Outcome {
     let mut outcome = Outcome::default();
-    let method = Dop853::new(order.tolerance).with_most_steps(MOST_STEPS);
-    let mut sim = match M::build(order.numbers, order.starts).start_with(method) {
+    let mut sim = match started {
         Ok(sim) => sim,
         Err(fault) => {
             outcome.fault = Some(fault);
@@ -85,7 +112,7 @@ pub fn runner<M: Build>(order: &Order) -> Outcome {
         }
     };
     outcome.samples.push(look::<M>(0, sim.state()));
-    outcome.fault = pace(order, &mut sim, &mut outcome).err();
+    outcome.fault = run(&mut sim, &mut outcome).err();
     outcome.counts = sim.contact_stats();
     outcome.modes = sim.contacts().collect();
     outcome.steps = sim.stats().steps;
@@ -93,9 +120,26 @@ pub fn runner<M: Build>(order: &Order) -> Outcome {
     outcome
 }
 
-fn pace<M: Build>(order: &Order, sim: &mut Sim<M, Dop853<M>>, outcome: &mut Outcome) -> Result<(), Fault> {
+/// Keeps the samples that `sample` gives by their number.
+fn each_sample(
+    order: &Order,
+    outcome: &mut Outcome,
+    mut sample: impl FnMut(usize) -> Result<Sample, Fault>,
+) -> Result<(), Fault> {
+    (1..=order.samples).try_for_each(|index| {
+        outcome.samples.push(sample(index)?);
+        Ok(())
+    })
+}
+
+fn at_pace<M: Build>(
+    order: &Order,
+    pace: Pace,
+    sim: &mut Sim<M, Dop853<M>>,
+    outcome: &mut Outcome,
+) -> Result<(), Fault> {
     let until = order.every * order.samples as f64;
-    match order.pace {
+    match pace {
         Pace::Watched => {
             let mut index = 0;
             let Outcome { samples, events, .. } = outcome;
@@ -115,28 +159,24 @@ fn pace<M: Build>(order: &Order, sim: &mut Sim<M, Dop853<M>>, outcome: &mut Outc
             outcome.samples.push(look::<M>(order.samples, sim.state()));
             Ok(())
         }
-        Pace::Samples | Pace::Saved => {
-            for index in 1..=order.samples {
-                let time = order.every * index as f64;
-                if order.pace == Pace::Saved {
-                    let saved = sim.save();
-                    let _ = sim.step_to(time + order.every);
-                    sim.resume(&saved);
-                }
-                sim.step_to(time)?;
-                outcome.samples.push(look::<M>(index, sim.state()));
+        Pace::Samples | Pace::Saved => each_sample(order, outcome, |index| {
+            let time = order.every * index as f64;
+            if pace == Pace::Saved {
+                let saved = sim.save();
+                let _ = sim.step_to(time + order.every);
+                sim.resume(&saved);
             }
-            Ok(())
-        }
+            sim.step_to(time)?;
+            Ok(look::<M>(index, sim.state()))
+        }),
         Pace::Milli => {
             let calls = (order.every / 1e-3).round() as usize;
-            for index in 1..=order.samples {
+            each_sample(order, outcome, |index| {
                 for _ in 0..calls {
                     sim.step(1e-3)?;
                 }
-                outcome.samples.push(look::<M>(index, sim.state()));
-            }
-            Ok(())
+                Ok(look::<M>(index, sim.state()))
+            })
         }
     }
 }

@@ -18,7 +18,8 @@
 //!   are what `project` and `drift` of the mechanism were without contact. Where there are more reactions than rows, rows that are none
 //!   do not exist.
 //! * `Constraints`: [`project`](super::project), [`drift`](super::drift).
-//! * `Events`: `G` has `g + C` numbers, `CONTACTS` is the number of rows, `contacts` gives `u.contact.status()`. [`guards`](super::guards) and
+//! * `Events`: `G` has `g + C` numbers, `CONTACTS` is the number of rows, `BENDS` says whether some are bounded by a reaction in
+//!   the plane, `contacts` gives `u.contact.status()`. [`guards`](super::guards) and
 //!   [`guards_within`](super::guards_within) give numbers `0..C`, to which `g` is added; kinks come behind them. Without conditions and kinks `stay` is [`stay`](super::stay). From `g` on
 //!   `switch_behind` is [`switch_behind`](super::switch_behind) of `index - g`, and `switch` is the same with a step of zero. An own
 //!   condition and `switch_at_time` call [`update`](super::update) behind their change. In `matters` the guards of contact have the root 1.

@@ -149,11 +149,14 @@ impl<T: Real, const N: usize> Rows<T, N> {
         let row = below::<N>(row);
         let own = |i: usize| self.delassus[i][i];
         let speed = |i: usize| self.rate[i].abs() / own(i).sqrt();
-        let slips = indices::<N>().filter(|i| self.rate[*i].abs() > none);
-        let (fastest, largest) = slips
-            .fold((T::ZERO, T::ZERO), |(fastest, largest), i| (fastest.max(speed(i)), largest.max(own(i))));
-        let is_cancelled = own(row) <= T::lit(CANCELLED) * largest * (length * length).min(T::lit(1.0));
-        fastest > T::ZERO && (is_cancelled || speed(row) > T::lit(SLOW) * fastest)
+        let slips = |i: &usize| self.rate[*i].abs() > none;
+        let largest = indices::<N>().filter(slips).fold(T::ZERO, |largest, i| largest.max(own(i)));
+        let cancelled = T::lit(CANCELLED) * largest * (length * length).min(T::lit(1.0));
+        // A row that is driven has nothing but rounding there, of either sign.
+        let moves = |i: &usize| slips(i) && own(*i) > cancelled;
+        let fastest = indices::<N>().filter(moves).fold(T::ZERO, |fastest, i| fastest.max(speed(i)));
+        let slides = indices::<N>().any(|i| slips(&i));
+        slides && own(row) <= cancelled || fastest > T::ZERO && speed(row) > T::lit(SLOW) * fastest
     }
 }
 
@@ -192,5 +195,26 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
     pub(in crate::contact) fn acceleration(&self, row: usize, lambda: &[T; N]) -> T {
         let row = below::<N>(row);
         self.delassus[row].iter().zip(lambda).fold(self.free[row], |sum, (d, lambda)| d.mul_add(*lambda, sum))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A slider in its dead centre slips on beside a crank, and beside a row that is driven, of which D is rounding of either sign; one that
+    /// comes to rest with a direction does not.
+    #[test]
+    fn a_row_without_direction_turns_beside_one_that_is_driven() {
+        for driven in [0.0, 1e-16, -1e-16] {
+            let mut rows = Rows::<f64, 3>::none();
+            rows.rate = [-2.8, -7e-15, 0.1];
+            for (i, own) in [27.0, -0.0, driven].into_iter().enumerate() {
+                rows.delassus[i][i] = own;
+            }
+            assert!(rows.turns(1, 1e-12, 0.4), "{driven:e}");
+            rows.delassus[1][1] = 0.3;
+            assert!(!rows.turns(1, 1e-12, 0.4), "{driven:e}");
+        }
     }
 }

@@ -1,4 +1,5 @@
-//! Guards that are zero but for rounding where a run begins, or goes on after a change from outside: their rates decide the mode.
+//! Guards that are zero but for rounding where a run begins, or goes on after a change from outside: their rates decide the mode. Ends of
+//! steps are led to where a guard vanishes.
 
 use super::Beginning;
 use super::relevant::bit;
@@ -16,6 +17,9 @@ use crate::vector::Vector;
 const FAR: f64 = 1e6;
 /// Steps that are made again at most to end where a requirement does.
 const MOST_AGAIN: u32 = 4;
+
+/// The end of a step is moved by this fraction of the step at most.
+const MOVED: f64 = 1e-3;
 
 /// Conditions on whose boundary the state is.
 #[derive(Clone, Copy, Debug, Default)]
@@ -116,8 +120,42 @@ pub(super) fn meet<M: System<S: Real>, I: Method<M>>(
     Ok(true)
 }
 
+/// Moves the end of a step that a guard has ended to where that guard vanishes. The dense output by which the time was located is less
+/// exact than the step, by much where a row of contact comes slowly. The way is so short that the midpoint rule leads there.
+pub(super) fn refine<M: System<S: Real>>(
+    context: &mut Context<'_, M>,
+    start: M::S,
+    index: usize,
+) -> Result<(), Fault> {
+    let (here, time, x) = (guards_here(context)?, context.time, context.x);
+    let noise = rounding((context.system, &context.held), (time, time), &x, &here);
+    let off = here.at(index);
+    let Some((rate, slopes)) = rates_of_both(context).filter(|_| off.abs() > noise.at(index)) else {
+        return Ok(());
+    };
+    let ahead = -off / slopes.at(index);
+    // False for what is not a number.
+    let is_near = ahead.abs() <= M::S::lit(MOVED) * (time - start) && time + ahead <= context.end;
+    if !is_near {
+        return Ok(());
+    }
+    let half = M::S::lit(0.5) * ahead;
+    let (middle, mut rate_there) = (x.map2(&rate, |x, rate| x + half * rate), rate);
+    context.rate(time + half, &middle, &mut rate_there)?;
+    let moved = x.map2(&rate_there, |x, rate| x + ahead * rate);
+    if guards(context.system, time + ahead, &context.held, &moved).at(index).abs() < off.abs() {
+        (context.time, context.x) = (time + ahead, moved);
+    }
+    Ok(())
+}
+
 /// How fast each guard changes at the state, per second; none where there is no rate.
 pub(super) fn rates<M: System<S: Real>>(context: &mut Context<'_, M>) -> Option<M::G> {
+    rates_of_both(context).map(|(_, slopes)| slopes)
+}
+
+/// How fast the state and each guard change.
+fn rates_of_both<M: System<S: Real>>(context: &mut Context<'_, M>) -> Option<(M::X, M::G)> {
     let (time, x) = (context.time, context.x);
     let mut rate = x;
     context.rate(time, &x, &mut rate).ok()?;
@@ -135,12 +173,12 @@ pub(super) fn rates<M: System<S: Real>>(context: &mut Context<'_, M>) -> Option<
         },
     );
     if known {
-        return Some(slopes);
+        return Some((rate, slopes));
     }
     // By a difference, where a system cannot say.
     let h = M::S::EPSILON.sqrt() * (M::S::lit(1.0) + time.abs());
     let ahead = x.map2(&rate, |x, rate| x + h * rate);
     let [here, ahead] =
         [(time, &x), (time + h, &ahead)].map(|(t, x)| guards(context.system, t, &context.held, x));
-    Some(ahead.map2(&here, |ahead, here| (ahead - here) / h))
+    Some((rate, ahead.map2(&here, |ahead, here| (ahead - here) / h)))
 }

@@ -24,7 +24,7 @@ mod stays;
 mod violated;
 mod words;
 
-use self::boundary::{Boundary, decide, meet};
+use self::boundary::{Boundary, decide, meet, refine};
 use self::chattering::Chattering;
 use self::enclosure::Enclosure;
 use self::guard_free::GuardFree;
@@ -206,6 +206,8 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
                 let mut due = due.filter(|_| context.time >= time);
                 if let Some(index) = due.filter(|index| context.system.must_hold(*index)) {
                     due = meet(method, context, (&before, &start), index)?.then_some(index);
+                } else if let Some(index) = due.filter(|_| M::CONTACTS > 0) {
+                    refine(context, start.time, index)?;
                 }
                 self.arrive(guards_here(context)?);
                 return Ok(due);

@@ -131,6 +131,11 @@ impl<S: Real> Steady<S> {
         Self { last: (S::lit(1.0), S::ZERO), doubted: false }
     }
 
+    /// No step has told yet what another one may be off.
+    pub(super) fn is_new(&self) -> bool {
+        self.last.1 == S::ZERO
+    }
+
     /// The error of a step of the length `h`, which grows with `h` to the `order`.
     pub(super) fn error(&self, h: S, estimate: S, order: u32) -> S {
         let ratio = h / self.last.0;

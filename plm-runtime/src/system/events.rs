@@ -136,6 +136,9 @@ pub trait Events: Rate {
     /// Number of [contact rows](crate::contact). Simulations of a mechanism with some step one by one, each in modes of its own.
     const CONTACTS: usize = 0;
 
+    /// May contact forces bend sharply within a step? Those do that the size of a reaction in the plane bounds, where it passes near zero.
+    const BENDS: bool = false;
+
     /// What the contact rows do.
     fn contacts(u: &Self::U) -> contact::Status<'_> {
         let _ = u;

@@ -1,6 +1,7 @@
 //! Integrators against exact solutions and published references.
 #![allow(clippy::unwrap_used, clippy::panic, unreachable_pub, missing_docs, reason = "tests")]
 
+mod bends;
 mod catalogue;
 mod clock;
 mod counts;

@@ -44,6 +44,9 @@ pub trait Pair: Copy + Debug {
     /// The norm of the error; every component of it counts by its `weight`.
     fn error<S: Real, X: Vector<S>>(h: S, k: &Self::Stages<X>, weight: &X) -> S;
 
+    /// The norm of the first of the estimates that [`error`](Self::error) combines, by itself.
+    fn plain_error<S: Real, X: Vector<S>>(h: S, k: &Self::Stages<X>, weight: &X) -> S;
+
     /// The dense output of a step from `x` at `t`; `last` is the rate at its end.
     fn bend<M: System>(
         t: M::S,

@@ -102,6 +102,11 @@ macro_rules! pair {
                 $crate::method::embedded::tableau::Weights([$($error),*]).norm(h, kept, weight)
             }
 
+            #[inline]
+            fn plain_error<S: $crate::Real, X: $crate::Vector<S>>(h: S, kept: &[X; $kept_count], weight: &X) -> S {
+                $crate::method::embedded::tableau::Weights([$($error),*]).first_norm(h, kept, weight)
+            }
+
             #[allow(unused_variables, unused_mut, reason = "not every stage counts, and some pairs need no more of them")]
             fn bend<M: $crate::System>(
                 t: M::S,
@@ -128,11 +133,19 @@ pub(in crate::method) use pair;
 /// Weights of `N` error estimates over the `K` stages that are kept.
 pub(in crate::method) struct Weights<const K: usize, const N: usize>(pub(in crate::method) [[f64; K]; N]);
 
+impl<const K: usize, const N: usize> Weights<K, N> {
+    /// The root mean square of the first error, each component by its `weight`.
+    #[inline]
+    pub(in crate::method) fn first_norm<S: Real, X: Vector<S>>(&self, h: S, k: &[X; K], weight: &X) -> S {
+        h.abs() * (square(self.0[0], k, weight) / S::lit(X::LEN.max(1) as f64)).sqrt()
+    }
+}
+
 impl<const K: usize> Weights<K, 1> {
     /// The root mean square of the error, each component by its `weight`.
     #[inline]
     pub(in crate::method) fn norm<S: Real, X: Vector<S>>(&self, h: S, k: &[X; K], weight: &X) -> S {
-        h.abs() * (square(self.0[0], k, weight) / S::lit(X::LEN.max(1) as f64)).sqrt()
+        self.first_norm(h, k, weight)
     }
 }
 

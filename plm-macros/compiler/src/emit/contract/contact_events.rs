@@ -5,7 +5,7 @@ use proc_macro2::{Literal, TokenStream};
 
 use super::super::{Emission, Sizes, number};
 use super::{contact, sets, switches, system};
-use crate::model::Stabilisation;
+use crate::model::{Stabilisation, bounding_reactions};
 
 /// Guards of each row, and one for the determinant of the active rows: `rt::contact::guard_count`.
 pub(super) const PER_ROW: usize = 3;
@@ -37,10 +37,17 @@ pub(super) fn events(emission: &Emission) -> TokenStream {
     let jump = (!model.jumps.is_empty()).then(|| switches::jump(emission));
     let switch = switches::switch(emission);
     let contacts = number(model.contacts.len());
+    let in_plane = bounding_reactions(&model.contacts).iter().any(|reaction| reaction.components.len() > 1);
+    let bends = in_plane.then(|| {
+        quote!(
+            const BENDS: bool = true;
+        )
+    });
     quote! {
         impl<S: Real> rt::Events for #name<S> {
             type G = [S; #all];
             const CONTACTS: usize = #contacts;
+            #bends
             #watched
             #matters
             #switch
