@@ -10,11 +10,43 @@ mod slider {
             param i1: kg*m^2 = 1 kg*m^2;
             param grip: N/m = 100 N/m;
             ground { port o: (0, 0) m; }
-            body b { mass: m1; inertia: i1; port p: (0, 0) m; start x: 0.1 m, locked; }
+            body b { mass: m1; inertia: i1; port p: (0, 0) m; start x: 0.1 m, locked; start vx: 7.5 mm/s*(grip/(1 N/m)); }
             prismatic g(ground.o, b.p) { stiffness: grip; }
-            output b.x;
+            state filling: m = 10 N/grip;
+            rate filling = 0 m/s;
+            output b.x, b.vx, filling;
         }
     }
+}
+
+#[test]
+fn starts_follow_the_parameters_that_they_read() {
+    use slider::Slider;
+    let start = |mechanism: Slider| {
+        let sim = mechanism.start().unwrap();
+        [sim.b().vx, sim.filling()]
+    };
+    assert_eq!(start(Slider::new()), [0.75, 0.1]);
+    let stiffer = Slider { grip: 400.0, ..Slider::new() };
+    assert_eq!(start(stiffer), [3.0, 0.025]);
+    assert_eq!(stiffer.assemble().unwrap().v[0], 3.0);
+    // What is set by hand stays.
+    let mut thrown = stiffer;
+    thrown.start.b.vx.value = 7.0;
+    assert_eq!(start(thrown), [7.0, 0.025]);
+    thrown.grip = 100.0;
+    assert_eq!(start(thrown), [7.0, 0.1]);
+    // So does what comes from a run, although it is what the declaration had said.
+    let from_a_run = Slider { start: Slider::new().start().unwrap().starts(), ..stiffer };
+    assert_eq!(start(from_a_run), [0.75, 0.1]);
+    // By number, as other languages set parameters: grip is the third.
+    let mut numbered = Slider::new();
+    assert!(plm::runtime::described::by_number::set_parameter(&mut numbered, 2, 400.0));
+    assert_eq!(start(numbered), [3.0, 0.025]);
+    // Derivatives by a parameter go through the starts that read it.
+    let grip = plm::Dual::variable(400.0, 0);
+    let sim = Slider::<plm::Dual<f64, 1>> { grip, ..Slider::of() }.start().unwrap();
+    assert_eq!([sim.b().vx, sim.filling()].map(|number| number.tangents[0]), [0.0075, -10.0 / 160_000.0]);
 }
 
 mod chain {

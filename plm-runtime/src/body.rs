@@ -102,7 +102,7 @@ impl<S: Real> BodyStart<S> {
 }
 
 fn moved<S: Scalar>(start: Start<S>, by: S) -> Start<S> {
-    Start { value: start.value + by, locked: start.locked }
+    start.at(start.value + by)
 }
 
 #[cfg(test)]

@@ -19,7 +19,7 @@ pub use crate::method::Method;
 pub use crate::ports::Ports;
 pub use crate::scalar::{Real, Scalar};
 pub use crate::sim::Sim;
-pub use crate::start::{BodyStart, Start, StartValues};
+pub use crate::start::{BodyStart, Start, StartValues, follow};
 pub use crate::statics::Statics;
 pub use crate::system::{Constraints, Drift, Energy, Events, Health, Labels, Rate, Updated};
 pub use crate::vector::Vector;

@@ -5,35 +5,54 @@ use core::fmt;
 use crate::scalar::Scalar;
 
 /// A start value, and whether assembly must keep it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Start<S> {
     /// The value, SI units.
     pub value: S,
     /// Kept as it is (a lock) rather than moved to close the joints.
     pub locked: bool,
+    /// Made by the declaration: it follows the parameters that it reads, unless another value was set.
+    is_declared: bool,
+}
+
+impl<S: PartialEq> PartialEq for Start<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.value == other.value && self.locked == other.locked
+    }
 }
 
 impl<S> Start<S> {
     /// A value that assembly may change.
     pub const fn free(value: S) -> Self {
-        Self { value, locked: false }
+        Self { value, locked: false, is_declared: false }
     }
 
     /// A value that assembly must keep.
     pub const fn locked(value: S) -> Self {
-        Self { value, locked: true }
+        Self { value, locked: true, is_declared: false }
+    }
+
+    /// A value of the declaration, with its lock: until another one is set, it follows the parameters that it reads.
+    pub const fn declared(value: S, locked: bool) -> Self {
+        Self { value, locked, is_declared: true }
+    }
+
+    /// The same lock with another value.
+    #[must_use]
+    pub fn at(self, value: S) -> Self {
+        Self { value, locked: self.locked, is_declared: false }
     }
 
     /// The same start in other numbers.
     pub fn map<T>(self, f: impl Fn(S) -> T) -> Start<T> {
-        Start { value: f(self.value), locked: self.locked }
+        Start { value: f(self.value), locked: self.locked, is_declared: self.is_declared }
     }
 }
 
 impl<S: Default> Default for Start<S> {
     /// Zero and free.
     fn default() -> Self {
-        Self { value: S::default(), locked: false }
+        Self::free(S::default())
     }
 }
 
@@ -72,14 +91,13 @@ impl<S: Copy> BodyStart<S> {
     /// The same locks with other values.
     #[must_use]
     pub fn at(self, [x, y, angle]: [S; 3], [vx, vy, omega]: [S; 3]) -> Self {
-        let put = |start: Start<S>, value| Start { value, ..start };
         Self {
-            x: put(self.x, x),
-            y: put(self.y, y),
-            angle: put(self.angle, angle),
-            vx: put(self.vx, vx),
-            vy: put(self.vy, vy),
-            omega: put(self.omega, omega),
+            x: self.x.at(x),
+            y: self.y.at(y),
+            angle: self.angle.at(angle),
+            vx: self.vx.at(vx),
+            vy: self.vy.at(vy),
+            omega: self.omega.at(omega),
         }
     }
 }
@@ -99,6 +117,44 @@ pub trait StartValues<S>: Copy {
     /// Gives `each` every start value with its name: `arm.x`, `arm.y`, `arm.angle`, `arm.vx`, `arm.vy`, `arm.omega` of each
     /// body, then the first-order states.
     fn each(&mut self, each: &mut impl FnMut(&'static str, &mut Start<S>));
+}
+
+/// So many start values are compared in one pass over them: there is no room for all.
+const PASS: usize = 64;
+
+/// Makes declared start values those of `after` where they are those of `before`: they follow the parameters that they read. Those that
+/// were set by hand, or come from a run, stay.
+pub fn follow<S: Scalar, T: StartValues<S>>(starts: &mut T, mut before: T, mut after: T) {
+    let (mut first, mut count) = (0, PASS);
+    while count == PASS {
+        let mut declared = [(S::ZERO, S::ZERO); PASS];
+        count = each_of(&mut before, first, &mut |k, start| declared[k].0 = start.value);
+        each_of(&mut after, first, &mut |k, start| declared[k].1 = start.value);
+        each_of(starts, first, &mut |k, start| {
+            let (before, after) = declared[k];
+            if start.is_declared && start.value == before {
+                start.value = after;
+            }
+        });
+        first += PASS;
+    }
+}
+
+/// Gives `each` the start values of one pass, and how many there are.
+fn each_of<S: Scalar>(
+    starts: &mut impl StartValues<S>,
+    first: usize,
+    each: &mut impl FnMut(usize, &mut Start<S>),
+) -> usize {
+    let (mut index, mut count) = (0_usize, 0);
+    starts.each(&mut |_, start| {
+        if let Some(place) = index.checked_sub(first).filter(|place| *place < PASS) {
+            each(place, start);
+            count += 1;
+        }
+        index += 1;
+    });
+    count
 }
 
 /// Writes start values one a line, `arm.angle = 0.7853981633974483`, SI units, in so many digits that they come back as

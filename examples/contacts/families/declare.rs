@@ -39,7 +39,7 @@ macro_rules! declare {
                 let mut starts = starts.iter();
                 plm::runtime::StartValues::each(&mut built.start, &mut |_, start| {
                     if let Some(value) = starts.next() {
-                        *start = plm::Start { value: *value, locked: false };
+                        *start = plm::Start::free(*value);
                     }
                 });
                 built

@@ -121,7 +121,8 @@ macro_rules! declare {
                 let mut starts = starts.iter();
                 plm::runtime::StartValues::each(&mut built.start, &mut |_, start| {
                     if let Some((value, locked)) = starts.next() {
-                        *start = plm::Start { value: *value as $scalar, locked: *locked };
+                        start.value = *value as $scalar;
+                        start.locked = *locked;
                     }
                 });
                 built

@@ -6,7 +6,7 @@ use super::{Described, Part, Place, Quantity};
 use crate::mechanism::Moment;
 use crate::method::Method;
 use crate::sim::Sim;
-use crate::start::{Start, StartValues};
+use crate::start::follow;
 use crate::statics::Statics;
 
 /// What each observed quantity is shown in: the declared output of its name in its unit, or SI where there is none.
@@ -86,46 +86,14 @@ impl fmt::Display for SizeNames {
     }
 }
 
-/// So many start values are compared in one pass over them: there is no room for all.
-const PASS: usize = 64;
-
 /// Sets a parameter, SI, and the start values that are made of it; those that were set by hand stay. False if there is none
 /// with this index.
 pub fn set_parameter<M: Described<S = f64> + Statics>(mechanism: &mut M, index: usize, value: f64) -> bool {
-    let mut before = mechanism.declared_starts();
+    let before = mechanism.declared_starts();
     let is_known = mechanism.set_parameter(index, value);
-    let mut after = mechanism.declared_starts();
-    let (mut first, mut count) = (0, PASS);
-    while count == PASS {
-        let mut declared = [(0.0, 0.0); PASS];
-        count = each_of(&mut before, first, &mut |k, start| declared[k].0 = start.value);
-        each_of(&mut after, first, &mut |k, start| declared[k].1 = start.value);
-        each_of(mechanism.starts_mut(), first, &mut |k, start| {
-            let (before, after) = declared[k];
-            if start.value == before {
-                start.value = after;
-            }
-        });
-        first += PASS;
-    }
+    let after = mechanism.declared_starts();
+    follow(mechanism.starts_mut(), before, after);
     is_known
-}
-
-/// Gives `each` the start values of one pass, and how many there are.
-fn each_of(
-    starts: &mut impl StartValues<f64>,
-    first: usize,
-    each: &mut impl FnMut(usize, &mut Start<f64>),
-) -> usize {
-    let (mut index, mut count) = (0_usize, 0);
-    starts.each(&mut |_, start| {
-        if let Some(place) = index.checked_sub(first).filter(|place| *place < PASS) {
-            each(place, start);
-            count += 1;
-        }
-        index += 1;
-    });
-    count
 }
 
 /// Sets a parameter in a run that goes on, SI.

@@ -113,6 +113,8 @@ fn declared(emission: &Emission) -> TokenStream {
 pub(crate) fn runs(emission: &Emission) -> TokenStream {
     let name = &emission.name;
     let (check, carried) = (super::start::check(emission), super::start::carried(emission));
+    let follows = super::start::reads_parameters(emission.model);
+    let of = if follows { quote!(&self.following_()) } else { quote!(self) };
     quote! {
         impl<S: Real> #name<S> {
             /// Closes the joints from the start values, as the manual's assembly does (section 4.4).
@@ -122,7 +124,7 @@ pub(crate) fn runs(emission: &Emission) -> TokenStream {
             pub fn assemble(&self) -> Result<Assembly<S>, Fault> {
                 let t = S::lit(0.0);
                 #check
-                let assembly = absolute::assemble(self, t)?;
+                let assembly = absolute::assemble(#of, t)?;
                 #carried
                 Ok(assembly)
             }

@@ -2,13 +2,13 @@
 
 use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
-use plm_cas::algebra;
+use plm_cas::{Expr, algebra};
 use proc_macro2::TokenStream;
 
 use super::super::contract::{conditional, contact, limits, sets, statics::MOST_LINES, switches};
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, Form, Sizes, docs, number, table_compression};
-use crate::model::{Body, Start, State};
+use crate::model::{Body, Model, Param, Start, State};
 
 /// `Starts`, and what assembly finds for them.
 pub(crate) fn values(emission: &Emission) -> TokenStream {
@@ -69,8 +69,10 @@ pub(super) fn declared_values(emission: &Emission, bindings: &Bindings) -> Token
     let states = model.states.iter().zip(&fields.states);
     if !emission.rerolled {
         let bodies = model.bodies.iter().zip(&fields.bodies);
-        let bodies = bodies.map(|(body, field)| format!("{field}: {}", body_start(body, bindings)));
-        let states = states.map(|(state, field)| format!("{field}: {}", state_start(state, bindings)));
+        let bodies =
+            bodies.map(|(body, field)| format!("{field}: {}", body_start(body, &model.params, bindings)));
+        let states =
+            states.map(|(state, field)| format!("{field}: {}", state_start(state, &model.params, bindings)));
         let starts = emission.lines(bodies.chain(states));
         return quote!(Starts { #starts });
     }
@@ -90,9 +92,10 @@ pub(super) fn declared_values(emission: &Emission, bindings: &Bindings) -> Token
             }
         };
         tables.push_str(&table);
-        entries.push(format!("{name}: Start {{ value: {value}, locked: {locked} }}"));
+        entries.push(format!("{name}: Start::declared({value}, {locked})"));
     }
-    let states = states.map(|(state, field)| format!("start.{field} = {};\n", state_start(state, bindings)));
+    let states = states
+        .map(|(state, field)| format!("start.{field} = {};\n", state_start(state, &model.params, bindings)));
     let (tables, states) = (emission.text(tables), emission.text(states.collect_vec().concat()));
     let entries = emission.list(entries);
     quote! {{
@@ -108,11 +111,10 @@ pub(super) fn declared_values(emission: &Emission, bindings: &Bindings) -> Token
 pub(crate) const OF_BODY: [&str; 6] = ["x", "y", "angle", "vx", "vy", "omega"];
 
 /// The declared start of a body.
-fn body_start(body: &Body, bindings: &Bindings) -> String {
+fn body_start(body: &Body, params: &[Param], bindings: &Bindings) -> String {
     let starts = body.start.iter().chain(&body.start_velocity);
     let entry = |(name, start): (&str, &Start)| {
-        let kind = if start.locked { "locked" } else { "free" };
-        format!("{name}: Start::{kind}({})", inline(start.value, bindings))
+        format!("{name}: {}", declared_start((start.value, start.locked), params, bindings))
     };
     let entries: Vec<String> = OF_BODY.into_iter().zip(starts).map(entry).collect_vec();
     format!("BodyStart {{ {} }}", entries.join(", "))
@@ -120,12 +122,7 @@ fn body_start(body: &Body, bindings: &Bindings) -> String {
 
 /// Start values as declared, with the parameters as they are; nothing where none of them reads a parameter.
 pub(crate) fn declared(emission: &Emission) -> Option<TokenStream> {
-    let model = emission.model;
-    let of_bodies = model.bodies.iter().flat_map(|body| body.start.iter().chain(&body.start_velocity));
-    let values = of_bodies.map(|start| start.value).chain(model.states.iter().map(|state| state.start));
-    let known = algebra::symbols(&values.collect_vec());
-    let reads_parameters = model.params.iter().any(|param| known.contains(&param.symbol));
-    reads_parameters.then(|| {
+    reads_parameters(emission.model).then(|| {
         let starts = declared_values(emission, &emission.parameters());
         quote! {
             fn declared_starts(&self) -> Starts<S> {
@@ -136,10 +133,43 @@ pub(crate) fn declared(emission: &Emission) -> Option<TokenStream> {
     })
 }
 
+/// A start as declared. One that reads parameters follows them.
+fn declared_start((value, locked): (Expr, bool), params: &[Param], bindings: &Bindings) -> String {
+    let text = inline(value, bindings);
+    let read = algebra::symbols(&[value]);
+    if params.iter().any(|param| read.contains(&param.symbol)) {
+        return format!("Start::declared({text}, {locked})");
+    }
+    format!("Start::{}({text})", if locked { "locked" } else { "free" })
+}
+
+/// The mechanism with start values that follow its parameters, where some read them.
+pub(super) fn following(emission: &Emission) -> Option<TokenStream> {
+    let params = emission.model.params.iter().zip(&emission.fields.params);
+    let taken = params.filter(|(param, _)| param.required).map(|(_, field)| field).collect_vec();
+    reads_parameters(emission.model).then(|| {
+        quote! {
+            /// Starts that read parameters follow them, however these were set; starts that were set by hand stay.
+            fn following_(mut self) -> Self {
+                let (before, after) = (Self::of(#(self.#taken),*).start, rt::Statics::declared_starts(&self));
+                rt::follow(&mut self.start, before, after);
+                self
+            }
+        }
+    })
+}
+
+/// Does a declared start read a parameter?
+pub(super) fn reads_parameters(model: &Model) -> bool {
+    let of_bodies = model.bodies.iter().flat_map(|body| body.start.iter().chain(&body.start_velocity));
+    let values = of_bodies.map(|start| start.value).chain(model.states.iter().map(|state| state.start));
+    let known = algebra::symbols(&values.collect_vec());
+    model.params.iter().any(|param| known.contains(&param.symbol))
+}
+
 /// The declared start of a first-order state.
-fn state_start(state: &State, bindings: &Bindings) -> String {
-    let kind = if state.locked { "locked" } else { "free" };
-    format!("Start::{kind}({})", inline(state.start, bindings))
+fn state_start(state: &State, params: &[Param], bindings: &Bindings) -> String {
+    declared_start((state.start, state.locked), params, bindings)
 }
 
 /// Start values of a state in absolute coordinates, and of a moment.
@@ -176,8 +206,7 @@ pub(crate) fn placed(emission: &Emission) -> TokenStream {
                 .map_each(|first| format!("[x[{first}], x[{}], x[{}]]", first + 1, first + 2));
             format!("{field}: self.start.{field}.with_centre_at([{x}, {y}], {q}, {v})")
         });
-        let states =
-            states.map(|(field, k)| format!("{field}: Start {{ value: x[{k}], ..self.start.{field} }}"));
+        let states = states.map(|(field, k)| format!("{field}: self.start.{field}.at(x[{k}])"));
         let (literals, starts) = emission.values(bodies.chain(states).collect_vec());
         (literals, quote!(Starts { #starts }))
     };
@@ -232,11 +261,22 @@ pub(crate) fn assembled(emission: &Emission) -> TokenStream {
     let states = &fields.states;
     let numbers = (*second_order..).take(states.len()).map(number);
     let (begin, holding) = (begin(emission), holding(emission));
+    let following = following(emission);
+    let start = following.is_some().then(|| {
+        quote! {
+            fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; #length]), Fault> {
+                self.following_().start_here_(t, input)
+            }
+        }
+    });
+    let as_set = if start.is_some() { quote!(start_here_) } else { quote!(start_holding_) };
     quote! {
         impl<S: Real> #name<S> {
             #holding
+            #following
+            #start
 
-            fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; #length]), Fault> {
+            fn #as_set(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; #length]), Fault> {
                 #check
                 let assembly = absolute::assemble(self, t)?;
                 #carried
