@@ -22,7 +22,7 @@ plm::mechanism! {
 pub fn run() -> Result<Answers, Box<dyn Error>> {
     let mut sim = Stage::new().start()?;
     let system = plm::linearise(&sim)?;
-    // The first two states are place and speed, the others belong to the noises. Over 10 ms the force is constant: x goes
+    // The states are place and speed; the noises have none. Over 10 ms the force is constant: x goes
     // to a x + b u, by one exponential.
     let mut both = DMatrix::zeros(3, 3);
     both.view_mut((0, 0), (2, 2)).copy_from(&system.a.view((0, 0), (2, 2)));
