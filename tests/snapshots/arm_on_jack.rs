@@ -1281,14 +1281,14 @@ mod plm_arm_on_jack_ {
                         [x[0], x[1], x[2]],
                         [x[3], x[4], x[5]],
                     ),
-                    press_chamber1_pressure: Start { value: x[6], ..self.start.press_chamber1_pressure },
-                    press_chamber2_pressure: Start { value: x[7], ..self.start.press_chamber2_pressure },
-                    line1_flow: Start { value: x[8], ..self.start.line1_flow },
-                    line1_inlet_pressure: Start { value: x[9], ..self.start.line1_inlet_pressure },
-                    line2_flow: Start { value: x[10], ..self.start.line2_flow },
-                    line2_inlet_pressure: Start { value: x[11], ..self.start.line2_inlet_pressure },
-                    valve_servo_value: Start { value: x[12], ..self.start.valve_servo_value },
-                    valve_servo_swing: Start { value: x[13], ..self.start.valve_servo_swing },
+                    press_chamber1_pressure: self.start.press_chamber1_pressure.at(x[6]),
+                    press_chamber2_pressure: self.start.press_chamber2_pressure.at(x[7]),
+                    line1_flow: self.start.line1_flow.at(x[8]),
+                    line1_inlet_pressure: self.start.line1_inlet_pressure.at(x[9]),
+                    line2_flow: self.start.line2_flow.at(x[10]),
+                    line2_inlet_pressure: self.start.line2_inlet_pressure.at(x[11]),
+                    valve_servo_value: self.start.valve_servo_value.at(x[12]),
+                    valve_servo_swing: self.start.valve_servo_swing.at(x[13]),
                 }
             }
         }
