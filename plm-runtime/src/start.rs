@@ -124,7 +124,17 @@ const PASS: usize = 64;
 
 /// Makes declared start values those of `after` where they are those of `before`: they follow the parameters that they read. Those that
 /// were set by hand, or come from a run, stay.
-pub fn follow<S: Scalar, T: StartValues<S>>(starts: &mut T, mut before: T, mut after: T) {
+pub fn follow<S: Scalar, T: StartValues<S>>(starts: &mut T, before: T, after: T) {
+    follow_where(starts, before, after, |start| start.is_declared);
+}
+
+/// The same of those start values that `follows` takes.
+pub(crate) fn follow_where<S: Scalar, T: StartValues<S>>(
+    starts: &mut T,
+    mut before: T,
+    mut after: T,
+    follows: impl Fn(&Start<S>) -> bool,
+) {
     let (mut first, mut count) = (0, PASS);
     while count == PASS {
         let mut declared = [(S::ZERO, S::ZERO); PASS];
@@ -132,7 +142,7 @@ pub fn follow<S: Scalar, T: StartValues<S>>(starts: &mut T, mut before: T, mut a
         each_of(&mut after, first, &mut |k, start| declared[k].1 = start.value);
         each_of(starts, first, &mut |k, start| {
             let (before, after) = declared[k];
-            if start.is_declared && start.value == before {
+            if follows(start) && start.value == before {
                 start.value = after;
             }
         });

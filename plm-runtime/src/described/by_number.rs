@@ -6,7 +6,7 @@ use super::{Described, Part, Place, Quantity};
 use crate::mechanism::Moment;
 use crate::method::Method;
 use crate::sim::Sim;
-use crate::start::follow;
+use crate::start::follow_where;
 use crate::statics::Statics;
 
 /// What each observed quantity is shown in: the declared output of its name in its unit, or SI where there is none.
@@ -92,7 +92,8 @@ pub fn set_parameter<M: Described<S = f64> + Statics>(mechanism: &mut M, index: 
     let before = mechanism.declared_starts();
     let is_known = mechanism.set_parameter(index, value);
     let after = mechanism.declared_starts();
-    follow(mechanism.starts_mut(), before, after);
+    // Where one value was placed by hand, the others go on as they were declared.
+    follow_where(mechanism.starts_mut(), before, after, |_| true);
     is_known
 }
 
