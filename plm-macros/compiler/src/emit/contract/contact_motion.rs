@@ -2,7 +2,7 @@
 
 use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::{joined, quote};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 
 use super::super::bindings::Origin;
 use super::super::function::function;
@@ -65,18 +65,21 @@ fn in_chart(emission: &Emission, k: usize, (contact, origin): (&ContactFunctions
         (&contact.kinematics, origin),
     );
     let health = (!matches!(emission.form, Form::Tree(_))).then(|| quote!(-> S));
-    let motion = function(
-        emission,
-        "The rate without contact forces, its responses to multipliers, and of the rows of contact: accelerations without contact forces, Delassus operator, limits of friction.",
-        &quote! {
-            fn #motion(
+    let with_rows = |name: &Ident| {
+        quote! {
+            fn #name(
                 &self,
                 #state,
                 dx: &mut [S; #length],
                 response: &mut [[S; #length]; #count],
                 rows: &mut rt::contact::Rows<S, #count>
             ) #health
-        },
+        }
+    };
+    let motion = function(
+        emission,
+        "The rate without contact forces, its responses to multipliers, and of the rows of contact: accelerations without contact forces, Delassus operator, limits of friction.",
+        &with_rows(&motion),
         (&contact.motion, origin),
     );
     let together = contact.together.as_ref().map(|together| {
@@ -84,15 +87,7 @@ fn in_chart(emission: &Emission, k: usize, (contact, origin): (&ContactFunctions
         function(
             emission,
             "Rate, responses and rows at once, for steps that need all of them.",
-            &quote! {
-                fn #name(
-                    &self,
-                    #state,
-                    dx: &mut [S; #length],
-                    response: &mut [[S; #length]; #count],
-                    rows: &mut rt::contact::Rows<S, #count>
-                ) #health
-            },
+            &with_rows(&name),
             (together, origin),
         )
     });

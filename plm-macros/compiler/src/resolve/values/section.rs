@@ -32,15 +32,24 @@ struct Section {
 /// A rolled section: its size by name, height, width, web, flange, and root radius, mm times 10.
 type Rolled = (i64, [i32; 5]);
 
+/// How a section follows from the sizes behind its name.
+#[derive(Clone, Copy)]
+enum Shape {
+    /// Of lengths.
+    Simple(fn(&[Expr]) -> Section),
+    /// Of a series, by the size that names it.
+    Rolled(&'static [Rolled]),
+}
+
 /// Sections by their names, with the sizes that follow the name.
-const SHAPES: [(&str, &str); 7] = [
-    ("rectangle", "width, height"),
-    ("round", "diameter"),
-    ("tube", "diameter, wall"),
-    ("box", "width, height, wall"),
-    ("ipe", "size"),
-    ("hea", "size"),
-    ("heb", "size"),
+const SHAPES: [(&str, &[&str], Shape); 7] = [
+    ("rectangle", &["width", "height"], Shape::Simple(|sizes| rectangle(sizes[0], sizes[1]))),
+    ("round", &["diameter"], Shape::Simple(|sizes| round(sizes[0]))),
+    ("tube", &["diameter", "wall"], Shape::Simple(|sizes| tube(sizes[0], sizes[1]))),
+    ("box", &["width", "height", "wall"], Shape::Simple(|sizes| hollow(sizes[0], sizes[1], sizes[2]))),
+    ("ipe", &["size"], Shape::Rolled(IPE)),
+    ("hea", &["size"], Shape::Rolled(HEA)),
+    ("heb", &["size"], Shape::Rolled(HEB)),
 ];
 
 const IPE: &[Rolled] = &[
@@ -113,28 +122,25 @@ impl<'a> Resolver<'a> {
             ExprKind::Name(name) if name.indices.is_empty() => name.ident.text.as_str(),
             _ => "",
         };
-        let Some((name, takes)) = SHAPES.iter().find(|(shape, _)| *shape == name) else {
-            let names: Vec<&str> = SHAPES.iter().map(|(shape, _)| *shape).collect_vec();
+        let Some((name, takes, shape)) = SHAPES.iter().find(|(known, ..)| *known == name) else {
+            let names: Vec<&str> = SHAPES.iter().map(|(known, ..)| *known).collect_vec();
             let diagnostic =
                 self.error(scope, Code::UnknownOption, first.span, "the name of a section is expected");
             help_similar(diagnostic, name, "section", "sections", &names);
             return Err(Failed);
         };
-        let count = takes.split(", ").count();
-        if sizes.len() != count {
-            let message = format!("a section `{name}` has {count} sizes, found {}", sizes.len());
-            self.error(scope, Code::WrongCount, first.span, message).note(format!("its sizes: {takes}"));
+        if sizes.len() != takes.len() {
+            let message = format!("a section `{name}` has {} sizes, found {}", takes.len(), sizes.len());
+            self.error(scope, Code::WrongCount, first.span, message)
+                .note(format!("its sizes: {}", takes.join(", ")));
             return Err(Failed);
         }
-        let series = match *name {
-            "ipe" => Some(IPE),
-            "hea" => Some(HEA),
-            "heb" => Some(HEB),
-            _ => None,
-        };
-        let (section, reads) = match series {
-            Some(series) => (self.rolled_section(scope, name, series, &sizes[0])?, Reads::NOTHING),
-            None => self.simple_section(scope, name, sizes)?,
+        let (section, reads) = match shape {
+            Shape::Rolled(series) => (self.rolled_section(scope, name, series, &sizes[0])?, Reads::NOTHING),
+            Shape::Simple(section) => {
+                let (lengths, reads) = self.lengths_of_section(scope, sizes)?;
+                (section(&lengths), reads)
+            }
         };
         let (value, power) = match wanted {
             SectionValue::Area => (section.area, 2),
@@ -162,12 +168,7 @@ impl<'a> Resolver<'a> {
         Ok(i_section((*sizes).map_each(|tenths| Expr::from(tenths) / Expr::from(10_000))))
     }
 
-    fn simple_section(
-        &mut self,
-        scope: ScopeId,
-        name: &str,
-        sizes: &'a [ast::Expr],
-    ) -> Eval<(Section, Reads)> {
+    fn lengths_of_section(&mut self, scope: ScopeId, sizes: &'a [ast::Expr]) -> Eval<(Vec<Expr>, Reads)> {
         let (mut lengths, mut reads) = (Vec::new(), Reads::NOTHING);
         for size in sizes {
             let found = self.eval_quantity(scope, size, Dimension::LENGTH, Reads::ALL)?;
@@ -180,16 +181,7 @@ impl<'a> Resolver<'a> {
             lengths.push(found.value);
             reads = reads.and(found.nature.reads);
         }
-        let two = Expr::from(2);
-        let section = match (name, &lengths[..]) {
-            ("rectangle", &[width, height]) => rectangle(width, height),
-            ("box", &[width, height, wall]) => {
-                rectangle(width, height).less(rectangle(width - two * wall, height - two * wall))
-            }
-            ("tube", &[diameter, wall]) => round(diameter).less(round(diameter - two * wall)),
-            (_, lengths) => round(lengths[0]),
-        };
-        Ok((section, reads))
+        Ok((lengths, reads))
     }
 }
 
@@ -207,6 +199,15 @@ fn rectangle(width: Expr, height: Expr) -> Section {
 fn round(diameter: Expr) -> Section {
     let pi = Expr::pi();
     Section { area: pi * diameter.powi(2) / Expr::from(4), moment: pi * diameter.powi(4) / Expr::from(64) }
+}
+
+fn tube(diameter: Expr, wall: Expr) -> Section {
+    round(diameter).less(round(diameter - Expr::from(2) * wall))
+}
+
+fn hollow(width: Expr, height: Expr, wall: Expr) -> Section {
+    let two = Expr::from(2);
+    rectangle(width, height).less(rectangle(width - two * wall, height - two * wall))
 }
 
 /// Two flanges, a web, and four fillets: what a quarter of a circle leaves of a square with the side r. Its area is `(1 - pi/4) r^2`, and
