@@ -14,6 +14,7 @@ mod instance;
 mod joint;
 mod limit;
 mod pair;
+mod shape;
 mod step;
 
 use crate::sorted::SortedSet;
@@ -25,9 +26,10 @@ pub(crate) use contact::bounding_reactions;
 pub use contact::{Contact, ContactLaw, ContactMode, Impacts, Reaction};
 pub use event::{Target, When};
 pub use held::{Comparison, Counted, Decisions, End, Jump, Steady, Switch};
-pub use instance::{Instance, Look, Shape, Size};
+pub use instance::Instance;
 pub use joint::{FrameRef, Pair, Part, Turn};
 pub use limit::{Limit, Range};
+pub use shape::{Look, Shape, Size};
 pub use step::Step;
 
 use crate::diag::Use;

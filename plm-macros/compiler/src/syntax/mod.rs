@@ -65,7 +65,6 @@ mod input;
 mod instance;
 mod item;
 mod keyword;
-mod look;
 mod name;
 mod operator;
 mod output;
@@ -73,6 +72,7 @@ mod part;
 mod quantity;
 mod row;
 pub mod rust;
+mod shape;
 mod unit;
 mod value;
 
@@ -88,12 +88,12 @@ pub mod ast {
     pub use super::handed::{Function, Points};
     pub use super::instance::{Field, Instance};
     pub use super::item::{Item, ItemKind};
-    pub use super::look::Shape;
     pub use super::name::{Ident, IndexedName};
     pub use super::operator::Operator;
     pub use super::output::Output;
     pub use super::part::{Argument, Choice, Definition};
     pub use super::row::Load;
+    pub use super::shape::Shape;
     pub use super::value::Value;
 }
 
