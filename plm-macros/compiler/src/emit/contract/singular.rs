@@ -4,10 +4,7 @@
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
-use super::super::{Emission, Form, Sizes};
-use crate::derive::Equations;
-use crate::formulate::is_tree;
-use crate::model::{Model, Stabilisation};
+use super::super::{Emission, Sizes};
 
 /// The type that takes over from the method where no chart is regular.
 pub(super) fn rescue(emission: &Emission) -> TokenStream {
@@ -16,17 +13,6 @@ pub(super) fn rescue(emission: &Emission) -> TokenStream {
         quote!(rt::singular::NearSingular<Self, #nq, #nc, #full>)
     } else {
         quote!(rt::singular::Never<Self>)
-    }
-}
-
-/// Has it loops, or constraints whose rank may drop? That of a tree of joints does not. Where Baumgarte's stabilisation lets states
-/// drift from the constraints, there are no poses to come back to.
-pub(in crate::emit) fn may_be_singular(model: &Model, equations: &Equations, form: Form) -> bool {
-    let projects = matches!(model.stabilisation, Stabilisation::Projection);
-    match form {
-        Form::Absolute => projects && !equations.phi.is_empty() && !is_tree(model),
-        Form::Tree(_) => false,
-        Form::Loops(_) => true,
     }
 }
 

@@ -9,6 +9,7 @@ use super::super::function::body;
 use super::super::item::{start, state::unwrapped_state};
 use super::super::{Emission, Sizes, docs, number, table_compression};
 use super::contact;
+use crate::facts::state::OF_BODY;
 use crate::model::Body;
 
 /// Statements of a block; rustc recurses over longer ones.
@@ -17,7 +18,7 @@ pub(crate) const MOST_LINES: usize = 200;
 /// `StartValues` and `Display` of the start values.
 pub(crate) fn start_values(emission: &Emission) -> TokenStream {
     let Emission { model, fields, .. } = emission;
-    let names = |body: &Body| start::OF_BODY.map_each(|value| format!("{}.{value}", body.name.text));
+    let names = |body: &Body| OF_BODY.map_each(|value| format!("{}.{value}", body.name.text));
     let in_a_loop = emission.rerolled.then(|| {
         let names = table_compression::names(emission, &model.bodies.iter().flat_map(names).collect_vec());
         quote! {

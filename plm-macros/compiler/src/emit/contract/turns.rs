@@ -5,6 +5,7 @@ use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
 use super::super::{Emission, Form, Sizes, number, table_compression};
+use crate::facts;
 use crate::formulate::Reduced;
 
 /// Is anything counted?
@@ -113,14 +114,11 @@ pub(super) fn of_charts(emission: &Emission, reduced: &Reduced) -> TokenStream {
         )
     });
     let counted = emission.lines(counted);
-    let is_counted = |body: usize| emission.model.turns.iter().any(|counted| counted.bodies.contains(&body));
-    let any_free = reduced.charts.iter().any(|chart| {
-        chart.turning.iter().zip(&chart.free).any(|(body, free)| *free && body.is_some_and(is_counted))
-    });
+    let is_loose = facts::is_loose(emission.model, reduced);
     let count = number(emission.model.turns.len());
     quote! {
         type Turns = [i32; #count];
         const REVOLUTIONS: &'static [rt::charts::Revolutions] = &[#counted];
-        const LOOSE: bool = #any_free;
+        const LOOSE: bool = #is_loose;
     }
 }
