@@ -163,7 +163,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         method: &mut I,
         context: &mut Context<'_, M>,
     ) -> Result<Event, Fault> {
-        if !I::DENSE || G::LEN == 0 && M::KINKS == 0 {
+        if !I::DENSE || G::LEN == 0 && context.system.kink_count() == 0 {
             method.advance(context)?;
             return Ok(Event::None);
         }

@@ -81,8 +81,14 @@ pub trait Events: Rate {
         Ok(())
     }
 
-    /// Number of kinks: numbers at whose zeros the rate has a corner; a step ends there if that matters.
+    /// Most kinks: numbers at whose zeros the rate has a corner; a step ends there if that matters.
     const KINKS: usize = 0;
+
+    /// Number of kinks.
+    #[inline]
+    fn kink_count(&self) -> usize {
+        Self::KINKS
+    }
 
     /// Gives each of these numbers with its index.
     fn kinks(&self, t: Self::S, u: &Self::U, x: &Self::X, each: &mut impl FnMut(usize, Self::S)) {

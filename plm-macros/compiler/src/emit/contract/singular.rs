@@ -68,7 +68,10 @@ pub(crate) fn refine(emission: &Emission) -> Option<TokenStream> {
 /// Implementation of `ExtendedPrecision` for a mechanism that is in absolute coordinates anyway.
 fn alone() -> TokenStream {
     quote! {
-        const CHARTED: bool = false;
+        #[inline]
+        fn is_charted(&self) -> bool {
+            false
+        }
         fn crossed(&self, _held: &Self::U, _before: &Self::X, _x: &Self::X) -> S {
             S::lit(0.0)
         }
@@ -91,7 +94,10 @@ fn alone() -> TokenStream {
 fn charted(emission: &Emission) -> TokenStream {
     let Sizes { nq, full, .. } = &emission.sizes;
     quote! {
-        const CHARTED: bool = true;
+        #[inline]
+        fn is_charted(&self) -> bool {
+            true
+        }
         #[inline]
         fn crossed(&self, held: &Self::U, before: &Self::X, x: &Self::X) -> S {
             rt::charts::crossed(self, held, before, x)

@@ -79,8 +79,8 @@ constraints, rates of the first-order states, without accelerations.",
             type Full = [S; #full];
             type Rows = [S; #nc];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
-            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
+            const COORDINATES: &'static [&'static str] = Self::LAYOUT_.coordinates;
+            const ROWS: &'static [&'static str] = Self::LAYOUT_.rows;
             const STATES: &'static [(&'static str, &'static str)] = &[#states];
 
             fn full(state: &State<S>) -> [S; #full] {

@@ -5,7 +5,6 @@ use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
 use super::super::{Emission, Form, Sizes, number, table_compression};
-use crate::facts;
 use crate::formulate::Reduced;
 
 /// Is anything counted?
@@ -97,7 +96,7 @@ pub(super) fn are_near(emission: &Emission) -> (TokenStream, TokenStream) {
     }
 }
 
-/// Constants of `Charted`.
+/// By count, its angles in charts.
 pub(super) fn of_charts(emission: &Emission, reduced: &Reduced) -> TokenStream {
     let of_all = |bodies: &[Option<usize>]| places(emission, bodies).collect_vec();
     let charts: Vec<Vec<String>> = reduced.charts.iter().map(|chart| of_all(&chart.turning)).collect_vec();
@@ -113,12 +112,5 @@ pub(super) fn of_charts(emission: &Emission, reduced: &Reduced) -> TokenStream {
             followed[k]
         )
     });
-    let counted = emission.lines(counted);
-    let is_loose = facts::is_loose(emission.model, reduced);
-    let count = number(emission.model.turns.len());
-    quote! {
-        type Turns = [i32; #count];
-        const REVOLUTIONS: &'static [rt::charts::Revolutions] = &[#counted];
-        const LOOSE: bool = #is_loose;
-    }
+    emission.lines(counted)
 }

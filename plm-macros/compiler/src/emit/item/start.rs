@@ -335,7 +335,7 @@ fn begin(emission: &Emission) -> TokenStream {
                 quote! {
                     if assembly.redundant.contains(&true) {
                         let joints = rt::Names::marked(
-                            &<Self as absolute::Absolute<S, NQ, NC>>::PARTS, &assembly.redundant
+                            Self::LAYOUT_.parts, &assembly.redundant
                         );
                         return Err(Fault::new(rt::Scalar::to_f64(t), rt::Cause::Repeats { joints }));
                     }
