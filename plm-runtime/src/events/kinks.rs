@@ -46,7 +46,7 @@ pub(super) fn kink<M: System<S: Real>, I: Method<M>>(
     };
     let (system, held) = (context.system, context.held);
     // Where there are guards, the dense output is known.
-    let path = if M::G::LEN > 0 {
+    let path = if context.system.guard_count() > 0 {
         path
     } else {
         if (Kinks { system, held, path, relevant }).first().is_none() {
