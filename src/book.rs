@@ -44,6 +44,11 @@ pages! {
     Linearise = "running/linearise.md";
 }
 
+#[cfg(feature = "dynamic")]
+pages! {
+    AtRunTime = "running/at-run-time.md";
+}
+
 #[cfg(feature = "view")]
 pages! {
     Results = "running/results.md";

@@ -52,6 +52,7 @@
 //! |---|---|
 //! | `std` | on unless switched off: square roots by the processor, [`read_starts`], [`live`]; the bits of results are the same without |
 //! | `analysis` | [`linearise`], [`stabilise`], and [`StartAuto`], which chooses a method by eigenvalues |
+//! | `dynamic` | [`dynamic`]: mechanisms from text, run without rustc |
 //! | `view` | [`view`]: results files, charts, drawings, whole programs with options, and a page that moves |
 //! | `foreign` | [`foreign`]: objects for C and C++; with `analysis` also [`python`] |
 //! | `fmi` | FMUs of FMI 2.0 and 3.0 in [`foreign`] |
@@ -77,6 +78,7 @@
     not(all(
         feature = "analysis",
         feature = "batch",
+        feature = "dynamic",
         feature = "foreign",
         feature = "lanes",
         feature = "view"
@@ -117,6 +119,10 @@ pub use plm_analysis::{
     Auto, Change, Choice, Equilibrium, Freedom, Linearisable, Linearisation, Mode, Pace, Residual, Stabilise,
     StartAuto, Support, Unbalanced, What, linearise, stabilise,
 };
+/// Mechanisms at run time: a declaration from text runs without rustc.
+#[cfg(feature = "dynamic")]
+#[doc(inline)]
+pub use plm_dynamic as dynamic;
 #[cfg(feature = "batch")]
 pub use plm_study::{batch, study};
 #[cfg(feature = "std")]

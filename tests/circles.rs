@@ -17,6 +17,7 @@ const CRATES: [&str; 13] = [
     "plm-macros/compiler/src",
     "plm-program/src",
     "plm-python/src",
+    "plm-dynamic/src",
     "plm-run/src",
     "plm-runtime/math/src",
     "plm-runtime/src",

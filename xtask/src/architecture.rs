@@ -22,11 +22,12 @@ const fn place(name: &'static str, role: &'static str, x: i32, layer: i32) -> Pl
 }
 
 /// A crate depends on crates in layers below its own. Columns leave a way for every arrow.
-const PLACES: [Place; 15] = [
+const PLACES: [Place; 16] = [
     place("plm-planar", "plm, the users' crate", 480, 0),
     place("plm-macros", "the macros", 84, 1),
     place("plm-program", "whole programs", 584, 1),
     place("plm-compiler", "declaration to code", 84, 2),
+    place("plm-dynamic", "mechanisms from text", 320, 2),
     place("plm-python", "runs for Python", 664, 2),
     place("plm-sketch", "drawings", 876, 2),
     place("plm-cas", "symbolic algebra", 84, 3),
