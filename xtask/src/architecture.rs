@@ -22,9 +22,10 @@ const fn place(name: &'static str, role: &'static str, x: i32, layer: i32) -> Pl
 }
 
 /// A crate depends on crates in layers below its own. Columns leave a way for every arrow.
-const PLACES: [Place; 15] = [
+const PLACES: [Place; 16] = [
     place("plm-planar", "plm, the users' crate", 480, 0),
     place("plm-macros", "the macros", 84, 1),
+    place("plm-cli", "the command line", 240, 1),
     place("plm-program", "whole programs", 584, 1),
     place("plm-compiler", "declaration to code", 84, 2),
     place("plm-python", "runs for Python", 664, 2),

@@ -1,0 +1,18 @@
+//! The command `plm`: declarations of mechanisms without rustc.
+//!
+//! ```text
+//! plm check FILE… [--json]     what is wrong, where, and what to do about it
+//! plm expand FILE              the Rust code that the macro would emit
+//! plm report FILE              bodies, rows, formulation, operations, assembly
+//! ```
+//!
+//! A file is a declaration (`.plm`), or Rust with `mechanism! { … }` in it (`.rs`).
+
+mod checked;
+mod command;
+mod excerpt;
+mod json;
+mod lexer;
+mod read;
+
+pub use command::{Outcome, Streams, run};
