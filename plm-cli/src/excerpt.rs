@@ -81,6 +81,10 @@ impl Rust<'_> {
     /// Calls of a macro in brackets, but not those within `macro_rules!`, whose tokens are not there yet.
     fn calls(&self, name: &str) -> Vec<Call> {
         let (mut calls, mut at) = (Vec::new(), 0);
+        // A macro of the file's own has other rules.
+        if (0..self.tokens.len()).any(|at| self.is(at, "macro_rules") && self.is(at + 2, name)) {
+            return calls;
+        }
         while at < self.tokens.len() {
             let is_bang = self.is(at + 1, "!");
             if is_bang && self.is(at, "macro_rules") {

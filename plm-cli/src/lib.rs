@@ -4,6 +4,7 @@
 //! plm check FILE… [--json]     what is wrong, where, and what to do about it
 //! plm expand FILE              the Rust code that the macro would emit
 //! plm report FILE              bodies, rows, formulation, operations, assembly
+//! plm fmt [--check] FILE…      one layout, with comments kept
 //! ```
 //!
 //! A file is a declaration (`.plm`), or Rust with `mechanism! { … }` in it (`.rs`).
@@ -12,6 +13,7 @@ mod checked;
 mod command;
 mod excerpt;
 mod json;
+mod layout;
 mod lexer;
 mod read;
 

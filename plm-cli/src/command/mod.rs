@@ -2,6 +2,7 @@
 
 mod check;
 mod expand;
+mod fmt;
 mod words;
 
 use std::ffi::OsString;
@@ -53,7 +54,7 @@ struct Command {
 }
 
 /// All commands, in the order of the help.
-const COMMANDS: &[Command] = &[check::COMMAND, expand::EXPAND, expand::REPORT];
+const COMMANDS: &[Command] = &[check::COMMAND, expand::EXPAND, expand::REPORT, fmt::COMMAND];
 
 /// Runs the command that the words name, without the name of the program.
 pub fn run(words: impl Iterator<Item = OsString>, streams: &mut Streams) -> Outcome {
