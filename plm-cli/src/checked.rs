@@ -44,7 +44,8 @@ pub(crate) fn declarations(name: &str, text: &str) -> Declarations {
     declarations
 }
 
-fn checked(name: &str, text: &str, excerpt: &Excerpt) -> Checked {
+/// Compiles one declaration of a text, whose lines end as on Unix.
+pub(crate) fn checked(name: &str, text: &str, excerpt: &Excerpt) -> Checked {
     let mut sources = Sources::new();
     match &excerpt.masked {
         Some(masked) => sources.add_excerpt(name, text, masked),

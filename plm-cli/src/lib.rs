@@ -5,6 +5,7 @@
 //! plm expand FILE              the Rust code that the macro would emit
 //! plm report FILE              bodies, rows, formulation, operations, assembly
 //! plm fmt [--check] FILE…      one layout, with comments kept
+//! plm lsp                      a language server on standard input and output
 //! ```
 //!
 //! A file is a declaration (`.plm`), or Rust with `mechanism! { … }` in it (`.rs`).
@@ -16,5 +17,6 @@ mod json;
 mod layout;
 mod lexer;
 mod read;
+mod server;
 
 pub use command::{Outcome, Streams, run};

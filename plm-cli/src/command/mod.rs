@@ -3,6 +3,7 @@
 mod check;
 mod expand;
 mod fmt;
+mod lsp;
 mod words;
 
 use std::ffi::OsString;
@@ -54,7 +55,7 @@ struct Command {
 }
 
 /// All commands, in the order of the help.
-const COMMANDS: &[Command] = &[check::COMMAND, expand::EXPAND, expand::REPORT, fmt::COMMAND];
+const COMMANDS: &[Command] = &[check::COMMAND, expand::EXPAND, expand::REPORT, fmt::COMMAND, lsp::COMMAND];
 
 /// Runs the command that the words name, without the name of the program.
 pub fn run(words: impl Iterator<Item = OsString>, streams: &mut Streams) -> Outcome {

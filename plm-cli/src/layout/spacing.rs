@@ -140,7 +140,7 @@ impl Spacing {
             (Role::Tight, _) | (_, Role::Tight) => false,
             (_, _) if [")", "]"].contains(&word) => false,
             (Role::Operand, Role::Open) => false,
-            (Role::Word, _) | (_, _) => true,
+            _ => true,
         }
     }
 }

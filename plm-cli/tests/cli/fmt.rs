@@ -136,9 +136,11 @@ fn code(text: &str) -> String {
 fn the_code_of_a_declaration_does_not_depend_on_its_layout() {
     for path in files(&root().join("tests/snapshots"), &[".plm"]) {
         let text = fs::read_to_string(&path).unwrap();
-        let squeeze = |line: &str| match line.trim_start().starts_with("//") {
-            true => line.to_owned(),
-            false => line.replace("    ", "  ").replace(" = ", "=").replace(" + ", "+").replace(": ", " :"),
+        let squeeze = |line: &str| {
+            if line.trim_start().starts_with("//") {
+                return line.to_owned();
+            }
+            line.replace("    ", "  ").replace(" = ", "=").replace(" + ", "+").replace(": ", " :")
         };
         let squeezed: String = text.lines().map(|line| squeeze(line) + "\n").collect();
         let made = plm(&["fmt", "-"], &squeezed).output;

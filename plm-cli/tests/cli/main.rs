@@ -4,6 +4,7 @@
 mod check;
 mod fmt;
 mod json;
+mod lsp;
 
 use std::fs;
 use std::io::Write;
