@@ -20,8 +20,10 @@ pub(crate) struct Checked {
 pub(crate) struct Declarations {
     /// Those that could be compiled.
     pub(crate) checked: Vec<Checked>,
-    /// What could not, and why: a message each.
+    /// Those that rustc alone can read: a message each.
     pub(crate) left_out: Vec<String>,
+    /// Bugs of the compiler: a message each.
+    pub(crate) bugs: Vec<String>,
 }
 
 /// Compiles all declarations of a text; its name says what it is, and where the files are that it names.
@@ -32,7 +34,7 @@ pub(crate) fn declarations(name: &str, text: &str) -> Declarations {
     for excerpt in &found {
         match without_panic(|| checked(name, text, excerpt)) {
             Ok(checked) => declarations.checked.push(checked),
-            Err(what) => declarations.left_out.push(format!("{name}: {}", bug_message(&what))),
+            Err(what) => declarations.bugs.push(format!("{name}: {}", bug_message(&what))),
         }
     }
     for (range, path) in elsewhere {

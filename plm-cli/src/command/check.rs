@@ -30,8 +30,8 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
 }
 
 fn check(file: &File, is_json: bool, streams: &mut Streams) -> Result<Outcome, Failure> {
-    let Declarations { checked, left_out } = declarations(&file.name, &file.text);
-    let mut outcome = Outcome::Good;
+    let Declarations { checked, left_out, bugs } = declarations(&file.name, &file.text);
+    let mut outcome = if bugs.is_empty() { Outcome::Good } else { Outcome::Failed };
     for declaration in &checked {
         let diagnostics = &declaration.expansion.diagnostics;
         for diagnostic in diagnostics.sorted() {
@@ -42,10 +42,10 @@ fn check(file: &File, is_json: bool, streams: &mut Streams) -> Result<Outcome, F
             }
         }
         if diagnostics.has_errors() {
-            outcome = Outcome::Wrong;
+            outcome = outcome.max(Outcome::Wrong);
         }
     }
-    for what in left_out {
+    for what in left_out.into_iter().chain(bugs) {
         writeln!(streams.errors, "plm: {what}")?;
     }
     Ok(outcome)

@@ -29,10 +29,10 @@ pub(super) const REPORT: Command = Command {
 fn run(words: Words, streams: &mut Streams, of: fn(&Checked) -> Option<String>) -> Result<Outcome, Failure> {
     let file = read::file(&words.file()?, streams.input)?;
     let found = declarations(&file.name, &file.text);
-    if found.checked.is_empty() && found.left_out.is_empty() {
+    if found.checked.is_empty() && found.left_out.is_empty() && found.bugs.is_empty() {
         return Err(format!("{}: there is no `mechanism!` in it", file.name).into());
     }
-    let mut outcome = Outcome::Good;
+    let mut outcome = if found.bugs.is_empty() { Outcome::Good } else { Outcome::Failed };
     for declaration in &found.checked {
         let diagnostics = &declaration.expansion.diagnostics;
         for diagnostic in diagnostics.sorted() {
@@ -40,10 +40,10 @@ fn run(words: Words, streams: &mut Streams, of: fn(&Checked) -> Option<String>) 
         }
         match of(declaration).filter(|_| !diagnostics.has_errors()) {
             Some(text) => writeln!(streams.output, "{text}")?,
-            None => outcome = Outcome::Wrong,
+            None => outcome = outcome.max(Outcome::Wrong),
         }
     }
-    for what in found.left_out {
+    for what in found.left_out.into_iter().chain(found.bugs) {
         writeln!(streams.errors, "plm: {what}")?;
     }
     Ok(outcome)

@@ -56,8 +56,18 @@ fn choices(document: &Document, declaration: &Declaration, at: usize) -> Option<
         "." => members(text, &before, names, at),
         _ if last.kind == TokenKind::Number || is_unit_wanted(text, &before) => of_units(),
         ";" | "{" | "}" => beginnings(text, &before, names, at),
+        "start" => of_words(&["x", "y", "angle", "vx", "vy", "omega"], Sort::Property),
+        ":" if sets_option(text, &before) => of_words(&words::options(), Sort::Keyword),
+        // Behind a pair, `(0, 0) m`, or behind an expression.
+        ")" => [of_units(), expression(names, at)].concat_all(),
         _ => expression(names, at),
     })
+}
+
+/// Behind `formulation:` and the like.
+fn sets_option(text: &str, before: &[Token]) -> bool {
+    let word = before.len().checked_sub(2).map_or("", |at| before[at].text(text));
+    ["code", "formulation", "impacts", "stabilisation"].contains(&word)
 }
 
 /// Behind `param k:`, `in`, and an operator within a unit.

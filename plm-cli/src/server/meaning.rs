@@ -107,7 +107,7 @@ fn of_word<'a>(declaration: &Declaration, word: &str) -> Option<Meaning<'a>> {
 /// Text of a hover, in Markdown, and the range that it belongs to.
 pub(super) fn hover(document: &Document, at: usize) -> Option<(String, Range<usize>)> {
     let (meaning, word, declaration) = meaning(document, at)?;
-    let code = |written: &str| format!("```plm\n{written}\n```\n");
+    let code = |written: &str| format!("```plm\n{written}\n```");
     let mut lines = match &meaning {
         Meaning::Name(name) => vec![code(&name.written), name.docs.clone()],
         Meaning::MemberOfFrame => vec![code(&word.written)],
@@ -115,7 +115,9 @@ pub(super) fn hover(document: &Document, at: usize) -> Option<(String, Range<usi
         Meaning::Part(part) => vec![code(&part.head), part.docs.clone()],
         Meaning::Word(text) => vec![text.clone()],
     };
-    let has_value = !matches!(meaning, Meaning::Part(_) | Meaning::Word(_));
+    // Within the definition of a part a name has a value for each use.
+    let has_value =
+        !matches!(meaning, Meaning::Part(_) | Meaning::Word(_)) && !declaration.names.is_in_part(at);
     let full = match &meaning {
         Meaning::Name(Name { owner: Some(owner), text, .. }) => format!("{owner}.{text}.position"),
         // The field of a part in use.

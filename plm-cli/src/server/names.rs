@@ -88,6 +88,11 @@ impl Names {
         names.filter(|name| name.scope.contains(&at)).min_by_key(|name| name.scope.len())
     }
 
+    /// Is a place within the definition of a part?
+    pub(super) fn is_in_part(&self, at: usize) -> bool {
+        self.all.iter().any(|name| name.kind == Kind::Definition && name.item.contains(&at))
+    }
+
     /// A port by its owner.
     pub(super) fn port(&self, owner: &str, port: &str) -> Option<&Name> {
         self.all.iter().find(|name| name.owner.as_deref() == Some(owner) && name.text == port)

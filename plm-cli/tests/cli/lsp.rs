@@ -227,7 +227,7 @@ fn a_hover_tells_value_unit_and_documentation() {
     let shown = client.hover("length/2", "length");
     assert_eq!(
         shown,
-        "```plm\nparam length: cm = 80 cm;\n```\n\n\nLength of the bar.\n\nAt the start: `80 cm`"
+        "```plm\nparam length: cm = 80 cm;\n```\n\nLength of the bar.\n\nAt the start: `80 cm`"
     );
     assert!(client.hover("half);", "half").contains("At the start: `0.4 m`"));
     // The tip of a bar that was turned by 30 degrees about a pin at the origin: 0.8 m (sin 30 deg, -cos 30 deg).
@@ -239,10 +239,13 @@ fn a_hover_tells_value_unit_and_documentation() {
     assert!(shown.contains("positive to the left") && shown.contains("At the start: `0 N*m`"), "{shown}");
     assert!(client.hover("low.pulls", "pulls").contains("At the start: `2 N`"));
     assert!(
-        client.hover("magnet low", "magnet").contains("part magnet(a: frame)\n```\n\n\nA magnet of its own.")
+        client.hover("magnet low", "magnet").contains("part magnet(a: frame)\n```\n\nA magnet of its own.")
     );
     assert!(client.hover("revolute hinge", "revolute").contains("joint revolute(a: frame, b: frame)"));
     assert!(client.hover("cm = 80", "cm").contains("the centimetre, a unit: 1 cm = 0.01 m"));
+    // A part has its values for each use.
+    let shown = client.hover("pull: N = 1 N", "pull");
+    assert!(shown.contains("param pull: N = 1 N;") && !shown.contains("At the start"), "{shown}");
     assert!(client.hover("rod(2", "rod").contains("a function: `rod(…)`"));
     assert_eq!(client.hover("/// Length of", "Length"), "");
     client.stop();
@@ -295,6 +298,9 @@ fn completion_knows_what_may_stand_there() {
     );
     has("2 kg; inertia", "2 ", &["kg", "gram", "m"], &["hinge"]);
     has("2 kg; inertia", "2 kg*", &["m", "s"], &["hinge"]);
+    has("(0, half);", "(0, half) ", &["m", "half"], &["mass"]);
+    has("start angle", "start an", &["angle", "omega"], &["kg"]);
+    has("gravity: 9.81 m/s^2;", "formulation: ", &["tree", "absolute"], &["sin"]);
     has("length: cm", "length: ", &["cm", "N"], &["sin"]);
     has("angle in deg", "angle in ", &["deg", "rad"], &["sin"]);
     has("length/2", "le", &["length", "half", "bar", "sin", "pi", "ground"], &["pull", "kg"]);
