@@ -15,41 +15,48 @@ pub(crate) struct Checked {
     pub(crate) expansion: Expansion,
 }
 
-/// Declarations of a file after their compilation.
-#[derive(Debug, Default)]
+/// Declarations of a file.
+#[derive(Debug)]
 pub(crate) struct Declarations {
-    /// Those that could be compiled.
-    pub(crate) checked: Vec<Checked>,
-    /// Those that rustc alone can read: a message each.
+    name: String,
+    /// Its text; lines end as on Unix.
+    text: String,
+    found: Vec<Excerpt>,
+    /// Those that are not compiled: a message each.
     pub(crate) left_out: Vec<String>,
-    /// Bugs of the compiler: a message each.
-    pub(crate) bugs: Vec<String>,
 }
 
-/// Compiles all declarations of a text; its name says what it is, and where the files are that it names.
-pub(crate) fn declarations(name: &str, text: &str) -> Declarations {
-    let text = &text.replace("\r\n", "\n");
-    let Excerpts { found, elsewhere } = excerpts(name, text);
-    let mut declarations = Declarations::default();
-    for excerpt in &found {
-        match without_panic(|| checked(name, text, excerpt)) {
-            Ok(checked) => declarations.checked.push(checked),
-            Err(what) => declarations.bugs.push(format!("{name}: {}", bug_message(&what))),
-        }
+impl Declarations {
+    /// The declarations of a text; its name says what it is, and where the files are that it names.
+    pub(crate) fn new(name: &str, text: &str) -> Declarations {
+        let text = text.replace("\r\n", "\n");
+        let Excerpts { found, left_out } = excerpts(name, &text);
+        let message = |(at, why): (usize, String)| {
+            format!("{name}:{}: not checked: {why}", text[..at].matches('\n').count() + 1)
+        };
+        let left_out = left_out.into_iter().map(message).collect();
+        Declarations { name: name.to_owned(), text, found, left_out }
     }
-    for (range, path) in elsewhere {
-        let line = text[..range.start].matches('\n').count() + 1;
-        declarations
-            .left_out
-            .push(format!("{name}:{line}: not checked: the parts of `use {path};` stand in another file"));
+
+    /// Has the file none?
+    pub(crate) fn is_empty(&self) -> bool {
+        self.found.is_empty() && self.left_out.is_empty()
     }
-    declarations
+
+    /// Compiles one after the other; a bug of the compiler is a message.
+    pub(crate) fn compiled(&self) -> impl Iterator<Item = Result<Checked, String>> {
+        self.found.iter().map(|excerpt| {
+            let masked = excerpt.masked(&self.text);
+            let compiled = without_panic(|| checked(&self.name, &self.text, masked.as_deref()));
+            compiled.map_err(|what| format!("{}: {}", self.name, bug_message(&what)))
+        })
+    }
 }
 
-/// Compiles one declaration of a text, whose lines end as on Unix.
-pub(crate) fn checked(name: &str, text: &str, excerpt: &Excerpt) -> Checked {
+/// Compiles one declaration of a text, whose lines end as on Unix; `masked` is that of its excerpt.
+pub(crate) fn checked(name: &str, text: &str, masked: Option<&str>) -> Checked {
     let mut sources = Sources::new();
-    match &excerpt.masked {
+    match masked {
         Some(masked) => sources.add_excerpt(name, text, masked),
         None => sources.add_text(name, text),
     };

@@ -11,17 +11,27 @@ use crate::lexer::{Kind, Token, tokens};
 pub(crate) struct Excerpt {
     /// Where it stands, without the brackets of a macro.
     pub(crate) range: Range<usize>,
-    /// The file with a blank for each byte of what does not belong to the declaration; `None` where the file is the declaration.
-    pub(crate) masked: Option<String>,
+    /// What of a Rust file belongs to it; `None` where the file is the declaration.
+    kept: Option<Vec<Range<usize>>>,
 }
 
-/// What stands in a Rust file.
+impl Excerpt {
+    /// The file with a blank for each byte of what does not belong to the declaration; `None` where the file is the declaration.
+    pub(crate) fn masked(&self, text: &str) -> Option<String> {
+        self.kept.as_ref().map(|kept| masked(text, kept))
+    }
+}
+
+/// Declarations of a file that are read.
+const MOST: usize = 500;
+
+/// Declarations of a file.
 #[derive(Debug, Default)]
 pub(crate) struct Excerpts {
-    /// The declarations, in their order.
+    /// Those that can be read, in their order.
     pub(crate) found: Vec<Excerpt>,
-    /// Declarations that use parts of another file, each with its path: rustc alone can find them.
-    pub(crate) elsewhere: Vec<(Range<usize>, String)>,
+    /// Others, each with its place and the reason.
+    pub(crate) left_out: Vec<(usize, String)>,
 }
 
 /// Is a file of this name Rust?
@@ -32,25 +42,30 @@ pub(crate) fn is_rust(name: &str) -> bool {
 /// The declarations of a file, by its name. Lines of the text end as on Unix.
 pub(crate) fn excerpts(name: &str, text: &str) -> Excerpts {
     if !is_rust(name) {
-        let whole = Excerpt { range: 0..text.len(), masked: None };
-        return Excerpts { found: vec![whole], elsewhere: Vec::new() };
+        let whole = Excerpt { range: 0..text.len(), kept: None };
+        return Excerpts { found: vec![whole], left_out: Vec::new() };
     }
-    let rust =
-        Rust { text, tokens: tokens(text).into_iter().filter(|token| !token.kind.is_comment()).collect() };
+    let rust = Rust::new(text);
+    let (calls, shared) = (rust.calls("mechanism"), rust.shared());
     let mut excerpts = Excerpts::default();
-    for call in rust.calls("mechanism") {
-        match rust.excerpt(&call) {
+    for call in calls.iter().take(MOST) {
+        match rust.excerpt(call, &shared) {
             Ok(excerpt) => excerpts.found.push(excerpt),
-            Err(path) => excerpts.elsewhere.push((call.inside, path)),
+            Err(path) => {
+                let why = format!("the parts of `use {path};` stand in another file");
+                excerpts.left_out.push((call.inside.start, why));
+            }
         }
+    }
+    if let Some(call) = calls.get(MOST) {
+        excerpts.left_out.push((call.inside.start, format!("more than {MOST} declarations in a file")));
     }
     excerpts
 }
 
 /// Contents of the calls of `mechanism!` and of `parts!` in a Rust file, in their order.
 pub(crate) fn calls(text: &str) -> Vec<Range<usize>> {
-    let rust =
-        Rust { text, tokens: tokens(text).into_iter().filter(|token| !token.kind.is_comment()).collect() };
+    let rust = Rust::new(text);
     let mut calls = [rust.calls("mechanism"), rust.calls("parts")].concat();
     calls.sort_by_key(|call| call.inside.start);
     calls.into_iter().map(|call| call.inside).collect()
@@ -61,6 +76,9 @@ struct Rust<'a> {
     text: &'a str,
     tokens: Vec<Token>,
 }
+
+/// Definitions by the name of their `parts!`.
+type Shared<'a> = BTreeMap<&'a str, Vec<Range<usize>>>;
 
 /// A call of a macro.
 #[derive(Clone)]
@@ -74,6 +92,10 @@ struct Call {
 }
 
 impl Rust<'_> {
+    fn new(text: &str) -> Rust<'_> {
+        Rust { text, tokens: tokens(text).into_iter().filter(|token| !token.kind.is_comment()).collect() }
+    }
+
     fn is(&self, at: usize, word: &str) -> bool {
         self.tokens.get(at).is_some_and(|token| token.text(self.text) == word)
     }
@@ -125,23 +147,23 @@ impl Rust<'_> {
     }
 
     /// The declaration of a call, with the parts of this file that it uses; else the path of those that are not in front of it.
-    fn excerpt(&self, call: &Call) -> Result<Excerpt, String> {
+    fn excerpt(&self, call: &Call, shared: &Shared) -> Result<Excerpt, String> {
         let (first, mut begin, mut kept) = (call.tokens.start, call.inside.start, Vec::new());
         if self.is(first, "use") {
             let end = call.tokens.clone().find(|at| self.is(*at, ";")).unwrap_or(call.tokens.end);
             let path: String =
                 self.tokens[first + 1..end].iter().map(|token| token.text(self.text)).collect();
             let name = ["crate::", "self::"].iter().find_map(|home| path.strip_prefix(home)).unwrap_or(&path);
-            let shared = self.shared().remove(name).filter(|parts| parts.iter().all(|part| part.end < begin));
-            kept = shared.ok_or_else(|| path.clone())?;
+            let parts = shared.get(name).filter(|parts| parts.iter().all(|part| part.end < begin));
+            kept.clone_from(parts.ok_or_else(|| path.clone())?);
             begin = self.tokens.get(end).map_or(call.inside.end, |token| token.range.end);
         }
         kept.push(begin..call.inside.end);
-        Ok(Excerpt { range: call.inside.clone(), masked: Some(masked(self.text, &kept)) })
+        Ok(Excerpt { range: call.inside.clone(), kept: Some(kept) })
     }
 
     /// Of each `parts! { pub name { … } }`: the word and the definitions in their brackets, as a declaration has them in front.
-    fn shared(&self) -> BTreeMap<&str, Vec<Range<usize>>> {
+    fn shared(&self) -> Shared<'_> {
         let mut shared = BTreeMap::new();
         for call in self.calls("parts") {
             let Some(open) = call.tokens.clone().find(|at| self.is(*at, "{")) else { continue };
@@ -176,7 +198,7 @@ mod tests {
 
     /// The declarations of a Rust file without blanks.
     fn found(text: &str) -> Vec<String> {
-        let masked = excerpts("a.rs", text).found.into_iter().filter_map(|excerpt| excerpt.masked);
+        let masked = excerpts("a.rs", text).found.into_iter().filter_map(|excerpt| excerpt.masked(text));
         masked
             .inspect(|masked| assert_eq!(masked.len(), text.len()))
             .map(|masked| masked.split_whitespace().collect::<Vec<_>>().join(" "))
@@ -202,7 +224,8 @@ mod tests {
     fn parts_of_the_same_file_stand_in_front() {
         let text = "plm::parts! { /// Doc.\n pub valves { part a() { } } }\nmechanism! { use valves; /// M.\n pub M { } }";
         assert_eq!(found(text), ["parts { part a() { } } /// M. pub M { }"]);
-        let elsewhere = excerpts("a.rs", "mechanism! { use other::valves; pub M { } }").elsewhere;
-        assert_eq!(elsewhere.first().map(|(_, path)| path.as_str()), Some("other::valves"));
+        let left_out = excerpts("a.rs", "mechanism! { use other::valves; pub M { } }").left_out;
+        assert_eq!(left_out, [(12, "the parts of `use other::valves;` stand in another file".to_owned())]);
+        assert_eq!(excerpts("a.rs", &"mechanism!{}".repeat(600)).left_out.len(), 1);
     }
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::excerpt::is_rust;
 
 /// More than any declaration has: the compiler's own library is a tenth of it.
-const LARGEST: u64 = 4 << 20;
+pub(crate) const LARGEST: u64 = 4 << 20;
 
 /// A text and its name.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
-use crate::checked::{Declarations, declarations};
+use crate::checked::{Checked, Declarations};
 use crate::json;
 use crate::read::{self, File};
 
@@ -30,22 +30,29 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
 }
 
 fn check(file: &File, is_json: bool, streams: &mut Streams) -> Result<Outcome, Failure> {
-    let Declarations { checked, left_out, bugs } = declarations(&file.name, &file.text);
-    let mut outcome = if bugs.is_empty() { Outcome::Good } else { Outcome::Failed };
-    for declaration in &checked {
-        let diagnostics = &declaration.expansion.diagnostics;
-        for diagnostic in diagnostics.sorted() {
+    let declarations = Declarations::new(&file.name, &file.text);
+    let mut outcome = Outcome::Good;
+    for declaration in declarations.compiled() {
+        let Checked { sources, expansion } = match declaration {
+            Ok(declaration) => declaration,
+            Err(bug) => {
+                writeln!(streams.errors, "plm: {bug}")?;
+                outcome = Outcome::Failed;
+                continue;
+            }
+        };
+        for diagnostic in expansion.diagnostics.sorted() {
             if is_json {
-                writeln!(streams.output, "{}", json::message(diagnostic, &declaration.sources, &file.text))?;
+                writeln!(streams.output, "{}", json::message(diagnostic, &sources, &file.text))?;
             } else {
-                writeln!(streams.errors, "{}", diagnostic.render(&declaration.sources))?;
+                writeln!(streams.errors, "{}", diagnostic.render(&sources))?;
             }
         }
-        if diagnostics.has_errors() {
+        if expansion.diagnostics.has_errors() {
             outcome = outcome.max(Outcome::Wrong);
         }
     }
-    for what in left_out.into_iter().chain(bugs) {
+    for what in &declarations.left_out {
         writeln!(streams.errors, "plm: {what}")?;
     }
     Ok(outcome)

@@ -2,7 +2,7 @@
 
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
-use crate::checked::{Checked, declarations};
+use crate::checked::{Checked, Declarations};
 use crate::read;
 
 pub(super) const EXPAND: Command = Command {
@@ -28,22 +28,23 @@ pub(super) const REPORT: Command = Command {
 /// Writes something of every declaration of a file without errors; diagnostics go to the messages.
 fn run(words: Words, streams: &mut Streams, of: fn(&Checked) -> Option<String>) -> Result<Outcome, Failure> {
     let file = read::file(&words.file()?, streams.input)?;
-    let found = declarations(&file.name, &file.text);
-    if found.checked.is_empty() && found.left_out.is_empty() && found.bugs.is_empty() {
+    let found = Declarations::new(&file.name, &file.text);
+    if found.is_empty() {
         return Err(format!("{}: there is no `mechanism!` in it", file.name).into());
     }
-    let mut outcome = if found.bugs.is_empty() { Outcome::Good } else { Outcome::Failed };
-    for declaration in &found.checked {
+    let mut outcome = Outcome::Good;
+    for declaration in found.compiled() {
+        let declaration = declaration?;
         let diagnostics = &declaration.expansion.diagnostics;
         for diagnostic in diagnostics.sorted() {
             writeln!(streams.errors, "{}", diagnostic.render(&declaration.sources))?;
         }
-        match of(declaration).filter(|_| !diagnostics.has_errors()) {
+        match of(&declaration).filter(|_| !diagnostics.has_errors()) {
             Some(text) => writeln!(streams.output, "{text}")?,
-            None => outcome = outcome.max(Outcome::Wrong),
+            None => outcome = Outcome::Wrong,
         }
     }
-    for what in found.left_out.into_iter().chain(found.bugs) {
+    for what in &found.left_out {
         writeln!(streams.errors, "plm: {what}")?;
     }
     Ok(outcome)

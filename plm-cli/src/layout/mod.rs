@@ -59,13 +59,12 @@ fn laid_out(text: &str, range: Range<usize>, indent: usize) -> Result<String, St
     let mut spacing = Spacing::default();
     let mut end = 0;
     let units = spacing::units(part, &all);
-    for (index, unit) in units.iter().enumerate() {
+    let goes_on = goes_on(part, &units);
+    for (unit, goes_on) in units.iter().zip(goes_on) {
         let gap = &part[end..unit.range.start];
         let breaks = gap.matches('\n').count();
         let is_apart = spacing.take(part, unit, !gap.is_empty(), lines.begins_line(breaks));
-        // An item ends with its `}` unless it goes on behind the comments.
-        let code = units[index..].iter().find(|unit| !unit.kind.is_comment());
-        if !code.is_some_and(|unit| ["else", ";"].contains(&unit.text(part))) {
+        if !goes_on {
             lines.end_item();
         }
         lines.push(unit.text(part), unit.kind, breaks, is_apart);
@@ -77,6 +76,19 @@ fn laid_out(text: &str, range: Range<usize>, indent: usize) -> Result<String, St
     } else {
         Err("this is a bug in plm: the layout has other tokens".to_owned())
     }
+}
+
+/// Whether an item that ended with `}` goes on here, with `else` or `;` behind comments.
+fn goes_on(text: &str, units: &[spacing::Unit]) -> Vec<bool> {
+    let (mut goes_on, mut all) = (false, Vec::new());
+    for unit in units.iter().rev() {
+        if !unit.kind.is_comment() {
+            goes_on = ["else", ";"].contains(&unit.text(text));
+        }
+        all.push(goes_on);
+    }
+    all.reverse();
+    all
 }
 
 /// Have two texts the same tokens and comments?

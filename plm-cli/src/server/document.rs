@@ -13,6 +13,7 @@ use super::text;
 use crate::checked::{Checked, checked};
 use crate::excerpt::{Excerpt, excerpts};
 use crate::json::as_declared;
+use crate::read::LARGEST;
 
 /// A declaration of a text.
 pub(super) struct Declaration {
@@ -46,7 +47,8 @@ pub(super) struct Problem {
 impl Document {
     pub(super) fn new(uri: &str, original: String) -> Document {
         let (name, text) = (text::path(uri), original.replace("\r\n", "\n"));
-        let found = excerpts(&name, &text).found;
+        let is_small = text.len() as u64 <= LARGEST;
+        let found = if is_small { excerpts(&name, &text).found } else { Vec::new() };
         let declaration = |excerpt: Excerpt| Declaration {
             names: without_panic(|| Names::new(&name, &text, &excerpt)).unwrap_or_default(),
             excerpt,
@@ -65,7 +67,9 @@ impl Document {
     pub(super) fn check(&mut self) -> Vec<Value> {
         let mut problems = Vec::new();
         for declaration in &self.declarations {
-            let compiled = without_panic(|| checked(&self.name, &self.text, &declaration.excerpt));
+            let compiled = without_panic(|| {
+                checked(&self.name, &self.text, declaration.excerpt.masked(&self.text).as_deref())
+            });
             let Ok(Checked { sources, expansion }) = compiled else { continue };
             problems.extend(expansion.diagnostics.sorted().into_iter().map(|of| self.problem(of, &sources)));
         }
@@ -120,12 +124,11 @@ impl Document {
 
     /// The values with further items at the end of a mechanism.
     fn compiled_with(&self, declaration: &Declaration, more: &str) -> Option<Vec<StartValue>> {
-        let Excerpt { range, masked } = &declaration.excerpt;
+        let range = &declaration.excerpt.range;
         let end = range.start + self.text.get(range.clone())?.rfind('}')?;
         let insert = |text: &str| [&text[..end], more, &text[end..]].concat();
-        let (text, masked) = (insert(&self.text), masked.as_deref().map(insert));
-        let excerpt = Excerpt { range: range.start..range.end + more.len(), masked };
-        let compiled = without_panic(|| checked(&self.name, &text, &excerpt)).ok()?;
+        let masked = declaration.excerpt.masked(&self.text).as_deref().map(insert);
+        let compiled = without_panic(|| checked(&self.name, &insert(&self.text), masked.as_deref())).ok()?;
         let oracle = compiled.expansion.oracle?;
         without_panic(|| oracle.start_values()).ok()
     }

@@ -63,7 +63,7 @@ impl Names {
     /// The names of a declaration, as far as it can be read.
     pub(super) fn new(name: &str, text: &str, excerpt: &Excerpt) -> Names {
         let mut sources = Sources::new();
-        let id = match &excerpt.masked {
+        let id = match &excerpt.masked(text) {
             Some(masked) => sources.add_excerpt(name, text, masked),
             None => sources.add_text(name, text),
         };

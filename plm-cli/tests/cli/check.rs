@@ -77,6 +77,7 @@ fn hostile_input_is_answered_with_a_message() {
     fs::write(folder.join("deep.rs"), format!("mechanism! {{ pub P {{ let a = {}", "(".repeat(100_000)))
         .unwrap();
     fs::write(folder.join("garbage.plm"), "§'\"}])\\ 0bar ".repeat(20_000)).unwrap();
+    fs::write(folder.join("escaped.plm"), "\\\"".repeat(200_000)).unwrap();
     fs::write(folder.join("outside.plm"), "pub P { body b { contour: \"/dev/zero\"; } }").unwrap();
     for (file, code, message) in [
         ("latin.plm", 2, "plm: latin.plm: is not UTF-8 at byte 12"),
@@ -86,6 +87,7 @@ fn hostile_input_is_answered_with_a_message() {
         ("deep.plm", 1, "error[E01"),
         ("deep.rs", 1, "error[E01"),
         ("garbage.plm", 1, "error[E01"),
+        ("escaped.plm", 1, "error[E01"),
         ("outside.plm", 1, "error[E04"),
     ] {
         let said = plm_in(&folder, &["check", file], b"");

@@ -163,6 +163,9 @@ fn what_cannot_be_laid_out_is_left_as_it_is() {
     );
     assert_eq!(fs::read_to_string(folder.join("wrong.plm")).unwrap(), wrong);
     assert_eq!(fs::read_to_string(folder.join("loose.plm")).unwrap(), "pub P {}\n");
+    // Time grows with the length alone.
+    fs::write(folder.join("comments.plm"), "//\n".repeat(200_000)).unwrap();
+    assert_eq!(plm_in(&folder, &["fmt", "--check", "comments.plm"], b"").code, 0);
     let said = plm_in(&folder, &["fmt", "--check", "-"], b"pub P{}");
     assert_eq!((said.code, said.output.as_str()), (1, "<stdin>\n"));
 }
