@@ -27,16 +27,16 @@ pub use crate::{Assembly, BodyState, Described, Observed, Operations};
 
 pub mod absolute {
     pub use crate::absolute::{
-        Absolute, Acceleration, Branch, Conditional, Crossing, accelerate, assemble, assemble_held, balance,
-        check_carried, drift, flat_part, join, jump, opening, phi_q_matrix, project_state, renew, residuals,
-        split,
+        Absolute, Acceleration, Branch, Conditional, Crossing, Layout, accelerate, assemble, assemble_held,
+        balance, check_carried, drift, flat_part, join, jump, opening, phi_q_matrix, project_state, renew,
+        residuals, split,
     };
 }
 
 pub mod charts {
     pub use crate::charts::{
-        Charted, Continuation, ContinuationData, OfLoops, Revolutions, are_calm, are_short, crossed, enter,
-        flat_part, full, hold, is_calm, is_free, look, name_of, not_regular, pose, update,
+        Charted, Charts, Continuation, ContinuationData, OfLoops, Revolutions, are_calm, are_short, crossed,
+        enter, flat_part, full, hold, is_calm, is_free, look, name_of, not_regular, pose, update,
     };
 }
 

@@ -57,7 +57,7 @@ impl Least {
 ///
 /// # Errors
 /// [`Cause::NotAllowed`] for the first one that is outside of them.
-pub fn check<S: Real, const N: usize>(t: S, values: &[S; N], limits: &[Limit; N]) -> Result<(), Fault> {
+pub fn check<S: Real>(t: S, values: &[S], limits: &[Limit]) -> Result<(), Fault> {
     match values.iter().zip(limits).find(|(value, limit)| !limit.least.allows(**value)) {
         None => Ok(()),
         Some((value, limit)) => Err(refused(t, limit, limit.least.wanted(), *value)),
@@ -68,9 +68,9 @@ pub fn check<S: Real, const N: usize>(t: S, values: &[S; N], limits: &[Limit; N]
 ///
 /// # Errors
 /// [`Cause::NotAllowed`] for the first one.
-pub fn check_numbers<S: Real, const N: usize>(
+pub fn check_numbers<S: Real>(
     t: S,
-    parameters: [(&'static str, &'static str, S); N],
+    parameters: impl IntoIterator<Item = (&'static str, &'static str, S)>,
 ) -> Result<(), Fault> {
     // What is not a number does not equal itself; infinity is a number that a limit of a force may well have.
     match parameters.into_iter().find(|(.., value)| value.partial_cmp(value).is_none()) {

@@ -635,6 +635,13 @@ mod plm_arm_on_jack_ {
         }
 
         impl<S: Scalar> ArmOnJack<S> {
+            const LAYOUT_: absolute::Layout = absolute::Layout {
+                rows: const { &["hinge.x", "hinge.y"] },
+                parts: const { &["hinge", "hinge"] },
+                coordinates: const { &["arm.x", "arm.y", "arm.angle"] },
+                angular: &[false; 2],
+                given_angles: &[true; 1],
+            };
             /// The derivatives of phi by q: the entries that are not zero, row by row.
             ///
             /// 2 mul, 1 sin_cos.
@@ -652,11 +659,10 @@ mod plm_arm_on_jack_ {
 
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for ArmOnJack<S> {
-            const ROWS: [&'static str; 2] = ["hinge.x", "hinge.y"];
-            const PARTS: [&'static str; 2] = ["hinge", "hinge"];
-            const COORDINATES: [&'static str; 3] = ["arm.x", "arm.y", "arm.angle"];
-            const ANGULAR: [bool; 2] = [false; 2];
-            const GIVEN_ANGLES: &'static [bool] = &[true; 1];
+            fn layout(&self) -> &'static absolute::Layout {
+                const { &Self::LAYOUT_ }
+            }
+
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 2 add, 2 mul, 1 sin_cos.
@@ -1305,9 +1311,8 @@ mod plm_arm_on_jack_ {
             type Full = [S; 14];
             type Rows = [S; 2];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] =
-                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
-            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
+            const COORDINATES: &'static [&'static str] = Self::LAYOUT_.coordinates;
+            const ROWS: &'static [&'static str] = Self::LAYOUT_.rows;
             const STATES: &'static [(&'static str, &'static str)] = &[
                 ("press.chamber1.pressure", "Pa"),
                 ("press.chamber2.pressure", "Pa"),

@@ -522,6 +522,13 @@ mod plm_bouncer_ {
         }
 
         impl<S: Scalar> Bouncer<S> {
+            const LAYOUT_: absolute::Layout = absolute::Layout {
+                rows: const { &["rail.normal", "rail.angle", "other.normal", "other.angle"] },
+                parts: const { &["rail", "rail", "other", "other"] },
+                coordinates: const { &["block.x", "block.y", "block.angle", "clock.x", "clock.y", "clock.angle"] },
+                angular: &[false, true, false, true],
+                given_angles: &[],
+            };
             /// The derivatives of phi by q: the entries that are not zero, row by row.
             #[cold]
             fn phi_q_entries(&self, t: S, q: &[S; 6], phi_q: &mut [S; 4]) {
@@ -535,11 +542,10 @@ mod plm_bouncer_ {
 
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for Bouncer<S> {
-            const ROWS: [&'static str; 4] = ["rail.normal", "rail.angle", "other.normal", "other.angle"];
-            const PARTS: [&'static str; 4] = ["rail", "rail", "other", "other"];
-            const COORDINATES: [&'static str; 6] =
-                ["block.x", "block.y", "block.angle", "clock.x", "clock.y", "clock.angle"];
-            const ANGULAR: [bool; 4] = [false, true, false, true];
+            fn layout(&self) -> &'static absolute::Layout {
+                const { &Self::LAYOUT_ }
+            }
+
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 4 neg.
@@ -999,9 +1005,8 @@ mod plm_bouncer_ {
             type Full = [S; 12];
             type Rows = [S; 4];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] =
-                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
-            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
+            const COORDINATES: &'static [&'static str] = Self::LAYOUT_.coordinates;
+            const ROWS: &'static [&'static str] = Self::LAYOUT_.rows;
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 12] {
                 state.absolute_()

@@ -607,6 +607,41 @@ mod plm_chain_ {
         }
 
         impl<S: Scalar> Chain<S> {
+            const LAYOUT_: absolute::Layout = absolute::Layout {
+                rows: const {
+                    &[
+                        "first.x", "first.y", "pin[1].x", "pin[1].y", "pin[2].x", "pin[2].y", "pin[3].x",
+                        "pin[3].y", "pin[4].x", "pin[4].y",
+                    ]
+                },
+                parts: const {
+                    &[
+                        "first", "first", "pin[1]", "pin[1]", "pin[2]", "pin[2]", "pin[3]", "pin[3]",
+                        "pin[4]", "pin[4]",
+                    ]
+                },
+                coordinates: const {
+                    &[
+                        "bar[0].x",
+                        "bar[0].y",
+                        "bar[0].angle",
+                        "bar[1].x",
+                        "bar[1].y",
+                        "bar[1].angle",
+                        "bar[2].x",
+                        "bar[2].y",
+                        "bar[2].angle",
+                        "bar[3].x",
+                        "bar[3].y",
+                        "bar[3].angle",
+                        "bar[4].x",
+                        "bar[4].y",
+                        "bar[4].angle",
+                    ]
+                },
+                angular: &[false; 10],
+                given_angles: &[true; 5],
+            };
             /// The derivatives of phi by q: the entries that are not zero, row by row.
             ///
             /// 10 mul, 5 sin_cos.
@@ -672,33 +707,10 @@ mod plm_chain_ {
 
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for Chain<S> {
-            const ROWS: [&'static str; 10] = [
-                "first.x", "first.y", "pin[1].x", "pin[1].y", "pin[2].x", "pin[2].y", "pin[3].x", "pin[3].y",
-                "pin[4].x", "pin[4].y",
-            ];
-            const PARTS: [&'static str; 10] = [
-                "first", "first", "pin[1]", "pin[1]", "pin[2]", "pin[2]", "pin[3]", "pin[3]", "pin[4]",
-                "pin[4]",
-            ];
-            const COORDINATES: [&'static str; 15] = [
-                "bar[0].x",
-                "bar[0].y",
-                "bar[0].angle",
-                "bar[1].x",
-                "bar[1].y",
-                "bar[1].angle",
-                "bar[2].x",
-                "bar[2].y",
-                "bar[2].angle",
-                "bar[3].x",
-                "bar[3].y",
-                "bar[3].angle",
-                "bar[4].x",
-                "bar[4].y",
-                "bar[4].angle",
-            ];
-            const ANGULAR: [bool; 10] = [false; 10];
-            const GIVEN_ANGLES: &'static [bool] = &[true; 5];
+            fn layout(&self) -> &'static absolute::Layout {
+                const { &Self::LAYOUT_ }
+            }
+
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 26 add, 10 mul, 5 sin_cos.
@@ -1491,9 +1503,8 @@ mod plm_chain_ {
             type Full = [S; 30];
             type Rows = [S; 10];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] =
-                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
-            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
+            const COORDINATES: &'static [&'static str] = Self::LAYOUT_.coordinates;
+            const ROWS: &'static [&'static str] = Self::LAYOUT_.rows;
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 30] {
                 {

@@ -488,6 +488,13 @@ mod plm_double_pendulum_ {
         }
 
         impl<S: Scalar> DoublePendulum<S> {
+            const LAYOUT_: absolute::Layout = absolute::Layout {
+                rows: const { &["shoulder.x", "shoulder.y", "elbow.x", "elbow.y"] },
+                parts: const { &["shoulder", "shoulder", "elbow", "elbow"] },
+                coordinates: const { &["arm.x", "arm.y", "arm.angle", "forearm.x", "forearm.y", "forearm.angle"] },
+                angular: &[false; 4],
+                given_angles: &[true; 2],
+            };
             /// The derivatives of phi by q: the entries that are not zero, row by row.
             ///
             /// 2 mul, 1 neg, 2 sin_cos.
@@ -516,12 +523,10 @@ mod plm_double_pendulum_ {
 
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for DoublePendulum<S> {
-            const ROWS: [&'static str; 4] = ["shoulder.x", "shoulder.y", "elbow.x", "elbow.y"];
-            const PARTS: [&'static str; 4] = ["shoulder", "shoulder", "elbow", "elbow"];
-            const COORDINATES: [&'static str; 6] =
-                ["arm.x", "arm.y", "arm.angle", "forearm.x", "forearm.y", "forearm.angle"];
-            const ANGULAR: [bool; 4] = [false; 4];
-            const GIVEN_ANGLES: &'static [bool] = &[true; 2];
+            fn layout(&self) -> &'static absolute::Layout {
+                const { &Self::LAYOUT_ }
+            }
+
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 8 add, 2 mul, 2 sin_cos.
@@ -1029,9 +1034,8 @@ mod plm_double_pendulum_ {
             type Full = [S; 12];
             type Rows = [S; 4];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] =
-                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
-            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
+            const COORDINATES: &'static [&'static str] = Self::LAYOUT_.coordinates;
+            const ROWS: &'static [&'static str] = Self::LAYOUT_.rows;
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 12] {
                 {

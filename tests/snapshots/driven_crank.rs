@@ -351,17 +351,19 @@ mod plm_driven_crank_ {
             type Input = Input<S>;
             type Switches = [S; 0];
             type Turns = [i32; 1];
-            const REVOLUTIONS: &'static [rt::charts::Revolutions] =
-                &[rt::charts::Revolutions { coordinates: &[&[]], angles: &[1], iterated: &[] }];
-            const LOOSE: bool = false;
             type Contact = ();
             type Continuation = rt::charts::Continuation<S, 0, 2, 1, 0>;
             type Q = [S; 9];
-            const CHARTS: usize = 1;
-            const TURNING: &'static [&'static str] = &["crank", "rod"];
-            const FOUND: &'static [&'static [usize]] = &[&[1]];
-            const ITERATED: &'static [&'static str] = &[];
-            const CLOSING: &'static [&'static [&'static str]] = &[&["guide"]];
+            const CHARTS: rt::charts::Charts = rt::charts::Charts {
+                count: 1,
+                revolutions: &[rt::charts::Revolutions { coordinates: &[&[]], angles: &[1], iterated: &[] }],
+                is_loose: false,
+                turning: &["crank", "rod"],
+                found: &[&[1]],
+                iterated: &[],
+                closing: &[&["guide"]],
+            };
+
             fn pose(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 9], [S; 9], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 9], [S::lit(0.0); 9]);
                 let measure = match &held.of_loops {
@@ -498,7 +500,11 @@ mod plm_driven_crank_ {
                 extended.dynamics(t, u, x, dx, &mut lambda);
             }
 
-            const CHARTED: bool = true;
+            #[inline]
+            fn is_charted(&self) -> bool {
+                true
+            }
+
             #[inline]
             fn crossed(&self, held: &Self::U, before: &Self::X, x: &Self::X) -> S {
                 rt::charts::crossed(self, held, before, x)
@@ -632,10 +638,7 @@ mod plm_driven_crank_ {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 0];
                 if assembly.redundant.contains(&true) {
-                    let joints = rt::Names::marked(
-                        &<Self as absolute::Absolute<S, NQ, NC>>::PARTS,
-                        &assembly.redundant,
-                    );
+                    let joints = rt::Names::marked(Self::LAYOUT_.parts, &assembly.redundant);
                     return Err(Fault::new(rt::Scalar::to_f64(t), rt::Cause::Repeats { joints }));
                 }
                 let mut held = Self::holding_(input);
@@ -645,6 +648,49 @@ mod plm_driven_crank_ {
         }
 
         impl<S: Scalar> DrivenCrank<S> {
+            const LAYOUT_: absolute::Layout = absolute::Layout {
+                rows: const {
+                    &[
+                        "drive.x",
+                        "drive.y",
+                        "crank_pin.x",
+                        "crank_pin.y",
+                        "wrist_pin.x",
+                        "wrist_pin.y",
+                        "guide.normal",
+                        "guide.angle",
+                        "turns",
+                    ]
+                },
+                parts: const {
+                    &[
+                        "drive",
+                        "drive",
+                        "crank_pin",
+                        "crank_pin",
+                        "wrist_pin",
+                        "wrist_pin",
+                        "guide",
+                        "guide",
+                        "turns",
+                    ]
+                },
+                coordinates: const {
+                    &[
+                        "crank.x",
+                        "crank.y",
+                        "crank.angle",
+                        "rod.x",
+                        "rod.y",
+                        "rod.angle",
+                        "slider.x",
+                        "slider.y",
+                        "slider.angle",
+                    ]
+                },
+                angular: &[false, false, false, false, false, false, false, true, true],
+                given_angles: &[true, true, false],
+            };
             /// The derivatives of phi by q: the entries that are not zero, row by row.
             ///
             /// 4 mul, 2 sin_cos.
@@ -684,41 +730,10 @@ mod plm_driven_crank_ {
 
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for DrivenCrank<S> {
-            const ROWS: [&'static str; 9] = [
-                "drive.x",
-                "drive.y",
-                "crank_pin.x",
-                "crank_pin.y",
-                "wrist_pin.x",
-                "wrist_pin.y",
-                "guide.normal",
-                "guide.angle",
-                "turns",
-            ];
-            const PARTS: [&'static str; 9] = [
-                "drive",
-                "drive",
-                "crank_pin",
-                "crank_pin",
-                "wrist_pin",
-                "wrist_pin",
-                "guide",
-                "guide",
-                "turns",
-            ];
-            const COORDINATES: [&'static str; 9] = [
-                "crank.x",
-                "crank.y",
-                "crank.angle",
-                "rod.x",
-                "rod.y",
-                "rod.angle",
-                "slider.x",
-                "slider.y",
-                "slider.angle",
-            ];
-            const ANGULAR: [bool; 9] = [false, false, false, false, false, false, false, true, true];
-            const GIVEN_ANGLES: &'static [bool] = &[true, true, false];
+            fn layout(&self) -> &'static absolute::Layout {
+                const { &Self::LAYOUT_ }
+            }
+
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 15 add, 7 mul, 2 neg, 3 sin_cos.
@@ -1417,9 +1432,8 @@ mod plm_driven_crank_ {
             type Full = [S; 18];
             type Rows = [S; 9];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] =
-                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
-            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
+            const COORDINATES: &'static [&'static str] = Self::LAYOUT_.coordinates;
+            const ROWS: &'static [&'static str] = Self::LAYOUT_.rows;
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 18] {
                 {

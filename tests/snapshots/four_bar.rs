@@ -360,21 +360,23 @@ mod plm_four_bar_ {
             type Input = Input<S>;
             type Switches = [S; 0];
             type Turns = [i32; 3];
-            const REVOLUTIONS: &'static [rt::charts::Revolutions] = &[
-                rt::charts::Revolutions { coordinates: &[&[0], &[], &[]], angles: &[0], iterated: &[] },
-                rt::charts::Revolutions { coordinates: &[&[], &[], &[0]], angles: &[2], iterated: &[] },
-                rt::charts::Revolutions { coordinates: &[&[], &[0], &[]], angles: &[1], iterated: &[] },
-            ];
-            const LOOSE: bool = false;
             type Contact = ();
             type Continuation = rt::charts::Continuation<S, 1, 3, 1, 0>;
             type Q = [S; 9];
-            const CHARTS: usize = 3;
-            const TURNING: &'static [&'static str] = &["crank", "rocker", "coupler"];
-            const FOUND: &'static [&'static [usize]] = &[&[1, 2], &[0, 2], &[0, 1]];
-            const ITERATED: &'static [&'static str] = &[];
-            const CLOSING: &'static [&'static [&'static str]] =
-                &[&["coupler_rocker"], &["crank_coupler"], &["pivot"]];
+            const CHARTS: rt::charts::Charts = rt::charts::Charts {
+                count: 3,
+                revolutions: &[
+                    rt::charts::Revolutions { coordinates: &[&[0], &[], &[]], angles: &[0], iterated: &[] },
+                    rt::charts::Revolutions { coordinates: &[&[], &[], &[0]], angles: &[2], iterated: &[] },
+                    rt::charts::Revolutions { coordinates: &[&[], &[0], &[]], angles: &[1], iterated: &[] },
+                ],
+                is_loose: false,
+                turning: &["crank", "rocker", "coupler"],
+                found: &[&[1, 2], &[0, 2], &[0, 1]],
+                iterated: &[],
+                closing: &[&["coupler_rocker"], &["crank_coupler"], &["pivot"]],
+            };
+
             fn pose(&self, t: S, held: &Self::U, x: &[S; 2]) -> ([S; 9], [S; 9], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 9], [S::lit(0.0); 9]);
                 let measure = match &held.of_loops {
@@ -676,7 +678,11 @@ mod plm_four_bar_ {
                 extended.dynamics(t, u, x, dx, &mut lambda);
             }
 
-            const CHARTED: bool = true;
+            #[inline]
+            fn is_charted(&self) -> bool {
+                true
+            }
+
             #[inline]
             fn crossed(&self, held: &Self::U, before: &Self::X, x: &Self::X) -> S {
                 rt::charts::crossed(self, held, before, x)
@@ -792,10 +798,7 @@ mod plm_four_bar_ {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 2];
                 if assembly.redundant.contains(&true) {
-                    let joints = rt::Names::marked(
-                        &<Self as absolute::Absolute<S, NQ, NC>>::PARTS,
-                        &assembly.redundant,
-                    );
+                    let joints = rt::Names::marked(Self::LAYOUT_.parts, &assembly.redundant);
                     return Err(Fault::new(rt::Scalar::to_f64(t), rt::Cause::Repeats { joints }));
                 }
                 let mut held = Self::holding_(input);
@@ -805,6 +808,47 @@ mod plm_four_bar_ {
         }
 
         impl<S: Scalar> FourBar<S> {
+            const LAYOUT_: absolute::Layout = absolute::Layout {
+                rows: const {
+                    &[
+                        "drive.x",
+                        "drive.y",
+                        "crank_coupler.x",
+                        "crank_coupler.y",
+                        "coupler_rocker.x",
+                        "coupler_rocker.y",
+                        "pivot.x",
+                        "pivot.y",
+                    ]
+                },
+                parts: const {
+                    &[
+                        "drive",
+                        "drive",
+                        "crank_coupler",
+                        "crank_coupler",
+                        "coupler_rocker",
+                        "coupler_rocker",
+                        "pivot",
+                        "pivot",
+                    ]
+                },
+                coordinates: const {
+                    &[
+                        "crank.x",
+                        "crank.y",
+                        "crank.angle",
+                        "coupler.x",
+                        "coupler.y",
+                        "coupler.angle",
+                        "rocker.x",
+                        "rocker.y",
+                        "rocker.angle",
+                    ]
+                },
+                angular: &[false; 8],
+                given_angles: &[true; 3],
+            };
             /// The derivatives of phi by q: the entries that are not zero, row by row.
             ///
             /// 8 mul, 3 sin_cos.
@@ -851,39 +895,10 @@ mod plm_four_bar_ {
 
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for FourBar<S> {
-            const ROWS: [&'static str; 8] = [
-                "drive.x",
-                "drive.y",
-                "crank_coupler.x",
-                "crank_coupler.y",
-                "coupler_rocker.x",
-                "coupler_rocker.y",
-                "pivot.x",
-                "pivot.y",
-            ];
-            const PARTS: [&'static str; 8] = [
-                "drive",
-                "drive",
-                "crank_coupler",
-                "crank_coupler",
-                "coupler_rocker",
-                "coupler_rocker",
-                "pivot",
-                "pivot",
-            ];
-            const COORDINATES: [&'static str; 9] = [
-                "crank.x",
-                "crank.y",
-                "crank.angle",
-                "coupler.x",
-                "coupler.y",
-                "coupler.angle",
-                "rocker.x",
-                "rocker.y",
-                "rocker.angle",
-            ];
-            const ANGULAR: [bool; 8] = [false; 8];
-            const GIVEN_ANGLES: &'static [bool] = &[true; 3];
+            fn layout(&self) -> &'static absolute::Layout {
+                const { &Self::LAYOUT_ }
+            }
+
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 17 add, 6 mul, 3 sin_cos.
@@ -1585,9 +1600,8 @@ mod plm_four_bar_ {
             type Full = [S; 18];
             type Rows = [S; 8];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] =
-                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
-            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
+            const COORDINATES: &'static [&'static str] = Self::LAYOUT_.coordinates;
+            const ROWS: &'static [&'static str] = Self::LAYOUT_.rows;
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 18] {
                 {

@@ -447,17 +447,19 @@ mod plm_plate_on_three_pins_ {
             type Input = Input<S>;
             type Switches = [S; 0];
             type Turns = [i32; 1];
-            const REVOLUTIONS: &'static [rt::charts::Revolutions] =
-                &[rt::charts::Revolutions { coordinates: &[&[]], angles: &[3], iterated: &[0] }];
-            const LOOSE: bool = false;
             type Contact = ();
             type Continuation = rt::charts::Continuation<S, 0, 4, 1, 4>;
             type Q = [S; 12];
-            const CHARTS: usize = 1;
-            const TURNING: &'static [&'static str] = &["crank[0]", "crank[1]", "crank[2]", "plate"];
-            const FOUND: &'static [&'static [usize]] = &[&[3]];
-            const ITERATED: &'static [&'static str] = &["plate", "slot[0]", "slot[1]", "slot[2]"];
-            const CLOSING: &'static [&'static [&'static str]] = &[&["o[1]"]];
+            const CHARTS: rt::charts::Charts = rt::charts::Charts {
+                count: 1,
+                revolutions: &[rt::charts::Revolutions { coordinates: &[&[]], angles: &[3], iterated: &[0] }],
+                is_loose: false,
+                turning: &["crank[0]", "crank[1]", "crank[2]", "plate"],
+                found: &[&[3]],
+                iterated: &["plate", "slot[0]", "slot[1]", "slot[2]"],
+                closing: &[&["o[1]"]],
+            };
+
             fn pose(&self, t: S, held: &Self::U, x: &[S; 0]) -> ([S; 12], [S; 12], S) {
                 let (mut q, mut v) = ([S::lit(0.0); 12], [S::lit(0.0); 12]);
                 let measure = match &held.of_loops {
@@ -913,7 +915,11 @@ mod plm_plate_on_three_pins_ {
                 extended.dynamics(t, u, x, dx, &mut lambda);
             }
 
-            const CHARTED: bool = true;
+            #[inline]
+            fn is_charted(&self) -> bool {
+                true
+            }
+
             #[inline]
             fn crossed(&self, held: &Self::U, before: &Self::X, x: &Self::X) -> S {
                 rt::charts::crossed(self, held, before, x)
@@ -1029,10 +1035,7 @@ mod plm_plate_on_three_pins_ {
                 let assembly = absolute::assemble(self, t)?;
                 let mut x = [S::lit(0.0); 0];
                 if assembly.redundant.contains(&true) {
-                    let joints = rt::Names::marked(
-                        &<Self as absolute::Absolute<S, NQ, NC>>::PARTS,
-                        &assembly.redundant,
-                    );
+                    let joints = rt::Names::marked(Self::LAYOUT_.parts, &assembly.redundant);
                     return Err(Fault::new(rt::Scalar::to_f64(t), rt::Cause::Repeats { joints }));
                 }
                 let mut held = Self::holding_(input);
@@ -1042,6 +1045,48 @@ mod plm_plate_on_three_pins_ {
         }
 
         impl<S: Scalar> PlateOnThreePins<S> {
+            const LAYOUT_: absolute::Layout = absolute::Layout {
+                rows: const {
+                    &[
+                        "o[0].x",
+                        "o[0].y",
+                        "o[1].x",
+                        "o[1].y",
+                        "o[2].x",
+                        "o[2].y",
+                        "slot[0].normal",
+                        "slot[1].normal",
+                        "slot[2].normal",
+                        "first",
+                        "second",
+                        "third",
+                    ]
+                },
+                parts: const {
+                    &[
+                        "o[0]", "o[0]", "o[1]", "o[1]", "o[2]", "o[2]", "slot[0]", "slot[1]", "slot[2]",
+                        "first", "second", "third",
+                    ]
+                },
+                coordinates: const {
+                    &[
+                        "crank[0].x",
+                        "crank[0].y",
+                        "crank[0].angle",
+                        "crank[1].x",
+                        "crank[1].y",
+                        "crank[1].angle",
+                        "crank[2].x",
+                        "crank[2].y",
+                        "crank[2].angle",
+                        "plate.x",
+                        "plate.y",
+                        "plate.angle",
+                    ]
+                },
+                angular: &[false, false, false, false, false, false, false, false, false, true, true, true],
+                given_angles: &[true, true, true, false],
+            };
             /// The derivatives of phi by q: the entries that are not zero, row by row.
             ///
             /// 40 add, 37 mul, 6 neg, 4 sin_cos.
@@ -1140,41 +1185,10 @@ mod plm_plate_on_three_pins_ {
 
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for PlateOnThreePins<S> {
-            const ROWS: [&'static str; 12] = [
-                "o[0].x",
-                "o[0].y",
-                "o[1].x",
-                "o[1].y",
-                "o[2].x",
-                "o[2].y",
-                "slot[0].normal",
-                "slot[1].normal",
-                "slot[2].normal",
-                "first",
-                "second",
-                "third",
-            ];
-            const PARTS: [&'static str; 12] = [
-                "o[0]", "o[0]", "o[1]", "o[1]", "o[2]", "o[2]", "slot[0]", "slot[1]", "slot[2]", "first",
-                "second", "third",
-            ];
-            const COORDINATES: [&'static str; 12] = [
-                "crank[0].x",
-                "crank[0].y",
-                "crank[0].angle",
-                "crank[1].x",
-                "crank[1].y",
-                "crank[1].angle",
-                "crank[2].x",
-                "crank[2].y",
-                "crank[2].angle",
-                "plate.x",
-                "plate.y",
-                "plate.angle",
-            ];
-            const ANGULAR: [bool; 12] =
-                [false, false, false, false, false, false, false, false, false, true, true, true];
-            const GIVEN_ANGLES: &'static [bool] = &[true, true, true, false];
+            fn layout(&self) -> &'static absolute::Layout {
+                const { &Self::LAYOUT_ }
+            }
+
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 42 add, 34 mul, 7 sin_cos.
@@ -2136,9 +2150,8 @@ mod plm_plate_on_three_pins_ {
             type Full = [S; 24];
             type Rows = [S; 12];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] =
-                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
-            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
+            const COORDINATES: &'static [&'static str] = Self::LAYOUT_.coordinates;
+            const ROWS: &'static [&'static str] = Self::LAYOUT_.rows;
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 24] {
                 {

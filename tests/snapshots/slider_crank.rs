@@ -448,7 +448,11 @@ mod plm_slider_crank_ {
                 extended.dynamics(t, u, x, dx, &mut lambda);
             }
 
-            const CHARTED: bool = false;
+            #[inline]
+            fn is_charted(&self) -> bool {
+                false
+            }
+
             fn crossed(&self, _held: &Self::U, _before: &Self::X, _x: &Self::X) -> S {
                 S::lit(0.0)
             }
@@ -554,6 +558,38 @@ mod plm_slider_crank_ {
         }
 
         impl<S: Scalar> SliderCrank<S> {
+            const LAYOUT_: absolute::Layout = absolute::Layout {
+                rows: const {
+                    &[
+                        "drive.x",
+                        "drive.y",
+                        "crank_pin.x",
+                        "crank_pin.y",
+                        "wrist_pin.x",
+                        "wrist_pin.y",
+                        "guide.normal",
+                        "guide.angle",
+                    ]
+                },
+                parts: const {
+                    &["drive", "drive", "crank_pin", "crank_pin", "wrist_pin", "wrist_pin", "guide", "guide"]
+                },
+                coordinates: const {
+                    &[
+                        "crank.x",
+                        "crank.y",
+                        "crank.angle",
+                        "rod.x",
+                        "rod.y",
+                        "rod.angle",
+                        "slider.x",
+                        "slider.y",
+                        "slider.angle",
+                    ]
+                },
+                angular: &[false, false, false, false, false, false, false, true],
+                given_angles: &[true, true, false],
+            };
             /// The derivatives of phi by q: the entries that are not zero, row by row.
             ///
             /// 4 mul, 2 sin_cos.
@@ -592,31 +628,10 @@ mod plm_slider_crank_ {
 
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for SliderCrank<S> {
-            const ROWS: [&'static str; 8] = [
-                "drive.x",
-                "drive.y",
-                "crank_pin.x",
-                "crank_pin.y",
-                "wrist_pin.x",
-                "wrist_pin.y",
-                "guide.normal",
-                "guide.angle",
-            ];
-            const PARTS: [&'static str; 8] =
-                ["drive", "drive", "crank_pin", "crank_pin", "wrist_pin", "wrist_pin", "guide", "guide"];
-            const COORDINATES: [&'static str; 9] = [
-                "crank.x",
-                "crank.y",
-                "crank.angle",
-                "rod.x",
-                "rod.y",
-                "rod.angle",
-                "slider.x",
-                "slider.y",
-                "slider.angle",
-            ];
-            const ANGULAR: [bool; 8] = [false, false, false, false, false, false, false, true];
-            const GIVEN_ANGLES: &'static [bool] = &[true, true, false];
+            fn layout(&self) -> &'static absolute::Layout {
+                const { &Self::LAYOUT_ }
+            }
+
             /// Residuals of the constraints, m or rad; the rows stand in the table of this module.
             ///
             /// 12 add, 4 mul, 2 neg, 2 sin_cos.
@@ -1267,9 +1282,8 @@ mod plm_slider_crank_ {
             type Full = [S; 18];
             type Rows = [S; 8];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] =
-                &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
-            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
+            const COORDINATES: &'static [&'static str] = Self::LAYOUT_.coordinates;
+            const ROWS: &'static [&'static str] = Self::LAYOUT_.rows;
             const STATES: &'static [(&'static str, &'static str)] = &[];
             fn full(state: &State<S>) -> [S; 18] {
                 {

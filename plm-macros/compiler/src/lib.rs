@@ -7,10 +7,13 @@ mod compile;
 mod derive;
 pub mod diag;
 mod emit;
+mod facts;
 mod fallback;
 mod formulate;
 pub mod front;
 mod library;
+#[cfg(feature = "lowered")]
+pub mod lowered;
 pub mod model;
 mod numeric;
 mod oracle;
@@ -20,7 +23,9 @@ mod reads;
 mod report;
 mod resolve;
 pub mod sorted;
+mod source;
 pub mod span;
+#[cfg(feature = "lowered")]
 mod start_values;
 pub mod syntax;
 mod tables;
@@ -33,7 +38,10 @@ pub mod words;
 pub use bug::{bug_message, without_panic};
 pub use compile::{Expansion, compile, names_only};
 pub use emit::Code;
+pub use facts::limits::{Least, Limit};
 pub use oracle::{InChart, Oracle};
 pub use picture::{Picture, PictureBody, PicturePart, PicturePort, PictureShape};
 pub use report::Report;
+pub use source::{OfScalar, Source};
+#[cfg(feature = "lowered")]
 pub use start_values::StartValue;

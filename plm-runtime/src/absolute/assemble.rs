@@ -53,10 +53,12 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     let v = refined.map_or_else(|| start_velocity(m, t, &q), |(_, v)| Ok(v))?;
     let neighbour = neighbour(m, t, &q, &here);
     let locks = start.iter().filter(|s| s.locked).count();
-    let (rank, rows) = (here.free_rank + locks, NC + locks);
+    let layout = m.layout();
+    let (coordinates, joint_rows) = (layout.coordinates.len(), layout.rows.len());
+    let (rank, rows) = (here.free_rank + locks, joint_rows + locks);
     let status = match () {
         () if neighbour.of_joints > 0 => Status::Redundant,
-        () if rows == NQ => Status::Sufficient,
+        () if rows == coordinates => Status::Sufficient,
         () => Status::Insufficient,
     };
     Ok(Assembly {
@@ -68,14 +70,13 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
         rank,
         rows,
         locks,
-        freedom: NQ as i32 - NC as i32,
+        freedom: coordinates as i32 - joint_rows as i32,
         status,
         singular: neighbour.of_joints < here.of_joints || here.of_locks > 0,
         found: pose.found,
         iterations: pose.iterations,
         gap: largest(&pose.phi),
-        coordinates: &M::COORDINATES,
-        row_names: &M::ROWS,
+        layout,
     })
 }
 
@@ -90,7 +91,7 @@ pub(super) struct Pose<S, const NQ: usize, const NC: usize> {
 
 impl<S: Real, const NQ: usize, const NC: usize> Pose<S, NQ, NC> {
     pub(super) fn is_closed<M: Absolute<S, NQ, NC>>(&self, m: &M) -> bool {
-        Scale::of_position(m, &self.q).is_closed::<M, NQ, NC>(&self.phi)
+        Scale::of_position(m, &self.q).is_closed(m, &self.phi)
     }
 }
 
@@ -102,7 +103,7 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     free: &[S; NQ],
 ) -> Result<Pose<S, NQ, NC>, Fault> {
     let q0 = start.map(|s| s.value);
-    check_finite::<S, M, NQ, NC>(t, &q0)?;
+    check_finite(m, t, &q0)?;
     let mut pose = newton(m, t, &q0, free);
     if pose.is_closed(m) {
         bring_nearer(m, t, &mut pose, (&q0, free));
@@ -153,7 +154,7 @@ pub(super) fn newton<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     }
     if pose.is_closed(m) {
         let scale = Scale::of_position(m, &pose.q);
-        let measure = (S::EPSILON, |r: &[S; NC]| scale.worst::<M, NQ, NC>(r));
+        let measure = (S::EPSILON, |r: &[S; NC]| scale.worst(m, r));
         pose.phi = descend(measure, &mut pose.q, |q| m.phi(t, q), |q, r| assembly_step(m, t, q, free, r));
     }
     pose
@@ -168,16 +169,16 @@ fn start_velocity<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: us
     let start = m.start_velocity(q);
     let free = start.map(freedom_of);
     let mut v = start.map(|s| s.value);
-    check_finite::<S, M, NQ, NC>(t, &v)?;
+    check_finite(m, t, &v)?;
     let here = Dependencies::at(m, t, q, &free).ok_or_else(|| undecided(m, (t, q), &free))?;
     reject_locks(m, t, q, &free, &here, VELOCITY)?;
     let scale = Scale::of_velocity(m, q, &v);
-    let measure = (S::EPSILON, |r: &[S; NC]| scale.worst::<M, NQ, NC>(r));
+    let measure = (S::EPSILON, |r: &[S; NC]| scale.worst(m, r));
     let r = descend(measure, &mut v, |v| m.phi_dot(t, q, v), |_, r| assembly_step(m, t, q, &free, r));
-    if Scale::of_velocity(m, q, &v).is_closed::<M, NQ, NC>(&r) {
+    if Scale::of_velocity(m, q, &v).is_closed(m, &r) {
         return Ok(v);
     }
-    let open = || open(t, &r, &M::PARTS, |gap| Cause::VelocityOpen { gap });
+    let open = || open(t, &r, m.layout(), |gap| Cause::VelocityOpen { gap });
     Err(refused(m, (t, q), &free).unwrap_or_else(open))
 }
 
@@ -202,8 +203,8 @@ fn reject_locks<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     }
     // A pose of zeros ties more than there is; the general one shows what is meant.
     let found = if beside.of_locks < here.of_locks { &beside } else { here };
-    let locks = Names::marked(&M::COORDINATES, &found.locks);
-    let joints = Names::marked(&M::PARTS, &found.ties);
+    let locks = Names::marked(m.layout().coordinates, &found.locks);
+    let joints = Names::marked(m.layout().parts, &found.ties);
     Err(Fault::new(t.to_f64(), cause(count, locks, joints)))
 }
 
@@ -226,10 +227,11 @@ fn neighbour<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
 }
 
 fn check_finite<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
     t: S,
     values: &[S; NQ],
 ) -> Result<(), Fault> {
-    match M::COORDINATES.iter().zip(values).find(|(_, value)| !value.is_finite()) {
+    match m.layout().coordinates.iter().zip(values).find(|(_, value)| !value.is_finite()) {
         Some((name, _)) => Err(Fault::of_part(t.to_f64(), name, Cause::NotFinite)),
         None => Ok(()),
     }

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use super::Layout;
 use crate::scalar::Real;
 
 /// A start that the joints allow, and how it relates to the one that was asked for.
@@ -35,8 +36,7 @@ pub struct Assembly<S, const NQ: usize, const NC: usize> {
     pub iterations: u32,
     /// What the joints are open by, m or rad.
     pub gap: S,
-    pub(super) coordinates: &'static [&'static str; NQ],
-    pub(super) row_names: &'static [&'static str; NC],
+    pub(super) layout: &'static Layout,
 }
 
 /// How assembly found the position.
@@ -77,10 +77,11 @@ impl fmt::Display for Status {
 
 impl<S: Real, const NQ: usize, const NC: usize> fmt::Display for Assembly<S, NQ, NC> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { freedom, locks, rank, rows, status, iterations, .. } = self;
+        let Self { freedom, locks, rank, rows, status, iterations, layout, .. } = self;
+        let (coordinates, joint_rows) = (layout.coordinates.len(), layout.rows.len());
         writeln!(
             f,
-            "F = 3N - M = {NQ} - {NC} = {freedom}; {locks} locked; rank {rank} of {rows} rows: {status}"
+            "F = 3N - M = {coordinates} - {joint_rows} = {freedom}; {locks} locked; rank {rank} of {rows} rows: {status}"
         )?;
         writeln!(f, "closed to {:e} in {iterations} iterations", self.gap.to_f64())?;
         if let Found::Searched { starts, closed } = self.found {
@@ -92,11 +93,11 @@ impl<S: Real, const NQ: usize, const NC: usize> fmt::Display for Assembly<S, NQ,
         if self.singular {
             writeln!(f, "singular position: the rank is higher beside it")?;
         }
-        for (name, _) in self.row_names.iter().zip(self.redundant).filter(|(_, redundant)| *redundant) {
+        for (name, _) in layout.rows.iter().zip(self.redundant).filter(|(_, redundant)| *redundant) {
             writeln!(f, "{name}: says nothing that other joints do not say")?;
         }
-        for i in 0..NQ {
-            let (name, q, moved) = (self.coordinates[i], self.q[i].to_f64(), self.moved[i].to_f64());
+        for (i, name) in layout.coordinates.iter().enumerate() {
+            let (q, moved) = (self.q[i].to_f64(), self.moved[i].to_f64());
             let lock = if self.locked[i] { ", locked" } else { "" };
             writeln!(f, "{name} = {q} (moved by {moved}{lock})")?;
         }

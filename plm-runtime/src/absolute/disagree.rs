@@ -35,7 +35,7 @@ pub(crate) fn disagreement<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, con
         return None;
     }
     let there = Dependencies::by_rank(m, (t, &q), &free, nearly).filter(|there| there.of_joints > 0)?;
-    let joints = Names::marked(&M::PARTS, &there.rows);
-    let part = widest(&phi, &M::PARTS);
+    let joints = Names::marked(m.layout().parts, &there.rows);
+    let part = widest(&phi, m.layout());
     Some(Fault::of_part(t.to_f64(), part, Cause::Disagree { gap: gap.to_f64(), joints }))
 }

@@ -1,6 +1,6 @@
 //! Constraints with a condition that hold where a run begins: assembly closes them with the joints.
 
-use super::{Absolute, Branch, assemble};
+use super::{Absolute, Branch, Layout, assemble};
 use crate::fault::Fault;
 use crate::scalar::Real;
 use crate::start::Start;
@@ -10,12 +10,8 @@ use crate::system::Health;
 pub trait Conditional<S: Real, const NQ: usize, const NC: usize, const K: usize>:
     Absolute<S, NQ, NC>
 {
-    /// Name of each, as `hook.x`.
-    const CONDITIONAL: [&'static str; K];
-    /// Name of the part that each belongs to, as `hook`.
-    const PARTS_OF_CONDITIONAL: [&'static str; K];
-    /// Which are in rad; the others are in m.
-    const ANGULAR_CONDITIONAL: [bool; K];
+    /// The rows of the joints, and behind them these.
+    fn layout_with_conditional(&self) -> &'static Layout;
 
     /// Their residuals of position, m or rad.
     fn conditional(&self, t: S, q: &[S; NQ]) -> [S; K];
@@ -56,29 +52,16 @@ pub fn assemble_held<
     Ok((assembly.q, assembly.v))
 }
 
-/// One list behind another one.
-const fn chained<T: Copy, const NC: usize, const K: usize, const ALL: usize>(
-    first: &[T; NC],
-    second: &[T; K],
-    none: T,
-) -> [T; ALL] {
-    let (mut all, mut i) = ([none; ALL], 0);
-    while i < ALL {
-        if i < NC {
-            all[i] = first[i];
-        } else if i - NC < K {
-            all[i] = second[i - NC];
-        }
-        i += 1;
-    }
-    all
-}
-
 impl<M, const NC: usize, const K: usize, const ALL: usize> Joined<'_, M, NC, K, ALL> {
     /// Residuals of the joints, and behind them those of the others, zero where these do not hold.
     fn residuals<S: Real>(&self, joints: &[S; NC], others: &[S; K]) -> [S; ALL] {
         let held: [S; K] = core::array::from_fn(|k| if self.holds[k] { others[k] } else { S::ZERO });
-        chained(joints, &held, S::ZERO)
+        let all = joints.iter().chain(&held);
+        let mut residuals = [S::ZERO; ALL];
+        for (residual, value) in residuals.iter_mut().zip(all) {
+            *residual = *value;
+        }
+        residuals
     }
 }
 
@@ -88,11 +71,9 @@ where
     S: Real,
     M: Conditional<S, NQ, NC, K>,
 {
-    const ROWS: [&'static str; ALL] = chained(&M::ROWS, &M::CONDITIONAL, "");
-    const PARTS: [&'static str; ALL] = chained(&M::PARTS, &M::PARTS_OF_CONDITIONAL, "");
-    const COORDINATES: [&'static str; NQ] = M::COORDINATES;
-    const GIVEN_ANGLES: &'static [bool] = M::GIVEN_ANGLES;
-    const ANGULAR: [bool; ALL] = chained(&M::ANGULAR, &M::ANGULAR_CONDITIONAL, false);
+    fn layout(&self) -> &'static Layout {
+        self.mechanism.layout_with_conditional()
+    }
 
     fn phi(&self, t: S, q: &[S; NQ]) -> [S; ALL] {
         self.residuals(&self.mechanism.phi(t, q), &self.mechanism.conditional(t, q))

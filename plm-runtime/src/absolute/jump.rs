@@ -39,12 +39,12 @@ pub fn jump<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     for Crossing { row, terms: [gap, rate, bend, distance, along], changes } in crossings {
         let since = distance / along;
         let since = if since.is_finite() { since } else { S::lit(0.0) };
-        let angular = M::ANGULAR.get(row).copied().unwrap_or_default();
+        let angular = m.layout().is_angular(row);
         if !changes && since.abs() > near {
             continue;
         }
         let fault = |by: S, speed: bool| {
-            let part = M::ROWS.get(row).copied().unwrap_or_default();
+            let part = m.layout().rows.get(row).copied().unwrap_or_default();
             Some(Fault::of_part(t.to_f64(), part, Cause::Jump { by: by.to_f64(), angular, speed }))
         };
         let (gap, rate) = ((gap - rate * since).abs(), (rate - bend * since).abs());

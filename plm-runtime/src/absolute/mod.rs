@@ -52,19 +52,8 @@ use crate::vector::Vector;
 
 /// The constraints of a mechanism in absolute coordinates; implemented by generated code.
 pub trait Absolute<S: Real, const NQ: usize, const NC: usize> {
-    /// Name of each constraint row, as `shoulder.x`.
-    const ROWS: [&'static str; NC];
-    /// Name of the part that each constraint row belongs to, as `shoulder`.
-    const PARTS: [&'static str; NC];
-    /// Name of each coordinate, as `arm.x`, `arm.angle`.
-    const COORDINATES: [&'static str; NQ];
-
-    /// Of each body, whether the declaration gives its start angle; behind the last one it does not. Assembly doubts a pose by angles
-    /// that were given: by these, and by those that are no longer zero.
-    const GIVEN_ANGLES: &'static [bool] = &[];
-
-    /// Which constraint rows are in rad; the others are in m.
-    const ANGULAR: [bool; NC] = [false; NC];
+    /// Names of rows and coordinates, and how many there are: at most `NC` and `NQ`. What stands behind the last ones of them is zero.
+    fn layout(&self) -> &'static Layout;
 
     /// Residuals of position, m or rad.
     fn phi(&self, t: S, q: &[S; NQ]) -> [S; NC];
@@ -102,6 +91,34 @@ pub trait Absolute<S: Real, const NQ: usize, const NC: usize> {
     fn branch(&self, index: usize) -> Option<Branch<S>> {
         let _ = index;
         None
+    }
+}
+
+/// The rows and coordinates of a mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Layout {
+    /// Name of each constraint row, as `shoulder.x`.
+    pub rows: &'static [&'static str],
+    /// Name of the part that each constraint row belongs to, as `shoulder`.
+    pub parts: &'static [&'static str],
+    /// Name of each coordinate, as `arm.x`, `arm.angle`.
+    pub coordinates: &'static [&'static str],
+    /// Which constraint rows are in rad; the others are in m.
+    pub angular: &'static [bool],
+    /// Of each body, whether the declaration gives its start angle; behind the last one it does not. Assembly doubts a pose by angles
+    /// that were given: by these, and by those that are no longer zero.
+    pub given_angles: &'static [bool],
+}
+
+impl Layout {
+    /// The part that a row belongs to; empty where there is no such row.
+    pub(crate) fn part(&self, row: usize) -> &'static str {
+        self.parts.get(row).copied().unwrap_or_default()
+    }
+
+    /// Is a row in rad?
+    pub(crate) fn is_angular(&self, row: usize) -> bool {
+        self.angular.get(row) == Some(&true)
     }
 }
 

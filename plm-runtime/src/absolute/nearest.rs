@@ -86,7 +86,7 @@ pub fn flat_part<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usi
     q: &[S; NQ],
 ) -> &'static str {
     let (mut longest, mut part) = (S::ZERO, "");
-    for (row, name) in M::PARTS.into_iter().enumerate() {
+    for (row, name) in m.layout().parts.iter().enumerate() {
         let r = Vector::from_fn(|j| if j == row { S::lit(1.0) } else { S::ZERO });
         let mut dq = [S::ZERO; NQ];
         m.min_norm(t, q, &[S::lit(1.0); NQ], &r, &mut dq);

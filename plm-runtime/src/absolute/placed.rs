@@ -37,8 +37,8 @@ struct Begin<'a, S, const NQ: usize> {
 }
 
 impl<'a, S: Real, const NQ: usize> Begin<'a, S, NQ> {
-    fn new<M: Absolute<S, NQ, NC>, const NC: usize>(start: &'a [S; NQ], free: &'a [S; NQ]) -> Self {
-        let given = |k: usize| M::GIVEN_ANGLES.get(k / 3) == Some(&true) || start.at(k) != S::ZERO;
+    fn new<M: Absolute<S, NQ, NC>, const NC: usize>(m: &M, start: &'a [S; NQ], free: &'a [S; NQ]) -> Self {
+        let given = |k: usize| m.layout().given_angles.get(k / 3) == Some(&true) || start.at(k) != S::ZERO;
         Self { start, free, given: core::array::from_fn(|k| k % 3 == 2 && given(k)) }
     }
 
@@ -72,7 +72,7 @@ pub(super) fn unwind<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     pose: &mut Pose<S, NQ, NC>,
     (start, free): (&[Start<S>; NQ], &[S; NQ]),
 ) {
-    Begin::new::<M, NC>(&start.map(|s| s.value), free).unwind(m, t, pose);
+    Begin::new(m, &start.map(|s| s.value), free).unwind(m, t, pose);
 }
 
 /// Puts in the place of a closed pose one that turns the bodies less from the angles that were given, if there is one, where it
@@ -84,9 +84,10 @@ pub(super) fn bring_nearer<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, con
     pose: &mut Pose<S, NQ, NC>,
     (start, free): (&[S; NQ], &[S; NQ]),
 ) {
-    let begin = &Begin::new::<M, NC>(start, free);
+    let begin = &Begin::new(m, start, free);
+    let layout = m.layout();
     let locked = begin.free.iter().filter(|free| **free == S::ZERO).count();
-    let limit = S::lit(DOUBTED[usize::from(NQ == NC + locked)]);
+    let limit = S::lit(DOUBTED[usize::from(layout.coordinates.len() == layout.rows.len() + locked)]);
     let is_doubted = |q: &[S; NQ]| begin.turned(q).any(|by| by.abs() > limit);
     begin.unwind(m, t, pose);
     let (place, moved) = (S::lit(IN_PLACE) * m.length(), |k: usize| (pose.q.at(k) - start.at(k)).abs());

@@ -1,7 +1,7 @@
 //! Projection of a state onto position and velocity constraints.
 
 use super::newton::{projection_step, refused};
-use super::{Absolute, join, split};
+use super::{Absolute, Layout, join, split};
 use crate::fault::{Cause, Fault};
 use crate::linalg::largest;
 use crate::scalar::Real;
@@ -32,7 +32,7 @@ pub fn project<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize
     let phi_dot = descend(rounding(speed), v, |v| m.phi_dot(t, q, v), |_, r| projection_step(m, t, q, &w, r));
     for (violation, size) in [(&phi, length), (&phi_dot, speed)] {
         if !is_closed(violation, size) {
-            let part = widest(violation, &M::PARTS);
+            let part = widest(violation, m.layout());
             let (phi, phi_dot) = (largest(&phi).to_f64(), largest(&phi_dot).to_f64());
             let drift = Fault::of_part(t.to_f64(), part, Cause::Drift { phi, phi_dot });
             return Err(refused(m, (t, q), &w).unwrap_or(drift));
@@ -110,12 +110,9 @@ pub(super) fn is_closed<S: Real, const NC: usize>(violation: &[S; NC], size: S) 
 }
 
 /// The name that belongs to the largest violation.
-pub(super) fn widest<S: Real, const NC: usize>(
-    violation: &[S; NC],
-    names: &[&'static str; NC],
-) -> &'static str {
+pub(super) fn widest<S: Real, const NC: usize>(violation: &[S; NC], layout: &Layout) -> &'static str {
     let mut widest = ("", S::lit(-1.0));
-    for (r, name) in violation.iter().zip(names) {
+    for (r, name) in violation.iter().zip(layout.parts) {
         let size = if r.is_finite() { r.abs() } else { S::INFINITY };
         if size > widest.1 {
             widest = (name, size);

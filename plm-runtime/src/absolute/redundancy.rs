@@ -29,14 +29,17 @@ pub(super) struct Dependencies<const NQ: usize, const NC: usize> {
 }
 
 impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
-    const NONE: Self = Self {
-        free_rank: NC,
-        of_locks: 0,
-        of_joints: 0,
-        locks: [false; NQ],
-        ties: [false; NC],
-        rows: [false; NC],
-    };
+    /// All of so many rows are independent.
+    const fn none(rows: usize) -> Self {
+        Self {
+            free_rank: rows,
+            of_locks: 0,
+            of_joints: 0,
+            locks: [false; NQ],
+            ties: [false; NC],
+            rows: [false; NC],
+        }
+    }
 
     /// At the position `q`, where a coordinate with `free` = 0 is locked and one with `free` = 1 is not.
     /// `None` if the Jacobian is not finite, or if a solution by rank is refused.
@@ -48,7 +51,7 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
     ) -> Option<Self> {
         // Elimination that stays healthy has found every row independent.
         if without_pivoting(m, t, q, free, &[S::lit(0.0); NC]).is_some() {
-            return Some(Self::NONE);
+            return Some(Self::none(m.layout().rows.len()));
         }
         if workspace::refusal::<S, NQ, NC>().is_some() {
             None
@@ -79,7 +82,7 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
         let singular = rotate(&mut rows, &mut y)?;
         let cut = singular.cut(tolerance);
 
-        let mut found = Self { free_rank: singular.rank(cut), ..Self::NONE };
+        let mut found = Self { free_rank: singular.rank(cut), ..Self::none(0) };
         // Rows without a combination become zero and mark nothing.
         for (k, sigma) in singular.values.iter().enumerate() {
             rows[k] = [S::lit(0.0); NQ];
@@ -94,15 +97,15 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
                 z.set(column, y.at(row).mul_add(entry, z.at(column)));
             }
         });
-        found.sort(&mut rows, &mut y)?;
+        found.sort(m.layout().rows.len(), &mut rows, &mut y)?;
         Some(found)
     }
 
-    /// Tells combinations `y` with locks (`z`) from those without.
-    fn sort<S: Real>(&mut self, z: &mut [[S; NQ]; NC], y: &mut [[S; NC]; NC]) -> Option<()> {
+    /// Tells combinations `y` of so many rows with locks (`z`) from those without.
+    fn sort<S: Real>(&mut self, count: usize, z: &mut [[S; NQ]; NC], y: &mut [[S; NC]; NC]) -> Option<()> {
         let (tied, least) = (rotate(z, y)?, S::RANK_TOLERANCE);
         self.of_locks = tied.rank(least);
-        self.of_joints = NC.saturating_sub(self.free_rank + self.of_locks);
+        self.of_joints = count.saturating_sub(self.free_rank + self.of_locks);
         for (k, sigma) in tied.values.iter().enumerate() {
             if *sigma > least {
                 mark(&mut self.locks, &z[k], *sigma);

@@ -1,6 +1,5 @@
 //! Assembly of a running mechanism whose parameters were changed.
 
-use super::Absolute;
 use super::assemble::{Pose, newton};
 use super::damped::Measure;
 use super::lack::lack;
@@ -8,6 +7,7 @@ use super::newton::{assembly_step, refused};
 use super::project::{descend, widest};
 use super::scale::Scale;
 use super::search::{nearest_turns, unwind};
+use super::{Absolute, Layout};
 use crate::fault::{Cause, Fault};
 use crate::linalg::largest;
 use crate::scalar::Real;
@@ -32,7 +32,7 @@ pub fn renew<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         begin_elsewhere(m, q, v);
     }
     let free = [S::lit(1.0); NQ];
-    let is_closed = |q: &[S; NQ], r: &[S; NC]| Scale::of_position(m, q).is_closed::<M, NQ, NC>(r);
+    let is_closed = |q: &[S; NQ], r: &[S; NC]| Scale::of_position(m, q).is_closed(m, r);
     let phi = m.phi(t, q);
     if !is_closed(q, &phi) {
         let mut pose = newton(m, t, q, &free);
@@ -59,12 +59,12 @@ pub(crate) fn allow<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: 
 ) -> Result<(), Fault> {
     let scale = Scale::of_velocity(m, q, v);
     let phi_dot = m.phi_dot(t, q, v);
-    if !scale.is_closed::<M, NQ, NC>(&phi_dot) {
-        let (least, worst) = (S::EPSILON, |r: &[S; NC]| scale.worst::<M, NQ, NC>(r));
+    if !scale.is_closed(m, &phi_dot) {
+        let (least, worst) = (S::EPSILON, |r: &[S; NC]| scale.worst(m, r));
         let left =
             descend((least, worst), v, |v| m.phi_dot(t, q, v), |_, r| assembly_step(m, t, q, weights, r));
-        if !scale.is_closed::<M, NQ, NC>(&left) {
-            let open = || open(t, &left, &M::PARTS, |gap| Cause::VelocityOpen { gap });
+        if !scale.is_closed(m, &left) {
+            let open = || open(t, &left, m.layout(), |gap| Cause::VelocityOpen { gap });
             return Err(refused(m, (t, q), weights).unwrap_or_else(open));
         }
     }
@@ -110,10 +110,10 @@ fn damped<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
 pub(super) fn open<S: Real, const NC: usize>(
     t: S,
     violation: &[S; NC],
-    parts: &[&'static str; NC],
+    layout: &Layout,
     cause: impl Fn(f64) -> Cause,
 ) -> Fault {
     let finite = violation.iter().all(|r| r.is_finite());
     let cause = if finite { cause(largest(violation).to_f64()) } else { Cause::NotFinite };
-    Fault::of_part(t.to_f64(), widest(violation, parts), cause)
+    Fault::of_part(t.to_f64(), widest(violation, layout), cause)
 }

@@ -47,11 +47,12 @@ impl<S: Real> Scale<S> {
     /// The largest violation over its size; NaN if one is not a number.
     pub(super) fn worst<M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         &self,
+        m: &M,
         violation: &[S; NC],
     ) -> S {
-        let mut scaled = *violation;
-        for (r, angular) in scaled.iter_mut().zip(M::ANGULAR) {
-            *r = *r / self.size(angular);
+        let (mut scaled, layout) = (*violation, m.layout());
+        for (row, r) in scaled.iter_mut().enumerate() {
+            *r = *r / self.size(layout.is_angular(row));
         }
         largest(&scaled)
     }
@@ -59,9 +60,10 @@ impl<S: Real> Scale<S> {
     /// Is the violation small enough for joints to count as closed?
     pub(super) fn is_closed<M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         &self,
+        m: &M,
         violation: &[S; NC],
     ) -> bool {
-        self.worst::<M, NQ, NC>(violation) <= Self::closed()
+        self.worst(m, violation) <= Self::closed()
     }
 
     /// The fraction of the size up to which joints count as closed.

@@ -109,18 +109,19 @@ pub(super) fn unwind<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
 ) {
     let turn = S::lit(core::f64::consts::TAU);
     let of = |q: &[S; NQ], k: usize| whole(k, (q.at(k) - start.at(k)) / turn);
-    if (2..NQ).step_by(3).all(|k| of(&pose.q, k) == S::ZERO) {
+    let bodies = m.layout().coordinates.len() / 3;
+    if (2..3 * bodies).step_by(3).all(|k| of(&pose.q, k) == S::ZERO) {
         return;
     }
     // All bodies together, since joints may hold their angles against each other; else one by one.
-    for only in (0..=NQ / 3).map(|body| body.checked_sub(1)) {
+    for only in (0..=bodies).map(|body| body.checked_sub(1)) {
         let mut q = pose.q;
-        let bodies = (0..NQ / 3).filter(|body| only.is_none_or(|only| only == *body));
+        let bodies = (0..bodies).filter(|body| only.is_none_or(|only| only == *body));
         for k in bodies.map(|body| 3 * body + 2).filter(|k| free.at(*k) > S::ZERO) {
             let by = of(&q, k);
             q.set(k, q.at(k) - by * turn);
         }
-        if q != pose.q && Scale::of_position(m, &q).is_closed::<M, NQ, NC>(&m.phi(t, &q)) {
+        if q != pose.q && Scale::of_position(m, &q).is_closed(m, &m.phi(t, &q)) {
             let iterations = pose.iterations;
             *pose = newton(m, t, &q, free);
             pose.iterations += iterations;

@@ -9,6 +9,7 @@ use crate::tolerances::{
 
 /// The continuation data of the last checked state in a chart, and of the state at the time `t`.
 pub(super) struct Looks<'a, M: Charted> {
+    pub(super) system: &'a M,
     pub(super) t: M::S,
     pub(super) chart: usize,
     pub(super) before: &'a M::Continuation,
@@ -38,7 +39,7 @@ impl<M: Charted> Looks<'_, M> {
         let half = M::S::lit(0.5) * self.since();
         let farthest = square::<M::S>(FARTHEST_ITERATED.get()) * measure.max(narrowest_square());
         let iterated = self.before.iterated().iter().zip(self.after.iterated());
-        for (part, (before, after)) in M::ITERATED.iter().zip(iterated) {
+        for (part, (before, after)) in self.system.charts().iterated.iter().zip(iterated) {
             let moved = after.value - before.value;
             let off = moved - half * (after.rate + before.rate);
             // False for what is not a number.
@@ -73,7 +74,7 @@ impl<M: Charted> Looks<'_, M> {
     /// boxes are narrower by as much.
     pub(super) fn narrowed(&self) -> M::S {
         let one = M::S::lit(1.0);
-        if M::ITERATED.is_empty() {
+        if self.system.charts().iterated.is_empty() {
             return one;
         }
         let coordinates = self.before.coordinates().iter().zip(self.after.coordinates());
@@ -100,7 +101,7 @@ impl<M: Charted> Looks<'_, M> {
         let angle = moved.to_f64();
         let cause =
             if moved > UNREACHED.of::<M::S>() { Cause::TurnedTooFar { angle } } else { Cause::Locked };
-        Fault::of_part(self.t.to_f64(), flattest::<M>(self.chart, self.after), cause)
+        Fault::of_part(self.t.to_f64(), flattest(self.system, self.chart, self.after), cause)
     }
 
     /// The time since the last look.
@@ -112,8 +113,10 @@ impl<M: Charted> Looks<'_, M> {
     fn turned(&self) -> (M::S, &'static str) {
         let (before, after) = (self.before.angles(), self.after.angles());
         let mut most = (M::S::lit(0.0), "");
-        for &k in M::FOUND.get(self.chart).copied().unwrap_or_default() {
-            let (Some(before), Some(after), Some(body)) = (before.get(k), after.get(k), M::TURNING.get(k))
+        let charts = self.system.charts();
+        for &k in charts.found.get(self.chart).copied().unwrap_or_default() {
+            let (Some(before), Some(after), Some(body)) =
+                (before.get(k), after.get(k), charts.turning.get(k))
             else {
                 continue;
             };
@@ -127,8 +130,8 @@ impl<M: Charted> Looks<'_, M> {
 }
 
 /// The part that closes the loop of a chart with the smallest determinant.
-pub(super) fn flattest<M: Charted>(chart: usize, continuation: &M::Continuation) -> &'static str {
-    let parts = M::CLOSING.get(chart).copied().unwrap_or_default();
+pub(super) fn flattest<M: Charted>(system: &M, chart: usize, continuation: &M::Continuation) -> &'static str {
+    let parts = system.charts().closing.get(chart).copied().unwrap_or_default();
     let (mut part, mut least) = ("", M::S::INFINITY);
     for (closing, determinant) in parts.iter().zip(continuation.determinants()) {
         let determinant = determinant.abs();
@@ -145,7 +148,7 @@ pub fn not_regular<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> Fa
     let after = &system.continuation(t, held, x).0;
     match &held.of_loops {
         &OfLoops::InChart { chart, continuation: ref before } => {
-            Looks::<M> { t, chart, before, after }.locked()
+            Looks { system, t, chart, before, after }.locked()
         }
         OfLoops::Free { .. } => Fault::new(t.to_f64(), Cause::Locked),
     }

@@ -18,7 +18,7 @@ pub fn are_calm<M: Charted, T: Scalar, X: Vector<T>>(
 ) -> T {
     let (zero, one) = (T::lit(0.0), T::lit(1.0));
     let OfLoops::InChart { chart, continuation } = of_loops else { return zero };
-    if !M::ITERATED.is_empty() {
+    if !M::CHARTS.iterated.is_empty() {
         return zero;
     }
     let holds = |calm: T, at: Reach<T>, value: T| T::select((value - at.last).abs().lt(at.reach), calm, zero);
@@ -29,10 +29,10 @@ pub fn are_calm<M: Charted, T: Scalar, X: Vector<T>>(
         holds(calm, Reach { reach, ..at }, x.at(k))
     });
     let calm = holds(calm, continuation.time(), t);
-    if !M::LOOSE {
+    if !M::CHARTS.is_loose {
         return calm;
     }
-    let count = first_places::<M>(*chart).map(|k| are_near(x.at(k)));
+    let count = first_places(const { &M::CHARTS }, *chart).map(|k| are_near(x.at(k)));
     count.fold(calm, T::min)
 }
 
@@ -76,12 +76,12 @@ pub fn look<M: Charted, T: Scalar, Y: ContinuationData<T>>(
     }
     let (since, now) = (before.time(), after.time());
     hold((now.last - since.last).abs().lt(far(&since).min(far(&now))));
-    for &k in M::FOUND.get(*chart).copied().unwrap_or_default() {
+    for &k in M::CHARTS.found.get(*chart).copied().unwrap_or_default() {
         if let (Some(before), Some(after)) = (before.angles().get(k), after.angles().get(k)) {
             hold((after.angle - before.angle).abs().lt(FARTHEST.of::<T>()));
         }
     }
-    for count in M::REVOLUTIONS {
+    for count in M::CHARTS.revolutions {
         let own = count.coordinates.get(*chart).and_then(|places| places.first()).map(|&k| x.at(k));
         let angles = || after.angles().get(*count.angles.first()?).map(|turn| turn.angle);
         if let Some(angle) = own.or_else(angles) {

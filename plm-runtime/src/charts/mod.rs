@@ -55,20 +55,14 @@ pub trait Charted:
     type Continuation: ContinuationData<Self::S>;
     /// Pose or velocity of all bodies.
     type Q: Vector<Self::S>;
-    /// Number of charts.
-    const CHARTS: usize;
-    /// The angles of each count.
-    const REVOLUTIONS: &'static [Revolutions];
-    /// A coordinate whose turns are counted moves no loop: how far it goes is looked at in every step.
-    const LOOSE: bool;
-    /// The bodies whose angles are continued, in the order of the data.
-    const TURNING: &'static [&'static str];
-    /// By chart, by place among those angles, which of them loops give: known but for whole turns.
-    const FOUND: &'static [&'static [usize]];
-    /// The bodies and joints of the unknowns of iterations, in the order of the data.
-    const ITERATED: &'static [&'static str];
-    /// By chart, by group: the part that closes its loop.
-    const CLOSING: &'static [&'static [&'static str]];
+    /// The charts of all mechanisms of this type.
+    const CHARTS: Charts;
+
+    /// The charts.
+    #[inline]
+    fn charts(&self) -> &'static Charts {
+        const { &Self::CHARTS }
+    }
 
     /// Pose and velocity of all bodies, and the square of the measure; negative where a loop cannot be closed, zero without a
     /// chart.
@@ -88,6 +82,25 @@ pub trait Charted:
 
     /// Writes the coordinates of a chart and their rates; first-order states stay.
     fn to_chart(&self, chart: usize, t: Self::S, q: &Self::Q, v: &Self::Q, x: &mut Self::X);
+}
+
+/// What charts hold, whatever the state.
+#[derive(Clone, Copy, Debug)]
+pub struct Charts {
+    /// Number of charts.
+    pub count: usize,
+    /// The angles of each count of turns.
+    pub revolutions: &'static [Revolutions],
+    /// A coordinate whose turns are counted moves no loop: how far it goes is looked at in every step.
+    pub is_loose: bool,
+    /// The bodies whose angles are continued, in the order of the data.
+    pub turning: &'static [&'static str],
+    /// By chart, by place among those angles, which of them loops give: known but for whole turns.
+    pub found: &'static [&'static [usize]],
+    /// The bodies and joints of the unknowns of iterations, in the order of the data.
+    pub iterated: &'static [&'static str],
+    /// By chart, by group: the part that closes its loop.
+    pub closing: &'static [&'static [&'static str]],
 }
 
 /// The state in the best chart at a pose that closes the loops; the first chart if it is not flat, none if all are.
@@ -155,14 +168,15 @@ pub fn update<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
 pub fn is_calm<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
     let OfLoops::InChart { continuation, .. } = &held.of_loops else { return false };
     let quiet = |k: usize, at: &Reach<M::S>| {
-        let ample = M::S::lit(BOXES.get() * tight() / M::NQ as f64) * system.typical().at(k);
+        let ample = M::S::lit(BOXES.get() * tight() / system.coordinates() as f64) * system.typical().at(k);
         let reach = if at.reach < ample { at.reach } else { BOXES.of::<M::S>() * at.reach };
         Reach { reach, ..*at }.holds(x.at(k))
     };
-    M::ITERATED.is_empty()
+    let charts = system.charts();
+    charts.iterated.is_empty()
         && continuation.coordinates().iter().enumerate().all(|(k, at)| quiet(k, at))
         && continuation.time().holds(t)
-        && !(M::LOOSE && are_due::<M>(held, x))
+        && !(charts.is_loose && are_due::<M>(charts, held, x))
 }
 
 /// How much of its box a coordinate has crossed in a step, the most of all; zero where all loops are far from flat.
@@ -172,7 +186,7 @@ pub fn is_calm<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
 #[inline]
 pub fn crossed<M: Charted>(system: &M, held: &M::U, before: &M::X, x: &M::X) -> M::S {
     let OfLoops::InChart { continuation, .. } = &held.of_loops else { return M::S::ZERO };
-    let tight = |k: usize| M::S::lit(tight() / M::NQ as f64) * system.typical().at(k);
+    let tight = |k: usize| M::S::lit(tight() / system.coordinates() as f64) * system.typical().at(k);
     continuation.coordinates().iter().enumerate().fold(M::S::ZERO, |most, (k, &Reach { reach, .. })| {
         if reach < tight(k) { most.max((x.at(k) - before.at(k)).abs() / reach) } else { most }
     })
@@ -187,14 +201,14 @@ fn watch<M: Charted>(
     x: &mut M::X,
 ) -> Result<Updated, Fault> {
     let (after, measure) = system.continuation(t, held, x);
-    let looks = Looks::<M> { t, chart, before, after: &after };
+    let looks = Looks { system, t, chart, before, after: &after };
     if is_open(measure) || !after.is_finite() {
         return Err(looks.locked());
     }
     looks.check_iterated(measure)?;
     looks.check_near()?;
     held.of_loops = OfLoops::InChart { chart, continuation: looks.updated()? };
-    let turned = unwind::<M>(held, x);
+    let turned = unwind::<M>(system.charts(), held, x);
     let moved = measure < square(FLAT.get()) && leave(system, t, held, (chart, measure), x);
     Ok(Updated { moved, turned, passed: None })
 }
@@ -221,7 +235,7 @@ pub fn name_of<M: Charted>(
 
 /// The part that closes the loop which is nearest to flat at a pose.
 pub fn flat_part<M: Charted>(system: &M, t: M::S, q: &M::Q, v: &M::Q) -> &'static str {
-    flattest::<M>(0, &system.continuation_at(0, t, q, v).0)
+    flattest(system, 0, &system.continuation_at(0, t, q, v).0)
 }
 
 /// Leaves a chart for one that is better by far, or if it is not good.
@@ -237,7 +251,7 @@ fn leave<M: Charted>(
     if !(q.is_finite() && v.is_finite()) {
         return false;
     }
-    let (chart, other) = if M::CHARTS > 1 { best(system, t, &q, &v) } else { (own, measure) };
+    let (chart, other) = if system.charts().count > 1 { best(system, t, &q, &v) } else { (own, measure) };
     if chart != own && other > square::<M::S>(BETTER.get()) * measure && other > regular_chart() {
         change(system, t, held, (chart, &q, &v), x);
         return true;
@@ -278,7 +292,7 @@ fn free<M: Charted>(held: &mut M::U, (q, v): (&M::Q, &M::Q), x: &mut M::X) {
 /// The chart with the largest measure at a pose, and its square.
 fn best<M: Charted>(system: &M, t: M::S, q: &M::Q, v: &M::Q) -> (usize, M::S) {
     let mut best = (0, system.continuation_at(0, t, q, v).1);
-    for chart in 1..M::CHARTS {
+    for chart in 1..system.charts().count {
         let (_, measure) = system.continuation_at(chart, t, q, v);
         if best.1 < measure {
             best = (chart, measure);
@@ -301,9 +315,9 @@ fn change<M: Charted>(
         return;
     }
     held.of_loops = OfLoops::InChart { chart, continuation };
-    if !M::ITERATED.is_empty() {
+    if !system.charts().iterated.is_empty() {
         let after = system.continuation(t, held, &probe(system, &continuation, x)).0;
-        continuation.narrow(Looks::<M> { t, chart, before: &continuation, after: &after }.narrowed());
+        continuation.narrow(Looks { system, t, chart, before: &continuation, after: &after }.narrowed());
         held.of_loops = OfLoops::InChart { chart, continuation };
     }
 }

@@ -1,6 +1,6 @@
 //! Angles that have turned far are brought back by whole turns, in the coordinates and in the continuation data.
 
-use super::{Charted, ContinuationData, OfLoops};
+use super::{Charted, Charts, ContinuationData, OfLoops};
 use crate::turns::{due, less};
 use crate::vector::Vector;
 
@@ -17,24 +17,24 @@ pub struct Revolutions {
 
 /// Is a coordinate to be brought back?
 #[inline]
-pub(super) fn are_due<M: Charted>(held: &M::U, x: &M::X) -> bool {
+pub(super) fn are_due<M: Charted>(charts: &Charts, held: &M::U, x: &M::X) -> bool {
     let OfLoops::InChart { chart, .. } = held.of_loops else { return false };
-    first_places::<M>(chart).any(|k| due(x.at(k)) != 0)
+    first_places(charts, chart).any(|k| due(x.at(k)) != 0)
 }
 
 /// By count, the first of its coordinates in a chart.
 #[inline]
-pub(super) fn first_places<M: Charted>(chart: usize) -> impl Iterator<Item = usize> {
-    let coordinates = M::REVOLUTIONS.iter().filter_map(move |count| count.coordinates.get(chart));
+pub(super) fn first_places(charts: &Charts, chart: usize) -> impl Iterator<Item = usize> {
+    let coordinates = charts.revolutions.iter().filter_map(move |count| count.coordinates.get(chart));
     coordinates.filter_map(|places| places.first().copied())
 }
 
 /// Brings angles back where the first of a count has turned far; whether there were some.
 #[inline]
-pub(super) fn unwind<M: Charted>(held: &mut M::U, x: &mut M::X) -> bool {
+pub(super) fn unwind<M: Charted>(charts: &Charts, held: &mut M::U, x: &mut M::X) -> bool {
     let OfLoops::InChart { chart, continuation } = &mut held.of_loops else { return false };
     let mut turned = false;
-    for (count, turns) in M::REVOLUTIONS.iter().zip(held.turns.as_mut()) {
+    for (count, turns) in charts.revolutions.iter().zip(held.turns.as_mut()) {
         let coordinates = count.coordinates.get(*chart).copied().unwrap_or_default();
         let in_continuation = || continuation.angles().get(*count.angles.first()?).map(|turn| turn.angle);
         let due = coordinates.first().map(|&k| x.at(k)).or_else(in_continuation).map_or(0, due);

@@ -18,7 +18,8 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         history: &History<M>,
         step: &Step<'_, M>,
     ) -> bool {
-        G::LEN == 0 || history.beginning.as_ref().is_some_and(|centre| self.guard_free.holds(centre, step))
+        step.system.guard_count() == 0
+            || history.beginning.as_ref().is_some_and(|centre| self.guard_free.holds(centre, step))
     }
 
     /// The event at the end of a step: without dense output by its guards, unless the step stays in the guard-free region.
@@ -30,7 +31,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         start: &Beginning<M>,
         event: Event,
     ) -> Result<Event, Fault> {
-        if I::DENSE || G::LEN == 0 {
+        if I::DENSE || context.system.guard_count() == 0 {
             return Ok(event);
         }
         let step = context.step((start.time, &start.x));

@@ -56,7 +56,8 @@ pub(crate) fn before_projection<M: System<S: Real>>(
     x: &M::X,
 ) -> Result<(), Fault> {
     let (mut after, mut beyond) = (context.held, *x);
-    if M::G::LEN == 0 || switch_where_due(context.system, t, &mut after, &mut beyond)? == 0 {
+    if context.system.guard_count() == 0 || switch_where_due(context.system, t, &mut after, &mut beyond)? == 0
+    {
         return Ok(());
     }
     context.system.jump(t, &context.held, x, Some(&after)).map_or(Ok(()), Err)

@@ -39,12 +39,14 @@ pub(super) fn kink<M: System<S: Real>, I: Method<M>>(
     (start, crossing): (M::S, Option<M::S>),
     relevant: u128,
 ) -> Result<Option<M::S>, Fault> {
-    let (Some(tolerance), Some(path), true) = (method.tolerance(), method.path(), M::KINKS > 0) else {
+    let (Some(tolerance), Some(path), true) =
+        (method.tolerance(), method.path(), context.system.kink_count() > 0)
+    else {
         return Ok(None);
     };
     let (system, held) = (context.system, context.held);
     // Where there are guards, the dense output is known.
-    let path = if M::G::LEN > 0 {
+    let path = if context.system.guard_count() > 0 {
         path
     } else {
         if (Kinks { system, held, path, relevant }).first().is_none() {

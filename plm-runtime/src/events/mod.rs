@@ -163,7 +163,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         method: &mut I,
         context: &mut Context<'_, M>,
     ) -> Result<Event, Fault> {
-        if !I::DENSE || G::LEN == 0 && M::KINKS == 0 {
+        if !I::DENSE || context.system.guard_count() == 0 && context.system.kink_count() == 0 {
             method.advance(context)?;
             return Ok(Event::None);
         }
@@ -227,7 +227,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         if M::CONTACTS > 0 && self.stay(context, start, end) {
             return Ok((Ends::Whole, context.time));
         }
-        if G::LEN > 0 {
+        if context.system.guard_count() > 0 {
             method.densify(context)?;
         }
         let path = method.path();
@@ -264,7 +264,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         context: &mut Context<'_, M>,
         (event, step): (Event, S),
     ) -> Result<(), Fault> {
-        if G::LEN == 0 {
+        if context.system.guard_count() == 0 {
             return Ok(());
         }
         if let Event::Behind { missed } = event {
@@ -346,7 +346,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         (start, end): (&Beginning<M>, &G),
         relevant: Relevant,
     ) -> (Found<S>, S) {
-        if G::LEN == 0 {
+        if context.system.guard_count() == 0 {
             return (Found::Nothing, context.time);
         }
         let Some(path) = method.path() else {

@@ -32,7 +32,8 @@ impl Relevant {
         if !M::SELECTIVE {
             return u128::MAX;
         }
-        let matter = (0..M::KINKS.min(128)).filter(|k| system.matters(held, M::G::LEN + k, unknown));
+        let matter =
+            (0..system.kink_count().min(128)).filter(|k| system.matters(held, M::G::LEN + k, unknown));
         matter.fold(0, |bits, k| bits | 1 << k)
     }
 

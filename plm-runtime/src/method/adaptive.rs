@@ -58,7 +58,7 @@ pub(super) fn next_step<M: System<S: Real>>(
     proposal: M::S,
 ) -> Result<(M::S, bool), Fault> {
     // Where nothing is integrated, steps are looks at what moves as it is told to: as many as it takes.
-    if M::X::LEN > 0 {
+    if context.system.states() > 0 {
         context.check_steps(most)?;
     }
     let rest = context.end - context.time;

@@ -149,8 +149,10 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
             let (health, are_near) = looked_at::<F, M, _>(all, (t, h), x, |x, stages| {
                 are_near::<F, M>(context.system, h, x, stages)
             });
-            let is_bent =
-                || is_due::<M>(context.stats) && !are_straight::<F, M>(context.system, h, [&context.x, x]);
+            let is_bent = || {
+                is_due(context.system, context.stats)
+                    && !are_straight::<F, M>(context.system, h, [&context.x, x])
+            };
             let is_short = are_near && !is_bent();
             context.stats.evaluations += F::STAGES;
             context.health = context.health.min(health.0);
@@ -327,7 +329,7 @@ impl<M: System<S: Real>, F: Formula> FixedLength<M> for FixedStep<M::S, F> {
 
     #[inline]
     fn is_long(&self, (system, stats): (&M, &Stats), h: M::S, ends: [&M::X; 2]) -> bool {
-        is_due::<M>(stats) && !are_straight::<F, M>(system, h, ends)
+        is_due(system, stats) && !are_straight::<F, M>(system, h, ends)
     }
 
     #[inline]

@@ -19,20 +19,26 @@ const OFTEN: u64 = 7;
 
 /// ... and in every one again behind one that was too long: of mechanisms with many states.
 #[inline]
-pub(super) fn is_due<M: Rate>(stats: &Stats) -> bool {
-    !has_few::<M>() && (stats.steps < FIRST || stats.steps & OFTEN == 0 || stats.largest_error > 0.0)
+pub(super) fn is_due<M: Rate>(system: &M, stats: &Stats) -> bool {
+    !has_few(moving(system)) && (stats.steps < FIRST || stats.steps & OFTEN == 0 || stats.largest_error > 0.0)
+}
+
+/// The number of velocities and first-order states.
+#[inline]
+fn moving<M: Rate>(system: &M) -> usize {
+    system.states() - system.coordinates()
 }
 
 /// Has the mechanism few velocities and first-order states?
 #[inline]
-pub(super) fn has_few<M: Rate>() -> bool {
-    M::X::LEN - M::NQ <= FEW
+pub(super) fn has_few(velocities_and_states: usize) -> bool {
+    velocities_and_states <= FEW
 }
 
 /// The first state whose rates are compared.
 #[inline]
-fn first<F: Formula, M: Rate>() -> usize {
-    match has_few::<M>() {
+fn first<F: Formula, M: Rate>(has_few: bool) -> usize {
+    match has_few {
         true if F::OF_PLACES => 0,
         true => M::NQ,
         false => 2 * M::NQ,
@@ -52,7 +58,7 @@ pub(super) fn are_near<F: Formula, M: Rate<S: Real>>(
     let typical = system.typical();
     let apart = F::apart::<M>(h, stages, |i| x.at(i).abs() + typical.at(i));
     // All are compared: so compilers make vectors of them. False for what is not a number.
-    (first::<F, M>()..M::X::LEN).fold(true, |all, i| {
+    (first::<F, M>(has_few(moving(system)))..M::X::LEN).fold(true, |all, i| {
         let [apart, most] = apart(i);
         all & (apart <= most)
     })
@@ -89,8 +95,9 @@ pub(crate) fn coarseness<F: Formula, M: Rate>(
     let zero = M::S::lit(0.0);
     let apart = F::apart::<M>(h, stages, |i| ends[1].at(i).abs() + typical.at(i));
     let beyond = |coarse: M::S, [apart, most]: [M::S; 2]| coarse.max(apart - most);
-    let coarse = (first::<F, M>()..M::X::LEN).fold(zero, |coarse, i| beyond(coarse, apart(i)));
-    if has_few::<M>() {
+    let has_few = has_few(M::X::LEN - M::NQ);
+    let coarse = (first::<F, M>(has_few)..M::X::LEN).fold(zero, |coarse, i| beyond(coarse, apart(i)));
+    if has_few {
         return coarse;
     }
     (0..M::NQ).fold(coarse, |coarse, i| beyond(coarse, bend::<F, M>(typical, h, ends, i)))

@@ -47,7 +47,7 @@ pub(super) struct Rows<
     const NC: usize,
     const NX: usize,
 > {
-    system: &'m M,
+    pub(super) system: &'m M,
     extended: &'m M::Extended,
     length: M::S,
     /// Rows that say something: the others repeat what they say at every pose, and elimination leaves them out.
@@ -137,11 +137,7 @@ impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, con
 
     /// The unit of a row.
     fn row(&self, r: usize) -> M::S {
-        if <M as Absolute<M::S, NQ, NC>>::ANGULAR.get(r).copied().unwrap_or(false) {
-            self.length
-        } else {
-            M::S::lit(1.0)
-        }
+        if self.system.layout().is_angular(r) { self.length } else { M::S::lit(1.0) }
     }
 
     /// Residuals, m.
@@ -338,10 +334,10 @@ impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, con
     #[inline(never)]
     fn terms(&self, t: M::S, q: &[M::S; NQ]) -> [M::S; NC] {
         let (mut terms, mut rest) = ([M::S::ZERO; NC], [M::S::ZERO; NC]);
-        let angular = <M as Absolute<M::S, NQ, NC>>::ANGULAR;
+        let layout = self.system.layout();
         self.system.phi_q(t, q, &mut |r, i, entry| {
             let of_place = i % 3 != 2;
-            if of_place != angular.get(r).copied().unwrap_or(false) {
+            if of_place != layout.is_angular(r) {
                 rest.set(r, rest.at(r) + self.row(r) * entry * q.at(i));
             }
         });

@@ -96,7 +96,7 @@ where
     M: ExtendedPrecision<NQ, NC, NX>,
 {
     // The gap is a sum over all rows, as is its rounding.
-    let many = M::S::lit(NC as f64 / FEW_ROWS.get()).max(M::S::lit(1.0));
+    let many = M::S::lit(equations.system.layout().rows.len() as f64 / FEW_ROWS.get()).max(M::S::lit(1.0));
     let unit = many * M::S::EPSILON * equations.size(&polynomial.from);
     let gap_at = |part: M::S| equations.gap(t + part * polynomial.h, &polynomial.at(part));
     // The rounded state that it begins with is as open as rounding makes it.

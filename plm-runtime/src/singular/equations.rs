@@ -1,7 +1,7 @@
 //! The equations of motion in absolute coordinates, on states that are led back onto the constraints.
 
 use super::{ExtendedPrecision, size};
-use crate::absolute::{Absolute, nearest, split};
+use crate::absolute::{Absolute, Layout, nearest, split};
 use crate::double_double::DoubleDouble;
 use crate::scalar::{Real, Scalar};
 use crate::start::Start;
@@ -32,10 +32,9 @@ pub(super) struct Opened<'m, F, S, const NC: usize> {
 impl<S: Real, F: Absolute<DoubleDouble<S>, NQ, NC>, const NQ: usize, const NC: usize>
     Absolute<DoubleDouble<S>, NQ, NC> for Opened<'_, F, S, NC>
 {
-    const ROWS: [&'static str; NC] = F::ROWS;
-    const PARTS: [&'static str; NC] = F::PARTS;
-    const COORDINATES: [&'static str; NQ] = F::COORDINATES;
-    const ANGULAR: [bool; NC] = F::ANGULAR;
+    fn layout(&self) -> &'static Layout {
+        self.of.layout()
+    }
 
     fn phi(&self, t: DoubleDouble<S>, q: &[DoubleDouble<S>; NQ]) -> [DoubleDouble<S>; NC] {
         let phi = self.of.phi(t, q);
@@ -184,7 +183,8 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
     for Equations<M, NQ, NC, NX>
 {
     fn part_of_state(&self, index: usize) -> &'static str {
-        let name = if index < 2 * NQ { M::COORDINATES.get(index % NQ.max(1)) } else { None };
+        let names = self.system.layout().coordinates;
+        let name = if index < 2 * NQ { names.get(index % NQ.max(1)) } else { None };
         name.copied().unwrap_or_default()
     }
 }

@@ -6,7 +6,6 @@
 
 use super::ExtendedPrecision;
 use super::critical::{Critical, Rows};
-use crate::absolute::Absolute;
 use crate::double_double::DoubleDouble;
 use crate::fault::{Cause, Fault};
 use crate::linalg::dot;
@@ -139,9 +138,9 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
             }
         }
         let cause = Cause::LockedAt {
-            row: <M as Absolute<M::S, NQ, NC>>::ROWS.get(row).copied().unwrap_or_default(),
+            row: self.system.layout().rows.get(row).copied().unwrap_or_default(),
             value: self.held_value(t, &q, row).to_f64(),
-            angular: <M as Absolute<M::S, NQ, NC>>::ANGULAR.get(row).copied().unwrap_or_default(),
+            angular: self.system.layout().is_angular(row),
         };
         Fault::of_part(t.to_f64(), part, cause)
     }

@@ -69,7 +69,13 @@ pub trait ExtendedPrecision<const NQ: usize, const NC: usize, const NX: usize>:
     );
 
     /// The mechanism has charts, which say themselves whether they are regular.
-    const CHARTED: bool;
+    fn is_charted(&self) -> bool;
+
+    /// Has it singular poses at all? A tree of joints has none.
+    #[inline]
+    fn may_be_singular(&self) -> bool {
+        true
+    }
 
     /// How long a step from `before` to `x` is beside the turn next to a flat pose, [`charts::crossed`](crate::charts::crossed).
     fn crossed(&self, held: &Self::U, before: &Self::X, x: &Self::X) -> Self::S;

@@ -50,7 +50,7 @@ pub struct NearSingular<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const
 fn crossed<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     step: &Step<'_, M>,
 ) -> M::S {
-    if M::CHARTED {
+    if step.system.is_charted() {
         step.system.crossed(step.held, step.from.1, step.to.1)
     } else {
         M::S::lit(1.0 / BOX.get()) * turned(step)
@@ -307,15 +307,19 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
 
     #[inline]
     fn holds(context: &Context<'_, M>) -> bool {
-        if M::CHARTED { M::is_near(&context.held) } else { context.rescued.is_some() }
+        if context.system.is_charted() { M::is_near(&context.held) } else { context.rescued.is_some() }
     }
 
     #[inline]
     fn nearness(step: &Step<'_, M>, length: Length) -> Nearness {
+        let charted = step.system.is_charted();
+        if !step.system.may_be_singular() {
+            return Nearness::Regular;
+        }
         let is_singular = match length {
             Length::NearSingular => false,
-            Length::Error => !M::CHARTED && is_ill_conditioned(step),
-            Length::Alone if M::CHARTED => crossed(step) > SHARP.of::<M::S>(),
+            Length::Error => !charted && is_ill_conditioned(step),
+            Length::Alone if charted => crossed(step) > SHARP.of::<M::S>(),
             Length::Alone => is_ill_conditioned(step),
             Length::Fixed { caution } => {
                 let caution = if is_double::<M::S>() { caution } else { FAST.get() * caution };
@@ -323,7 +327,7 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
                 if crossed > LONG.of::<M::S>() {
                     return Nearness::Turn { parts: 1 + (crossed.to_f64() / short()).min(MOST_PARTS) as u32 };
                 }
-                !M::CHARTED && is_ill_conditioned(step)
+                !charted && is_ill_conditioned(step)
             }
         };
         if is_singular { Nearness::Singular } else { Nearness::Regular }
@@ -335,7 +339,7 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
             return false;
         }
         context.system.hold(&mut context.held, &mut context.x, &full);
-        context.rescued = (!M::CHARTED).then_some(context.time);
+        context.rescued = (!context.system.is_charted()).then_some(context.time);
         true
     }
 

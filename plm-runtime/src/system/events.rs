@@ -12,6 +12,12 @@ pub trait Events: Rate {
     /// A number for every switching condition; `[S; 0]` costs nothing.
     type G: Vector<Self::S>;
 
+    /// Number of switching conditions; the guards behind them are 1.
+    #[inline]
+    fn guard_count(&self) -> usize {
+        Self::G::LEN
+    }
+
     /// How far every switching condition is from switching: positive as long as the side of it that `u` holds applies.
     ///
     /// Only conditions at which the rate jumps have a guard. A relay that is on down to `low` and off up to `high` gives
@@ -81,8 +87,14 @@ pub trait Events: Rate {
         Ok(())
     }
 
-    /// Number of kinks: numbers at whose zeros the rate has a corner; a step ends there if that matters.
+    /// Most kinks: numbers at whose zeros the rate has a corner; a step ends there if that matters.
     const KINKS: usize = 0;
+
+    /// Number of kinks.
+    #[inline]
+    fn kink_count(&self) -> usize {
+        Self::KINKS
+    }
 
     /// Gives each of these numbers with its index.
     fn kinks(&self, t: Self::S, u: &Self::U, x: &Self::X, each: &mut impl FnMut(usize, Self::S)) {

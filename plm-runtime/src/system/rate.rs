@@ -42,6 +42,19 @@ pub trait Rate {
         health.worst(self.rate(later, u, &second(first), last))
     }
 
+    /// Number of coordinates: `NQ`, or fewer of a system that has its size from a program. Then the numbers of the state behind the last
+    /// coordinate, and those behind the last velocity, are zero and stay so.
+    #[inline]
+    fn coordinates(&self) -> usize {
+        Self::NQ
+    }
+
+    /// Number of coordinates, velocities and first-order states: errors are means over so many.
+    #[inline]
+    fn states(&self) -> usize {
+        Self::X::LEN
+    }
+
     /// Typical size of each state; with the relative tolerance it gives the absolute one: atol = rtol * typical.
     #[inline]
     fn typical(&self) -> Self::X {

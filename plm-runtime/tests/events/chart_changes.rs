@@ -82,13 +82,15 @@ impl Charted for Bead {
     type Contact = ();
     type Continuation = Continuation;
     type Q = [f64; 2];
-    const CHARTS: usize = 2;
-    const REVOLUTIONS: &'static [charts::Revolutions] = &[];
-    const LOOSE: bool = false;
-    const TURNING: &'static [&'static str] = &[];
-    const FOUND: &'static [&'static [usize]] = &[];
-    const ITERATED: &'static [&'static str] = &[];
-    const CLOSING: &'static [&'static [&'static str]] = &[&["ring"], &["hoop"]];
+    const CHARTS: charts::Charts = charts::Charts {
+        count: 2,
+        revolutions: &[],
+        is_loose: false,
+        turning: &[],
+        found: &[],
+        iterated: &[],
+        closing: &[&["ring"], &["hoop"]],
+    };
 
     fn pose(&self, _t: f64, held: &Bound, x: &[f64; 3]) -> ([f64; 2], [f64; 2], f64) {
         let (chart, continuation) = match held.of_loops {

@@ -61,13 +61,15 @@ impl Charted for Link {
     type Contact = ();
     type Continuation = Continuation;
     type Q = [f64; 1];
-    const CHARTS: usize = 1;
-    const REVOLUTIONS: &'static [charts::Revolutions] = &[];
-    const LOOSE: bool = false;
-    const TURNING: &'static [&'static str] = &[];
-    const FOUND: &'static [&'static [usize]] = &[];
-    const ITERATED: &'static [&'static str] = &["link"];
-    const CLOSING: &'static [&'static [&'static str]] = &[&["pin"]];
+    const CHARTS: charts::Charts = charts::Charts {
+        count: 1,
+        revolutions: &[],
+        is_loose: false,
+        turning: &[],
+        found: &[],
+        iterated: &["link"],
+        closing: &[&["pin"]],
+    };
 
     fn pose(&self, _t: f64, _held: &Self::U, x: &[f64; 2]) -> ([f64; 1], [f64; 1], f64) {
         ([x[0]], [x[1]], self.measure * self.measure)

@@ -209,9 +209,19 @@ macro_rules! linkage {
         pub struct $name<S>(pub $crate::linkage::Linkage<S, $nq, $nc>);
 
         impl<S: plm_runtime::Real> plm_runtime::Absolute<S, $nq, $nc> for $name<S> {
-            const ROWS: [&'static str; $nc] = $rows;
-            const PARTS: [&'static str; $nc] = $parts;
-            const COORDINATES: [&'static str; $nq] = $coordinates;
+            fn layout(&self) -> &'static plm_runtime::absolute::Layout {
+                const ROWS: [&str; $nc] = $rows;
+                const PARTS: [&str; $nc] = $parts;
+                const COORDINATES: [&str; $nq] = $coordinates;
+                const LAYOUT: plm_runtime::absolute::Layout = plm_runtime::absolute::Layout {
+                    rows: &ROWS,
+                    parts: &PARTS,
+                    coordinates: &COORDINATES,
+                    angular: &[],
+                    given_angles: &[],
+                };
+                &LAYOUT
+            }
 
             fn phi(&self, _t: S, q: &[S; $nq]) -> [S; $nc] {
                 self.0.phi(q)
@@ -298,7 +308,7 @@ macro_rules! linkage {
 
         impl<S: plm_runtime::Real> plm_runtime::Labels for $name<S> {
             fn part_of_state(&self, index: usize) -> &'static str {
-                <Self as plm_runtime::Absolute<S, $nq, $nc>>::COORDINATES[index % $nq]
+                plm_runtime::Absolute::<S, $nq, $nc>::layout(self).coordinates[index % $nq]
             }
         }
 

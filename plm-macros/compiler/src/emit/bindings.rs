@@ -1,32 +1,12 @@
 //! Where the symbols of the model are found in an emitted function.
 
-use plm_cas::Expr;
-
 use super::Emission;
 use super::contract::contact_sliding;
 use super::lower::Bindings;
-use crate::collect::PushAll;
-use crate::formulate::{Chart, Resolvent};
+use crate::collect::CollectVec;
 use crate::model::ContactMode;
-
-/// Origin of the arguments of a function.
-#[derive(Clone, Copy)]
-pub(super) enum Origin<'a> {
-    /// `self` is the mechanism; time, inputs and state are arguments `t`, `u`, `x`.
-    Arguments,
-    /// `self` is the mechanism; coordinates and velocities are arguments `q`, `v`.
-    Pose,
-    /// `self` is a `State`; the pose is in the locals `q`, `v`.
-    State,
-    /// `self` is the mechanism; `x` is the state in this chart, `m` what is remembered.
-    Chart(&'a Chart),
-    /// A chart's rate; the argument `DIRECT` tells of angles among it.
-    Rate(&'a Chart),
-    /// Absolute coordinates, with their rate `dx` and the multipliers `lambda`.
-    Linearised,
-    /// Operands of linear algebra: `c`, `e`, `r`, `lambda`, `inverse`.
-    Resolvent(&'a Resolvent),
-}
+pub(super) use crate::source::Origin;
+use crate::source::{OfScalar, Source, Symbols};
 
 impl Emission<'_> {
     /// Source text of the parameters, where `self` is the mechanism.
@@ -37,90 +17,54 @@ impl Emission<'_> {
 
     /// Source text of every symbol.
     pub(super) fn bindings(&self, origin: Origin) -> Bindings {
-        let Emission { model, equations, fields, .. } = self;
-        let of_state = matches!(origin, Origin::State);
-        let [mechanism, held, x, time] = if of_state {
-            ["self.mechanism", "self.held", "self.x", "self.time"]
-        } else {
-            ["self", "u", "x", "t"]
-        };
-        let mut bindings = Vec::new();
-        for (param, field) in model.params.iter().zip(&fields.params) {
-            bindings.push((param.symbol, format!("{mechanism}.{field}")));
-        }
-        for (declared, field) in model.inputs.iter().zip(&fields.inputs) {
-            bindings.push((declared.symbol, format!("{held}.input.{field}")));
-        }
-        for (k, switch) in model.switches.iter().enumerate() {
-            bindings.push((switch.symbol, format!("{held}.switches[{k}]")));
-        }
-        for (k, counted) in model.turns.iter().enumerate() {
-            bindings.push((counted.symbol, format!("S::of_turns({held}.turns[{k}])")));
-        }
-        for (k, contact) in model.contacts.iter().enumerate() {
-            let multipliers = if of_state { "contact" } else { "u.contact.lambda" };
-            bindings.push((contact.lambda, format!("{multipliers}[{k}]")));
-            let does = match contact.kind_of_mode() {
-                ContactMode::Open => "is_open",
-                ContactMode::Sticking => "is_sticking",
-            };
-            let does = format!("S::lit({held}.contact.modes.{does}({k}) as u8 as f64)");
-            bindings.push((contact.mode, does));
-        }
-        bindings.push((model.time, time.to_owned()));
-        bindings.push((model.most_growth, "lit(S::MOST_GROWTH)".to_owned()));
-        bindings.push((model.agreement, "lit(S::AGREEMENT)".to_owned()));
-        bindings.push((model.precision, "lit(S::PRECISION)".to_owned()));
-        if let Origin::Resolvent(resolvent) = origin {
-            bindings.push((resolvent.lambda, "lambda".to_owned()));
-            bindings.push((resolvent.inverse, "inverse".to_owned()));
-        }
-        let mut bind = |symbols: &[Expr], array: &str, offset: usize| {
-            for (k, &symbol) in symbols.iter().enumerate() {
-                bindings.push((symbol, format!("{array}[{}]", offset + k)));
-            }
-        };
-        let nq = equations.q.len();
-        let [q, v] = match origin {
-            Origin::Pose | Origin::State => [("q", 0), ("v", 0)],
-            _ => [(x, 0), (x, nq)],
-        };
-        match origin {
-            Origin::Pose => {}
-            Origin::Resolvent(Resolvent { c, e, r, .. }) => {
-                bind(c, "c", 0);
-                bind(e, "e", 0);
-                bind(r, "r", 0);
-            }
-            Origin::State => bind(&equations.x, x, self.sizes.second_order),
-            Origin::Arguments | Origin::Linearised => bind(&equations.x, x, 2 * nq),
-            Origin::Chart(chart) | Origin::Rate(chart) => {
-                let freedom = chart.y.len();
-                bind(&chart.y, x, 0);
-                bind(&chart.y_dot, x, freedom);
-                bind(&equations.x, x, 2 * freedom);
-                let linearised =
-                    chart.linearised.as_ref().map(|linearised| &linearised.augmented.accelerations);
-                let jacobian = chart.jacobian.as_ref().map(|jacobian| &jacobian.accelerations);
-                for accelerations in linearised.into_iter().chain(jacobian) {
-                    bind(accelerations, "dx", freedom);
-                }
-            }
-        }
-        if !matches!(origin, Origin::Chart(_) | Origin::Rate(_)) {
-            bind(&equations.q, q.0, q.1);
-            bind(&equations.v, v.0, v.1);
-        }
-        let a = if matches!(origin, Origin::Linearised) { ("dx", nq) } else { ("a", 0) };
-        bind(&equations.a, a.0, a.1);
-        bind(&equations.lambda, "lambda", 0);
-        bind(&self.program.weights, "w", 0);
-        bind(&self.program.r, "r", 0);
+        let &Emission { model, equations, program: absolute, .. } = self;
+        let symbols = Symbols { model, equations, absolute, reduced: self.reduced };
+        let mut places = symbols.of(origin);
         for (symbols, array) in contact_sliding::symbols(self) {
-            bind(symbols, array, 0);
+            for (k, &symbol) in symbols.iter().enumerate() {
+                places.push((symbol, Source::Element(array, k)));
+            }
         }
-        let remembered = self.loops().into_iter().flat_map(|reduced| &reduced.memory);
-        bindings.push_all(remembered.map(|(symbol, path)| (*symbol, format!("m.{path}"))));
-        Bindings::of(bindings)
+        let of_state = matches!(origin, Origin::State);
+        let texts = places.into_iter().map(|(symbol, source)| (symbol, self.place_in_rust(source, of_state)));
+        Bindings::of(texts.collect_vec())
+    }
+
+    /// Source text of a place; `of_state` where `self` is a `State`.
+    fn place_in_rust(&self, source: Source, of_state: bool) -> String {
+        let Emission { fields, .. } = self;
+        let [mechanism, held, time] =
+            if of_state { ["self.mechanism", "self.held", "self.time"] } else { ["self", "u", "t"] };
+        match source {
+            Source::Time => time.to_owned(),
+            Source::Parameter(k) => format!("{mechanism}.{}", fields.params[k]),
+            Source::Input(k) => format!("{held}.input.{}", fields.inputs[k]),
+            Source::Switch(k) => format!("{held}.switches[{k}]"),
+            Source::Turns(k) => format!("S::of_turns({held}.turns[{k}])"),
+            Source::Multiplier(k) if of_state => format!("contact[{k}]"),
+            Source::Multiplier(k) => format!("u.contact.lambda[{k}]"),
+            Source::Mode(k, mode) => {
+                let does = match mode {
+                    ContactMode::Open => "is_open",
+                    ContactMode::Sticking => "is_sticking",
+                };
+                format!("S::lit({held}.contact.modes.{does}({k}) as u8 as f64)")
+            }
+            Source::Scalar(number) => {
+                let name = match number {
+                    OfScalar::MostGrowth => "MOST_GROWTH",
+                    OfScalar::Agreement => "AGREEMENT",
+                    OfScalar::Precision => "PRECISION",
+                };
+                format!("lit(S::{name})")
+            }
+            Source::Remembered(k) => {
+                let paths = self.reduced.and_then(|reduced| reduced.memory.get(k));
+                paths.map(|(_, path)| format!("m.{path}")).unwrap_or_default()
+            }
+            Source::Element("x", k) if of_state => format!("self.x[{k}]"),
+            Source::Element(array, k) => format!("{array}[{k}]"),
+            Source::Number(name) => name.to_owned(),
+        }
     }
 }

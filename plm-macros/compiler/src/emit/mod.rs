@@ -30,7 +30,10 @@ use self::code::Texts;
 use self::fields::Fields;
 pub(crate) use self::fields::METHODS;
 pub(crate) use self::lower::names;
+#[cfg(feature = "lowered")]
+pub(crate) use self::lower::{MOST_TERMS, is_pair, uses};
 use crate::derive::Equations;
+use crate::facts;
 use crate::formulate::{Absolute, Chart, Function, Program, Reduced};
 use crate::model::Model;
 use crate::report::Report;
@@ -45,6 +48,8 @@ pub(crate) struct Emission<'a> {
     equations: &'a Equations,
     program: &'a Absolute,
     form: Form<'a>,
+    /// Joint coordinates, if they are taken.
+    reduced: Option<&'a Reduced>,
     report: &'a Report,
     /// The name of the mechanism's type in the code.
     name: Ident,
@@ -106,13 +111,13 @@ pub(crate) fn emit(
         equations,
         program: &program.absolute,
         form,
+        reduced,
         report,
         name: names::token(names::free(&shown), span),
         shown: names::token(&shown, span),
         fields: Fields::new(model, place),
         sizes: Sizes::new(equations, reduced),
-        may_be_singular: model.contacts.is_empty()
-            && contract::singular::may_be_singular(model, equations, form),
+        may_be_singular: facts::may_be_singular(model, equations, reduced),
         rerolled: report.rerolls(),
         texts: Texts::default(),
     };
@@ -293,14 +298,12 @@ impl Emission<'_> {
 
     /// Does an output or an event read accelerations or multipliers?
     fn reads_solution(&self) -> bool {
-        self.program.outputs.user.iter().any(|output| output.solves) || self.events_read_solution()
+        facts::reads_solution(self.model, self.equations, self.program)
     }
 
     /// Does a condition of an event read accelerations or reactions of joints?
     fn events_read_solution(&self) -> bool {
-        let differences = self.model.switches.iter().map(|switch| switch.difference);
-        let read = algebra::symbols(&differences.collect_vec());
-        self.equations.a.iter().chain(&self.equations.lambda).any(|unknown| read.contains(unknown))
+        facts::conditions::read_solution(self.model, self.equations)
     }
 }
 

@@ -68,6 +68,8 @@ struct Trial<M: System> {
     x: M::X,
     errors: Errors<M::S>,
     weight: M::X,
+    /// How many velocities and first-order states it has.
+    count: M::S,
     drift: M::S,
 }
 
@@ -131,10 +133,12 @@ impl<M: System<S: Real>> Adams<M> {
             x.set(i, x.at(i) + change);
         }
         let weight = weight(context, tolerance, h);
-        let mean = |sum: M::S| (sum / M::S::lit((M::X::LEN - M::NQ).max(1) as f64)).sqrt();
+        let moving = (context.system.states() - context.system.coordinates()).max(1);
+        let count = M::S::lit(moving as f64);
+        let mean = |sum: M::S| (sum / count).sqrt();
         let errors = Errors::new(h, differences.sizes(&surprise, &weight, k).map(mean), k, by);
         let drift = self.projection.drift((context.system, &context.held), tolerance, (time, &x));
-        Ok(Trial { x, errors, weight, drift })
+        Ok(Trial { x, errors, weight, count, drift })
     }
 
     /// The state at the end of an accepted step and its rate, projected if the drift asks for it or the step went by rank.
@@ -161,7 +165,7 @@ impl<M: System<S: Real>> Adams<M> {
         let k = next.order;
         differences.accept(rate, k);
         let one_more = (k < by.equal).then(|| {
-            let mean = differences.next_size(&trial.weight, k) / M::S::lit((M::X::LEN - M::NQ).max(1) as f64);
+            let mean = differences.next_size(&trial.weight, k) / trial.count;
             Errors::one_more(h, mean.sqrt(), k)
         });
         *next = order::next(&trial.errors, one_more, (k, h), begins, by.equal);

@@ -144,12 +144,13 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
             let size = from.at(i).abs().max(end.at(i).abs());
             M::S::lit(1.0) / (rtol * (typical.at(i) + size))
         });
-        let error = P::error(h, k, &weight);
+        let by = (&weight, context.system.states());
+        let error = P::error(h, k, by);
         // Where forces bend sharply within a step estimates are no powers of its length, and one that is combined may vanish by chance: the
         // error was 1000 times the tolerance then. Behind the first step the last one tells what is to be expected; before, the estimate of
         // lower order bounds it by itself.
         let is_first = M::BENDS && self.steady.is_new();
-        let least = if is_first { P::plain_error(h, k, &weight) } else { M::S::ZERO };
+        let least = if is_first { P::plain_error(h, k, by) } else { M::S::ZERO };
         (error, least, self.drift_ratio(context, (context.time + h, end)))
     }
 
@@ -161,7 +162,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         for i in 0..M::X::LEN {
             let mut weight = M::X::fill(M::S::ZERO);
             weight.set(i, M::S::lit(1.0) / (typical.at(i) + size(i)));
-            let error = P::error(M::S::lit(1.0), k, &weight);
+            let error = P::error(M::S::lit(1.0), k, (&weight, system.states()));
             if error > most.1 {
                 most = (Some(i), error);
             }

@@ -41,11 +41,11 @@ pub trait Pair: Copy + Debug {
     /// The rate at the end of a step, if it is one of the stages.
     fn rate_at_end<X: Copy + Debug>(k: &Self::Stages<X>) -> Option<&X>;
 
-    /// The norm of the error; every component of it counts by its `weight`.
-    fn error<S: Real, X: Vector<S>>(h: S, k: &Self::Stages<X>, weight: &X) -> S;
+    /// The norm of the error of so many components; each counts by its `weight`.
+    fn error<S: Real, X: Vector<S>>(h: S, k: &Self::Stages<X>, by: (&X, usize)) -> S;
 
     /// The norm of the first of the estimates that [`error`](Self::error) combines, by itself.
-    fn plain_error<S: Real, X: Vector<S>>(h: S, k: &Self::Stages<X>, weight: &X) -> S;
+    fn plain_error<S: Real, X: Vector<S>>(h: S, k: &Self::Stages<X>, by: (&X, usize)) -> S;
 
     /// The dense output of a step from `x` at `t`; `last` is the rate at its end.
     fn bend<M: System>(

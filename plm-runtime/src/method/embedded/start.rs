@@ -16,7 +16,7 @@ pub(in crate::method) fn first_step<M: System<S: Real>>(
     order: u32,
 ) -> Result<M::S, Fault> {
     let lit = M::S::lit;
-    let typical = context.system.typical();
+    let (typical, count) = (context.system.typical(), context.system.states());
     let x = context.x;
     let size = |v: &M::X| {
         let mut sum = lit(0.0);
@@ -24,7 +24,7 @@ pub(in crate::method) fn first_step<M: System<S: Real>>(
             let ratio = v.at(i) / (rtol * (typical.at(i) + x.at(i).abs()));
             sum = ratio.mul_add(ratio, sum);
         }
-        (sum / lit(M::X::LEN.max(1) as f64)).sqrt()
+        (sum / lit(count.max(1) as f64)).sqrt()
     };
     let (least, span) = (lit(1e-10), context.end - context.time);
     let (state, slope) = (size(&x), size(rate));

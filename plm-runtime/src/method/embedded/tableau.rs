@@ -98,13 +98,13 @@ macro_rules! pair {
             }
 
             #[inline]
-            fn error<S: $crate::Real, X: $crate::Vector<S>>(h: S, kept: &[X; $kept_count], weight: &X) -> S {
-                $crate::method::embedded::tableau::Weights([$($error),*]).norm(h, kept, weight)
+            fn error<S: $crate::Real, X: $crate::Vector<S>>(h: S, kept: &[X; $kept_count], by: (&X, usize)) -> S {
+                $crate::method::embedded::tableau::Weights([$($error),*]).norm(h, kept, by)
             }
 
             #[inline]
-            fn plain_error<S: $crate::Real, X: $crate::Vector<S>>(h: S, kept: &[X; $kept_count], weight: &X) -> S {
-                $crate::method::embedded::tableau::Weights([$($error),*]).first_norm(h, kept, weight)
+            fn plain_error<S: $crate::Real, X: $crate::Vector<S>>(h: S, kept: &[X; $kept_count], by: (&X, usize)) -> S {
+                $crate::method::embedded::tableau::Weights([$($error),*]).first_norm(h, kept, by)
             }
 
             #[allow(unused_variables, unused_mut, reason = "not every stage counts, and some pairs need no more of them")]
@@ -136,29 +136,39 @@ pub(in crate::method) struct Weights<const K: usize, const N: usize>(pub(in crat
 impl<const K: usize, const N: usize> Weights<K, N> {
     /// The root mean square of the first error, each component by its `weight`.
     #[inline]
-    pub(in crate::method) fn first_norm<S: Real, X: Vector<S>>(&self, h: S, k: &[X; K], weight: &X) -> S {
-        h.abs() * (square(self.0[0], k, weight) / S::lit(X::LEN.max(1) as f64)).sqrt()
+    pub(in crate::method) fn first_norm<S: Real, X: Vector<S>>(
+        &self,
+        h: S,
+        k: &[X; K],
+        (weight, count): (&X, usize),
+    ) -> S {
+        h.abs() * (square(self.0[0], k, weight) / S::lit(count.max(1) as f64)).sqrt()
     }
 }
 
 impl<const K: usize> Weights<K, 1> {
     /// The root mean square of the error, each component by its `weight`.
     #[inline]
-    pub(in crate::method) fn norm<S: Real, X: Vector<S>>(&self, h: S, k: &[X; K], weight: &X) -> S {
-        self.first_norm(h, k, weight)
+    pub(in crate::method) fn norm<S: Real, X: Vector<S>>(&self, h: S, k: &[X; K], by: (&X, usize)) -> S {
+        self.first_norm(h, k, by)
     }
 }
 
 impl<const K: usize> Weights<K, 2> {
     /// err5^2 / sqrt(err5^2 + 0.01 err3^2): of order 7, and safe where err5 vanishes by chance (Hairer, Nørsett, Wanner I, II.10).
     #[inline]
-    pub(in crate::method) fn norm<S: Real, X: Vector<S>>(&self, h: S, k: &[X; K], weight: &X) -> S {
+    pub(in crate::method) fn norm<S: Real, X: Vector<S>>(
+        &self,
+        h: S,
+        k: &[X; K],
+        (weight, count): (&X, usize),
+    ) -> S {
         let [fifth, third] = self.0.map(|weights| square(weights, k, weight));
         let both = S::lit(0.01).mul_add(third, fifth);
         if both == S::ZERO {
             return both;
         }
-        h.abs() * fifth / (S::lit(X::LEN as f64) * both).sqrt()
+        h.abs() * fifth / (S::lit(count as f64) * both).sqrt()
     }
 }
 

@@ -181,7 +181,8 @@ impl<M: Linear> RadauIia5<M> {
         sum.add([(over_h[0], z1), (over_h[1], z2), (over_h[2], z3)]);
         let estimate = |rate: &M::X| factors.solve(by_x, &sum.map2(rate, |sum, rate| sum + rate));
         let first = estimate(rate);
-        let error = norm(&first, weights);
+        let count = context.system.states();
+        let error = norm(&first, weights, count);
         self.worst = largest(&first, weights);
         if !(error >= M::S::lit(1.0) && (self.control.is_first() || self.control.rejected)) {
             return error;
@@ -190,7 +191,7 @@ impl<M: Linear> RadauIia5<M> {
         if context.rate(context.time, &near, &mut again).is_err() {
             return error;
         }
-        norm(&estimate(&again), weights)
+        norm(&estimate(&again), weights, count)
     }
 
     /// Drift of a state over the tolerance, less what projection cannot remove.
@@ -346,11 +347,11 @@ fn largest<S: Real, X: Vector<S>>(v: &X, weights: &X) -> usize {
     (0..X::LEN).fold(0, |most, i| if parts.at(i) > parts.at(most) { i } else { most })
 }
 
-/// Root mean square, every component by its weight; NaN if there is one.
-fn norm<S: Real, X: Vector<S>>(v: &X, weights: &X) -> S {
+/// Root mean square of so many components, each by its weight; NaN if there is one.
+fn norm<S: Real, X: Vector<S>>(v: &X, weights: &X, count: usize) -> S {
     let parts = v.map2(weights, |v, weight| v * weight);
     let sum = parts.fold(S::ZERO, |sum, part| part.mul_add(part, sum));
-    (sum / S::lit(X::LEN.max(1) as f64)).sqrt()
+    (sum / S::lit(count.max(1) as f64)).sqrt()
 }
 
 /// A hundredth of the time in which the rate would change the state by its size, but no less than a fraction of the
@@ -358,7 +359,8 @@ fn norm<S: Real, X: Vector<S>>(v: &X, weights: &X) -> S {
 fn first_step<M: Linear>(context: &Context<'_, M>, rate: &M::X, weights: &M::X) -> M::S {
     let span = context.end - context.time;
     let typical = context.system.typical();
+    let count = context.system.states();
     let sizes = typical.map2(&context.x, |typical, x| typical + x.abs());
-    let time = norm(&sizes, weights) / norm(rate, weights);
+    let time = norm(&sizes, weights, count) / norm(rate, weights, count);
     (M::S::lit(0.01) * time).max(M::S::EPSILON.sqrt() * span).min(span)
 }

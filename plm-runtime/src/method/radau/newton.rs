@@ -152,7 +152,7 @@ pub(super) fn iterate<M: Linear>(
             }
         }
         let dw = factors.correction(by_x, &w, &transform(&T_INVERSE, &rates));
-        let size = mean_square(&dw, weight).sqrt();
+        let size = mean_square(&dw, weight, context.system.states()).sqrt();
         if !size.is_finite() {
             return Outcome::Failed(0.5);
         }
@@ -194,8 +194,8 @@ impl<S: Real> Convergence<S> {
     }
 }
 
-/// Mean of the squares, every component by its weight.
-fn mean_square<S: Real, X: Vector<S>>(v: &[X; 3], weight: &X) -> S {
+/// Mean of the squares of three times so many components, each by its weight.
+fn mean_square<S: Real, X: Vector<S>>(v: &[X; 3], weight: &X, count: usize) -> S {
     let mut sum = S::ZERO;
     for v in v {
         for i in 0..X::LEN {
@@ -203,7 +203,7 @@ fn mean_square<S: Real, X: Vector<S>>(v: &[X; 3], weight: &X) -> S {
             sum = part.mul_add(part, sum);
         }
     }
-    sum / S::lit((3 * X::LEN).max(1) as f64)
+    sum / S::lit((3 * count).max(1) as f64)
 }
 
 /// A matrix of the tableau times the stages.

@@ -11,17 +11,12 @@ use super::super::item::start;
 use super::super::lower::inline;
 use super::super::{Emission, Sizes, number, quoted, table_compression};
 use crate::formulate::coordinate_name;
-use crate::model::{Row, Turn};
+use crate::model::{Contact, Row, Turn};
 
 /// `Absolute`.
 pub(crate) fn absolute(emission: &Emission) -> TokenStream {
-    let Emission { name, equations, program, model, report, sizes: Sizes { nq, nc, .. }, .. } = emission;
-    let rows = model.rows.iter().map(|row| row.name.clone()).collect_vec();
-    let parts = model.rows.iter().map(|row| model.parts[row.part].name.text.clone()).collect_vec();
-    let coordinates = (0..equations.q.len()).map(|k| coordinate_name(model, k)).collect_vec();
-    let [rows, parts, coordinates] =
-        [rows, parts, coordinates].map_each(|names| table_compression::names(emission, &names));
-    let (angular, given_angles) = (angular(emission), given_angles(emission));
+    let Emission { name, equations, program, report, sizes: Sizes { nq, nc, .. }, .. } = emission;
+    let layout = layout(emission, &[]);
     let places = equations.phi_q.iter().enumerate();
     let places = places.flat_map(|(i, row)| row.iter().flat_map(move |(j, _)| [i as u32, *j as u32]));
     let places: Vec<u32> = places.collect_vec();
@@ -60,15 +55,17 @@ Returns the smallest pivot ratio of the factorisation.",
     );
     // rustdoc shows a constant argument by its source, which is the whole declaration.
     quote! {
-        impl<S: Scalar> #name<S> { #phi_q }
+        impl<S: Scalar> #name<S> {
+            const LAYOUT_: absolute::Layout = #layout;
+
+            #phi_q
+        }
 
         #[doc(hidden)]
         impl<S: Real> absolute::Absolute<S, NQ, NC> for #name<S> {
-            const ROWS: [&'static str; #nc] = #rows;
-            const PARTS: [&'static str; #nc] = #parts;
-            const COORDINATES: [&'static str; #nq] = #coordinates;
-            const ANGULAR: [bool; #nc] = #angular;
-            #given_angles
+            fn layout(&self) -> &'static absolute::Layout {
+                const { &Self::LAYOUT_ }
+            }
 
             #phi_docs
             fn phi(&self, t: S, q: &[S; #nq]) -> [S; #nc] {
@@ -126,34 +123,43 @@ Returns the smallest pivot ratio of the factorisation.",
     }
 }
 
-/// Which rows are of angles.
-fn angular(emission: &Emission) -> TokenStream {
-    let rows = emission.model.rows.iter().map(Row::is_angular).collect_vec();
-    match rows.first() {
-        Some(first) if rows.iter().all(|row| row == first) => {
-            let count = number(rows.len());
-            quote!([#first; #count])
-        }
-        _ => {
-            let rows = emission.list(rows.iter().map(bool::to_string));
-            quote!([#rows])
+/// Names of the rows of the joints, of others behind them, and of coordinates.
+pub(super) fn layout(emission: &Emission, others: &[&Contact]) -> TokenStream {
+    let Emission { equations, model, .. } = emission;
+    let names = model.rows.iter().map(|row| &row.name).chain(others.iter().map(|row| &row.name));
+    let owners = model.rows.iter().map(|row| row.part).chain(others.iter().map(|row| row.part));
+    let parts = owners.map(|part| model.parts[part].name.text.clone()).collect_vec();
+    let angular =
+        model.rows.iter().map(Row::is_angular).chain(others.iter().map(|row| row.unit.text == "rad"));
+    let coordinates = (0..equations.q.len()).map(|k| coordinate_name(model, k)).collect_vec();
+    let [rows, parts, coordinates] = [names.cloned().collect_vec(), parts, coordinates]
+        .map_each(|names| table_compression::names(emission, &names));
+    let given_angles = model.bodies.iter().map(|body| body.start[2].given).collect_vec();
+    let given_angles = if given_angles.contains(&true) { given_angles } else { Vec::new() };
+    let [angular, given_angles] = [angular.collect_vec(), given_angles].map_each(|all| marks(emission, &all));
+    quote! {
+        absolute::Layout {
+            rows: const { &#rows },
+            parts: const { &#parts },
+            coordinates: const { &#coordinates },
+            angular: &#angular,
+            given_angles: &#given_angles,
         }
     }
 }
 
-/// Which bodies have a start angle in the declaration, where one has.
-fn given_angles(emission: &Emission) -> Option<TokenStream> {
-    let given = emission.model.bodies.iter().map(|body| body.start[2].given).collect_vec();
-    let count = number(given.len());
-    given.contains(&true).then(|| {
-        let list = if given.contains(&false) {
-            let given = emission.list(given.iter().map(bool::to_string));
-            quote!(#given)
-        } else {
-            quote!(true; #count)
-        };
-        quote!(const GIVEN_ANGLES: &'static [bool] = &[#list];)
-    })
+/// An array of marks.
+fn marks(emission: &Emission, marks: &[bool]) -> TokenStream {
+    match marks.first() {
+        Some(first) if marks.iter().all(|mark| mark == first) => {
+            let count = number(marks.len());
+            quote!([#first; #count])
+        }
+        _ => {
+            let marks = emission.list(marks.iter().map(bool::to_string));
+            quote!([#marks])
+        }
+    }
 }
 
 /// Start positions and velocities of G from those of O, behind what it takes to read their constants.

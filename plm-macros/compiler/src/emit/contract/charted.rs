@@ -7,6 +7,7 @@ use quote::format_ident;
 
 use super::super::{Emission, Form, Sizes, memory, number, quoted};
 use super::{contact, turns};
+use crate::facts;
 use crate::formulate::Reduced;
 
 /// `Charted`, if loops are solved in charts.
@@ -19,7 +20,8 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
     let turning = reduced.turning.iter().map(|&body| &emission.model.bodies[body].name.text);
     let turning = emission.text(quoted(turning));
     let followed = emission.text(quoted(reduced.followed.iter().map(|(name, _)| name)));
-    let counted = turns::of_charts(emission, reduced);
+    let (turns, is_loose) = (number(emission.model.turns.len()), facts::is_loose(emission.model, reduced));
+    let revolutions = turns::of_charts(emission, reduced);
     let remember = remember(emission, reduced);
     let found = emission.list(reduced.charts.iter().map(|chart| format!("&{:?}", chart.found)));
     let closing = emission.list(reduced.charts.iter().map(|chart| format!("&[{}]", quoted(&chart.closing))));
@@ -43,15 +45,19 @@ pub(crate) fn charted(emission: &Emission) -> TokenStream {
         impl<S: Real> rt::charts::Charted for #name<S> {
             type Input = Input<S>;
             type Switches = [S; #switches];
-            #counted
+            type Turns = [i32; #turns];
             type Contact = #contact;
             type Continuation = #memory;
             type Q = [S; #nq];
-            const CHARTS: usize = #charts;
-            const TURNING: &'static [&'static str] = &[#turning];
-            const FOUND: &'static [&'static [usize]] = &[#found];
-            const ITERATED: &'static [&'static str] = &[#followed];
-            const CLOSING: &'static [&'static [&'static str]] = &[#closing];
+            const CHARTS: rt::charts::Charts = rt::charts::Charts {
+                count: #charts,
+                revolutions: &[#revolutions],
+                is_loose: #is_loose,
+                turning: &[#turning],
+                found: &[#found],
+                iterated: &[#followed],
+                closing: &[#closing],
+            };
 
             fn pose(&self, t: S, held: &Self::U, x: &[S; #length]) -> ([S; #nq], [S; #nq], S) {
                 let (mut q, mut v) = ([S::lit(0.0); #nq], [S::lit(0.0); #nq]);

@@ -6,7 +6,8 @@ use proc_macro2::TokenStream;
 
 use super::super::bindings::Origin;
 use super::super::function::body;
-use super::super::{Emission, Sizes, number, quoted};
+use super::super::{Emission, Sizes, number};
+use super::absolute::layout;
 use super::contact;
 use crate::formulate::Conditional;
 
@@ -18,9 +19,7 @@ pub(crate) fn conditional(emission: &Emission) -> TokenStream {
     };
     let of_rows = rows.iter().map(|row| &model.contacts[*row]).collect_vec();
     let [count, entries] = [rows.len(), places.len()].map_each(number);
-    let names = emission.text(quoted(of_rows.iter().map(|row| &row.name)));
-    let parts = emission.text(quoted(of_rows.iter().map(|row| &model.parts[row.part].name.text)));
-    let angular = emission.list(of_rows.iter().map(|row| (row.unit.text == "rad").to_string()));
+    let layout = layout(emission, &of_rows);
     let places = emission.list(places.iter().map(|place| format!("{place:?}")));
     let of_pose = |docs, arguments: &[&str], of| body(emission, docs, arguments, (of, Origin::Pose));
     let (phi_docs, phi) =
@@ -31,9 +30,10 @@ pub(crate) fn conditional(emission: &Emission) -> TokenStream {
     quote! {
         #[doc(hidden)]
         impl<S: Real> absolute::Conditional<S, NQ, NC, #count> for #name<S> {
-            const CONDITIONAL: [&'static str; #count] = [#names];
-            const PARTS_OF_CONDITIONAL: [&'static str; #count] = [#parts];
-            const ANGULAR_CONDITIONAL: [bool; #count] = [#angular];
+            fn layout_with_conditional(&self) -> &'static absolute::Layout {
+                const LAYOUT: absolute::Layout = #layout;
+                &LAYOUT
+            }
 
             #phi_docs
             #[cold]

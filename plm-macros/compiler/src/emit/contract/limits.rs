@@ -2,32 +2,18 @@
 
 use crate::collect::CollectVec;
 use crate::emit::template::quote;
-use plm_cas::{Expr, algebra};
+use plm_cas::algebra;
 use proc_macro2::{Ident, TokenStream};
 
 use super::super::lower::inline;
 use super::super::{Emission, Form, Sizes, number, pose_at};
-use crate::model::Range;
+use crate::facts::limits::{self, Limit};
 use crate::units::DisplayUnit;
 
-/// A limited value: of which part, what, its unit, which least, and what it is.
-struct Limited {
-    entry: String,
-    value: Expr,
-}
-
-impl Limited {
-    fn new(part: &str, what: &str, unit: &str, least: &str, value: Expr) -> Limited {
-        let entry = format!(
-            "rt::Limit {{ part: {part:?}, what: {what:?}, unit: {unit:?}, least: rt::Least::{least} }}"
-        );
-        Limited { entry, value }
-    }
-
-    /// Does it depend on parameters? Constants have been looked at.
-    fn varies(&self) -> bool {
-        self.value.as_number().is_none()
-    }
+/// The row of a limit.
+fn row(limit: &Limit) -> String {
+    let Limit { part, what, unit, least, .. } = limit;
+    format!("rt::Limit {{ part: {part:?}, what: {what:?}, unit: {unit:?}, least: rt::Least::{least:?} }}")
 }
 
 /// May a body be without mass, if others carry it? Absolute coordinates divide by each mass.
@@ -35,25 +21,11 @@ fn may_be_carried(emission: &Emission) -> bool {
     emission.is_reduced() && (emission.reactions().is_some() || !emission.reads_solution())
 }
 
-/// Mass and inertia of every body.
-fn of_bodies(emission: &Emission) -> Vec<[Limited; 2]> {
-    let least = if may_be_carried(emission) { "Carried" } else { "Positive" };
-    let bodies = emission.model.bodies.iter().map(|body| {
-        let name = &body.name.text;
-        [
-            Limited::new(name, "mass", "kg", least, body.mass),
-            Limited::new(name, "inertia", "kg*m^2", least, body.inertia),
-        ]
-    });
-    bodies.collect_vec()
-}
-
 /// Limits of mass and inertia of every body, if others may carry some that parameters make massless.
 pub(in super::super) fn that_may_be_carried(emission: &Emission) -> Option<Vec<String>> {
-    let bodies = of_bodies(emission);
-    let varies = may_be_carried(emission) && bodies.iter().flatten().any(Limited::varies);
-    let entries = bodies.iter().map(|[mass, inertia]| format!("[{}, {}]", mass.entry, inertia.entry));
-    varies.then(|| entries.collect_vec())
+    let bodies = limits::that_may_be_carried(emission.model, may_be_carried(emission))?;
+    let rows = bodies.iter().map(|[mass, inertia]| format!("[{}, {}]", row(mass), row(inertia)));
+    Some(rows.collect_vec())
 }
 
 /// `check`.
@@ -62,19 +34,10 @@ pub(super) fn check(emission: &Emission) -> TokenStream {
     let numbers = emission.list(model.params.iter().zip(&fields.params).map(|(param, field)| {
         format!("({:?}, {:?}, self.{field})", param.name.text, DisplayUnit::si(param.unit.dimension).text)
     }));
-    let others = model.limits.iter().map(|limit| {
-        let least = match limit.range {
-            Range::Positive => "Positive",
-            Range::NotNegative => "Zero",
-            Range::NotPositive => "Negative",
-            Range::Share => "Share",
-        };
-        Limited::new(&limit.part, &limit.what, &limit.unit, least, limit.value)
-    });
-    let all = of_bodies(emission).into_iter().flatten().chain(others).filter(Limited::varies);
+    let all = limits::varying(model, may_be_carried(emission));
     let bindings = emission.parameters();
     let (entries, values): (Vec<String>, Vec<String>) =
-        all.map(|limited| (limited.entry, inline(limited.value, &bindings))).unzip();
+        all.iter().map(|limit| (row(limit), inline(limit.value, &bindings))).unzip();
     let limits = (!entries.is_empty()).then(|| {
         let (count, entries) = (number(entries.len()), emission.lines(entries));
         let (literals, values) = emission.values(values);
@@ -97,12 +60,7 @@ pub(super) fn check(emission: &Emission) -> TokenStream {
 /// Fields of the parameters that joints, masses or known times read.
 fn shaping<'a>(emission: &'a Emission) -> Vec<&'a Ident> {
     let Emission { model, fields, .. } = emission;
-    let rows = model.rows.iter().map(|row| row.phi);
-    let bodies = model.bodies.iter().flat_map(|body| [body.mass, body.inertia, body.centre.x, body.centre.y]);
-    let limits = model.limits.iter().map(|limit| limit.value);
-    let switches = model.switches.iter().map(|switch| switch.difference);
-    let roots: Vec<Expr> = rows.chain(bodies).chain(limits).chain(switches).collect_vec();
-    let read = algebra::symbols(&roots);
+    let read = algebra::symbols(&limits::shaping(model));
     let params = model.params.iter().zip(&fields.params);
     params.filter(|(param, _)| read.contains(&param.symbol)).map(|(_, field)| field).collect_vec()
 }

@@ -8,7 +8,8 @@ use quote::format_ident;
 use super::super::function::is_straight;
 use super::super::{Emission, Form, Sizes, number};
 use super::charted::in_held;
-use super::{contact, contact_motion, pairs, system};
+use super::{contact, contact_motion, pairs};
+use crate::facts;
 use crate::formulate::Reduced;
 
 /// Operations up to which a rate is copied into every stage of a method: a dozen stages then stay in a processor's cache for
@@ -125,17 +126,11 @@ fn in_chart(reduced: &Reduced, direct: Option<&TokenStream>) -> TokenStream {
     quote!(rt::Health(#rate))
 }
 
-/// Sizes for absolute tolerances: the scene's length for displacements, one radian for angles, both per second for
-/// rates, one of the unit that it is declared in for a state.
+/// Typical sizes of the numbers of the state.
 fn typical(emission: &Emission) -> TokenStream {
-    let Emission { equations, model, report, .. } = emission;
-    let angles: Vec<bool> = match system::first(emission) {
-        Some(chart) => chart.turning.iter().map(Option::is_some).collect_vec(),
-        None => (0..equations.q.len()).map(|k| k % 3 == 2).collect_vec(),
-    };
-    let coordinates = angles.iter().chain(&angles).map(|angle| if *angle { 1.0 } else { report.length });
-    let states = model.states.iter().map(|state| state.unit.factor.to_f64());
-    let sizes: Vec<String> = coordinates.chain(states).map(|size| format!("{size:?}")).collect_vec();
+    let Emission { equations, model, report, reduced, .. } = emission;
+    let sizes = facts::state::typical(model, equations, *reduced, report.length);
+    let sizes: Vec<String> = sizes.into_iter().map(|size| format!("{size:?}")).collect_vec();
     match sizes.as_slice() {
         [first, .., _] if sizes.iter().all(|size| size == first) => {
             let (first, count) = (emission.text(first), number(sizes.len()));

@@ -4,10 +4,7 @@
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
-use super::super::{Emission, Form, Sizes};
-use crate::derive::Equations;
-use crate::formulate::is_tree;
-use crate::model::{Model, Stabilisation};
+use super::super::{Emission, Sizes};
 
 /// The type that takes over from the method where no chart is regular.
 pub(super) fn rescue(emission: &Emission) -> TokenStream {
@@ -16,17 +13,6 @@ pub(super) fn rescue(emission: &Emission) -> TokenStream {
         quote!(rt::singular::NearSingular<Self, #nq, #nc, #full>)
     } else {
         quote!(rt::singular::Never<Self>)
-    }
-}
-
-/// Has it loops, or constraints whose rank may drop? That of a tree of joints does not. Where Baumgarte's stabilisation lets states
-/// drift from the constraints, there are no poses to come back to.
-pub(in crate::emit) fn may_be_singular(model: &Model, equations: &Equations, form: Form) -> bool {
-    let projects = matches!(model.stabilisation, Stabilisation::Projection);
-    match form {
-        Form::Absolute => projects && !equations.phi.is_empty() && !is_tree(model),
-        Form::Tree(_) => false,
-        Form::Loops(_) => true,
     }
 }
 
@@ -82,7 +68,10 @@ pub(crate) fn refine(emission: &Emission) -> Option<TokenStream> {
 /// Implementation of `ExtendedPrecision` for a mechanism that is in absolute coordinates anyway.
 fn alone() -> TokenStream {
     quote! {
-        const CHARTED: bool = false;
+        #[inline]
+        fn is_charted(&self) -> bool {
+            false
+        }
         fn crossed(&self, _held: &Self::U, _before: &Self::X, _x: &Self::X) -> S {
             S::lit(0.0)
         }
@@ -105,7 +94,10 @@ fn alone() -> TokenStream {
 fn charted(emission: &Emission) -> TokenStream {
     let Sizes { nq, full, .. } = &emission.sizes;
     quote! {
-        const CHARTED: bool = true;
+        #[inline]
+        fn is_charted(&self) -> bool {
+            true
+        }
         #[inline]
         fn crossed(&self, held: &Self::U, before: &Self::X, x: &Self::X) -> S {
             rt::charts::crossed(self, held, before, x)

@@ -9,6 +9,7 @@ use super::super::function::body;
 use super::super::item::{start, state::unwrapped_state};
 use super::super::{Emission, Sizes, docs, number, table_compression};
 use super::contact;
+use crate::facts::state::OF_BODY;
 use crate::model::Body;
 
 /// Statements of a block; rustc recurses over longer ones.
@@ -17,7 +18,7 @@ pub(crate) const MOST_LINES: usize = 200;
 /// `StartValues` and `Display` of the start values.
 pub(crate) fn start_values(emission: &Emission) -> TokenStream {
     let Emission { model, fields, .. } = emission;
-    let names = |body: &Body| start::OF_BODY.map_each(|value| format!("{}.{value}", body.name.text));
+    let names = |body: &Body| OF_BODY.map_each(|value| format!("{}.{value}", body.name.text));
     let in_a_loop = emission.rerolled.then(|| {
         let names = table_compression::names(emission, &model.bodies.iter().flat_map(names).collect_vec());
         quote! {
@@ -78,8 +79,8 @@ constraints, rates of the first-order states, without accelerations.",
             type Full = [S; #full];
             type Rows = [S; #nc];
             type Starts = Starts<S>;
-            const COORDINATES: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::COORDINATES;
-            const ROWS: &'static [&'static str] = &<Self as absolute::Absolute<S, NQ, NC>>::ROWS;
+            const COORDINATES: &'static [&'static str] = Self::LAYOUT_.coordinates;
+            const ROWS: &'static [&'static str] = Self::LAYOUT_.rows;
             const STATES: &'static [(&'static str, &'static str)] = &[#states];
 
             fn full(state: &State<S>) -> [S; #full] {

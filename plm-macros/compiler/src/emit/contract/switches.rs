@@ -13,7 +13,8 @@ use super::charted::in_held;
 use super::contact;
 use super::contact_events::Beside;
 use super::sets;
-use crate::model::{Decisions, End, Model, Switch};
+use crate::facts::conditions;
+use crate::model::{Decisions, End, Model};
 
 /// Guards and kinks, which every step evaluates, at a time and over an interval.
 pub(super) fn watched(emission: &Emission) -> TokenStream {
@@ -213,7 +214,7 @@ pub(super) fn names(emission: &Emission) -> TokenStream {
     let of_contact = contact::names_of_guards(emission);
     let names = model.switches.iter().take(model.guards()).map(|switch| &switch.name);
     let names = emission.text(quoted(names.chain(of_contact.iter().copied())));
-    let texts = emission.text(quoted(texts(model).chain(of_contact.into_iter().cloned())));
+    let texts = emission.text(quoted(conditions::texts(model).chain(of_contact.into_iter().cloned())));
     let guards = number(model.guards() + Beside::guards_of(emission));
     quote! {
         fn guard_name(&self, index: usize) -> &'static str {
@@ -225,17 +226,6 @@ pub(super) fn names(emission: &Emission) -> TokenStream {
             &[#texts]
         }
     }
-}
-
-/// The conditions of the state as they were written; with whose they are, where several are written alike.
-fn texts(model: &Model) -> impl Iterator<Item = String> {
-    let of_state = || model.switches.iter().take(model.guards());
-    let is_alone = move |text: &str| of_state().filter(|other| other.text == text).count() < 2;
-    of_state().map(move |Switch { text, name, .. }| match text.as_str() {
-        "" => name.clone(),
-        text if is_alone(text) => text.to_owned(),
-        text => format!("{text} ({name})"),
-    })
 }
 
 /// Which conditions and kinks matter, given the sides that are held.

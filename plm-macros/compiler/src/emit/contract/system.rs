@@ -1,14 +1,12 @@
 //! `Constraints`, `Events`, `Labels`: what integrators and the event detector ask for beside the rate.
 
-use crate::collect::CollectVec;
 use crate::emit::template::quote;
-use plm_cas::{Expr, algebra};
 use proc_macro2::TokenStream;
 
 use super::super::lower::inline;
 use super::super::{Emission, Form, Sizes, number, quoted, table_compression};
 use super::{contact, contact_events, switches, turns};
-use crate::formulate::{Chart, coordinate_name};
+use crate::facts::{self, state};
 use crate::model::Stabilisation;
 
 /// Traits of `System` beside the rate.
@@ -35,7 +33,7 @@ fn constraints(emission: &Emission) -> TokenStream {
     } else {
         (!emission.is_reduced()).then(|| stabilisation(emission))
     };
-    let energy = (!knows_time(emission) && emission.model.has_masses()).then(|| {
+    let energy = (!facts::knows_time(emission.model) && emission.model.has_masses()).then(|| {
         quote! {
             fn energy(&self, t: S, u: &Self::U, x: &[S; #length]) -> Option<rt::Energy<S>> {
                 let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
@@ -82,7 +80,8 @@ fn events(emission: &Emission) -> TokenStream {
 fn labels(emission: &Emission) -> TokenStream {
     let Emission { model, name, .. } = emission;
     let part_of_state = part_of_state(emission);
-    let names = table_compression::names(emission, &names_of_state(emission));
+    let names =
+        table_compression::names(emission, &state::names(model, emission.equations, emission.reduced));
     let names_in_charts = names_in_charts(emission);
     let contacts = contact::labels(emission);
     let conditions = (model.guards() > 0 || contact::are_there(emission)).then(|| switches::names(emission));
@@ -117,7 +116,7 @@ fn names_in_charts(emission: &Emission) -> TokenStream {
     let mut all = Vec::new();
     for chart in charts {
         all.extend(chart.names.iter().cloned());
-        all.extend(chart.names.iter().map(|name| rate_of(name)));
+        all.extend(chart.names.iter().map(|name| state::rate_of(name)));
     }
     let (names, in_chart) = (table_compression::names(emission, &all), number(2 * count));
     quote! {
@@ -206,29 +205,9 @@ pub(super) fn stabilisation(emission: &Emission) -> TokenStream {
     }
 }
 
-/// Does a constraint know the time? Then it does work that the energy does not count.
-fn knows_time(emission: &Emission) -> bool {
-    let Emission { model, .. } = emission;
-    let rows = model.rows.iter().map(|row| row.phi);
-    let switches = model.jumps.iter().map(|jump| model.switches[jump.switch].difference);
-    let released = model.released.iter().map(|(_, condition)| *condition);
-    let roots: Vec<Expr> = rows.chain(switches).chain(released).collect_vec();
-    algebra::symbols(&roots).contains(&model.time)
-}
-
-/// The chart that is taken first, in joint coordinates.
-pub(super) fn first<'a>(emission: &'a Emission) -> Option<&'a Chart> {
-    match emission.form {
-        Form::Absolute => None,
-        Form::Tree(chart) => Some(chart),
-        Form::Loops(reduced) => reduced.first(),
-    }
-}
-
-/// Names of the parts that the numbers of the state belong to.
+/// Names of the parts that the numbers of the state belong to. Absolute coordinates have them body by body.
 fn part_of_state(emission: &Emission) -> TokenStream {
-    let model = emission.model;
-    let states = model.states.iter().map(|state| &state.name.text);
+    let Emission { model, equations, reduced, .. } = emission;
     let named = |part| {
         quote! {
             match #part {
@@ -237,14 +216,14 @@ fn part_of_state(emission: &Emission) -> TokenStream {
             }
         }
     };
-    if let Some(chart) = first(emission) {
-        let parts = chart.parts.iter().chain(&chart.parts).chain(states).cloned().collect_vec();
-        let parts = table_compression::names(emission, &parts);
+    if reduced.is_some() {
+        let parts = table_compression::names(emission, &state::parts(model, equations, *reduced));
         let part = named(quote!(parts.get(index)));
         return quote!(let parts: &[&str] = const { &#parts }; #part);
     }
+    let states = quoted(model.states.iter().map(|state| &state.name.text));
     let bodies = emission.text(quoted(model.bodies.iter().map(|body| &body.name.text)));
-    let (states, part) = (emission.text(quoted(states)), named(quote!(part)));
+    let (states, part) = (emission.text(states), named(quote!(part)));
     quote! {
         const BODIES: &[&str] = &[#bodies];
         const STATES: &[&str] = &[#states];
@@ -255,38 +234,4 @@ fn part_of_state(emission: &Emission) -> TokenStream {
         };
         #part
     }
-}
-
-/// Names of the numbers of the state; a coordinate has one in every chart.
-pub(crate) fn names_of_state(emission: &Emission) -> Vec<String> {
-    let Emission { model, equations, .. } = emission;
-    let charts: Vec<Vec<String>> = match emission.form {
-        Form::Absolute => vec![(0..equations.q.len()).map(|k| coordinate_name(model, k)).collect_vec()],
-        Form::Tree(chart) => vec![chart.names.clone()],
-        Form::Loops(reduced) => reduced.charts.iter().map(|chart| chart.names.clone()).collect_vec(),
-    };
-    let in_all = |k: usize, name: fn(&str) -> String| {
-        let mut known = Vec::new();
-        for name in charts.iter().filter_map(|names| names.get(k)).map(|of| name(of)) {
-            if !known.contains(&name) {
-                known.push(name);
-            }
-        }
-        known.join(" or ")
-    };
-    let count = charts.first().map_or(0, Vec::len);
-    let coordinates = (0..count).map(|k| in_all(k, str::to_owned));
-    let rates = (0..count).map(|k| in_all(k, rate_of));
-    coordinates.chain(rates).chain(model.states.iter().map(|state| state.name.text.clone())).collect_vec()
-}
-
-/// The name of the rate of a coordinate: that of `arm.angle` is `arm.omega`.
-fn rate_of(coordinate: &str) -> String {
-    let (owner, what) = coordinate.rsplit_once('.').unwrap_or(("", coordinate));
-    let rate = match what {
-        "angle" => "omega".to_owned(),
-        "displacement" => "speed".to_owned(),
-        axis => format!("v{axis}"),
-    };
-    format!("{owner}.{rate}")
 }

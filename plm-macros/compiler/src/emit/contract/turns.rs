@@ -96,7 +96,7 @@ pub(super) fn are_near(emission: &Emission) -> (TokenStream, TokenStream) {
     }
 }
 
-/// Constants of `Charted`.
+/// By count, its angles in charts.
 pub(super) fn of_charts(emission: &Emission, reduced: &Reduced) -> TokenStream {
     let of_all = |bodies: &[Option<usize>]| places(emission, bodies).collect_vec();
     let charts: Vec<Vec<String>> = reduced.charts.iter().map(|chart| of_all(&chart.turning)).collect_vec();
@@ -112,15 +112,5 @@ pub(super) fn of_charts(emission: &Emission, reduced: &Reduced) -> TokenStream {
             followed[k]
         )
     });
-    let counted = emission.lines(counted);
-    let is_counted = |body: usize| emission.model.turns.iter().any(|counted| counted.bodies.contains(&body));
-    let any_free = reduced.charts.iter().any(|chart| {
-        chart.turning.iter().zip(&chart.free).any(|(body, free)| *free && body.is_some_and(is_counted))
-    });
-    let count = number(emission.model.turns.len());
-    quote! {
-        type Turns = [i32; #count];
-        const REVOLUTIONS: &'static [rt::charts::Revolutions] = &[#counted];
-        const LOOSE: bool = #any_free;
-    }
+    emission.lines(counted)
 }

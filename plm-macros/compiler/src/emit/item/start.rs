@@ -8,6 +8,7 @@ use proc_macro2::TokenStream;
 use super::super::contract::{conditional, contact, limits, sets, statics::MOST_LINES, switches};
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, Form, Sizes, docs, number, table_compression};
+use crate::facts::state::OF_BODY;
 use crate::model::{Body, Model, Param, Start, State};
 
 /// `Starts`, and what assembly finds for them.
@@ -106,9 +107,6 @@ pub(super) fn declared_values(emission: &Emission, bindings: &Bindings) -> Token
         start
     }}
 }
-
-/// The start values of a body.
-pub(crate) const OF_BODY: [&str; 6] = ["x", "y", "angle", "vx", "vy", "omega"];
 
 /// The declared start of a body.
 fn body_start(body: &Body, params: &[Param], bindings: &Bindings) -> String {
@@ -337,7 +335,7 @@ fn begin(emission: &Emission) -> TokenStream {
                 quote! {
                     if assembly.redundant.contains(&true) {
                         let joints = rt::Names::marked(
-                            &<Self as absolute::Absolute<S, NQ, NC>>::PARTS, &assembly.redundant
+                            Self::LAYOUT_.parts, &assembly.redundant
                         );
                         return Err(Fault::new(rt::Scalar::to_f64(t), rt::Cause::Repeats { joints }));
                     }

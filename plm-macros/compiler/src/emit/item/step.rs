@@ -122,7 +122,8 @@ pub(super) fn locals(emission: &Emission) -> Vec<Ident> {
     ];
     let mut names = Names::with_reserved(&reserved);
     let is_one_chart = !matches!(emission.form, Form::Loops(reduced) if reduced.charts.len() > 1);
-    let of_state = super::super::contract::system::names_of_state(emission).into_iter();
+    let of_state =
+        crate::facts::state::names(emission.model, emission.equations, emission.reduced).into_iter();
     let text = of_state.map(|name| if is_one_chart { name } else { "y".to_owned() });
     text.map(|name| names.unique(&name)).map(|name| format_ident!("{name}")).collect_vec()
 }

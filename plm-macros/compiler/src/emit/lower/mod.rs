@@ -18,13 +18,14 @@ mod statement;
 use self::fragment::{Fragment, literal};
 use self::names::Names;
 pub(super) use self::parts::{Part, Parts, parts};
-use self::sines::{angle_groups, is_pair};
+use self::sines::angle_groups;
+pub(crate) use self::sines::is_pair;
 use self::statement::{Lines, Statement};
 use crate::formulate::{Function, Place};
 
 /// rustc recurses over the terms of a statement: what has more than these gets a `let`, so that an operation on two
 /// such values stays within 16.
-const MOST_TERMS: usize = 8;
+pub(crate) const MOST_TERMS: usize = 8;
 
 /// Source text of every symbol that a function may read, e.g. `x[2]`, `self.damping`.
 pub(super) type Bindings = SortedMap<Expr, String>;
@@ -364,7 +365,7 @@ fn element(text: &str) -> Option<(&str, usize)> {
 }
 
 /// How often the results, and what they need, read each instruction; what is `known` needs nothing.
-fn uses(tape: &Tape, results: &[usize], known: &SortedMap<usize, String>) -> Vec<u32> {
+pub(crate) fn uses(tape: &Tape, results: &[usize], known: &SortedMap<usize, String>) -> Vec<u32> {
     let mut uses = vec![0; tape.ops.len()];
     for &result in results {
         uses[result] += 1;

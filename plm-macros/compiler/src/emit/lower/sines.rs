@@ -86,7 +86,7 @@ impl Lowering<'_> {
 }
 
 /// Is this a sine that is wanted with the cosine behind it?
-pub(super) fn is_pair(tape: &Tape, uses: &[u32], index: usize) -> bool {
+pub(crate) fn is_pair(tape: &Tape, uses: &[u32], index: usize) -> bool {
     let next = tape.ops.get(index + 1).map(|next| next.op);
     let same = matches!((tape.ops[index].op, next), (Op::Sin(a), Some(Op::Cos(b))) if a == b);
     same && uses[index] > 0 && uses[index + 1] > 0

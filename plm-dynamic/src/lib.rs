@@ -1,0 +1,17 @@
+//! Mechanisms at run time: a declaration comes from text, and runs without rustc.
+//!
+//! The compiler makes tables and straight-line functions of a declaration. This crate evaluates the functions step by step, and has the
+//! contracts of the runtime over them, so that assembly, events, charts and every method are those of compiled mechanisms, and so are
+//! the bits.
+
+mod capacity;
+mod code;
+mod handle;
+mod memory;
+mod model;
+mod system;
+mod text;
+
+pub use self::handle::{Dynamic, Starts};
+pub use self::system::State;
+pub use self::text::{Compiled, Refused};

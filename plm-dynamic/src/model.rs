@@ -1,0 +1,266 @@
+//! The tables and functions of a mechanism, which live as long as the program: a run is a handle to them with its numbers.
+
+use plm_compiler::lowered::{self, Form, Lowered};
+use plm_runtime::absolute::Layout;
+use plm_runtime::charts::{Charts, Revolutions};
+use plm_runtime::limits::{Least, Limit};
+
+use crate::code::{Code, Room};
+use crate::memory::Counts;
+
+/// A mechanism without its numbers.
+#[derive(Debug)]
+pub(crate) struct Model {
+    pub(crate) lowered: Lowered,
+    pub(crate) layout: Layout,
+    pub(crate) charts: Charts,
+    pub(crate) counts: Counts,
+    /// Number of coordinates of the state.
+    pub(crate) coordinates: usize,
+    pub(crate) absolute: Absolute,
+    pub(crate) in_charts: Vec<InChart>,
+    pub(crate) switches: Switches,
+    pub(crate) start: Start,
+    pub(crate) outputs: Vec<Code>,
+    pub(crate) names_of_starts: &'static [&'static str],
+    pub(crate) names: &'static [&'static str],
+    pub(crate) parts: &'static [&'static str],
+    /// Names and SI units of the parameters.
+    pub(crate) parameters: &'static [(&'static str, &'static str)],
+    /// By count, places of its angles in the pose of all bodies.
+    pub(crate) turns_in_pose: &'static [&'static [usize]],
+    /// The same in the state; not of loops.
+    pub(crate) turns_in_state: &'static [&'static [usize]],
+}
+
+/// Functions in absolute coordinates.
+#[derive(Debug)]
+pub(crate) struct Absolute {
+    pub(crate) dynamics: Code,
+    pub(crate) free: Code,
+    pub(crate) x_dot: Code,
+    pub(crate) guards: Code,
+    pub(crate) phi: Code,
+    pub(crate) phi_dot: Code,
+    pub(crate) phi_q: Code,
+    pub(crate) min_norm: Code,
+    pub(crate) inverse_mass: Code,
+    pub(crate) kinetic_energy: Code,
+    pub(crate) gravity_energy: Code,
+    pub(crate) load_power: Code,
+}
+
+/// Functions in a chart.
+#[derive(Debug)]
+pub(crate) struct InChart {
+    pub(crate) rate: Code,
+    pub(crate) pose: Code,
+    pub(crate) from_pose: Code,
+    pub(crate) guards: Code,
+    pub(crate) reactions: Option<Code>,
+    pub(crate) remember: Option<Code>,
+    pub(crate) remember_pose: Option<Code>,
+}
+
+/// Conditions.
+#[derive(Debug)]
+pub(crate) struct Switches {
+    pub(crate) instants: Code,
+    pub(crate) terms: Code,
+    pub(crate) texts: &'static [&'static str],
+}
+
+/// Parameters and starts.
+#[derive(Debug)]
+pub(crate) struct Start {
+    pub(crate) defaults: Vec<Option<Code>>,
+    pub(crate) values: Code,
+    pub(crate) centres: Code,
+    pub(crate) inputs: Code,
+    pub(crate) limited: Code,
+    pub(crate) limits: Vec<Limit>,
+    pub(crate) carried: Option<Vec<[Limit; 2]>>,
+    pub(crate) ends: Code,
+    pub(crate) baumgarte: Option<Code>,
+}
+
+/// A list that lives as long as the program.
+fn kept<T>(items: impl IntoIterator<Item = T>) -> &'static [T] {
+    Vec::leak(items.into_iter().collect())
+}
+
+/// A text that lives as long as the program.
+pub(crate) fn text(text: &str) -> &'static str {
+    String::leak(text.to_owned())
+}
+
+fn texts<'a>(all: impl IntoIterator<Item = &'a String>) -> &'static [&'static str] {
+    kept(all.into_iter().map(|one| text(one)))
+}
+
+fn lists(all: impl IntoIterator<Item = Vec<usize>>) -> &'static [&'static [usize]] {
+    kept(all.into_iter().map(kept))
+}
+
+impl Model {
+    /// The tables of a lowered mechanism whose state has room for so many coordinates and velocities. They are never freed.
+    pub(crate) fn new(lowered: Lowered, capacity: usize) -> &'static Model {
+        let nq = lowered.coordinates.len();
+        let coordinates = lowered.charts.first().map_or(nq, |chart| chart.names.len());
+        let state = Room { coordinates, capacity };
+        let absolute = Absolute::new(&lowered, Room { coordinates: nq, capacity });
+        let counts = lowered.loops.as_ref().map_or_else(Counts::default, |loops| Counts {
+            coordinates: loops.coordinates,
+            angles: loops.turning.len(),
+            determinants: loops.determinants,
+            iterated: loops.iterated.len(),
+        });
+        let turns = |places: fn(&lowered::Turns) -> Vec<usize>| lists(lowered.turns.iter().map(places));
+        let turns_in_state = match lowered.form {
+            Form::Loops => Vec::new(),
+            Form::Tree | Form::Absolute => {
+                let places =
+                    lowered.turns.iter().map(|turns| turns.in_state.first().cloned().unwrap_or_default());
+                places.map(|places| places.into_iter().map(|k| state.place(k)).collect::<Vec<_>>()).collect()
+            }
+        };
+        let model = Model {
+            layout: Layout {
+                rows: texts(lowered.rows.iter().map(|row| &row.name)),
+                parts: texts(lowered.rows.iter().map(|row| &row.part)),
+                coordinates: texts(&lowered.coordinates),
+                angular: kept(lowered.rows.iter().map(|row| row.is_angular)),
+                given_angles: if lowered.starts.given_angles.contains(&true) {
+                    kept(lowered.starts.given_angles.iter().copied())
+                } else {
+                    &[]
+                },
+            },
+            charts: charts(&lowered),
+            counts,
+            coordinates,
+            absolute,
+            in_charts: lowered.charts.iter().map(|chart| InChart::new(chart, state)).collect(),
+            switches: Switches::new(&lowered, state),
+            start: Start::new(&lowered, state),
+            outputs: lowered
+                .outputs
+                .iter()
+                .map(|output| Code::new(&output.value, &["value"], state))
+                .collect(),
+            names_of_starts: texts(&lowered.starts.names),
+            names: texts(&lowered.names),
+            parts: texts(&lowered.parts),
+            parameters: kept(lowered.parameters.iter().map(|param| (text(&param.name), text(&param.unit)))),
+            turns_in_pose: turns(|turns| turns.in_pose.clone()),
+            turns_in_state: lists(turns_in_state),
+            lowered,
+        };
+        Box::leak(Box::new(model))
+    }
+}
+
+fn charts(lowered: &Lowered) -> Charts {
+    let Some(loops) = &lowered.loops else {
+        return Charts {
+            count: 1,
+            revolutions: &[],
+            is_loose: false,
+            turning: &[],
+            found: &[],
+            iterated: &[],
+            closing: &[],
+        };
+    };
+    let revolutions = lowered.turns.iter().map(|turns| Revolutions {
+        coordinates: lists(turns.in_state.iter().cloned()),
+        angles: kept(turns.remembered.iter().copied()),
+        iterated: kept(turns.iterated.iter().copied()),
+    });
+    Charts {
+        count: lowered.charts.len(),
+        revolutions: kept(revolutions),
+        is_loose: loops.is_loose,
+        turning: texts(&loops.turning),
+        found: lists(lowered.charts.iter().map(|chart| chart.found.clone())),
+        iterated: texts(&loops.iterated),
+        closing: kept(lowered.charts.iter().map(|chart| texts(&chart.closing))),
+    }
+}
+
+impl Absolute {
+    fn new(lowered: &Lowered, room: Room) -> Absolute {
+        let of = &lowered.absolute;
+        let state = lowered.charts.first().map_or(room.coordinates, |chart| chart.names.len());
+        let moment = Room { coordinates: state, ..room };
+        Absolute {
+            dynamics: Code::new(&of.dynamics, &["dx", "lambda"], room),
+            free: Code::new(&of.free, &["force", "gamma"], room),
+            x_dot: Code::new(&of.x_dot, &["x_dot"], room),
+            guards: Code::new(&of.guards, &["g"], room),
+            phi: Code::new(&of.phi, &["phi"], room),
+            phi_dot: Code::new(&of.phi_dot, &["phi_dot"], room),
+            phi_q: Code::new(&of.phi_q, &["phi_q"], room),
+            min_norm: Code::new(&of.min_norm, &["dq"], room),
+            inverse_mass: Code::new(&of.inverse_mass, &["inverse_mass"], room),
+            kinetic_energy: Code::new(&of.kinetic_energy, &[], moment),
+            gravity_energy: Code::new(&of.gravity_energy, &[], moment),
+            load_power: Code::new(&of.load_power, &[], moment),
+        }
+    }
+}
+
+impl InChart {
+    fn new(of: &lowered::Chart, room: Room) -> InChart {
+        let code = |routine, outputs: &[&str]| Code::new(routine, outputs, room);
+        InChart {
+            rate: code(&of.rate, &["dx"]),
+            pose: code(&of.pose, &["q", "v"]),
+            from_pose: code(&of.from_pose, &["x"]),
+            guards: code(&of.guards, &["g"]),
+            reactions: of.reactions.as_ref().map(|reactions| code(reactions, &["a", "lambda"])),
+            remember: of.remember.as_ref().map(|remember| code(remember, &[])),
+            remember_pose: of.remember_pose.as_ref().map(|remember| code(remember, &[])),
+        }
+    }
+}
+
+impl Switches {
+    fn new(lowered: &Lowered, room: Room) -> Switches {
+        let of = &lowered.switches;
+        Switches {
+            instants: Code::new(&of.instants, &["at", "slope"], room),
+            terms: Code::new(&of.terms, &["jump"], room),
+            texts: texts(of.all.iter().take(of.guards).map(|switch| &switch.text)),
+        }
+    }
+}
+
+impl Start {
+    fn new(lowered: &Lowered, room: Room) -> Start {
+        let of = &lowered.starts;
+        let values = |routine| Code::new(routine, &["values"], room);
+        Start {
+            defaults: lowered.parameters.iter().map(|param| param.default.as_ref().map(values)).collect(),
+            values: values(&of.values),
+            centres: values(&of.centres),
+            inputs: values(&of.inputs),
+            limited: values(&of.limited),
+            limits: of.limits.iter().map(limit).collect(),
+            carried: of.carried.as_ref().map(|all| all.iter().map(|[a, b]| [limit(a), limit(b)]).collect()),
+            ends: values(&of.ends),
+            baumgarte: lowered.baumgarte.as_ref().map(values),
+        }
+    }
+}
+
+fn limit(of: &plm_compiler::Limit) -> Limit {
+    let least = match of.least {
+        plm_compiler::Least::Positive => Least::Positive,
+        plm_compiler::Least::Carried => Least::Carried,
+        plm_compiler::Least::Zero => Least::Zero,
+        plm_compiler::Least::Negative => Least::Negative,
+        plm_compiler::Least::Share => Least::Share,
+    };
+    Limit { part: text(&of.part), what: text(&of.what), unit: text(&of.unit), least }
+}

@@ -1,0 +1,167 @@
+//! Conditions: guards, kinks, known times.
+
+use plm_compiler::lowered::End;
+use plm_runtime::absolute::{self, Crossing};
+use plm_runtime::charts::OfLoops;
+use plm_runtime::{Cause, Enclosed, Events, Fault, Moment, Real, events};
+
+use super::State;
+use crate::capacity::{KINKS, SWITCHES, WATCHED};
+use crate::handle::{Dynamic, Frame, Held};
+
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+    /// Guards, then kinks, at a state.
+    fn all_watched(&self, t: S, u: &Held<S, NQ>, x: &[S; N]) -> [S; WATCHED] {
+        let mut all = [S::lit(1.0); WATCHED];
+        if self.model.lowered.switches.read_solution {
+            let state = State::new(*self, *u, t, *x);
+            let (a, lambda) = state.solved();
+            let full = state.absolute();
+            let in_chart = matches!(u.of_loops, OfLoops::InChart { .. });
+            let code = self.model.in_charts.first().filter(|_| in_chart).map(|chart| &chart.guards);
+            let x: &[S] = if code.is_some() { x } else { &full };
+            let frame = Frame { a: &a, lambda: &lambda, ..Frame::of_state(t, u, x) };
+            self.run(code.unwrap_or(&self.model.absolute.guards), &frame, [&mut all]);
+        } else if matches!(u.of_loops, OfLoops::Free { .. }) {
+            let full = State::new(*self, *u, t, *x).absolute();
+            self.watched(t, u, &full, &mut all);
+        } else {
+            self.watched(t, u, x, &mut all);
+        }
+        all
+    }
+
+    /// Sets the sides of conditions on the time alone.
+    pub(super) fn take_sides_at_time(&self, t: S, u: &mut Held<S, NQ>) {
+        let (at, slope) = self.instants(u);
+        let guards = self.model.lowered.switches.guards;
+        for ((side, at), slope) in u.switches.iter_mut().skip(guards).zip(at).zip(slope) {
+            *side = if (at <= t) == (slope > S::ZERO) { S::lit(1.0) } else { S::lit(-1.0) };
+        }
+    }
+
+    /// Times at which conditions change, s, and the slopes of what they compare.
+    fn instants(&self, u: &Held<S, NQ>) -> (Vec<S>, Vec<S>) {
+        let switches = &self.model.lowered.switches;
+        let count = switches.all.len() - switches.guards;
+        let (mut at, mut slope) = (vec![S::ZERO; count], vec![S::ZERO; count]);
+        let frame = Frame { held: Some(u), ..Frame::at(S::ZERO) };
+        self.run(&self.model.switches.instants, &frame, [&mut at, &mut slope]);
+        (at, slope)
+    }
+}
+
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Events for Dynamic<S, NQ, NC, N> {
+    type G = [S; SWITCHES];
+    const KINKS: usize = KINKS;
+    const SELECTIVE: bool = true;
+
+    fn guard_count(&self) -> usize {
+        self.model.lowered.switches.guards
+    }
+
+    fn guards(&self, t: S, u: &Self::U, x: &[S; N], g: &mut [S; SWITCHES]) {
+        let all = self.all_watched(t, u, x);
+        let own = self.model.lowered.switches.guards;
+        *g = [S::lit(1.0); SWITCHES];
+        for (guard, value) in g.iter_mut().zip(all).take(own) {
+            *guard = value;
+        }
+    }
+
+    fn kink_count(&self) -> usize {
+        self.model.lowered.switches.kinks
+    }
+
+    fn kinks(&self, t: S, u: &Self::U, x: &[S; N], each: &mut impl FnMut(usize, S)) {
+        let (all, switches) = (self.all_watched(t, u, x), &self.model.lowered.switches);
+        for (index, value) in all.into_iter().skip(switches.guards).take(switches.kinks).enumerate() {
+            each(index, value);
+        }
+    }
+
+    fn guards_within(
+        &self,
+        t: Enclosed<S>,
+        u: &Self::U,
+        x: &impl Fn(usize) -> Enclosed<S>,
+        each: &mut impl FnMut(usize, Enclosed<S>),
+    ) -> bool {
+        let switches = &self.model.lowered.switches;
+        if switches.read_solution || matches!(u.of_loops, OfLoops::Free { .. }) {
+            return false;
+        }
+        let constant = |number: S| Enclosed::constant(number);
+        let (mechanism, held) = (self.map(&constant), Self::map_held(u, &constant));
+        let x: [Enclosed<S>; N] = core::array::from_fn(x);
+        let mut all = [Enclosed::constant(S::lit(1.0)); WATCHED];
+        mechanism.watched(t, &held, &x, &mut all);
+        for (index, value) in all.into_iter().take(switches.guards + switches.kinks).enumerate() {
+            let kink = index.checked_sub(switches.guards);
+            each(kink.map_or(index, |kink| SWITCHES + kink), value);
+        }
+        true
+    }
+
+    fn switch(&self, _t: S, u: &mut Self::U, _x: &mut [S; N], index: usize) -> Result<(), Fault> {
+        if !self.must_hold(index)
+            && let Some(side) = u.switches.get_mut(index)
+        {
+            *side = -*side;
+        }
+        Ok(())
+    }
+
+    fn must_hold(&self, index: usize) -> bool {
+        self.model.lowered.switches.all.get(index).is_some_and(|switch| switch.must_hold)
+    }
+
+    fn end(&self, index: usize) -> Option<Cause> {
+        let switches = &self.model.lowered.switches;
+        match switches.all.get(index).filter(|_| index < switches.guards)?.end.as_ref()? {
+            End::Pole(by) => Some(Cause::Pole { by }),
+            End::Domain(of) => Some(Cause::Domain { of }),
+        }
+    }
+
+    fn next_time_event(&self, t: S, u: &Self::U) -> Option<S> {
+        let (at, _) = self.instants(u);
+        at.into_iter().filter(|at| *at > t).reduce(S::min)
+    }
+
+    fn switch_at_time(&self, t: S, u: &mut Self::U, _x: &mut [S; N]) -> Result<(), Fault> {
+        self.take_sides_at_time(t, u);
+        Ok(())
+    }
+
+    fn matters(&self, u: &Self::U, index: usize, unknown: u64) -> bool {
+        let switches = &self.model.lowered.switches;
+        let number = match index.checked_sub(SWITCHES) {
+            Some(kink) if kink < switches.kinks => switches.guards + kink,
+            None if index < switches.guards => index,
+            _ => return false,
+        };
+        if switches.roots.is_empty() {
+            return true;
+        }
+        let root = switches.roots.get(number).copied().unwrap_or(1);
+        events::holds(&switches.nodes, root, &u.switches, unknown)
+    }
+
+    fn jump(&self, t: S, u: &Self::U, x: &[S; N], after: Option<&Self::U>) -> Option<Fault> {
+        let jumps = &self.model.lowered.switches.jumps;
+        if jumps.is_empty() {
+            return None;
+        }
+        let (q, v) = State::new(*self, *u, t, *x).pose();
+        let mut terms = vec![S::ZERO; 5 * jumps.len()];
+        let frame = Frame { held: Some(u), x, ..Frame::of_pose(t, &q, &v) };
+        self.run(&self.model.switches.terms, &frame, [&mut terms]);
+        let crossings = jumps.iter().zip(terms.as_chunks::<5>().0).filter_map(|(jump, &terms)| {
+            let side = |u: &Self::U| u.switches.get(jump.switch).copied();
+            let changes = after.is_some_and(|after| side(after) != side(u));
+            (changes || after.is_none()).then_some(Crossing { row: jump.row, terms, changes })
+        });
+        absolute::jump::<S, Self, NQ, NC>(self, t, (&q, &v), crossings)
+    }
+}

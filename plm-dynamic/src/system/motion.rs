@@ -1,0 +1,192 @@
+//! Rates, constraints and names of the state.
+
+use plm_runtime::absolute;
+use plm_runtime::charts::{self, OfLoops};
+use plm_runtime::{
+    Cause, Constraints, Drift, Energy, Fault, Health, Labels, Moment, Rate, Real, Scalar, Updated, Vector,
+    turns,
+};
+
+use super::State;
+use crate::handle::{Dynamic, Frame, Held};
+use plm_compiler::lowered::Form;
+
+impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Rate for Dynamic<S, NQ, NC, N> {
+    type S = S;
+    type X = [S; N];
+    type U = Held<S, NQ>;
+    const NQ: usize = NQ;
+
+    fn rate(&self, t: S, u: &Self::U, x: &[S; N], dx: &mut [S; N]) -> Health<S> {
+        let frame = Frame::of_state(t, u, x);
+        *dx = [S::ZERO; N];
+        match self.model.lowered.form {
+            Form::Absolute => {
+                let mut lambda = [S::ZERO; NC];
+                Health(self.run(&self.model.absolute.dynamics, &frame, [dx, &mut lambda]))
+            }
+            Form::Tree => {
+                if let Some(chart) = self.model.in_charts.first() {
+                    self.run(&chart.rate, &frame, [dx]);
+                }
+                Health::perfect()
+            }
+            Form::Loops => match u.of_loops {
+                OfLoops::InChart { chart, .. } => {
+                    let chart = self.model.in_charts.get(chart);
+                    Health(chart.map_or(S::ZERO, |chart| self.run(&chart.rate, &frame, [dx])))
+                }
+                OfLoops::Free { .. } => Health(S::ZERO),
+            },
+        }
+    }
+
+    fn coordinates(&self) -> usize {
+        self.model.coordinates
+    }
+
+    fn states(&self) -> usize {
+        2 * self.model.coordinates + self.model.lowered.states.len()
+    }
+
+    fn typical(&self) -> [S; N] {
+        let (own, count) = (&self.model.lowered.typical, self.model.coordinates);
+        // What no coordinate has is zero: a size that some has changes no norm.
+        let filled = own.first().copied().unwrap_or(1.0);
+        let mut typical = [S::lit(filled); N];
+        for (k, size) in own.iter().enumerate() {
+            typical.set(place::<NQ>(k, count), S::lit(*size));
+        }
+        typical
+    }
+}
+
+/// The place of a number of the state that has so many coordinates.
+pub(super) fn place<const NQ: usize>(index: usize, coordinates: usize) -> usize {
+    crate::code::Room { coordinates, capacity: NQ }.place(index)
+}
+
+/// The number of the state that stands at a place.
+fn index<const NQ: usize>(place: usize, coordinates: usize) -> Option<usize> {
+    match place {
+        _ if place >= 2 * NQ => Some(2 * coordinates + place - 2 * NQ),
+        _ if place >= NQ => Some(coordinates + place - NQ).filter(|index| *index < 2 * coordinates),
+        _ => Some(place).filter(|index| *index < coordinates),
+    }
+}
+
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Constraints for Dynamic<S, NQ, NC, N> {
+    fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; N], dx: &mut [S; N]) -> Result<(), Fault> {
+        match self.model.lowered.form {
+            Form::Tree => {
+                self.rate(t, u, x, dx);
+                Ok(())
+            }
+            Form::Loops if self.rate(t, u, x, dx).is_good() => Ok(()),
+            Form::Loops => Err(charts::not_regular(self, t, u, x)),
+            Form::Absolute => {
+                let solution = self.accelerate(t, u, x)?;
+                let (_, v): ([S; NQ], [S; NQ]) = absolute::split(x);
+                absolute::join(&v, &solution.a, dx);
+                let mut x_dot = [S::ZERO; N];
+                self.run(&self.model.absolute.x_dot, &Frame::of_state(t, u, x), [&mut x_dot]);
+                for (rate, value) in dx.iter_mut().skip(2 * NQ).zip(x_dot) {
+                    *rate = value;
+                }
+                Ok(())
+            }
+        }
+    }
+
+    fn project(&self, t: S, _u: &Self::U, x: &mut [S; N]) -> Result<(), Fault> {
+        if self.projects() { absolute::project_state::<S, Self, NQ, NC, N>(self, t, x) } else { Ok(()) }
+    }
+
+    fn drift(&self, t: S, _u: &Self::U, x: &[S; N]) -> Drift<S> {
+        if self.projects() {
+            absolute::drift::<S, Self, NQ, NC, N>(self, t, x)
+        } else {
+            Drift { phi: S::ZERO, phi_dot: S::ZERO }
+        }
+    }
+
+    fn baumgarte_rate(&self) -> Option<f64> {
+        let tau = self.model.start.baumgarte.as_ref().filter(|_| self.is_absolute())?;
+        self.values(S::ZERO, tau, 1).first().map(|tau| 1.0 / tau.to_f64())
+    }
+
+    fn is_regular(&self, u: &Self::U) -> bool {
+        !charts::is_free::<Self>(u)
+    }
+
+    fn update(&self, t: S, u: &mut Self::U, x: &mut [S; N]) -> Result<Updated, Fault> {
+        if self.is_charted() {
+            return charts::update(self, t, u, x);
+        }
+        if self.model.turns_in_state.is_empty() {
+            return Ok(Updated::default());
+        }
+        let places: [&[usize]; NQ] =
+            core::array::from_fn(|k| self.model.turns_in_state.get(k).copied().unwrap_or_default());
+        let turned = turns::unwind(&mut u.turns, x, &places);
+        Ok(Updated { turned, ..Updated::default() })
+    }
+
+    fn energy(&self, t: S, u: &Self::U, x: &[S; N]) -> Option<Energy<S>> {
+        if !self.model.lowered.has_energy {
+            return None;
+        }
+        let state = State::new(*self, *u, t, *x);
+        let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
+        Some(Energy { kinetic, gravity, power: state.load_power() })
+    }
+}
+
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+    /// Are states projected onto constraints?
+    fn projects(&self) -> bool {
+        self.is_absolute() && self.model.start.baumgarte.is_none()
+    }
+
+    /// Accelerations and multipliers by a rank-revealing decomposition.
+    #[cold]
+    pub(super) fn accelerate(
+        &self,
+        t: S,
+        u: &Held<S, NQ>,
+        x: &[S; N],
+    ) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {
+        let rows = self.model.lowered.rows.len();
+        if self.model.lowered.feeds_back {
+            return Err(Fault::new(t.to_f64(), Cause::Singular { rows }));
+        }
+        let (q, _): ([S; NQ], [S; NQ]) = absolute::split(x);
+        let (mut force, mut gamma) = ([S::ZERO; NQ], [S::ZERO; NC]);
+        self.run(&self.model.absolute.free, &Frame::of_state(t, u, x), [&mut force, &mut gamma]);
+        let inverse_mass = absolute::Absolute::<S, NQ, NC>::inverse_mass(self);
+        absolute::accelerate(t, &inverse_mass, &force, &gamma, |rows| {
+            absolute::phi_q_matrix(self, t, &q, rows);
+        })
+    }
+}
+
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Labels for Dynamic<S, NQ, NC, N> {
+    fn part_of_state(&self, at: usize) -> &'static str {
+        let own = index::<NQ>(at, self.model.coordinates);
+        own.and_then(|index| self.model.parts.get(index)).copied().unwrap_or_default()
+    }
+
+    fn name_of_state(&self, at: usize) -> &'static str {
+        let own = index::<NQ>(at, self.model.coordinates);
+        own.and_then(|index| self.model.names.get(index)).copied().unwrap_or_default()
+    }
+
+    fn guard_name(&self, index: usize) -> &'static str {
+        let switches = &self.model.lowered.switches;
+        switches.all.get(index).filter(|_| index < switches.guards).map_or("", |switch| &switch.name)
+    }
+
+    fn conditions(&self) -> &'static [&'static str] {
+        self.model.switches.texts
+    }
+}

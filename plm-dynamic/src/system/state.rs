@@ -1,0 +1,139 @@
+//! A mechanism at one moment.
+
+use plm_runtime::{BodyState, Health, InPlace, Moment, Real, absolute, charts, turns};
+
+use crate::handle::{Dynamic, Frame, Held};
+use crate::system::singular;
+use plm_compiler::lowered::Form;
+
+/// A mechanism with its numbers at one moment.
+#[derive(Clone, Copy, Debug)]
+pub struct State<S: Real, const NQ: usize, const NC: usize, const N: usize> {
+    mechanism: Dynamic<S, NQ, NC, N>,
+    held: Held<S, NQ>,
+    time: S,
+    x: [S; N],
+}
+
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Moment for State<S, NQ, NC, N> {
+    type M = Dynamic<S, NQ, NC, N>;
+
+    fn new(mechanism: Self::M, held: Held<S, NQ>, time: S, x: [S; N]) -> Self {
+        State { mechanism, held, time, x }
+    }
+
+    fn mechanism(&self) -> &Self::M {
+        &self.mechanism
+    }
+
+    fn held(&self) -> Held<S, NQ> {
+        self.held
+    }
+
+    fn time(&self) -> S {
+        self.time
+    }
+
+    fn x(&self) -> &[S; N] {
+        &self.x
+    }
+
+    fn set(&mut self, time: S, held: &Held<S, NQ>, x: &[S; N]) {
+        (self.time, self.held, self.x) = (time, *held, *x);
+    }
+
+    fn in_place(&mut self) -> InPlace<'_, Self::M> {
+        let Self { mechanism, held, time, x } = self;
+        InPlace { system: mechanism, held, time, x }
+    }
+}
+
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize> State<S, NQ, NC, N> {
+    /// Pose and velocity of every body, without whole turns.
+    pub(crate) fn pose(&self) -> ([S; NQ], [S; NQ]) {
+        match self.mechanism.model.lowered.form {
+            Form::Absolute => absolute::split(&self.x),
+            Form::Tree | Form::Loops => charts::pose(&self.mechanism, self.time, &self.held, &self.x),
+        }
+    }
+
+    /// The state in absolute coordinates, without whole turns.
+    pub(crate) fn absolute(&self) -> [S; N] {
+        match self.mechanism.model.lowered.form {
+            Form::Absolute => self.x,
+            Form::Tree | Form::Loops => singular::full(&self.mechanism, self.time, &self.held, &self.x),
+        }
+    }
+
+    /// Pose and velocity of the centre of gravity of a body by its number; none behind the last one.
+    pub fn body(&self, number: usize) -> Option<BodyState<S>> {
+        let (mut q, v) = self.pose();
+        let places: [&[usize]; NQ] =
+            core::array::from_fn(|k| self.mechanism.model.turns_in_pose.get(k).copied().unwrap_or_default());
+        turns::add(&self.held.turns, &mut q, &places);
+        (number < self.mechanism.model.lowered.bodies.len()).then(|| BodyState::among(&q, &v, number))?
+    }
+
+    /// A number of the outputs, declared and observed, by its number, SI.
+    pub fn output(&self, number: usize) -> Option<S> {
+        let model = self.mechanism.model;
+        let code = model.outputs.get(number)?;
+        let solution = model.lowered.outputs.get(number)?.solves.then(|| self.solved());
+        let (q, v) = self.pose();
+        let mut frame = Frame { held: Some(&self.held), x: &self.x, ..Frame::of_pose(self.time, &q, &v) };
+        if let Some((a, lambda)) = &solution {
+            (frame.a, frame.lambda) = (a, lambda);
+        }
+        let mut value = [S::ZERO; 2];
+        let returned = self.mechanism.run(code, &frame, [&mut value]);
+        Some(match model.lowered.outputs[number].value.results.first() {
+            Some((plm_compiler::lowered::Target::Element(_, k), _)) => value[*k % 2],
+            _ => returned,
+        })
+    }
+
+    /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
+    pub(crate) fn solved(&self) -> ([S; NQ], [S; NC]) {
+        let (mechanism, model) = (&self.mechanism, self.mechanism.model);
+        let (mut a, mut lambda) = ([S::ZERO; NQ], [S::ZERO; NC]);
+        let tree = model.in_charts.first().filter(|_| model.lowered.form == Form::Tree);
+        if let Some(reactions) = tree.and_then(|chart| chart.reactions.as_ref()) {
+            let frame = Frame::of_state(self.time, &self.held, &self.x);
+            mechanism.run(reactions, &frame, [&mut a, &mut lambda]);
+            return (a, lambda);
+        }
+        let (x, mut dx) = (self.absolute(), [S::ZERO; N]);
+        let frame = Frame::of_state(self.time, &self.held, &x);
+        let health = mechanism.run(&model.absolute.dynamics, &frame, [&mut dx, &mut lambda]);
+        if !Health(health).is_good()
+            && let Ok(solution) = mechanism.accelerate(self.time, &self.held, &x)
+        {
+            return (solution.a, solution.lambda);
+        }
+        let (_, accelerations): ([S; NQ], [S; NQ]) = absolute::split(&dx);
+        a = accelerations;
+        (a, lambda)
+    }
+
+    /// A scalar of the state.
+    fn value(&self, code: &crate::code::Code) -> S {
+        let (q, v) = self.pose();
+        let frame = Frame { held: Some(&self.held), x: &self.x, ..Frame::of_pose(self.time, &q, &v) };
+        self.mechanism.run(code, &frame, [])
+    }
+
+    /// Kinetic energy of all bodies, J.
+    pub fn kinetic_energy(&self) -> S {
+        self.value(&self.mechanism.model.absolute.kinetic_energy)
+    }
+
+    /// Potential energy of gravity above the origin, J.
+    pub fn gravity_energy(&self) -> S {
+        self.value(&self.mechanism.model.absolute.gravity_energy)
+    }
+
+    /// Power of all forces and torques but gravity and reactions, W.
+    pub fn load_power(&self) -> S {
+        self.value(&self.mechanism.model.absolute.load_power)
+    }
+}

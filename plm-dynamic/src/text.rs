@@ -1,0 +1,141 @@
+//! From text to a mechanism that can run.
+
+use std::fmt;
+use std::path::Path;
+
+use plm_compiler::lowered::{Lowered, Unsupported};
+use plm_compiler::token::Sources;
+use plm_compiler::{compile, without_panic};
+
+use crate::capacity::{INPUTS, KINKS, PARAMETERS, SWITCHES};
+use crate::handle::Dynamic;
+use crate::model::Model;
+
+/// A declaration that was compiled: tables and functions.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    lowered: Lowered,
+}
+
+/// Why a text gives no mechanism.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refused {
+    /// It has mistakes: the diagnostics, as rustc would show them.
+    Mistakes(String),
+    /// The compiler has failed.
+    Bug(String),
+    /// It has what cannot run without rustc yet.
+    Unsupported(&'static str),
+    /// It is larger than there is room for: what there is too much of, how much, and the most.
+    TooLarge {
+        /// What there is too much of.
+        what: &'static str,
+        /// How much.
+        found: usize,
+        /// The most that there is room for.
+        most: usize,
+    },
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Mistakes(text) | Self::Bug(text) => f.write_str(text),
+            Self::Unsupported(what) => write!(f, "{what} cannot run without rustc yet"),
+            Self::TooLarge { what, found, most } => {
+                write!(f, "{found} {what}, and there is room for {most}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for Refused {}
+
+impl Compiled {
+    /// Compiles a declaration, the inside of a call of `mechanism!`. `name` is what messages call it; files that it names are read
+    /// beside that.
+    ///
+    /// # Errors
+    /// The diagnostics of its mistakes, or what cannot run without rustc.
+    pub fn new(name: &str, text: &str) -> Result<Compiled, Refused> {
+        let compiled = without_panic(|| {
+            let mut sources = Sources::new();
+            sources.add_text(name, text);
+            for file in sources.named_files() {
+                let content = std::fs::read_to_string(Path::new(name).with_file_name(&file));
+                sources.add_file(&file, content.map_err(|error| error.to_string()));
+            }
+            let expansion = compile(&mut sources);
+            expansion.lower().ok_or_else(|| {
+                let all = expansion.diagnostics.sorted();
+                all.into_iter().map(|one| one.render(&sources)).collect::<String>()
+            })
+        });
+        match compiled {
+            Err(bug) => Err(Refused::Bug(bug)),
+            Ok(Err(mistakes)) => Err(Refused::Mistakes(mistakes)),
+            Ok(Ok(Err(Unsupported::Contact))) => Err(Refused::Unsupported("friction or unilateral contact")),
+            Ok(Ok(Err(Unsupported::Sets))) => Err(Refused::Unsupported("an event that sets states")),
+            Ok(Ok(Ok(lowered))) => Compiled::within(lowered),
+        }
+    }
+
+    /// With no more of anything than all mechanisms have room for.
+    fn within(lowered: Lowered) -> Result<Compiled, Refused> {
+        let counts = [
+            ("parameters", lowered.parameters.len(), PARAMETERS),
+            ("inputs", lowered.inputs.len(), INPUTS),
+            ("conditions", lowered.switches.all.len(), SWITCHES),
+            ("kinks", lowered.switches.kinks, KINKS),
+        ];
+        match counts.into_iter().find(|(_, found, most)| found > most) {
+            Some((what, found, most)) => Err(Refused::TooLarge { what, found, most }),
+            None => Ok(Compiled { lowered }),
+        }
+    }
+
+    /// The mechanism as declared, with room for `NQ` coordinates, `NC` rows and `N` numbers of a state; parameters without a default
+    /// are zero until they are set. Its tables are never freed.
+    ///
+    /// # Errors
+    /// [`Refused::TooLarge`].
+    pub fn mechanism<const NQ: usize, const NC: usize, const N: usize>(
+        self,
+    ) -> Result<Dynamic<f64, NQ, NC, N>, Refused> {
+        let states = N.saturating_sub(2 * NQ);
+        let counts = [
+            ("coordinates", self.lowered.coordinates.len(), NQ),
+            ("constraint rows", self.lowered.rows.len(), NC),
+            ("first-order states", self.lowered.states.len(), states),
+        ];
+        match counts.into_iter().find(|(_, found, most)| found > most) {
+            Some((what, found, most)) => Err(Refused::TooLarge { what, found, most }),
+            None => Ok(Dynamic::declared(Model::new(self.lowered, NQ), &[])),
+        }
+    }
+}
+
+impl<const NQ: usize, const NC: usize, const N: usize> Dynamic<f64, NQ, NC, N> {
+    /// The names of the parameters, in the order of their numbers.
+    pub fn parameter_names(&self) -> impl Iterator<Item = &'static str> {
+        self.model.parameters.iter().map(|(name, _)| *name)
+    }
+
+    /// Sets a parameter by its name, SI; false if there is none of that name.
+    pub fn set(&mut self, name: &str, value: f64) -> bool {
+        let place = self.model.parameters.iter().position(|(own, _)| *own == name);
+        let parameter = place.and_then(|place| self.parameters.get_mut(place));
+        parameter.map(|parameter| *parameter = value).is_some()
+    }
+
+    /// The names of the bodies, in the order of their numbers.
+    pub fn body_names(&self) -> impl Iterator<Item = &'static str> {
+        self.model.lowered.bodies.iter().map(String::as_str)
+    }
+
+    /// Name, SI unit, and whether it is declared, of each number of the outputs.
+    pub fn output_names(&self) -> impl Iterator<Item = (&'static str, &'static str, bool)> {
+        let outputs = self.model.lowered.outputs.iter();
+        outputs.map(|output| (output.name.as_str(), output.si.as_str(), output.declared))
+    }
+}

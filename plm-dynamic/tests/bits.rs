@@ -1,0 +1,97 @@
+//! The bits of compiled code: the eight mechanisms of `tests/snapshots`, from their declarations and as they are emitted.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+#![allow(unused_qualifications, unreachable_pub, reason = "emitted code")]
+
+#[path = "../../tests/snapshots/arm_on_jack.rs"]
+mod arm_on_jack;
+#[path = "../../tests/snapshots/bouncer.rs"]
+mod bouncer;
+#[path = "../../tests/snapshots/double_pendulum.rs"]
+mod double_pendulum;
+#[path = "../../tests/snapshots/driven_crank.rs"]
+mod driven_crank;
+#[path = "../../tests/snapshots/four_bar.rs"]
+mod four_bar;
+#[path = "../../tests/snapshots/plate_on_three_pins.rs"]
+mod plate_on_three_pins;
+#[path = "../../tests/snapshots/slider_crank.rs"]
+mod slider_crank;
+
+use plm::runtime::{Described, Mechanism};
+use plm::{Dop853, Method, Rk4, Sim};
+use plm_dynamic::{Compiled, Dynamic};
+
+type Small = Dynamic<f64, 12, 16, 32>;
+
+/// Everything that is compared at a moment: poses and velocities, declared outputs.
+fn of_compiled<M: Described<S = f64>>(state: &M::State) -> Vec<u64> {
+    let mut all = Vec::new();
+    M::poses(state, &mut |body| all.extend(body.components()));
+    (0..M::OBSERVED.len()).for_each(|k| all.extend(M::observed(state, k)));
+    all.into_iter().map(f64::to_bits).collect()
+}
+
+fn of_dynamic(state: &<Small as Mechanism>::State) -> Vec<u64> {
+    let mut all = Vec::new();
+    (0..).map_while(|k| state.body(k)).for_each(|body| all.extend(body.components()));
+    (0..).map_while(|k| state.output(k)).for_each(|output| all.push(output));
+    all.into_iter().map(f64::to_bits).collect()
+}
+
+fn compared<M: Described<S = f64>, I: Method<M>, J: Method<Small>>(
+    (mut compiled, mut dynamic): (Sim<M, I>, Sim<Small, J>),
+    (times, by): (u32, f64),
+) {
+    for k in 0..=times {
+        let at = f64::from(k) * by;
+        assert_eq!(of_compiled::<M>(compiled.state()), of_dynamic(dynamic.state()), "at {at}");
+        let ends = (
+            compiled.step(by).map_err(|fault| fault.to_string()),
+            dynamic.step(by).map_err(|fault| fault.to_string()),
+        );
+        assert_eq!(ends.0, ends.1, "behind {at}");
+        if ends.0.is_err() {
+            return;
+        }
+    }
+    let [own, other] = [compiled.stats(), dynamic.stats()];
+    assert_eq!((own.steps, own.rejected, own.evaluations), (other.steps, other.rejected, other.evaluations));
+}
+
+fn same_bits<M: Described<S = f64>>(mechanism: M) {
+    let text = M::DECLARATION;
+    let dynamic: Small = Compiled::new("mechanism.plm", text).unwrap().mechanism().unwrap();
+    let by_steps =
+        (mechanism.start_with(Rk4::new(1e-3)).unwrap(), dynamic.start_with(Rk4::new(1e-3)).unwrap());
+    compared(by_steps, (5, 0.02));
+    let by_error =
+        (mechanism.start_with(Dop853::new(1e-9)).unwrap(), dynamic.start_with(Dop853::new(1e-9)).unwrap());
+    compared(by_error, (10, 0.13));
+}
+
+#[test]
+fn a_tree() {
+    same_bits(double_pendulum::DoublePendulum::new());
+}
+
+#[test]
+fn conditions_and_known_times() {
+    same_bits(bouncer::Bouncer::new());
+}
+
+#[test]
+fn loops_in_charts() {
+    same_bits(four_bar::FourBar::new());
+    same_bits(slider_crank::SliderCrank::new());
+}
+
+#[test]
+fn absolute_coordinates() {
+    same_bits(driven_crank::DrivenCrank::new());
+    same_bits(plate_on_three_pins::PlateOnThreePins::new());
+}
+
+#[test]
+fn first_order_states() {
+    same_bits(arm_on_jack::ArmOnJack::new());
+}

@@ -1,0 +1,225 @@
+//! A mechanism as data: what emission writes as Rust, as tables and routines that a program can run without rustc.
+
+mod charts;
+mod equations;
+mod registers;
+mod routine;
+mod start;
+mod switches;
+
+use plm_cas::Expr;
+
+use crate::collect::CollectVec;
+use crate::compile::Expansion;
+use crate::derive::Equations;
+use crate::facts;
+use crate::formulate::{Function, Program, Reduced, coordinate_name};
+use crate::model::{Model, Stabilisation};
+use crate::oracle::Oracle;
+use crate::report::Report;
+use crate::source::{Origin, Symbols};
+use crate::units::DisplayUnit;
+
+pub use self::charts::{Chart, Loops, Turns};
+pub use self::equations::{AbsoluteEquations, Output, Row};
+pub use self::routine::{Operation, Register, Routine, Step, Target};
+pub use self::start::{Branch, Least, Limit, Parameter, Starts};
+pub use self::switches::{End, Jump, Switch, Switches};
+
+/// A mechanism as data.
+#[derive(Clone, Debug)]
+pub struct Lowered {
+    /// Its name.
+    pub name: String,
+    /// The form of its state.
+    pub form: Form,
+    /// Names of the bodies.
+    pub bodies: Vec<String>,
+    /// Name of each coordinate, three for each body: `arm.x`, `arm.y`, `arm.angle`.
+    pub coordinates: Vec<String>,
+    /// Of each number of the state: its name, in charts of each coordinate that it is.
+    pub names: Vec<String>,
+    /// Of each number of the state: the part that it belongs to.
+    pub parts: Vec<String>,
+    /// Typical sizes of the numbers of the state.
+    pub typical: Vec<f64>,
+    /// First-order states, with their SI units.
+    pub states: Vec<Named>,
+    /// Size of the scene, m.
+    pub length: f64,
+    /// Parameters.
+    pub parameters: Vec<Parameter>,
+    /// Inputs, with their SI units.
+    pub inputs: Vec<Named>,
+    /// Start values, and what they are made of.
+    pub starts: Starts,
+    /// Constraint rows.
+    pub rows: Vec<Row>,
+    /// Absolute coordinates: constraints, and equations of motion with multipliers.
+    pub absolute: AbsoluteEquations,
+    /// Joint coordinates, chart by chart; none of absolute coordinates, one of a tree.
+    pub charts: Vec<Chart>,
+    /// What is remembered of loops.
+    pub loops: Option<Loops>,
+    /// Angles whose turns are counted.
+    pub turns: Vec<Turns>,
+    /// Conditions.
+    pub switches: Switches,
+    /// Declared outputs, then what is observed.
+    pub outputs: Vec<Output>,
+    /// Numbers by which the rate of Baumgarte's stabilisation is found, where it is ordered: the time constant, s.
+    pub baumgarte: Option<Routine>,
+    /// Is its energy accounted for: no motion is prescribed, and each body has a mass?
+    pub has_energy: bool,
+    /// May its constraints come to depend on each other?
+    pub may_be_singular: bool,
+    /// Do forces read accelerations or reactions?
+    pub feeds_back: bool,
+}
+
+/// The form of the state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Absolute coordinates of all bodies.
+    Absolute,
+    /// Joint coordinates of a tree.
+    Tree,
+    /// Independent coordinates of loops, in charts.
+    Loops,
+}
+
+/// A name with a unit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Named {
+    /// The name in the declaration.
+    pub name: String,
+    /// The SI unit.
+    pub unit: String,
+}
+
+/// What cannot be lowered yet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unsupported {
+    /// Friction, unilateral contact, or a constraint with a condition.
+    Contact,
+    /// An event that sets states.
+    Sets,
+}
+
+impl Expansion {
+    /// The mechanism as data; nothing after errors.
+    ///
+    /// # Errors
+    /// What in it cannot be lowered.
+    pub fn lower(&self) -> Option<Result<Lowered, Unsupported>> {
+        let (oracle, report) = (self.oracle.as_ref()?, self.report.as_ref()?);
+        let Oracle { graph, .. } = oracle;
+        Some(graph.borrow_mut().enter(|| Lowered::new(oracle, report)))
+    }
+}
+
+/// What is read to lower a mechanism.
+struct Parts<'a> {
+    model: &'a Model,
+    equations: &'a Equations,
+    program: &'a Program,
+    reduced: Option<&'a Reduced>,
+    /// Places of what is remembered of loops, in the order of storage.
+    paths: Vec<String>,
+}
+
+impl Parts<'_> {
+    /// A function with the arguments of an origin.
+    fn routine(&self, function: &Function, origin: Origin) -> Routine {
+        let &Parts { model, equations, program, reduced, .. } = self;
+        let symbols = Symbols { model, equations, absolute: &program.absolute, reduced };
+        Routine::new(function, &symbols.of(origin).into_iter().collect(), &self.paths)
+    }
+
+    /// May a body be without mass, if others carry it? Absolute coordinates divide by each mass.
+    fn may_be_carried(&self) -> bool {
+        let Parts { model, equations, program, reduced, .. } = self;
+        let Some(reduced) = reduced else { return false };
+        let of_tree = !reduced.has_loops() && reduced.first().is_some_and(|chart| chart.reactions.is_some());
+        of_tree || !facts::reads_solution(model, equations, &program.absolute)
+    }
+
+    /// Values that parameters and the time give, as an array.
+    fn values(&self, values: &[Expr]) -> Routine {
+        self.routine(&Function::of_array("values", values), Origin::Arguments)
+    }
+}
+
+impl Lowered {
+    fn new(oracle: &Oracle, report: &Report) -> Result<Lowered, Unsupported> {
+        let Oracle { model, equations, program, .. } = oracle;
+        if !model.contacts.is_empty() {
+            return Err(Unsupported::Contact);
+        }
+        if !model.whens.is_empty() {
+            return Err(Unsupported::Sets);
+        }
+        let reduced = program.reduced();
+        let memory = reduced.iter().flat_map(|reduced| &reduced.memory);
+        let paths = memory.map(|(_, path)| path.clone()).collect_vec();
+        let parts = Parts { model, equations, program, reduced, paths };
+        let form = match reduced {
+            None => Form::Absolute,
+            Some(reduced) if reduced.has_loops() => Form::Loops,
+            Some(_) => Form::Tree,
+        };
+        let named = |name: &str, unit: &DisplayUnit| Named { name: name.to_owned(), unit: si(unit) };
+        let states = model.states.iter().map(|state| named(&state.name.text, &state.unit));
+        let inputs = model.inputs.iter().map(|input| named(&input.name.text, &input.unit));
+        Ok(Lowered {
+            name: model.name.text.clone(),
+            form,
+            bodies: model.bodies.iter().map(|body| body.name.text.clone()).collect_vec(),
+            coordinates: (0..equations.q.len()).map(|k| coordinate_name(model, k)).collect_vec(),
+            names: facts::state::names(model, equations, reduced),
+            parts: facts::state::parts(model, equations, reduced),
+            typical: facts::state::typical(model, equations, reduced, report.length),
+            states: states.collect_vec(),
+            length: report.length,
+            parameters: start::parameters(&parts),
+            inputs: inputs.collect_vec(),
+            starts: Starts::new(&parts),
+            rows: equations::rows(&parts),
+            absolute: AbsoluteEquations::new(&parts),
+            charts: charts::charts(&parts),
+            loops: reduced.filter(|_| form == Form::Loops).map(|reduced| Loops::new(model, reduced)),
+            turns: charts::turns(&parts),
+            switches: Switches::new(&parts),
+            outputs: equations::outputs(&parts),
+            baumgarte: match model.stabilisation {
+                Stabilisation::Projection => None,
+                Stabilisation::Baumgarte(tau) => Some(parts.values(&[tau])),
+            },
+            has_energy: !facts::knows_time(model) && model.has_masses(),
+            may_be_singular: facts::may_be_singular(model, equations, reduced),
+            feeds_back: crate::derive::feeds_back(model),
+        })
+    }
+}
+
+/// The SI unit of a quantity; empty where it has none.
+fn si(unit: &DisplayUnit) -> String {
+    DisplayUnit::si(unit.dimension).text
+}
+
+/// Names as text.
+fn names<'a>(names: impl Iterator<Item = &'a String>) -> Vec<String> {
+    names.cloned().collect_vec()
+}
+
+/// The axes of a quantity with so many components.
+fn axes(components: usize) -> &'static [&'static str] {
+    if components == 1 { &[""] } else { &[".x", ".y"] }
+}
+
+/// The places of parameters that some expressions read.
+fn read_parameters(model: &Model, roots: &[Expr]) -> Vec<usize> {
+    let read = plm_cas::algebra::symbols(roots);
+    let all = model.params.iter().enumerate().filter(|(_, param)| read.contains(&param.symbol));
+    all.map(|(k, _)| k).collect_vec()
+}
