@@ -9,13 +9,32 @@ use super::names::{Kind, Name};
 use super::parts::{Member, Part};
 use super::path::{Word, word};
 
+/// Members of bodies and of frames: of G of a body, of the point of a frame; absolute axes.
+const MEMBERS: [(&str, &str); 15] = [
+    ("x", "Place along the x axis, m."),
+    ("y", "Place along the y axis, m."),
+    ("position", "Place, m."),
+    ("angle", "Angle of the own x axis from the absolute one, rad, with whole turns."),
+    ("axis", "Unit vector along the own x axis."),
+    ("normal", "Unit vector along the own y axis."),
+    ("vx", "Velocity along the x axis, m/s."),
+    ("vy", "Velocity along the y axis, m/s."),
+    ("velocity", "Velocity, m/s."),
+    ("omega", "Angular velocity, rad/s."),
+    ("ax", "Acceleration along the x axis, m/s^2."),
+    ("ay", "Acceleration along the y axis, m/s^2."),
+    ("acceleration", "Acceleration, m/s^2."),
+    ("alpha", "Angular acceleration, rad/s^2."),
+    ("body", "The body of the frame."),
+];
+
 /// What a word stands for.
 #[derive(Debug)]
 pub(super) enum Meaning<'a> {
     /// A name of the declaration.
     Name(&'a Name),
     /// A member of a body, of a port or of another frame.
-    MemberOfFrame,
+    MemberOfFrame(&'static str),
     /// A name of a part in use.
     MemberOfPart(Member),
     /// A definition of the library.
@@ -78,8 +97,7 @@ fn of_path<'a>(declaration: &'a Declaration, path: &[String], at: usize) -> Opti
 }
 
 fn of_frame<'a>(member: &str) -> Option<Meaning<'a>> {
-    let known = [words::members_of_bodies(), words::members_of_frames()].concat();
-    known.contains(&member).then_some(Meaning::MemberOfFrame)
+    MEMBERS.iter().find(|(name, _)| *name == member).map(|(_, says)| Meaning::MemberOfFrame(says))
 }
 
 /// A word that stands alone and is no name of the declaration.
@@ -110,7 +128,7 @@ pub(super) fn hover(document: &Document, at: usize) -> Option<(String, Range<usi
     let code = |written: &str| format!("```plm\n{written}\n```");
     let mut lines = match &meaning {
         Meaning::Name(name) => vec![code(&name.written), name.docs.clone()],
-        Meaning::MemberOfFrame => vec![code(&word.written)],
+        Meaning::MemberOfFrame(says) => vec![code(&word.written), (*says).to_owned()],
         Meaning::MemberOfPart(member) => vec![code(&member.written), member.docs.clone()],
         Meaning::Part(part) => vec![code(&part.head), part.docs.clone()],
         Meaning::Word(text) => vec![text.clone()],
@@ -164,7 +182,16 @@ fn rounded(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::rounded;
+    use plm_compiler::words;
+
+    use super::{MEMBERS, rounded};
+
+    #[test]
+    fn every_member_of_bodies_and_frames_is_told() {
+        let known = [words::members_of_bodies(), words::members_of_frames()].concat();
+        assert!(known.iter().all(|name| MEMBERS.iter().any(|(told, _)| told == name)), "{known:?}");
+        assert!(MEMBERS.iter().all(|(name, _)| known.contains(name)));
+    }
 
     #[test]
     fn numbers_have_six_digits() {

@@ -232,7 +232,11 @@ fn a_hover_tells_value_unit_and_documentation() {
     assert!(client.hover("half);", "half").contains("At the start: `0.4 m`"));
     // The tip of a bar that was turned by 30 degrees about a pin at the origin: 0.8 m (sin 30 deg, -cos 30 deg).
     assert!(client.hover("bar.tip) {", "tip").contains("At the start: `(0.4, -0.69282) m`"));
-    assert!(client.hover("bar.angle in", "angle").contains("At the start: `30 deg`"));
+    let shown = client.hover("bar.angle in", "angle");
+    assert!(
+        shown.contains("from the absolute one, rad") && shown.contains("At the start: `30 deg`"),
+        "{shown}"
+    );
     let shown = client.hover("damping: 0.1", "damping");
     assert!(shown.contains("param damping: N*m/(rad/s) = 0;") && shown.contains("Rotary damper."), "{shown}");
     let shown = client.hover("hinge.torque", "torque");
