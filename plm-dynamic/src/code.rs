@@ -64,6 +64,8 @@ pub(crate) enum Place {
     Value,
     /// To an element of the output with this number.
     Element(usize, usize),
+    /// To an entry of a matrix over the state.
+    Entry(usize, usize),
     /// To a number that is remembered of loops.
     Remembered(usize),
 }
@@ -106,7 +108,8 @@ impl Code {
             Source::Multiplier(_) | Source::Mode(..) | Source::Number(_) => Argument::None,
         };
         let place = |target: &Target| match *target {
-            Target::Value | Target::Entry(..) => Place::Value,
+            Target::Value => Place::Value,
+            Target::Entry(_, row, column) => Place::Entry(room.place(row), room.place(column)),
             Target::Remembered(k) => Place::Remembered(k),
             Target::Element(name, k) => {
                 let output = outputs.iter().position(|known| *known == name).unwrap_or(usize::MAX);

@@ -93,7 +93,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
                         *to = value;
                     }
                 }
-                Place::Remembered(_) => {}
+                Place::Entry(..) | Place::Remembered(_) => {}
             },
         );
         returned
@@ -111,10 +111,24 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
                         *to = value;
                     }
                 }
-                Place::Element(..) => {}
+                Place::Element(..) | Place::Entry(..) => {}
             },
         );
         (memory, returned)
+    }
+
+    /// Evaluates a function of the entries of a matrix.
+    pub(crate) fn entries(&self, code: &Code, frame: &Frame<S, NQ>, matrix: &mut [[S; N]; N]) {
+        code.run(
+            |argument| self.read(argument, frame),
+            |place, value| {
+                if let Place::Entry(row, column) = place
+                    && let Some(entry) = matrix.get_mut(row).and_then(|row| row.get_mut(column))
+                {
+                    *entry = value;
+                }
+            },
+        );
     }
 
     /// Values of parameters and the time.

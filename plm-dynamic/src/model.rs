@@ -60,6 +60,7 @@ pub(crate) struct InChart {
     pub(crate) reactions: Option<Code>,
     pub(crate) remember: Option<Code>,
     pub(crate) remember_pose: Option<Code>,
+    pub(crate) jacobian: Option<Code>,
 }
 
 /// Conditions.
@@ -221,6 +222,7 @@ impl InChart {
             reactions: of.reactions.as_ref().map(|reactions| code(reactions, &["a", "lambda"])),
             remember: of.remember.as_ref().map(|remember| code(remember, &[])),
             remember_pose: of.remember_pose.as_ref().map(|remember| code(remember, &[])),
+            jacobian: of.jacobian.as_ref().map(|jacobian| code(jacobian, &[])),
         }
     }
 }

@@ -80,6 +80,11 @@ impl Compiled {
         }
     }
 
+    /// Its tables and functions.
+    pub(crate) fn lowered(&self) -> &Lowered {
+        &self.lowered
+    }
+
     /// With no more of anything than all mechanisms have room for.
     fn within(lowered: Lowered) -> Result<Compiled, Refused> {
         let counts = [
@@ -112,30 +117,5 @@ impl Compiled {
             Some((what, found, most)) => Err(Refused::TooLarge { what, found, most }),
             None => Ok(Dynamic::declared(Model::new(self.lowered, NQ), &[])),
         }
-    }
-}
-
-impl<const NQ: usize, const NC: usize, const N: usize> Dynamic<f64, NQ, NC, N> {
-    /// The names of the parameters, in the order of their numbers.
-    pub fn parameter_names(&self) -> impl Iterator<Item = &'static str> {
-        self.model.parameters.iter().map(|(name, _)| *name)
-    }
-
-    /// Sets a parameter by its name, SI; false if there is none of that name.
-    pub fn set(&mut self, name: &str, value: f64) -> bool {
-        let place = self.model.parameters.iter().position(|(own, _)| *own == name);
-        let parameter = place.and_then(|place| self.parameters.get_mut(place));
-        parameter.map(|parameter| *parameter = value).is_some()
-    }
-
-    /// The names of the bodies, in the order of their numbers.
-    pub fn body_names(&self) -> impl Iterator<Item = &'static str> {
-        self.model.lowered.bodies.iter().map(String::as_str)
-    }
-
-    /// Name, SI unit, and whether it is declared, of each number of the outputs.
-    pub fn output_names(&self) -> impl Iterator<Item = (&'static str, &'static str, bool)> {
-        let outputs = self.model.lowered.outputs.iter();
-        outputs.map(|output| (output.name.as_str(), output.si.as_str(), output.declared))
     }
 }

@@ -17,8 +17,8 @@ mod plate_on_three_pins;
 #[path = "../../tests/snapshots/slider_crank.rs"]
 mod slider_crank;
 
-use plm::runtime::{Described, Mechanism};
-use plm::{Dop853, Method, Rk4, Sim};
+use plm::runtime::{Described, Linear, Mechanism};
+use plm::{Adams, Dop853, Method, RadauIia5, Rk4, Ros34Pw2, Sim};
 use plm_dynamic::{Compiled, Dynamic};
 
 type Small = Dynamic<f64, 12, 16, 32>;
@@ -69,9 +69,33 @@ fn same_bits<M: Described<S = f64>>(mechanism: M) {
     compared(by_error, (10, 0.13));
 }
 
+/// The same by a method with a history.
+fn same_bits_with_history<M: Described<S = f64>>(mechanism: M) {
+    let dynamic: Small = Compiled::new("mechanism.plm", M::DECLARATION).unwrap().mechanism().unwrap();
+    let adams =
+        (mechanism.start_with(Adams::new(1e-8)).unwrap(), dynamic.start_with(Adams::new(1e-8)).unwrap());
+    compared(adams, (5, 0.1));
+}
+
+/// The same by methods that solve with the full matrix of derivatives. Of a tree compiled code solves another system, the augmented one.
+fn same_bits_of_implicit<M: Described<S = f64> + Linear>(mechanism: M) {
+    let dynamic: Small = Compiled::new("mechanism.plm", M::DECLARATION).unwrap().mechanism().unwrap();
+    let stiff = (
+        mechanism.start_with(RadauIia5::new(1e-7)).unwrap(),
+        dynamic.start_with(RadauIia5::new(1e-7)).unwrap(),
+    );
+    compared(stiff, (4, 0.1));
+    let linearly = (
+        mechanism.start_with(Ros34Pw2::new(1e-3)).unwrap(),
+        dynamic.start_with(Ros34Pw2::new(1e-3)).unwrap(),
+    );
+    compared(linearly, (3, 0.02));
+}
+
 #[test]
 fn a_tree() {
     same_bits(double_pendulum::DoublePendulum::new());
+    same_bits_with_history(double_pendulum::DoublePendulum::new());
 }
 
 #[test]
@@ -83,11 +107,15 @@ fn conditions_and_known_times() {
 fn loops_in_charts() {
     same_bits(four_bar::FourBar::new());
     same_bits(slider_crank::SliderCrank::new());
+    same_bits_with_history(slider_crank::SliderCrank::new());
+    same_bits_of_implicit(slider_crank::SliderCrank::new());
 }
 
 #[test]
 fn absolute_coordinates() {
     same_bits(driven_crank::DrivenCrank::new());
+    same_bits_with_history(driven_crank::DrivenCrank::new());
+    same_bits_of_implicit(driven_crank::DrivenCrank::new());
     same_bits(plate_on_three_pins::PlateOnThreePins::new());
 }
 

@@ -88,10 +88,20 @@ pub trait Linear: System<S: Real, X: Dense<<Self as Rate>::S>> {
         by_x: &mut <Self::X as Dense<Self::S>>::Matrix,
         by_t: Option<&mut Self::X>,
     ) -> Health<Self::S> {
-        let own = |column: usize| column;
-        let layout = Layout { count: Self::X::LEN, of_column: own, column: |direction: usize, _| direction };
-        in_passes::<Self, DIRECTIONS>(self, (t, u, x), &layout, by_x, by_t)
+        by_columns(self, (t, u, x), by_x, by_t)
     }
+}
+
+/// [`Linear::jacobian`] column by column.
+pub fn by_columns<M: Linear + ?Sized>(
+    system: &M,
+    at: (M::S, &M::U, &M::X),
+    by_x: &mut <M::X as Dense<M::S>>::Matrix,
+    by_t: Option<&mut M::X>,
+) -> Health<M::S> {
+    let own = |column: usize| column;
+    let layout = Layout { count: M::X::LEN, of_column: own, column: |direction: usize, _| direction };
+    in_passes::<M, DIRECTIONS>(system, at, &layout, by_x, by_t)
 }
 
 /// Columns that share no row, each time those of one colour: one direction differentiates them together (A. R. Curtis, M. J. D.

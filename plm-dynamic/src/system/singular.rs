@@ -1,8 +1,8 @@
 //! Near singular poses: the equations in absolute coordinates, in numbers of twice the precision.
 
-use plm_runtime::charts::{self, Charted};
+use plm_runtime::charts::{self, Charted, OfLoops};
 use plm_runtime::singular::ExtendedPrecision;
-use plm_runtime::{DoubleDouble, Dual, Linear, Real, Scalar, absolute};
+use plm_runtime::{DoubleDouble, Dual, Health, Linear, Rate, Real, Scalar, absolute, linear};
 
 use crate::handle::{Dynamic, Frame, Held};
 
@@ -88,6 +88,31 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Linear for Dynam
     fn lift<const K: usize>(&self, held: &Self::U) -> (Self::Lifted<K>, Held<Dual<S, K>, NQ>) {
         let constant = |number: S| Dual::constant(number);
         (self.map(&constant), Self::map_held(held, &constant))
+    }
+
+    fn jacobian(
+        &self,
+        t: S,
+        u: &Self::U,
+        x: &[S; N],
+        by_x: &mut [[S; N]; N],
+        by_t: Option<&mut [S; N]>,
+    ) -> Health<S> {
+        let chart = match u.of_loops {
+            OfLoops::InChart { chart, .. } => self.model.in_charts.get(chart),
+            OfLoops::Free { .. } => None,
+        };
+        let Some(entries) = chart.and_then(|chart| chart.jacobian.as_ref()) else {
+            return linear::by_columns(self, (t, u, x), by_x, by_t);
+        };
+        let mut dx = [S::ZERO; N];
+        let health = self.rate(t, u, x, &mut dx);
+        *by_x = [[S::ZERO; N]; N];
+        self.entries(entries, &Frame { rates: &dx, ..Frame::of_state(t, u, x) }, by_x);
+        if let Some(by_t) = by_t {
+            let _ = self.jvp(t, u, x, (S::lit(1.0), &[S::ZERO; N]), by_t);
+        }
+        linear::finite(health, by_x)
     }
 
     fn constraints(&self, t: S, x: &[S; N], row: &mut impl FnMut(S)) {

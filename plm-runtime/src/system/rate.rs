@@ -55,6 +55,16 @@ pub trait Rate {
         Self::X::LEN
     }
 
+    /// Does the state have a number at this place? Else it is one of the zeros behind the last coordinate or the last velocity.
+    #[inline]
+    fn has_number(&self, place: usize) -> bool {
+        let (coordinates, first_order) = (self.coordinates(), self.states() - 2 * self.coordinates());
+        match place.checked_sub(2 * Self::NQ) {
+            Some(k) => k < first_order,
+            None => place % Self::NQ.max(1) < coordinates,
+        }
+    }
+
     /// Typical size of each state; with the relative tolerance it gives the absolute one: atol = rtol * typical.
     #[inline]
     fn typical(&self) -> Self::X {

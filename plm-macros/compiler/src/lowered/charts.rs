@@ -26,6 +26,8 @@ pub struct Chart {
     pub remember: Option<Routine>,
     /// The same of a pose and velocity.
     pub remember_pose: Option<Routine>,
+    /// `by_x`, the entries of df/dx that are not zero; `dx` is the rate there. Where every chart of loops has them.
+    pub jacobian: Option<Routine>,
     /// Places among the remembered angles that loops give.
     pub found: Vec<usize>,
     /// The parts that close the loops, in the order of solution.
@@ -79,6 +81,11 @@ fn lowered(parts: &Parts, chart: &formulate::Chart) -> Chart {
         reactions: chart.reactions.as_ref().map(|reactions| parts.routine(reactions, origin)),
         remember: chart.remember.as_ref().map(|remember| parts.routine(remember, origin)),
         remember_pose: chart.remember_pose.as_ref().map(|of_pose| parts.routine(of_pose, Origin::Pose)),
+        jacobian: chart
+            .jacobian
+            .as_ref()
+            .filter(|_| parts.reduced.is_some_and(Reduced::has_jacobian))
+            .map(|jacobian| parts.routine(&jacobian.entries, origin)),
         found: chart.found.clone(),
         closing: chart.closing.clone(),
     }

@@ -360,7 +360,8 @@ fn first_step<M: Linear>(context: &Context<'_, M>, rate: &M::X, weights: &M::X) 
     let span = context.end - context.time;
     let typical = context.system.typical();
     let count = context.system.states();
-    let sizes = typical.map2(&context.x, |typical, x| typical + x.abs());
+    let size = |i: usize| typical.at(i) + context.x.at(i).abs();
+    let sizes = M::X::from_fn(|i| if context.system.has_number(i) { size(i) } else { M::S::ZERO });
     let time = norm(&sizes, weights, count) / norm(rate, weights, count);
     (M::S::lit(0.01) * time).max(M::S::EPSILON.sqrt() * span).min(span)
 }

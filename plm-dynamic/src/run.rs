@@ -1,0 +1,338 @@
+//! A mechanism from text with its values, and its runs.
+
+use std::fmt;
+use std::path::Path;
+
+use plm_compiler::lowered::Named;
+use plm_run::Integrator;
+use plm_runtime::{BodyState, Dop853, Fault, Moment, Rk4, Sim, Stats};
+
+use crate::handle::Dynamic;
+use crate::running::{Any, One, Running};
+use crate::system::State;
+use crate::text::{Compiled, Refused};
+
+/// Mechanisms of at most 8 bodies, 32 constraint rows and 16 first-order states.
+pub type Small = Dynamic<f64, 24, 32, 64>;
+/// Mechanisms of at most 64 bodies, 224 constraint rows and 64 first-order states.
+pub type Large = Dynamic<f64, 192, 224, 448>;
+
+/// A mechanism from text, with the values of its parameters and inputs.
+///
+/// ```
+/// use plm_dynamic::Mechanism;
+///
+/// let mut pendulum = Mechanism::from_text(
+///     "pub Pendulum {
+///         param length: m = 1 m;
+///         gravity: 9.81 m/s^2;
+///         ground { port o: (0, 0) m; }
+///         body bob {
+///             mass: 1 kg; inertia: 0.01 kg*m^2;
+///             port pivot: (0 m, length);
+///             start angle: 30 deg, locked;
+///         }
+///         revolute hinge(ground.o, bob.pivot);
+///         output bob.angle;
+///     }",
+/// )?;
+/// pendulum.set_parameter("length", 0.5)?;
+/// let mut run = pendulum.start()?;
+/// run.step_to(0.2)?;
+/// assert!(run.output("bob.angle")? < 0.5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Mechanism {
+    compiled: Compiled,
+    parameters: Vec<Option<f64>>,
+    inputs: Vec<Option<f64>>,
+}
+
+/// Why a mechanism does not run.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Error {
+    /// Its text gives none.
+    Refused(Refused),
+    /// It has nothing of this name: what was looked for, the name, and those that there are.
+    Unknown {
+        /// `parameter`, `input`, `body`, `output`.
+        what: &'static str,
+        /// The name.
+        name: String,
+        /// All names, separated by commas.
+        known: String,
+    },
+    /// A parameter that has no default was not given.
+    NotGiven(String),
+    /// A method that a mechanism of this size has no run by.
+    Method(&'static str),
+    /// The run has ended.
+    Fault(Fault),
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Refused(refused) => refused.fmt(f),
+            Self::Unknown { what, name, known } if known.is_empty() => {
+                write!(f, "there is no {what} `{name}`: the mechanism has none")
+            }
+            Self::Unknown { what, name, known } => {
+                write!(f, "there is no {what} `{name}`; there are {known}")
+            }
+            Self::NotGiven(name) => write!(f, "the parameter `{name}` has no default: it must be given"),
+            Self::Method(most) => write!(f, "more than 8 bodies run by {most}"),
+            Self::Fault(fault) => fault.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+impl From<Fault> for Error {
+    fn from(fault: Fault) -> Self {
+        Self::Fault(fault)
+    }
+}
+
+impl From<Refused> for Error {
+    fn from(refused: Refused) -> Self {
+        Self::Refused(refused)
+    }
+}
+
+/// The place of a name.
+fn place<'a>(
+    what: &'static str,
+    name: &str,
+    names: impl Iterator<Item = &'a str> + Clone,
+) -> Result<usize, Error> {
+    names.clone().position(|own| own == name).ok_or_else(|| Error::Unknown {
+        what,
+        name: name.to_owned(),
+        known: names.collect::<Vec<_>>().join(", "),
+    })
+}
+
+impl Mechanism {
+    /// Compiles a declaration: the inside of a call of `mechanism!`.
+    ///
+    /// # Errors
+    /// [`Error::Refused`], with the diagnostics of its mistakes.
+    pub fn from_text(text: &str) -> Result<Self, Error> {
+        Self::new("<text>", text)
+    }
+
+    /// Compiles the declaration in a file; files that it names are read beside it.
+    ///
+    /// # Errors
+    /// As [`from_text`](Self::from_text); [`Refused::Mistakes`] where the file cannot be read.
+    pub fn from_file(path: impl AsRef<Path>) -> Result<Self, Error> {
+        let name = path.as_ref().display().to_string();
+        let unread = |error: std::io::Error| Refused::Mistakes(format!("{name}: {error}"));
+        Self::new(&name, &std::fs::read_to_string(&path).map_err(unread)?)
+    }
+
+    fn new(name: &str, text: &str) -> Result<Self, Error> {
+        let compiled = Compiled::new(name, text)?;
+        let lowered = compiled.lowered();
+        let (parameters, inputs) = (vec![None; lowered.parameters.len()], vec![None; lowered.inputs.len()]);
+        Ok(Self { compiled, parameters, inputs })
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.compiled.lowered().name
+    }
+
+    /// Name and SI unit of each parameter.
+    pub fn parameters(&self) -> impl Iterator<Item = (&str, &str)> + Clone {
+        self.compiled.lowered().parameters.iter().map(|param| (param.name.as_str(), param.unit.as_str()))
+    }
+
+    /// Name and SI unit of each input.
+    pub fn inputs(&self) -> impl Iterator<Item = (&str, &str)> + Clone {
+        self.compiled.lowered().inputs.iter().map(|Named { name, unit }| (name.as_str(), unit.as_str()))
+    }
+
+    /// Gives a parameter a value, SI.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`].
+    pub fn set_parameter(&mut self, name: &str, value: f64) -> Result<(), Error> {
+        let place = place("parameter", name, self.parameters().map(|(name, _)| name))?;
+        self.parameters[place] = Some(value);
+        Ok(())
+    }
+
+    /// Gives an input the value, SI, that it begins with.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`].
+    pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), Error> {
+        let place = place("input", name, self.inputs().map(|(name, _)| name))?;
+        self.inputs[place] = Some(value);
+        Ok(())
+    }
+
+    /// Assembles it, and gives a run by the method of Dormand and Prince of order 8.
+    ///
+    /// # Errors
+    /// As [`start_with`](Self::start_with).
+    pub fn start(&self) -> Result<Run, Error> {
+        self.start_with(Integrator::default())
+    }
+
+    /// Assembles it, and gives a run by a method. Mechanisms of more than 8 bodies run by `Dop853` and by `Rk4`.
+    ///
+    /// # Errors
+    /// [`Error::NotGiven`], [`Error::Fault`] of assembly, [`Error::Refused`] where it is too large, [`Error::Method`].
+    pub fn start_with(&self, method: Integrator) -> Result<Run, Error> {
+        let lowered = self.compiled.lowered();
+        let missing = lowered.parameters.iter().zip(&self.parameters);
+        if let Some((param, _)) =
+            missing.into_iter().find(|(param, given)| param.default.is_none() && given.is_none())
+        {
+            return Err(Error::NotGiven(param.name.clone()));
+        }
+        let sim: Box<dyn Running> = if let Ok(small) = self.compiled.clone().mechanism() {
+            let small: Small = self.with_values(small);
+            Box::new(Any(Box::new(method.of(started(&small, &self.inputs)?)), Stats::default()))
+        } else {
+            let large: Large = self.with_values(self.compiled.clone().mechanism()?);
+            let state = started(&large, &self.inputs)?;
+            match method {
+                Integrator::Dop853(rtol) => Box::new(One(Box::new(Sim::new(state, Dop853::new(rtol))))),
+                Integrator::Rk4(h) => Box::new(One(Box::new(Sim::new(state, Rk4::new(h))))),
+                _ => return Err(Error::Method("Dop853 and Rk4")),
+            }
+        };
+        let outputs = lowered.outputs.iter();
+        Ok(Run {
+            sim,
+            bodies: lowered.bodies.clone(),
+            inputs: lowered.inputs.iter().map(|input| input.name.clone()).collect(),
+            outputs: outputs
+                .map(|output| Column {
+                    name: output.name.clone(),
+                    unit: output.unit.clone(),
+                    factor: output.factor,
+                    declared: output.declared,
+                })
+                .collect(),
+        })
+    }
+
+    fn with_values<const NQ: usize, const NC: usize, const N: usize>(
+        &self,
+        mechanism: Dynamic<f64, NQ, NC, N>,
+    ) -> Dynamic<f64, NQ, NC, N> {
+        let mut own = Dynamic::declared(mechanism.model, &self.parameters);
+        for (place, value) in own.parameters.iter_mut().zip(&self.parameters) {
+            *place = value.unwrap_or(*place);
+        }
+        own
+    }
+}
+
+/// A start with the inputs that are given.
+fn started<const NQ: usize, const NC: usize, const N: usize>(
+    mechanism: &Dynamic<f64, NQ, NC, N>,
+    given: &[Option<f64>],
+) -> Result<State<f64, NQ, NC, N>, Fault> {
+    let mut inputs = mechanism.declared_input();
+    for (input, given) in inputs.iter_mut().zip(given) {
+        *input = given.unwrap_or(*input);
+    }
+    let (held, x) = mechanism.start_holding(0.0, inputs)?;
+    Ok(State::new(*mechanism, held, 0.0, x))
+}
+
+/// A number of the outputs.
+#[derive(Clone, Debug)]
+struct Column {
+    name: String,
+    unit: String,
+    factor: f64,
+    declared: bool,
+}
+
+/// A running simulation.
+pub struct Run {
+    sim: Box<dyn Running>,
+    bodies: Vec<String>,
+    inputs: Vec<String>,
+    outputs: Vec<Column>,
+}
+
+impl fmt::Debug for Run {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Run").field("time", &self.time()).finish_non_exhaustive()
+    }
+}
+
+impl Run {
+    /// The time, s.
+    pub fn time(&self) -> f64 {
+        self.sim.time()
+    }
+
+    /// Runs to a time, s.
+    ///
+    /// # Errors
+    /// [`Error::Fault`]: time, part and cause; the run stands where it ended.
+    pub fn step_to(&mut self, time: f64) -> Result<(), Error> {
+        Ok(self.sim.step_to(time)?)
+    }
+
+    /// What was done so far.
+    pub fn stats(&self) -> Stats {
+        self.sim.stats()
+    }
+
+    /// Pose and velocity of the centre of gravity of a body.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`].
+    pub fn body(&self, name: &str) -> Result<BodyState<f64>, Error> {
+        let at = place("body", name, self.bodies.iter().map(String::as_str))?;
+        let missing = || Error::Unknown { what: "body", name: name.to_owned(), known: String::new() };
+        self.sim.body(at).ok_or_else(missing)
+    }
+
+    /// A number of the outputs, declared or observed, SI; of a vector `hinge.force.x`.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`].
+    pub fn output(&self, name: &str) -> Result<f64, Error> {
+        let at = place("output", name, self.outputs.iter().map(|column| column.name.as_str()))?;
+        Ok(self.sim.output(at))
+    }
+
+    /// Name and unit of each number of [`row`](Self::row).
+    pub fn columns(&self) -> impl Iterator<Item = (&str, &str)> {
+        let declared = self.outputs.iter().filter(|column| column.declared);
+        declared.map(|column| (column.name.as_str(), column.unit.as_str()))
+    }
+
+    /// The declared outputs in the units of [`columns`](Self::columns), as `outputs()` of compiled mechanisms gives them.
+    pub fn row(&self) -> Vec<f64> {
+        let declared = self.outputs.iter().enumerate().filter(|(_, column)| column.declared);
+        let value = |(k, column): (usize, &Column)| {
+            let value = self.sim.output(k);
+            if (column.factor - 1.0).abs() > 0.0 { value / column.factor } else { value }
+        };
+        declared.map(value).collect()
+    }
+
+    /// Gives an input a value, SI, from now on.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`].
+    pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), Error> {
+        let at = place("input", name, self.inputs.iter().map(String::as_str))?;
+        self.sim.set_input(at, value);
+        Ok(())
+    }
+}

@@ -1,0 +1,111 @@
+//! Mechanisms from text as their users have them: names, values, mistakes.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+
+use plm_dynamic::{Error, Integrator, Mechanism, Refused};
+
+const PENDULUM: &str = "pub Pendulum {
+    param length: m = 1 m;
+    param damping: N*m*s;
+    input torque: N*m = 0 N*m;
+    gravity: 9.81 m/s^2;
+    ground { port o: (0, 0) m; }
+    body bob {
+        mass: 1 kg;
+        inertia: 1e-9 kg*m^2;
+        port pivot: (0 m, length);
+        start angle: 1 deg, locked;
+    }
+    revolute hinge(ground.o, bob.pivot);
+    force friction(bob.pivot) { torque: torque - damping*bob.omega; }
+    output bob.angle in deg;
+    output hinge.force;
+}";
+
+/// A small swing against its closed form, with another length and by two methods.
+#[test]
+fn parameters_shape_the_motion() {
+    let mut pendulum = Mechanism::from_text(PENDULUM).unwrap();
+    assert_eq!(pendulum.start().unwrap_err(), Error::NotGiven("damping".to_owned()));
+    pendulum.set_parameter("damping", 0.0).unwrap();
+    pendulum.set_parameter("length", 0.25).unwrap();
+    for method in ["Dop853:1e-10", "RadauIia5:1e-9", "Rk4:1e-3"] {
+        let mut run = pendulum.start_with(method.parse().unwrap()).unwrap();
+        run.step_to(0.7).unwrap();
+        let omega = (9.81_f64 / 0.25).sqrt();
+        let amplitude = 1_f64.to_radians();
+        // The period of a swing is longer by amplitude^2/16.
+        let expected = amplitude * (omega * 0.7 * (1.0 - amplitude * amplitude / 16.0)).cos();
+        assert!((run.body("bob").unwrap().angle - expected).abs() < 1e-7, "{method}");
+        assert!((run.row()[0] - expected.to_degrees()).abs() < 1e-5, "{method}");
+    }
+}
+
+#[test]
+fn inputs_act_from_when_they_are_set() {
+    let mut pendulum = Mechanism::from_text(PENDULUM).unwrap();
+    pendulum.set_parameter("damping", 1.0).unwrap();
+    let mut run = pendulum.start().unwrap();
+    run.set_input("torque", 9.81 * 0.1_f64.sin()).unwrap();
+    run.step_to(40.0).unwrap();
+    assert!((run.output("bob.angle").unwrap() - 0.1).abs() < 1e-6);
+    let columns: Vec<(&str, &str)> = run.columns().collect();
+    assert_eq!(columns, [("bob.angle", "deg"), ("hinge.force.x", "N"), ("hinge.force.y", "N")]);
+}
+
+#[test]
+fn unknown_names_say_what_there_is() {
+    let mut pendulum = Mechanism::from_text(PENDULUM).unwrap();
+    let error = pendulum.set_parameter("lenght", 1.0).unwrap_err();
+    assert_eq!(error.to_string(), "there is no parameter `lenght`; there are length, damping");
+    pendulum.set_parameter("damping", 0.0).unwrap();
+    let run = pendulum.start().unwrap();
+    assert_eq!(run.body("bib").unwrap_err().to_string(), "there is no body `bib`; there are bob");
+}
+
+#[test]
+fn mistakes_have_their_carets() {
+    let error = Mechanism::from_text("pub P { ground { port o: (0, 0) s; } }").unwrap_err();
+    let Error::Refused(Refused::Mistakes(text)) = &error else { panic!("{error}") };
+    assert!(text.contains("--> <text>:1:26") && text.contains('^'), "{text}");
+    for hostile in ["", "}", "pub", "pub P {", "\u{0}", &"(".repeat(10_000)] {
+        assert!(matches!(Mechanism::from_text(hostile), Err(Error::Refused(Refused::Mistakes(_)))));
+    }
+}
+
+#[test]
+fn what_cannot_run_yet_is_named() {
+    let ball = "pub Ball {
+        gravity: 9.81 m/s^2;
+        ground { port o: (0, 0) m; }
+        body ball { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start y: 1 m; }
+        unilateral floor: ball.y >= 0 m { restitution: 0.5; }
+    }";
+    let error = Mechanism::from_text(ball).unwrap_err();
+    assert_eq!(error, Error::Refused(Refused::Unsupported("friction or unilateral contact")));
+}
+
+/// More bodies than the small class has, against the same chain by another method.
+#[test]
+fn many_bodies_run() {
+    let bar = |k: usize| {
+        let before = k.checked_sub(1).map_or("ground.o".to_owned(), |before| format!("b{before}.b"));
+        format!(
+            "body b{k} {{ mass: 1 kg; inertia: 0.01 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; \
+             start x: {k}.5 m; start angle: 0 deg; }}
+             revolute j{k}({before}, b{k}.a);"
+        )
+    };
+    let bars: String = (0..12).map(bar).collect();
+    let text = format!("pub Chain {{ gravity: 9.81 m/s^2; ground {{ port o: (0, 0) m; }} {bars} }}");
+    let chain = Mechanism::from_text(&text).unwrap();
+    let ends = ["Dop853:1e-10", "Rk4:2e-4"].map(|method| {
+        let mut run = chain.start_with(method.parse::<Integrator>().unwrap()).unwrap();
+        run.step_to(0.2).unwrap();
+        run.body("b11").unwrap().y
+    });
+    assert!((ends[0] - ends[1]).abs() < 1e-9, "{ends:?}");
+    assert_eq!(
+        chain.start_with(Integrator::RadauIia5(1e-6)).unwrap_err().to_string(),
+        "more than 8 bodies run by Dop853 and Rk4"
+    );
+}
