@@ -104,7 +104,7 @@ PYTHON
 measure() {
     local scene=$1 count=$2 expansion compilation kilobytes step
     "$scene" "$count" | sed "s/pub Scene {/&${CODE:+ code: $CODE;}/" >"$work/scene.plm"
-    expansion=$(cost "$target/debug/examples/dump" "$work/scene.plm")
+    expansion=$(cost "$target/debug/plm" expand "$work/scene.plm")
     { printf 'plm::mechanism! { '; cat "$work/scene.plm"; printf ' }\n'; program; } >"$work/src/main.rs"
     touch "$work/src/main.rs"
     local status=0
@@ -132,7 +132,7 @@ plm = { package = "plm-planar", path = "$root" }
 [workspace]
 TOML
 # Users' builds take macros at opt-level 0.
-cargo build --quiet --manifest-path "$root/Cargo.toml" --target-dir "$target" -p plm-compiler --example dump \
+cargo build --quiet --manifest-path "$root/Cargo.toml" --target-dir "$target" -p plm-cli \
     --config 'profile.dev.package.plm-compiler.opt-level=0' --config 'profile.dev.package.plm-cas.opt-level=0' \
     --config 'profile.dev.package.plm-math.opt-level=0'
 echo 'fn main() {}' >"$work/src/main.rs"

@@ -9,9 +9,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources that are looked at.
-const CRATES: [&str; 13] = [
+const CRATES: [&str; 14] = [
     "src",
     "plm-analysis/src",
+    "plm-cli/src",
     "plm-foreign/src",
     "plm-macros/cas/src",
     "plm-macros/compiler/src",

@@ -22,12 +22,13 @@ const fn place(name: &'static str, role: &'static str, x: i32, layer: i32) -> Pl
 }
 
 /// A crate depends on crates in layers below its own. Columns leave a way for every arrow.
-const PLACES: [Place; 16] = [
+const PLACES: [Place; 17] = [
     place("plm-planar", "plm, the users' crate", 480, 0),
     place("plm-macros", "the macros", 84, 1),
+    place("plm-cli", "the command line", 240, 1),
     place("plm-program", "whole programs", 584, 1),
     place("plm-compiler", "declaration to code", 84, 2),
-    place("plm-dynamic", "mechanisms from text", 320, 2),
+    place("plm-dynamic", "mechanisms from text", 324, 2),
     place("plm-python", "runs for Python", 664, 2),
     place("plm-sketch", "drawings", 876, 2),
     place("plm-cas", "symbolic algebra", 84, 3),

@@ -29,7 +29,7 @@ const TEXTS: [Text; 14] = [
         what: "diagnostics and code that pages of the book show, its llms.txt, and colours of declarations",
         is_compared: true,
         variable: BLESS,
-        command: "cargo test -p plm-compiler --test book --test diagnostics",
+        command: "cargo test -p plm-compiler -p plm-cli --test book --test cli",
     },
     Text {
         name: "snapshots",

@@ -14,7 +14,7 @@ plm::mechanism! {
         ground { port a: (0, 0) m; port d: (1, 0) m; }
         body crank {
             mass: 0.7 kg;
-            inertia: 0.7 kg * (0.7 m)^2 / 12;
+            inertia: 0.7 kg*(0.7 m)^2/12;
             port a: (-0.35, 0) m;
             port b: (0.35, 0) m;
             start angle: 60 deg, locked;
@@ -22,7 +22,7 @@ plm::mechanism! {
         }
         body coupler {
             mass: 0.6 kg;
-            inertia: 0.6 kg * (0.6 m)^2 / 12;
+            inertia: 0.6 kg*(0.6 m)^2/12;
             port b: (-0.3, 0) m;
             port c: (0.3, 0) m;
             start x: 0.64 m;
@@ -31,7 +31,7 @@ plm::mechanism! {
         }
         body rocker {
             mass: 0.5 kg;
-            inertia: 0.5 kg * (0.5 m)^2 / 12;
+            inertia: 0.5 kg*(0.5 m)^2/12;
             port d: (-0.25, 0) m;
             port c: (0.25, 0) m;
             start x: 1 m;
@@ -53,14 +53,14 @@ plm::mechanism! {
         ground { port a: (0, 0) m; port d: (1, 0) m; }
         body crank {
             mass: 0.5 kg;
-            inertia: 0.5 kg * (0.5 m)^2 / 12;
+            inertia: 0.5 kg*(0.5 m)^2/12;
             port a: (-0.25, 0) m;
             port b: (0.25, 0) m;
             start omega: 1 rad/s;
         }
         body coupler {
             mass: 1.2 kg;
-            inertia: 1.2 kg * (1.2 m)^2 / 12;
+            inertia: 1.2 kg*(1.2 m)^2/12;
             port b: (-0.6, 0) m;
             port c: (0.6, 0) m;
             start x: 1 m;
@@ -69,7 +69,7 @@ plm::mechanism! {
         }
         body rocker {
             mass: 0.8 kg;
-            inertia: 0.8 kg * (0.8 m)^2 / 12;
+            inertia: 0.8 kg*(0.8 m)^2/12;
             port d: (-0.4, 0) m;
             port c: (0.4, 0) m;
             start x: 1.2 m;

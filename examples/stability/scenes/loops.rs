@@ -49,7 +49,7 @@ plm::mechanism! {
         ground { port o: (0, 0) m; }
         body crank {
             mass: 0.2 kg;
-            inertia: 0.2 kg * (0.2 m)^2 / 12;
+            inertia: 0.2 kg*(0.2 m)^2/12;
             port o: (-0.1, 0) m;
             port pin: (0.1, 0) m;
             start angle: 60 deg, locked;

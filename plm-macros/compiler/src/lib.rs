@@ -25,6 +25,8 @@ mod resolve;
 pub mod sorted;
 mod source;
 pub mod span;
+#[cfg(feature = "lowered")]
+mod start_values;
 pub mod syntax;
 mod tables;
 mod text;
@@ -41,3 +43,5 @@ pub use oracle::{InChart, Oracle};
 pub use picture::{Picture, PictureBody, PicturePart, PicturePort, PictureShape};
 pub use report::Report;
 pub use source::{OfScalar, Source};
+#[cfg(feature = "lowered")]
+pub use start_values::StartValue;

@@ -101,12 +101,15 @@ pub(crate) fn recover(text: &str) -> Recovered {
         open: Vec::new(),
     };
     let mut rest = text;
+    // Behind a string that is not closed all marks are escaped, and so begin none that is closed.
+    let mut closes = true;
     while let Some(first) = rest.chars().next() {
         let whole = match blank(rest) {
             0 if is_documentation(rest) => comment(rest),
-            0 if first == '"' => string(rest),
+            0 if first == '"' && closes => string(rest),
             blank => blank,
         };
+        closes &= first != '"' || whole > 0;
         let length = if whole > 0 {
             recovered.push(&rest[..whole]);
             whole

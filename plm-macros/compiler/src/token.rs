@@ -93,6 +93,8 @@ pub struct Source {
     pub(crate) lexical_errors: Vec<LexicalError>,
     tokens: Vec<Token>,
     text: Option<String>,
+    /// Of an excerpt: the text with blanks for what does not belong to it.
+    masked: Option<String>,
     ranges: OnceCell<Vec<Range<usize>>>,
 }
 
@@ -134,14 +136,20 @@ impl Source {
 
     /// All of it: the text, or the tokens in one line, with what reads as the same tokens.
     pub fn whole(&self) -> String {
-        let last = self.count().saturating_sub(1) as u32;
-        self.text.clone().unwrap_or_else(|| self.written(Span { source: self.id, first: 0, last }))
+        let all = Span { source: self.id, first: 0, last: self.count().saturating_sub(1) as u32 };
+        let excerpt = self.masked.is_some().then(|| self.text(all)).flatten().map(str::to_owned);
+        excerpt.or_else(|| self.text.clone()).unwrap_or_else(|| self.written(all))
     }
 
     fn ranges(&self) -> Option<&[Range<usize>]> {
-        let text = self.text.as_ref()?;
+        let text = self.masked.as_ref().or(self.text.as_ref())?;
         let tokens = || self.tokens.iter().map(|token| token.text.as_str());
         Some(self.ranges.get_or_init(|| locate(text, tokens())))
+    }
+
+    /// The text that ranges are ranges of, brackets that were missing included; of an excerpt, all of its file.
+    pub fn file(&self) -> Option<&str> {
+        self.text.as_deref()
     }
 
     /// The token at a byte of the text, or the one behind it.
@@ -203,7 +211,29 @@ impl Sources {
         if let Ok(stream) = text.parse() {
             return self.add(name, stream, Some(text.to_owned()));
         }
-        let Recovered { shown, lexed, stream, lexical_errors, .. } = recover(text);
+        let recovered = recover(text);
+        let shown = recovered.shown.clone();
+        self.add_recovered(name, recovered, shown)
+    }
+
+    /// Adds the part of a file that is a declaration; gives its index. `masked` is the file, whose lines end as on Unix, with a blank
+    /// for each byte of what does not belong to the declaration. Places and quoted lines are those of the file.
+    pub fn add_excerpt(&mut self, name: &str, file: &str, masked: &str) -> u32 {
+        let id = if let Ok(stream) = masked.parse() {
+            self.add(name, stream, Some(file.to_owned()))
+        } else {
+            let recovered = recover(masked);
+            let shown = unmasked(file, masked, &recovered.shown);
+            self.add_recovered(name, recovered, shown)
+        };
+        if let Some(source) = self.list.last_mut() {
+            source.masked = Some(masked.to_owned());
+        }
+        id
+    }
+
+    fn add_recovered(&mut self, name: &str, recovered: Recovered, shown: String) -> u32 {
+        let Recovered { lexed, stream, lexical_errors, .. } = recovered;
         let id = self.add(name, stream, Some(shown));
         if let Some(source) = self.list.last_mut() {
             source.ranges =
@@ -228,7 +258,7 @@ impl Sources {
         let (id, stream, mut tokens) = (self.list.len() as u32, shallow(stream), Vec::new());
         flatten(stream.clone(), &mut tokens);
         let (name, lexical_errors, ranges) = (name.to_owned(), Vec::new(), OnceCell::new());
-        self.list.push(Source { id, name, stream, lexical_errors, tokens, text, ranges });
+        self.list.push(Source { id, name, stream, lexical_errors, tokens, text, masked: None, ranges });
         id
     }
 
@@ -264,6 +294,13 @@ impl Sources {
     }
 }
 
+/// The file with the brackets that recovery has put into its masked text.
+fn unmasked(file: &str, masked: &str, shown: &str) -> String {
+    let mut originals = file.bytes().zip(masked.bytes()).peekable();
+    let of = |byte| originals.next_if(|(_, mask)| *mask == byte).map_or(byte, |(original, _)| original);
+    String::from_utf8_lossy(&shown.bytes().map(of).collect_vec()).into_owned()
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
@@ -276,5 +313,23 @@ mod tests {
         let source = sources.get(id).unwrap();
         let found: Vec<&str> = (0..source.count()).filter_map(|at| source.token(at)).collect();
         assert_eq!(found, ["a", "(", "b", "[", "i", "-", "1", "]", ",", "0.5m", ")", "in"]);
+    }
+
+    #[test]
+    fn an_excerpt_has_the_places_of_its_file() {
+        // A mark of one byte before the declaration, and one of two bytes within what is masked.
+        let file = "m! { a(1; é } b\n";
+        let read = |masked: &str| {
+            let mut sources = Sources::new();
+            let id = sources.add_excerpt("file", file, masked);
+            let source = sources.get(id).unwrap();
+            let last = source.count() as u32 - 1;
+            let span = crate::span::Span { source: id, first: 0, last };
+            (source.range(span).unwrap(), source.whole(), source.file().unwrap().to_owned())
+        };
+        assert_eq!(read("     a          \n"), (5..6, "a".to_owned(), file.to_owned()));
+        let (range, whole, shown) = read("     a(1;      b\n");
+        assert_eq!((range, shown.as_str()), (5..18, "m! { a(1; é } b\n)"));
+        assert_eq!(whole, "a(1; é } b\n)");
     }
 }

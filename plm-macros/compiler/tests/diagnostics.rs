@@ -19,9 +19,6 @@ use plm_compiler::compile;
 use plm_compiler::diag::{Code, Diagnostic};
 use plm_compiler::token::Sources;
 
-#[path = "messages/json.rs"]
-mod json;
-
 /// What a file expects.
 #[derive(Debug)]
 struct Mark {
@@ -117,6 +114,41 @@ fn every_mistake_is_reported_where_it_is_marked() {
     let complaints: Vec<String> = files.iter().flat_map(|file| check(file)).collect();
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
     assert!(files.len() > 20, "only {} files", files.len());
+}
+
+/// Compiles a text as [`check`] does.
+fn diagnostics_of(text: &str) -> (Sources, Vec<Diagnostic>) {
+    let mut sources = Sources::new();
+    sources.add_text("declaration", text);
+    let expansion = compile(&mut sources);
+    let found = expansion.diagnostics.sorted().into_iter().cloned().collect();
+    (sources, found)
+}
+
+#[test]
+fn a_replacement_answers_its_diagnostic() {
+    let mut count = 0;
+    for path in files() {
+        let text = fs::read_to_string(&path).unwrap();
+        let (sources, found) = diagnostics_of(&text);
+        let source = sources.get(0).unwrap();
+        for (diagnostic, note) in found.iter().flat_map(|of| of.notes.iter().map(move |note| (of, note))) {
+            let Some(replacement) = note.replacement.as_ref().filter(|_| diagnostic.span.source == 0) else {
+                continue;
+            };
+            let (range, shown) = (source.range(diagnostic.span).unwrap(), source.file().unwrap());
+            let changed = [&shown[..range.start], replacement, &shown[range.end..]].concat();
+            let (sources, left) = diagnostics_of(&changed);
+            let source = sources.get(0).unwrap();
+            let is_left = left.iter().any(|other| {
+                let start = source.range(other.span).map(|range| range.start);
+                other.message == diagnostic.message && start == Some(range.start)
+            });
+            assert!(!is_left, "{}: {replacement}: {}", path.display(), diagnostic.message);
+            count += 1;
+        }
+    }
+    assert!(count > 30, "{count} replacements");
 }
 
 /// A run dereferences to the state: an output with the name of one of its methods could not be read.

@@ -44,6 +44,8 @@ pub struct Note {
     pub text: String,
     /// The place that it speaks of, if there is one.
     pub span: Option<Span>,
+    /// Text that follows the advice where it is put in the place of the diagnostic's span.
+    pub replacement: Option<String>,
 }
 
 /// One mistake.
@@ -77,19 +79,28 @@ pub struct Use {
 impl Diagnostic {
     /// Adds a line of help.
     pub fn help(&mut self, text: impl Into<String>) -> &mut Diagnostic {
-        self.notes.push(Note { kind: NoteKind::Help, text: text.into(), span: None });
+        self.push(NoteKind::Help, text.into(), None)
+    }
+
+    /// Adds a line of help, with the text that would stand right in the place of the span.
+    pub fn help_with(&mut self, text: impl Into<String>, replacement: impl Into<String>) -> &mut Diagnostic {
+        let (kind, text, replacement) = (NoteKind::Help, text.into(), Some(replacement.into()));
+        self.notes.push(Note { kind, text, span: None, replacement });
         self
     }
 
     /// Adds a note.
     pub fn note(&mut self, text: impl Into<String>) -> &mut Diagnostic {
-        self.notes.push(Note { kind: NoteKind::Note, text: text.into(), span: None });
-        self
+        self.push(NoteKind::Note, text.into(), None)
     }
 
     /// Adds a note that speaks of a place.
     pub fn note_at(&mut self, span: Span, text: impl Into<String>) -> &mut Diagnostic {
-        self.notes.push(Note { kind: NoteKind::Note, text: text.into(), span: Some(span) });
+        self.push(NoteKind::Note, text.into(), Some(span))
+    }
+
+    fn push(&mut self, kind: NoteKind, text: String, span: Option<Span>) -> &mut Diagnostic {
+        self.notes.push(Note { kind, text, span, replacement: None });
         self
     }
 

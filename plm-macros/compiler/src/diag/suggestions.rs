@@ -44,15 +44,18 @@ fn distance(a: &str, b: &str) -> usize {
     above[b.len()]
 }
 
-/// Adds the nearest name as help, and the list of names as a note. `what` is one of them,
+/// Adds the nearest name as help, which may stand in the place of the span, and the list of names as a note. `what` is one of them,
 /// "port", "name"; `all` begins the note: "ports of `arm`".
 pub fn help_similar(diagnostic: &mut Diagnostic, name: &str, what: &str, all: &str, names: &[&str]) {
     if let Some(near) = nearest(name, names.iter().copied()) {
         let article = if what.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
-        diagnostic.help(match what {
+        let text = match what {
             "name" => format!("a similar name exists: `{near}`"),
             _ => format!("{article} {what} with a similar name exists: `{near}`"),
-        });
+        };
+        // The span of a name with an index ends in front of the index.
+        let is_plain = ![name, near].iter().any(|name| name.contains('['));
+        let _ = if is_plain { diagnostic.help_with(text, near) } else { diagnostic.help(text) };
     }
     if !names.is_empty() {
         diagnostic.note(format!("{all}: {}", list(names)));

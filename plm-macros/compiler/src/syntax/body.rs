@@ -165,7 +165,7 @@ impl Body {
 fn unknown_item(input: Input, word: &str) -> Reported {
     let mut diagnostic = input.error(Code::UnknownItem, input.here(), format!("a body has no `{word}`"));
     if let Some(near) = nearest(word, WORDS.iter().copied()) {
-        diagnostic.help(format!("an item with a similar name exists: `{near}`"));
+        diagnostic.help_with(format!("an item with a similar name exists: `{near}`"), near);
     }
     diagnostic.note(format!("items of a body: {}", WORDS.join(", ")));
     Reported

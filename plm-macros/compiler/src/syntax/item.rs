@@ -227,7 +227,7 @@ fn renamed(input: Input) -> Option<&'static str> {
     let message = format!("`{old}` is now called `{now}`");
     input
         .warning(Code::Renamed, input.here(), message)
-        .help(format!("write `{now}`; the former name is still accepted"));
+        .help_with(format!("write `{now}`; the former name is still accepted"), *now);
     Some(now)
 }
 
@@ -257,7 +257,9 @@ fn instance_or_unknown(input: Input) -> Result<ItemKind> {
     let mut diagnostic = input.error(Code::UnknownItem, input.here(), format!("`{word}` begins no item"));
     match (instead_of_item(word), near) {
         (Some(help), _) => diagnostic.help(help),
-        (None, Some(near)) => diagnostic.help(format!("an item with a similar name exists: `{near}`")),
+        (None, Some(near)) => {
+            diagnostic.help_with(format!("an item with a similar name exists: `{near}`"), near)
+        }
         (None, None) => diagnostic.help("a part is used as `revolute name(a, b);`"),
     };
     Err(Reported)

@@ -45,7 +45,7 @@ fn suffixed(input: Input, number: Expr, digits: &str, suffix: &str) -> Result<Ex
     if let Some(found) = unit(suffix) {
         input
             .error(Code::SuffixedNumber, span, format!("the unit `{suffix}` touches its number"))
-            .help(format!("write `{digits} {suffix}`"));
+            .help_with(format!("write `{digits} {suffix}`"), format!("{digits} {suffix}"));
         let unit = DisplayUnit::product(suffix.to_string(), &[UnitFactor { unit: found, exponent: 1 }]);
         return Ok(Expr { kind: ExprKind::Quantity(Box::new(number), unit), span });
     }

@@ -98,7 +98,9 @@ impl Resolver<'_> {
             _ if !manual.is_empty() => {
                 diagnostic.help(format!("the manual's {kind} is `{}` here", manual.join("` or `")))
             }
-            (_, Some(near)) => diagnostic.help(format!("a part with a similar name exists: `{near}`")),
+            (_, Some(near)) => {
+                diagnostic.help_with(format!("a part with a similar name exists: `{near}`"), near)
+            }
             _ => diagnostic.note(format!("parts: {}", names.join(", "))),
         };
     }

@@ -260,14 +260,16 @@ impl<'a> Resolver<'a> {
     ) -> Eval<()> {
         let text = literal_text(expr);
         let expected = wanted.describe();
+        let mut replacement = None;
         let (code, message, help) = match fit(wanted, found, value.is_zero()) {
             Fit::Fits => return Ok(()),
             Fit::Wrong => {
                 let is_rate = found.dimension.over(Dimension::TIME) == wanted;
-                let help = text.as_ref().filter(|_| is_rate).map(|text| match text.strip_suffix("/s") {
-                    Some(value) => format!("write `{value}/s^2`"),
-                    None => format!("write `{text}/s`"),
+                replacement = text.as_ref().filter(|_| is_rate).map(|text| match text.strip_suffix("/s") {
+                    Some(value) => format!("{value}/s^2"),
+                    None => format!("{text}/s"),
                 });
+                let help = replacement.as_ref().map(|text| format!("write `{text}`"));
                 let found = match text {
                     Some(text) => format!("{text}, {}", found.dimension.name()),
                     None => found.dimension.describe(),
@@ -275,6 +277,7 @@ impl<'a> Resolver<'a> {
                 (Code::WrongDimension, format!("expected {expected}, found {found}"), help)
             }
             Fit::NoUnit => {
+                replacement = text.as_ref().map(|text| format!("{text} {}", wanted.si_unit()));
                 let text = text.unwrap_or_else(|| "a number".to_string());
                 let help = format!("write its unit: `{} {}`", blank(&text), wanted.si_unit());
                 (Code::MissingUnit, format!("expected {expected}, found {text} without a unit"), Some(help))
@@ -294,8 +297,10 @@ impl<'a> Resolver<'a> {
             }
         };
         let diagnostic = self.error(scope, code, expr.span, message);
-        if let Some(help) = help {
-            diagnostic.help(help);
+        match (help, replacement) {
+            (Some(help), Some(text)) => drop(diagnostic.help_with(help, text)),
+            (Some(help), None) => drop(diagnostic.help(help)),
+            (None, _) => {}
         }
         Err(Failed)
     }

@@ -145,7 +145,7 @@ impl<'a> Resolver<'a> {
                 let members = if is_port { Vec::new() } else { Member::names(Owner::Body) };
                 let member = nearest(name, members.iter().copied());
                 if let Some(near) = member {
-                    diagnostic.help(format!("a member with a similar name exists: `{near}`"));
+                    diagnostic.help_with(format!("a member with a similar name exists: `{near}`"), near);
                 }
                 help_similar(diagnostic, name, "port", &format!("ports of `{of}`"), &names);
                 if member.is_none() && !members.is_empty() {

@@ -1,25 +1,19 @@
-//! Diagnostics as JSON: what the example `dump` writes for editors is what rustc shows, in `tests/ui`.
+//! Diagnostics as JSON: what the program writes for tools is what rustc shows, in `tests/ui`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use plm_compiler::compile;
-use plm_compiler::token::Sources;
 use serde_json::Value;
 
-#[path = "../../examples/dump/command.rs"]
-mod command;
+use super::{folder, plm_in, root};
 
 /// The messages for a declaration, read as JSON.
 fn messages(text: &str) -> Vec<Value> {
-    let mut sources = Sources::new();
-    sources.add_text("pendulum.plm", text);
-    let expansion = compile(&mut sources);
-    let lines = expansion.diagnostics.sorted().into_iter().map(|of| command::json::line(of, &sources, text));
-    lines
-        .inspect(|line| assert!(!line.contains('\n')))
-        .map(|line| serde_json::from_str(&line).unwrap())
-        .collect()
+    let folder = folder();
+    fs::write(folder.join("pendulum.plm"), text).unwrap();
+    let said = plm_in(&folder, &["check", "--json", "pendulum.plm"], b"");
+    assert!(said.code <= 1 && said.errors.is_empty(), "{said:?}");
+    said.output.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
 }
 
 /// Code, line, column and carets of each error that rustc shows.
@@ -36,15 +30,6 @@ fn shown(stderr: &str) -> Vec<(String, u64, u64, u64)> {
     shown.collect()
 }
 
-/// The Rust code with blanks for all but what stands in its one macro, so that places stay.
-fn declared(rust: &str) -> Option<String> {
-    let (before, rest) = rust.split_once("mechanism! {")?;
-    let is_alone = !rest.contains("mechanism!") && !rust.contains("parts!");
-    let end = rest.find("\n}\n").filter(|_| is_alone)?;
-    let blank = |text: &str| text.chars().map(|c| if c == '\n' { '\n' } else { ' ' }).collect::<String>();
-    Some(blank(before) + "            " + &rest[..end])
-}
-
 fn cases(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let mut found: Vec<PathBuf> = entries
@@ -58,15 +43,26 @@ fn cases(folder: &Path) -> Vec<PathBuf> {
 #[test]
 fn places_in_json_are_those_that_rustc_shows() {
     let (mut compared, mut several) = (0, 0);
-    for case in cases(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/ui")) {
+    for case in cases(&root().join("tests/ui")) {
         let stderr = fs::read_to_string(&case).unwrap();
-        let rust = fs::read_to_string(case.with_extension("rs")).unwrap();
-        // What rustc's own lexer refuses (`error[E0768]`) comes to the compiler in another form.
-        let is_ours = stderr.contains("error: [") && !stderr.contains("error[");
-        let Some(text) = declared(&rust).filter(|_| is_ours) else { continue };
+        // What rustc's own lexer refuses (`error[E0768]`) comes to the compiler in another form, and parts of other files not at all.
+        if !stderr.contains("error: [") || stderr.contains("error[") {
+            continue;
+        }
+        let rust = case.with_extension("rs");
+        let said = plm_in(
+            rust.parent().unwrap(),
+            &["check", "--json", rust.file_name().unwrap().to_str().unwrap()],
+            b"",
+        );
+        // The form of `parts!` is rustc's alone to read.
+        if !said.errors.is_empty() || stderr.contains("expected a name for the parts") {
+            continue;
+        }
         let mut expected = shown(&stderr);
-        let errors = messages(&text).into_iter().filter(|message| message["level"] == "error");
-        let mut found: Vec<_> = errors
+        let found = said.output.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
+        let mut found: Vec<_> = found
+            .filter(|message| message["level"] == "error")
             .map(|error| {
                 let span = &error["spans"][0];
                 assert_eq!(span["is_primary"], true);
@@ -88,7 +84,7 @@ fn places_in_json_are_those_that_rustc_shows() {
 /// The page of the book shows a declaration, its message, and the same as JSON.
 #[test]
 fn the_book_shows_a_message() {
-    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/src/running/editors.md");
+    let page = root().join("docs/src/running/command-line.md");
     let text = fs::read_to_string(&page).unwrap();
     let block = |fence: &str| {
         let start = text.find(fence).unwrap() + fence.len();
@@ -139,39 +135,4 @@ fn a_mistake_within_a_part_names_its_use_and_its_place() {
     assert_eq!(spans[0]["line_start"], 1);
     assert_eq!(spans[1]["label"], "the part `magnet`, used as `lower`");
     assert_eq!(spans[1]["line_start"], 5);
-}
-
-/// What the command says of a declaration on its input: are there errors, its output, its errors.
-fn said(words: &[&str], declaration: &str) -> (bool, String, String) {
-    let (mut output, mut errors) = (Vec::new(), Vec::new());
-    let words = words.iter().map(ToString::to_string);
-    let failed = command::run(words, &mut declaration.as_bytes(), &mut output, &mut errors).unwrap();
-    (failed, String::from_utf8(output).unwrap(), String::from_utf8(errors).unwrap())
-}
-
-#[test]
-fn the_command_checks_and_tells_by_its_exit() {
-    let wrong = "pub P { body b { mass: 10; inertia: q; } }";
-    let (failed, output, errors) = said(&["--check", "-"], wrong);
-    assert!(
-        failed && output.is_empty() && errors.contains("error[E0302]") && errors.contains("error[E0201]")
-    );
-    let (failed, output, errors) = said(&["--message-format", "json", "-"], wrong);
-    assert!(failed && errors.is_empty());
-    let codes: Vec<Value> = output
-        .lines()
-        .map(|line| serde_json::from_str::<Value>(line).unwrap()["code"]["code"].clone())
-        .collect();
-    assert_eq!(codes, ["E0302", "E0201"]);
-
-    assert_eq!(said(&["--check"], ""), (false, String::new(), String::new()));
-    let (failed, code, report) = said(&[], "");
-    assert!(!failed && code.contains("pub struct DoublePendulum") && report.contains("Formulation 2"));
-    let run = |words: &[&str]| {
-        let words = words.iter().map(ToString::to_string);
-        command::run(words, &mut "".as_bytes(), &mut Vec::new(), &mut Vec::new())
-    };
-    assert!(
-        run(&["--message-format", "xml"]).is_err() && run(&["--chek"]).is_err() && run(&["a", "b"]).is_err()
-    );
 }

@@ -1,0 +1,68 @@
+//! A declaration with what the compiler says of it.
+
+use plm_compiler::token::Sources;
+use plm_compiler::{Expansion, bug_message, compile, without_panic};
+
+use crate::excerpt::{Excerpt, Excerpts, excerpts};
+use crate::read;
+
+/// A declaration after its compilation.
+#[derive(Debug)]
+pub(crate) struct Checked {
+    /// The declaration and the library files that it uses.
+    pub(crate) sources: Sources,
+    /// Code, diagnostics and report.
+    pub(crate) expansion: Expansion,
+}
+
+/// Declarations of a file.
+#[derive(Debug)]
+pub(crate) struct Declarations {
+    name: String,
+    /// Its text; lines end as on Unix.
+    text: String,
+    found: Vec<Excerpt>,
+    /// Those that are not compiled: a message each.
+    pub(crate) left_out: Vec<String>,
+}
+
+impl Declarations {
+    /// The declarations of a text; its name says what it is, and where the files are that it names.
+    pub(crate) fn new(name: &str, text: &str) -> Declarations {
+        let text = text.replace("\r\n", "\n");
+        let Excerpts { found, left_out } = excerpts(name, &text);
+        let message = |(at, why): (usize, String)| {
+            format!("{name}:{}: not checked: {why}", text[..at].matches('\n').count() + 1)
+        };
+        let left_out = left_out.into_iter().map(message).collect();
+        Declarations { name: name.to_owned(), text, found, left_out }
+    }
+
+    /// Has the file none?
+    pub(crate) fn is_empty(&self) -> bool {
+        self.found.is_empty() && self.left_out.is_empty()
+    }
+
+    /// Compiles one after the other; a bug of the compiler is a message.
+    pub(crate) fn compiled(&self) -> impl Iterator<Item = Result<Checked, String>> {
+        self.found.iter().map(|excerpt| {
+            let masked = excerpt.masked(&self.text);
+            let compiled = without_panic(|| checked(&self.name, &self.text, masked.as_deref()));
+            compiled.map_err(|what| format!("{}: {}", self.name, bug_message(&what)))
+        })
+    }
+}
+
+/// Compiles one declaration of a text, whose lines end as on Unix; `masked` is that of its excerpt.
+pub(crate) fn checked(name: &str, text: &str, masked: Option<&str>) -> Checked {
+    let mut sources = Sources::new();
+    match masked {
+        Some(masked) => sources.add_excerpt(name, text, masked),
+        None => sources.add_text(name, text),
+    };
+    for file in sources.named_files() {
+        sources.add_file(&file, read::named(&file, name));
+    }
+    let expansion = compile(&mut sources);
+    Checked { sources, expansion }
+}

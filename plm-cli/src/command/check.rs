@@ -1,0 +1,59 @@
+//! `plm check`: diagnostics of declarations.
+
+use super::words::Words;
+use super::{Command, Failure, Outcome, Streams};
+use crate::checked::{Checked, Declarations};
+use crate::json;
+use crate::read::{self, File};
+
+pub(super) const COMMAND: Command = Command {
+    name: "check",
+    usage: "FILE… [--json]",
+    title: "tells what is wrong, where, and what to do about it",
+    options: &[("--json", "an object of JSON a line, on standard output")],
+    run,
+};
+
+fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
+    let is_json = words.takes("--json");
+    let mut outcome = Outcome::Good;
+    for name in words.files()? {
+        match read::file(&name, streams.input) {
+            Ok(file) => outcome = outcome.max(check(&file, is_json, streams)?),
+            Err(why) => {
+                writeln!(streams.errors, "plm: {why}")?;
+                outcome = Outcome::Failed;
+            }
+        }
+    }
+    Ok(outcome)
+}
+
+fn check(file: &File, is_json: bool, streams: &mut Streams) -> Result<Outcome, Failure> {
+    let declarations = Declarations::new(&file.name, &file.text);
+    let mut outcome = Outcome::Good;
+    for declaration in declarations.compiled() {
+        let Checked { sources, expansion } = match declaration {
+            Ok(declaration) => declaration,
+            Err(bug) => {
+                writeln!(streams.errors, "plm: {bug}")?;
+                outcome = Outcome::Failed;
+                continue;
+            }
+        };
+        for diagnostic in expansion.diagnostics.sorted() {
+            if is_json {
+                writeln!(streams.output, "{}", json::message(diagnostic, &sources, &file.text))?;
+            } else {
+                writeln!(streams.errors, "{}", diagnostic.render(&sources))?;
+            }
+        }
+        if expansion.diagnostics.has_errors() {
+            outcome = outcome.max(Outcome::Wrong);
+        }
+    }
+    for what in &declarations.left_out {
+        writeln!(streams.errors, "plm: {what}")?;
+    }
+    Ok(outcome)
+}

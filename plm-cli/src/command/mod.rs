@@ -1,0 +1,130 @@
+//! The command line: a table of commands, each of which has a module.
+
+mod check;
+mod expand;
+mod fmt;
+mod lsp;
+mod words;
+
+use std::ffi::OsString;
+use std::io::{self, Read, Write};
+use std::process::ExitCode;
+
+use words::Words;
+
+/// What a command reads, and where it writes.
+pub struct Streams<'a> {
+    /// Standard input.
+    pub input: &'a mut dyn Read,
+    /// Results.
+    pub output: &'a mut dyn Write,
+    /// Messages.
+    pub errors: &'a mut dyn Write,
+}
+
+/// Outcome of a command, in the order of weight.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Outcome {
+    /// Nothing is wrong, or there are warnings alone: 0.
+    Good,
+    /// A declaration has errors, or a file has another layout: 1.
+    Wrong,
+    /// The words are no command, or a file cannot be read: 2.
+    Failed,
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> ExitCode {
+        ExitCode::from(outcome as u8)
+    }
+}
+
+/// Why a command ends: a message, which ends it as [`Outcome::Failed`].
+type Failure = Box<dyn std::error::Error>;
+
+/// A command.
+struct Command {
+    name: &'static str,
+    /// Words behind its name.
+    usage: &'static str,
+    /// What it does, in a line.
+    title: &'static str,
+    /// Its options, a line each.
+    options: &'static [(&'static str, &'static str)],
+    run: fn(Words, &mut Streams) -> Result<Outcome, Failure>,
+}
+
+/// All commands, in the order of the help.
+const COMMANDS: &[Command] = &[check::COMMAND, expand::EXPAND, expand::REPORT, fmt::COMMAND, lsp::COMMAND];
+
+/// Runs the command that the words name, without the name of the program.
+pub fn run(words: impl Iterator<Item = OsString>, streams: &mut Streams) -> Outcome {
+    let outcome = Words::new(words).and_then(|words| dispatch(words, streams));
+    outcome.unwrap_or_else(|failure| {
+        // Whoever reads the results may stop reading them, as `head` does.
+        let is_closed =
+            failure.downcast_ref::<io::Error>().is_some_and(|why| why.kind() == io::ErrorKind::BrokenPipe);
+        if is_closed {
+            return Outcome::Good;
+        }
+        // Where messages cannot be written there is no place to say so.
+        let _ = writeln!(streams.errors, "plm: {failure}");
+        Outcome::Failed
+    })
+}
+
+fn dispatch(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
+    let name = words.command()?;
+    let known = |name: &str| COMMANDS.iter().find(|command| command.name == name);
+    match name.as_deref() {
+        None => {
+            write!(streams.errors, "{}", help())?;
+            Ok(Outcome::Failed)
+        }
+        Some("help") => {
+            let text = match words.command()? {
+                None => help(),
+                Some(of) => known(&of).map(Command::help).ok_or_else(|| unknown(&of))?,
+            };
+            write!(streams.output, "{text}")?;
+            Ok(Outcome::Good)
+        }
+        Some("version") => {
+            writeln!(streams.output, "plm {}", env!("CARGO_PKG_VERSION"))?;
+            Ok(Outcome::Good)
+        }
+        Some(name) => {
+            let command = known(name).ok_or_else(|| unknown(name))?;
+            if words.asks_for_help() {
+                write!(streams.output, "{}", command.help())?;
+                return Ok(Outcome::Good);
+            }
+            (command.run)(words, streams)
+        }
+    }
+}
+
+fn unknown(name: &str) -> String {
+    let names: Vec<&str> = COMMANDS.iter().map(|command| command.name).collect();
+    let near = plm_compiler::diag::nearest(name, names.iter().copied());
+    let near = near.map_or(String::new(), |near| format!("; `{near}` is one"));
+    format!("there is no command `{name}`{near}\ncommands: {}", names.join(", "))
+}
+
+/// The commands, a line each.
+fn help() -> String {
+    let shown =
+        COMMANDS.iter().map(|command| (format!("plm {} {}", command.name, command.usage), command.title));
+    let mut lines = vec!["Declarations of planar mechanisms without rustc.".to_owned(), String::new()];
+    lines.extend(shown.map(|(usage, title)| format!("  {usage:30} {title}")));
+    lines.push("\nA FILE is a declaration, or Rust (`.rs`) with `mechanism! { … }` in it; `-` is the standard input.".to_owned());
+    lines.push("`plm help COMMAND` shows the options of a command, `plm version` the version.\n".to_owned());
+    lines.join("\n")
+}
+
+impl Command {
+    fn help(&self) -> String {
+        let options = self.options.iter().map(|(option, meaning)| format!("  {option:12} {meaning}\n"));
+        format!("plm {} {}\n    {}\n{}", self.name, self.usage, self.title, options.collect::<String>())
+    }
+}

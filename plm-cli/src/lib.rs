@@ -1,0 +1,22 @@
+//! The command `plm`: declarations of mechanisms without rustc.
+//!
+//! ```text
+//! plm check FILE… [--json]     what is wrong, where, and what to do about it
+//! plm expand FILE              the Rust code that the macro would emit
+//! plm report FILE              bodies, rows, formulation, operations, assembly
+//! plm fmt [--check] FILE…      one layout, with comments kept
+//! plm lsp                      a language server on standard input and output
+//! ```
+//!
+//! A file is a declaration (`.plm`), or Rust with `mechanism! { … }` in it (`.rs`).
+
+mod checked;
+mod command;
+mod excerpt;
+mod json;
+mod layout;
+mod lexer;
+mod read;
+mod server;
+
+pub use command::{Outcome, Streams, run};

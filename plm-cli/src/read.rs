@@ -1,0 +1,60 @@
+//! Files and standard input, within bounds: a name that cannot be read is a message.
+
+use std::fs;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use crate::excerpt::is_rust;
+
+/// More than any declaration has: the compiler's own library is a tenth of it.
+pub(crate) const LARGEST: u64 = 4 << 20;
+
+/// A text and its name.
+#[derive(Clone, Debug)]
+pub(crate) struct File {
+    /// The name in messages: `<stdin>` for the standard input.
+    pub(crate) name: String,
+    /// The text as it stands.
+    pub(crate) text: String,
+}
+
+/// A file by its name, or the standard input, `-`.
+///
+/// # Errors
+/// It cannot be read, is a folder, is not UTF-8, or has more than 4 MiB: a message that names it.
+pub(crate) fn file(name: &str, input: &mut dyn Read) -> Result<File, String> {
+    let (shown, text) = match name {
+        "-" => ("<stdin>", text(input)),
+        name => (name, text_of(Path::new(name))),
+    };
+    text.map(|text| File { name: shown.to_owned(), text }).map_err(|why| format!("{shown}: {why}"))
+}
+
+fn text_of(path: &Path) -> Result<String, String> {
+    if path.is_dir() {
+        return Err("is a folder".to_owned());
+    }
+    text(&mut fs::File::open(path).map_err(|why| why.to_string())?)
+}
+
+fn text(input: &mut dyn Read) -> Result<String, String> {
+    let mut bytes = Vec::new();
+    input.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|why| why.to_string())?;
+    if bytes.len() as u64 > LARGEST {
+        return Err(format!("has more than {} MiB", LARGEST >> 20));
+    }
+    String::from_utf8(bytes).map_err(|why| format!("is not UTF-8 at byte {}", why.utf8_error().valid_up_to()))
+}
+
+/// A file that a declaration names, as the macro looks for it: from the folder of Cargo.toml for a Rust file, else from the folder of
+/// the declaration.
+///
+/// # Errors
+/// It cannot be read.
+pub(crate) fn named(name: &str, declaration: &str) -> Result<String, String> {
+    let folder = Path::new(declaration).parent().unwrap_or(Path::new(""));
+    let packages =
+        || folder.ancestors().find(|folder| folder.join("Cargo.toml").is_file()).map(PathBuf::from);
+    let folder = if is_rust(declaration) { packages() } else { None }.unwrap_or_else(|| folder.to_owned());
+    text_of(&folder.join(name))
+}
