@@ -32,7 +32,7 @@ impl<S: Real, const NQ: usize, const NC: usize> Measure<S, NQ, NC> {
         let length = if m.length() > S::ZERO { m.length() } else { one };
         Self {
             columns: Vector::from_fn(|k| free.at(k) * if k % 3 == 2 { one } else { length }),
-            rows: M::ANGULAR.map(|angular| if angular { one } else { one / length }),
+            rows: Vector::from_fn(|k| if M::ANGULAR[k] { one } else { one / length }),
             work: 0,
         }
     }
