@@ -201,20 +201,24 @@ impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize, 
     ) -> Self::Packed<P> {
         match self {
             OfLoops::InChart { chart, continuation } => {
-                let all = all.map(|one| match one {
-                    OfLoops::InChart { continuation, .. } => continuation,
-                    OfLoops::Free { .. } => continuation,
-                });
-                OfLoops::InChart { chart: *chart, continuation: packed(all, number) }
+                let mut each = [continuation; N];
+                for i in 0..N {
+                    if let OfLoops::InChart { continuation, .. } = all[i] {
+                        each[i] = continuation;
+                    }
+                }
+                OfLoops::InChart { chart: *chart, continuation: packed(each, number) }
             }
             OfLoops::Free { q, v } => {
-                let all = all.map(|one| match one {
-                    OfLoops::Free { q, v } => (q, v),
-                    OfLoops::InChart { .. } => (q, v),
-                });
+                let mut each = [(q, v); N];
+                for i in 0..N {
+                    if let OfLoops::Free { q, v } = all[i] {
+                        each[i] = (q, v);
+                    }
+                }
                 OfLoops::Free {
-                    q: Vector::from_fn(|k| number(Vector::from_fn(|i| all[i].0[k]))),
-                    v: Vector::from_fn(|k| number(Vector::from_fn(|i| all[i].1[k]))),
+                    q: Vector::from_fn(|k| number(Vector::from_fn(|i| each[i].0[k]))),
+                    v: Vector::from_fn(|k| number(Vector::from_fn(|i| each[i].1[k]))),
                 }
             }
         }
@@ -304,11 +308,22 @@ fn packed<
         rate: number(Vector::from_fn(|i| all[i].iterated[k].rate)),
         bend: number(Vector::from_fn(|i| all[i].iterated[k].bend)),
     };
-    Continuation {
-        coordinates: core::array::from_fn(coordinate),
+    let (zero, determinant) = (P::ZERO, |k| number(Vector::from_fn(|i| all[i].determinants[k])));
+    let mut data = Continuation {
+        coordinates: [Reach { last: zero, reach: zero }; Y],
         time,
-        angles: core::array::from_fn(angle),
-        determinants: Vector::from_fn(|k| number(Vector::from_fn(|i| all[i].determinants[k]))),
-        iterated: core::array::from_fn(iterated),
+        angles: [Angle { angle: zero, cos: zero, sin: zero }; T],
+        determinants: Vector::from_fn(determinant),
+        iterated: [Iterated { value: zero, rate: zero, bend: zero }; F],
+    };
+    for k in 0..Y {
+        data.coordinates[k] = coordinate(k);
     }
+    for k in 0..T {
+        data.angles[k] = angle(k);
+    }
+    for k in 0..F {
+        data.iterated[k] = iterated(k);
+    }
+    data
 }
