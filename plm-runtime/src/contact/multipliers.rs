@@ -9,6 +9,7 @@ use super::loads::Load;
 use super::modes::Mode;
 use super::rows::{Limit, Rows, below, indices};
 use crate::scalar::Scalar;
+use crate::vector::Vector;
 
 /// A pivot below this fraction of the largest entry of its row depends on others.
 const DEPENDENT: f64 = 1e-10;
@@ -163,9 +164,12 @@ impl<T: Scalar, const N: usize> System<T, N> {
         for k in 0..system.order.min(N) {
             let i = below::<N>(system.unknown[k]);
             let (row, right) = equation(rows, (modes[i], directions), i);
-            system.rows[k] = core::array::from_fn(|l| {
-                if l < system.order { row[below::<N>(system.unknown[l])] } else { T::ZERO }
-            });
+            system.rows[k] =
+                Vector::from_fn(
+                    |l| {
+                        if l < system.order { row[below::<N>(system.unknown[l])] } else { T::ZERO }
+                    },
+                );
             system.right[k] = right;
         }
         system

@@ -3,6 +3,7 @@
 use super::loads::{Affine, Load};
 use super::modes::Mode;
 use crate::scalar::{Real, Scalar};
+use crate::vector::Vector;
 
 /// The number of a row or of a reaction, below `N` as compilers see it too: an array that it indexes has no check that could fail.
 pub(super) fn below<const N: usize>(index: usize) -> usize {
@@ -78,7 +79,7 @@ impl<T: Scalar, const N: usize> Limit<T, N> {
     /// `coefficient` times the multiplier of the row `normal`.
     #[must_use]
     pub fn of(normal: usize, coefficient: T) -> Self {
-        let by = core::array::from_fn(|row| if row == normal { coefficient } else { T::ZERO });
+        let by = Vector::from_fn(|row| if row == normal { coefficient } else { T::ZERO });
         Self { own: T::ZERO, by, share: [T::ZERO; N] }
     }
 

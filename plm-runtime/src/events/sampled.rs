@@ -34,13 +34,15 @@ impl<M: System<S: Real>, I: Method<M>> Sampled<'_, '_, M, I> {
     pub(super) fn first(&self, began: &M::G, end: &M::G) -> (Found<M::S>, M::S) {
         let (start, length) = (self.start, self.context.time - self.start);
         let at = |look: M::S| start + look / M::S::lit(SAMPLES as f64) * length;
-        let inside = [1.0, 2.0, 3.0].map(|look| self.guards(at(M::S::lit(look))));
-        let sampled = [*began, inside[0], inside[1], inside[2], *end];
+        let inside = |look: f64| self.guards(at(M::S::lit(look)));
+        let sampled = [*began, inside(1.0), inside(2.0), inside(3.0), *end];
         let mut first = (Found::Nothing, self.context.time);
         for i in (0..M::G::LEN).filter(|i| self.relevant.has(*i)) {
             let edge = self.residual.at(i).min(M::S::ZERO) - self.context.system.band(i);
             let guard = |time: M::S| self.guards(time).at(i);
-            let Some(look) = first_out(sampled.map(|g| g.at(i)), edge, |look| guard(at(look)) < edge) else {
+            let Some(look) =
+                first_out(Vector::from_fn(|k| sampled[k].at(i)), edge, |look| guard(at(look)) < edge)
+            else {
                 continue;
             };
             let out = Point { at: at(look), value: guard(at(look)) };

@@ -53,7 +53,7 @@ pub(super) fn impacts<M: Contacts<N>, const N: usize>(
         };
         let ([before, _], changes) = (stride.parts(), changes(&motion.rows, &impulses));
         let Rows { gap, rate, .. } = &mut motion.rows;
-        let after = core::array::from_fn(|i| rate[i] + changes[i]);
+        let after = Vector::from_fn(|i| rate[i] + changes[i]);
         struck.add([rate, &after], &moved_by_time, &impulses).map_err(|[by, of]| {
             Fault::of_part(stride.t.to_f64(), system.contact_name(row), Cause::ImpactGains { by, of })
         })?;

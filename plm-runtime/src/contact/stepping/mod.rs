@@ -188,7 +188,7 @@ fn modes<S: Real, const N: usize>(
     before: &Modes<S, N>,
 ) -> Modes<S, N> {
     let sticks = |i: usize| solved.modes[i] == Mode::Sticks && before.of[i] != Mode::Sticks;
-    let place = core::array::from_fn(|i| {
+    let place = Vector::from_fn(|i| {
         if sticks(i) {
             problem::end(stride, rows, i, problem.rate_at_end(solved, i))
         } else {
