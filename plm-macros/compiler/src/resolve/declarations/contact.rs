@@ -164,10 +164,12 @@ impl<'a> Resolver<'a> {
         let beyond = nature.reads.beyond(may_read);
         if beyond != Reads::NOTHING {
             let message = format!("{what} reads {}", beyond.describe());
+            let also =
+                if let WrittenContact::Unilateral(_) = written { ", and discrete states" } else { "" };
             let (scope, span) = self.culprit_of(scope, written, beyond);
             let diagnostic = self
                 .error(scope, Code::NotConstant, span, message)
-                .note(format!("it may read {}", Reads::GEOMETRY.describe()));
+                .note(format!("it may read {}{also}", Reads::GEOMETRY.describe()));
             if beyond.has(Reads::VELOCITY) {
                 diagnostic.help("what holds a rate is a `friction`, and what damps is a force");
             } else if let Some([why, instead]) = beyond.no_place() {
