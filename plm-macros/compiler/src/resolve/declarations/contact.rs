@@ -164,8 +164,7 @@ impl<'a> Resolver<'a> {
         let beyond = nature.reads.beyond(may_read);
         if beyond != Reads::NOTHING {
             let message = format!("{what} reads {}", beyond.describe());
-            let also =
-                if let WrittenContact::Unilateral(_) = written { ", and discrete states" } else { "" };
+            let also = if let WrittenContact::Unilateral(_) = written { ", and discrete states" } else { "" };
             let (scope, span) = self.culprit_of(scope, written, beyond);
             let diagnostic = self
                 .error(scope, Code::NotConstant, span, message)
