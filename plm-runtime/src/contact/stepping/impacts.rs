@@ -47,7 +47,7 @@ pub(super) fn impacts<M: Contacts<N>, const N: usize>(
             let (lambda, rate) = (solved.lambda, solved.acceleration);
             Ok(Answer { lambda, rate, is_ambiguous: false, combination: None })
         };
-        let Impulses::Found(impulses, _) = impulses(&motion.rows, laws, (law, touches), &mut by_rounds)
+        let Impulses::Found(impulses, _) = impulses(&mut motion.rows, laws, (law, touches), &mut by_rounds)
         else {
             break;
         };

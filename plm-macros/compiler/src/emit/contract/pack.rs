@@ -5,7 +5,7 @@ use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
 use super::super::{Emission, number};
-use super::{contact, turns};
+use super::{contact, contact_motion, turns};
 
 /// `Pack`.
 pub(crate) fn pack(emission: &Emission) -> TokenStream {
@@ -29,6 +29,7 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
     } else {
         quote!(let contact = ();)
     };
+    let packed_steps = contact_motion::packed_steps(emission);
     let modes = (emission.model.guards() > 0).then(|| {
         quote! {
             for (wide, &one) in wide.switches.iter_mut().zip(&one.switches) {
@@ -99,6 +100,7 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
             fn chart(held: &Held<S>) -> Option<usize> {
                 rt::held::Loops::<S>::chart(&held.of_loops)
             }
+            #packed_steps
         }
     }
 }
