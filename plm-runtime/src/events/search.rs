@@ -18,8 +18,10 @@ const FINEST: u32 = 22;
 const ROUGHEST: u32 = 2;
 /// Where it cannot, halvings after which nothing more is learnt.
 const FINEST_OF_POINTS: u32 = 6;
-/// A parabola is believed where it stays away from the edge by so many times what the guard varies by.
+/// A parabola is believed where it stays away from the edge by so many times what the guard varies by, ...
 const FAR: f64 = 2.0;
+/// ... and where it bends by no more than this fraction of half of what it changes by.
+const STRAIGHT: f64 = 0.25;
 /// Halvings up to which the guards at the ends of intervals are remembered: they are the ends of shorter ones too.
 const REMEMBERED: usize = 4;
 /// Intervals of a step that are looked at; then what is left of it is left for the next step.
@@ -271,8 +273,8 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         if known || level < ROUGHEST {
             return known;
         }
-        // By the parabola through three points, where the guard is far from its edge beside what it varies by: a force that swings while
-        // nothing moves may go through more than one period in a step.
+        // By the parabola through three points, where the guard is far from its edge beside what it varies by, or is nearly straight: a
+        // force that swings while nothing moves may go through more than one period in a step.
         let between = self.values(middle);
         for i in (0..M::G::LEN).filter(|i| given & bit(*i) == 0) {
             let (a, b, c) = (piece.left.at(i), between.at(i), piece.right.at(i));
@@ -284,8 +286,9 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
             let (finest, leaves) = (level >= FINEST_OF_POINTS, c < self.edge(i) - piece.noise.at(i));
             let varies = a.max(b).max(c) - a.min(b).min(c);
             let is_far = low - self.edge(i) >= M::S::lit(FAR) * varies;
-            let slope = if falls && (is_far || finest || leaves) { -(a - c).abs() } else { M::S::INFINITY };
-            let low = match (finest, is_far) {
+            let is_told = is_far || bend.abs() <= M::S::lit(STRAIGHT) * lean.abs();
+            let slope = if falls && (is_told || finest || leaves) { -(a - c).abs() } else { M::S::INFINITY };
+            let low = match (finest, is_told) {
                 (true, _) => a.min(c),
                 (false, true) => low,
                 (false, false) => -M::S::INFINITY,
