@@ -14,6 +14,7 @@ mod bounds;
 mod candidates;
 mod changed;
 mod choose;
+mod enclosed;
 mod event;
 mod guards;
 mod held;

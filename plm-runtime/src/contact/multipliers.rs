@@ -95,6 +95,18 @@ fn multipliers_above<T: Scalar, const N: usize>(
     None
 }
 
+/// The multipliers where reactions that bound rows which slip have these unit vectors.
+pub(super) fn multipliers_along<T: Scalar, const N: usize>(
+    rows: &Rows<T, N>,
+    modes: &[Mode; N],
+    directions: &[[T; 2]; N],
+) -> Option<Multipliers<T, N>> {
+    let slide = !modes.iter().any(|mode| mode.holds());
+    let mut system = System::of(rows, (modes, directions));
+    let determinant = system.eliminate((slide, DEPENDENT))?;
+    Some(Multipliers { lambda: system.substitute(), determinant, newton: 0 })
+}
+
 /// Multipliers that Newton's steps begin with: those of rows that slip by sweeps of C. F. Gauss and L. Seidel, which cost a fraction of a
 /// step. A friction changes the reactions that bound it little.
 fn first<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &[Mode; N]) -> [T; N] {
