@@ -72,7 +72,7 @@ impl Contact {
             }
             ContactLaw::Unilateral { .. } | ContactLaw::Constraint => false,
         };
-        is_weak || self.exists.is_some_and(|exists| exists.is_zero())
+        is_weak || self.exists.is_some_and(Expr::is_zero)
     }
 
     /// The reactions of joints that bound it.
