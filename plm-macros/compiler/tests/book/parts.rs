@@ -57,8 +57,9 @@ fn the_page_of_a_part_lists_what_it_has() {
     }
 }
 
-/// Names of parameters that have a range wherever they stand: sizes, ratios of parts of a whole, times.
-const RANGED: [&str; 40] = [
+/// Names of parameters that have a range wherever they stand: sizes, ratios of parts of a whole, times. Not those of oil and orifices, of
+/// which a machine has many: a requirement on a parameter that may change is a guard of each step.
+const RANGED: [&str; 35] = [
     "radius",
     "radius_a",
     "radius_b",
@@ -84,11 +85,6 @@ const RANGED: [&str; 40] = [
     "density",
     "bulk_modulus",
     "viscosity",
-    "gas_content",
-    "polytropic_index",
-    "rated_flow",
-    "rated_drop",
-    "transition",
     "frequency",
     "damping_ratio",
     "time_constant",
