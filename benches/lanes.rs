@@ -7,11 +7,14 @@
 //! Names of scenes behind `--` choose among them. The eight start a hundredth of a radian apart. `formula` is one trajectory
 //! without a look at what it does, `sim` one as users run it, `batch` one of eight in a [`Batch`], with the same looks.
 //! `hand` is one of eight in a kernel that is written by hand (benches/kernels/), without a look, and none for the chain.
+//! Behind these come steps of Moreau and Jean of mechanisms with contact, each by a simulation and by a batch.
 //! `instructions` behind `--` counts instructions instead, by valgrind.
 #![allow(clippy::panic, reason = "benches")]
 
 #[path = "scenes/chain.rs"]
 mod chain;
+#[path = "../examples/firmware/src/contact.rs"]
+mod contact;
 #[path = "scenes/count.rs"]
 mod count;
 #[path = "../tests/support/standard.rs"]
@@ -28,7 +31,7 @@ use std::time::{Duration, Instant};
 
 use declared::{s1, s2, s5, s6};
 use plm::runtime::lanes::Pack;
-use plm::{Batch, Rk4};
+use plm::{Batch, MoreauJean, Rk4};
 use steps::{Level, Steps, steps};
 
 chain::chain!(Chain16, 16);
@@ -62,6 +65,47 @@ fn main() {
             None => println!("{:>9} {ratios} {:>11}", "-", "-"),
         }
     }
+    if counts.is_empty() && (names.is_empty() || names.iter().any(|name| name == "contact")) {
+        println!("{:<22} {:>9} {:>9} {:>10}", "Moreau and Jean", "sim", "batch", "sim/batch");
+        strides("four-bar with limits", |turn| {
+            let mut mechanism = contact::Limits::new();
+            mechanism.start.crank.angle.value += turn;
+            mechanism
+        });
+        strides("rack with backlash", |turn| {
+            let mut mechanism = contact::Rack::new();
+            mechanism.start.pinion.omega.value += 100.0 * turn;
+            mechanism
+        });
+        strides("ratchet", |turn| {
+            let mut mechanism = contact::Ratchet::new();
+            mechanism.start.wheel.omega.value += 10.0 * turn;
+            mechanism
+        });
+    }
+}
+
+/// Times of a step of Moreau and Jean and trajectory, by eight simulations and by one batch of them.
+fn strides<M: Pack<S = f64> + 'static>(name: &str, turned: fn(f64) -> M) {
+    const H: f64 = 1e-3;
+    let mechanisms = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0].map(|lane| turned(0.01 * lane));
+    let sims = mechanisms.map(|one| one.start_with(MoreauJean::new(H)).expect("it can be assembled"));
+    let alone: Steps = Box::new(move |steps| {
+        for mut sim in black_box(sims) {
+            sim.step(f64::from(steps) * H).expect("it can be moved");
+            black_box(&sim);
+        }
+    });
+    let start = Batch::new(sims);
+    let together: Steps = Box::new(move |steps| {
+        let mut batch = start;
+        for outcome in batch.step(f64::from(steps) * H) {
+            outcome.expect("it can be moved");
+        }
+        black_box(&batch);
+    });
+    let [sim, batch] = best([alone, together]).map(|best| best / 8.0);
+    println!("{name:<22} {sim:>9.1} {batch:>9.1} {:>10.2}", sim / batch);
 }
 
 /// The ways that a step is made.
@@ -138,14 +182,21 @@ fn trajectories(way: &str) -> f64 {
     if matches!(way, "batch" | "hand") { 8.0 } else { 1.0 }
 }
 
-/// The best of many times of a step and trajectory, ns, the ways in turn, so that all see the same machine.
+/// Times of a step and trajectory, ns.
 fn times(scene: &Scene) -> [f64; 4] {
-    let mut all = WAYS.map(|way| scene.steps(way));
-    let mut best = [f64::INFINITY; 4];
+    let mut best = best(WAYS.map(|way| scene.steps(way)));
+    for (best, way) in best.iter_mut().zip(WAYS) {
+        *best /= trajectories(way);
+    }
+    best
+}
+
+/// The best of many times of a step, ns, the ways in turn, so that all see the same machine.
+fn best<const N: usize>(mut all: [Steps; N]) -> [f64; N] {
+    let mut best = [f64::INFINITY; N];
     for _ in 0..ROUNDS {
-        for ((best, steps), way) in best.iter_mut().zip(&mut all).zip(WAYS) {
-            let each = f64::from(STEPS) * trajectories(way);
-            *best = best.min(time(steps).as_secs_f64() * 1e9 / each);
+        for (best, steps) in best.iter_mut().zip(&mut all) {
+            *best = best.min(time(steps).as_secs_f64() * 1e9 / f64::from(STEPS));
         }
     }
     best

@@ -4,14 +4,13 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use plm_runtime::Scalar;
 use plm_runtime::lanes::{LANES, Lanes};
-use plm_runtime::method::Rk4Formula;
 use plm_runtime::scalar::Registers;
+use plm_runtime::{Rk4, Scalar};
 use wide::f64x8;
 
 /// Eight simulations of one mechanism side by side; [`lanes::Batch`](plm_runtime::lanes::Batch) tells more.
-pub type Batch<M, F = Rk4Formula> = plm_runtime::lanes::Batch<M, F64x8, F>;
+pub type Batch<M, I = Rk4<f64>> = plm_runtime::lanes::Batch<M, F64x8, I>;
 
 /// Eight numbers of `f64`, each with the bits that it would have alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,6 +31,10 @@ impl Lanes for F64x8 {
     #[inline]
     fn values(self) -> [f64; LANES] {
         self.0.to_array()
+    }
+    #[inline]
+    fn value(&self, lane: usize) -> f64 {
+        self.0.as_array()[lane % LANES]
     }
     /// Where it stands: a copy of all lanes would have to wait for the one.
     #[inline]

@@ -12,18 +12,20 @@ macro_rules! four_bar {
                 gravity: 9.81 m/s^2;
                 formulation: $formulation;
                 emit: step(moreau_jean);
+                input push: N*m = 0;
                 discrete strikes: 1 = 0;
                 ground { port o: (0, 0) m; port p: (1, 0) m; }
                 body crank { mass: 1 kg; inertia: 0.02 kg*m^2; port a: (-0.15, 0) m; port b: (0.15, 0) m; start angle: 60 deg, locked; start omega: 5 rad/s, locked; }
                 body coupler { mass: 2 kg; inertia: 0.2 kg*m^2; port b: (-0.45, 0) m; port c: (0.45, 0) m; }
                 body rocker { mass: 1.5 kg; inertia: 0.1 kg*m^2; port c: (0.4, 0) m; port p: (-0.4, 0) m; start angle: 100 deg; }
-                revolute o(ground.o, crank.a) { drive: 4 N*m*cos(8 rad/s*t); }
+                revolute o(ground.o, crank.a) { drive: 4 N*m*cos(8 rad/s*t) + push; }
                 revolute b(crank.b, coupler.b);
                 revolute c(coupler.c, rocker.c) { damping: 0.5 N*m*s/rad; }
                 revolute p(ground.p, rocker.p);
                 unilateral low: rocker.angle >= 85 deg { restitution: 0.4; }
                 unilateral high: rocker.angle <= 110 deg;
                 friction rub: rate(rocker.angle) within 0.2*(0.02 m)*norm(p.force);
+                friction seat: rate(coupler.angle) within 0.02*reaction(high) { static: 0.03*reaction(high); }
                 when not is_open(high) { strikes = strikes + 1; }
                 output strikes, push = reaction(high);
             }
@@ -40,20 +42,24 @@ plm::mechanism! {
         allow(W0002);
         gravity: 9.81 m/s^2;
         emit: step(moreau_jean);
+        param bounce = 0.5;
+        param speed: m/s = 0.1 m/s;
+        input push: N = 0;
         discrete holds: 1 = 1;
         discrete torn: s = 0;
-        body mass { mass: 1 kg; inertia: 1 kg*m^2; port p: (0, 0) m; start vx: 0.1 m/s; }
+        body mass { mass: 1 kg; inertia: 1 kg*m^2; port p: (0, 0) m; start vx: speed; }
         constraint level: mass.angle = 0;
         constraint height: mass.y = 0;
         force spring(mass.p) { x: -(100 N/m)*mass.x; }
-        friction belt: rate(mass.x - (0.1 m/s)*t) within 2.4525 N { static: 3.924 N; }
-        body block { mass: 1 kg; inertia: 1 kg*m^2; start y: 0.8 m; start vx: 2 m/s; }
+        friction belt: rate(mass.x - speed*t) within 2.4525 N { static: 3.924 N; }
+        body block { mass: 1 kg; inertia: 1 kg*m^2; port p: (0, 0) m; start y: 0.8 m; start vx: 2 m/s; }
+        force pushed(block.p) { x: push; }
         unilateral table: block.y >= 0.8 m { when: block.x < 0.5 m; }
         friction rub: rate(block.x) within 0.1*reaction(table) { when: block.x < 0.5 m; }
         unilateral floor: block.y >= 0 m;
         friction drag: rate(block.x) within 0.5*reaction(floor);
         body ball { mass: 2 kg; inertia: 1 kg*m^2; start y: 1 m; }
-        unilateral ground_: ball.y >= 0 m { restitution: 0.5; }
+        unilateral ground_: ball.y >= 0 m { restitution: bounce; }
         body load { mass: 1 kg; inertia: 1 kg*m^2; port p: (0, 0) m; start y: -1 m; }
         force pull(load.p) { y: -(20 N/s)*t; }
         unilateral hook: load.y >= -1 m { when: holds > 0.5; }
@@ -158,4 +164,112 @@ fn a_bench_of_rows_follows_closed_forms() -> Result<(), Fault> {
     sim.step(1.0)?;
     assert!((sim.block().x - place).abs() < 1e-15);
     Ok(())
+}
+
+/// Eight at a time have the bits of eight that run alone: states, modes, counts, residuals and faults.
+#[cfg(feature = "lanes")]
+mod lanes {
+    use super::{Absolute, Bench, FourBar, bits};
+    use plm::runtime::lanes::Pack;
+    use plm::{Batch, Cause, Fault, Moment, MoreauJean, Sim};
+
+    const AROUND: [f64; 8] = [0.0, 0.3, -0.2, 0.45, -0.4, 0.1, -0.05, 0.22];
+
+    type Lane<M> = Sim<M, MoreauJean<f64>>;
+
+    /// Runs eight in a batch and alone, `before` changing each before each interval; what the last interval gave. They are in modes of their
+    /// own at some end of an interval.
+    fn agree<M: Pack<S = f64, U: std::fmt::Debug>>(
+        mut alone: [Lane<M>; 8],
+        intervals: &[f64],
+        before: impl Fn(usize, usize, &mut Lane<M>),
+    ) -> ([Result<(), Fault>; 8], [Lane<M>; 8]) {
+        let (mut batch, mut last, mut are_apart) = (Batch::new(alone), [Ok(()); 8], false);
+        for (interval, dt) in intervals.iter().enumerate() {
+            for lane in 0..8 {
+                before(interval, lane, &mut batch[lane]);
+                before(interval, lane, &mut alone[lane]);
+            }
+            let expected = alone.each_mut().map(|sim| sim.step(*dt));
+            last = batch.step(*dt);
+            assert_eq!(last, expected, "interval {interval}");
+            let modes = batch
+                .each_ref()
+                .map(|sim| [0, 1, 2, 3].map(|row| M::contacts(&sim.state().held()).mode(row)));
+            are_apart |= modes.iter().any(|of| *of != modes[0]);
+            for (lane, (one, other)) in batch.iter().zip(&alone).enumerate() {
+                let of = |sim: &Lane<M>| (bits(sim.state().x()), sim.state().time().to_bits(), sim.stats());
+                assert_eq!(of(one), of(other), "lane {lane}, interval {interval}");
+                assert_eq!(one.state().held(), other.state().held(), "lane {lane}, interval {interval}");
+                assert_eq!(one.contact_stats(), other.contact_stats(), "lane {lane}, interval {interval}");
+                let residuals = |sim: &Lane<M>| (sim.method().residual(), sim.method().largest_residual());
+                assert_eq!(residuals(one), residuals(other), "lane {lane}, interval {interval}");
+            }
+        }
+        assert!(are_apart);
+        (last, alone)
+    }
+
+    fn unchanged<M: Pack<S = f64>>(_interval: usize, _lane: usize, _sim: &mut Lane<M>) {}
+
+    /// One of eight pushes so that nothing can move with it, in the third interval.
+    fn push(interval: usize, lane: usize) -> f64 {
+        if interval == 2 && lane == 5 { f64::INFINITY } else { 2.0 * lane as f64 }
+    }
+
+    /// All have come to the end but the one that has failed.
+    fn stays_behind<M: Pack<S = f64>>(lanes: &[Lane<M>; 8], end: f64) {
+        let times = lanes.each_ref().map(|sim| sim.state().time());
+        let is_there = |(lane, time): (usize, &f64)| ((time - end).abs() < 1e-9) == (lane != 5);
+        assert!(times.iter().enumerate().all(is_there), "{times:?}");
+    }
+
+    /// Rockers that strike their limits at times of their own, in joint and in absolute coordinates.
+    #[test]
+    fn four_bars_with_limits() {
+        macro_rules! bars {
+            ($mechanism:ident, $intervals:expr) => {
+                let bars = AROUND.map(|turn| {
+                    let mut mechanism = $mechanism::new();
+                    mechanism.start.crank.angle.value += 0.2 * turn;
+                    mechanism.start.crank.omega.value += 6.0 * turn;
+                    mechanism.start_with(MoreauJean::new(1e-3)).unwrap()
+                });
+                let (_, lanes) = agree(bars, $intervals, unchanged);
+                let counts = lanes.each_ref().map(|sim| sim.contact_stats());
+                assert!(counts.iter().all(|counts| counts.closures > 0), "{counts:?}");
+            };
+        }
+        let bars = [FourBar::new().start_with(MoreauJean::new(1e-3)).unwrap(); 8];
+        let (_, lanes) = agree(bars, &[0.1, 0.08, 0.05, 0.1], |interval, lane, sim| {
+            sim.input.push = push(interval, lane);
+        });
+        stays_behind(&lanes, 0.33);
+        bars!(FourBar, &[0.1, 0.08, 0.0005, 0.07, 0.1, 0.1]);
+        bars!(Absolute, &[0.08; 5]);
+    }
+
+    /// Lanes that stick, slip, bounce and let go at times of their own, with steps and shares of steps of their own. One fails, and stays
+    /// behind; it goes on when its cause is gone.
+    #[test]
+    fn benches_in_modes_of_their_own() {
+        let mut lane = 0..8;
+        let benches = AROUND.map(|s| {
+            let k = lane.next().unwrap();
+            let method = MoreauJean::new(if k % 4 == 3 { 4e-4 } else { 1e-3 });
+            let bench = Bench { bounce: 0.5 + s, speed: 0.1 + 0.1 * s, ..Bench::new() };
+            bench.start_with(if k == 6 { method.with_theta(0.8) } else { method }).unwrap()
+        });
+        let (last, lanes) = agree(benches, &[0.2, 0.35, 0.25, 1.2], |interval, lane, sim| {
+            sim.input.push = push(interval, lane);
+        });
+        assert!(last.iter().all(Result::is_ok));
+        stays_behind(&lanes, 2.0);
+
+        let mut batch = Batch::start(&[Bench::new(); 8], MoreauJean::new(1e-3)).unwrap();
+        batch[2].input.push = f64::INFINITY;
+        let failed =
+            batch.step(0.1).map(|outcome| outcome.is_err_and(|fault| fault.cause == Cause::NotFinite));
+        assert_eq!(failed, [false, false, true, false, false, false, false, false]);
+    }
 }

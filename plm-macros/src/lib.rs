@@ -1,6 +1,7 @@
 //! The `mechanism!` and `parts!` macros: a shim between rustc and the compiler.
 //!
 //! Everything that can be tested without rustc stands in `plm-compiler`; use this crate through `plm`.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod diagnostics;
 mod files;

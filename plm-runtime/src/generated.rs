@@ -48,9 +48,10 @@ pub mod compact {
 
 pub mod contact {
     pub use crate::contact::{
-        Change, Contacts, Held, ImpactLaw, Kinematics, Law, Load, Motion, Rows, Solution, Status, Stride,
-        add_forces, appear, begin, drift, guard_count, guards, guards_within, held_rows, project, settle,
-        slide, slipping, state_was_set, stay, step, sum_of, switch_behind, update, with_multipliers,
+        Change, Contacts, Held, ImpactLaw, Kinematics, Law, Load, Motion, Proposed, Rows, Solution, Status,
+        Stride, add_forces, appear, begin, drift, guard_count, guards, guards_within, held_rows,
+        packed_steps, project, settle, slide, slipping, state_was_set, stay, step, sum_of, switch_behind,
+        update, with_multipliers,
     };
 }
 

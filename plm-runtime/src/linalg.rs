@@ -19,6 +19,7 @@ pub use resolvent::{Dense, Derivatives, Resolvent};
 pub use sparse::{Below, Eliminated, Part, Pattern, Patterned, Pivot, Sparse, Term};
 
 use crate::scalar::Real;
+use crate::vector::Vector;
 
 /// Sweeps that are enough many times over: convergence is quadratic, six to ten are usual.
 const SWEEPS: usize = 60;
@@ -49,7 +50,7 @@ pub fn rotate<S: Real, const ROWS: usize, const COLUMNS: usize, const CARRIED: u
             }
         }
         if orthogonal {
-            return Some(Singular { values: core::array::from_fn(|k| dot(&rows[k], &rows[k]).sqrt()) });
+            return Some(Singular { values: Vector::from_fn(|k| dot(&rows[k], &rows[k]).sqrt()) });
         }
     }
     None

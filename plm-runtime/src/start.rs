@@ -3,6 +3,7 @@
 use core::fmt;
 
 use crate::scalar::Scalar;
+use crate::vector::Vector;
 
 /// A start value, and whether assembly must keep it.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +20,17 @@ impl<S: PartialEq> PartialEq for Start<S> {
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value && self.locked == other.locked
     }
+}
+
+/// The values of starts.
+// A function of nothing but numbers: one for all mechanisms of a size.
+pub(crate) fn values<S: Scalar, const N: usize>(starts: &[Start<S>; N]) -> [S; N] {
+    Vector::from_fn(|k| starts[k].value)
+}
+
+/// 0 where a start is locked, else 1.
+pub(crate) fn freedoms<S: Scalar, const N: usize>(starts: &[Start<S>; N]) -> [S; N] {
+    Vector::from_fn(|k| S::lit(if starts[k].locked { 0.0 } else { 1.0 }))
 }
 
 impl<S> Start<S> {

@@ -143,22 +143,27 @@ fn arrive<M: Mechanism>(
     if !system.is_regular(&after) {
         return Err(not_regular(before.0));
     }
-    if !(events::are_satisfied(system, end, &after, &x)
-        && is_before_instants(system, &after, (before.0, end)))
-    {
+    let violated = events::violated(system, end, &after, &x);
+    if violated.is_some() || !is_before_instants(system, &after, (before.0, end)) {
         let (mut stats, mut longest) = (Stats::default(), end - before.0);
         let mut context = Context::new((system, after), (end, x), end, (&mut stats, &mut longest));
         context.health = health;
-        switched(&mut context, before.0)?;
+        switched(&mut context, before.0, violated.as_ref())?;
         (after, x) = (context.held, context.x);
     }
     *held = after;
     Ok(x)
 }
 
-/// Commits the events at the end of a step.
-fn switched<M: Mechanism>(context: &mut Context<'_, M>, before: M::S) -> Result<(), Fault> {
-    events::switch_at_end(context, context.time - before)?;
+/// Commits the events at the end of a step: of guards that are violated, and of the time.
+fn switched<M: Mechanism>(
+    context: &mut Context<'_, M>,
+    before: M::S,
+    violated: Option<&M::G>,
+) -> Result<(), Fault> {
+    if let Some(violated) = violated {
+        events::switch_at_end(context, (violated, context.time - before))?;
+    }
     if !is_before_instants(context.system, &context.held, (before, context.time)) {
         let (mut after, mut x) = (context.held, context.x);
         context.system.switch_at_time(context.time, &mut after, &mut x)?;

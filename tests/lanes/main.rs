@@ -16,7 +16,7 @@ mod step_checks;
 
 use plm::runtime::lanes::Pack;
 use plm::runtime::method::{FixedStep, Formula, Rk4Formula};
-use plm::{Batch, Cause, Moment, Rk4, SemiImplicitEuler, Sim, Stats};
+use plm::{Batch, Cause, Mechanism, Moment, MoreauJean, Rk4, SemiImplicitEuler, Sim, Stats};
 use scenes::{
     Driven, Pulsed, Struck, parallelogram, parallelogram_in_loops, struck_absolute, struck_in_loops,
     triple_rocker, triple_rocker_absolute,
@@ -48,7 +48,7 @@ where
 /// The same of simulations with methods of their own.
 fn agree_with<M, F: Formula>(
     mut alone: [Lane<M, F>; 8],
-    mut batch: Batch<M, F>,
+    mut batch: Batch<M, FixedStep<f64, F>>,
     intervals: &[f64],
     before: impl Fn(usize, usize, &mut Lane<M, F>),
 ) -> [Stats; 8]
@@ -220,6 +220,19 @@ fn mechanisms_with_contact_step_by_themselves() {
     });
     let stats = agree(mechanisms, Rk4::new(1e-3), &[0.1, 0.5, 1.0], unchanged);
     assert!(stats.iter().all(|stats| stats.switches > 0), "{stats:?}");
+
+    // Written by hand it has no motion of eight at once, and none is needed.
+    let method = MoreauJean::new(1e-3);
+    let mut batch = Batch::start(&mechanisms, method).unwrap();
+    let alone = mechanisms.map(|mechanism| {
+        let mut sim = mechanism.start_with(method).unwrap();
+        sim.step(0.6).unwrap();
+        sim
+    });
+    assert!(batch.step(0.6).iter().all(Result::is_ok));
+    for (one, other) in batch.iter().zip(&alone) {
+        assert_eq!((one.state().x(), one.state().held()), (other.state().x(), other.state().held()));
+    }
 }
 
 #[test]

@@ -28,7 +28,7 @@ mechanism! {
         body disc { mass: 1 kg; inertia: 2 kg*m^2; port hub: (0, 0) m; start y: 2 m; start omega: 1 rad/s, locked; }
         revolute axle(ground.axle, disc.hub);
         bristle_friction bearing(ground.axle, disc.hub) { motion: rotation; friction: 3 N*m; stiffness: 1e3 N*m/rad; }
-        output pad.force, brake.force, bearing.torque, bearing.loss;
+        output pad.force, brake.force, bearing.torque, bearing.lost;
     }
 }
 
@@ -99,7 +99,7 @@ fn bristles_brake_a_disc() {
     let mut sim = Bristles::new().start_with(Dop853::new(1e-10)).unwrap();
     sim.step_to(0.3).unwrap();
     near(sim.bearing_torque(), -3.0, 1e-12);
-    near(sim.bearing_loss(), 3.0 * sim.disc().omega, 1e-11);
+    near(sim.bearing_lost(), 3.0 * sim.disc().omega, 1e-11);
     let omega = sim.disc().omega;
     sim.step_to(0.5).unwrap();
     near(sim.disc().omega, omega - 1.5 * 0.2, 1e-10);

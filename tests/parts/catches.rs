@@ -34,7 +34,8 @@ mechanism! {
         when t > 3 s { pinned = 0; }
         force push(arm.hub) { torque: if t > 2 s then 5 N*m else 0 N*m; }
 
-        output bolt.catches, bolt.force, pawl.torque, brake.torque, brake.holds, pin.torque;
+        output bolt.catches, bolt.force, pawl.torque, brake.torque, brake.locked, pin.torque;
+        output sticks = if is_sticking(brake.grip) then 1 else 0;
     }
 }
 
@@ -120,10 +121,10 @@ fn a_lock_grips_anywhere() {
     sim.step_to(1.1).unwrap();
     near(sim.rotor().omega, 3.0 - 12.0 * 0.1, 1e-10);
     near(sim.brake_torque(), -6.0, 1e-12);
-    near(sim.brake_holds(), 0.0, 0.0);
+    assert_eq!((sim.brake_locked(), sim.sticks()), (0.0, 0.0));
     sim.step_to(1.25 + 1e-6).unwrap();
     near(sim.rotor().omega, 0.0, 1e-12);
-    near(sim.brake_holds(), 1.0, 0.0);
+    assert_eq!((sim.brake_locked(), sim.sticks()), (1.0, 1.0));
     sim.step_to(4.9).unwrap();
     near(sim.rotor().angle, 3.0 + 0.375, 1e-10);
     near(sim.brake_torque(), -5.7, 1e-9);

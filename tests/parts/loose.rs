@@ -28,7 +28,7 @@ mechanism! {
         }
         stop buffer(one.p, two.p) { distance: 0.1 m; stiffness: 2000 N/m; damping: 5 N*s/m; }
         state lost: J = 0;
-        rate lost = mount.loss + buffer.loss;
+        rate lost = mount.lost + buffer.lost;
         output bush.force, shell.force, shell.penetration, wall.gap, mount.energy, mount.force, buffer.gap, lost;
         allow(W0002);
     }

@@ -422,7 +422,7 @@ mod plm_arm_on_jack_ {
                     |u: &Held<rt::Enclosed<S>>, x: &[rt::Enclosed<S>; 10], g: &mut [rt::Enclosed<S>; 17]| {
                         mechanism.switching(t, u, x, g)
                     };
-                within(&held, &core::array::from_fn(x), &mut guards);
+                within(&held, &rt::Vector::from_fn(x), &mut guards);
                 for (index, guard) in guards.into_iter().enumerate() {
                     each(index, guard);
                 }
@@ -784,22 +784,23 @@ mod plm_arm_on_jack_ {
                 all: [&Self; N],
                 number: impl Fn([S; N]) -> T,
             ) -> ArmOnJack<T> {
+                let same = |s| number([s; N]);
                 let start = Starts {
-                    arm: self.start.arm.map(|s| number([s; N])),
-                    press_chamber1_pressure: self.start.press_chamber1_pressure.map(|s| number([s; N])),
-                    press_chamber2_pressure: self.start.press_chamber2_pressure.map(|s| number([s; N])),
-                    line1_flow: self.start.line1_flow.map(|s| number([s; N])),
-                    line1_inlet_pressure: self.start.line1_inlet_pressure.map(|s| number([s; N])),
-                    line2_flow: self.start.line2_flow.map(|s| number([s; N])),
-                    line2_inlet_pressure: self.start.line2_inlet_pressure.map(|s| number([s; N])),
-                    valve_servo_value: self.start.valve_servo_value.map(|s| number([s; N])),
-                    valve_servo_swing: self.start.valve_servo_swing.map(|s| number([s; N])),
+                    arm: self.start.arm.map(same),
+                    press_chamber1_pressure: self.start.press_chamber1_pressure.map(same),
+                    press_chamber2_pressure: self.start.press_chamber2_pressure.map(same),
+                    line1_flow: self.start.line1_flow.map(same),
+                    line1_inlet_pressure: self.start.line1_inlet_pressure.map(same),
+                    line2_flow: self.start.line2_flow.map(same),
+                    line2_inlet_pressure: self.start.line2_inlet_pressure.map(same),
+                    valve_servo_value: self.start.valve_servo_value.map(same),
+                    valve_servo_swing: self.start.valve_servo_swing.map(same),
                 };
                 ArmOnJack {
                     start,
-                    g: number(all.map(|one| one.g)),
-                    rated_drop: number(all.map(|one| one.rated_drop)),
-                    gas: number(all.map(|one| one.gas)),
+                    g: number(rt::Vector::from_fn(|i| all[i].g)),
+                    rated_drop: number(rt::Vector::from_fn(|i| all[i].rated_drop)),
+                    gas: number(rt::Vector::from_fn(|i| all[i].gas)),
                 }
             }
 
@@ -810,13 +811,12 @@ mod plm_arm_on_jack_ {
                 number: impl Fn([S; N]) -> T,
             ) -> Held<T> {
                 let input = Input { none: core::marker::PhantomData };
-                let switches =
-                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
-                let of_loops = all.map(|held| &held.of_loops);
-                let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                let of_count =
-                    |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
-                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                let switches = rt::Vector::from_fn(|k| number(rt::Vector::from_fn(|i| all[i].switches[k])));
+                let of_loops = ();
+                let mut turns = [T::ZERO.to_turns(); 1];
+                for k in 0..1 {
+                    turns[k] = number(rt::Vector::from_fn(|i| S::of_turns(all[i].turns[k]))).to_turns();
+                }
                 let contact = ();
                 rt::Held { input, switches, turns, of_loops, contact }
             }

@@ -353,7 +353,7 @@ mod plm_bouncer_ {
                     |u: &Held<rt::Enclosed<S>>, x: &[rt::Enclosed<S>; 4], g: &mut [rt::Enclosed<S>; 3]| {
                         mechanism.switching(t, u, x, g)
                     };
-                within(&held, &core::array::from_fn(x), &mut guards);
+                within(&held, &rt::Vector::from_fn(x), &mut guards);
                 for (index, guard) in guards.into_iter().enumerate() {
                     each(index, guard);
                 }
@@ -661,11 +661,9 @@ mod plm_bouncer_ {
                 all: [&Self; N],
                 number: impl Fn([S; N]) -> T,
             ) -> Bouncer<T> {
-                let start = Starts {
-                    block: self.start.block.map(|s| number([s; N])),
-                    clock: self.start.clock.map(|s| number([s; N])),
-                };
-                Bouncer { start, until: number(all.map(|one| one.until)) }
+                let same = |s| number([s; N]);
+                let start = Starts { block: self.start.block.map(same), clock: self.start.clock.map(same) };
+                Bouncer { start, until: number(rt::Vector::from_fn(|i| all[i].until)) }
             }
 
             #[allow(unused_variables)]
@@ -674,14 +672,10 @@ mod plm_bouncer_ {
                 all: [&Held<S>; N],
                 number: impl Fn([S; N]) -> T,
             ) -> Held<T> {
-                let input = Input { push: number(all.map(|held| held.input.push)) };
-                let switches =
-                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
-                let of_loops = all.map(|held| &held.of_loops);
-                let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                let of_count =
-                    |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
-                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                let input = Input { push: number(rt::Vector::from_fn(|i| all[i].input.push)) };
+                let switches = rt::Vector::from_fn(|k| number(rt::Vector::from_fn(|i| all[i].switches[k])));
+                let of_loops = ();
+                let turns = [];
                 let contact = ();
                 rt::Held { input, switches, turns, of_loops, contact }
             }

@@ -1127,12 +1127,13 @@ mod plm_chain_ {
                 all: [&Self; N],
                 number: impl Fn([S; N]) -> T,
             ) -> Chain<T> {
+                let same = |s| number([s; N]);
                 let start = Starts {
-                    bar_0: self.start.bar_0.map(|s| number([s; N])),
-                    bar_1: self.start.bar_1.map(|s| number([s; N])),
-                    bar_2: self.start.bar_2.map(|s| number([s; N])),
-                    bar_3: self.start.bar_3.map(|s| number([s; N])),
-                    bar_4: self.start.bar_4.map(|s| number([s; N])),
+                    bar_0: self.start.bar_0.map(same),
+                    bar_1: self.start.bar_1.map(same),
+                    bar_2: self.start.bar_2.map(same),
+                    bar_3: self.start.bar_3.map(same),
+                    bar_4: self.start.bar_4.map(same),
                 };
                 Chain { start }
             }
@@ -1144,13 +1145,12 @@ mod plm_chain_ {
                 number: impl Fn([S; N]) -> T,
             ) -> Held<T> {
                 let input = Input { none: core::marker::PhantomData };
-                let switches =
-                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
-                let of_loops = all.map(|held| &held.of_loops);
-                let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                let of_count =
-                    |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
-                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                let switches = [];
+                let of_loops = ();
+                let mut turns = [T::ZERO.to_turns(); 5];
+                for k in 0..5 {
+                    turns[k] = number(rt::Vector::from_fn(|i| S::of_turns(all[i].turns[k]))).to_turns();
+                }
                 let contact = ();
                 rt::Held { input, switches, turns, of_loops, contact }
             }

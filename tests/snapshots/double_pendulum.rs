@@ -722,10 +722,8 @@ mod plm_double_pendulum_ {
                 all: [&Self; N],
                 number: impl Fn([S; N]) -> T,
             ) -> DoublePendulum<T> {
-                let start = Starts {
-                    arm: self.start.arm.map(|s| number([s; N])),
-                    forearm: self.start.forearm.map(|s| number([s; N])),
-                };
+                let same = |s| number([s; N]);
+                let start = Starts { arm: self.start.arm.map(same), forearm: self.start.forearm.map(same) };
                 DoublePendulum { start }
             }
 
@@ -736,13 +734,12 @@ mod plm_double_pendulum_ {
                 number: impl Fn([S; N]) -> T,
             ) -> Held<T> {
                 let input = Input { none: core::marker::PhantomData };
-                let switches =
-                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
-                let of_loops = all.map(|held| &held.of_loops);
-                let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                let of_count =
-                    |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
-                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                let switches = [];
+                let of_loops = ();
+                let mut turns = [T::ZERO.to_turns(); 2];
+                for k in 0..2 {
+                    turns[k] = number(rt::Vector::from_fn(|i| S::of_turns(all[i].turns[k]))).to_turns();
+                }
                 let contact = ();
                 rt::Held { input, switches, turns, of_loops, contact }
             }

@@ -1085,12 +1085,13 @@ mod plm_driven_crank_ {
                 all: [&Self; N],
                 number: impl Fn([S; N]) -> T,
             ) -> DrivenCrank<T> {
+                let same = |s| number([s; N]);
                 let start = Starts {
-                    crank: self.start.crank.map(|s| number([s; N])),
-                    rod: self.start.rod.map(|s| number([s; N])),
-                    slider: self.start.slider.map(|s| number([s; N])),
+                    crank: self.start.crank.map(same),
+                    rod: self.start.rod.map(same),
+                    slider: self.start.slider.map(same),
                 };
-                DrivenCrank { start, amplitude: number(all.map(|one| one.amplitude)) }
+                DrivenCrank { start, amplitude: number(rt::Vector::from_fn(|i| all[i].amplitude)) }
             }
 
             #[allow(unused_variables)]
@@ -1100,13 +1101,16 @@ mod plm_driven_crank_ {
                 number: impl Fn([S; N]) -> T,
             ) -> Held<T> {
                 let input = Input { none: core::marker::PhantomData };
-                let switches =
-                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
-                let of_loops = all.map(|held| &held.of_loops);
+                let switches = [];
+                let mut of_loops = [&first.of_loops; N];
+                for i in 0..N {
+                    of_loops[i] = &all[i].of_loops;
+                }
                 let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                let of_count =
-                    |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
-                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                let mut turns = [T::ZERO.to_turns(); 1];
+                for k in 0..1 {
+                    turns[k] = number(rt::Vector::from_fn(|i| S::of_turns(all[i].turns[k]))).to_turns();
+                }
                 let contact = ();
                 rt::Held { input, switches, turns, of_loops, contact }
             }

@@ -1261,10 +1261,11 @@ mod plm_four_bar_ {
                 all: [&Self; N],
                 number: impl Fn([S; N]) -> T,
             ) -> FourBar<T> {
+                let same = |s| number([s; N]);
                 let start = Starts {
-                    crank: self.start.crank.map(|s| number([s; N])),
-                    coupler: self.start.coupler.map(|s| number([s; N])),
-                    rocker: self.start.rocker.map(|s| number([s; N])),
+                    crank: self.start.crank.map(same),
+                    coupler: self.start.coupler.map(same),
+                    rocker: self.start.rocker.map(same),
                 };
                 FourBar { start }
             }
@@ -1276,13 +1277,16 @@ mod plm_four_bar_ {
                 number: impl Fn([S; N]) -> T,
             ) -> Held<T> {
                 let input = Input { none: core::marker::PhantomData };
-                let switches =
-                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
-                let of_loops = all.map(|held| &held.of_loops);
+                let switches = [];
+                let mut of_loops = [&first.of_loops; N];
+                for i in 0..N {
+                    of_loops[i] = &all[i].of_loops;
+                }
                 let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                let of_count =
-                    |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
-                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                let mut turns = [T::ZERO.to_turns(); 3];
+                for k in 0..3 {
+                    turns[k] = number(rt::Vector::from_fn(|i| S::of_turns(all[i].turns[k]))).to_turns();
+                }
                 let contact = ();
                 rt::Held { input, switches, turns, of_loops, contact }
             }

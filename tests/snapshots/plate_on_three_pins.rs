@@ -1758,11 +1758,12 @@ mod plm_plate_on_three_pins_ {
                 all: [&Self; N],
                 number: impl Fn([S; N]) -> T,
             ) -> PlateOnThreePins<T> {
+                let same = |s| number([s; N]);
                 let start = Starts {
-                    crank_0: self.start.crank_0.map(|s| number([s; N])),
-                    crank_1: self.start.crank_1.map(|s| number([s; N])),
-                    crank_2: self.start.crank_2.map(|s| number([s; N])),
-                    plate: self.start.plate.map(|s| number([s; N])),
+                    crank_0: self.start.crank_0.map(same),
+                    crank_1: self.start.crank_1.map(same),
+                    crank_2: self.start.crank_2.map(same),
+                    plate: self.start.plate.map(same),
                 };
                 PlateOnThreePins { start }
             }
@@ -1774,13 +1775,16 @@ mod plm_plate_on_three_pins_ {
                 number: impl Fn([S; N]) -> T,
             ) -> Held<T> {
                 let input = Input { none: core::marker::PhantomData };
-                let switches =
-                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
-                let of_loops = all.map(|held| &held.of_loops);
+                let switches = [];
+                let mut of_loops = [&first.of_loops; N];
+                for i in 0..N {
+                    of_loops[i] = &all[i].of_loops;
+                }
                 let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                let of_count =
-                    |k: usize| all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()));
-                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                let mut turns = [T::ZERO.to_turns(); 1];
+                for k in 0..1 {
+                    turns[k] = number(rt::Vector::from_fn(|i| S::of_turns(all[i].turns[k]))).to_turns();
+                }
                 let contact = ();
                 rt::Held { input, switches, turns, of_loops, contact }
             }

@@ -24,11 +24,11 @@ const fn place(name: &'static str, role: &'static str, x: i32, layer: i32) -> Pl
 /// A crate depends on crates in layers below its own. Columns leave a way for every arrow.
 const PLACES: [Place; 17] = [
     place("plm-planar", "plm, the users' crate", 480, 0),
+    place("plm-cli", "the command line", 284, 0),
     place("plm-macros", "the macros", 84, 1),
-    place("plm-cli", "the command line", 240, 1),
+    place("plm-dynamic", "mechanisms from text", 324, 1),
     place("plm-program", "whole programs", 584, 1),
     place("plm-compiler", "declaration to code", 84, 2),
-    place("plm-dynamic", "mechanisms from text", 324, 2),
     place("plm-python", "runs for Python", 664, 2),
     place("plm-sketch", "drawings", 876, 2),
     place("plm-cas", "symbolic algebra", 84, 3),
@@ -68,12 +68,12 @@ const WIDTH: i32 = 960;
 const BOX_WIDTH: i32 = 136;
 const BOX_HEIGHT: i32 = 46;
 /// The top of the first layer, and the distance of layers.
-const TOP: i32 = 52;
+const TOP: i32 = 80;
 const PITCH: i32 = 78;
 /// The tops of the two rows below the crates.
-const PASSES_TOP: i32 = 640;
-const STEP_TOP: i32 = 772;
-const HEIGHT: i32 = 880;
+const PASSES_TOP: i32 = 668;
+const STEP_TOP: i32 = 800;
+const HEIGHT: i32 = 908;
 
 const STYLE: &str = "\
 <style>

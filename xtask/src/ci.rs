@@ -64,12 +64,14 @@ const STEPS: &[Step] = &[
     },
     Step::Here(part("formatting", "formatting", lints::formatting)),
     Step::Tests,
-    // The tests have built the sweep, and share the target folder and apt with the machines: neither waits for them.
+    // The tests have built the sweep, and share the target folder and apt with the machines: neither waits for them. One build
+    // for a machine has one core, the sweep all that are left.
     Step::Begin {
         group: "targets",
         niceness: 19,
-        parts: &[plain("machines", "machines", chores::few_machines), part("sweep", "sweep", chores::sweep)],
+        parts: &[plain("machines", "machines", chores::few_machines)],
     },
+    Step::Begin { group: "random", niceness: 19, parts: &[part("sweep", "sweep", chores::sweep)] },
     Step::Here(plain("lints", "other lints", lints::what_tests_do_not_compile)),
     Step::Here(part("fused", "fused multiply-add", tests::fused)),
     Step::Here(part("documentation", "documentation", lints::documentation)),
@@ -82,7 +84,8 @@ const STEPS: &[Step] = &[
         group: "others",
         title: "mdBook, oldest Rust, packages, chain of 64 at opt-level 0 and 3, Miri",
     },
-    Step::Join { group: "targets", title: "machines, sweep" },
+    Step::Join { group: "random", title: "sweep" },
+    Step::Join { group: "targets", title: "machines" },
 ];
 
 /// What takes longer, or needs more than a fresh machine has.

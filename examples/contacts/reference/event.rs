@@ -8,7 +8,7 @@ use super::problem::{Mode, Problem};
 use super::run::{Event, Held, Run, Runner, State, Stop};
 use super::world::{Law, Pose, World};
 
-/// A gap is closed below this, m or rad.
+/// A gap is closed below this, m or rad: what is wider has an impact of its own. `plm` has the same, of the length of the mechanism.
 const CLOSED: f64 = 1e-9;
 /// A flight below this height is none, m or rad.
 const LOWEST: f64 = 1e-13;

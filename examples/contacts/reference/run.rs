@@ -65,6 +65,8 @@ pub struct Event {
 pub const PASSED: f64 = 1e-11;
 /// Gaps are known better than the other margins by this factor.
 const FINER: f64 = 5000.0;
+/// Parts of a step in which a gap near zero is looked at.
+const PARTS: u32 = 8;
 const MOST_EVENTS: usize = 3000;
 
 pub struct Runner<'w> {
@@ -148,13 +150,51 @@ impl Runner<'_> {
         for i in 0..before.count() {
             let is_open = self.held.modes[i] == Mode::Open && !self.held.carried[i];
             if is_open && matches!(before.laws[i], Law::Gap { .. }) {
-                let (a, b) = (&before.rows[i], &after.rows[i]);
-                if a.rate < 0.0 && b.rate > 0.0 && dip([a.value, h * a.rate, b.value, h * b.rate]) < 0.0 {
+                let [a, b] = [&before, &after].map(|problem| (problem.rows[i].value, problem.rows[i].rate));
+                if a.0.min(b.0) < h * (a.1.abs() + b.1.abs()) && self.dips(i, h, [a, b]) {
                     return Some((-1.0, Some(i)));
                 }
             }
         }
         None
+    }
+
+    /// Is a gap negative within the time `h`, at whose ends it has these values and rates?
+    fn dips(&self, row: usize, h: f64, [first, last]: [(f64, f64); 2]) -> bool {
+        let mut from = (0.0, first.1);
+        for k in 1..=PARTS {
+            let t = h * f64::from(k) / f64::from(PARTS);
+            let (value, rate) = if k == PARTS { last } else { self.gap_after(row, t) };
+            let to = (t, rate);
+            if value < 0.0 || from.1 < 0.0 && rate > 0.0 && self.dips_between(row, from, to) {
+                return true;
+            }
+            from = to;
+        }
+        false
+    }
+
+    /// Is a gap negative where it is lowest, between two times with its rates there? Time is halved until they cannot lead to zero.
+    fn dips_between(&self, row: usize, mut low: (f64, f64), mut high: (f64, f64)) -> bool {
+        loop {
+            let middle = 0.5 * (low.0 + high.0);
+            let (value, rate) = self.gap_after(row, middle);
+            if value < 0.0 {
+                return true;
+            }
+            // False for what is not a number.
+            let may_dip = value <= (high.0 - low.0) * high.1.max(-low.1) && high.0 - low.0 > 1e-12;
+            if !may_dip {
+                return false;
+            }
+            *if rate < 0.0 { &mut low } else { &mut high } = (middle, rate);
+        }
+    }
+
+    /// A gap and its rate a time later in the modes held.
+    fn gap_after(&self, row: usize, t: f64) -> (f64, f64) {
+        let seen = self.moved(t).map(|state| self.problem(&state));
+        seen.map_or((f64::NAN, f64::NAN), |problem| (problem.rows[row].value, problem.rows[row].rate))
     }
 
     fn least(&self, state: &State) -> (f64, Option<usize>) {
@@ -269,15 +309,4 @@ impl Runner<'_> {
             self.now = state;
         }
     }
-}
-
-/// The least value of the cubic with these values and slopes at 0 and at 1.
-fn dip([a, da, b, db]: [f64; 4]) -> f64 {
-    (1..32)
-        .map(|k| {
-            let s = f64::from(k) / 32.0;
-            let (u, ss) = (1.0 - s, s * s);
-            a * (1.0 + 2.0 * s) * u * u + da * s * u * u + b * ss * (3.0 - 2.0 * s) - db * ss * u
-        })
-        .fold(f64::INFINITY, f64::min)
 }

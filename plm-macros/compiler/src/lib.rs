@@ -1,4 +1,5 @@
 //! The compiler of plm: a declared mechanism in, Rust source and a report out.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod bug;
 mod check;

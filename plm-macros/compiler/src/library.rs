@@ -17,7 +17,7 @@ mod catalogue;
 mod elsewhere;
 
 pub(crate) use catalogue::{DOMAINS, PARTS};
-pub(crate) use elsewhere::ELSEWHERE;
+pub(crate) use elsewhere::{ELSEWHERE, OUTPUTS};
 
 /// The parts of the library that have this name in the manual, `PLMPIV00` or `MAS002`, as their documentation says.
 pub(crate) fn of_manual(name: &str) -> Vec<&'static str> {

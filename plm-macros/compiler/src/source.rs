@@ -65,7 +65,7 @@ pub(crate) enum Origin<'a> {
     Resolvent(&'a Resolvent),
 }
 
-/// What the symbols belong to.
+/// The owners of the symbols.
 #[derive(Clone, Copy)]
 pub(crate) struct Symbols<'a> {
     pub(crate) model: &'a Model,
@@ -100,7 +100,7 @@ impl Symbols<'_> {
         places
     }
 
-    /// What is constant during a step, and the time.
+    /// Places of numbers that are constant during a step, and of the time.
     fn held(&self) -> Vec<(Expr, Source)> {
         let model = self.model;
         let mut places = Vec::new();

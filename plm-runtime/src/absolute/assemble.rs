@@ -19,7 +19,7 @@ use super::search::search;
 use crate::fault::{Cause, Fault, Names};
 use crate::linalg::largest;
 use crate::scalar::Real;
-use crate::start::Start;
+use crate::start::{Start, freedoms, values};
 use crate::vector::Vector;
 
 /// What to say of locks that are too many.
@@ -43,7 +43,7 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     t: S,
 ) -> Result<Assembly<S, NQ, NC>, Fault> {
     let start = m.start_position();
-    let free = start.map(freedom_of);
+    let free = freedoms(&start);
     let pose = close(m, t, &start, &free)?;
     let pose = branch::find(m, t, pose, (&start, &free))?;
     let refined = m.refine(t, &pose.q);
@@ -102,7 +102,7 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     start: &[Start<S>; NQ],
     free: &[S; NQ],
 ) -> Result<Pose<S, NQ, NC>, Fault> {
-    let q0 = start.map(|s| s.value);
+    let q0 = values(start);
     check_finite(m, t, &q0)?;
     let mut pose = newton(m, t, &q0, free);
     if pose.is_closed(m) {
@@ -129,7 +129,7 @@ fn searched<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     (start, free): (&[Start<S>; NQ], &[S; NQ]),
 ) -> Result<Pose<S, NQ, NC>, [S; NQ]> {
     let mut pose = search(m, t, (start, free), |q| branch::missed(m, q))?;
-    bring_nearer(m, t, &mut pose, (&start.map(|s| s.value), free));
+    bring_nearer(m, t, &mut pose, (&values(start), free));
     Ok(pose)
 }
 
@@ -167,8 +167,8 @@ fn start_velocity<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: us
     q: &[S; NQ],
 ) -> Result<[S; NQ], Fault> {
     let start = m.start_velocity(q);
-    let free = start.map(freedom_of);
-    let mut v = start.map(|s| s.value);
+    let free = freedoms(&start);
+    let mut v = values(&start);
     check_finite(m, t, &v)?;
     let here = Dependencies::at(m, t, q, &free).ok_or_else(|| undecided(m, (t, q), &free))?;
     reject_locks(m, t, q, &free, &here, VELOCITY)?;
@@ -235,10 +235,6 @@ fn check_finite<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
         Some((name, _)) => Err(Fault::of_part(t.to_f64(), name, Cause::NotFinite)),
         None => Ok(()),
     }
-}
-
-fn freedom_of<S: Real>(start: Start<S>) -> S {
-    S::lit(if start.locked { 0.0 } else { 1.0 })
 }
 
 /// Why dependencies are not known at a pose.

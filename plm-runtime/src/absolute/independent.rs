@@ -3,6 +3,7 @@
 use crate::linalg::{add, dot, largest, rotate};
 use crate::scalar::Real;
 use crate::tolerances::dependent;
+use crate::vector::Vector;
 
 /// Below this fraction of the largest a singular value counts as zero while the mechanism moves.
 ///
@@ -126,9 +127,9 @@ pub(super) fn column_sizes<S: Real, const NQ: usize, const NC: usize>(a: &[[S; N
     for row in a {
         each(&mut sizes, row, |sum, a| a.mul_add(a, sum));
     }
-    let sizes = sizes.map(S::sqrt);
+    let sizes = Vector::map(&sizes, S::sqrt);
     let least = (S::lit(1e-6) * largest(&sizes)).max(S::EPSILON);
-    sizes.map(|size| size.max(least))
+    Vector::map(&sizes, |size| size.max(least))
 }
 
 /// `f` of each entry and the one beside it, in place.

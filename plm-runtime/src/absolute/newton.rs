@@ -72,7 +72,7 @@ pub(super) fn by_rank<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC
 ) -> Option<[S; NQ]> {
     let mut rows = [[S::lit(0.0); NQ]; NC];
     let mut sides = (*r).map(|r| [r]);
-    let roots = w.map(S::sqrt);
+    let roots = Vector::map(w, S::sqrt);
     fill(m, at, &roots, &mut rows);
     let y = Independent::of(&mut rows, &mut sides, tolerance)?.nearest();
     finite(Vector::from_fn(|i| roots[i] * y[i]))

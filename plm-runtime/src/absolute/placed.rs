@@ -9,7 +9,7 @@ use super::assemble::{Pose, newton};
 use super::damped::Measure;
 use super::search;
 use crate::scalar::Real;
-use crate::start::Start;
+use crate::start::{Start, values};
 use crate::vector::Vector;
 
 /// A pose is doubted if a body has turned by more than this, rad: where constraints leave freedoms, and where they leave none.
@@ -72,7 +72,7 @@ pub(super) fn unwind<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     pose: &mut Pose<S, NQ, NC>,
     (start, free): (&[Start<S>; NQ], &[S; NQ]),
 ) {
-    Begin::new(m, &start.map(|s| s.value), free).unwind(m, t, pose);
+    Begin::new(m, &values(start), free).unwind(m, t, pose);
 }
 
 /// Puts in the place of a closed pose one that turns the bodies less from the angles that were given, if there is one, where it

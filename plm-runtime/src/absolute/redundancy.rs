@@ -75,7 +75,7 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
         let mut y = [[S::lit(0.0); NC]; NC];
         // Columns scaled to 1, so that units have no say.
         fill(m, at, &[S::lit(1.0); NQ], &mut rows);
-        let scale = column_sizes(&rows).map(|size| S::lit(1.0) / size);
+        let scale = Vector::map(&column_sizes(&rows), |size| S::lit(1.0) / size);
         scale_columns(&mut rows, &scale);
         scale_columns(&mut rows, free);
         diagonal(&mut y);

@@ -11,7 +11,7 @@ use super::damped::Measure;
 use super::newton::assembly_step;
 use super::scale::Scale;
 use crate::scalar::Real;
-use crate::start::Start;
+use crate::start::{Start, values};
 use crate::vector::Vector;
 
 /// Starts beside the declared one.
@@ -40,7 +40,7 @@ pub(super) fn search<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     (start, free): (&[Start<S>; NQ], &[S; NQ]),
     missed: impl Fn(&[S; NQ]) -> usize,
 ) -> Result<Pose<S, NQ, NC>, [S; NQ]> {
-    let start = start.map(|s| s.value);
+    let start = values(start);
     let mut measure = Measure::new(m, free);
     let mut others = Others::new();
     let (mut best, mut least) = (None::<(usize, S, Pose<S, NQ, NC>)>, (S::INFINITY, start));

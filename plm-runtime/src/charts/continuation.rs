@@ -2,6 +2,7 @@
 
 use crate::held::Loops;
 use crate::scalar::{Real, Scalar};
+use crate::vector::Vector;
 
 /// What is held of loops.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -200,20 +201,24 @@ impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize, 
     ) -> Self::Packed<P> {
         match self {
             OfLoops::InChart { chart, continuation } => {
-                let all = all.map(|one| match one {
-                    OfLoops::InChart { continuation, .. } => continuation,
-                    OfLoops::Free { .. } => continuation,
-                });
-                OfLoops::InChart { chart: *chart, continuation: packed(all, number) }
+                let mut each = [continuation; N];
+                for i in 0..N {
+                    if let OfLoops::InChart { continuation, .. } = all[i] {
+                        each[i] = continuation;
+                    }
+                }
+                OfLoops::InChart { chart: *chart, continuation: packed(each, number) }
             }
             OfLoops::Free { q, v } => {
-                let all = all.map(|one| match one {
-                    OfLoops::Free { q, v } => (q, v),
-                    OfLoops::InChart { .. } => (q, v),
-                });
+                let mut each = [(q, v); N];
+                for i in 0..N {
+                    if let OfLoops::Free { q, v } = all[i] {
+                        each[i] = (q, v);
+                    }
+                }
                 OfLoops::Free {
-                    q: core::array::from_fn(|k| number(all.map(|(q, _)| q[k]))),
-                    v: core::array::from_fn(|k| number(all.map(|(_, v)| v[k]))),
+                    q: Vector::from_fn(|k| number(Vector::from_fn(|i| each[i].0[k]))),
+                    v: Vector::from_fn(|k| number(Vector::from_fn(|i| each[i].1[k]))),
                 }
             }
         }
@@ -273,29 +278,52 @@ fn put_continuation<S: Copy, P, const Y: usize, const T: usize, const A: usize, 
 }
 
 /// The data of several states as one.
-fn packed<S: Copy, P, const Y: usize, const T: usize, const A: usize, const F: usize, const N: usize>(
+fn packed<
+    S: Scalar,
+    P: Scalar,
+    const Y: usize,
+    const T: usize,
+    const A: usize,
+    const F: usize,
+    const N: usize,
+>(
     all: [&Continuation<S, Y, T, A, F>; N],
     number: &impl Fn([S; N]) -> P,
 ) -> Continuation<P, Y, T, A, F> {
-    let reach = |all: [Reach<S>; N]| Reach {
-        last: number(all.map(|one| one.last)),
-        reach: number(all.map(|one| one.reach)),
+    let coordinate = |k: usize| Reach {
+        last: number(Vector::from_fn(|i| all[i].coordinates[k].last)),
+        reach: number(Vector::from_fn(|i| all[i].coordinates[k].reach)),
     };
-    let turn = |all: [Angle<S>; N]| Angle {
-        angle: number(all.map(|one| one.angle)),
-        cos: number(all.map(|one| one.cos)),
-        sin: number(all.map(|one| one.sin)),
+    let time = Reach {
+        last: number(Vector::from_fn(|i| all[i].time.last)),
+        reach: number(Vector::from_fn(|i| all[i].time.reach)),
     };
-    let iterated = |all: [Iterated<S>; N]| Iterated {
-        value: number(all.map(|one| one.value)),
-        rate: number(all.map(|one| one.rate)),
-        bend: number(all.map(|one| one.bend)),
+    let angle = |k: usize| Angle {
+        angle: number(Vector::from_fn(|i| all[i].angles[k].angle)),
+        cos: number(Vector::from_fn(|i| all[i].angles[k].cos)),
+        sin: number(Vector::from_fn(|i| all[i].angles[k].sin)),
     };
-    Continuation {
-        coordinates: core::array::from_fn(|k| reach(all.map(|one| one.coordinates[k]))),
-        time: reach(all.map(|one| one.time)),
-        angles: core::array::from_fn(|k| turn(all.map(|one| one.angles[k]))),
-        determinants: core::array::from_fn(|k| number(all.map(|one| one.determinants[k]))),
-        iterated: core::array::from_fn(|k| iterated(all.map(|one| one.iterated[k]))),
+    let iterated = |k: usize| Iterated {
+        value: number(Vector::from_fn(|i| all[i].iterated[k].value)),
+        rate: number(Vector::from_fn(|i| all[i].iterated[k].rate)),
+        bend: number(Vector::from_fn(|i| all[i].iterated[k].bend)),
+    };
+    let (zero, determinant) = (P::ZERO, |k| number(Vector::from_fn(|i| all[i].determinants[k])));
+    let mut data = Continuation {
+        coordinates: [Reach { last: zero, reach: zero }; Y],
+        time,
+        angles: [Angle { angle: zero, cos: zero, sin: zero }; T],
+        determinants: Vector::from_fn(determinant),
+        iterated: [Iterated { value: zero, rate: zero, bend: zero }; F],
+    };
+    for k in 0..Y {
+        data.coordinates[k] = coordinate(k);
     }
+    for k in 0..T {
+        data.angles[k] = angle(k);
+    }
+    for k in 0..F {
+        data.iterated[k] = iterated(k);
+    }
+    data
 }

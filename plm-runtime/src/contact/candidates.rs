@@ -9,6 +9,7 @@ use super::signs::signed;
 use super::walk::walk;
 use crate::linalg::Lu;
 use crate::scalar::Real;
+use crate::vector::Vector;
 
 /// Relative size below which an inequality is marginal, and two motions are one.
 pub(super) const MARGINAL: f64 = 1e-9;
@@ -217,7 +218,7 @@ pub(super) fn solve<S: Real, const N: usize>(
     if !indices::<N>().all(|i| has_direction(i) && lambda[i].is_finite()) {
         return None;
     }
-    let acceleration = core::array::from_fn(|i| rows.acceleration(i, &lambda));
+    let acceleration = Vector::from_fn(|i| rows.acceleration(i, &lambda));
     let (determinant, slack, carried) = (found.determinant, S::lit(1.0), [false; N]);
     let negative = rows.load.map(Load::is_negative);
     let newton = found.newton;
@@ -260,12 +261,12 @@ pub(super) fn solve<S: Real, const N: usize>(
 
 /// The sizes of the terms of all accelerations, but not below the rounding of the largest one: over sqrt(D_ii) they have one unit.
 fn sizes<S: Real, const N: usize>(rows: &Rows<S, N>, lambda: &[S; N]) -> [S; N] {
-    let terms: [S; N] = core::array::from_fn(|i| size(rows, i, lambda));
-    let roots: [S; N] = core::array::from_fn(|i| rows.delassus[i][i].max(S::ZERO).sqrt());
+    let terms: [S; N] = Vector::from_fn(|i| size(rows, i, lambda));
+    let roots: [S; N] = Vector::from_fn(|i| rows.delassus[i][i].max(S::ZERO).sqrt());
     let largest =
         indices::<N>().filter(|i| roots[*i] > S::ZERO).fold(S::ZERO, |most, i| most.max(terms[i] / roots[i]));
     let rounding = S::lit(ROUNDING) * S::EPSILON / S::lit(MARGINAL) * largest;
-    core::array::from_fn(|i| terms[i].max(rounding * roots[i]))
+    Vector::from_fn(|i| terms[i].max(rounding * roots[i]))
 }
 
 /// The size of the margin of a row that sticks: of its force and its limits, but not below the rounding of `terms`, those of the
@@ -294,10 +295,10 @@ fn depends<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N], i: usi
     let entry = |i: usize, j: usize| rows.delassus[below::<N>(i)][below::<N>(j)];
     let mut matrix = [[S::ZERO; N]; N];
     for k in 0..order.min(N) {
-        matrix[k] = core::array::from_fn(|l| entry(held[k], held[l]));
+        matrix[k] = Vector::from_fn(|l| entry(held[k], held[l]));
     }
     let Some(lu) = Lu::new(matrix, order) else { return false };
-    let column: [S; N] = core::array::from_fn(|k| entry(held[k], i));
+    let column: [S; N] = Vector::from_fn(|k| entry(held[k], i));
     let mut y = column;
     lu.solve(&mut y);
     let own = (0..order.min(N)).fold(entry(i, i), |own, k| own - column[k] * y[k]);

@@ -232,7 +232,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let Solution { modes: of, carried, negative, .. } = solution;
         // One that sticks on stays in its place.
         let sticks_on = |i: usize| before.of[i] == Mode::Sticks && of[i] == Mode::Sticks;
-        let place = core::array::from_fn(|i| if sticks_on(i) { before.place[i] } else { rows.gap[i] });
+        let place = Vector::from_fn(|i| if sticks_on(i) { before.place[i] } else { rows.gap[i] });
         let after = Modes { of, carried, place, orientation, negative, change: before.change };
         *u.modes_mut() = after;
         self.arrive((&laws, &rows), (&before, impacts), u, x)?;

@@ -5,9 +5,9 @@
 //! gap. So those two are enclosed over a step, and a row that slips is looked at in some places of it.
 
 use super::bounds::least_bound;
+use super::enclosed::multipliers_within;
 use super::kinematics::Kinematics;
-use super::loads::Load;
-use super::margins::{PER_ROW, SIGN, UNIQUE, margins};
+use super::margins::{PER_ROW, SIGN, UNIQUE, each_margin, margins};
 use super::modes::{Mode, Modes};
 use super::rows::{Rows, below, indices};
 use super::{Contacts, Modal, change_in_steps};
@@ -70,9 +70,9 @@ pub fn guards_within<M: Contacts<N>, const N: usize>(
     let orientation = Enclosed::constant(modes.orientation);
     if !is_free(system, u) {
         let rows = system.rows(t, u, x, &Enclosed::constant);
-        // Newton's steps give no enclosure of what they converge to.
-        let each = &mut bounded(system, &rows, each);
-        return !rows.load.contains(&Load::Plane) && margins(&rows, (modes, orientation), each);
+        let Some(found) = multipliers_within(&rows, &modes.of) else { return false };
+        each_margin(&rows, (modes, orientation), &found, &mut bounded(system, &rows, each));
+        return true;
     }
     let slips = modes.of.iter().any(|mode| mode.slips());
     // Where every row slips nothing is known.

@@ -37,6 +37,7 @@ use super::modes::{Change, Mode, Modes};
 use super::status::{Counts, Status};
 use crate::held;
 use crate::scalar::{Real, Scalar};
+use crate::vector::Vector;
 use crate::words::{InWords, Words};
 
 /// Discrete state of `N` contact rows; changed only at events.
@@ -71,9 +72,9 @@ impl<S: Scalar, const N: usize> Held<S, N> {
         number: &impl Fn([S; K]) -> T,
     ) -> Held<T, N> {
         let Self { modes: Modes { of, carried, negative, change, .. }, counts, booked, .. } = *first;
-        let place = core::array::from_fn(|row| number(all.map(|one| one.modes.place[row])));
-        let orientation = number(all.map(|one| one.modes.orientation));
-        let lambda = core::array::from_fn(|row| number(all.map(|one| one.lambda[row])));
+        let place = Vector::from_fn(|row| number(Vector::from_fn(|k| all[k].modes.place[row])));
+        let orientation = number(Vector::from_fn(|k| all[k].modes.orientation));
+        let lambda = Vector::from_fn(|row| number(Vector::from_fn(|k| all[k].lambda[row])));
         let modes = Modes { of, carried, place, orientation, negative, change };
         Held { modes, lambda, counts, booked }
     }

@@ -65,7 +65,7 @@ pub(super) struct Answer<S, const N: usize> {
 
 /// The impulses of the rows that touch, `touches`, of which one approaches at least; `solve` solves the problem of a phase.
 pub(super) fn impulses<S: Real, const N: usize>(
-    rows: &Rows<S, N>,
+    rows: &mut Rows<S, N>,
     laws: &[Law<S>; N],
     (law, mut touches): (ImpactLaw, [bool; N]),
     solve: &mut impl FnMut(&Rows<S, N>, &[bool; N]) -> Result<Answer<S, N>, Impulses<S, N>>,
@@ -83,12 +83,19 @@ pub(super) fn impulses<S: Real, const N: usize>(
             touches[i] &= fastest == Some(i) || !laws[i].is_unilateral();
         }
     }
-    let problem = &mut without_own_limits(rows);
-    let found = match law {
-        ImpactLaw::Newton => newton(problem, laws, |problem| solve(problem, &touches)),
-        ImpactLaw::Poisson | ImpactLaw::Sequential => {
-            poisson(problem, (laws, &touches), |problem| solve(problem, &touches))
-        }
+    let mut solve = |problem: &Rows<S, N>| solve(problem, &touches);
+    let mut of_rates = |problem: &mut Rows<S, N>| match law {
+        ImpactLaw::Newton => newton(problem, laws, &mut solve),
+        ImpactLaw::Poisson | ImpactLaw::Sequential => poisson(problem, (laws, &touches), &mut solve),
+    };
+    let found = if laws.contains(&Law::Friction) {
+        of_rates(&mut without_own_limits(rows))
+    } else {
+        // Limits are of no meaning: accelerations are all that differs, and come back.
+        let free = core::mem::replace(&mut rows.free, rows.rate);
+        let found = of_rates(rows);
+        rows.free = free;
+        found
     };
     match found.unwrap_or_else(|none| none) {
         Impulses::Found(impulses, doubts) => Impulses::Found(impulses, doubts.and(first)),

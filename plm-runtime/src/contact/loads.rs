@@ -5,6 +5,7 @@
 
 use super::rows::{Limit, Rows, below, indices};
 use crate::scalar::Scalar;
+use crate::vector::Vector;
 
 /// An affine function of the multipliers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -139,7 +140,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
                 (&self.reaction[load], limit.share[load], directions[load]);
             let add = |own: T, x: T, y: T| own + share * (along * x + across * y);
             found.own = add(found.own, x.own, y.own);
-            found.by = core::array::from_fn(|j| add(found.by[j], x.by[j], y.by[j]));
+            found.by = Vector::from_fn(|j| add(found.by[j], x.by[j], y.by[j]));
         }
         found
     }

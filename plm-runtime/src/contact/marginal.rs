@@ -9,6 +9,7 @@ use super::multipliers::multipliers;
 use super::rows::{Rows, below};
 use crate::dual::Dual;
 use crate::scalar::{Real, Scalar};
+use crate::vector::Vector;
 
 /// A margin that is zero within this time is zero, s: times of events are known so well.
 const AT_ONCE: f64 = 1e-10;
@@ -59,7 +60,7 @@ fn held_force<S: Real, const N: usize>(
     lambda: &[Dual<S, 1>; N],
 ) -> [Dual<S, 1>; N] {
     let i = below::<N>(i);
-    let others = core::array::from_fn(|j| if j == i { Dual::ZERO } else { lambda[j] });
+    let others: [_; N] = Vector::from_fn(|j| if j == i { Dual::ZERO } else { lambda[j] });
     let mut forces = others.map(|lambda| lambda * rows.delassus[i][i]);
     forces[i] = -rows.acceleration(i, &others);
     forces

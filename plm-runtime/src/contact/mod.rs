@@ -14,6 +14,7 @@ mod bounds;
 mod candidates;
 mod changed;
 mod choose;
+mod enclosed;
 mod event;
 mod guards;
 mod held;
@@ -53,7 +54,7 @@ pub use self::project::{drift, held_rows, project};
 pub use self::rows::{Friction, Law, Limit, Rows};
 pub use self::sliding::{slide, slipping};
 pub use self::status::{Counts, Status};
-pub use self::stepping::{Motion, Solution, Stride, smooth_step, step};
+pub use self::stepping::{Motion, Proposed, Solution, Stride, packed_steps, smooth_step, step};
 pub use self::sunk::appear;
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
@@ -134,7 +135,7 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
     fn motion_at(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Motion<Self::S, Self::X, N> {
         let mut rate = *x;
         let health = self.free_rate(t, u, x, &mut rate);
-        let one = |j: usize| core::array::from_fn(|i| Self::S::lit(if i == j { 1.0 } else { 0.0 }));
+        let one = |j: usize| Vector::from_fn(|i| Self::S::lit(if i == j { 1.0 } else { 0.0 }));
         let responses = core::array::from_fn(|j| self.response(t, u, x, &one(j)));
         Motion { rate, responses, rows: self.rows_at(t, u, x), health }
     }
@@ -228,11 +229,11 @@ fn without_noise<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &Modes<T, 
         return multipliers::sliding(rows, &modes.of).unwrap_or_else(|| lambda_of(rows, modes));
     }
     let lambda = lambda_of(rows, modes);
-    let sizes: [T; N] = core::array::from_fn(|i| lambda[i].abs() * rows.delassus[i][i].sqrt());
+    let sizes: [T; N] = Vector::from_fn(|i| lambda[i].abs() * rows.delassus[i][i].sqrt());
     let largest = sizes.iter().fold(T::ZERO, |largest, size| largest.max(*size));
     let least = T::lit(BALANCE_ULPS * T::PRECISION) * largest;
     // One that is not a number stays so.
-    core::array::from_fn(|i| T::select(sizes[i].lt(least), lambda[i].as_zero(), lambda[i]))
+    Vector::from_fn(|i| T::select(sizes[i].lt(least), lambda[i].as_zero(), lambda[i]))
 }
 
 /// Adds the forces of contact to the rate without them, for a generated mechanism: `responses` has what each multiplier of one adds to
@@ -277,7 +278,7 @@ fn balance<T: Scalar, X: Vector<T>, const N: usize>(
     lambda: &[T; N],
     response: impl FnOnce(&[T; N]) -> X,
 ) {
-    let weighted = core::array::from_fn(|i| T::lit(1.0 + apart(i)) * lambda[i]);
+    let weighted = Vector::from_fn(|i| T::lit(1.0 + apart(i)) * lambda[i]);
     *dx = dx.map2(&response(&weighted), |sum, size| balanced(sum, size.abs()));
 }
 

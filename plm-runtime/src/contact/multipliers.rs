@@ -9,6 +9,7 @@ use super::loads::Load;
 use super::modes::Mode;
 use super::rows::{Limit, Rows, below, indices};
 use crate::scalar::Scalar;
+use crate::vector::Vector;
 
 /// A pivot below this fraction of the largest entry of its row depends on others.
 const DEPENDENT: f64 = 1e-10;
@@ -94,6 +95,18 @@ fn multipliers_above<T: Scalar, const N: usize>(
     None
 }
 
+/// The multipliers where reactions that bound rows which slip have these unit vectors.
+pub(super) fn multipliers_along<T: Scalar, const N: usize>(
+    rows: &Rows<T, N>,
+    modes: &[Mode; N],
+    directions: &[[T; 2]; N],
+) -> Option<Multipliers<T, N>> {
+    let slide = !modes.iter().any(|mode| mode.holds());
+    let mut system = System::of(rows, (modes, directions));
+    let determinant = system.eliminate((slide, DEPENDENT))?;
+    Some(Multipliers { lambda: system.substitute(), determinant, newton: 0 })
+}
+
 /// Multipliers that Newton's steps begin with: those of rows that slip by sweeps of C. F. Gauss and L. Seidel, which cost a fraction of a
 /// step. A friction changes the reactions that bound it little.
 fn first<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &[Mode; N]) -> [T; N] {
@@ -163,9 +176,12 @@ impl<T: Scalar, const N: usize> System<T, N> {
         for k in 0..system.order.min(N) {
             let i = below::<N>(system.unknown[k]);
             let (row, right) = equation(rows, (modes[i], directions), i);
-            system.rows[k] = core::array::from_fn(|l| {
-                if l < system.order { row[below::<N>(system.unknown[l])] } else { T::ZERO }
-            });
+            system.rows[k] =
+                Vector::from_fn(
+                    |l| {
+                        if l < system.order { row[below::<N>(system.unknown[l])] } else { T::ZERO }
+                    },
+                );
             system.right[k] = right;
         }
         system

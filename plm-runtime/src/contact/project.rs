@@ -109,7 +109,7 @@ pub fn drift<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &
     let away = away::<M, N>(&rows.gap, u);
     let largest = |least: M::S, numbers: &[M::S; N]| numbers.iter().fold(least, |sum, z| sum.max(z.abs()));
     let rate: [M::S; N] =
-        core::array::from_fn(|i| if u.modes().of[i].holds() { rows.rate[i] } else { M::S::ZERO });
+        Vector::from_fn(|i| if u.modes().of[i].holds() { rows.rate[i] } else { M::S::ZERO });
     Drift { phi: largest(joints.phi, &away), phi_dot: largest(joints.phi_dot, &rate) }
 }
 

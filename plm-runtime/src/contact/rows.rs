@@ -3,6 +3,7 @@
 use super::loads::{Affine, Load};
 use super::modes::Mode;
 use crate::scalar::{Real, Scalar};
+use crate::vector::Vector;
 
 /// The number of a row or of a reaction, below `N` as compilers see it too: an array that it indexes has no check that could fail.
 pub(super) fn below<const N: usize>(index: usize) -> usize {
@@ -78,7 +79,7 @@ impl<T: Scalar, const N: usize> Limit<T, N> {
     /// `coefficient` times the multiplier of the row `normal`.
     #[must_use]
     pub fn of(normal: usize, coefficient: T) -> Self {
-        let by = core::array::from_fn(|row| if row == normal { coefficient } else { T::ZERO });
+        let by = Vector::from_fn(|row| if row == normal { coefficient } else { T::ZERO });
         Self { own: T::ZERO, by, share: [T::ZERO; N] }
     }
 
@@ -103,6 +104,16 @@ pub struct Friction<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Friction<T, N> {
+    /// The same in other numbers.
+    fn in_numbers<U: Scalar>(&self, number: &impl Fn(&T) -> U) -> Friction<U, N> {
+        let limit = |limit: &Limit<T, N>| Limit {
+            own: number(&limit.own),
+            by: limit.by.each_ref().map(number),
+            share: limit.share.each_ref().map(number),
+        };
+        Friction { lower: limit(&self.lower), upper: limit(&self.upper) }
+    }
+
     /// The same limit on both sides.
     #[must_use]
     pub fn both(limit: Limit<T, N>) -> Self {
@@ -176,6 +187,39 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
             reaction: [[Affine::zero(); 2]; N],
             load: [Load::Nothing; N],
             read: [[false; N]; N],
+        }
+    }
+
+    /// Becomes the same in other numbers, with the limits of frictions alone; where it stands, since a copy would wait for what was written.
+    #[allow(clippy::inline_always, reason = "as above")]
+    #[inline(always)]
+    pub(super) fn take<U: Scalar>(
+        &mut self,
+        rows: &Rows<U, N>,
+        number: &impl Fn(&U) -> T,
+        is_friction: impl Fn(usize) -> bool,
+    ) {
+        (self.load, self.read) = (rows.load, rows.read);
+        for row in indices::<N>() {
+            self.gap[row] = number(&rows.gap[row]);
+            self.rate[row] = number(&rows.rate[row]);
+            self.free[row] = number(&rows.free[row]);
+            self.bias[row] = number(&rows.bias[row]);
+            for other in indices::<N>() {
+                self.delassus[row][other] = number(&rows.delassus[row][other]);
+            }
+            if is_friction(row) {
+                self.kinetic[row] = rows.kinetic[row].in_numbers(number);
+                self.adhesion[row] = rows.adhesion[row].in_numbers(number);
+            }
+            // Reactions have the places of rows.
+            if rows.load[row] != Load::Nothing {
+                let affine = |part: &Affine<U, N>| Affine {
+                    own: number(&part.own),
+                    by: part.by.each_ref().map(number),
+                };
+                self.reaction[row] = rows.reaction[row].each_ref().map(affine);
+            }
         }
     }
 

@@ -178,7 +178,7 @@ fn rates_of_both<M: System<S: Real>>(context: &mut Context<'_, M>) -> Option<(M:
     // By a difference, where a system cannot say.
     let h = M::S::EPSILON.sqrt() * (M::S::lit(1.0) + time.abs());
     let ahead = x.map2(&rate, |x, rate| x + h * rate);
-    let [here, ahead] =
-        [(time, &x), (time + h, &ahead)].map(|(t, x)| guards(context.system, t, &context.held, x));
+    let guards = |t, x| guards(context.system, t, &context.held, x);
+    let (here, ahead) = (guards(time, &x), guards(time + h, &ahead));
     Some((rate, ahead.map2(&here, |ahead, here| (ahead - here) / h)))
 }

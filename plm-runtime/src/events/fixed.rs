@@ -4,6 +4,7 @@ use super::relevant::{Relevant, bit};
 use super::search::{Found, Search};
 use super::{Beginning, History};
 use super::{Detector, Event, guards_here};
+use crate::contact::{Change, guard_count};
 use crate::fault::Fault;
 use crate::method::{Context, Method, Path};
 use crate::scalar::Real;
@@ -22,6 +23,14 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             || history.beginning.as_ref().is_some_and(|centre| self.guard_free.holds(centre, step))
     }
 
+    /// Can no guard leave its side in steps of a method? There is none, or those of contact alone, which steps decide.
+    #[inline]
+    pub(crate) fn has_none<M: System<S = S, G = G>, I: Method<M>>(system: &M, held: &M::U) -> bool {
+        let are_of_contact =
+            I::CHANGE == Change::InSteps && M::CONTACTS > 0 && G::LEN == guard_count(M::CONTACTS);
+        system.guard_count() == 0 || are_of_contact && system.is_regular(held)
+    }
+
     /// The event at the end of a step: without dense output by its guards, unless the step stays in the guard-free region.
     #[inline]
     pub(crate) fn look_behind<M: System<S = S, G = G>, I: Method<M>>(
@@ -31,7 +40,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         start: &Beginning<M>,
         event: Event,
     ) -> Result<Event, Fault> {
-        if I::DENSE || context.system.guard_count() == 0 {
+        if I::DENSE || Self::has_none::<M, I>(context.system, &context.held) {
             return Ok(event);
         }
         let step = context.step((start.time, &start.x));

@@ -39,7 +39,7 @@ use self::search::{Found, Search};
 pub use self::sets::{Sets, begin, change, take_sides, with_velocities};
 pub use self::violated::switch_where_due;
 use self::violated::{Switched, required, switch_violated};
-pub(crate) use self::violated::{are_satisfied, switch_at_end, switch_each};
+pub(crate) use self::violated::{are_satisfied, switch_at_end, switch_each, violated};
 use crate::fault::{Cause, Fault};
 use crate::method::{Context, Method};
 use crate::scalar::{Real, Scalar};

@@ -1,7 +1,8 @@
 //! Sampled search for the first event in a step whose dense output is no polynomial.
 //!
-//! Such a step is looked at a few times, evenly, and between samples by the parabola through three of them: a condition that
-//! lasts shorter can be missed.
+//! Such a step is looked at a few times, evenly, and between samples by the parabola through three of them. Where a guard bends more than
+//! such samples tell, as that of a friction that sticks under a load which swings while nothing moves, the halves of the step are looked at
+//! in the same way. A condition that lasts shorter than the distance of the samples can be missed.
 
 use super::relevant::Relevant;
 use super::root::{Point, root};
@@ -16,6 +17,16 @@ const SAMPLES: usize = 4;
 /// A condition that begins a step past its guard may yet come to its side within it: halvings of the step that are
 /// looked at to find out.
 const HALVINGS: u32 = 10;
+
+/// So often a step is halved where guards bend.
+const MOST_HALVINGS: u32 = 6;
+
+/// A part of a step: where it begins and ends, with the guards there, and how often it may be halved.
+struct Part<M: System> {
+    from: (M::S, M::G),
+    to: (M::S, M::G),
+    halvings: u32,
+}
 
 /// The last step of a method.
 pub(super) struct Sampled<'a, 'c, M: System, I> {
@@ -32,21 +43,36 @@ pub(super) struct Sampled<'a, 'c, M: System, I> {
 impl<M: System<S: Real>, I: Method<M>> Sampled<'_, '_, M, I> {
     /// The first guard that leaves its side, and when; they are known at the beginning and at the end of the step.
     pub(super) fn first(&self, began: &M::G, end: &M::G) -> (Found<M::S>, M::S) {
-        let (start, length) = (self.start, self.context.time - self.start);
-        let at = |look: M::S| start + look / M::S::lit(SAMPLES as f64) * length;
+        let (from, to) = ((self.start, *began), (self.context.time, *end));
+        match self.first_within(&Part { from, to, halvings: MOST_HALVINGS }) {
+            Some((index, time)) => (Found::Crossing(index, (time - from.0) / (to.0 - from.0)), time),
+            None => (Found::Nothing, to.0),
+        }
+    }
+
+    /// The first guard that leaves its side within a part of the step, and when.
+    fn first_within(&self, part: &Part<M>) -> Option<(usize, M::S)> {
+        let Part { from: (start, began), to: (stop, end), halvings } = part;
+        let at = |look: M::S| *start + look / M::S::lit(SAMPLES as f64) * (*stop - *start);
         let inside = [1.0, 2.0, 3.0].map(|look| self.guards(at(M::S::lit(look))));
         let sampled = [*began, inside[0], inside[1], inside[2], *end];
-        let mut first = (Found::Nothing, self.context.time);
-        for i in (0..M::G::LEN).filter(|i| self.relevant.has(*i)) {
-            let edge = self.residual.at(i).min(M::S::ZERO) - self.context.system.band(i);
-            let guard = |time: M::S| self.guards(time).at(i);
-            let Some(look) = first_out(sampled.map(|g| g.at(i)), edge, |look| guard(at(look)) < edge) else {
-                continue;
-            };
+        let relevant = || (0..M::G::LEN).filter(|i| self.relevant.has(*i));
+        let edge = |i: usize| self.residual.at(i).min(M::S::ZERO) - self.context.system.band(i);
+        if *halvings > 0 && relevant().any(|i| bends(sampled.map(|g| g.at(i)), edge(i))) {
+            let (middle, halvings) = ((at(M::S::lit(2.0)), inside[1]), halvings - 1);
+            let first = Part { from: (*start, *began), to: middle, halvings };
+            let second = Part { from: middle, to: (*stop, *end), halvings };
+            return self.first_within(&first).or_else(|| self.first_within(&second));
+        }
+        let mut first: Option<(usize, M::S)> = None;
+        for i in relevant() {
+            let (edge, guard) = (edge(i), |time: M::S| self.guards(time).at(i));
+            let is_out = |look| guard(at(look)) < edge;
+            let Some(look) = first_out(sampled.map(|g| g.at(i)), edge, is_out) else { continue };
             let out = Point { at: at(look), value: guard(at(look)) };
-            let time = crossing(Point { at: start, value: began.at(i) }, out, guard);
-            if matches!(first.0, Found::Nothing) || time < first.1 {
-                first = (Found::Crossing(i, (time - start) / length), time);
+            let time = crossing(Point { at: *start, value: began.at(i) }, out, guard);
+            if first.is_none_or(|(_, known)| time < known) {
+                first = Some((i, time));
             }
         }
         first
@@ -57,6 +83,16 @@ impl<M: System<S: Real>, I: Method<M>> Sampled<'_, '_, M, I> {
         let (held, x) = self.method.moment(self.context, time);
         super::guards(self.context.system, time, &held, &x)
     }
+}
+
+/// May a guard that is above its edge at all samples be below it between them? By its differences of second and third order, which are small
+/// where the samples tell how it goes, and as large as its changes where they do not.
+fn bends<S: Real>(g: [S; SAMPLES + 1], edge: S) -> bool {
+    let second = |k: usize| (g[k] - g[k + 1] - g[k + 1] + g[k + 2]).abs();
+    let third = |k: usize| (g[k + 3] - g[k] + S::lit(3.0) * (g[k + 1] - g[k + 2])).abs();
+    let bent = second(0).max(second(1)).max(second(2)).max(third(0)).max(third(1));
+    let nearest = g.iter().fold(g[0], |nearest, value| nearest.min(*value)) - edge;
+    nearest > S::ZERO && bent > nearest
 }
 
 /// The first look at which a guard is below its edge, or between samples, where the parabola through three of them says
@@ -114,6 +150,25 @@ mod tests {
                 assert_eq!(dip(0.01), None, "{lowest}");
             }
         }
+    }
+
+    /// A load that swings through up to 1.8 periods in a step: each of its dips is found, or shows as a bend.
+    #[test]
+    fn dips_of_a_swing_are_found_or_show_as_bends() {
+        let (mut dips, mut bent) = (0, 0);
+        for (percent, phase) in (5..46).flat_map(|percent| (0..50).map(move |phase| (percent, phase))) {
+            for amplitude in [1.02, 1.5, 10.0] {
+                let turns = |at: f64| 0.01 * f64::from(percent) * at + 0.02 * f64::from(phase);
+                let guard = |at: f64| 1.0 - amplitude * (core::f64::consts::TAU * turns(at)).sin();
+                let is_dip = guard(0.0) > 0.0 && (0..400).any(|k| guard(0.01 * f64::from(k)) < 0.0);
+                let bends = bends([0.0, 1.0, 2.0, 3.0, 4.0].map(guard), 0.0);
+                dips += u32::from(is_dip);
+                bent += u32::from(bends);
+                assert!(!is_dip || bends || found(guard, 0.0).is_some(), "{percent} {phase} {amplitude}");
+            }
+        }
+        assert!(dips > 2000 && bent > 1000, "{dips} {bent}");
+        assert!(!bends([5.0, 4.0, 3.0, 2.0, 1.0], 0.0) && !bends([2.0, 1.6, 1.3, 1.1, 1.0], 0.0));
     }
 
     #[test]

@@ -18,6 +18,10 @@ const FINEST: u32 = 22;
 const ROUGHEST: u32 = 2;
 /// Where it cannot, halvings after which nothing more is learnt.
 const FINEST_OF_POINTS: u32 = 6;
+/// A parabola is believed where it stays away from the edge by so many times what the guard varies by, ...
+const FAR: f64 = 2.0;
+/// ... and where it bends by no more than this fraction of half of what it changes by.
+const STRAIGHT: f64 = 0.25;
 /// Halvings up to which the guards at the ends of intervals are remembered: they are the ends of shorter ones too.
 const REMEMBERED: usize = 4;
 /// Intervals of a step that are looked at; then what is left of it is left for the next step.
@@ -269,7 +273,8 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         if known || level < ROUGHEST {
             return known;
         }
-        // By the parabola through three points.
+        // By the parabola through three points, where the guard is far from its edge beside what it varies by, or is nearly straight: a
+        // force that swings while nothing moves may go through more than one period in a step.
         let between = self.values(middle);
         for i in (0..M::G::LEN).filter(|i| given & bit(*i) == 0) {
             let (a, b, c) = (piece.left.at(i), between.at(i), piece.right.at(i));
@@ -278,9 +283,16 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
             let low = a.min(c).min(b - dip);
             // Falling from end to end: what begins on its base may rise before.
             let falls = lean + bend <= M::S::ZERO && lean - bend <= M::S::ZERO;
-            let slope = if falls { -(a - c).abs() } else { M::S::INFINITY };
-            let finest = level >= FINEST_OF_POINTS;
-            let low = if finest { a.min(c) } else { low };
+            let (finest, leaves) = (level >= FINEST_OF_POINTS, c < self.edge(i) - piece.noise.at(i));
+            let varies = a.max(b).max(c) - a.min(b).min(c);
+            let is_far = low - self.edge(i) >= M::S::lit(FAR) * varies;
+            let is_told = is_far || bend.abs() <= M::S::lit(STRAIGHT) * lean.abs();
+            let slope = if falls && (is_told || finest || leaves) { -(a - c).abs() } else { M::S::INFINITY };
+            let low = match (finest, is_told) {
+                (true, _) => a.min(c),
+                (false, true) => low,
+                (false, false) => -M::S::INFINITY,
+            };
             each(i, Interval { low, high: M::S::INFINITY }, Interval { low: -M::S::INFINITY, high: slope });
         }
         true

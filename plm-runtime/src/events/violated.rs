@@ -22,21 +22,21 @@ pub fn switch_where_due<M: System<S: Real>>(
     x: &mut M::X,
 ) -> Result<u32, Fault> {
     let mut switched = 0;
-    switch_each((system, M::G::fill(M::S::ZERO), M::S::ZERO), t, u, x, |_| switched += 1)?;
+    switch_each((system, M::G::fill(M::S::ZERO), M::S::ZERO), None, (t, u, x), |_| switched += 1)?;
     Ok(switched)
 }
 
 /// The same, where guards are violated below their `edges`; gives `each` that switches. A guard that its own event leaves violated, as
-/// that of a ball which has bounced, triggers it again only below where it was left. The guards have passed zero `within` this time.
+/// that of a ball which has bounced, triggers it again only below where it was left. The guards have passed zero `within` this time; their
+/// values may be known.
 pub(crate) fn switch_each<M: System<S: Real>>(
     (system, mut edges, within): (&M, M::G, M::S),
-    t: M::S,
-    u: &mut M::U,
-    x: &mut M::X,
+    known: Option<&M::G>,
+    (t, u, x): (M::S, &mut M::U, &mut M::X),
     mut each: impl FnMut(usize),
 ) -> Result<(), Fault> {
-    refresh(system, t, u, x);
-    let mut here = guards(system, t, u, x);
+    let changed = refresh(system, t, u, x);
+    let mut here = known.filter(|_| changed == 0).map_or_else(|| guards(system, t, u, x), |here| *here);
     for _ in 0..=M::G::LEN {
         let mut any = false;
         for i in 0..M::G::LEN {
@@ -102,7 +102,8 @@ pub(super) fn switch_violated<M: System<S: Real>>(
     }
     let (mut after, mut x) = (context.held, context.x);
     let mut switched = Switched { conditions: 0, count: 0 };
-    switch_each((context.system, edges, within), context.time, &mut after, &mut x, |index| {
+    let moment = (context.time, &mut after, &mut x);
+    switch_each((context.system, edges, within), Some(here), moment, |index| {
         switched.conditions |= bit(index);
         switched.count += 1;
     })?;
@@ -113,24 +114,30 @@ pub(super) fn switch_violated<M: System<S: Real>>(
     Ok(Some(switched))
 }
 
-/// Commits the events at the end of a step by itself, of the length `step`.
+/// Commits the events at the end of a step by itself, of the length `step`, where guards are [`violated`].
 #[inline]
 pub(crate) fn switch_at_end<M: System<S: Real>>(
     context: &mut Context<'_, M>,
-    step: M::S,
+    (violated, step): (&M::G, M::S),
 ) -> Result<(), Fault> {
-    if context.system.guard_count() == 0 {
-        return Ok(());
+    if !violated.is_finite() {
+        guards_here(context)?;
     }
-    let here = guards_here(context)?;
-    switch_violated(context, &here, (None, M::G::fill(M::S::ZERO)), step).map(|_| ())
+    switch_violated(context, violated, (None, M::G::fill(M::S::ZERO)), step).map(|_| ())
 }
 
 /// Are all guards satisfied at a state?
 #[inline]
 pub(crate) fn are_satisfied<M: System<S: Real>>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
+    violated(system, t, held, x).is_none()
+}
+
+/// The guards at a state, where some are violated or none of them a number.
+#[inline]
+pub(crate) fn violated<M: System<S: Real>>(system: &M, t: M::S, held: &M::U, x: &M::X) -> Option<M::G> {
     let here = guards(system, t, held, x);
-    here.is_finite() && (0..M::G::LEN).all(|i| !is_violated(system, &here, i))
+    let are_satisfied = here.is_finite() && (0..M::G::LEN).all(|i| !is_violated(system, &here, i));
+    (!are_satisfied).then_some(here)
 }
 
 /// The end of a run whose requirement `index` is not met any more, or that has come to a pole or the end of a

@@ -5,12 +5,12 @@ use core::fmt;
 use core::marker::PhantomData;
 use core::ops::{Deref, DerefMut};
 
-use super::lane::{Lane, column};
+use super::lane::{Fixed, Lane, column};
 use super::side::{Side, Wide};
 use super::{LANES, Lanes, Pack};
 use crate::fault::Fault;
 use crate::mechanism::{Mechanism, Moment};
-use crate::method::{FixedStep, Formula, Partition, Rk4Formula};
+use crate::method::{FixedStep, Formula, Method, Partition, Rk4};
 use crate::scalar::Scalar;
 use crate::sim::{Clock, Sim};
 
@@ -19,30 +19,27 @@ use crate::sim::{Clock, Sim};
 ///
 /// Each ends with the bits that it would have if it ran alone. A lane that needs more than straight-line code makes that
 /// step alone: where a solution without pivoting is unhealthy, where an event is possible, and as long as it is in another chart than
-/// most. Mechanisms with contact rows make all steps alone, since each has modes of its own. One that stops with a fault does not stop
-/// the others.
+/// most. One that stops with a fault does not stop the others.
+///
+/// Mechanisms with contact rows, each with modes of its own, go together with [`MoreauJean`](crate::MoreauJean): the motion of all is
+/// computed at once, and the small problem of the rows lane by lane. With a [`FixedStep`] they make all steps alone.
 ///
 /// It dereferences to the array of simulations.
 #[derive(Clone, Copy)]
-pub struct Batch<M: Mechanism<S = f64>, L, F = Rk4Formula> {
-    sims: [Sim<M, FixedStep<f64, F>>; LANES],
+pub struct Batch<M: Mechanism<S = f64>, L, I = Rk4<f64>> {
+    pub(super) sims: [Sim<M, I>; LANES],
     lanes: PhantomData<L>,
 }
 
-impl<M: Mechanism<S = f64, State: fmt::Debug>, L, F> fmt::Debug for Batch<M, L, F> {
+impl<M: Mechanism<S = f64, State: fmt::Debug>, L, I> fmt::Debug for Batch<M, L, I> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_list().entries(&self.sims).finish()
     }
 }
 
-impl<M, L, F> Batch<M, L, F>
-where
-    M: Pack<S = f64>,
-    L: Lanes,
-    F: Formula,
-{
+impl<M: Pack<S = f64>, L: Lanes, I: Method<M>> Batch<M, L, I> {
     /// The simulations, fresh ones or such that have run.
-    pub fn new(sims: [Sim<M, FixedStep<f64, F>>; LANES]) -> Self {
+    pub fn new(sims: [Sim<M, I>; LANES]) -> Self {
         Self { sims, lanes: PhantomData }
     }
 
@@ -50,14 +47,16 @@ where
     ///
     /// # Errors
     /// When one of them cannot be assembled.
-    pub fn start(mechanisms: &[M; LANES], method: FixedStep<f64, F>) -> Result<Self, Fault> {
+    pub fn start(mechanisms: &[M; LANES], method: I) -> Result<Self, Fault> {
         let mut sims = [mechanisms[0].start_with(method)?; LANES];
         for (sim, mechanism) in sims.iter_mut().zip(mechanisms) {
             *sim = mechanism.start_with(method)?;
         }
         Ok(Self::new(sims))
     }
+}
 
+impl<M: Pack<S = f64>, L: Lanes, F: Formula> Batch<M, L, FixedStep<f64, F>> {
     /// Runs all for the communication interval `dt`, in s; gives what [`Sim::step`] would give for each.
     ///
     /// Those that have the latest time, and as long steps as the first of these, go together, the others alone.
@@ -107,7 +106,7 @@ where
 }
 
 /// Runs all lanes to the end of the interval.
-fn run<M: Pack<S = f64>, L: Lanes, F: Formula>(lanes: &mut [Lane<M, F>; LANES]) {
+fn run<M: Pack<S = f64>, L: Lanes, F: Formula>(lanes: &mut [Fixed<M, F>; LANES]) {
     let Some(first) = lanes.iter().find(|lane| lane.runs) else { return };
     let (mut time, end, mut partition, mut number) =
         (first.context.time, first.context.end, first.partition(), 0);
@@ -128,7 +127,7 @@ fn run<M: Pack<S = f64>, L: Lanes, F: Formula>(lanes: &mut [Lane<M, F>; LANES]) 
 /// One step of all lanes: its beginning, the partition, and how many were made before.
 #[inline]
 fn step<M: Pack<S = f64>, L: Lanes, F: Formula>(
-    lanes: &mut [Lane<M, F>; LANES],
+    lanes: &mut [Fixed<M, F>; LANES],
     side: &mut Side<M, L>,
     at: (f64, &Partition<f64>, u64),
 ) {
@@ -143,7 +142,7 @@ fn step<M: Pack<S = f64>, L: Lanes, F: Formula>(
 /// The same step of those lanes that do not coast (1 in those that do), in ordinary numbers, each as it would be made alone.
 #[inline(never)]
 fn apart<M: Pack<S = f64>, L: Lanes, F: Formula>(
-    lanes: &mut [Lane<M, F>; LANES],
+    lanes: &mut [Fixed<M, F>; LANES],
     side: &mut Side<M, L>,
     (next, health, coasts): (&mut Wide<M, L>, L, L),
     at: (f64, &Partition<f64>, u64),
@@ -164,15 +163,15 @@ fn apart<M: Pack<S = f64>, L: Lanes, F: Formula>(
     }
 }
 
-impl<M: Mechanism<S = f64>, L, F> Deref for Batch<M, L, F> {
-    type Target = [Sim<M, FixedStep<f64, F>>; LANES];
+impl<M: Mechanism<S = f64>, L, I> Deref for Batch<M, L, I> {
+    type Target = [Sim<M, I>; LANES];
 
     fn deref(&self) -> &Self::Target {
         &self.sims
     }
 }
 
-impl<M: Mechanism<S = f64>, L, F> DerefMut for Batch<M, L, F> {
+impl<M: Mechanism<S = f64>, L, I> DerefMut for Batch<M, L, I> {
     fn deref_mut(&mut self) -> &mut Self::Target {
         &mut self.sims
     }

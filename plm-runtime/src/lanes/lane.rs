@@ -12,9 +12,9 @@ use crate::system::Step;
 use crate::vector::Vector;
 
 /// A simulation on its way through an interval.
-pub(super) struct Lane<'a, M: Mechanism<S = f64>, F> {
+pub(super) struct Lane<'a, M: Mechanism<S = f64>, I> {
     pub(super) context: Context<'a, M>,
-    method: &'a mut FixedStep<f64, F>,
+    pub(super) method: &'a mut I,
     detector: &'a mut Detector<f64, M::G>,
     history: &'a mut History<M>,
     limits: Limits<f64>,
@@ -25,9 +25,9 @@ pub(super) struct Lane<'a, M: Mechanism<S = f64>, F> {
     counted: u64,
 }
 
-impl<'a, M: Pack<S = f64>, F: Formula> Lane<'a, M, F> {
+impl<'a, M: Pack<S = f64>, I: Method<M>> Lane<'a, M, I> {
     /// The simulation, on its way to `end`; it goes with the others if it `joins` them.
-    pub(super) fn new(sim: &'a mut Sim<M, FixedStep<f64, F>>, end: f64, joins: bool) -> Self {
+    pub(super) fn new(sim: &'a mut Sim<M, I>, end: f64, joins: bool) -> Self {
         let Sim { state, method, stats, detector, history, limits, longest_step, .. } = sim;
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
         let mut context = Context::new((system, held), (state.time(), x), end, (stats, longest_step));
@@ -38,6 +38,53 @@ impl<'a, M: Pack<S = f64>, F: Formula> Lane<'a, M, F> {
         Self { context, method, detector, history, limits, runs, outcome, counted: 0 }
     }
 
+    /// Does what the judge says of the step from a beginning to the state reached, or goes on behind a fault of it; where that is more than
+    /// to commit it, the lane goes on without the others.
+    pub(super) fn conclude(&mut self, made: Result<Beginning<M>, (Beginning<M>, Fault)>) {
+        let mut unobserved = Unobserved;
+        let mut advance = self.advance(&mut unobserved);
+        let made = match made {
+            Ok(from) => advance.conclude(&from, Event::None),
+            Err((from, fault)) => advance.fail(&from, fault),
+        };
+        let goes_on = matches!(made, Made::Step) && !M::Rescue::holds(&self.context);
+        if !goes_on {
+            self.go_alone(made);
+        }
+    }
+
+    /// Is there nothing to do behind the step from a time and state to the state reached: would the judge accept it as it is, without events?
+    #[inline]
+    pub(super) fn has_nothing_to_do(&self, from: (f64, &M::X)) -> bool {
+        let Context { system, time, held, x, .. } = &self.context;
+        let step = self.context.step(from);
+        self.limits.energy_jump.is_none()
+            && self.history.counts.is_none()
+            && self.method.drift_check() == DriftCheck::Skip
+            && M::Rescue::nearness(&step, I::LENGTH) == Nearness::Regular
+            && system.is_calm(*time, held, x)
+            && (Detector::has_none::<M, I>(system, held)
+                || self.detector.excludes_events(self.history, &step))
+    }
+
+    /// Goes on to the end of the interval without the others, behind a step.
+    pub(super) fn go_alone(&mut self, made: Made<f64>) {
+        self.runs = false;
+        let outcome = self.advance(&mut Unobserved).go_on(made);
+        self.outcome = outcome.map_err(|fault| at_a_jump(&mut self.context, fault));
+    }
+
+    /// The lane as a run.
+    fn advance<'s>(&'s mut self, observer: &'s mut Unobserved) -> Advance<'s, 'a, M, I, Unobserved> {
+        let Self { context, method, detector, history, limits, .. } = self;
+        Advance { method, context, guarded: Guarded { detector, history, limits: *limits }, observer }
+    }
+}
+
+/// A lane of a formula.
+pub(super) type Fixed<'a, M, F> = Lane<'a, M, FixedStep<f64, F>>;
+
+impl<M: Pack<S = f64>, F: Formula> Fixed<'_, M, F> {
     /// The division of the interval into steps.
     pub(super) fn partition(&self) -> Partition<f64> {
         self.method.partition
@@ -130,15 +177,6 @@ impl<'a, M: Pack<S = f64>, F: Formula> Lane<'a, M, F> {
             Ok(()) => self.advance(&mut Unobserved).conclude(&from, Event::None),
             Err(fault) => Made::Failed(fault),
         }
-    }
-
-    /// The lane as a run.
-    fn advance<'s>(
-        &'s mut self,
-        observer: &'s mut Unobserved,
-    ) -> Advance<'s, 'a, M, FixedStep<f64, F>, Unobserved> {
-        let Self { context, method, detector, history, limits, .. } = self;
-        Advance { method, context, guarded: Guarded { detector, history, limits: *limits }, observer }
     }
 }
 

@@ -6,11 +6,13 @@
 mod batch;
 mod lane;
 mod side;
+mod strides;
 mod two;
 
 pub use batch::Batch;
 pub use two::Two;
 
+use crate::contact::{Proposed, Stride};
 use crate::mechanism::Mechanism;
 use crate::scalar::Scalar;
 use crate::system::Rate;
@@ -24,6 +26,11 @@ pub trait Lanes: Scalar {
     fn of(values: [f64; LANES]) -> Self;
     /// The values.
     fn values(self) -> [f64; LANES];
+    /// The value of one lane.
+    #[inline]
+    fn value(&self, lane: usize) -> f64 {
+        self.values()[lane % LANES]
+    }
     /// Gives one lane another value.
     fn put(&mut self, lane: usize, value: f64);
 }
@@ -99,4 +106,19 @@ pub trait Pack: Mechanism {
         wide: &<Self::Packed<T> as Rate>::U,
         take: impl Fn(T) -> Self::S,
     );
+
+    /// Makes the steps of time that are `proposed`, each to the bits of [`Events::stride`](crate::Events::stride). With rows of contact their
+    /// motion is computed at once: `all`, what they hold, steps and states are those of all lanes as one, in a chart that the lanes of these
+    /// steps have in common, and `take` gives the value of a lane.
+    fn packed_steps<T: Scalar, const K: usize>(
+        all: (&Self::Packed<T>, &<Self::Packed<T> as Rate>::U),
+        steps: (&Stride<T>, &<Self::Packed<T> as Rate>::X),
+        proposed: [Option<Proposed<'_, Self>>; K],
+        take: impl Fn(&T, usize) -> Self::S,
+    ) {
+        let _ = (all, steps, take);
+        for Proposed { system, stride, held, x, made } in proposed.into_iter().flatten() {
+            *made = Some(system.stride(&stride, held, x, |_, _, _| Ok(())));
+        }
+    }
 }

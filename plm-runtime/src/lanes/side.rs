@@ -1,6 +1,6 @@
 //! Eight lanes as one mechanism in one state.
 
-use super::lane::{Lane, set_column};
+use super::lane::{Fixed, set_column};
 use super::{LANES, Lanes, Pack};
 use crate::method::{Formula, Partition, coarseness, looked_at};
 use crate::scalar::Scalar;
@@ -10,7 +10,7 @@ use crate::vector::Vector;
 /// Eight states as one.
 pub(super) type Wide<M, L> = <<M as Pack>::Packed<L> as Rate>::X;
 /// What is held over a step in eight lanes, as one.
-type WideHeld<M, L> = <<M as Pack>::Packed<L> as Rate>::U;
+pub(super) type WideHeld<M, L> = <<M as Pack>::Packed<L> as Rate>::U;
 
 /// The lanes as one mechanism in one state.
 pub(super) struct Side<M: Pack<S = f64>, L: Lanes> {
@@ -30,7 +30,7 @@ pub(super) struct Side<M: Pack<S = f64>, L: Lanes> {
 }
 
 impl<M: Pack<S = f64>, L: Lanes> Side<M, L> {
-    pub(super) fn new<F: Formula>(lanes: &[Lane<M, F>; LANES]) -> Self {
+    pub(super) fn new<F: Formula>(lanes: &[Fixed<M, F>; LANES]) -> Self {
         let systems = lanes.each_ref().map(|lane| lane.context.system);
         let typical = systems.map(Rate::typical);
         let (held, joined) = hold(lanes);
@@ -83,7 +83,7 @@ impl<M: Pack<S = f64>, L: Lanes> Side<M, L> {
 
     /// Tells the lanes what is remembered of them.
     #[inline]
-    pub(super) fn tell<F: Formula>(&mut self, lanes: &mut [Lane<M, F>; LANES]) {
+    pub(super) fn tell<F: Formula>(&mut self, lanes: &mut [Fixed<M, F>; LANES]) {
         if !self.looked {
             return;
         }
@@ -98,7 +98,7 @@ impl<M: Pack<S = f64>, L: Lanes> Side<M, L> {
         &mut self,
         next: &mut Wide<M, L>,
         (i, before): (usize, Option<usize>),
-        lanes: &[Lane<M, F>; LANES],
+        lanes: &[Fixed<M, F>; LANES],
     ) {
         let (lane, joined) = (&lanes[i % LANES], self.joined[i % LANES]);
         set_column(next, i, &lane.context.x);
@@ -111,10 +111,10 @@ impl<M: Pack<S = f64>, L: Lanes> Side<M, L> {
     }
 
     /// Counts who goes with the others, and who runs.
-    fn count<F: Formula>(&mut self, lanes: &[Lane<M, F>; LANES]) {
+    fn count<F: Formula>(&mut self, lanes: &[Fixed<M, F>; LANES]) {
         let number = |is: bool| if is { 1.0 } else { 0.0 };
         let mut joined = self.joined.into_iter();
-        let coasts = |lane: &Lane<M, F>| number(joined.next() == Some(true) && lane.coasts());
+        let coasts = |lane: &Fixed<M, F>| number(joined.next() == Some(true) && lane.coasts());
         self.coasting = L::of(lanes.each_ref().map(coasts));
         self.running = L::of(lanes.each_ref().map(|lane| number(lane.runs)));
     }
@@ -122,14 +122,17 @@ impl<M: Pack<S = f64>, L: Lanes> Side<M, L> {
 
 /// What the lanes hold, as one, in the chart of most, and which lanes are in that.
 fn hold<M: Pack<S = f64>, L: Lanes, F: Formula>(
-    lanes: &[Lane<M, F>; LANES],
+    lanes: &[Fixed<M, F>; LANES],
 ) -> (WideHeld<M, L>, [bool; LANES]) {
-    let held = lanes.each_ref().map(|lane| &lane.context.held);
-    let joins = |lane: &Lane<M, F>, first: &Lane<M, F>| {
-        let place = lane.place();
-        place.is_some() && place == M::chart(&first.context.held)
-    };
-    let joined_by = |first: &Lane<M, F>| lanes.iter().filter(|other| joins(other, first)).count();
-    let first = lanes.iter().max_by_key(|lane| joined_by(lane)).unwrap_or(&lanes[0]);
-    (M::pack_held(&first.context.held, held, L::of), lanes.each_ref().map(|lane| joins(lane, first)))
+    hold_together::<M, L>(lanes.each_ref().map(|lane| (&lane.context.held, lane.place())))
+}
+
+/// What lanes hold, each in the chart that it can share, as one in the chart of most, and which lanes are in that.
+pub(super) fn hold_together<M: Pack<S = f64>, L: Lanes>(
+    lanes: [(&M::U, Option<usize>); LANES],
+) -> (WideHeld<M, L>, [bool; LANES]) {
+    let joins = |place: Option<usize>, first: &M::U| place.is_some() && place == M::chart(first);
+    let joined_by = |first: &M::U| lanes.iter().filter(|(_, place)| joins(*place, first)).count();
+    let (first, _) = lanes.iter().max_by_key(|(held, _)| joined_by(held)).unwrap_or(&lanes[0]);
+    (M::pack_held(first, lanes.map(|lane| lane.0), L::of), lanes.map(|(_, place)| joins(place, first)))
 }

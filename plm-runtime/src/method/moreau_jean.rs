@@ -75,15 +75,20 @@ impl<S: Real> MoreauJean<S> {
         self.largest_residual
     }
 
-    /// A step with rows of contact.
-    fn stride_of_rows<M: System<S = S>>(
+    /// The next step of the partition.
+    pub(crate) fn stride(&self, t: S) -> Stride<S> {
+        Stride { t, h: self.partition.h, theta: self.theta }
+    }
+
+    /// Goes on to the state `next` behind a step with rows of contact, if that could be made and is healthy. What is held behind it is left to
+    /// the caller.
+    pub(crate) fn land_with_rows<M: System<S = S>>(
         &mut self,
         context: &mut Context<'_, M>,
-        stride: &Stride<S>,
-        held: &mut M::U,
-        x: &mut M::X,
+        made: &Result<Solution<S>, Fault>,
+        next: M::X,
     ) -> Result<(), Fault> {
-        let Solution { residual, health, .. } = context.system.stride(stride, held, x, |_, _, _| Ok(()))?;
+        let Solution { residual, health, .. } = (*made)?;
         context.stats.evaluations += 1;
         context.health = context.health.min(health.0);
         if !health.is_good() {
@@ -92,6 +97,17 @@ impl<S: Real> MoreauJean<S> {
         }
         self.residual = residual;
         self.largest_residual = self.largest_residual.max(residual);
+        self.land(context, next)
+    }
+
+    /// Goes on to the state behind a step.
+    fn land<M: System<S = S>>(&mut self, context: &mut Context<'_, M>, next: M::X) -> Result<(), Fault> {
+        if !next.is_finite() {
+            return Err(not_finite(context.system, self.partition.next_time, &next));
+        }
+        context.stats.steps += 1;
+        (context.time, context.x) = (self.partition.next_time, next);
+        self.partition.next();
         Ok(())
     }
 }
@@ -107,23 +123,18 @@ impl<M: System<S: Real>> Method<M> for MoreauJean<M::S> {
     }
 
     fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
-        let (h, theta) = (self.partition.h, self.theta);
-        let (mut held, mut next) = (context.held, context.x);
-        let stride = Stride { t: context.time, h, theta };
+        let (mut next, stride) = (context.x, self.stride(context.time));
         if M::CONTACTS > 0 {
-            self.stride_of_rows(context, &stride, &mut held, &mut next)?;
-        } else {
-            let mut outcome = Ok(());
-            smooth_step::<M>(&stride, &mut next, |t, x, dx| outcome = context.rate(t, x, dx));
-            outcome?;
+            let mut held = context.held;
+            let made = context.system.stride(&stride, &mut held, &mut next, |_, _, _| Ok(()));
+            self.land_with_rows(context, &made, next)?;
+            context.held = held;
+            return Ok(());
         }
-        if !next.is_finite() {
-            return Err(not_finite(context.system, self.partition.next_time, &next));
-        }
-        context.stats.steps += 1;
-        (context.time, context.held, context.x) = (self.partition.next_time, held, next);
-        self.partition.next();
-        Ok(())
+        let mut outcome = Ok(());
+        smooth_step::<M>(&stride, &mut next, |t, x, dx| outcome = context.rate(t, x, dx));
+        outcome?;
+        self.land(context, next)
     }
 
     fn restart(&mut self) {}

@@ -27,10 +27,11 @@ pub trait Rates<M: Rate> {
 }
 
 /// The stages of a formula by their numbers, which follow each other: a copy of the body for each if `short`, a loop otherwise.
-/// The loop is over a range, of which compilers know that it stays within an array; numbers in memory could be any.
+/// The loop is over a range, of which compilers know that it stays within an array; numbers in memory could be any. Both are
+/// constants of the types, and only what they choose is translated, in builds that are not optimised too. Of formulas of any number of stages, a copy for each below that number.
 macro_rules! each_stage {
     ($short:expr, $stage:ident in [$first:literal $(, $number:literal)*] $body:block) => {
-        if $short {
+        if const { $short } {
             {
                 let $stage = $first;
                 $body
@@ -42,6 +43,12 @@ macro_rules! each_stage {
         } else {
             for $stage in $first..$first + [$first $(, $number)*].len() $body
         }
+    };
+    ($stage:ident < $count:ident in [$($number:literal),*] $body:block) => {
+        $(if const { $number < $count } {
+            let $stage = $number;
+            $body
+        })*
     };
 }
 pub(crate) use each_stage;

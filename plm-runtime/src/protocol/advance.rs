@@ -102,7 +102,8 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         self.go_on(made)
     }
 
-    fn go_on(&mut self, mut made: Made<M::S>) -> Result<(), Fault> {
+    /// The same in the steps that the method has planned.
+    pub(crate) fn go_on(&mut self, mut made: Made<M::S>) -> Result<(), Fault> {
         let mut failures = 0;
         loop {
             if let Made::Split(parts) = made {
@@ -133,11 +134,14 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         context.health = M::S::lit(1.0);
         match guarded.detector.step(*method, context) {
             Ok(event) => self.conclude(&from, event),
-            Err(fault) => {
-                self.refuse(&from);
-                Made::Failed(fault)
-            }
+            Err(fault) => self.fail(&from, fault),
         }
+    }
+
+    /// Goes back to where a step began that cannot be made.
+    pub(crate) fn fail(&mut self, from: &Beginning<M>, fault: Fault) -> Made<M::S> {
+        self.refuse(from);
+        Made::Failed(fault)
     }
 
     /// Does what the judge says of the step that was proposed, from its beginning to the state reached.
@@ -153,8 +157,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
                 Verdict::Accept(accepted) => break accepted,
                 Verdict::Project => {
                     if let Err(fault) = project_end(context) {
-                        self.refuse(from);
-                        return Made::Failed(fault);
+                        return self.fail(from, fault);
                     }
                     (rules.drift, drifted, *proposal.x) = (DriftCheck::Skip, true, context.x);
                 }
@@ -182,10 +185,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
             Ok(event) => self
                 .commit(from, (held, x), (accepted, drifted), event)
                 .map_or_else(Made::Failed, |()| Made::Step),
-            Err(fault) => {
-                self.refuse(from);
-                Made::Failed(fault)
-            }
+            Err(fault) => self.fail(from, fault),
         }
     }
 

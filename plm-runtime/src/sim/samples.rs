@@ -128,9 +128,8 @@ where
                 // The events were committed: they do not fail here.
                 let _ = events::switch_each(
                     (context.system, M::G::fill(M::S::ZERO), M::S::ZERO),
-                    context.time,
-                    &mut held,
-                    &mut x,
+                    None,
+                    (context.time, &mut held, &mut x),
                     |index| {
                         see(Seen::Condition(index, moment));
                     },

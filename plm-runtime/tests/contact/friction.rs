@@ -1,6 +1,8 @@
 //! Friction: oscillators, belts, inclines, discs that begin to roll, blocks on each other.
 
-use plm_runtime::contact::{Law, Limit, Mode, Rows};
+use core::f64::consts::PI;
+
+use plm_runtime::contact::{Affine, Law, Limit, Load, Mode, Rows};
 use plm_runtime::{Dop853, Mechanism, Scalar};
 
 use crate::support::{Row, Scene, system};
@@ -46,7 +48,7 @@ system!(Oscillator, 1, 1);
 fn a_coulomb_oscillator_comes_to_rest() {
     let scene = Oscillator { kinetic: 0.1, adhesion: 0.1, belt: 0.0, start: [0.1, 0.0] };
     let mut sim = scene.start_with(Dop853::new(1e-12)).unwrap();
-    let half = core::f64::consts::PI / 10.0;
+    let half = PI / 10.0;
     for (k, turn) in [0.1, -0.08038, 0.06076, -0.04114, 0.02152, -0.0019].into_iter().enumerate() {
         sim.step_to(half * k as f64).unwrap();
         assert!((sim.x[0] - turn).abs() < 1e-10, "{k}: {:?}", sim.x);
@@ -243,4 +245,70 @@ fn what_sticks_stays_where_it_is() {
     assert!(sim.stats().steps < 20, "{:?}", sim.stats());
     let [push, friction] = plm_runtime::contact::reactions(&scene, 0.0, &sim.held, &sim.x);
     assert!((friction / (0.3 * push) - 0.989_419_624_342_013_6).abs() < 1e-12);
+}
+
+/// Two blocks of 1 kg in guides, pressed by forces in the plane: one slides, and the other one sticks under a force that swings.
+#[derive(Clone, Copy, Debug)]
+struct Guides;
+
+/// The force that swings, N, and its frequency, rad/s.
+const SWING: [f64; 2] = [5.05, 20.0];
+
+impl Scene<2, 2> for Guides {
+    fn laws(&self) -> [Law<f64>; 2] {
+        [Law::Friction; 2]
+    }
+    fn free<T: Scalar>(&self, t: T, _q: [T; 2], _v: [T; 2]) -> [T; 2] {
+        let [size, omega] = SWING.map(T::lit);
+        [T::ZERO, size * (omega * t).sin()]
+    }
+    fn inverse_mass<T: Scalar>(&self, _q: [T; 2]) -> [[T; 2]; 2] {
+        [[T::lit(1.0), T::ZERO], [T::ZERO, T::lit(1.0)]]
+    }
+    fn contact<T: Scalar>(&self, _t: T, q: [T; 2], _v: [T; 2]) -> [Row<T, 2>; 2] {
+        [0, 1].map(|i| Row::fixed(q[i], core::array::from_fn(|k| T::lit(f64::from(u8::from(k == i))))))
+    }
+    fn friction<T: Scalar>(&self, _t: T, _q: [T; 2], _v: [T; 2], rows: &mut Rows<T, 2>) {
+        for (load, force, share, coupling) in [(0, [30.0, 40.0], 0.1, 0.5), (1, [3.0, 4.0], 1.0, 0.0)] {
+            let affine = |own: f64, by: f64| {
+                let by = core::array::from_fn(|row| T::lit(if row == load { by } else { 0.0 }));
+                Affine { own: T::lit(own), by }
+            };
+            rows.reaction[load] = [affine(force[0], coupling), affine(force[1], 0.0)];
+            (rows.load[load], rows.read[load][load]) = (Load::Plane, true);
+            let share = core::array::from_fn(|of| T::lit(if of == load { share } else { 0.0 }));
+            rows.set_friction(load, Limit { share, ..Limit::none() });
+        }
+    }
+    fn start(&self) -> ([f64; 2], [f64; 2]) {
+        ([0.0; 2], [100.0, 0.0])
+    }
+}
+
+system!(Guides, 2, 2);
+
+/// A force that swings 2.7 times in one step passes the bound of 5 N for a moment in each half of a period. Between these moments nothing
+/// but the other block moves, whose force follows from l = -0.1 |(30 + 0.5 l, 40)|.
+#[test]
+fn a_load_that_swings_within_a_step_breaks_a_friction_away() {
+    let [size, omega] = SWING;
+    let begin = (5.0 / size).asin() / omega;
+    let speed = |t: f64| size / omega * ((omega * begin).cos() - (omega * t).cos()) - 5.0 * (t - begin);
+    let (mut low, mut high) = (0.5 * PI / omega, PI / omega);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        *if speed(middle) > 0.0 { &mut low } else { &mut high } = middle;
+    }
+    let along = (omega * begin).cos() * (low - begin) - ((omega * low).sin() - (omega * begin).sin()) / omega;
+    let moved = size / omega * along - 2.5 * (low - begin) * (low - begin);
+    // (1 - 0.0025) l^2 - 0.3 l - 25 = 0
+    let force = (0.3 - (0.09_f64 + 100.0 * 0.9975).sqrt()) / (2.0 * 0.9975);
+    for tolerance in [1e-6, 1e-10] {
+        let mut sim = Guides.start_with(Dop853::new(tolerance)).unwrap();
+        assert_eq!(sim.held.of, [Mode::Forwards, Mode::Sticks]);
+        sim.step_to(0.85).unwrap();
+        assert_eq!(sim.held.of, [Mode::Forwards, Mode::Sticks]);
+        assert!((sim.x[1] / moved - 1.0).abs() < 1e-5, "{tolerance}: {} {moved}", sim.x[1]);
+        assert!((sim.x[2] - 100.0 - 0.85 * force).abs() < 1e-12 * 100.0, "{}", sim.x[2]);
+    }
 }

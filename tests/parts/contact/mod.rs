@@ -6,6 +6,7 @@ use plm::{Mechanism, Moment, Sim};
 mod cams;
 mod circles;
 mod grounds;
+mod polygons;
 mod polylines;
 mod rolling;
 mod wheels;

@@ -7,14 +7,17 @@
 
 use crate::collect::{CollectVec, MapEach, PushAll};
 use crate::sorted::sort_by_key;
-use plm_cas::{Expr, Function, Node, algebra};
+use plm_cas::{Expr, Function, Node, Number, algebra};
 
 use super::cuts::{self, hold_cuts, moves};
 use super::decisions::decisions;
 use super::forcing_terms;
 use super::kinks::{self, Kink, root};
 use super::poles::hold_poles;
-use crate::model::{Contact, Jump, Model, Switch};
+use crate::model::{Contact, ContactMode, Jump, Model, Switch};
+
+/// A number above zero that changes nothing.
+const ABOVE_ZERO: f64 = 1e-30;
 
 /// Puts the side of every condition at which a force, a rate or an acceleration jumps, or that asks for the time alone, in
 /// its place. Gives each condition and what stands for it.
@@ -162,7 +165,7 @@ fn bends(model: &mut Model, roots: &[Expr]) {
 /// A new switch of the condition `difference < 0`, and the condition that stands for that: `switch < 0`.
 fn switch(model: &mut Model, difference: Expr, (name, text): (String, String)) -> Expr {
     let symbol = Expr::symbol(format!("switch_{}", model.switches.len()));
-    let instant = instant(model, difference);
+    let (instant, difference) = (instant(model, difference), at_rest(model, difference));
     model.switches.push(Switch {
         symbol,
         difference,
@@ -174,6 +177,32 @@ fn switch(model: &mut Model, difference: Expr, (name, text): (String, String)) -
         must_hold: false,
     });
     symbol.less(Expr::ZERO)
+}
+
+/// A difference of the rate of a row of contact, of its size or of a gap, and a constant: while that row sticks or is closed, as if the
+/// first were zero. What is left of it then is rounding of either sign, at which nothing is to happen. At zero the condition does not hold,
+/// which a number above zero says.
+fn at_rest(model: &Model, difference: Expr) -> Expr {
+    let flow: Vec<(Expr, Expr)> = (model.bodies.iter().flat_map(|body| body.q.into_iter().zip(body.v)))
+        .chain([(model.time, Expr::ONE)])
+        .collect_vec();
+    let is_constant = |of: &Expr| {
+        algebra::symbols(&[*of]).iter().all(|symbol| model.params.iter().any(|param| param.symbol == *symbol))
+    };
+    let rest = |of: Expr| [difference - of, difference + of].into_iter().find(is_constant);
+    let found = model.contacts.iter().find_map(|contact| {
+        let gap = (contact.kind_of_mode() == ContactMode::Open).then_some(contact.displacement);
+        let rate = contact.displacement.directional(&flow);
+        let known = [Some(rate), Some(rate.abs()), gap];
+        Some((contact, known.into_iter().flatten().find_map(rest)?))
+    });
+    let Some((contact, rest)) = found else { return difference };
+    let rest = if rest.is_zero() { Expr::from(Number::from_f64(ABOVE_ZERO)) } else { rest };
+    let [yes, no] = match contact.kind_of_mode() {
+        ContactMode::Open => [difference, rest],
+        ContactMode::Sticking => [rest, difference],
+    };
+    (Expr::ONE / Expr::from(2)).less(contact.mode).select(yes, no)
 }
 
 /// The comparison `a < b` as it was written, or else as it is printed.

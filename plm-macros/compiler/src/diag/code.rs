@@ -59,7 +59,7 @@ catalogue! {
     NeedsIndex = "E0210", "a name needs an index";
     Cycle = "E0211", "a definition needs itself";
     UnknownOption = "E0212", "unknown option of a choice";
-    UnknownRow = "E0213", "unknown constraint row";
+    UnknownRow = "E0213", "unknown row";
     TypeName = "E0214", "the name of a mechanism is not that of a type";
 
     // E03: units and dimensions.

@@ -10,7 +10,7 @@ use crate::model::{Model, Range};
 pub struct Limit {
     /// The part.
     pub part: String,
-    /// What it is.
+    /// Its name: `mass`, `compliance`.
     pub what: String,
     /// Its unit.
     pub unit: String,
@@ -82,7 +82,7 @@ pub(crate) fn varying(model: &Model, may_be_carried: bool) -> Vec<Limit> {
     all.filter(Limit::varies).collect_vec()
 }
 
-/// What joints, masses and known times are made of: a parameter that it reads shapes the mechanism.
+/// The values that joints, masses and known times are made of: a parameter that it reads shapes the mechanism.
 pub(crate) fn shaping(model: &Model) -> Vec<Expr> {
     let rows = model.rows.iter().map(|row| row.phi);
     let bodies = model.bodies.iter().flat_map(|body| [body.mass, body.inertia, body.centre.x, body.centre.y]);

@@ -1,4 +1,4 @@
-//! What is known of a mechanism beside its equations, for whoever writes it: as Rust, or as data.
+//! Facts of a mechanism beside its equations, for whoever writes it: as Rust, or as data.
 
 pub(crate) mod conditions;
 pub(crate) mod limits;

@@ -74,7 +74,10 @@ pub(crate) const ELSEWHERE: &[(&[&str], &str)] = &[
         "ground is `ground_profile`, or `point_on_polyline`",
     ),
     (&["stairs", "polyline"], "what stands on a polyline is `point_on_polyline` or `circle_on_polyline`"),
-    (&["polygon", "box_contact"], "corners of a body on a line are `polygon_on_line`"),
+    (
+        &["polygon", "box_contact", "convex_contact"],
+        "corners of a body on a line are `polygon_on_line`, a circle on a polygon is `circle_on_polyline` with closed ends",
+    ),
     (
         &["roll", "rolling_joint", "rolling_wheel"],
         "what rolls without slip is `rolling`, what may slip a `wheel`",
@@ -134,4 +137,21 @@ pub(crate) const ELSEWHERE: &[(&[&str], &str)] = &[
     (&["plmzer"], "a port that no part uses is free: leave this out"),
     (&["plmassembly"], "a mechanism is assembled at every start: leave this out"),
     (&["plmcalcul"], "points change axes by `to_absolute` and `to_relative`"),
+];
+
+/// Outputs by names that they have elsewhere.
+pub(crate) const OUTPUTS: &[(&str, &str)] = &[
+    ("loss", "lost"),
+    ("losses", "lost"),
+    ("heat", "lost"),
+    ("dissipation", "lost"),
+    ("friction_loss", "lost"),
+    ("power_loss", "lost"),
+    ("holds", "locked"),
+    ("sticks", "locked"),
+    ("is_locked", "locked"),
+    ("velocity", "speed"),
+    ("position", "displacement"),
+    ("normal_force", "push"),
+    ("friction_force", "drag"),
 ];

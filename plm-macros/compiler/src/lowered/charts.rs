@@ -22,9 +22,9 @@ pub struct Chart {
     pub guards: Routine,
     /// `a` of all bodies and `lambda` of all rows; of trees alone.
     pub reactions: Option<Routine>,
-    /// What is to be remembered of a state, returning the square of the measure; of loops alone.
+    /// The numbers to be remembered of a state, returning the square of the measure; of loops alone.
     pub remember: Option<Routine>,
-    /// The same of a pose and velocity.
+    /// The numbers to be remembered of a pose and velocity.
     pub remember_pose: Option<Routine>,
     /// `by_x`, the entries of df/dx that are not zero; `dx` is the rate there. Where every chart of loops has them.
     pub jacobian: Option<Routine>,
@@ -34,7 +34,7 @@ pub struct Chart {
     pub closing: Vec<String>,
 }
 
-/// What is remembered of loops: how many numbers of each kind, and whose they are.
+/// The memory of loops: how many numbers of each kind, and whose they are.
 #[derive(Clone, Debug)]
 pub struct Loops {
     /// Number of coordinates of a chart.

@@ -59,7 +59,7 @@ pub struct Lowered {
     pub absolute: AbsoluteEquations,
     /// Joint coordinates, chart by chart; none of absolute coordinates, one of a tree.
     pub charts: Vec<Chart>,
-    /// What is remembered of loops.
+    /// The memory of loops.
     pub loops: Option<Loops>,
     /// Angles whose turns are counted.
     pub turns: Vec<Turns>,
@@ -97,7 +97,7 @@ pub struct Named {
     pub unit: String,
 }
 
-/// What cannot be lowered yet.
+/// An item of the language that cannot be lowered yet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unsupported {
     /// Friction, unilateral contact, or a constraint with a condition.
@@ -110,7 +110,7 @@ impl Expansion {
     /// The mechanism as data; nothing after errors.
     ///
     /// # Errors
-    /// What in it cannot be lowered.
+    /// The item of it that cannot be lowered.
     pub fn lower(&self) -> Option<Result<Lowered, Unsupported>> {
         let (oracle, report) = (self.oracle.as_ref()?, self.report.as_ref()?);
         let Oracle { graph, .. } = oracle;
@@ -118,7 +118,7 @@ impl Expansion {
     }
 }
 
-/// What is read to lower a mechanism.
+/// The passes' results that are read to lower a mechanism.
 struct Parts<'a> {
     model: &'a Model,
     equations: &'a Equations,

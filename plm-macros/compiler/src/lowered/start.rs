@@ -38,7 +38,7 @@ pub struct Starts {
     pub given_angles: Vec<bool>,
     /// Values of the inputs at the start; of parameters.
     pub inputs: Routine,
-    /// What the values of [`limits`](Self::limits) are; of parameters.
+    /// The values of [`limits`](Self::limits); of parameters.
     pub limited: Routine,
     /// Ranges of values that parameters give.
     pub limits: Vec<Limit>,

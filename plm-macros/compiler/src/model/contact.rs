@@ -64,14 +64,15 @@ pub enum ContactLaw {
 }
 
 impl Contact {
-    /// Is it a friction that can hold nothing?
+    /// Can it hold nothing? A row that never exists, or a friction without a bound.
     pub(crate) fn is_idle(&self) -> bool {
-        match &self.law {
+        let is_weak = match &self.law {
             ContactLaw::Friction { kinetic, adhesion, .. } => {
                 kinetic.iter().chain(adhesion).all(|limit| limit.is_zero())
             }
             ContactLaw::Unilateral { .. } | ContactLaw::Constraint => false,
-        }
+        };
+        is_weak || self.exists.is_some_and(Expr::is_zero)
     }
 
     /// The reactions of joints that bound it.

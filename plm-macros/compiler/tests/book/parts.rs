@@ -49,6 +49,93 @@ fn the_page_of_a_part_lists_what_it_has() {
             let text = fs::read_to_string(&page).unwrap_or_else(|_| panic!("no page {}", page.display()));
             let known: BTreeSet<&str> = names(&part).into_iter().collect();
             assert_eq!(first_cells(&text), known, "{}", page.display());
+            // Each row says what it is in its last cell.
+            let empty =
+                text.lines().find(|line| line.starts_with("| `") && line.replace(' ', "").ends_with("||"));
+            assert_eq!(empty, None, "{}", page.display());
+        }
+    }
+}
+
+/// Names of parameters that have a range wherever they stand: sizes, ratios of parts of a whole, times. Not those of oil and orifices, of
+/// which a machine has many: a requirement on a parameter that may change is a guard of each step.
+const RANGED: [&str; 35] = [
+    "radius",
+    "radius_a",
+    "radius_b",
+    "worm_radius",
+    "wheel_radius",
+    "base_radius",
+    "roller_radius",
+    "pivot_radius",
+    "rolling_radius",
+    "diameter",
+    "rod_diameter",
+    "piston_diameter",
+    "pin_diameter",
+    "collar_diameter",
+    "thickness",
+    "stroke",
+    "volume",
+    "dead_volume",
+    "pressure_angle",
+    "efficiency",
+    "teeth_sun",
+    "teeth_ring",
+    "density",
+    "bulk_modulus",
+    "viscosity",
+    "frequency",
+    "damping_ratio",
+    "time_constant",
+    "period",
+    "filter",
+    "temperature",
+    "ramp",
+    "guide_length",
+    "limit_stiffness",
+    "static_ratio",
+];
+
+/// Statements of the language that say what a parameter may be, and fields that hand it to a part inside or to a body, which say it.
+fn says_a_range(statement: &str) -> bool {
+    let head = statement.split([':', ' ', '{']).find(|word| !word.is_empty()).unwrap_or_default();
+    let others = [
+        "param",
+        "let",
+        "input",
+        "output",
+        "state",
+        "node",
+        "picture",
+        "constraint",
+        "unilateral",
+        "friction",
+        "points",
+    ];
+    head == "require" || statement.contains(':') && !others.contains(&head)
+}
+
+/// A value that cannot be is told at once, and not by what a run makes of it.
+#[test]
+fn a_parameter_with_a_range_is_required_to_be_in_it() {
+    for (name, text) in words::parts() {
+        let (mut sources, mut sink) = (Sources::new(), Diagnostics::new());
+        let id = sources.add_text(name, text);
+        let code: Vec<&str> = text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect();
+        let code = code.join(" ");
+        let statements: Vec<&str> =
+            code.split([';', '{', '}']).map(str::trim).filter(|of| says_a_range(of)).collect();
+        let has = |statement: &str, word: &str| {
+            statement.split(|of: char| !of.is_alphanumeric() && of != '_').skip(1).any(|part| part == word)
+        };
+        for part in parse_parts(sources.get(id).unwrap(), &mut sink).parts {
+            for item in all_items(&part.items) {
+                let ItemKind::Param(value) = &item.kind else { continue };
+                let of = value.name.ident.text.as_str();
+                let is_said = statements.iter().any(|statement| has(statement, of));
+                assert!(!RANGED.contains(&of) || is_said, "`{of}` of `{name}` needs a `require`");
+            }
         }
     }
 }

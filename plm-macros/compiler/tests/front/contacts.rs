@@ -189,3 +189,23 @@ fn what_a_contact_does_to_its_ports_is_observed() {
     // The forces go through the point of the sole.
     assert_near(output(&model, &values, "left.torque_on_sole")[0], 0.0, "torque");
 }
+
+/// Of a part's rows, one whose condition never holds is none, and one whose condition always holds has none. What reads them knows it.
+#[test]
+fn rows_of_a_part_that_never_exist_are_none() {
+    let model = stone(
+        "part stones(a: frame) {
+            repeat k in 0..3 { unilateral floor[k]: a.y >= k*1 m { when: k > 0.5 and (k > 1.5 or a.x < 2 m); } }
+        }
+        stones three(stone.a);
+        output pushes = reaction(three.floor[0]) + reaction(three.floor[2]);
+        output open = if is_open(three.floor[0]) then 1 else 0;",
+    );
+    let found: Vec<(&str, bool)> =
+        model.contacts.iter().map(|of| (of.name.as_str(), of.exists.is_some())).collect();
+    assert_eq!(found, [("three.floor[1]", true), ("three.floor[2]", false)]);
+    let mut values = scattered(&model, 3);
+    set(&model, &mut values, "three.floor[2]", 5.0);
+    assert_near(output(&model, &values, "pushes")[0], 5.0, "pushes");
+    assert_near(output(&model, &values, "open")[0], 1.0, "open");
+}

@@ -47,13 +47,13 @@ pub(super) fn impacts<M: Contacts<N>, const N: usize>(
             let (lambda, rate) = (solved.lambda, solved.acceleration);
             Ok(Answer { lambda, rate, is_ambiguous: false, combination: None })
         };
-        let Impulses::Found(impulses, _) = impulses(&motion.rows, laws, (law, touches), &mut by_rounds)
+        let Impulses::Found(impulses, _) = impulses(&mut motion.rows, laws, (law, touches), &mut by_rounds)
         else {
             break;
         };
         let ([before, _], changes) = (stride.parts(), changes(&motion.rows, &impulses));
         let Rows { gap, rate, .. } = &mut motion.rows;
-        let after = core::array::from_fn(|i| rate[i] + changes[i]);
+        let after = Vector::from_fn(|i| rate[i] + changes[i]);
         struck.add([rate, &after], &moved_by_time, &impulses).map_err(|[by, of]| {
             Fault::of_part(stride.t.to_f64(), system.contact_name(row), Cause::ImpactGains { by, of })
         })?;

@@ -18,11 +18,13 @@
 //! Computer Methods in Applied Mechanics and Engineering 256, 2013).
 
 mod impacts;
+mod packed;
 mod problem;
 mod smooth;
 mod solver;
 
 use self::impacts::{Progress, impacts};
+pub use self::packed::{Proposed, packed_steps};
 use self::problem::{Problem, away, lead_back};
 pub use self::smooth::smooth_step;
 use self::solver::Solved;
@@ -91,9 +93,25 @@ pub fn step<M: Contacts<N>, const N: usize>(
     x: &mut M::X,
     behind: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
 ) -> Result<Solution<M::S>, Fault> {
+    step_by(system, stride, (u, x), |t, u, x| system.motion_at(t, u, x), behind)
+}
+
+/// Makes a step as [`step`], with the motion at the intermediate place as `motion` gives it for a time, a discrete state and a state.
+#[allow(
+    clippy::inline_always,
+    reason = "a step has one caller, on targets whose registers hold a part of it"
+)]
+#[inline(always)]
+fn step_by<M: Contacts<N>, const N: usize>(
+    system: &M,
+    stride: &Stride<M::S>,
+    (u, x): (&mut M::U, &mut M::X),
+    motion: impl FnOnce(M::S, &M::U, &M::X) -> Motion<M::S, M::X, N>,
+    behind: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
+) -> Result<Solution<M::S>, Fault> {
     let [ahead, rest] = stride.parts();
     drift::<M>(ahead, x);
-    let mut motion = system.motion_at(stride.t + ahead, u, x);
+    let mut motion = motion(stride.t + ahead, u, x);
     super::bounds::look_at_signs(system, stride.t, u, &motion.rows)?;
     let laws = core::array::from_fn(|row| system.law(row));
     let exists = core::array::from_fn(|row| system.exists(u, row));
@@ -188,7 +206,7 @@ fn modes<S: Real, const N: usize>(
     before: &Modes<S, N>,
 ) -> Modes<S, N> {
     let sticks = |i: usize| solved.modes[i] == Mode::Sticks && before.of[i] != Mode::Sticks;
-    let place = core::array::from_fn(|i| {
+    let place = Vector::from_fn(|i| {
         if sticks(i) {
             problem::end(stride, rows, i, problem.rate_at_end(solved, i))
         } else {

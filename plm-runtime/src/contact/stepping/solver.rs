@@ -12,6 +12,7 @@ use crate::contact::modes::Mode;
 use crate::contact::multipliers::equation;
 use crate::contact::rows::{Law, Limit, Rows, below, indices};
 use crate::scalar::Real;
+use crate::vector::Vector;
 
 /// Rounds in which every row may change its mode, and then such in which one row alone may, of so many rows.
 const fn rounds(rows: usize) -> [u32; 2] {
@@ -187,7 +188,7 @@ fn look<S: Real, const N: usize>(
     lambda: [S; N],
     dropped: &[bool; N],
 ) -> Seen<S, N> {
-    let acceleration: [S; N] = core::array::from_fn(|i| rows.acceleration(i, &lambda));
+    let acceleration: [S; N] = Vector::from_fn(|i| rows.acceleration(i, &lambda));
     let (mut next, mut is_met, mut residual) = (modes, true, S::ZERO);
     let negative = core::array::from_fn(|load| is_negative(rows, load, &lambda));
     for i in 0..N {

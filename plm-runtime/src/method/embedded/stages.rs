@@ -36,7 +36,7 @@ pub(in crate::method) fn stages<M: System, R: Rows<N>, const N: usize>(
     k: &mut [M::X; N],
     rates: &mut impl Rates<M>,
 ) -> M::X {
-    if M::SHORT && M::X::LEN <= FEW_STATES {
+    if const { M::SHORT && M::X::LEN <= FEW_STATES } {
         return each_with_its_rate::<M, R, N>((t, h), x, k, rates);
     }
     let mut at = *x;
@@ -60,17 +60,15 @@ fn each_with_its_rate<M: System, R: Rows<N>, const N: usize>(
     let mut at = *x;
     let (coordinates, rest) = (0..M::NQ, M::NQ..M::X::LEN);
     R::row(1, coordinates.clone(), (x, h), k, &mut at);
-    each_stage!(true, stage in [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15] {
-        if stage < N {
-            R::row(stage, rest.clone(), (x, h), k, &mut at);
-            for i in coordinates.clone() {
-                k[stage].set(i, at.at(M::NQ + i));
-            }
-            let mut next = at;
-            R::row(stage + 1, coordinates.clone(), (x, h), k, &mut next);
-            rates.at(time::<M, R, N>((t, h), stage), &at, &mut k[stage]);
-            at = next;
+    each_stage!(stage < N in [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15] {
+        R::row(stage, rest.clone(), (x, h), k, &mut at);
+        for i in coordinates.clone() {
+            k[stage].set(i, at.at(M::NQ + i));
         }
+        let mut next = at;
+        R::row(stage + 1, coordinates.clone(), (x, h), k, &mut next);
+        rates.at(time::<M, R, N>((t, h), stage), &at, &mut k[stage]);
+        at = next;
     });
     R::row(N, rest, (x, h), k, &mut at);
     at

@@ -33,9 +33,13 @@ macro_rules! pair {
         impl $crate::method::embedded::Rows<$stages> for $pair {
             const NODES: [f64; $stages] = $nodes;
 
+            // Apart in builds that are not optimised, as each stage with its rate.
             #[allow(unused_variables, reason = "a stage may count in no row")]
-            #[allow(clippy::inline_always, reason = "as the stages")]
-            #[inline(always)]
+            #[cfg_attr(
+                not(debug_assertions),
+                allow(clippy::inline_always, reason = "as the stages"),
+                inline(always)
+            )]
             fn row<S: $crate::Scalar, X: $crate::Vector<S>>(
                 stage: usize,
                 part: core::ops::Range<usize>,

@@ -68,7 +68,7 @@ fn contract(emission: &Emission) -> TokenStream {
                 use rt::lanes::Pack;
                 let number = |[s]: [S; 1]| constant(s);
                 let (mechanism, held) = (self.pack([self], number), Self::pack_held(u, [u], number));
-                mechanism.contact_rows_(t, &held, &core::array::from_fn(x))
+                mechanism.contact_rows_(t, &held, &rt::Vector::from_fn(x))
             }
 
             fn rows_at(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Rows<S, #count> {
@@ -81,7 +81,7 @@ fn contract(emission: &Emission) -> TokenStream {
                 use rt::lanes::Pack;
                 let number = |[s]: [S; 1]| constant(s);
                 let (mechanism, held) = (self.pack([self], number), Self::pack_held(u, [u], number));
-                mechanism.contact_kinematics_(t, &held, &core::array::from_fn(x))
+                mechanism.contact_kinematics_(t, &held, &rt::Vector::from_fn(x))
             }
 
             fn kinematics_at(&self, t: S, u: &Held<S>, x: &[S; #length]) -> rt::contact::Kinematics<S, #count> {

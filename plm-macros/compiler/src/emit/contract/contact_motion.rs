@@ -8,7 +8,7 @@ use super::super::bindings::Origin;
 use super::super::function::function;
 use super::super::{Emission, Form, Sizes, memory};
 use super::charted::call;
-use super::contact::{count, some_may_not_exist};
+use super::contact::{self, count, some_may_not_exist};
 use super::contact_sliding;
 use crate::formulate::ContactFunctions;
 use crate::model::{Contact, bounding_reactions};
@@ -112,9 +112,11 @@ fn rows(emission: &Emission) -> TokenStream {
     let kinematics = call(emission, "contact_kinematics", &quote!(t, u, #memory x, &mut rows), &quote!({}));
     let arguments = quote!(t, u, #memory x, &mut dx, &mut response, rows);
     let motion = with_health(emission, "contact_motion", &arguments);
-    let loads = loads(emission);
+    let (loads, of_steps) = (loads(emission), motion_of_steps(emission));
     quote! {
         impl<S: Scalar> #name<S> {
+            #of_steps
+
             #[inline]
             fn contact_kinematics_(
                 &self, t: S, u: &Held<S>, x: &[S; #length]
@@ -172,8 +174,8 @@ fn rows(emission: &Emission) -> TokenStream {
     }
 }
 
-/// Motion and rows for steps of time, of `Contacts`: in one pass where such a step is ordered.
-pub(super) fn motion_at(emission: &Emission) -> TokenStream {
+/// Motion and rows for steps of time, in any numbers: in one pass where such a step is ordered.
+fn motion_of_steps(emission: &Emission) -> TokenStream {
     let (Sizes { length, .. }, count) = (&emission.sizes, count(emission));
     let (of, [_, memory]) = (of_charts(emission), emission.memory_argument());
     let is_ordered = of.iter().all(|(contact, _)| contact.together.is_some());
@@ -196,6 +198,46 @@ pub(super) fn motion_at(emission: &Emission) -> TokenStream {
             rt::contact::Motion { rate, responses, rows, health }
         }
     };
+    quote! {
+        /// Motion and rows for steps of time.
+        #[inline]
+        fn contact_motion_at_(
+            &self, t: S, u: &Held<S>, x: &[S; #length]
+        ) -> rt::contact::Motion<S, [S; #length], #count> {
+            #body
+        }
+    }
+}
+
+/// A rate of fewer operations is not worth to be computed for several mechanisms at once: what is taken out of lanes costs as many
+/// (`benches/lanes.rs`).
+const WORTH: u32 = 100;
+/// So many operations is a sine with its cosine.
+const SINE: u32 = 20;
+
+/// Steps of several mechanisms side by side, of `Pack`, where that pays; else each is made by itself.
+pub(super) fn packed_steps(emission: &Emission) -> Option<TokenStream> {
+    let (Emission { name, sizes: Sizes { length, .. }, report, .. }, count) = (emission, count(emission));
+    let operations = report.rate.operations;
+    let pays = operations.total() + SINE * operations.sin_cos >= WORTH;
+    let steps = quote! {
+        fn packed_steps<T: Scalar, const K: usize>(
+            (all, held): (&#name<T>, &Held<T>),
+            steps: (&rt::contact::Stride<T>, &[T; #length]),
+            proposed: [Option<rt::contact::Proposed<'_, Self>>; K],
+            take: impl Fn(&T, usize) -> S,
+        ) {
+            let motion = |t: T, x: &[T; #length]| all.contact_motion_at_(t, held, x);
+            rt::contact::packed_steps::<Self, #name<T>, #count, K>(steps, motion, proposed, take);
+        }
+    };
+    (contact::are_there(emission) && pays).then_some(steps)
+}
+
+/// Motion and rows for steps of time, of `Contacts`.
+pub(super) fn motion_at(emission: &Emission) -> TokenStream {
+    let (Sizes { length, .. }, count) = (&emission.sizes, count(emission));
+    let of = of_charts(emission);
     let with_forces = (!of.iter().all(|(contact, _)| contact.is_affine)).then(|| {
         quote! {
             fn rate_with_forces(
@@ -218,7 +260,7 @@ pub(super) fn motion_at(emission: &Emission) -> TokenStream {
         fn motion_at(
             &self, t: S, u: &Held<S>, x: &[S; #length]
         ) -> rt::contact::Motion<S, [S; #length], #count> {
-            #body
+            self.contact_motion_at_(t, u, x)
         }
         #with_forces
     }

@@ -5,23 +5,31 @@ use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
 use super::super::{Emission, number};
-use super::{contact, turns};
+use super::{contact, contact_motion, turns};
 
 /// `Pack`.
 pub(crate) fn pack(emission: &Emission) -> TokenStream {
     let Emission { fields, name, .. } = emission;
     let starts = starts(emission);
     let params = fields.params.iter();
-    let params = emission.lines(params.map(|field| format!("{field}: number(all.map(|one| one.{field}))")));
-    let inputs = &fields.inputs;
+    let params = params.map(|field| format!("{field}: number(rt::Vector::from_fn(|i| all[i].{field}))"));
+    let (params, inputs) = (emission.lines(params), &fields.inputs);
     let none = inputs.is_empty().then(|| quote!(none: core::marker::PhantomData,));
     let Lanes { watched, calm: (is_calm, are_calm), are_short, look } = lanes(emission);
     let length = &emission.sizes.length;
+    let [switches, of_loops, turns] = discrete(emission);
     let contact = if contact::are_there(emission) {
-        quote!(let contact = rt::contact::Held::packed(&first.contact, all.map(|held| &held.contact), &number);)
+        quote! {
+            let mut contacts = [&first.contact; N];
+            for i in 0..N {
+                contacts[i] = &all[i].contact;
+            }
+            let contact = rt::contact::Held::packed(&first.contact, contacts, &number);
+        }
     } else {
         quote!(let contact = ();)
     };
+    let packed_steps = contact_motion::packed_steps(emission);
     let modes = (emission.model.guards() > 0).then(|| {
         quote! {
             for (wide, &one) in wide.switches.iter_mut().zip(&one.switches) {
@@ -35,6 +43,7 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
 
             #[allow(unused_variables)] // where there are no parameters
             fn pack<T: Scalar, const N: usize>(&self, all: [&Self; N], number: impl Fn([S; N]) -> T) -> #name<T> {
+                let same = |s| number([s; N]);
                 let start = #starts;
                 #name { start, #params }
             }
@@ -43,15 +52,10 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
             fn pack_held<T: Scalar, const N: usize>(
                 first: &Held<S>, all: [&Held<S>; N], number: impl Fn([S; N]) -> T
             ) -> Held<T> {
-                let input = Input { #(#inputs: number(all.map(|held| held.input.#inputs)),)* #none };
-                let switches =
-                    core::array::from_fn(|k| number(all.map(|held| rt::Vector::at(&held.switches, k))));
-                let of_loops = all.map(|held| &held.of_loops);
-                let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
-                let of_count = |k: usize| {
-                    all.map(|held| S::of_turns(held.turns.get(k).copied().unwrap_or_default()))
-                };
-                let turns = core::array::from_fn(|k| T::to_turns(number(of_count(k))));
+                let input = Input { #(#inputs: number(rt::Vector::from_fn(|i| all[i].input.#inputs)),)* #none };
+                #switches
+                #of_loops
+                #turns
                 #contact
                 rt::Held { input, switches, turns, of_loops, contact }
             }
@@ -96,8 +100,45 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
             fn chart(held: &Held<S>) -> Option<usize> {
                 rt::held::Loops::<S>::chart(&held.of_loops)
             }
+            #packed_steps
         }
     }
+}
+
+/// Switches, continuation data and turns, as `let` statements. Not by `core::array`'s `map` and `from_fn`, of which a compiler
+/// translates ten functions for every closure.
+fn discrete(emission: &Emission) -> [TokenStream; 3] {
+    let model = emission.model;
+    let switches = if model.switches.is_empty() {
+        quote!(let switches = [];)
+    } else {
+        quote! {
+            let switches = rt::Vector::from_fn(|k| number(rt::Vector::from_fn(|i| all[i].switches[k])));
+        }
+    };
+    let of_loops = if emission.loops().is_some() {
+        quote! {
+            let mut of_loops = [&first.of_loops; N];
+            for i in 0..N {
+                of_loops[i] = &all[i].of_loops;
+            }
+            let of_loops = rt::held::Loops::<S>::packed(&first.of_loops, of_loops, &number);
+        }
+    } else {
+        quote!(let of_loops = ();)
+    };
+    let count = number(model.turns.len());
+    let turns = if model.turns.is_empty() {
+        quote!(let turns = [];)
+    } else {
+        quote! {
+            let mut turns = [T::ZERO.to_turns(); #count];
+            for k in 0..#count {
+                turns[k] = number(rt::Vector::from_fn(|i| S::of_turns(all[i].turns[k]))).to_turns();
+            }
+        }
+    };
+    [switches, of_loops, turns]
 }
 
 /// Checks of steps of several mechanisms side by side.
@@ -140,7 +181,7 @@ fn starts(emission: &Emission) -> TokenStream {
     let fields = &emission.fields;
     if !emission.rerolled {
         let starts = fields.bodies.iter().chain(&fields.states);
-        let starts = starts.map(|field| format!("{field}: self.start.{field}.map(|s| number([s; N]))"));
+        let starts = starts.map(|field| format!("{field}: self.start.{field}.map(same)"));
         let starts = emission.lines(starts);
         return quote!(Starts { #starts });
     }
@@ -150,7 +191,7 @@ fn starts(emission: &Emission) -> TokenStream {
         let mut packed = [None; #count];
         own.each_body_(&mut |k, body| {
             if let Some(packed) = packed.get_mut(k) {
-                *packed = Some(body.map(|s| number([s; N])));
+                *packed = Some(body.map(same));
             }
         });
         start.each_body_(&mut |k, body| {
@@ -158,7 +199,7 @@ fn starts(emission: &Emission) -> TokenStream {
                 *body = *packed;
             }
         });
-        #(start.#states = self.start.#states.map(|s| number([s; N]));)*
+        #(start.#states = self.start.#states.map(same);)*
         start
     }}
 }

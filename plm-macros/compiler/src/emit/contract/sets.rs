@@ -2,6 +2,7 @@
 
 use crate::collect::CollectVec;
 use crate::emit::template::quote;
+use plm_cas::{Expr, algebra};
 use proc_macro2::{Literal, TokenStream};
 
 use super::super::bindings::Origin;
@@ -132,31 +133,40 @@ fn events(emission: &Emission) -> TokenStream {
     }
 }
 
-/// The next modes of contacts, where there are some.
+/// The next modes of contacts, where there are some, behind a look at gaps that begin to exist or that what was set has moved.
 fn settle(emission: &Emission) -> Option<TokenStream> {
     let length = &emission.sizes.length;
-    let Beside { switch_at_time: update, appearance: [exist, appear], .. } = Beside::new(emission);
+    let Beside { switch_at_time: update, appearance: [_, appear], .. } = Beside::new(emission);
+    let moved = moved_by_states(emission);
+    let appearance = (!(appear.is_empty() && moved.is_empty())).then(|| {
+        let rows = contact::count(emission);
+        let stays = if moved.is_empty() { quote!(true) } else { quote!(!matches!(row, #(#moved)|*)) };
+        quote! {
+            let existed: [bool; #rows] = core::array::from_fn(
+                |row| #stays && rt::contact::Contacts::<#rows>::exists(self, before, row)
+            );
+            rt::contact::appear::<Self, #rows>(self, t, (u, x), existed)?;
+        }
+    });
     contact::are_there(emission).then(|| {
-        let exist = (!exist.is_empty()).then(|| {
-            quote! {
-                let existed = {
-                    let u = before;
-                    #exist
-                    existed
-                };
-            }
-        });
         quote! {
             fn settle(
                 &self, t: S, before: &Held<S>, u: &mut Held<S>, x: &mut [S; #length]
             ) -> Result<(), Fault> {
-                #exist
-                #appear
+                #appearance
                 #update
                 Ok(())
             }
         }
     })
+}
+
+/// Rows whose gaps read discrete states.
+fn moved_by_states(emission: &Emission) -> Vec<Literal> {
+    let states = emission.model.states.iter().map(|state| state.symbol).collect_vec();
+    let rows = emission.model.contacts.iter().enumerate();
+    let reads = |of: Expr| algebra::symbols(&[of]).iter().any(|symbol| states.contains(symbol));
+    rows.filter(|(_, row)| reads(row.displacement)).map(|(row, _)| number(row)).collect_vec()
 }
 
 fn event(emission: &Emission, when: &When, begins: usize) -> TokenStream {

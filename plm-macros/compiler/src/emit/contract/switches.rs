@@ -101,7 +101,7 @@ fn guards_within(emission: &Emission) -> TokenStream {
             let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
             let mut guards = [rt::Enclosed::constant(S::lit(0.0)); #all];
             let within = |u: &Held<rt::Enclosed<S>>, x: &[rt::Enclosed<S>; #length], g: &mut [rt::Enclosed<S>; #all]| #within;
-            within(&held, &core::array::from_fn(x), &mut guards);
+            within(&held, &rt::Vector::from_fn(x), &mut guards);
             for (index, guard) in guards.into_iter().enumerate() {
                 each(#place, guard);
             }

@@ -153,13 +153,22 @@ impl<'a> Resolver<'a> {
         let found = self.with_sums(found);
         let (what, nature) = (written.displacement(), found.nature);
         let reads_sums = nature.reads.has(Reads::SUM) && !self.unresolved.has_all_loads;
-        let beyond = nature.reads.beyond(if reads_sums { Reads::ALL } else { Reads::GEOMETRY });
+        let may_read = match written {
+            _ if reads_sums => Reads::ALL,
+            // Events alone change a discrete state: over a step the gap reads a number.
+            WrittenContact::Unilateral(_) if self.reads_discrete_states_alone(found.value) => {
+                Reads::GEOMETRY.and(Reads::STATE)
+            }
+            _ => Reads::GEOMETRY,
+        };
+        let beyond = nature.reads.beyond(may_read);
         if beyond != Reads::NOTHING {
             let message = format!("{what} reads {}", beyond.describe());
+            let also = if let WrittenContact::Unilateral(_) = written { ", and discrete states" } else { "" };
             let (scope, span) = self.culprit_of(scope, written, beyond);
             let diagnostic = self
                 .error(scope, Code::NotConstant, span, message)
-                .note(format!("it may read {}", Reads::GEOMETRY.describe()));
+                .note(format!("it may read {}{also}", Reads::GEOMETRY.describe()));
             if beyond.has(Reads::VELOCITY) {
                 diagnostic.help("what holds a rate is a `friction`, and what damps is a force");
             } else if let Some([why, instead]) = beyond.no_place() {

@@ -8,7 +8,7 @@ use crate::resolve::Resolver;
 use crate::resolve::declarations::state::StateKind;
 use crate::resolve::names::ScopeId;
 use crate::resolve::values::condition::side_text;
-use crate::resolve::values::{Eval, Failed, Reads};
+use crate::resolve::values::{Condition, Eval, Failed, Reads};
 use crate::syntax::ast;
 use crate::units::Dimension;
 
@@ -55,8 +55,35 @@ impl<'a> Resolver<'a> {
         &mut self,
         scope: ScopeId,
         expr: &'a ast::Expr,
-        (of, allowed): (&str, Reads),
+        reading: (&str, Reads),
     ) -> Eval<Expr> {
+        let condition = self.condition_within(scope, expr, reading)?;
+        if let Some(holds) = condition.known() {
+            let always = if holds { "always" } else { "never" };
+            self.error(scope, Code::WrongKind, expr.span, format!("this condition {always} holds"));
+            return Err(Failed);
+        }
+        Ok(condition.select(Expr::ONE, Expr::ZERO))
+    }
+
+    /// 1 where a row of contact exists and 0 elsewhere. In a part this may be known: `None` of a row that always exists, and 0 of one that
+    /// never does.
+    pub(crate) fn existence(&mut self, scope: ScopeId, when: &'a ast::Expr) -> Eval<Option<Expr>> {
+        let reading = ("a row of contact", Reads::EVENT);
+        if self.names.instance(scope).is_none() {
+            return self.event_condition(scope, when, reading).map(Some);
+        }
+        let condition = self.condition_within(scope, when, reading)?;
+        Ok((condition.known() != Some(true)).then(|| condition.select(Expr::ONE, Expr::ZERO)))
+    }
+
+    /// A condition that reads no more than is allowed.
+    fn condition_within(
+        &mut self,
+        scope: ScopeId,
+        expr: &'a ast::Expr,
+        (of, allowed): (&str, Reads),
+    ) -> Eval<Condition> {
         let (condition, reads) = self.condition(scope, expr)?;
         let beyond = reads.beyond(allowed);
         if beyond != Reads::NOTHING {
@@ -65,12 +92,7 @@ impl<'a> Resolver<'a> {
                 .note(format!("it may read {}", allowed.describe()));
             return Err(Failed);
         }
-        if let Some(holds) = condition.known() {
-            let always = if holds { "always" } else { "never" };
-            self.error(scope, Code::WrongKind, expr.span, format!("this condition {always} holds"));
-            return Err(Failed);
-        }
-        Ok(condition.select(Expr::ONE, Expr::ZERO))
+        Ok(condition)
     }
 
     /// A condition as it was written, where that is short.

@@ -232,11 +232,14 @@ fn conditional<'a>(items: &'a [Item], within: &[Block<'a>], found: &mut Vec<(&'a
     }
 }
 
-/// Names of an item that the use of a part can write.
+/// Names of an item that a mechanism with the part can write.
 fn names_of(item: &ItemKind) -> Vec<&str> {
     match item {
         ItemKind::Instance(instance) => vec![instance.name.ident.text.as_str()],
         ItemKind::Node(node) => vec![node.name.ident.text.as_str()],
+        ItemKind::Constraint(name, ..) => vec![name.ident.text.as_str()],
+        ItemKind::Unilateral(row) => vec![row.name.ident.text.as_str()],
+        ItemKind::Friction(row) => vec![row.name.ident.text.as_str()],
         ItemKind::Output(outputs) => {
             let names = outputs.iter().filter_map(|output| match (&output.name, &output.value.kind) {
                 (Some(name), _) | (None, ExprKind::Name(name)) => Some(name.ident.text.as_str()),

@@ -56,8 +56,8 @@ pub(crate) struct UnresolvedModel<'a> {
     pub(crate) parts: Vec<Part>,
     pub(crate) rows: Vec<UnresolvedRow<'a>>,
     pub(crate) contacts: Vec<UnresolvedContact<'a>>,
-    /// Symbols of frictions that can hold nothing, which are zero.
-    pub(crate) idle: Vec<(Expr, Span)>,
+    /// Symbols of rows that can hold nothing, with their values.
+    pub(crate) idle: Vec<(Expr, Expr, Span)>,
     pub(crate) requirements: Vec<Requirement<'a>>,
     /// Events that set states.
     pub(crate) whens: Vec<(ScopeId, &'a ast::When)>,

@@ -1,7 +1,7 @@
 //! First-order states and their rates.
 
 use crate::collect::CollectVec;
-use plm_cas::Expr;
+use plm_cas::{Expr, algebra};
 
 use crate::diag::Code;
 use crate::model::{Name, State};
@@ -116,6 +116,15 @@ impl<'a> Resolver<'a> {
     /// The state that a symbol stands for; symbols of later states are greater.
     pub(crate) fn state_of(&self, symbol: Expr) -> Option<usize> {
         self.unresolved.states.binary_search_by_key(&symbol, |state| state.symbol).ok()
+    }
+
+    /// Are the states that a value reads discrete, all of them?
+    pub(crate) fn reads_discrete_states_alone(&self, value: Expr) -> bool {
+        let states = algebra::symbols(&[value]).into_iter().filter_map(|symbol| self.state_of(symbol));
+        states
+            .collect_vec()
+            .into_iter()
+            .all(|state| self.unresolved.states[state].kind == StateKind::Discrete)
     }
 
     /// All states whose start and rate could be evaluated.

@@ -6,7 +6,7 @@ use plm_cas::{Expr, algebra};
 
 use super::bound::{Bounded, found, is_negative};
 use crate::diag::Code;
-use crate::model::{Contact, ContactLaw, Load, Range, Reaction, Step};
+use crate::model::{Contact, ContactLaw, ContactMode, Load, Range, Reaction, Step};
 use crate::resolve::Resolver;
 use crate::resolve::declarations::contact::{Displacement, UnresolvedContact, WrittenContact};
 use crate::resolve::names::ScopeId;
@@ -24,9 +24,14 @@ impl<'a> Resolver<'a> {
             self.refuse_steps();
         }
         let mut contacts = all((0..self.unresolved.contacts.len()).map(|contact| self.contact(contact)))?;
-        // A friction whose bound is the number zero is no row: a part may have one whose coefficient nobody sets.
+        // A friction whose bound is the number zero is no row: a part may have one whose coefficient nobody sets. Nor is what never
+        // exists, as in a repetition.
         let idle = contacts.iter().filter(|contact| contact.is_idle());
-        self.unresolved.idle = idle.flat_map(|of| [(of.lambda, of.span), (of.mode, of.span)]).collect_vec();
+        let symbols = idle.flat_map(|of| {
+            let is_open = of.kind_of_mode() == ContactMode::Open;
+            [(of.lambda, Expr::ZERO, of.span), (of.mode, Expr::from(i32::from(is_open)), of.span)]
+        });
+        self.unresolved.idle = symbols.collect_vec();
         contacts.retain(|contact| !contact.is_idle());
         for contact in &contacts {
             let lambda = contact.lambda;
@@ -45,11 +50,8 @@ impl<'a> Resolver<'a> {
                 self.friction(Bounded { contact, scope, dimension }, row)
             }),
         };
-        let exists = written
-            .when()
-            .map(|when| self.event_condition(scope, when, ("a row of contact", Reads::EVENT)))
-            .transpose();
-        let (displacement, law, exists) = (displacement?, law?, exists?);
+        let exists = written.when().map(|when| self.existence(scope, when)).transpose();
+        let (displacement, law, exists) = (displacement?, law?, exists?.flatten());
         let declared = self.contact_declared(contact);
         let UnresolvedContact { name, part, span, lambda, mode, .. } = &self.unresolved.contacts[contact];
         Ok(Contact {

@@ -61,9 +61,9 @@ impl Resolver<'_> {
             span: found.name.span,
         });
         let mut placeholders: Vec<Placeholder> = rates.collect_vec();
-        placeholders.push_all(self.unresolved.idle.iter().map(|(symbol, span)| Placeholder {
+        placeholders.push_all(self.unresolved.idle.iter().map(|(symbol, value, span)| Placeholder {
             symbol: *symbol,
-            value: Expr::ZERO,
+            value: *value,
             what: String::new(),
             span: *span,
         }));

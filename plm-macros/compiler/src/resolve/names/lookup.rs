@@ -3,7 +3,7 @@
 //! Names are bound before anything is evaluated, so that the order of declaration does not matter: a force may read
 //! the output of a part that stands below it.
 
-use crate::collect::{CollectVec, MapEach};
+use crate::collect::CollectVec;
 use std::borrow::Cow;
 use std::fmt::Write;
 
@@ -119,32 +119,74 @@ impl<'a> Resolver<'a> {
         list.is_some_and(|slot| matches!(self.names.slots[slot].value, Lazy::Failed))
     }
 
-    /// A row of this part.
+    /// A row of this part, or of a part in use: `row`, `part.row`, `part.inside.row[2]`.
     pub(crate) fn lookup_row(&mut self, scope: ScopeId, expr: &'a ast::Expr) -> Eval<RowId> {
-        let ast::ExprKind::Name(name) = &expr.kind else {
-            let diagnostic =
-                self.error(scope, Code::UnknownRow, expr.span, "the name of a constraint row is expected");
-            if let ast::ExprKind::Path(part, names) = &expr.kind
-                && let (ast::ExprKind::Name(part), [row]) = (&part.kind, &names[..])
-            {
-                let [part, row] = [part, row].map_each(|name| &name.ident.text);
-                diagnostic.help(format!(
-                    "a part shows its rows by outputs: `output push = reaction({row});` in it, and here `{part}.push`"
-                ));
-            }
+        let found = match &expr.kind {
+            ast::ExprKind::Name(name) => Some((name, None)),
+            ast::ExprKind::Path(base, members) => match members.split_last() {
+                Some((name, parts)) => {
+                    self.part_in_use(scope, base, parts)?.map(|instance| (name, Some(instance)))
+                }
+                None => None,
+            },
+            _ => None,
+        };
+        let Some((name, instance)) = found else {
+            self.error(scope, Code::UnknownRow, expr.span, "the name of a row is expected")
+                .note("a row is a constraint, a gap or a friction, here or in a part: `row`, `part.row`");
             return Err(Failed);
         };
         let key = self.key(scope, name)?;
-        let home = self.names.home(scope);
-        if let Some((row, _)) = self.names.scopes[home].rows.get(key.as_ref()) {
-            return Ok(*row);
+        let home = match instance {
+            Some(instance) => self.names.instances[instance].scope,
+            None => self.names.home(scope),
+        };
+        match self.names.scopes[home].rows.get(key.as_ref()) {
+            Some((row, _)) => Ok(*row),
+            None => Err(self.unknown_row(scope, name.ident.span, &key, home, instance)),
         }
+    }
+
+    /// The part in use that stands in front of the last point of a path, if it is one.
+    fn part_in_use(
+        &mut self,
+        scope: ScopeId,
+        base: &'a ast::Expr,
+        members: &'a [IndexedName],
+    ) -> Eval<Option<usize>> {
+        let mut value = self.eval(scope, base)?;
+        for member in members {
+            value = self.member(scope, &value, member)?;
+        }
+        Ok(if let Value::Instance(instance) = value { Some(instance) } else { None })
+    }
+
+    fn unknown_row(
+        &mut self,
+        scope: ScopeId,
+        span: Span,
+        key: &str,
+        home: ScopeId,
+        instance: Option<usize>,
+    ) -> Failed {
         let shown = self.names.scopes[home].rows.keys().filter(|_| self.sink.shows(Code::UnknownRow));
         let rows: Vec<String> = shown.map(ToString::to_string).collect_vec();
         let rows: Vec<&str> = rows.iter().map(String::as_str).collect_vec();
-        let diagnostic =
-            self.error(scope, Code::UnknownRow, expr.span, format!("unknown constraint row `{key}`"));
-        help_similar(diagnostic, &key, "row", "rows here", &rows);
-        Err(Failed)
+        let (message, of) = match instance {
+            Some(part) => {
+                let part = &self.names.instances[part].name;
+                (format!("the part `{part}` has no row `{key}`"), format!("rows of `{part}`"))
+            }
+            None => (format!("unknown row `{key}`"), "rows here".to_string()),
+        };
+        let given = instance.and_then(|part| self.where_given(part, key));
+        let diagnostic = self.error(scope, Code::UnknownRow, span, message);
+        match given {
+            Some(given) => {
+                diagnostic.help(given);
+            }
+            None => help_similar(diagnostic, key, "row", &of, &rows),
+        }
+        Failed
     }
 }

@@ -350,6 +350,10 @@ pub(crate) fn literal_text(expr: &ast::Expr) -> Option<String> {
 pub(crate) fn text_of(expr: &ast::Expr) -> Option<String> {
     match &expr.kind {
         ExprKind::Name(name) if name.indices.is_empty() => Some(name.ident.text.clone()),
+        ExprKind::Path(base, members) if members.iter().all(|member| member.indices.is_empty()) => {
+            let members = members.iter().map(|member| format!(".{}", member.ident.text));
+            Some(text_of(base)? + &members.collect::<String>())
+        }
         ExprKind::Neg(inner) => Some(format!("-{}", text_of(inner)?)),
         ExprKind::Pair(x, y) => Some(format!("({}, {})", text_of(x)?, text_of(y)?)),
         ExprKind::Chain(first, links) if links.len() == 1 => {

@@ -5,6 +5,7 @@ use plm_cas::Expr;
 use plm_cas::algebra::{Rotation, Vec2};
 
 use crate::diag::{Code, help_similar, nearest};
+use crate::library::OUTPUTS;
 use crate::model::FrameRef;
 use crate::resolve::Resolver;
 use crate::resolve::declarations::body::UnresolvedBody;
@@ -178,11 +179,14 @@ impl<'a> Resolver<'a> {
                     return Failed;
                 }
                 if is_row {
-                    diagnostic.help(format!(
-                        "`{name}` is a row of it: declare `output push = reaction({name});` in the part"
-                    ));
+                    diagnostic.help(format!("`{name}` is a row of it: its force is `reaction({of}.{name})`"));
                 }
-                help_similar(diagnostic, name, "output", &format!("outputs of `{of}`"), &names);
+                match OUTPUTS.iter().find(|(word, here)| *word == name && names.contains(here)) {
+                    Some((_, here)) => {
+                        diagnostic.help(format!("write `{of}.{here}`"));
+                    }
+                    None => help_similar(diagnostic, name, "output", &format!("outputs of `{of}`"), &names),
+                }
             }
             other => {
                 let message = format!("{} has no `{name}`", other.kind());

@@ -1,7 +1,9 @@
 //! Cross sections of bars: areas and second moments of area.
 //!
 //! Rolled sections are those of EN 10365:2017 (series IPE, HEA, HEB): height, width, web, flange and root radius in mm. Their area
-//! and their second moment follow from these with the fillets, as the standard's own do.
+//! and their second moment follow from these with the fillets, as the standard's own do. Three tables that are published as Python
+//! packages have the same sizes and values to the digits that they print: `eurocodepy` 0.1.44, `steelsnakes` 0.0.1a11 and
+//! `steel-sections` 0.1.0.
 
 use plm_cas::{Expr, Number};
 
@@ -89,6 +91,15 @@ const HEA: &[Rolled] = &[
     (340, [3300, 3000, 95, 165, 270]),
     (360, [3500, 3000, 100, 175, 270]),
     (400, [3900, 3000, 110, 190, 270]),
+    (450, [4400, 3000, 115, 210, 270]),
+    (500, [4900, 3000, 120, 230, 270]),
+    (550, [5400, 3000, 125, 240, 270]),
+    (600, [5900, 3000, 130, 250, 270]),
+    (650, [6400, 3000, 135, 260, 270]),
+    (700, [6900, 3000, 145, 270, 270]),
+    (800, [7900, 3000, 150, 280, 300]),
+    (900, [8900, 3000, 160, 300, 300]),
+    (1000, [9900, 3000, 165, 310, 300]),
 ];
 
 const HEB: &[Rolled] = &[
@@ -107,6 +118,15 @@ const HEB: &[Rolled] = &[
     (340, [3400, 3000, 120, 215, 270]),
     (360, [3600, 3000, 125, 225, 270]),
     (400, [4000, 3000, 135, 240, 270]),
+    (450, [4500, 3000, 140, 260, 270]),
+    (500, [5000, 3000, 145, 280, 270]),
+    (550, [5500, 3000, 150, 290, 270]),
+    (600, [6000, 3000, 155, 300, 270]),
+    (650, [6500, 3000, 160, 310, 270]),
+    (700, [7000, 3000, 170, 320, 270]),
+    (800, [8000, 3000, 175, 330, 300]),
+    (900, [9000, 3000, 185, 350, 300]),
+    (1000, [10000, 3000, 190, 360, 300]),
 ];
 
 impl<'a> Resolver<'a> {

@@ -3,8 +3,6 @@
 
 #[path = "../support/compass.rs"]
 mod compass;
-#[path = "../../examples/tasks/main.rs"]
-mod tasks;
 
 mod catches;
 mod contact;
@@ -15,7 +13,7 @@ mod studies;
 mod swings;
 mod trains;
 
-use tasks::{TASKS, Task};
+use super::{TASKS, Task};
 
 /// Acceleration of gravity of the tasks, m/s^2.
 const G: f64 = 9.81;
@@ -43,7 +41,7 @@ fn tasks_are_short() {
     }
 }
 
-/// Every task is looked at by a test of this program.
+/// Every task is looked at by a test of this folder.
 #[test]
 fn tasks_are_checked() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/tasks");
