@@ -85,6 +85,8 @@ fn values_have_units_and_bodies_their_poses() {
         );
     }
     assert_eq!(rows.len(), 3);
+    let csv = plm(&[&words[..], &["--csv", "-"]].concat(), PENDULUM).output;
+    assert!(csv.starts_with("time (s),bob.x (m),bob.y (m),bob.angle (rad)\n0.0,"), "{csv}");
     // A torque holds the pendulum where it starts.
     let held = format!("torque = {:e} N*mm", 9810.0 * 0.25 * amplitude.sin());
     let said = plm(&[&words[..], &["--input", &held]].concat(), PENDULUM);
