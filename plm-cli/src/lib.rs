@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! plm check FILE… [--json]     what is wrong, where, and what to do about it
+//! plm run FILE --until SECONDS  its outputs over time
 //! plm expand FILE              the Rust code that the macro would emit
 //! plm report FILE              bodies, rows, formulation, operations, assembly
 //! plm fmt [--check] FILE…      one layout, with comments kept
@@ -18,5 +19,7 @@ mod layout;
 mod lexer;
 mod read;
 mod server;
+mod table;
+mod value;
 
 pub use command::{Outcome, Streams, run};

@@ -9,13 +9,15 @@ mod code;
 mod handle;
 mod memory;
 mod model;
+mod record;
 mod run;
 mod running;
 mod system;
 mod text;
 
 pub use self::handle::{Dynamic, Starts};
-pub use self::run::{Error, Large, Mechanism, Run, Small};
+pub use self::record::Sample;
+pub use self::run::{Column, Error, Large, Mechanism, Run, Small};
 pub use self::system::State;
 pub use self::text::{Compiled, Refused};
 pub use plm_run::Integrator;

@@ -1,13 +1,15 @@
 //! A mechanism from text with its values, and its runs.
 
 use std::fmt;
+use std::ops::ControlFlow;
 use std::path::Path;
 
-use plm_compiler::lowered::Named;
+use plm_compiler::lowered::{Named, Output};
 use plm_run::Integrator;
 use plm_runtime::{BodyState, Dop853, Fault, Moment, Rk4, Sim, Stats};
 
 use crate::handle::Dynamic;
+use crate::record::Sample;
 use crate::running::{Any, One, Running};
 use crate::system::State;
 use crate::text::{Compiled, Refused};
@@ -121,7 +123,7 @@ impl Mechanism {
     /// # Errors
     /// [`Error::Refused`], with the diagnostics of its mistakes.
     pub fn from_text(text: &str) -> Result<Self, Error> {
-        Self::new("<text>", text)
+        Self::from_named_text("<text>", text)
     }
 
     /// Compiles the declaration in a file; files that it names are read beside it.
@@ -131,10 +133,14 @@ impl Mechanism {
     pub fn from_file(path: impl AsRef<Path>) -> Result<Self, Error> {
         let name = path.as_ref().display().to_string();
         let unread = |error: std::io::Error| Refused::Mistakes(format!("{name}: {error}"));
-        Self::new(&name, &std::fs::read_to_string(&path).map_err(unread)?)
+        Self::from_named_text(&name, &std::fs::read_to_string(&path).map_err(unread)?)
     }
 
-    fn new(name: &str, text: &str) -> Result<Self, Error> {
+    /// Compiles a declaration whose diagnostics have this name of a file; files that it names are read beside that.
+    ///
+    /// # Errors
+    /// As [`from_text`](Self::from_text).
+    pub fn from_named_text(name: &str, text: &str) -> Result<Self, Error> {
         let compiled = Compiled::new(name, text)?;
         let lowered = compiled.lowered();
         let (parameters, inputs) = (vec![None; lowered.parameters.len()], vec![None; lowered.inputs.len()]);
@@ -208,19 +214,11 @@ impl Mechanism {
                 _ => return Err(Error::Method("Dop853 and Rk4")),
             }
         };
-        let outputs = lowered.outputs.iter();
         Ok(Run {
             sim,
             bodies: lowered.bodies.clone(),
             inputs: lowered.inputs.iter().map(|input| input.name.clone()).collect(),
-            outputs: outputs
-                .map(|output| Column {
-                    name: output.name.clone(),
-                    unit: output.unit.clone(),
-                    factor: output.factor,
-                    declared: output.declared,
-                })
-                .collect(),
+            outputs: lowered.outputs.iter().map(Column::of).collect(),
         })
     }
 
@@ -249,13 +247,25 @@ fn started<const NQ: usize, const NC: usize, const N: usize>(
     Ok(State::new(*mechanism, held, 0.0, x))
 }
 
-/// A number of the outputs.
-#[derive(Clone, Debug)]
-struct Column {
-    name: String,
-    unit: String,
+/// A number that can be read of a run: an output, of a vector one of two.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Its name: `hinge.force.x`.
+    pub name: String,
+    /// Its unit: of a declared output the one that it has in the declaration, else that of SI; empty for a pure number.
+    pub unit: String,
+    /// Is it declared as an output? Else it is a quantity that can be observed.
+    pub declared: bool,
+    /// Its value in SI over that in the unit.
     factor: f64,
-    declared: bool,
+}
+
+impl Column {
+    fn of(output: &Output) -> Column {
+        let Output { name, declared, .. } = output;
+        let (unit, factor) = if *declared { (&output.unit, output.factor) } else { (&output.si, 1.0) };
+        Column { name: name.clone(), unit: unit.clone(), declared: *declared, factor }
+    }
 }
 
 /// A running simulation.
@@ -286,9 +296,28 @@ impl Run {
         Ok(self.sim.step_to(time)?)
     }
 
+    /// Runs to a time, s, and shows a sample every so often, s: the first one at once, further ones before and after what switches, as
+    /// the recorder of compiled programs has them. A run that is told to break ends before its time.
+    ///
+    /// # Errors
+    /// [`Error::Fault`]; the last sample is where the run ended.
+    pub fn record(
+        &mut self,
+        until: f64,
+        every: f64,
+        mut see: impl FnMut(&Sample) -> ControlFlow<()>,
+    ) -> Result<(), Error> {
+        Ok(self.sim.record((until, every), &mut see)?)
+    }
+
     /// What was done so far.
     pub fn stats(&self) -> Stats {
         self.sim.stats()
+    }
+
+    /// Names of the bodies, in the order of the declaration.
+    pub fn bodies(&self) -> impl Iterator<Item = &str> {
+        self.bodies.iter().map(String::as_str)
     }
 
     /// Pose and velocity of the centre of gravity of a body.
@@ -308,6 +337,11 @@ impl Run {
     pub fn output(&self, name: &str) -> Result<f64, Error> {
         let at = place("output", name, self.outputs.iter().map(|column| column.name.as_str()))?;
         Ok(self.sim.output(at))
+    }
+
+    /// All numbers that can be read, declared outputs among them: those of a [`Sample`].
+    pub fn all_columns(&self) -> &[Column] {
+        &self.outputs
     }
 
     /// Name and unit of each number of [`row`](Self::row).

@@ -4,6 +4,7 @@ use plm_run::{AnySim, OnSim};
 use plm_runtime::{BodyState, Fault, Method, Moment, Sim, Stats};
 
 use crate::handle::Dynamic;
+use crate::record::{See, record};
 use crate::system::State;
 
 /// A run of some size by some method.
@@ -12,6 +13,8 @@ pub(crate) trait Running {
     fn time(&self) -> f64;
     /// Runs to a time, s.
     fn step_to(&mut self, time: f64) -> Result<(), Fault>;
+    /// Runs to a time, s, and shows samples, so often, s.
+    fn record(&mut self, until_every: (f64, f64), see: See) -> Result<(), Fault>;
     /// What was done so far.
     fn stats(&self) -> Stats;
     /// Pose and velocity of a body by its number.
@@ -62,6 +65,10 @@ where
         self.0.step_to(time)
     }
 
+    fn record(&mut self, until_every: (f64, f64), see: See) -> Result<(), Fault> {
+        record(&mut self.0, until_every, see)
+    }
+
     fn stats(&self) -> Stats {
         self.0.stats()
     }
@@ -93,6 +100,20 @@ impl<const NQ: usize, const NC: usize, const N: usize> OnSim<Dynamic<f64, NQ, NC
     }
 }
 
+/// Runs to a time with samples, and gives the counters.
+struct Record<'a>((f64, f64), See<'a>);
+
+impl<const NQ: usize, const NC: usize, const N: usize> OnSim<Dynamic<f64, NQ, NC, N>> for Record<'_> {
+    type Output = (Result<(), Fault>, Stats);
+
+    fn on<I: Method<Dynamic<f64, NQ, NC, N>>>(
+        self,
+        sim: &mut Sim<Dynamic<f64, NQ, NC, N>, I>,
+    ) -> Self::Output {
+        (record(sim, self.0, self.1), sim.stats())
+    }
+}
+
 /// Gives an input a value.
 struct SetInput(usize, f64);
 
@@ -111,6 +132,12 @@ impl<const NQ: usize, const NC: usize, const N: usize> Running for Any<NQ, NC, N
 
     fn step_to(&mut self, time: f64) -> Result<(), Fault> {
         let (outcome, stats) = self.0.then(StepTo(time));
+        self.1 = stats;
+        outcome
+    }
+
+    fn record(&mut self, until_every: (f64, f64), see: See) -> Result<(), Fault> {
+        let (outcome, stats) = self.0.then(Record(until_every, see));
         self.1 = stats;
         outcome
     }

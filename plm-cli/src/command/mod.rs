@@ -4,6 +4,7 @@ mod check;
 mod expand;
 mod fmt;
 mod lsp;
+mod run;
 mod words;
 
 use std::ffi::OsString;
@@ -27,7 +28,7 @@ pub struct Streams<'a> {
 pub enum Outcome {
     /// Nothing is wrong, or there are warnings alone: 0.
     Good,
-    /// A declaration has errors, or a file has another layout: 1.
+    /// A declaration has errors, a file has another layout, or a run ends with a fault: 1.
     Wrong,
     /// The words are no command, or a file cannot be read: 2.
     Failed,
@@ -49,17 +50,18 @@ struct Command {
     usage: &'static str,
     /// What it does, in a line.
     title: &'static str,
-    /// Its options, a line each.
+    /// Its options, a line each; behind a blank what stands in the place of a value.
     options: &'static [(&'static str, &'static str)],
     run: fn(Words, &mut Streams) -> Result<Outcome, Failure>,
 }
 
 /// All commands, in the order of the help.
-const COMMANDS: &[Command] = &[check::COMMAND, expand::EXPAND, expand::REPORT, fmt::COMMAND, lsp::COMMAND];
+const COMMANDS: &[Command] =
+    &[check::COMMAND, run::COMMAND, expand::EXPAND, expand::REPORT, fmt::COMMAND, lsp::COMMAND];
 
 /// Runs the command that the words name, without the name of the program.
 pub fn run(words: impl Iterator<Item = OsString>, streams: &mut Streams) -> Outcome {
-    let outcome = Words::new(words).and_then(|words| dispatch(words, streams));
+    let outcome = Words::new(words, value_of).and_then(|words| dispatch(words, streams));
     outcome.unwrap_or_else(|failure| {
         // Whoever reads the results may stop reading them, as `head` does.
         let is_closed =
@@ -104,6 +106,13 @@ fn dispatch(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure>
     }
 }
 
+/// What stands behind an option of any command, if it has a value.
+fn value_of(option: &str) -> Option<&'static str> {
+    let options = COMMANDS.iter().flat_map(|command| command.options);
+    let mut with_values = options.filter_map(|(shown, _)| shown.split_once(' '));
+    with_values.find(|(known, _)| *known == option).map(|(_, value)| value)
+}
+
 fn unknown(name: &str) -> String {
     let names: Vec<&str> = COMMANDS.iter().map(|command| command.name).collect();
     let near = plm_compiler::diag::nearest(name, names.iter().copied());
@@ -124,7 +133,8 @@ fn help() -> String {
 
 impl Command {
     fn help(&self) -> String {
-        let options = self.options.iter().map(|(option, meaning)| format!("  {option:12} {meaning}\n"));
+        let width = self.options.iter().map(|(option, _)| option.len()).max().unwrap_or_default();
+        let options = self.options.iter().map(|(option, meaning)| format!("  {option:width$}  {meaning}\n"));
         format!("plm {} {}\n    {}\n{}", self.name, self.usage, self.title, options.collect::<String>())
     }
 }

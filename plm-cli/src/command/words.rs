@@ -9,23 +9,29 @@ use super::Failure;
 
 /// The words, options apart from files; behind `--` all words are files.
 pub(super) struct Words {
-    options: Vec<String>,
+    /// Options with their values.
+    options: Vec<(String, Option<String>)>,
     files: VecDeque<String>,
 }
 
 impl Words {
-    pub(super) fn new(words: impl Iterator<Item = OsString>) -> Result<Words, Failure> {
+    /// The words; `value_of` tells what stands behind an option that has a value.
+    pub(super) fn new(
+        words: impl Iterator<Item = OsString>,
+        value_of: impl Fn(&str) -> Option<&'static str>,
+    ) -> Result<Words, Failure> {
         let mut parser = Parser::from_args(words);
         let (mut options, mut files) = (Vec::new(), VecDeque::new());
         while let Some(word) = parser.next()? {
             match word {
-                Arg::Short(letter) => options.push(format!("-{letter}")),
-                Arg::Long(name) => options.push(format!("--{name}")),
-                Arg::Value(word) => {
-                    files.push_back(
-                        word.into_string().map_err(|word| format!("{} is not UTF-8", word.display()))?,
-                    );
+                Arg::Short(letter) => options.push((format!("-{letter}"), None)),
+                Arg::Long(name) => {
+                    let name = format!("--{name}");
+                    let wanted = value_of(&name);
+                    let value = wanted.map(|wanted| value(&name, wanted, &mut parser)).transpose()?;
+                    options.push((name, value));
                 }
+                Arg::Value(word) => files.push_back(text(word)?),
             }
         }
         Ok(Words { options, files })
@@ -33,7 +39,7 @@ impl Words {
 
     /// The next word, as the name of a command.
     pub(super) fn command(&mut self) -> Result<Option<String>, Failure> {
-        match self.options.first().map(String::as_str) {
+        match self.options.first().map(|(option, _)| option.as_str()) {
             Some("--version" | "-V") => return Ok(Some("version".to_owned())),
             Some("--help" | "-h") if self.files.is_empty() => return Ok(Some("help".to_owned())),
             Some(option) if self.files.is_empty() => {
@@ -45,14 +51,28 @@ impl Words {
     }
 
     pub(super) fn asks_for_help(&self) -> bool {
-        self.options.iter().any(|option| option == "--help" || option == "-h")
+        self.options.iter().any(|(option, _)| option == "--help" || option == "-h")
     }
 
     /// Takes an option out: is it there?
     pub(super) fn takes(&mut self, option: &str) -> bool {
         let count = self.options.len();
-        self.options.retain(|given| given != option);
+        self.options.retain(|(given, _)| given != option);
         self.options.len() < count
+    }
+
+    /// Takes an option with its value out: the last one where it stands several times.
+    pub(super) fn value(&mut self, option: &str) -> Option<String> {
+        self.values(option).pop()
+    }
+
+    /// Takes out all values of an option.
+    pub(super) fn values(&mut self, option: &str) -> Vec<String> {
+        let (taken, left) =
+            std::mem::take(&mut self.options).into_iter().partition(|(given, _)| given == option);
+        self.options = left;
+        let taken: Vec<(String, Option<String>)> = taken;
+        taken.into_iter().filter_map(|(_, value)| value).collect()
     }
 
     /// The files, when all options are taken: one at least.
@@ -80,8 +100,27 @@ impl Words {
 
     fn no_options(self) -> Result<Vec<String>, Failure> {
         match self.options.first() {
-            Some(option) => Err(format!("there is no option {option}").into()),
+            Some((option, _)) => Err(format!("there is no option {option}").into()),
             None => Ok(self.files.into()),
         }
     }
+}
+
+/// What stands behind an option, and is no option.
+fn value(option: &str, wanted: &str, parser: &mut Parser) -> Result<String, Failure> {
+    if let Some(value) = parser.optional_value() {
+        return text(value);
+    }
+    let is_value = parser
+        .try_raw_args()
+        .is_some_and(|words| words.peek().is_some_and(|word| !word.to_string_lossy().starts_with("--")));
+    if is_value {
+        text(parser.value()?)
+    } else {
+        Err(format!("{option} {wanted}: the value is missing").into())
+    }
+}
+
+fn text(word: OsString) -> Result<String, Failure> {
+    word.into_string().map_err(|word| format!("{} is not UTF-8", word.display()).into())
 }

@@ -6,6 +6,7 @@ mod extension;
 mod fmt;
 mod json;
 mod lsp;
+mod run;
 
 use std::fs;
 use std::io::Write;
