@@ -6,6 +6,7 @@ pub(super) mod input;
 pub(super) mod mechanism;
 pub(super) mod outputs;
 mod rk4;
+mod sides;
 pub(super) mod solved;
 pub(super) mod start;
 pub(super) mod state;

@@ -8,6 +8,7 @@ use proc_macro2::TokenStream;
 use super::super::contract::{conditional, contact, limits, sets, statics::MOST_LINES, switches};
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, Form, Sizes, docs, number, table_compression};
+use super::sides::{sides, take_sides};
 use crate::facts::state::OF_BODY;
 use crate::model::{Body, Model, Param, Start, State};
 
@@ -324,8 +325,12 @@ fn begin(emission: &Emission) -> TokenStream {
     });
     // What contacts do, and reactions with their forces, are known behind that.
     let again = (contact.is_some() && switches::read_forces(emission)).then(|| {
+        let held = quote!(&mut held);
+        if !sets::are_there(emission) {
+            return take_sides(emission, &held);
+        }
         let count = sets::count(emission);
-        quote!(rt::events::begin::<Self, #count>(self, t, &mut held, &x);)
+        quote!(rt::events::begin::<Self, #count>(self, t, #held, &x);)
     });
     let mut repeats = None;
     let enter: fn(&TokenStream) -> TokenStream = match emission.form {
@@ -356,36 +361,5 @@ fn begin(emission: &Emission) -> TokenStream {
         #close
         #contact
         #again
-    }
-}
-
-/// The sides of conditions that apply where a run begins. Events that set states do not happen there.
-fn sides(emission: &Emission) -> TokenStream {
-    let model = emission.model;
-    let [of_time, of_state] = [model.switches.len() > model.guards(), model.guards() > 0];
-    let at_time = || of_time.then(|| switches::sides_at_time(emission));
-    if sets::are_there(emission) {
-        let (count, at_time) = (sets::count(emission), at_time());
-        return quote! {
-            let u = &mut held;
-            #at_time
-            rt::events::begin::<Self, #count>(self, t, u, &x);
-        };
-    }
-    if emission.program.conditional.is_some() {
-        // Contacts have their modes when all constraints that hold are closed.
-        let (guards, at_time) = (number(model.guards()), at_time());
-        return quote! {
-            let u = &mut held;
-            #at_time
-            rt::events::take_sides(self, t, u, &x, (#guards, |u: &mut Held<S>| &mut u.switches[..]));
-        };
-    }
-    let pass = (!model.switches.is_empty())
-        .then(|| quote!(rt::Events::switch_at_time(self, t, &mut held, &mut x)?;));
-    let switch = of_state.then(|| quote!(rt::events::switch_where_due(self, t, &mut held, &mut x)?;));
-    quote! {
-        #pass
-        #switch
     }
 }

@@ -1,0 +1,46 @@
+//! Sides of conditions where a run begins.
+
+use crate::emit::template::quote;
+use proc_macro2::TokenStream;
+
+use super::super::contract::{sets, switches};
+use super::super::{Emission, number};
+
+/// Takes the sides of all conditions of the state, where no event sets states.
+pub(super) fn take_sides(emission: &Emission, held: &TokenStream) -> TokenStream {
+    let guards = number(emission.model.guards());
+    quote! {
+        rt::events::take_sides(self, t, #held, &x, (#guards, |u: &mut Held<S>| &mut u.switches[..]));
+    }
+}
+
+/// The sides of conditions that apply where a run begins. Events that set states do not happen there.
+pub(super) fn sides(emission: &Emission) -> TokenStream {
+    let model = emission.model;
+    let [of_time, of_state] = [model.switches.len() > model.guards(), model.guards() > 0];
+    let at_time = || of_time.then(|| switches::sides_at_time(emission));
+    if sets::are_there(emission) {
+        let (count, at_time) = (sets::count(emission), at_time());
+        return quote! {
+            let u = &mut held;
+            #at_time
+            rt::events::begin::<Self, #count>(self, t, u, &x);
+        };
+    }
+    if emission.program.conditional.is_some() {
+        // Contacts have their modes when all constraints that hold are closed.
+        let (at_time, taken) = (at_time(), take_sides(emission, &quote!(u)));
+        return quote! {
+            let u = &mut held;
+            #at_time
+            #taken
+        };
+    }
+    let pass = (!model.switches.is_empty())
+        .then(|| quote!(rt::Events::switch_at_time(self, t, &mut held, &mut x)?;));
+    let switch = of_state.then(|| quote!(rt::events::switch_where_due(self, t, &mut held, &mut x)?;));
+    quote! {
+        #pass
+        #switch
+    }
+}
