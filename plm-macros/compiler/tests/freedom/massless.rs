@@ -79,9 +79,9 @@ impl Driven {
     }
 }
 
-/// Names between the quotes of the emitted list of this name.
+/// Names between the quotes of this list of the emitted layout.
 fn listed(code: &str, list: &str) -> Vec<String> {
-    let list = code.split(&format!("const {list}: ")).nth(1).unwrap().split(';').nth(1).unwrap();
+    let list = code.split(&format!("{list}: const {{")).nth(1).unwrap().split('}').next().unwrap();
     list.split('"').skip(1).step_by(2).map(str::to_owned).collect()
 }
 
@@ -114,7 +114,7 @@ fn judge(random: &mut Random, seen: &mut Seen) -> Option<()> {
     };
     let runs = [with(random), with(random)].map(|masses| driven.compiled(&masses, &[]).0);
     let [one, other] = runs.each_ref().map(|run| run.oracle.as_ref().unwrap());
-    let joints = listed(&runs[0].code.as_ref()?.text(), "PARTS");
+    let joints = listed(&runs[0].code.as_ref()?.text(), "parts");
     let outputs: Vec<String> = joints
         .iter()
         .filter(|name| name.starts_with('d'))
