@@ -14,7 +14,7 @@ use super::decisions::decisions;
 use super::forcing_terms;
 use super::kinks::{self, Kink, root};
 use super::poles::hold_poles;
-use crate::model::{Contact, ContactLaw, ContactMode, Jump, Model, Switch};
+use crate::model::{Contact, ContactMode, Jump, Model, Switch};
 
 /// A number above zero that changes nothing.
 const ABOVE_ZERO: f64 = 1e-30;
@@ -181,7 +181,8 @@ fn switch(model: &mut Model, difference: Expr, (name, text): (String, String)) -
 
 /// A difference of the rate of a row of contact, of its size or of a gap, and a constant: while that row sticks or is closed, as if the
 /// first were zero. What is left of it then is rounding of either sign, at which nothing is to happen. At zero the condition does not hold,
-/// which a number above zero says. A constraint with a condition is none of these: the side at which it came to be is kept.
+/// which a number above zero says. A row with a condition is none of these: it comes to be and ends at events, which may be of what it
+/// compares itself, and the side at which it came to be is kept.
 fn at_rest(model: &Model, difference: Expr) -> Expr {
     let flow: Vec<(Expr, Expr)> = (model.bodies.iter().flat_map(|body| body.q.into_iter().zip(body.v)))
         .chain([(model.time, Expr::ONE)])
@@ -190,7 +191,7 @@ fn at_rest(model: &Model, difference: Expr) -> Expr {
         algebra::symbols(&[*of]).iter().all(|symbol| model.params.iter().any(|param| param.symbol == *symbol))
     };
     let rest = |of: Expr| [difference - of, difference + of].into_iter().find(is_constant);
-    let mut rows = model.contacts.iter().filter(|row| !matches!(row.law, ContactLaw::Constraint));
+    let mut rows = model.contacts.iter().filter(|row| row.exists.is_none());
     let found = rows.find_map(|contact| {
         let gap = (contact.kind_of_mode() == ContactMode::Open).then_some(contact.displacement);
         let rate = contact.displacement.directional(&flow);
