@@ -90,7 +90,7 @@ impl Room {
 }
 
 impl Code {
-    /// A function whose outputs have these names, in order; `state` are those that are laid out as the state is.
+    /// A function whose outputs have these names, in order. The arrays `x` and `dx` have the room of the state.
     pub(crate) fn new(routine: &Routine, outputs: &[&str], room: Room) -> Code {
         let in_state =
             |name: &str, index: usize| if name == "x" || name == "dx" { room.place(index) } else { index };

@@ -144,11 +144,7 @@ impl Model {
             in_charts: lowered.charts.iter().map(|chart| InChart::new(chart, state)).collect(),
             switches: Switches::new(&lowered, state),
             start: Start::new(&lowered, state),
-            outputs: lowered
-                .outputs
-                .iter()
-                .map(|output| Code::new(&output.value, &["value"], state))
-                .collect(),
+            outputs: lowered.outputs.iter().map(|output| Code::new(&output.value, &[], state)).collect(),
             names_of_starts: texts(&lowered.starts.names),
             names: texts(&lowered.names),
             parts: texts(&lowered.parts),
@@ -161,18 +157,19 @@ impl Model {
     }
 }
 
+/// The charts of a mechanism without loops.
+pub(crate) const WITHOUT_LOOPS: Charts = Charts {
+    count: 1,
+    revolutions: &[],
+    is_loose: false,
+    turning: &[],
+    found: &[],
+    iterated: &[],
+    closing: &[],
+};
+
 fn charts(lowered: &Lowered) -> Charts {
-    let Some(loops) = &lowered.loops else {
-        return Charts {
-            count: 1,
-            revolutions: &[],
-            is_loose: false,
-            turning: &[],
-            found: &[],
-            iterated: &[],
-            closing: &[],
-        };
-    };
+    let Some(loops) = &lowered.loops else { return WITHOUT_LOOPS };
     let revolutions = lowered.turns.iter().map(|turns| Revolutions {
         coordinates: lists(turns.in_state.iter().cloned()),
         angles: kept(turns.remembered.iter().copied()),

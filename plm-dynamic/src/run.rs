@@ -6,9 +6,10 @@ use std::path::Path;
 
 use plm_compiler::lowered::{Named, Output};
 use plm_run::Integrator;
-use plm_runtime::{BodyState, Dop853, Fault, Moment, Rk4, Sim, Stats};
+use plm_runtime::{BodyState, Dop853, Fault, Method, Moment, Rk4, Sim, Stats};
 
 use crate::handle::Dynamic;
+use crate::model::Model;
 use crate::record::Sample;
 use crate::running::{Any, One, Running};
 use crate::system::State;
@@ -46,9 +47,19 @@ pub type Large = Dynamic<f64, 192, 224, 448>;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    compiled: Compiled,
+    model: &'static Model,
+    size: Size,
     parameters: Vec<Option<f64>>,
     inputs: Vec<Option<f64>>,
+}
+
+/// The smaller one of the sizes that have room for a mechanism.
+#[derive(Clone, Copy, Debug)]
+enum Size {
+    /// That of [`Small`].
+    Small,
+    /// That of [`Large`].
+    Large,
 }
 
 /// Why a mechanism does not run.
@@ -121,7 +132,7 @@ impl Mechanism {
     /// Compiles a declaration: the inside of a call of `mechanism!`.
     ///
     /// # Errors
-    /// [`Error::Refused`], with the diagnostics of its mistakes.
+    /// [`Error::Refused`], with the diagnostics of its mistakes, or where it is too large.
     pub fn from_text(text: &str) -> Result<Self, Error> {
         Self::from_named_text("<text>", text)
     }
@@ -142,24 +153,27 @@ impl Mechanism {
     /// As [`from_text`](Self::from_text).
     pub fn from_named_text(name: &str, text: &str) -> Result<Self, Error> {
         let compiled = Compiled::new(name, text)?;
-        let lowered = compiled.lowered();
-        let (parameters, inputs) = (vec![None; lowered.parameters.len()], vec![None; lowered.inputs.len()]);
-        Ok(Self { compiled, parameters, inputs })
+        let (model, size) = match compiled.fits::<24, 32, 64>() {
+            Ok(()) => (compiled.mechanism::<24, 32, 64>()?.model, Size::Small),
+            Err(_) => (compiled.mechanism::<192, 224, 448>()?.model, Size::Large),
+        };
+        let (parameters, inputs) = (model.lowered.parameters.len(), model.lowered.inputs.len());
+        Ok(Self { model, size, parameters: vec![None; parameters], inputs: vec![None; inputs] })
     }
 
     /// Its name.
     pub fn name(&self) -> &str {
-        &self.compiled.lowered().name
+        &self.model.lowered.name
     }
 
     /// Name and SI unit of each parameter.
     pub fn parameters(&self) -> impl Iterator<Item = (&str, &str)> + Clone {
-        self.compiled.lowered().parameters.iter().map(|param| (param.name.as_str(), param.unit.as_str()))
+        self.model.lowered.parameters.iter().map(|param| (param.name.as_str(), param.unit.as_str()))
     }
 
     /// Name and SI unit of each input.
     pub fn inputs(&self) -> impl Iterator<Item = (&str, &str)> + Clone {
-        self.compiled.lowered().inputs.iter().map(|Named { name, unit }| (name.as_str(), unit.as_str()))
+        self.model.lowered.inputs.iter().map(|Named { name, unit }| (name.as_str(), unit.as_str()))
     }
 
     /// Gives a parameter a value, SI.
@@ -193,26 +207,23 @@ impl Mechanism {
     /// Assembles it, and gives a run by a method. Mechanisms of more than 8 bodies run by `Dop853` and by `Rk4`.
     ///
     /// # Errors
-    /// [`Error::NotGiven`], [`Error::Fault`] of assembly, [`Error::Refused`] where it is too large, [`Error::Method`].
+    /// [`Error::NotGiven`], [`Error::Fault`] of assembly, [`Error::Method`].
     pub fn start_with(&self, method: Integrator) -> Result<Run, Error> {
-        let lowered = self.compiled.lowered();
+        let lowered = &self.model.lowered;
         let missing = lowered.parameters.iter().zip(&self.parameters);
         if let Some((param, _)) =
             missing.into_iter().find(|(param, given)| param.default.is_none() && given.is_none())
         {
             return Err(Error::NotGiven(param.name.clone()));
         }
-        let sim: Box<dyn Running> = if let Ok(small) = self.compiled.clone().mechanism() {
-            let small: Small = self.with_values(small);
-            Box::new(Any(Box::new(method.of(started(&small, &self.inputs)?)), Stats::default()))
-        } else {
-            let large: Large = self.with_values(self.compiled.clone().mechanism()?);
-            let state = started(&large, &self.inputs)?;
-            match method {
-                Integrator::Dop853(rtol) => Box::new(One(Box::new(Sim::new(state, Dop853::new(rtol))))),
-                Integrator::Rk4(h) => Box::new(One(Box::new(Sim::new(state, Rk4::new(h))))),
-                _ => return Err(Error::Method("Dop853 and Rk4")),
+        let sim: Box<dyn Running> = match (self.size, method) {
+            (Size::Small, method) => {
+                let small: Small = self.with_values();
+                Box::new(Any(Box::new(method.of(started(&small, &self.inputs)?)), Stats::default()))
             }
+            (Size::Large, Integrator::Dop853(rtol)) => Box::new(One(self.large(Dop853::new(rtol))?)),
+            (Size::Large, Integrator::Rk4(h)) => Box::new(One(self.large(Rk4::new(h))?)),
+            (Size::Large, _) => return Err(Error::Method("Dop853 and Rk4")),
         };
         Ok(Run {
             sim,
@@ -222,11 +233,15 @@ impl Mechanism {
         })
     }
 
-    fn with_values<const NQ: usize, const NC: usize, const N: usize>(
-        &self,
-        mechanism: Dynamic<f64, NQ, NC, N>,
-    ) -> Dynamic<f64, NQ, NC, N> {
-        let mut own = Dynamic::declared(mechanism.model, &self.parameters);
+    /// A run of a large mechanism by a method.
+    fn large<I: Method<Large>>(&self, method: I) -> Result<Box<Sim<Large, I>>, Fault> {
+        let large: Large = self.with_values();
+        Ok(Box::new(Sim::new(started(&large, &self.inputs)?, method)))
+    }
+
+    /// The mechanism with the values of its parameters.
+    fn with_values<const NQ: usize, const NC: usize, const N: usize>(&self) -> Dynamic<f64, NQ, NC, N> {
+        let mut own = Dynamic::declared(self.model, &self.parameters);
         for (place, value) in own.parameters.iter_mut().zip(&self.parameters) {
             *place = value.unwrap_or(*place);
         }

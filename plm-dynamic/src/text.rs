@@ -76,27 +76,19 @@ impl Compiled {
             Ok(Err(mistakes)) => Err(Refused::Mistakes(mistakes)),
             Ok(Ok(Err(Unsupported::Contact))) => Err(Refused::Unsupported("friction or unilateral contact")),
             Ok(Ok(Err(Unsupported::Sets))) => Err(Refused::Unsupported("an event that sets states")),
-            Ok(Ok(Ok(lowered))) => Compiled::within(lowered),
+            Ok(Ok(Ok(lowered))) => Compiled::with_room(lowered),
         }
     }
 
-    /// Its tables and functions.
-    pub(crate) fn lowered(&self) -> &Lowered {
-        &self.lowered
-    }
-
     /// With no more of anything than all mechanisms have room for.
-    fn within(lowered: Lowered) -> Result<Compiled, Refused> {
-        let counts = [
+    fn with_room(lowered: Lowered) -> Result<Compiled, Refused> {
+        within([
             ("parameters", lowered.parameters.len(), PARAMETERS),
             ("inputs", lowered.inputs.len(), INPUTS),
             ("conditions", lowered.switches.all.len(), SWITCHES),
             ("kinks", lowered.switches.kinks, KINKS),
-        ];
-        match counts.into_iter().find(|(_, found, most)| found > most) {
-            Some((what, found, most)) => Err(Refused::TooLarge { what, found, most }),
-            None => Ok(Compiled { lowered }),
-        }
+        ])?;
+        Ok(Compiled { lowered })
     }
 
     /// The mechanism as declared, with room for `NQ` coordinates, `NC` rows and `N` numbers of a state; parameters without a default
@@ -107,15 +99,25 @@ impl Compiled {
     pub fn mechanism<const NQ: usize, const NC: usize, const N: usize>(
         self,
     ) -> Result<Dynamic<f64, NQ, NC, N>, Refused> {
+        self.fits::<NQ, NC, N>()?;
+        Ok(Dynamic::declared(Model::new(self.lowered, NQ), &[]))
+    }
+
+    /// Is there room for it?
+    pub(crate) fn fits<const NQ: usize, const NC: usize, const N: usize>(&self) -> Result<(), Refused> {
         let states = N.saturating_sub(2 * NQ);
-        let counts = [
+        within([
             ("coordinates", self.lowered.coordinates.len(), NQ),
             ("constraint rows", self.lowered.rows.len(), NC),
             ("first-order states", self.lowered.states.len(), states),
-        ];
-        match counts.into_iter().find(|(_, found, most)| found > most) {
-            Some((what, found, most)) => Err(Refused::TooLarge { what, found, most }),
-            None => Ok(Dynamic::declared(Model::new(self.lowered, NQ), &[])),
-        }
+        ])
+    }
+}
+
+/// Is nothing larger than the most that there is room for: what, how much, and the most?
+fn within<const K: usize>(counts: [(&'static str, usize, usize); K]) -> Result<(), Refused> {
+    match counts.into_iter().find(|(_, found, most)| found > most) {
+        Some((what, found, most)) => Err(Refused::TooLarge { what, found, most }),
+        None => Ok(()),
     }
 }

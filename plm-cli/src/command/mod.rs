@@ -13,7 +13,7 @@ use std::process::ExitCode;
 
 use words::Words;
 
-/// What a command reads, and where it writes.
+/// Input, results and messages of a command.
 pub struct Streams<'a> {
     /// Standard input.
     pub input: &'a mut dyn Read,
@@ -48,7 +48,7 @@ struct Command {
     name: &'static str,
     /// Words behind its name.
     usage: &'static str,
-    /// What it does, in a line.
+    /// Its purpose, in a line.
     title: &'static str,
     /// Its options, a line each; behind a blank what stands in the place of a value.
     options: &'static [(&'static str, &'static str)],
@@ -106,7 +106,7 @@ fn dispatch(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure>
     }
 }
 
-/// What stands behind an option of any command, if it has a value.
+/// The placeholder of an option's value, among all commands; none of an option without.
 fn value_of(option: &str) -> Option<&'static str> {
     let options = COMMANDS.iter().flat_map(|command| command.options);
     let mut with_values = options.filter_map(|(shown, _)| shown.split_once(' '));

@@ -6,6 +6,7 @@ use plm_runtime::charts::{Charted, Charts, OfLoops};
 use crate::capacity::{INPUTS, SWITCHES};
 use crate::handle::{Dynamic, Frame, Held};
 use crate::memory::Memory;
+use crate::model::WITHOUT_LOOPS;
 
 impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Charted for Dynamic<S, NQ, NC, N> {
     type Input = [S; INPUTS];
@@ -14,15 +15,8 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Charted for Dyna
     type Contact = ();
     type Continuation = Memory<S, NQ>;
     type Q = [S; NQ];
-    const CHARTS: Charts = Charts {
-        count: 1,
-        revolutions: &[],
-        is_loose: false,
-        turning: &[],
-        found: &[],
-        iterated: &[],
-        closing: &[],
-    };
+    // Those of lanes alone, which no mechanism at run time has.
+    const CHARTS: Charts = WITHOUT_LOOPS;
 
     fn charts(&self) -> &'static Charts {
         &self.model.charts

@@ -84,12 +84,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> State<S, NQ, NC,
         if let Some((a, lambda)) = &solution {
             (frame.a, frame.lambda) = (a, lambda);
         }
-        let mut value = [S::ZERO; 2];
-        let returned = self.mechanism.run(code, &frame, [&mut value]);
-        Some(match model.lowered.outputs[number].value.results.first() {
-            Some((plm_compiler::lowered::Target::Element(_, k), _)) => value[*k % 2],
-            _ => returned,
-        })
+        Some(self.mechanism.run(code, &frame, []))
     }
 
     /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.

@@ -1,6 +1,6 @@
 //! Absolute coordinates and outputs as data.
 
-use super::routine::Routine;
+use super::routine::{Routine, Target};
 use super::{Parts, axes, si};
 use crate::collect::{CollectVec, PushAll};
 use crate::formulate::Function;
@@ -70,7 +70,7 @@ pub struct Output {
     pub declared: bool,
     /// Must the motion be solved for it: does it read accelerations or multipliers?
     pub solves: bool,
-    /// Its value, SI.
+    /// Its value, SI, which the routine returns.
     pub value: Routine,
 }
 
@@ -123,7 +123,7 @@ pub(super) fn outputs(parts: &Parts) -> Vec<Output> {
         let axes = axes(output.components.len());
         all.push_all(axes.iter().enumerate().map(|(k, axis)| {
             let mut value = parts.routine(&laid_out.function, Origin::State);
-            value.results = vec![value.results[k]];
+            value.results = vec![(Target::Value, value.results[k].1)];
             Output {
                 name: format!("{}{axis}", output.name.text),
                 unit: output.unit.text.clone(),

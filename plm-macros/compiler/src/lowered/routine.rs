@@ -1,7 +1,8 @@
 //! A straight-line function as data: its steps, where its arguments come from, and where its results go.
 //!
 //! The steps are those of the emitted function: the operations of its tape in their order, with products fused into sums where the
-//! emitted text has `mul_add`. So each scalar gives the bits that compiled code gives.
+//! emitted text has `mul_add`. So `f64` and `f32` give the bits of compiled code; so do dual numbers, but where emitted text has loops or
+//! roots of differences that are never negative, which fuse otherwise in rare places.
 
 use plm_cas::{Expr, Op, Ref, Tape};
 
