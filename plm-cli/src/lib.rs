@@ -23,3 +23,4 @@ mod table;
 mod value;
 
 pub use command::{Outcome, Streams, run};
+pub use server::Server;
