@@ -5,7 +5,7 @@ use std::path::Path;
 
 use plm_compiler::lowered::{Lowered, Unsupported};
 use plm_compiler::token::Sources;
-use plm_compiler::{compile, without_panic};
+use plm_compiler::{analyse, without_panic};
 
 use crate::capacity::{INPUTS, KINKS, PARAMETERS, SWITCHES};
 use crate::handle::Dynamic;
@@ -65,7 +65,7 @@ impl Compiled {
                 let content = std::fs::read_to_string(Path::new(name).with_file_name(&file));
                 sources.add_file(&file, content.map_err(|error| error.to_string()));
             }
-            let expansion = compile(&mut sources);
+            let expansion = analyse(&mut sources);
             expansion.lower().ok_or_else(|| {
                 let all = expansion.diagnostics.sorted();
                 all.into_iter().map(|one| one.render(&sources)).collect::<String>()

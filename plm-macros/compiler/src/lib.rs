@@ -37,7 +37,7 @@ pub mod units;
 pub mod words;
 
 pub use bug::{bug_message, without_panic};
-pub use compile::{Expansion, compile, names_only};
+pub use compile::{Expansion, analyse, compile, names_only};
 pub use emit::Code;
 pub use facts::limits::{Least, Limit};
 pub use oracle::{InChart, Oracle};
