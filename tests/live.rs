@@ -59,10 +59,7 @@ fn its_shape_has_the_parameters_of_now() {
     assert_eq!([declared[end], declared[end + 1]], [0.9 - 0.4, -0.1]);
     assert_eq!(declared[3 * of_body + 4..][..4], [1.0, 0.0, 0.0, 0.0]);
     // The four pins; one of them is an eighth of the parameter.
-    assert_eq!(
-        Live::<FourBar>::size_names(),
-        "o pin_diameter\nb pin_diameter\nc pin_diameter\np pin_diameter"
-    );
+    assert_eq!(live.size_names(), "o pin_diameter\nb pin_diameter\nc pin_diameter\np pin_diameter");
     assert_eq!(declared[3 * of_body + 8..], [0.0, 0.9 / 8.0, 0.0, 0.0]);
     live.set_parameter(0, 0.95);
     assert_eq!(live.shape()[end], 0.95 - 0.4);

@@ -6,6 +6,7 @@
 
 mod capacity;
 mod code;
+mod description;
 mod handle;
 mod memory;
 mod model;

@@ -86,7 +86,7 @@ impl<M: Exchanged> Program<M> {
     /// A parameter or an input that is not there; a fault of the run; a file that cannot be written, a port that cannot be had.
     pub fn with(mut self, options: &Options) -> Result<(), Box<dyn Error>> {
         if let Some(help) = &options.help {
-            println!("{help}{}", quantities_of::<M>());
+            println!("{help}{}", quantities_of(&self.mechanism));
             return Ok(());
         }
         if let Some(folder) = &options.c {
