@@ -165,6 +165,26 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         rows.map(|(name, mode)| format!("{mode}\t{name}")).collect::<Vec<String>>().join("\n")
     }
 
+    /// The mechanism with its parameters as they are set; its [`tables`](Described::tables) name what is read and set here by number.
+    pub fn mechanism(&self) -> &M {
+        &self.mechanism
+    }
+
+    /// The number of a parameter by its name.
+    pub fn parameter_named(&self, name: &str) -> Option<usize> {
+        self.mechanism.tables().parameters.iter().position(|own| own.name == name)
+    }
+
+    /// The number of an input by its name.
+    pub fn input_named(&self, name: &str) -> Option<usize> {
+        self.mechanism.tables().inputs.iter().position(|own| own.name == name)
+    }
+
+    /// The number of a body by its name.
+    pub fn body_named(&self, name: &str) -> Option<usize> {
+        self.mechanism.tables().bodies.iter().position(|own| own.name == name)
+    }
+
     /// A parameter, SI; not a number beyond the last.
     pub fn parameter(&self, index: usize) -> f64 {
         self.mechanism.parameter(index).unwrap_or(f64::NAN)
