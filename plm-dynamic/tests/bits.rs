@@ -6,6 +6,8 @@
 mod arm_on_jack;
 #[path = "../../tests/snapshots/bouncer.rs"]
 mod bouncer;
+#[path = "../../tests/snapshots/chain.rs"]
+mod chain;
 #[path = "../../tests/snapshots/double_pendulum.rs"]
 mod double_pendulum;
 #[path = "../../tests/snapshots/driven_crank.rs"]
@@ -26,7 +28,7 @@ use plm::{
 };
 use plm_dynamic::{Compiled, Dynamic};
 
-type Small = Dynamic<f64, 12, 16, 32>;
+type Small = Dynamic<f64, 15, 16, 38>;
 
 /// Everything that is compared at a moment: poses and velocities, declared outputs.
 fn of_compiled<M: Described<S = f64>>(state: &M::State) -> Vec<u64> {
@@ -151,6 +153,7 @@ fn same_bits_of_implicit<M: Described<S = f64> + Linear>(mechanism: M) {
 #[test]
 fn analyses() {
     same_analysis(double_pendulum::DoublePendulum::new());
+    same_analysis(chain::Chain::new());
     same_analysis(four_bar::FourBar::new());
     same_analysis(slider_crank::SliderCrank::new());
     same_analysis(driven_crank::DrivenCrank::new());
@@ -159,7 +162,8 @@ fn analyses() {
 }
 
 #[test]
-fn a_tree() {
+fn trees() {
+    same_bits(chain::Chain::new());
     same_bits(double_pendulum::DoublePendulum::new());
     same_bits_with_history(double_pendulum::DoublePendulum::new());
 }

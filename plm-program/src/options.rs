@@ -9,9 +9,9 @@ use plm_foreign::fmi::Version;
 use plm_run::{BadOption, Integrator, METHODS, nearest, unknown};
 use plm_runtime::described::{Quantity, by_number};
 use plm_runtime::{AsMoment, Described, Method, Moment, Sim, Statics};
+use plm_view::Recorder;
 
 use super::arguments::{Arguments, Known};
-use super::recorder::Recorder;
 
 /// What is asked for on the command line.
 ///

@@ -7,9 +7,8 @@ use std::time::{Duration, Instant};
 use plm_runtime::described::by_number::{self, SizeNames};
 use plm_runtime::described::pulls::pull_input;
 use plm_runtime::{AsMoment, Described, Fault, Method, Moment, Ports, Sim, Statics};
+use plm_view::Recorder;
 use plm_view::serve::{Host, Message, Pull};
-
-use super::recorder::Recorder;
 
 /// A page served to browsers on this machine, for a loop of the user's own: hardware, a controller.
 ///

@@ -2,12 +2,11 @@
 
 use core::marker::PhantomData;
 
+use crate::described::{mechanism, numbers};
+use crate::recording::{self, Column, Recording, Row};
 use plm_runtime::described::{Quantity, by_number};
 use plm_runtime::sim::Seen;
 use plm_runtime::{AsMoment, Described, Fault, Method, Moment, Scalar, Sim, System};
-use plm_view::{Column, Recording, Row};
-
-use super::described::{mechanism, numbers};
 
 /// Takes poses and quantities of a mechanism while it runs: at communication points, before and after what switches, and at
 /// every internal step if asked.
@@ -125,11 +124,11 @@ impl<M: Described> Recorder<M> {
         self.run_seen(sim, until, every, &mut |_| {})
     }
 
-    /// The same, and gives `told` the time of every step.
+    /// Runs as [`run`](Self::run) does, and gives `told` the time of every step.
     ///
     /// # Errors
     /// As [`run`](Self::run).
-    pub(super) fn run_seen<I: Method<M>>(
+    pub fn run_seen<I: Method<M>>(
         &mut self,
         sim: &mut Sim<M, I>,
         until: M::S,
@@ -148,7 +147,7 @@ impl<M: Described> Recorder<M> {
             // The moment of the fault, as far as it came.
             self.take(sim.state());
             let (part, text) = (fault.part.to_owned(), fault.cause.to_string());
-            self.recording.about.fault = Some(plm_view::Fault { time: fault.time, part, text });
+            self.recording.about.fault = Some(recording::Fault { time: fault.time, part, text });
         }
         outcome
     }

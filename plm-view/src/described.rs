@@ -2,7 +2,8 @@
 
 use plm_runtime::described::{self, Described, Place};
 use plm_runtime::{Rate, Scalar};
-use plm_view::{Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report, Shape};
+
+use crate::results::{Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report, Shape};
 
 /// What a results file tells of a mechanism with its parameters as they are.
 pub fn mechanism<M: Described>(of: &M) -> Mechanism {
@@ -61,7 +62,7 @@ fn points<S: Scalar>(count: usize, at: impl Fn(usize) -> Option<[S; 2]>) -> Vec<
 }
 
 /// Place and angle.
-pub(super) fn numbers<S: Scalar>(place: Option<Place<S>>) -> [f64; 3] {
+pub(crate) fn numbers<S: Scalar>(place: Option<Place<S>>) -> [f64; 3] {
     Place::components(place).map(Scalar::to_f64)
 }
 
