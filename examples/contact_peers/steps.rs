@@ -19,9 +19,20 @@ const PLOT: [f64; 4] = [58.0, 30.0, 338.0, 184.0];
 const STEPS: [f64; 2] = [-1.9, -4.2];
 const ERRORS: [f64; 2] = [-12.0, 1.0];
 
+/// The scenes: those beside other programs, and those of steps alone.
+const STEPPED: [(&str, &str); 7] = [
+    SCENES[0],
+    SCENES[1],
+    SCENES[2],
+    SCENES[3],
+    ("belt", "Mass on a belt, slips for the third time (m)"),
+    ("rope", "Mass that a rope has caught, 1.5 s (m)"),
+    ("shaken", "Ball on a shaken table, sixth flight (m)"),
+];
+
 /// Draws it; `peers` has the event-driven runs, and Siconos.
 pub fn svg(runs: &[Run], peers: &[Run]) -> String {
-    let height = TOP + 2.0 * PANEL[1] + 8.0;
+    let height = TOP + STEPPED.len().div_ceil(2) as f64 * PANEL[1] + 8.0;
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height}\" viewBox=\"0 0 {WIDTH} {height}\" \
          font-family=\"{}\" stroke-linejoin=\"round\" role=\"img\" aria-label=\"Error against step in scenes with contact\">\n{}\n\
@@ -33,7 +44,7 @@ pub fn svg(runs: &[Run], peers: &[Run]) -> String {
     text(&mut svg, [14.0, 28.0], title, INK, "font-size=\"17\" font-weight=\"600\"");
     let note = "Dashed: the event-driven run (Dop853 at 1e-8). Finer steps further right; errors at the end of the scene";
     text(&mut svg, [14.0, 50.0], note, FAINT, "font-size=\"13\"");
-    for (number, (scene, title)) in SCENES.into_iter().enumerate() {
+    for (number, (scene, title)) in STEPPED.into_iter().enumerate() {
         let place = [8.0 + PANEL[0] * (number % 2) as f64, TOP + PANEL[1] * (number / 2) as f64];
         panel(&mut svg, (runs, peers), (scene, title), place);
     }
@@ -78,8 +89,11 @@ fn panel(
         text(svg, [x0 + width - 4.0, above], name, CURVES[colour], more);
         above += 15.0;
     }
-    let by_events =
-        line(peers, scene, "plm", "DOP853").into_iter().find(|run| (run.size / 1e-8 - 1.0).abs() < 1e-6);
+    let by_events = [peers, runs]
+        .map(|runs| line(runs, scene, "plm", "DOP853"))
+        .into_iter()
+        .flatten()
+        .find(|run| (run.size / 1e-8 - 1.0).abs() < 1e-6);
     if let Some(error) = by_events.and_then(|run| run.error) {
         let at = y(error);
         let _ = writeln!(
@@ -93,13 +107,14 @@ fn panel(
 pub fn tables(runs: &[Run]) -> String {
     let error = |run: &Run| run.error;
     let mut text = String::new();
-    for (scene, _) in SCENES {
+    for (scene, _) in STEPPED {
         text += &table(runs, (scene, scene), &error);
     }
     text += &table(runs, ("creep-block", "block"), &|run| run.creep);
     text += &table(runs, ("creep-oscillator", "oscillator"), &|run| run.creep);
     text += &table(runs, ("gain-ball", "ball"), &|run| run.gain);
     text += &table(runs, ("gain-rocking", "rocking"), &|run| run.gain);
+    text += &table(runs, ("gain-rope", "rope"), &|run| run.gain);
     text
 }
 

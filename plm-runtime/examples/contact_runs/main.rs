@@ -15,6 +15,7 @@
 )]
 
 mod clock;
+mod more;
 mod scenes;
 mod steps;
 #[path = "../../tests/contact/support.rs"]
