@@ -17,6 +17,8 @@
 mod clock;
 mod more;
 mod scenes;
+#[path = "../../tests/contact/slider_crank.rs"]
+mod slider_crank;
 mod steps;
 #[path = "../../tests/contact/support.rs"]
 mod support;

@@ -35,7 +35,7 @@ pub fn all() {
     row_by_events("shaken", Shaken, ENDS[2]);
     for theta in THETAS {
         for h in STEPS {
-            let by = Stepped { theta, h };
+            let by = Stepped::<1> { theta, h };
             by.block();
             by.oscillator();
             by.ball();
@@ -46,24 +46,32 @@ pub fn all() {
             by.shaken();
         }
     }
+    // Where forces or rows depend on velocities.
+    for h in STEPS {
+        let by = Stepped::<2> { theta: 0.5, h };
+        by.rocking();
+        by.crank();
+        by.rope();
+    }
 }
 
 /// Runs by steps of a length.
 #[derive(Clone, Copy)]
-struct Stepped {
+struct Stepped<const EVALUATIONS: usize> {
     theta: f64,
     h: f64,
 }
 
-type Run<M> = Sim<M, MoreauJean<f64>>;
+type Run<M, const EVALUATIONS: usize> = Sim<M, MoreauJean<f64, EVALUATIONS>>;
 
-impl Stepped {
-    fn start<M: Mechanism<S = f64>>(self, scene: M) -> Run<M> {
-        scene.start_with(MoreauJean::new(self.h).with_theta(self.theta)).unwrap()
+impl<const EVALUATIONS: usize> Stepped<EVALUATIONS> {
+    fn start<M: Mechanism<S = f64>>(self, scene: M) -> Run<M, EVALUATIONS> {
+        let method = MoreauJean::new(self.h).with_theta(self.theta).with_evaluations::<EVALUATIONS>();
+        scene.start_with(method).unwrap()
     }
 
     /// A run to a time.
-    fn to<M: Mechanism<S = f64>>(self, scene: M, time: f64) -> Run<M> {
+    fn to<M: Mechanism<S = f64>>(self, scene: M, time: f64) -> Run<M, EVALUATIONS> {
         let mut sim = self.start(scene);
         sim.step_to(time).unwrap();
         sim
@@ -79,9 +87,10 @@ impl Stepped {
         let seconds = clock::seconds(|| self.to(mechanism, time).stats().steps);
         let steps = self.to(mechanism, time).stats().steps;
         let number = |value: f64| if value.is_nan() { String::new() } else { format!("{value:.3e}") };
+        let settings =
+            if EVALUATIONS == 1 { format!("theta {}", self.theta) } else { "two evaluations".into() };
         println!(
-            "{scene},plm,theta {},{:.0e},{error:.3e},{seconds:.3e},{steps},{},{}",
-            self.theta,
+            "{scene},plm,{settings},{:.0e},{error:.3e},{seconds:.3e},{steps},{},{}",
             self.h,
             number(creep),
             number(gain)
