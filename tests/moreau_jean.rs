@@ -95,6 +95,15 @@ fn ordered_steps_have_the_bits_of_a_run() {
     same!(FourBar, 300);
     same!(Absolute, 100);
     same!(Bench, 450);
+    let mut sim = FourBar::new().start_with(MoreauJean::new(h).with_evaluations::<2>()).unwrap();
+    let mut state = *FourBar::new().start().unwrap().state();
+    for k in 0..300 {
+        sim.step(h).unwrap();
+        let solution = state.step_moreau_jean_evaluated::<2>(h, 0.5).unwrap();
+        assert_eq!(bits(sim.state().x()), bits(state.x()), "{k}");
+        assert_eq!(solution.residual, sim.method().residual(), "{k}");
+    }
+    assert_eq!((sim.state().held(), sim.stats().evaluations), (state.held(), 600));
 }
 
 /// The error of an angle of the four-bar beside the event-driven run falls with the step, in joint and in absolute coordinates.
@@ -133,6 +142,20 @@ fn a_four_bar_with_limits_converges() {
             assert!(errors.iter().all(|error| *error < 1.5 * h), "{theta} {h}: {errors:?}");
             assert!(joint.method().largest_residual() < 1e-5 && absolute.method().largest_residual() < 1e-5);
         }
+    }
+    // Two evaluations are of order 2 until the rocker strikes.
+    let errors = |h: f64| {
+        let method = MoreauJean::new(h).with_evaluations::<2>();
+        let mut joint = FourBar::new().start_with(method).unwrap();
+        let mut absolute = Absolute::new().start_with(method).unwrap();
+        joint.step(0.12).unwrap();
+        absolute.step(0.12).unwrap();
+        [joint.crank().angle, absolute.crank().angle].map(|angle| angle - angles[3])
+    };
+    let [long, short] = [3e-3, 1.5e-3].map(errors);
+    for (long, short) in long.into_iter().zip(short) {
+        let order = (long / short).log2();
+        assert!((order - 2.0).abs() < 0.1 && short.abs() < 2e-6, "{long:e} {short:e}");
     }
 }
 

@@ -188,8 +188,15 @@ fn the_picture_of_steps_of_moreau_and_jean_is_that_of_the_runs() {
     assert!(is_same, "the example contact_peers draws it: `-- --steps docs/src/images/contact-steps`");
     // Of order 1, without creep, and no impact gains.
     for theta in steps::LINES {
-        for (scene, most) in [("oscillator", 2.0), ("ball", 20.0), ("rocking", 10.0), ("slider-crank", 500.0)]
-        {
+        for (scene, most) in [
+            ("oscillator", 2.0),
+            ("ball", 20.0),
+            ("rocking", 10.0),
+            ("slider-crank", 500.0),
+            ("belt", 0.26),
+            ("rope", 1.1),
+            ("shaken", 10.0),
+        ] {
             for run in runs::line(&found, scene, "plm", theta) {
                 assert!(
                     run.error.is_some_and(|error| error < most * run.size),
@@ -203,6 +210,10 @@ fn the_picture_of_steps_of_moreau_and_jean_is_that_of_the_runs() {
                 assert!(run.creep.is_some_and(|creep| creep < 1e-9), "{scene} {theta} {}", run.size);
             }
         }
+    }
+    // Of order 2 with two evaluations.
+    for run in runs::line(&found, "slider-crank", "plm", "two evaluations") {
+        assert!(run.error.is_some_and(|error| error < 1e3 * run.size * run.size), "{}", run.size);
     }
 }
 

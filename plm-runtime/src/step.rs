@@ -54,31 +54,42 @@ where
     Ok(())
 }
 
-/// Takes a mechanism on by a step of `h`, in s, by the time stepping of Moreau and Jean with `theta`, 1/2 to 1: that of
-/// [`MoreauJean`](crate::MoreauJean). Behind it all is as behind any [`step`].
+/// Takes a mechanism on by a step of `h`, in s, by the time stepping of Moreau and Jean with `theta`, 1/2 to 1, and so many evaluations of
+/// the equations of motion: that of [`MoreauJean`](crate::MoreauJean). Behind it all is as behind any [`step`].
 ///
 /// # Errors
 /// As [`step`].
 #[inline]
-pub fn moreau_jean<T, M>(moment: &mut T, h: M::S, theta: M::S) -> Result<Solution<M::S>, Fault>
+pub fn moreau_jean<T, M, const EVALUATIONS: usize>(
+    moment: &mut T,
+    h: M::S,
+    theta: M::S,
+) -> Result<Solution<M::S>, Fault>
 where
     M: Pack,
     T: Moment<M = M>,
 {
+    const { assert!(EVALUATIONS > 0, "a step takes one evaluation or more") }
     let InPlace { system, held, time, x } = moment.in_place();
     let (before, end) = ((*time, *x), end_of(system, held, *time, h)?);
     let (mut next, stride) = (before.1, Stride { t: before.0, h, theta });
-    let solution = system.stride(&stride, held, &mut next, |held, next, Solution { health, .. }| {
-        if !(health.is_good() && next.is_finite()) {
-            return Err(unhealthy(system, held, before, *next));
-        }
-        let step =
-            Step { system, held: &*held, from: (before.0, &before.1), to: (end, &*next), health: health.0 };
-        if !is_uneventful(&step) {
-            *next = arrive(system, held, (health.0, before), (end, *next))?;
-        }
-        Ok(())
-    })?;
+    let solution =
+        system.stride::<EVALUATIONS>(&stride, held, &mut next, |held, next, Solution { health, .. }| {
+            if !(health.is_good() && next.is_finite()) {
+                return Err(unhealthy(system, held, before, *next));
+            }
+            let step = Step {
+                system,
+                held: &*held,
+                from: (before.0, &before.1),
+                to: (end, &*next),
+                health: health.0,
+            };
+            if !is_uneventful(&step) {
+                *next = arrive(system, held, (health.0, before), (end, *next))?;
+            }
+            Ok(())
+        })?;
     (*time, *x) = (end, next);
     Ok(solution)
 }

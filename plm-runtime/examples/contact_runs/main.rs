@@ -15,7 +15,10 @@
 )]
 
 mod clock;
+mod more;
 mod scenes;
+#[path = "../../tests/contact/slider_crank.rs"]
+mod slider_crank;
 mod steps;
 #[path = "../../tests/contact/support.rs"]
 mod support;

@@ -3,6 +3,7 @@
 use plm_runtime::Scalar;
 use plm_runtime::contact::{Law, Limit, Rows};
 
+use crate::slider_crank;
 use crate::support::{Row, Scene, system};
 
 const GRAVITY: f64 = 9.81;
@@ -136,62 +137,23 @@ system!(Ball, 1, 1);
 #[derive(Clone, Copy, Debug)]
 pub struct Crank;
 
-const CRANK: f64 = 0.1;
-const ROD: f64 = 0.3;
-
-impl Crank {
-    /// The slider's place by the crank angle: first and second derivative.
-    fn slider<T: Scalar>(phi: T) -> [T; 2] {
-        let (s, c) = phi.sin_cos();
-        let (r, ratio) = (T::lit(CRANK), T::lit(CRANK / ROD));
-        let sin = ratio * s;
-        let cos = (T::lit(1.0) - sin * sin).sqrt();
-        let first = -(r * s) - r * c * sin / cos;
-        let second = -(r * c) + r * s * sin / cos - r * c * (ratio * c) / (cos * cos * cos);
-        [first, second]
-    }
-
-    /// Angular rate of the rod over that of the crank, and its derivative by the crank angle.
-    fn rod<T: Scalar>(phi: T) -> [T; 2] {
-        let (s, c) = phi.sin_cos();
-        let ratio = T::lit(CRANK / ROD);
-        let sin = ratio * s;
-        let cos = (T::lit(1.0) - sin * sin).sqrt();
-        let turn = -(ratio * c) / cos;
-        [turn, ratio * s / cos - turn * turn * sin / cos]
-    }
-
-    /// Reduced inertia and half its derivative by the crank angle (Eksergian).
-    fn inertia<T: Scalar>(phi: T) -> [T; 2] {
-        let (s, c) = phi.sin_cos();
-        let (half, own) = (T::lit(0.5), T::lit(0.5 * ROD * ROD / 12.0));
-        let (half_r, rod, slider) = (T::lit(0.5 * CRANK), T::lit(0.5), T::lit(2.0));
-        let ([x, x_rate], [turn, turn_rate]) = (Self::slider(phi), Self::rod(phi));
-        let g = [half * x - half_r * s, half_r * c];
-        let g_rate = [half * x_rate - half_r * c, -(half_r * s)];
-        let mass = T::lit(0.02) + slider * x * x + rod * (g[0] * g[0] + g[1] * g[1]) + own * turn * turn;
-        let rate = slider * x * x_rate + rod * (g[0] * g_rate[0] + g[1] * g_rate[1]) + own * turn * turn_rate;
-        [mass, rate]
-    }
-}
-
 impl Scene<1, 1> for Crank {
     fn laws(&self) -> [Law<f64>; 1] {
         [Law::Friction]
     }
     fn free<T: Scalar>(&self, _t: T, q: [T; 1], v: [T; 1]) -> [T; 1] {
-        let [mass, rate] = Self::inertia(q[0]);
+        let [mass, rate] = slider_crank::inertia(q[0]);
         [-(rate * v[0] * v[0]) / mass]
     }
     fn inverse_mass<T: Scalar>(&self, q: [T; 1]) -> [[T; 1]; 1] {
-        [[T::lit(1.0) / Self::inertia(q[0])[0]]]
+        [[T::lit(1.0) / slider_crank::inertia(q[0])[0]]]
     }
     // The friction acts against the crank: at a dead centre the slider has no rate, and no force on it could hold the crank.
     fn contact<T: Scalar>(&self, _t: T, q: [T; 1], _v: [T; 1]) -> [Row<T, 1>; 1] {
         [Row::fixed(q[0], [T::lit(1.0)])]
     }
     fn friction<T: Scalar>(&self, _t: T, q: [T; 1], _v: [T; 1], rows: &mut Rows<T, 1>) {
-        rows.set_friction(0, Limit::own(T::lit(3.0) * Self::slider(q[0])[0].abs()));
+        rows.set_friction(0, Limit::own(T::lit(3.0) * slider_crank::slider(q[0])[0].abs()));
     }
     fn start(&self) -> ([f64; 1], [f64; 1]) {
         ([1.0], [20.0])

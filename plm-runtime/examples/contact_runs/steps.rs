@@ -1,7 +1,8 @@
 //! The same scenes by the time stepping of Moreau and Jean: error, creep and energy by its step.
 
-use plm_runtime::{Mechanism, MoreauJean, Sim};
+use plm_runtime::{Dop853, Mechanism, Moment, MoreauJean, Sim, Vector};
 
+use crate::more::{Belt, Rope, Shaken};
 use crate::scenes::{Ball, Block, Crank, Oscillator};
 use crate::{clock, gain, reference};
 
@@ -10,36 +11,67 @@ const STEPS: [f64; 7] = [1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4];
 /// Shares of a step that positions make with the velocity at its end.
 const THETAS: [f64; 2] = [0.5, 1.0];
 
+/// When the scenes end that have an event-driven run as their reference, s: the mass on the belt slips then, the rope is taut, and the ball flies
+/// behind its sixth bounce.
+const ENDS: [f64; 3] = [2.0, 1.5, 1.8];
+
+/// The first coordinate of an event-driven run with this tolerance.
+fn by_events<M: Mechanism<S = f64, X: Vector<f64>>>(scene: M, time: f64, tolerance: f64) -> f64 {
+    let mut sim = scene.start_with(Dop853::new(tolerance)).unwrap();
+    sim.step_to(time).unwrap();
+    sim.state().x().at(0)
+}
+
+/// The row of an event-driven run with 1e-8.
+fn row_by_events<M: Mechanism<S = f64, X: Vector<f64>>>(name: &str, scene: M, time: f64) {
+    let error = (by_events(scene, time, 1e-8) - by_events(scene, time, 1e-12)).abs();
+    println!("{name},plm,DOP853,1e-8,{error:.3e},0e0,0,,");
+}
+
 /// All rows.
 pub fn all() {
+    row_by_events("belt", Belt, ENDS[0]);
+    row_by_events("rope", Rope, ENDS[1]);
+    row_by_events("shaken", Shaken, ENDS[2]);
     for theta in THETAS {
         for h in STEPS {
-            let by = Stepped { theta, h };
+            let by = Stepped::<1> { theta, h };
             by.block();
             by.oscillator();
             by.ball();
             by.rocking();
             by.crank();
+            by.belt();
+            by.rope();
+            by.shaken();
         }
+    }
+    // Where forces or rows depend on velocities.
+    for h in STEPS {
+        let by = Stepped::<2> { theta: 0.5, h };
+        by.rocking();
+        by.crank();
+        by.rope();
     }
 }
 
 /// Runs by steps of a length.
 #[derive(Clone, Copy)]
-struct Stepped {
+struct Stepped<const EVALUATIONS: usize> {
     theta: f64,
     h: f64,
 }
 
-type Run<M> = Sim<M, MoreauJean<f64>>;
+type Run<M, const EVALUATIONS: usize> = Sim<M, MoreauJean<f64, EVALUATIONS>>;
 
-impl Stepped {
-    fn start<M: Mechanism<S = f64>>(self, scene: M) -> Run<M> {
-        scene.start_with(MoreauJean::new(self.h).with_theta(self.theta)).unwrap()
+impl<const EVALUATIONS: usize> Stepped<EVALUATIONS> {
+    fn start<M: Mechanism<S = f64>>(self, scene: M) -> Run<M, EVALUATIONS> {
+        let method = MoreauJean::new(self.h).with_theta(self.theta).with_evaluations::<EVALUATIONS>();
+        scene.start_with(method).unwrap()
     }
 
     /// A run to a time.
-    fn to<M: Mechanism<S = f64>>(self, scene: M, time: f64) -> Run<M> {
+    fn to<M: Mechanism<S = f64>>(self, scene: M, time: f64) -> Run<M, EVALUATIONS> {
         let mut sim = self.start(scene);
         sim.step_to(time).unwrap();
         sim
@@ -55,9 +87,10 @@ impl Stepped {
         let seconds = clock::seconds(|| self.to(mechanism, time).stats().steps);
         let steps = self.to(mechanism, time).stats().steps;
         let number = |value: f64| if value.is_nan() { String::new() } else { format!("{value:.3e}") };
+        let settings =
+            if EVALUATIONS == 1 { format!("theta {}", self.theta) } else { "two evaluations".into() };
         println!(
-            "{scene},plm,theta {},{:.0e},{error:.3e},{seconds:.3e},{steps},{},{}",
-            self.theta,
+            "{scene},plm,{settings},{:.0e},{error:.3e},{seconds:.3e},{steps},{},{}",
             self.h,
             number(creep),
             number(gain)
@@ -111,5 +144,26 @@ impl Stepped {
     fn crank(self) {
         let error = (self.to(Crank, 1.0).x[0] - reference("slider-crank", "angle")).abs();
         self.row("slider-crank", error, (Crank, 1.0), [f64::NAN; 2]);
+    }
+
+    fn belt(self) {
+        let error = self.beside(Belt, ENDS[0]);
+        self.row("belt", error, (Belt, ENDS[0]), [f64::NAN; 2]);
+    }
+
+    fn rope(self) {
+        let sim = self.to(Rope, ENDS[1]);
+        let gain = Rope::energy(&sim.x) / Rope::energy_behind() - 1.0;
+        self.row("rope", self.beside(Rope, ENDS[1]), (Rope, ENDS[1]), [f64::NAN, gain]);
+    }
+
+    fn shaken(self) {
+        let error = self.beside(Shaken, ENDS[2]);
+        self.row("shaken", error, (Shaken, ENDS[2]), [f64::NAN; 2]);
+    }
+
+    /// How far the first coordinate is from that of an event-driven run.
+    fn beside<M: Mechanism<S = f64, X: Vector<f64>>>(self, scene: M, time: f64) -> f64 {
+        (self.to(scene, time).state().x().at(0) - by_events(scene, time, 1e-12)).abs()
     }
 }

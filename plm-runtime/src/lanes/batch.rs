@@ -22,7 +22,8 @@ use crate::sim::{Clock, Sim};
 /// most. One that stops with a fault does not stop the others.
 ///
 /// Mechanisms with contact rows, each with modes of its own, go together with [`MoreauJean`](crate::MoreauJean): the motion of all is
-/// computed at once, and the small problem of the rows lane by lane. With a [`FixedStep`] they make all steps alone.
+/// computed at once, and the small problem of the rows lane by lane. Its steps have one evaluation there. With a [`FixedStep`] they make all
+/// steps alone.
 ///
 /// It dereferences to the array of simulations.
 #[derive(Clone, Copy)]

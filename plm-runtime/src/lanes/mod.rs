@@ -118,7 +118,7 @@ pub trait Pack: Mechanism {
     ) {
         let _ = (all, steps, take);
         for Proposed { system, stride, held, x, made } in proposed.into_iter().flatten() {
-            *made = Some(system.stride(&stride, held, x, |_, _, _| Ok(())));
+            *made = Some(system.stride::<1>(&stride, held, x, |_, _, _| Ok(())));
         }
     }
 }

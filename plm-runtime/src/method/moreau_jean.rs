@@ -14,7 +14,9 @@ use crate::words::{InWords, Words};
 
 /// The time stepping of Moreau and Jean with steps of equal length: order 1, one rate a step, whatever contact does in it.
 ///
-/// Forces, masses and rows are evaluated at one intermediate place, `q + (1 - theta) h v`, with the velocity where the step begins. The
+/// Forces, masses and rows are evaluated at one intermediate place, `q + (1 - theta) h v`, with the velocity where the step begins. With more
+/// `EVALUATIONS` than one ([`with_evaluations`](Self::with_evaluations)), each next one is there with the velocity that the one before
+/// predicts: two and `theta = 1/2` are of order 2 between impacts and changes of modes, whatever forces depend on. The
 /// impulses of all rows of contact over the step are one small problem, which takes a bounded number of rounds; no event of a row is
 /// searched. What sticks keeps its place, and a closed gap does not sink ([`contact`](crate::contact), [`Stride`]). Conditions, and
 /// events by `when`, switch at the end of the step.
@@ -22,7 +24,7 @@ use crate::words::{InWords, Words};
 /// Where nothing touches it is a semi-implicit Euler method with `theta = 1`, and with `theta = 1/2` the midpoint rule of positions, of
 /// order 2 where forces depend on places alone. It does not resolve what is stiff.
 #[derive(Clone, Copy, Debug)]
-pub struct MoreauJean<S> {
+pub struct MoreauJean<S, const EVALUATIONS: usize = 1> {
     /// Longest step, s.
     pub longest_step: S,
     /// The share of a step, 1/2 to 1, that positions make with the velocity at its end.
@@ -40,17 +42,25 @@ impl<S: Real> MoreauJean<S> {
     /// The [`theta`](Self::theta) of [`new`](Self::new).
     pub const THETA: f64 = 0.5;
 
-    /// Steps of at most `longest_step`, in s, with [`THETA`](Self::THETA); a drift of 1e-10 (of what the scalar can resolve, if that is
-    /// more).
+    /// Steps of at most `longest_step`, in s, with [`THETA`](Self::THETA) and one evaluation; a drift of 1e-10 (of what the scalar can
+    /// resolve, if that is more).
     pub fn new(longest_step: S) -> Self {
-        Self {
-            longest_step,
-            theta: S::lit(Self::THETA),
-            tolerance: S::lit(1e-10).max(S::lit(64.0) * S::EPSILON),
-            partition: Partition::none(),
-            residual: S::ZERO,
-            largest_residual: S::ZERO,
-        }
+        let tolerance = S::lit(1e-10).max(S::lit(64.0) * S::EPSILON);
+        Self::of(longest_step, S::lit(Self::THETA), tolerance)
+    }
+}
+
+impl<S: Real, const EVALUATIONS: usize> MoreauJean<S, EVALUATIONS> {
+    fn of(longest_step: S, theta: S, tolerance: S) -> Self {
+        let (partition, residual) = (Partition::none(), S::ZERO);
+        Self { longest_step, theta, tolerance, partition, residual, largest_residual: residual }
+    }
+
+    /// The same with so many evaluations of the equations of motion in a step, one or more: two make it of order 2 between impacts.
+    #[must_use]
+    pub fn with_evaluations<const COUNT: usize>(self) -> MoreauJean<S, COUNT> {
+        const { assert!(COUNT > 0, "a step of `MoreauJean` takes one evaluation or more") }
+        MoreauJean::of(self.longest_step, self.theta, self.tolerance)
     }
 
     /// The same with another [`theta`](Self::theta); a number outside of 1/2 to 1 becomes the nearest one within.
@@ -89,7 +99,7 @@ impl<S: Real> MoreauJean<S> {
         next: M::X,
     ) -> Result<(), Fault> {
         let Solution { residual, health, .. } = (*made)?;
-        context.stats.evaluations += 1;
+        context.stats.evaluations += EVALUATIONS as u64;
         context.health = context.health.min(health.0);
         if !health.is_good() {
             let here = (context.time, context.x);
@@ -112,7 +122,7 @@ impl<S: Real> MoreauJean<S> {
     }
 }
 
-impl<M: System<S: Real>> Method<M> for MoreauJean<M::S> {
+impl<M: System<S: Real>, const EVALUATIONS: usize> Method<M> for MoreauJean<M::S, EVALUATIONS> {
     const NAME: &'static str = "MoreauJean";
     const LENGTH: Length = Length::Fixed { caution: 1.0 };
     const CHANGE: Change = Change::InSteps;
@@ -126,13 +136,15 @@ impl<M: System<S: Real>> Method<M> for MoreauJean<M::S> {
         let (mut next, stride) = (context.x, self.stride(context.time));
         if M::CONTACTS > 0 {
             let mut held = context.held;
-            let made = context.system.stride(&stride, &mut held, &mut next, |_, _, _| Ok(()));
+            let made = context.system.stride::<EVALUATIONS>(&stride, &mut held, &mut next, |_, _, _| Ok(()));
             self.land_with_rows(context, &made, next)?;
             context.held = held;
             return Ok(());
         }
         let mut outcome = Ok(());
-        smooth_step::<M>(&stride, &mut next, |t, x, dx| outcome = context.rate(t, x, dx));
+        smooth_step::<M, EVALUATIONS>(&stride, &mut next, |t, x, dx| {
+            outcome = outcome.and_then(|()| context.rate(t, x, dx));
+        });
         outcome?;
         self.land(context, next)
     }
@@ -140,7 +152,7 @@ impl<M: System<S: Real>> Method<M> for MoreauJean<M::S> {
     fn restart(&mut self) {}
 
     fn fresh(&self) -> Self {
-        Self::new(self.longest_step).with_theta(self.theta).with_tolerance(self.tolerance)
+        Self::of(self.longest_step, self.theta, self.tolerance)
     }
 
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
@@ -148,11 +160,11 @@ impl<M: System<S: Real>> Method<M> for MoreauJean<M::S> {
     }
 }
 
-impl<M: System<S: Real>> DenseOutput<M> for MoreauJean<M::S> {}
+impl<M: System<S: Real>, const EVALUATIONS: usize> DenseOutput<M> for MoreauJean<M::S, EVALUATIONS> {}
 
-impl<M: System<S: Real>> ErrorControl<M> for MoreauJean<M::S> {}
+impl<M: System<S: Real>, const EVALUATIONS: usize> ErrorControl<M> for MoreauJean<M::S, EVALUATIONS> {}
 
-impl<M: System<S: Real>> FixedLength<M> for MoreauJean<M::S> {
+impl<M: System<S: Real>, const EVALUATIONS: usize> FixedLength<M> for MoreauJean<M::S, EVALUATIONS> {
     // With rows of contact a step projects its joints by itself.
     fn drift_check(&self) -> DriftCheck<M::S> {
         if M::CONTACTS > 0 {
@@ -162,12 +174,12 @@ impl<M: System<S: Real>> FixedLength<M> for MoreauJean<M::S> {
     }
 
     fn shorter(&self, longest: M::S) -> Option<Self> {
-        Some(Self::new(longest).with_theta(self.theta).with_tolerance(self.tolerance))
+        Some(Self::of(longest, self.theta, self.tolerance))
     }
 }
 
 /// The options, and the residuals.
-impl<S: Real> InWords for MoreauJean<S> {
+impl<S: Real, const EVALUATIONS: usize> InWords for MoreauJean<S, EVALUATIONS> {
     fn each(&mut self, words: &mut impl Words) {
         let Self { longest_step, theta, tolerance, residual, largest_residual, .. } = self;
         words.numbers([longest_step, theta, tolerance, residual, largest_residual]);

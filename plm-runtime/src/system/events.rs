@@ -162,12 +162,12 @@ pub trait Events: Rate {
         let _ = (u, change);
     }
 
-    /// A step of [`MoreauJean`](crate::MoreauJean), with the modes that it leads to: [`contact::step`], without rows
-    /// [`contact::smooth_step`].
+    /// A step of [`MoreauJean`](crate::MoreauJean) with so many evaluations of the equations of motion, and with the modes that it leads to:
+    /// [`contact::step`], without rows [`contact::smooth_step`].
     ///
     /// # Errors
     /// As [`contact::step`].
-    fn stride(
+    fn stride<const EVALUATIONS: usize>(
         &self,
         stride: &contact::Stride<Self::S>,
         u: &mut Self::U,
@@ -178,8 +178,12 @@ pub trait Events: Rate {
         Self: Sized,
         Self::S: Real,
     {
-        let mut health = Health::perfect();
-        contact::smooth_step::<Self>(stride, x, |t, x, dx| health = self.rate(t, u, x, dx));
+        let mut worst: Option<Health<Self::S>> = None;
+        contact::smooth_step::<Self, EVALUATIONS>(stride, x, |t, x, dx| {
+            let health = self.rate(t, u, x, dx);
+            worst = Some(worst.map_or(health, |worst| worst.worst(health)));
+        });
+        let health = worst.unwrap_or_else(Health::perfect);
         let solution = contact::Solution { residual: Self::S::ZERO, rounds: 0, health };
         behind(u, x, &solution).map(|()| solution)
     }

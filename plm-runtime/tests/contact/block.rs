@@ -213,14 +213,14 @@ impl<S: Real> rt::Events for Block<S> {
     fn change_contact(u: &mut Self::U, change: rt::contact::Change) {
         u.contact.modes.change = change;
     }
-    fn stride(
+    fn stride<const EVALUATIONS: usize>(
         &self,
         stride: &rt::contact::Stride<S>,
         u: &mut Self::U,
         x: &mut [S; LENGTH],
         behind: impl FnOnce(&mut Self::U, &mut [S; LENGTH], &rt::contact::Solution<S>) -> Result<(), Fault>,
     ) -> Result<rt::contact::Solution<S>, Fault> {
-        rt::contact::step::<Self, ROWS>(self, stride, u, x, behind)
+        rt::contact::step::<Self, ROWS, EVALUATIONS>(self, stride, u, x, behind)
     }
 }
 

@@ -12,5 +12,6 @@ mod laws;
 mod machines;
 mod many;
 mod painleve;
+mod slider_crank;
 mod stepping;
 mod support;

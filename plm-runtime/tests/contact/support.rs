@@ -171,7 +171,7 @@ macro_rules! system {
             fn change_contact(u: &mut Self::U, change: plm_runtime::contact::Change) {
                 plm_runtime::contact::Modal::modes_mut(u).change = change;
             }
-            fn stride(
+            fn stride<const EVALUATIONS: usize>(
                 &self,
                 stride: &plm_runtime::contact::Stride<f64>,
                 u: &mut Self::U,
@@ -182,7 +182,7 @@ macro_rules! system {
                     &plm_runtime::contact::Solution<f64>,
                 ) -> Result<(), plm_runtime::Fault>,
             ) -> Result<plm_runtime::contact::Solution<f64>, plm_runtime::Fault> {
-                plm_runtime::contact::step::<Self, $n>(self, stride, u, x, behind)
+                plm_runtime::contact::step::<Self, $n, EVALUATIONS>(self, stride, u, x, behind)
             }
             fn guards_within(
                 &self,

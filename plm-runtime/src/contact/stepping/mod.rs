@@ -16,6 +16,10 @@
 //! place, is led back by the rows that hold, in positions alone: velocities, and so the kinetic energy, know nothing of it (V. Acary,
 //! Projected event-capturing time-stepping schemes for nonsmooth mechanical systems with unilateral contact and Coulomb's friction,
 //! Computer Methods in Applied Mechanics and Engineering 256, 2013).
+//!
+//! With more evaluations than one, each but the first is at the velocity `v_m = v + (1 - theta) h (a_0 + sum_j a_j lambda_j)` that the one
+//! before predicts for `t_m`, first-order states likewise: a predictor and correctors, as in C. Runge's midpoint rule (E. Hairer,
+//! S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 1993, section II.1). Impacts stand before the first.
 
 mod impacts;
 mod packed;
@@ -80,52 +84,62 @@ pub struct Motion<S, X, const N: usize> {
     pub health: Health<S>,
 }
 
-/// Makes a step; `x` becomes the state at its end, and `u` gets the modes that have led there. `behind` looks at both, or goes on from
-/// there; what it refuses is not made.
+/// Makes a step with so many evaluations of the equations of motion; `x` becomes the state at its end, and `u` gets the modes that have led
+/// there. `behind` looks at both, or goes on from there; what it refuses is not made.
 ///
 /// # Errors
 /// Those of [`Contacts::project_joints`] and of `behind`; [`Cause::ImpactGains`](crate::Cause::ImpactGains) and
 /// [`Cause::NotAllowed`](crate::Cause::NotAllowed) as at events. `x` is of no use then, and `u` is as before.
-pub fn step<M: Contacts<N>, const N: usize>(
+pub fn step<M: Contacts<N>, const N: usize, const EVALUATIONS: usize>(
     system: &M,
     stride: &Stride<M::S>,
     u: &mut M::U,
     x: &mut M::X,
     behind: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
 ) -> Result<Solution<M::S>, Fault> {
-    step_by(system, stride, (u, x), |t, u, x| system.motion_at(t, u, x), behind)
+    step_by::<M, N, EVALUATIONS>(system, stride, (u, x), |t, u, x| system.motion_at(t, u, x), behind)
 }
 
-/// Makes a step as [`step`], with the motion at the intermediate place as `motion` gives it for a time, a discrete state and a state.
+/// Makes a step as [`step`], with the motion at the intermediate place as `motion_at` gives it for a time, a discrete state and a state.
 #[allow(
     clippy::inline_always,
     reason = "a step has one caller, on targets whose registers hold a part of it"
 )]
 #[inline(always)]
-fn step_by<M: Contacts<N>, const N: usize>(
+fn step_by<M: Contacts<N>, const N: usize, const EVALUATIONS: usize>(
     system: &M,
     stride: &Stride<M::S>,
     (u, x): (&mut M::U, &mut M::X),
-    motion: impl FnOnce(M::S, &M::U, &M::X) -> Motion<M::S, M::X, N>,
+    motion_at: impl Fn(M::S, &M::U, &M::X) -> Motion<M::S, M::X, N>,
     behind: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
 ) -> Result<Solution<M::S>, Fault> {
     let [ahead, rest] = stride.parts();
     drift::<M>(ahead, x);
-    let mut motion = motion(stride.t + ahead, u, x);
+    let mut motion = motion_at(stride.t + ahead, u, x);
     super::bounds::look_at_signs(system, stride.t, u, &motion.rows)?;
     let laws = core::array::from_fn(|row| system.law(row));
     let exists = core::array::from_fn(|row| system.exists(u, row));
     let before = *u.modes();
     let mut progress = Progress { residual: M::S::ZERO, rounds: 0 };
     let struck = impacts(system, stride, (&laws, &exists), u, (&mut motion, x), &mut progress)?;
-    let problem = Problem::of(stride, (&laws, &exists), &mut motion.rows, &before);
-    let solved = problem.solve(&motion.rows);
-    let after = modes(&motion.rows, (stride, &problem), &solved, &before);
-    if let Some(rate) = system.rate_with_forces(stride.t + ahead, u, x, &solved.lambda) {
-        for i in 2 * M::NQ..M::X::LEN {
-            motion.rate.set(i, rate.at(i));
-        }
+    let mut problem = Problem::of(stride, (&laws, &exists), &mut motion.rows, &before);
+    let mut solved = problem.solve(&motion.rows);
+    let mut evaluated = None;
+    for _ in 1..EVALUATIONS {
+        let last = evaluated.as_ref().unwrap_or(&*x);
+        with_forces(system, (stride.t + ahead, u, last), &mut motion, &solved.lambda);
+        let place = predicted::<M>(ahead, x, &with_responses::<M, N>(&motion, &solved.lambda));
+        motion = evaluated_again(&motion, motion_at(stride.t + ahead, u, &place));
+        super::bounds::look_at_signs(system, stride.t, u, &motion.rows)?;
+        let guess = Modes { of: solved.modes, carried: solved.carried, ..before };
+        problem = Problem::of(stride, (&laws, &exists), &mut motion.rows, &guess);
+        progress.rounds += solved.rounds;
+        solved = problem.solve(&motion.rows);
+        evaluated = Some(place);
     }
+    let after = modes(&motion.rows, (stride, &problem), &solved, &before);
+    let last = evaluated.as_ref().unwrap_or(&*x);
+    with_forces(system, (stride.t + ahead, u, last), &mut motion, &solved.lambda);
     let away = away(stride, &motion.rows, &solved, &before);
     let corrections = lead_back(&mut motion.rows, &solved.modes, &away);
     arrive::<M, N>((stride.h, rest), &motion, (&solved.lambda, corrections.as_ref()), x);
@@ -145,6 +159,49 @@ fn step_by<M: Contacts<N>, const N: usize>(
     }
     count(u, (stride, &struck), &before, &after);
     Ok(solution)
+}
+
+/// First-order states by their rate with the forces of rows, where it is not affine in them.
+#[inline]
+fn with_forces<M: Contacts<N>, const N: usize>(
+    system: &M,
+    (t, u, x): (M::S, &M::U, &M::X),
+    motion: &mut Motion<M::S, M::X, N>,
+    lambda: &[M::S; N],
+) {
+    if let Some(rate) = system.rate_with_forces(t, u, x, lambda) {
+        for i in 2 * M::NQ..M::X::LEN {
+            motion.rate.set(i, rate.at(i));
+        }
+    }
+}
+
+/// The rate of velocities and of first-order states with the forces of rows.
+fn with_responses<M: Rate, const N: usize>(motion: &Motion<M::S, M::X, N>, lambda: &[M::S; N]) -> M::X {
+    let mut rate = motion.rate;
+    for i in M::NQ..2 * M::NQ {
+        rate.set(i, forced(motion, i, rate.at(i), lambda));
+    }
+    rate
+}
+
+/// The state at the intermediate place `x`, with the velocities and first-order states that their rate gives in a time.
+fn predicted<M: Rate>(time: M::S, x: &M::X, rate: &M::X) -> M::X {
+    let mut place = *x;
+    for i in M::NQ..M::X::LEN {
+        place.set(i, time.mul_add(rate.at(i), x.at(i)));
+    }
+    place
+}
+
+/// The `next` evaluation of a step. The rates of its rows are those with the velocity where the step begins: of the `last`, behind impacts.
+fn evaluated_again<S: Real, X, const N: usize>(
+    last: &Motion<S, X, N>,
+    mut next: Motion<S, X, N>,
+) -> Motion<S, X, N> {
+    next.rows.rate = last.rows.rate;
+    next.health = next.health.worst(last.health);
+    next
 }
 
 /// Counts what a step has done, and books its impacts.
@@ -182,20 +239,27 @@ fn arrive<M: Rate, const N: usize>(
     (lambda, corrections): (&[M::S; N], Option<&[M::S; N]>),
     x: &mut M::X,
 ) {
-    let forced = |i: usize, rate: M::S, factors: &[M::S; N]| {
-        let terms = motion.responses.iter().zip(factors);
-        terms.fold(rate, |sum, (response, factor)| response.at(i).mul_add(*factor, sum))
-    };
     for i in M::NQ..M::X::LEN {
         let rate = motion.rate.at(i);
-        let rate = if i < 2 * M::NQ { forced(i, rate, lambda) } else { rate };
+        let rate = if i < 2 * M::NQ { forced(motion, i, rate, lambda) } else { rate };
         x.set(i, h.mul_add(rate, x.at(i)));
     }
     for i in 0..M::NQ {
         let v = M::NQ + i;
-        let place = corrections.map_or(x.at(i), |corrections| forced(v, x.at(i), corrections));
+        let place = corrections.map_or(x.at(i), |corrections| forced(motion, v, x.at(i), corrections));
         x.set(i, behind.mul_add(x.at(v), place));
     }
+}
+
+/// A number, with what factors of the responses add to it.
+fn forced<S: Scalar, X: Vector<S>, const N: usize>(
+    motion: &Motion<S, X, N>,
+    i: usize,
+    number: S,
+    factors: &[S; N],
+) -> S {
+    let terms = motion.responses.iter().zip(factors);
+    terms.fold(number, |sum, (response, factor)| response.at(i).mul_add(*factor, sum))
 }
 
 /// The modes behind a step, and where frictions began to stick.

@@ -23,7 +23,7 @@ pub struct Proposed<'a, M: Rate> {
     pub made: &'a mut Option<Result<Solution<M::S>, Fault>>,
 }
 
-/// Makes the steps that are proposed, to the bits of [`step`](super::step). `stride` and `x` are the steps and states of all lanes as one,
+/// Makes the steps that are proposed, to the bits of [`step`](super::step) with one evaluation. `stride` and `x` are the steps and states of all lanes as one,
 /// `motion` gives the motion of all at a time and a state, and `take` the value of a lane.
 pub fn packed_steps<M: Contacts<N>, P: Rate, const N: usize, const K: usize>(
     (stride, x): (&Stride<P::S>, &P::X),
@@ -39,7 +39,7 @@ pub fn packed_steps<M: Contacts<N>, P: Rate, const N: usize, const K: usize>(
             let own = |_: M::S, held: &M::U, _: &M::X| {
                 of_lane::<M, P, N>(&all, (system, held), |number| take(number, lane))
             };
-            *made = Some(step_by(system, &stride, (held, x), own, |_, _, _| Ok(())));
+            *made = Some(step_by::<M, N, 1>(system, &stride, (held, x), own, |_, _, _| Ok(())));
         }
     }
 }

@@ -66,14 +66,14 @@ pub(super) fn events(emission: &Emission) -> TokenStream {
                 u.contact.modes.change = change;
             }
 
-            fn stride(
+            fn stride<const EVALUATIONS: usize>(
                 &self,
                 stride: &rt::contact::Stride<S>,
                 u: &mut Self::U,
                 x: &mut [S; #length],
                 behind: impl FnOnce(&mut Self::U, &mut [S; #length], &rt::contact::Solution<S>) -> Result<(), Fault>,
             ) -> Result<rt::contact::Solution<S>, Fault> {
-                rt::contact::step::<Self, #rows>(self, stride, u, x, behind)
+                rt::contact::step::<Self, #rows, EVALUATIONS>(self, stride, u, x, behind)
             }
         }
     }

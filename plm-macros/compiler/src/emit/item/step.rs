@@ -56,9 +56,12 @@ fn one(emission: &Emission, step: Step) -> TokenStream {
 
 /// The step of the runtime: rows of contact are rows of arrays.
 fn moreau_jean(emission: &Emission) -> TokenStream {
-    let [docs, with_theta] =
-        ["by the time stepping of Moreau and Jean with theta = 1/2.", "by that with `theta`, 1/2 to 1."]
-            .map_each(|by| docs::docs(emission, &format!("One step of `h`, s, {by}")));
+    let [docs, with_theta, evaluated] = [
+        "by the time stepping of Moreau and Jean with theta = 1/2.",
+        "by that with `theta`, 1/2 to 1.",
+        "by that with `theta` and so many evaluations of the equations of motion, one or more.",
+    ]
+    .map_each(|by| docs::docs(emission, &format!("One step of `h`, s, {by}")));
     quote! {
         impl<S: Real> State<S> {
             #docs
@@ -69,7 +72,7 @@ fn moreau_jean(emission: &Emission) -> TokenStream {
             /// # Errors
             /// When the step cannot be made; the state then stays as it was.
             pub fn step_moreau_jean(&mut self, h: S) -> Result<rt::contact::Solution<S>, Fault> {
-                rt::step::moreau_jean(self, h, S::lit(0.5))
+                rt::step::moreau_jean::<_, _, 1>(self, h, S::lit(0.5))
             }
 
             #with_theta
@@ -77,7 +80,17 @@ fn moreau_jean(emission: &Emission) -> TokenStream {
             /// # Errors
             /// When the step cannot be made; the state then stays as it was.
             pub fn step_moreau_jean_with(&mut self, h: S, theta: S) -> Result<rt::contact::Solution<S>, Fault> {
-                rt::step::moreau_jean(self, h, theta)
+                rt::step::moreau_jean::<_, _, 1>(self, h, theta)
+            }
+
+            #evaluated
+            ///
+            /// # Errors
+            /// When the step cannot be made; the state then stays as it was.
+            pub fn step_moreau_jean_evaluated<const EVALUATIONS: usize>(
+                &mut self, h: S, theta: S
+            ) -> Result<rt::contact::Solution<S>, Fault> {
+                rt::step::moreau_jean::<_, _, EVALUATIONS>(self, h, theta)
             }
         }
     }
