@@ -66,7 +66,7 @@ fn compared<M: Described<S = f64>, I: Method<M>, J: Method<Small>>(
 }
 
 /// Names, units, numbers of pictures, and the numbers of a moment, which recordings and pages have.
-fn same_description<M: Described<S = f64> + Statics>(mechanism: M, dynamic: Small) {
+fn same_description<M: Described<S = f64> + Statics>(mechanism: M, dynamic: &Small) {
     assert_eq!(M::TABLES, dynamic.tables());
     assert_eq!((M::SHAPES, M::HOLES), (dynamic.shapes(), dynamic.holes()));
     assert_eq!((M::OBSERVED, M::DECLARATION), (dynamic.observables(), dynamic.declaration()));
@@ -79,8 +79,8 @@ fn same_description<M: Described<S = f64> + Statics>(mechanism: M, dynamic: Smal
         all
     };
     assert_eq!(figures(&|t, k| mechanism.figure(t, k)), figures(&|t, k| dynamic.figure(t, k)));
-    assert_eq!(shape(&mechanism), shape(&dynamic));
-    assert_eq!(moment(mechanism), moment(dynamic));
+    assert_eq!(shape(&mechanism), shape(dynamic));
+    assert_eq!(moment(mechanism), moment(*dynamic));
 }
 
 fn shape<M: Described<S = f64>>(of: &M) -> Vec<u64> {
@@ -118,7 +118,7 @@ fn analysed<M: Stabilise + Described + Linearisable>(of: M) -> Vec<String> {
 fn same_bits<M: Described<S = f64> + Statics>(mechanism: M) {
     let text = M::DECLARATION;
     let dynamic: Small = Compiled::new("mechanism.plm", text).unwrap().mechanism().unwrap();
-    same_description(mechanism, dynamic);
+    same_description(mechanism, &dynamic);
     let by_steps =
         (mechanism.start_with(Rk4::new(1e-3)).unwrap(), dynamic.start_with(Rk4::new(1e-3)).unwrap());
     compared(by_steps, (5, 0.02));
