@@ -17,6 +17,8 @@ use bundle::Kind;
 /// The page before anything is put into it.
 const TEMPLATE: &str = include_str!("../page/page.html");
 const STYLE: &str = include_str!("../page/style.css");
+/// What a page with an editor has besides.
+const STYLE_OF_EDITOR: &str = include_str!("../page/playground.css");
 /// Style and script stand deflated in a page that is a file, which makes the file smaller by a fifth or more; this starts it.
 const UNPACK: &str = include_str!("../page/unpack.js");
 /// The style until then.
@@ -35,6 +37,16 @@ pub struct Page {
     results: Vec<u8>,
     title: String,
     module: Vec<u8>,
+    editor: Option<Editor>,
+}
+
+/// What a page in which declarations are typed has besides its module.
+#[derive(Clone, Debug)]
+struct Editor {
+    /// The script of the editor.
+    script: String,
+    /// Names and texts to begin with, as JSON.
+    gallery: String,
 }
 
 impl Page {
@@ -43,7 +55,7 @@ impl Page {
     /// The bytes are not looked at: what is wrong with them the page tells whoever opens it. Without bytes it waits
     /// for a file to be opened or dropped.
     pub fn new(results: &[u8], title: impl Into<String>) -> Self {
-        Self { results: results.to_vec(), title: title.into(), module: Vec::new() }
+        Self { results: results.to_vec(), title: title.into(), module: Vec::new(), editor: None }
     }
 
     /// The same page with a live mechanism: the bytes of a module of WebAssembly, as [`Module::build`] gives them.
@@ -58,11 +70,38 @@ impl Page {
         self
     }
 
+    /// The same page with an editor in which declarations are typed; its module makes mechanisms of texts
+    /// (`examples/playground`).
+    ///
+    /// `script` defines `plmEditor`, made of the folder `page/editor`; `gallery` has names and texts to begin with,
+    /// and the page opens with the first.
+    #[must_use]
+    pub fn with_editor(mut self, script: &str, gallery: &[(String, String)]) -> Self {
+        let texts = gallery.iter().map(|(name, text)| serde_json::json!({ "name": name, "text": text }));
+        // `</script` would end the element; in JSON a backslash may stand before any slash.
+        let gallery = serde_json::Value::from_iter(texts).to_string().replace("</", "<\\/");
+        self.editor = Some(Editor { script: script.to_owned(), gallery });
+        self
+    }
+
     /// The text of the file.
     pub fn to_html(&self) -> String {
-        let kind = if self.module.is_empty() { Kind::Results } else { Kind::Live };
-        let mut packed = element("packed-style", STYLE.as_bytes());
-        packed += &element("packed", bundle::script(kind).as_bytes());
+        let kind = match &self.editor {
+            Some(_) => Kind::Playground,
+            None if self.module.is_empty() => Kind::Results,
+            None => Kind::Live,
+        };
+        let (mut style, mut script) = (STYLE.to_owned(), bundle::script(kind));
+        if let Some(editor) = &self.editor {
+            style += STYLE_OF_EDITOR;
+            script = format!("{}\n{script}", editor.script);
+        }
+        let mut packed = element("packed-style", style.as_bytes());
+        packed += &element("packed", script.as_bytes());
+        if let Some(editor) = &self.editor {
+            packed +=
+                &format!("<script type=\"text/plain\" id=\"gallery-texts\">{}</script>\n", editor.gallery);
+        }
         if !self.module.is_empty() {
             packed += &element("module", &self.module);
         }

@@ -94,6 +94,9 @@ const MORE: &[Step] = &[
     Step::Here(plain("systems", "Windows and macOS", lints::other_systems)),
     Step::Here(plain("docs-rs", "documentation as on docs.rs", lints::docs_rs)),
     Step::Here(plain("package-programs", "programs of packages", packages::programs)),
+    Step::Here(plain("playground", "playground", |place| {
+        place.command("bash examples/playground/check.sh").run()
+    })),
     Step::Here(part("fmu", "FMU", |place| place.command("bash tests/fmu.sh").run())),
     Step::Here(part("python", "Python", |place| place.command("bash tests/python.sh").run())),
     Step::Here(plain("seven-machines", "seven machines", |place| {

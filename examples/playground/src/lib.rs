@@ -14,6 +14,7 @@ pub use session::Session;
 #[derive(Default)]
 struct Page {
     session: Session,
+    language: plm_cli::Server,
     room: Vec<u8>,
     text: String,
 }
@@ -56,6 +57,16 @@ pub extern "C" fn plm_message() -> *const u8 {
     with(|page| {
         let text = page.session.message().to_owned();
         keep(page, text)
+    })
+}
+
+/// Answers the message of the language server protocol in the room: the place of a list of messages, JSON.
+#[unsafe(no_mangle)]
+pub extern "C" fn plm_answer() -> *const u8 {
+    with(|page| {
+        let message = String::from_utf8_lossy(&page.room).into_owned();
+        let answers = page.language.message(&message).unwrap_or_default();
+        keep(page, format!("[{}]", answers.join(",")))
     })
 }
 

@@ -48,6 +48,7 @@ export function addressOf(app) {
   put("tab", app.tab, app.live === null ? "curves" : "live");
   put("panel", Number(app.hasPanel), 1);
   for (const [name, value] of [...toolParts(app), ...changedSettings(app)]) parts.set(name, value);
+  put("text", app.packedText, "");
   return parts.toString();
 }
 

@@ -97,6 +97,8 @@ export class App {
     /** The view as it was when it showed everything last. */
     this.fitted = "";
     this.madeBy = "";
+    /** The declaration that is typed, as links have it; empty where none is, or the usual one. */
+    this.packedText = "";
     /** The file that is shown, or was before it was cleared. @type {Uint8Array | null} */
     this.bytes = null;
     /** Where the scene is drawn. @type {Area} */

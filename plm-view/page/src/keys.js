@@ -49,6 +49,8 @@ export function listenToKeys(app, dialogs) {
  * @param {string} name
  */
 export function belongsTo(target, name) {
+  // A declaration is typed there.
+  if (target.isContentEditable) return true;
   if (target instanceof HTMLInputElement && target.type === "range") {
     // The time line moves by steps; other sliders by themselves.
     return target.id !== "time" && /^(Arrow|Home|End|Page)/.test(name);

@@ -26,7 +26,7 @@ export class Live {
   /**
    * @param {App} app
    * @param {RunHead} head of a run with all observed quantities
-   * @param {Uint8Array} wasm
+   * @param {Uint8Array | null} wasm null where the worker has the mechanism
    * @param {Pick<Worker, "postMessage"> & {onmessage: unknown}} [worker]
    */
   constructor(app, head, wasm, worker = startWorker()) {
@@ -274,7 +274,7 @@ export class Live {
       const { next } = this.placing;
       this.placing = { isAsked: next !== null, next: null };
       if (next !== null) this.send(next);
-    } else this.breakDown(`The module has stopped: ${message.text}. Load the page anew.`);
+    } else if (message.kind === "broken") this.breakDown(`The module has stopped: ${message.text}. Load the page anew.`);
   }
 
   /**

@@ -60,7 +60,7 @@ function assemblePage(app) {
   listenToKeys(app, dialogs);
   listenToPointers(app, canvas);
   listenToDrops(app);
-  return { stage, panel, parts: [app.history, ...(app.live === null ? [] : [app.live]), { update: showButtons }, { update: showMenu }, panel, stage, timeline] };
+  return { stage, panel, parts: [app.history, { update: () => app.live?.update() }, { update: showButtons }, { update: showMenu }, panel, stage, timeline] };
 }
 
 /**

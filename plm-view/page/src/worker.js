@@ -11,6 +11,9 @@
  *   plm_pull: (body: number, x: number, y: number, fx: number, fy: number) => void,
  *   plm_place: (body: number, x: number, y: number, angle: number) => number,
  *   plm_trouble: () => number, plm_size_names: () => number, plm_contacts: () => number, plm_text_length: () => number}} LiveExports
+ * A module that makes a mechanism of a text, too: `examples/playground/src/lib.rs`.
+ * @typedef {LiveExports & {plm_room: (length: number) => number, plm_compile: () => number, plm_message: () => number,
+ *   plm_results: () => number, plm_results_length: () => number}} CompilerExports
  */
 
 /**
@@ -26,12 +29,14 @@
  */
 
 /**
- * @typedef {{kind: "load", wasm: Uint8Array, parameters: number, inputs: number} | {kind: "run" | "pause" | "restart" | "reset"}
+ * @typedef {{kind: "load", wasm: Uint8Array | null, parameters: number, inputs: number}
+ *   | {kind: "declare", module: WebAssembly.Module, text: string} | {kind: "run" | "pause" | "restart" | "reset"}
  *   | {kind: "speed", speed: number} | {kind: "step", dt: number, count: number}
  *   | {kind: "parameter" | "input", index: number, value: number} | {kind: "pull", pull: Pull | null}
  *   | {kind: "place", body: number, point: number[], target: number[], turn: number}
  *   | {kind: "ahead", duration: number} | {kind: "keep" | "return", id: number}} ToWorker
- * @typedef {{kind: "rows", width: number, numbers: Float64Array} | {kind: "ahead", width: number, numbers: Float64Array}
+ * @typedef {{kind: "declared", results: Uint8Array | null, text: string} | {kind: "rows", width: number, numbers: Float64Array}
+ *   | {kind: "ahead", width: number, numbers: Float64Array}
  *   | {kind: "returned", numbers: Float64Array, id: number}
  *   | {kind: "began", numbers: Float64Array, isAssembled: boolean}
  *   | {kind: "trouble", trouble: Trouble | null} | {kind: "contacts", contacts: Contact[]} | {kind: "placed"} | {kind: "broken", text: string}
@@ -299,6 +304,10 @@ export function liveWorker(scope) {
   const longestTurn = 40;
   /** @type {WebAssembly.Module | null} */
   let module = null;
+  /** What the module makes its mechanism of; null where it holds one. @type {string | null} */
+  let declaration = null;
+  /** @type {any} */
+  let exports = null;
   /** @type {LiveMachine | null} */
   let machine = null;
   let isRunning = false;
@@ -349,8 +358,9 @@ export function liveWorker(scope) {
     else if (message.kind === "return") on.comeBack(message.id);
     else if (message.kind === "place") on.place(message.body, message.point, message.target, message.turn);
     else if (message.kind === "ahead" && module !== null) {
-      const { exports } = new WebAssembly.Instance(module, {});
-      on.tellAhead(/** @type {any} */ (exports), message.duration, 2 * longestTurn);
+      const other = /** @type {any} */ (new WebAssembly.Instance(module, {}).exports);
+      if (declaration !== null) compile(other, declaration);
+      on.tellAhead(other, message.duration, 2 * longestTurn);
     } else if (message.kind === "step") {
       on.isStuck &&= !on.isAssembled;
       for (let left = message.count; left > 0; left--) on.step(message.dt);
@@ -359,28 +369,55 @@ export function liveWorker(scope) {
     }
   };
 
+  /** Makes a mechanism of a text; whether it is one. @param {CompilerExports} of @param {string} text */
+  const compile = (of, text) => {
+    const bytes = new TextEncoder().encode(text);
+    const room = of.plm_room(bytes.length);
+    new Uint8Array(of.memory.buffer, room, bytes.length).set(bytes);
+    return of.plm_compile() === 1;
+  };
+  /** @param {CompilerExports} of @param {string} text */
+  const declare = (of, text) => {
+    [exports, declaration] = [of, text];
+    const isGood = compile(of, text);
+    const [place, length] = isGood ? [of.plm_results(), of.plm_results_length()] : [of.plm_message(), of.plm_text_length()];
+    const bytes = new Uint8Array(of.memory.buffer, place, length).slice();
+    scope.postMessage({ kind: "declared", results: isGood ? bytes : null, text: isGood ? "" : new TextDecoder().decode(bytes) });
+  };
+
   /** What came before the module was there. @type {ToWorker[]} */
   const waiting = [];
-  scope.onmessage = ({ data }) => {
-    if (data.kind !== "load") {
-      const on = machine;
-      if (on === null) waiting.push(data);
-      else guarded(() => obey(on, data));
-      return;
-    }
-    const isLoaded = WebAssembly.instantiate(/** @type {Uint8Array<ArrayBuffer>} */ (data.wasm), {});
+  /** @param {{parameters: number, inputs: number}} counts */
+  const begin = (counts) => {
+    const on = new LiveMachine(exports, counts, (message) => scope.postMessage(message));
+    machine = on;
+    on.begin("restart");
+    for (const message of waiting.splice(0)) obey(on, message);
+  };
+  /** Its instance, then what is to be done with it. @param {BufferSource | WebAssembly.Module} source @param {(of: any) => void} then */
+  const load = (source, then) => {
+    const isLoaded = WebAssembly.instantiate(/** @type {any} */ (source), {});
     isLoaded.then(
-      (loaded) =>
+      (/** @type {any} */ loaded) =>
         guarded(() => {
-          const { instance } = loaded;
-          module = loaded.module;
-          const on = new LiveMachine(/** @type {any} */ (instance.exports), data, (message) => scope.postMessage(message));
-          machine = on;
-          on.begin("restart");
-          for (const message of waiting.splice(0)) obey(on, message);
+          // Of a module that is compiled already the instance alone comes.
+          module = loaded.module ?? source;
+          then((loaded.instance ?? loaded).exports);
         }),
-      (error) => guarded(() => { throw error; }),
+      (/** @type {unknown} */ error) => guarded(() => { throw error; }),
     );
+  };
+  scope.onmessage = ({ data }) => {
+    const on = machine;
+    if (data.kind === "declare") load(data.module, (of) => declare(of, data.text));
+    else if (data.kind === "load" && data.wasm === null) guarded(() => begin(data));
+    else if (data.kind === "load") {
+      load(/** @type {Uint8Array<ArrayBuffer>} */ (data.wasm), (of) => {
+        exports = of;
+        begin(data);
+      });
+    } else if (on === null) waiting.push(data);
+    else guarded(() => obey(on, data));
   };
 }
 

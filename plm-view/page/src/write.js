@@ -55,7 +55,7 @@ function npyFile(shape, numbers) {
  * @param {[string, Bytes][]} files
  * @returns {Promise<Bytes>} a zip archive
  */
-async function zipFile(files) {
+export async function zipFile(files) {
   /** @type {Bytes[]} */
   const parts = [];
   /** @type {Bytes[]} */
@@ -78,7 +78,7 @@ async function zipFile(files) {
 }
 
 /** @param {Bytes} bytes */
-async function deflated(bytes) {
+export async function deflated(bytes) {
   const stream = new Blob([bytes]).stream().pipeThrough(new CompressionStream("deflate-raw"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }

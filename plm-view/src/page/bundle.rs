@@ -94,6 +94,16 @@ const LIVE: &[(&str, &str)] = &[
 /// Behind these, in a page that holds the mechanism itself.
 const LIVE_ENTRY: &[(&str, &str)] = &[("liveentry", include_str!("../../page/src/liveentry.js"))];
 
+/// Behind those of a live page, in one in which declarations are typed.
+const PLAYGROUND: &[(&str, &str)] = &[
+    ("packedtext", include_str!("../../page/src/packedtext.js")),
+    ("takehome", include_str!("../../page/src/takehome.js")),
+    ("exchange", include_str!("../../page/src/exchange.js")),
+    ("language", include_str!("../../page/src/language.js")),
+    ("editorpane", include_str!("../../page/src/editorpane.js")),
+    ("playground", include_str!("../../page/src/playground.js")),
+];
+
 /// Behind these, in a page that a running program serves.
 const SERVED: &[(&str, &str)] = &[
     ("program", include_str!("../../page/src/program.js")),
@@ -110,6 +120,8 @@ pub(super) enum Kind {
     Live,
     /// A program that serves it.
     Served,
+    /// A declaration that is typed.
+    Playground,
 }
 
 /// The script of a page.
@@ -118,6 +130,7 @@ pub(super) fn script(kind: Kind) -> String {
         Kind::Results => [RESULTS, &[]],
         Kind::Live => [LIVE, LIVE_ENTRY],
         Kind::Served => [LIVE, SERVED],
+        Kind::Playground => [LIVE, PLAYGROUND],
     };
     MODULES.iter().chain(ends.into_iter().flatten()).map(|(_, text)| without_noise(text)).collect()
 }
@@ -173,7 +186,7 @@ mod tests {
     use super::*;
 
     fn all() -> Vec<(&'static str, &'static str)> {
-        [MODULES, LIVE, LIVE_ENTRY, SERVED, RESULTS].concat()
+        [MODULES, LIVE, LIVE_ENTRY, PLAYGROUND, SERVED, RESULTS].concat()
     }
 
     #[test]
@@ -243,17 +256,18 @@ mod tests {
 
     #[test]
     fn the_script_is_code_alone() {
-        let [plain, live, served] = [Kind::Results, Kind::Live, Kind::Served].map(script);
-        for line in [&plain, &live, &served].into_iter().flat_map(|script| script.lines()) {
+        let [plain, live, served, typed] =
+            [Kind::Results, Kind::Live, Kind::Served, Kind::Playground].map(script);
+        for line in [&plain, &live, &served, &typed].into_iter().flat_map(|script| script.lines()) {
             assert!(!line.starts_with("import ") && !line.starts_with("export "), "{line}");
             assert!(!line.starts_with("//") && !line.starts_with('*') && !line.contains("/**"), "{line}");
         }
         // Either would end or hide the script in the page.
-        for script in [&plain, &live, &served] {
+        for script in [&plain, &live, &served, &typed] {
             assert!(!script.contains("</script") && !script.contains("<!--"));
         }
         assert!(plain.ends_with("startPage(null);\n") && live.ends_with("startPage(wake);\n"));
-        assert!(served.ends_with("startPage(listen);\n"));
+        assert!(served.ends_with("startPage(listen);\n") && typed.ends_with("startPage(beginPlay);\n"));
         // What a page has no use for is not in it.
         assert!(!plain.contains("WebAssembly"));
     }

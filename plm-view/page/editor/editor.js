@@ -1,0 +1,169 @@
+// The editor of declarations: CodeMirror, with what the language server says.
+
+import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
+import { defaultKeymap, history, historyKeymap, indentWithTab, redo, undo } from "@codemirror/commands";
+import { bracketMatching, foldGutter, foldKeymap, indentOnInput, indentUnit, syntaxHighlighting } from "@codemirror/language";
+import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
+import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
+import { EditorState } from "@codemirror/state";
+import { EditorView, drawSelection, highlightActiveLine, highlightSpecialChars, hoverTooltip, keymap, lineNumbers } from "@codemirror/view";
+import { colours, declarations, indentation } from "./highlight.js";
+
+/** @import {Text} from "@codemirror/state" */
+/** @import {Completion, CompletionContext, CompletionResult} from "@codemirror/autocomplete" */
+/** @import {Diagnostic} from "@codemirror/lint" */
+
+/**
+ * A place of the protocol: line and column from 0, in units of UTF-16, as this editor counts too.
+ * @typedef {{line: number, character: number}} Place
+ * @typedef {{start: Place, end: Place}} Range
+ * @typedef {{range: Range, severity: number, code?: string, message: string}} Problem
+ * @typedef {{title: string, edits: {range: Range, newText: string}[]}} Fix
+ * What the language server is asked.
+ * @typedef {{complete: (at: Place) => Promise<{label: string, kind: number, detail: string, documentation: string}[]>,
+ *   hover: (at: Place) => Promise<{text: string, range: Range} | null>, fixes: (range: Range) => Promise<Fix[]>,
+ *   layout: () => Promise<{range: Range, newText: string}[]>}} Language
+ */
+
+/** Kinds of the protocol, as the list of completions shows them. @type {Record<number, string>} */
+const KINDS = { 3: "function", 5: "property", 6: "variable", 7: "class", 10: "property", 11: "constant", 14: "keyword", 21: "constant" };
+
+/** @param {Text} text @param {Place} place */
+function offset(text, { line, character }) {
+  const { from, length } = text.line(Math.min(line + 1, text.lines));
+  return from + Math.min(character, length);
+}
+
+/** @param {Text} text @param {number} at @returns {Place} */
+function place(text, at) {
+  const { number, from } = text.lineAt(at);
+  return { line: number - 1, character: at - from };
+}
+
+/** @param {Text} text @param {{range: Range, newText: string}[]} edits */
+const changes = (text, edits) => edits.map(({ range, newText }) => ({ from: offset(text, range.start), to: offset(text, range.end), insert: newText }));
+
+/** @param {Language} language */
+function completions(language) {
+  return async (/** @type {CompletionContext} */ context) => {
+    const word = context.matchBefore(/\w*/);
+    const follows = context.matchBefore(/\.\w*/) !== null;
+    if (!context.explicit && !follows && (word === null || word.from === word.to)) return null;
+    const found = await language.complete(place(context.state.doc, context.pos));
+    /** @type {Completion[]} */
+    const options = found.map(({ label, kind, detail, documentation }) => ({
+      label,
+      type: KINDS[kind] ?? "text",
+      detail,
+      ...(documentation === "" ? {} : { info: documentation }),
+    }));
+    return /** @type {CompletionResult} */ ({ from: word?.from ?? context.pos, options, validFor: /^\w*$/ });
+  };
+}
+
+/** @param {Language} language */
+function values(language) {
+  return hoverTooltip(async (view, at) => {
+    const { doc } = view.state;
+    const found = await language.hover(place(doc, at));
+    if (found === null) return null;
+    return {
+      pos: offset(doc, found.range.start),
+      end: offset(doc, found.range.end),
+      above: true,
+      create: () => ({ dom: shown(found.text) }),
+    };
+  });
+}
+
+/** Text of the language server: code between fences, and plain lines. @param {string} text */
+function shown(text) {
+  const root = document.createElement("div");
+  root.className = "editor-hover";
+  for (const [at, part] of text.split("```").entries()) {
+    const plain = at % 2 === 1 ? part.replace(/^\w*\n/, "") : part;
+    if (plain.trim() === "") continue;
+    const piece = document.createElement(at % 2 === 1 ? "pre" : "p");
+    piece.textContent = plain.trim().replaceAll("`", "");
+    root.append(piece);
+  }
+  return root;
+}
+
+/**
+ * An editor in an element.
+ * @param {HTMLElement} parent
+ * @param {string} text
+ * @param {Language} language
+ * @param {(text: string) => void} changed called behind every change
+ */
+export function makeEditor(parent, text, language, changed) {
+  const view = new EditorView({
+    parent,
+    state: EditorState.create({
+      doc: text,
+      extensions: [
+        lineNumbers(),
+        lintGutter(),
+        foldGutter(),
+        history(),
+        drawSelection(),
+        highlightSpecialChars(),
+        highlightActiveLine(),
+        highlightSelectionMatches(),
+        indentUnit.of("    "),
+        indentOnInput(),
+        bracketMatching(),
+        closeBrackets(),
+        declarations,
+        indentation,
+        syntaxHighlighting(colours),
+        autocompletion({ override: [completions(language)] }),
+        values(language),
+        EditorView.contentAttributes.of({ "aria-label": "Declaration" }),
+        EditorView.updateListener.of((update) => {
+          if (update.docChanged) changed(update.state.doc.toString());
+        }),
+        keymap.of([
+          ...closeBracketsKeymap,
+          ...completionKeymap,
+          ...lintKeymap,
+          ...searchKeymap,
+          ...historyKeymap,
+          ...foldKeymap,
+          ...defaultKeymap,
+          indentWithTab,
+        ]),
+      ],
+    }),
+  });
+  /** Marks what is wrong, with what mends it. @param {Problem[]} problems */
+  const mark = (problems) => {
+    const { doc } = view.state;
+    const diagnostics = problems.map(({ range, severity, code, message }) => {
+      const [from, to] = [offset(doc, range.start), offset(doc, range.end)];
+      /** @type {Diagnostic} */
+      const diagnostic = { from, to: Math.max(from, to), severity: severity === 1 ? "error" : "warning", message };
+      if (code !== undefined) diagnostic.source = code;
+      return diagnostic;
+    });
+    view.dispatch(setDiagnostics(view.state, diagnostics));
+  };
+  return {
+    view,
+    mark,
+    text: () => view.state.doc.toString(),
+    /** Another text, which can be undone. @param {string} other */
+    replace: (other) => view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: other }, selection: { anchor: 0 } }),
+    /** Edits of the language server. @param {{range: Range, newText: string}[]} edits */
+    edit: (edits) => view.dispatch({ changes: changes(view.state.doc, edits) }),
+    /** A place that is shown, with the cursor there. @param {Place} at */
+    goTo: (at) => {
+      const anchor = offset(view.state.doc, at);
+      view.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: "center" }) });
+      view.focus();
+    },
+    undo: () => undo(view),
+    redo: () => redo(view),
+  };
+}

@@ -1,0 +1,183 @@
+// The pane of the declaration: the editor, what is wrong, and what can be done with the text.
+
+import { element, setText } from "./dom.js";
+import { Language, languageText } from "./language.js";
+import { packText } from "./packedtext.js";
+import { workerOf } from "./startworker.js";
+import { openTakeHome, saveText } from "./takehome.js";
+
+/** @import {App} from "./app.js" */
+/** @import {Exchange} from "./exchange.js" */
+/** @import {Problem} from "./language.js" */
+
+/** @typedef {{name: string, text: string}} Example */
+
+/** Behind the last key, ms, the picture follows. */
+const REST_OF_KEYS = 80;
+/** Larger files are no declarations. */
+const LARGEST_TEXT = 1 << 20;
+
+/** The editor, which stands in the page as a script of its own. @returns {typeof import("../editor/editor.js")} */
+const codeEditor = () => /** @type {any} */ (globalThis).plmEditor;
+
+export class EditorPane {
+  /**
+   * @param {App} app
+   * @param {Exchange} exchange
+   * @param {Example[]} gallery
+   * @param {string} text
+   */
+  constructor(app, exchange, gallery, text) {
+    this.app = app;
+    this.exchange = exchange;
+    this.usual = gallery[0].text;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    this.timer = undefined;
+    /** How many changes there were. */
+    this.changes = 0;
+    /** @type {HTMLButtonElement | undefined} */
+    this.link = undefined;
+    this.state = element("p", { id: "editor-state", role: "status" });
+    this.problems = element("ul", { id: "problems", "aria-label": "What is wrong" });
+    const code = element("div", { id: "code" });
+    this.root = element("section", { id: "editor", "aria-label": "Declaration" }, this.head(gallery), code, this.state, this.problems);
+    document.querySelector("main")?.prepend(this.root);
+    this.language = new Language(
+      () => {
+        const worker = workerOf(languageText());
+        worker.postMessage({ kind: "module", module: exchange.module });
+        return worker;
+      },
+      (problems) => this.show(problems),
+    );
+    this.editor = codeEditor().makeEditor(code, text, this.language, (now) => this.changed(now));
+    this.language.change(text);
+    this.follow(text);
+    this.listenToFiles();
+  }
+
+  /** @param {Example[]} gallery */
+  head(gallery) {
+    const button = (/** @type {string} */ id, /** @type {string} */ label, /** @type {() => void} */ onclick, title = label) =>
+      element("button", { type: "button", id, title, onclick }, label);
+    const choose = element(
+      "select",
+      { id: "gallery", "aria-label": "Begin with", onchange: () => this.begin(gallery[Number(choose.value)], choose) },
+      element("option", { value: "" }, "Begin with …"),
+      ...gallery.map(({ name }, index) => element("option", { value: index }, name)),
+    );
+    this.link = button("editor-link", "Copy link", () => void this.copyLink(), "A link to this text and this view");
+    return element(
+      "div",
+      { class: "row" },
+      choose,
+      button("editor-format", "Format", () => void this.format(), "One layout, comments are kept"),
+      button("editor-open", "Open…", () => this.open(), "A file from this computer; nothing leaves it"),
+      button("editor-save", "Save", () => saveText(this.editor.text()), "The declaration as a file"),
+      this.link,
+      button("editor-home", "Take it home…", () => openTakeHome(this.editor.text())),
+    );
+  }
+
+  /** Another text, which can be undone. @param {Example | undefined} example @param {HTMLSelectElement} choose */
+  begin(example, choose) {
+    if (example !== undefined) this.editor.replace(example.text);
+    choose.value = "";
+  }
+
+  /** @param {string} text */
+  changed(text) {
+    this.language.change(text);
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => void this.run(text), REST_OF_KEYS);
+    this.follow(text);
+  }
+
+  /** The picture follows the text. @param {string} text */
+  async run(text) {
+    await this.exchange.declare(text);
+  }
+
+  /** The address follows the text. @param {string} text */
+  async follow(text) {
+    this.changes += 1;
+    const change = this.changes;
+    const packed = text === this.usual ? "" : await packText(text);
+    if (change !== this.changes) return;
+    this.app.packedText = packed;
+    this.app.touch();
+  }
+
+  /** @param {Problem[]} problems */
+  show(problems) {
+    this.editor.mark(problems);
+    const errors = problems.filter(({ severity }) => severity === 1).length;
+    const warnings = problems.length - errors;
+    const counted = (/** @type {number} */ count, /** @type {string} */ what) => (count === 0 ? [] : [`${count} ${what}${count === 1 ? "" : "s"}`]);
+    const found = [...counted(errors, "error"), ...counted(warnings, "warning")].join(", ");
+    setText(this.state, found === "" ? "Nothing is wrong." : errors > 0 ? `${found}: the last text without an error moves.` : found);
+    this.root.dataset["state"] = errors > 0 ? "errors" : "good";
+    this.problems.replaceChildren(
+      ...problems.map((problem) => {
+        const { range, severity, code, message } = problem;
+        const go = () => this.editor.goTo(range.start);
+        const words = `${range.start.line + 1}: ${message.split("\n")[0]}`;
+        const button = element("button", { type: "button", class: "plain", onclick: go }, words);
+        const item = element("li", { class: severity === 1 ? "error" : "warning" }, button, element("span", {}, code ?? ""));
+        if (severity === 1) void this.offer(problem, item);
+        return item;
+      }),
+    );
+  }
+
+  /** What mends it, as buttons. @param {Problem} problem @param {HTMLElement} item */
+  async offer({ range }, item) {
+    const change = this.changes;
+    for (const { title, edits } of await this.language.fixes(range)) {
+      const mend = () => {
+        // Places of another text are no places of this one.
+        if (change === this.changes) this.editor.edit(edits);
+      };
+      item.append(element("button", { type: "button", onclick: mend }, title));
+    }
+  }
+
+  async format() {
+    this.editor.edit(await this.language.layout());
+  }
+
+  open() {
+    const input = element("input", { type: "file", accept: ".plm,.txt" });
+    input.addEventListener("change", () => void this.take(input.files?.[0]));
+    input.click();
+  }
+
+  /** @param {File | undefined} file */
+  async take(file) {
+    if (file === undefined) return;
+    if (file.size > LARGEST_TEXT) this.app.tell("error", `${file.name} is too large to be a declaration.`);
+    else this.editor.replace(await file.text());
+  }
+
+  /** Declarations that are dropped anywhere; other files are results. */
+  listenToFiles() {
+    document.addEventListener(
+      "drop",
+      (event) => {
+        const file = event.dataTransfer?.files[0];
+        if (file === undefined || !/\.(plm|txt)$/.test(file.name)) return;
+        event.preventDefault();
+        event.stopImmediatePropagation();
+        document.body.classList.remove("dropping");
+        void this.take(file);
+      },
+      { capture: true },
+    );
+  }
+
+  async copyLink() {
+    await navigator.clipboard.writeText(location.href);
+    if (this.link !== undefined) setText(this.link, "Copied");
+    setTimeout(() => this.link !== undefined && setText(this.link, "Copy link"), 1500);
+  }
+}

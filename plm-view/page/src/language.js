@@ -1,0 +1,165 @@
+// The language server in a worker of its own, spoken to by the Language Server Protocol.
+//
+// `languageWorker` goes into the worker as text, so that it uses nothing from outside of itself.
+
+/** @import {Carrier} from "./exchange.js" */
+
+/**
+ * A place of the protocol: line and column from 0, in units of UTF-16.
+ * @typedef {{line: number, character: number}} Place
+ * @typedef {{start: Place, end: Place}} Range
+ * @typedef {{range: Range, severity: number, code?: string, message: string}} Problem
+ * @typedef {{range: Range, newText: string}} Edit
+ * @typedef {{id?: number, method?: string, params?: any, result?: any, error?: {message: string}}} Message
+ */
+
+/** A text that takes longer than this, ms, is given up. */
+export const LONGEST_ANSWER = 5000;
+/** The only text that is open. */
+const DECLARATION_URI = "plm:declaration.plm";
+
+export class Language {
+  /**
+   * @param {() => Carrier} start starts a worker that has the module
+   * @param {(problems: Problem[]) => void} show
+   */
+  constructor(start, show) {
+    this.start = start;
+    this.show = show;
+    /** The text that is sent once something is heard of the one before. @type {string | null} */
+    this.next = null;
+    this.asked = 0;
+    /** Requests without an answer. @type {Map<number, (result: any) => void>} */
+    this.waiting = new Map();
+    /** Messages without anything heard behind them. */
+    this.silent = 0;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    this.timer = undefined;
+    this.begin();
+  }
+
+  begin() {
+    this.carrier = this.start();
+    this.carrier.onmessage = ({ data }) => this.hear(data);
+    this.silent = 0;
+  }
+
+  /** Begins anew without the text that was too much. @param {string} why */
+  giveUp(why) {
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    this.carrier?.terminate();
+    for (const answer of this.waiting.values()) answer(null);
+    this.waiting.clear();
+    this.begin();
+    this.show([{ range: { start: { line: 0, character: 0 }, end: { line: 0, character: 0 } }, severity: 1, message: why }]);
+  }
+
+  /** @param {{kind: "heard", messages: Message[]} | {kind: "broken", text: string}} data */
+  hear(data) {
+    if (data.kind === "broken") {
+      this.giveUp(`the compiler has stopped at this text: ${data.text}`);
+      return;
+    }
+    this.silent -= 1;
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    if (this.silent > 0) this.wait();
+    else this.sendNext();
+    for (const { id, method, params, result } of data.messages) {
+      if (method === "textDocument/publishDiagnostics") this.show(params.diagnostics);
+      else if (id !== undefined) {
+        this.waiting.get(id)?.(result ?? null);
+        this.waiting.delete(id);
+      }
+    }
+  }
+
+  wait() {
+    this.timer ??= setTimeout(() => this.giveUp(`this text was given up after ${LONGEST_ANSWER / 1000} s`), LONGEST_ANSWER);
+  }
+
+  /** @param {Message} message */
+  send(message) {
+    this.silent += 1;
+    this.wait();
+    this.carrier?.postMessage({ kind: "message", text: JSON.stringify({ jsonrpc: "2.0", ...message }) });
+  }
+
+  /** Another text: what is wrong with it is shown. Of many that come while one is compiled the last alone counts. @param {string} text */
+  change(text) {
+    this.next = text;
+    if (this.silent === 0) this.sendNext();
+  }
+
+  sendNext() {
+    const { next: text } = this;
+    if (text === null) return;
+    this.next = null;
+    this.send({ method: "textDocument/didOpen", params: { textDocument: { uri: DECLARATION_URI, languageId: "plm", version: 1, text } } });
+  }
+
+  /** @param {string} method @param {object} [more] @returns {Promise<any>} null where nothing is known */
+  ask(method, more = {}) {
+    this.sendNext();
+    this.asked += 1;
+    const id = this.asked;
+    return new Promise((resolve) => {
+      this.waiting.set(id, resolve);
+      this.send({ id, method: `textDocument/${method}`, params: { textDocument: { uri: DECLARATION_URI }, ...more } });
+    });
+  }
+
+  /** @param {Place} position */
+  async complete(position) {
+    return (await this.ask("completion", { position })) ?? [];
+  }
+
+  /** @param {Place} position @returns {Promise<{text: string, range: Range} | null>} */
+  async hover(position) {
+    const found = await this.ask("hover", { position });
+    return found === null ? null : { text: found.contents.value, range: found.range };
+  }
+
+  /** What mends what is wrong in a range. @param {Range} range @returns {Promise<{title: string, edits: Edit[]}[]>} */
+  async fixes(range) {
+    const found = (await this.ask("codeAction", { range, context: { diagnostics: [] } })) ?? [];
+    return found.map((/** @type {any} */ fix) => ({ title: fix.title, edits: fix.edit.changes[DECLARATION_URI] ?? [] }));
+  }
+
+  /** The edits that give the text its layout. @returns {Promise<Edit[]>} */
+  async layout() {
+    return (await this.ask("formatting", { options: { tabSize: 4, insertSpaces: true } })) ?? [];
+  }
+}
+
+/**
+ * Hands messages to the module, and back what follows from them.
+ * @param {{onmessage: ((event: MessageEvent<any>) => void) | null, postMessage: (message: unknown) => void}} scope
+ */
+export function languageWorker(scope) {
+  /** @type {Promise<any> | null} */
+  let loading = null;
+  scope.onmessage = async ({ data }) => {
+    try {
+      if (data.kind === "module") {
+        loading = WebAssembly.instantiate(data.module, {});
+        return;
+      }
+      const { exports } = await loading;
+      const bytes = new TextEncoder().encode(data.text);
+      const room = exports.plm_room(bytes.length);
+      new Uint8Array(exports.memory.buffer, room, bytes.length).set(bytes);
+      const [place, length] = [exports.plm_answer(), exports.plm_text_length()];
+      const text = new TextDecoder().decode(new Uint8Array(exports.memory.buffer, place, length));
+      scope.postMessage({ kind: "heard", messages: JSON.parse(text) });
+    } catch (error) {
+      scope.postMessage({ kind: "broken", text: error instanceof Error ? error.message : String(error) });
+    }
+  };
+}
+
+/** The text of the worker. */
+export function languageText() {
+  return `${languageWorker}\nlanguageWorker(self);\n`;
+}

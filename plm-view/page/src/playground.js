@@ -1,0 +1,47 @@
+// Playground entry: starts a page in which a mechanism is typed.
+
+import { dragTool, listenToDragKeys } from "./drag.js";
+import { EditorPane } from "./editorpane.js";
+import { Exchange, LiveTab } from "./exchange.js";
+import { embeddedModule } from "./files.js";
+import { startPage } from "./main.js";
+import { unpackText } from "./packedtext.js";
+import { startWorker } from "./startworker.js";
+
+/** @import {App} from "./app.js" */
+/** @import {Example} from "./editorpane.js" */
+/** @import {Panel} from "./panel.js" */
+
+/** The declarations to begin with. @returns {Example[]} */
+function embeddedGallery() {
+  return JSON.parse(document.getElementById("gallery-texts")?.textContent ?? "[]");
+}
+
+/**
+ * Brings the mechanism to life that the address holds, or the first one of the gallery.
+ * @param {App} app
+ * @returns {Promise<(panel: Panel) => void>}
+ */
+async function beginPlay(app) {
+  const [wasm, gallery] = [await embeddedModule(), embeddedGallery()];
+  if (wasm === null || gallery.length === 0) {
+    app.tell("error", "The page holds no compiler, or nothing to begin with.");
+    return () => {};
+  }
+  const module = await WebAssembly.compile(/** @type {Uint8Array<ArrayBuffer>} */ (wasm));
+  const exchange = new Exchange(app, module, startWorker);
+  const asked = await unpackText(new URLSearchParams(location.hash.slice(1)).get("text") ?? "");
+  const text = asked ?? gallery[0].text;
+  app.grip = dragTool(app);
+  app.tab = "live";
+  listenToDragKeys(app);
+  const isShown = await exchange.declare(text);
+  // Without any mechanism there is no page; what is wrong with the text stands beside it.
+  if (isShown !== true) await exchange.declare(gallery[0].text);
+  app.mode = app.live?.usualMode ?? "pan";
+  const pane = new EditorPane(app, exchange, gallery, text);
+  Object.assign(window, { plmPlay: { exchange, pane } });
+  return (panel) => panel.add("live", "Live", (sheet) => new LiveTab(app, sheet));
+}
+
+void startPage(beginPlay);
