@@ -6,6 +6,8 @@ use crate::notice::{Notices, Place};
 
 /// Elements within elements: more than any model has, and far from the end of the stack.
 const DEEPEST: usize = 200;
+/// The bound of numbers.
+const UNBOUNDED: f64 = 1e16;
 
 /// An attribute of an element.
 #[derive(Clone, Debug)]
@@ -167,7 +169,10 @@ impl Element {
     }
 }
 
-/// Finite numbers, and infinite ones by name, with blanks between.
+/// Numbers with blanks between; infinite ones are the 1e16 by which SDF says that there is no bound.
 fn numbers(text: &str) -> Option<Vec<f64>> {
-    text.split_whitespace().map(|word| word.parse().ok().filter(|number: &f64| !number.is_nan())).collect()
+    let number = |word: &str| word.parse().ok().filter(|number: &f64| !number.is_nan());
+    text.split_whitespace()
+        .map(|word| number(word).map(|number| number.clamp(-UNBOUNDED, UNBOUNDED)))
+        .collect()
 }

@@ -114,7 +114,7 @@ def peers(plm, paths):
         if made.returncode:
             print(path, made.stderr, sep="\n")
             continue
-        inputs = re.findall(r"input (\w+):", made.stdout)
+        inputs = re.findall(r"^    input (\w+):", made.stdout, re.MULTILINE)
         with tempfile.NamedTemporaryFile("w", suffix=".plm") as file:
             file.write(made.stdout)
             file.flush()
@@ -132,6 +132,6 @@ if __name__ == "__main__":
     if sys.argv[1:2] == ["--peers"]:
         peers(sys.argv[2], sys.argv[3:])
     else:
-        for name, controls in [("cart.xml", [0.6, 0.2]), ("oblique.xml", []), ("four_bar.xml", [0.5]), ("follow.xml", []), ("arm.urdf", [])]:
+        for name, controls in [("cart.xml", [0.6, 0.2]), ("oblique.xml", []), ("four_bar.xml", [0.5]), ("follow.xml", []), ("puck.xml", [0.7, 3.0]), ("arm.urdf", [])]:
             for joint, number in final(os.path.join(MODELS, name), 0.4, controls).items():
                 print(f"{name} {joint} {number:.15f}")

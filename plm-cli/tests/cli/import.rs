@@ -2,6 +2,8 @@
 
 use std::fs;
 
+use plm_import::{Level, Options};
+
 use super::{Said, folder, plm, plm_in, root};
 
 fn models() -> std::path::PathBuf {
@@ -41,6 +43,8 @@ const OBLIQUE: [(&str, f64); 3] = [
 const FOUR_BAR: [(&str, f64); 3] =
     [("drive", -0.973_423_635_149_713), ("pin", 1.340_895_957_872_434), ("pivot", 0.024_119_660_764_297)];
 const FOLLOW: [(&str, f64); 2] = [("lead", -1.234_502_569_311_652), ("bend", -1.444_801_033_543_914)];
+const PUCK: [(&str, f64); 3] =
+    [("along", 0.302_320_943_022_305), ("across", 0.105_442_730_380_094), ("elbow", 0.714_072_609_384_409)];
 const ARM: [(&str, f64); 3] = [
     ("shoulder", -0.781_864_038_786_984),
     ("reach", 0.441_054_634_792_909),
@@ -49,13 +53,14 @@ const ARM: [(&str, f64); 3] = [
 
 #[test]
 fn imported_mechanisms_move_as_in_mujoco() {
-    // Measured: 2.2e-11, 2.4e-12, 1.2e-11, 1.2e-11, 3.3e-12, 1.6e-13. MuJoCo's RK4 does not locate where the bounded force of cart.xml switches.
+    // Measured: 2.2e-11, 2.4e-12, 1.2e-11, 1.2e-11, 3.3e-12, 2.3e-12, 1.6e-13. MuJoCo's RK4 does not locate where the bounded force of cart.xml switches.
     for (name, inputs, expected, tolerance) in [
         ("cart.xml", &["push=0.6", "aim=0.2"][..], &CART[..], 1e-10),
         ("oblique.xml", &[], &OBLIQUE, 1e-11),
         ("four_bar.xml", &["torque=0.5"], &FOUR_BAR, 5e-11),
         ("four_bar.sdf", &["drive_input=0.5"], &FOUR_BAR, 5e-11),
         ("follow.xml", &[], &FOLLOW, 2e-11),
+        ("puck.xml", &["pull=0.7", "twist=3"], &PUCK, 1e-11),
         ("arm.urdf", &[], &ARM, 1e-12),
     ] {
         let found = run(name, inputs);
@@ -69,7 +74,9 @@ fn imported_mechanisms_move_as_in_mujoco() {
 #[test]
 fn what_is_written_is_laid_out_and_compiles_without_warnings() {
     let folder = folder();
-    for name in ["cart.xml", "oblique.xml", "four_bar.xml", "four_bar.sdf", "follow.xml", "arm.urdf"] {
+    for name in
+        ["cart.xml", "oblique.xml", "four_bar.xml", "four_bar.sdf", "follow.xml", "puck.xml", "arm.urdf"]
+    {
         let said = import(name, &[]);
         assert_eq!(said.code, 0, "{said:?}");
         fs::write(folder.join("model.plm"), &said.output).unwrap();
@@ -242,6 +249,52 @@ fn a_drawing_becomes_contour_and_holes() {
         code == 1 && errors.contains("error: the outline is open at (60, 40)\n --> open.dxf:"),
         "{errors}"
     );
+}
+
+/// Texts with damage: each gives a text or an error with a place, and no panic.
+#[test]
+fn damaged_files_are_refused_or_taken() {
+    let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
+    // Xorshift (G. Marsaglia, Xorshift RNGs, 2003).
+    let mut random = move |below: usize| {
+        seed ^= seed << 13;
+        seed ^= seed >> 7;
+        seed ^= seed << 17;
+        (seed % below as u64) as usize
+    };
+    let mut refused = 0;
+    for name in
+        ["cart.xml", "oblique.xml", "four_bar.xml", "four_bar.sdf", "follow.xml", "arm.urdf", "plate.dxf"]
+    {
+        let whole = fs::read_to_string(models().join(name)).unwrap();
+        let words: Vec<&str> = whole.split_inclusive([' ', '\n', '"', '<', '>']).collect();
+        for _ in 0..60 {
+            let mut damaged = words.clone();
+            for _ in 0..=random(3) {
+                let at = random(damaged.len());
+                match random(5) {
+                    0 => damaged.truncate(at.max(1)),
+                    1 => damaged[at] = words[random(words.len())],
+                    2 => damaged[at] = "-1e300 ",
+                    3 => damaged[at] = "0 ",
+                    _ => drop(damaged.remove(at)),
+                }
+                if damaged.is_empty() {
+                    damaged.push("<");
+                }
+            }
+            let text = damaged.concat();
+            let imported = if name == "plate.dxf" {
+                plm_import::outline(name, &text)
+            } else {
+                plm_import::mechanism(name, &text, Options::default(), &mut |_| Err("no file".to_owned()))
+            };
+            let is_refused = imported.notices.iter().any(|notice| notice.level == Level::Error);
+            assert_eq!(imported.text.is_none(), is_refused, "{text}");
+            refused += usize::from(is_refused);
+        }
+    }
+    assert!(refused > 100 && refused < 400, "{refused} of 420 refused");
 }
 
 /// The area of an outline by its corners.

@@ -1,6 +1,7 @@
 //! A mechanism in its plane: bodies with ports, and pairs that join them.
 
 mod bodies;
+mod chain;
 mod hosts;
 mod pairs;
 mod start;
@@ -79,6 +80,8 @@ pub(crate) enum PairKind {
     Slot,
     /// Two slides: `b` does not turn.
     Upright,
+    /// What acts along one of two slides on the ground.
+    Slide,
 }
 
 /// Two ports that a joint of the declaration joins.

@@ -1,5 +1,6 @@
 //! Pairs of a planar mechanism: its joints, and chains of joints whose links between have no mass.
 
+use super::chain;
 use super::hosts::{Hosts, Role};
 use super::{End, Host, Pair, PairKind, Planar, Port};
 use crate::names::Names;
@@ -24,7 +25,7 @@ pub(super) fn add(
     let mut done = vec![false; spatial.joints.len()];
     for (number, joint) in spatial.joints.iter().enumerate() {
         let (Some(a), false) = (host(joint.parent), done[number]) else { continue };
-        let chain = chain(spatial, hosts, number);
+        let chain = chain::from(spatial, hosts, number);
         for &k in &chain {
             done[k] = true;
         }
@@ -45,7 +46,7 @@ pub(super) fn add(
         }
         match &chain[..] {
             [number] => single(planar, joint, *number, [a, b], names, notices),
-            _ => several(planar, spatial, &chain, [a, b], names, notices),
+            _ => chain::add(planar, spatial, &chain, [a, b], names, notices),
         }
     }
     for (number, joint) in spatial.joints.iter().enumerate().filter(|(number, _)| !done[*number]) {
@@ -57,24 +58,9 @@ pub(super) fn add(
     }
 }
 
-/// The joints from one with mass to the next one with mass, beginning with `number`.
-fn chain(spatial: &Spatial, hosts: &Hosts, number: usize) -> Vec<usize> {
-    let mut chain = vec![number];
-    loop {
-        let child = spatial.joints[chain[chain.len() - 1]].child;
-        let is_between = child.is_some_and(|link| hosts.roles[link] == Role::Between);
-        let mut next =
-            (0..spatial.joints.len()).filter(|&k| spatial.joints[k].parent == child && !chain.contains(&k));
-        match (is_between, next.next(), next.next()) {
-            (true, Some(only), None) => chain.push(only),
-            _ => return chain,
-        }
-    }
-}
-
 impl Planar {
     /// Adds a port with this name to a host.
-    fn add_port(&mut self, host: Host, name: &str, at: [f64; 2], angle: f64) -> End {
+    pub(super) fn add_port(&mut self, host: Host, name: &str, at: [f64; 2], angle: f64) -> End {
         let at = self.local(host, at);
         let angle = wrapped(angle);
         match host {
@@ -94,7 +80,7 @@ impl Planar {
         }
     }
 
-    fn angle(&self, host: Host) -> f64 {
+    pub(super) fn angle(&self, host: Host) -> f64 {
         self.pose(host)[2]
     }
 }
@@ -156,54 +142,4 @@ fn single(
         Kind::Free => return,
     };
     planar.pairs.push(Pair { name, kind, a, b, joint: number });
-}
-
-/// A chain of joints whose links between have no mass.
-fn several(
-    planar: &mut Planar,
-    spatial: &Spatial,
-    chain: &[usize],
-    [parent, child]: [Host; 2],
-    names: &mut Names,
-    notices: &mut Notices,
-) {
-    let joints: Vec<&Joint> = chain.iter().map(|&k| &spatial.joints[k]).collect();
-    let count = |kind| joints.iter().filter(|joint| joint.kind == kind).count();
-    let (slides, hinges) = (count(Kind::Prismatic), count(Kind::Revolute));
-    let is_driven = chain.iter().any(|k| spatial.drives.iter().any(|drive| drive.joint == *k));
-    let is_coupled =
-        chain.iter().any(|k| spatial.couplings.iter().any(|of| of.joint == *k || of.of == Some(*k)));
-    let acts =
-        is_driven || is_coupled || joints.iter().any(|joint| !joint.is_plain() || joint.start != joint.drawn);
-    let place = &joints[joints.len() - 1].place;
-    let name = &joints[joints.len() - 1].name;
-    let at = planar.plane.flat(joints[joints.len() - 1].at);
-    let kind = match (slides, hinges, joints.len()) {
-        // Nothing is held: the body is free.
-        (2, 1, 3) if !acts => return,
-        (2, 0, 2) if !acts => PairKind::Upright,
-        (1, 1, 2) if !acts && joints[0].kind == Kind::Prismatic => PairKind::Slot,
-        (2, 1, 3) | (2, 0, 2) | (1, 1, 2) => {
-            notices.error(place, format!("`{name}` and the joints before it stand on links without mass; they are taken without springs, dampers, limits, drives and other starts"));
-            return;
-        }
-        _ => {
-            notices.error(
-                place,
-                format!("`{name}` and the joints before it stand on links without mass, which is not taken"),
-            );
-            return;
-        }
-    };
-    let name = names.give(name, "joint");
-    let along = match kind {
-        PairKind::Slot => {
-            let axis = planar.plane.flat(joints[0].axis);
-            axis[1].atan2(axis[0])
-        }
-        _ => planar.angle(child),
-    };
-    let a = planar.add_port(parent, &name, at, along - planar.angle(parent));
-    let b = planar.add_port(child, &name, at, 0.0);
-    planar.pairs.push(Pair { name, kind, a, b, joint: chain[0] });
 }

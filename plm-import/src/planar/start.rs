@@ -40,7 +40,8 @@ impl Shift {
 /// positions are given too, so that assembly begins with the pose that is drawn.
 pub(super) fn set(planar: &mut Planar, spatial: &Spatial) {
     let mut shifts: Vec<Option<Shift>> = vec![None; planar.bodies.len()];
-    let mut used = vec![false; planar.pairs.len()];
+    // Slides that only act hold nothing.
+    let mut used: Vec<bool> = planar.pairs.iter().map(|pair| pair.kind == PairKind::Slide).collect();
     loop {
         let before = used.iter().filter(|used| **used).count();
         for k in 0..planar.pairs.len() {
@@ -91,7 +92,7 @@ fn reach(planar: &mut Planar, spatial: &Spatial, k: usize, shifts: &mut [Option<
     let larger = usize::from(along[1].abs() > along[0].abs());
     match pair.kind {
         PairKind::Revolute => body.locked[2] = true,
-        PairKind::Weld => {}
+        PairKind::Weld | PairKind::Slide => {}
         PairKind::Prismatic => {
             body.locked[larger] = true;
             body.given = [true; 3];

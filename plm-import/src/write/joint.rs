@@ -49,7 +49,7 @@ pub(super) const SLIDING: Units = Units {
 pub(super) fn units(kind: PairKind) -> Option<Units> {
     match kind {
         PairKind::Revolute => Some(TURNING),
-        PairKind::Prismatic => Some(SLIDING),
+        PairKind::Prismatic | PairKind::Slide => Some(SLIDING),
         PairKind::Weld | PairKind::Slot | PairKind::Upright => None,
     }
 }
@@ -73,8 +73,12 @@ pub(super) fn pairs(
         let (a, b) = (planar.path(pair.a), planar.path(pair.b));
         let name = &pair.name;
         match pair.kind {
-            PairKind::Revolute | PairKind::Prismatic => {
-                let word = if pair.kind == PairKind::Revolute { "revolute" } else { "prismatic" };
+            PairKind::Revolute | PairKind::Prismatic | PairKind::Slide => {
+                let word = match pair.kind {
+                    PairKind::Revolute => "revolute",
+                    PairKind::Slide => "free_slide",
+                    _ => "prismatic",
+                };
                 let joint = &spatial.joints[pair.joint];
                 let Some(units) = units(pair.kind) else { continue };
                 let mut fields = fields(joint, &units);

@@ -6,12 +6,33 @@ mod joint;
 use crate::names::{Names, mechanism};
 use crate::number::{angle, coarse, length, short};
 use crate::outline::Outline;
-use crate::planar::{Body, Planar, Port};
+use crate::planar::{Body, PairKind, Planar, Port};
 use crate::plane::Plane;
 use crate::spatial::Spatial;
 
 /// Columns of a list, without its indentation.
 const LONGEST: usize = 110;
+
+/// What acts along one of two slides, whose carriage has no mass.
+const SLIDE: &str = "\
+/// A slide whose carriage has no mass, on the ground: what acts along the x axis of `a`.
+part free_slide(a: frame, b: frame) {
+    param stiffness: N/m = 0;
+    param free_length: m = 0;
+    param damping: N*s/m = 0;
+    param seal_friction: N, optional;
+    param lower_limit: m, optional;
+    param upper_limit: m, optional;
+    input drive: N = 0;
+    let way = dot(b.position - a.position, a.axis);
+    node slider: slider = way;
+    force on b: (drive + slider.force - stiffness*(way - free_length) - damping*rate(way))*a.axis;
+    given seal_friction { friction rub: rate(way) within seal_friction; }
+    given lower_limit { unilateral lower: way >= lower_limit; }
+    given upper_limit { unilateral upper: way <= upper_limit; }
+    output displacement = way;
+    output speed = rate(way);
+}";
 
 /// Lines of a declaration, at their indentation.
 #[derive(Debug, Default)]
@@ -27,6 +48,11 @@ impl Lines {
             self.text.push_str(text);
         }
         self.text.push('\n');
+    }
+
+    /// Lines with their own indentation.
+    fn lines(&mut self, text: &str) {
+        text.lines().for_each(|line| self.line(line));
     }
 
     /// A line with a list, broken where it is long.
@@ -79,6 +105,9 @@ pub(crate) fn declaration(
         }
         gravity(planar.gravity, lines);
         pictures(planar, lines);
+        if planar.pairs.iter().any(|pair| pair.kind == PairKind::Slide) {
+            lines.lines(SLIDE);
+        }
         drives.inputs(lines);
         if !planar.ground.is_empty() {
             lines.block("ground", |lines| {
