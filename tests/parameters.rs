@@ -12,6 +12,7 @@ mod slider {
             ground { port o: (0, 0) m; }
             body b { mass: m1; inertia: i1; port p: (0, 0) m; start x: 0.1 m, locked; start vx: 7.5 mm/s*(grip/(1 N/m)); }
             prismatic g(ground.o, b.p) { stiffness: grip; }
+            require pulls_back: grip > 10 N/m and grip <= 1e6 N/m;
             state filling: m = 10 N/grip;
             rate filling = 0 m/s;
             output b.x, b.vx, filling;
@@ -47,6 +48,28 @@ fn starts_follow_the_parameters_that_they_read() {
     let grip = plm::Dual::variable(400.0, 0);
     let sim = Slider::<plm::Dual<f64, 1>> { grip, ..Slider::of() }.start().unwrap();
     assert_eq!([sim.b().vx, sim.filling()].map(|number| number.tangents[0]), [0.0075, -10.0 / 160_000.0]);
+}
+
+#[test]
+fn requirements_of_parameters_are_looked_at_when_they_change() {
+    use plm::runtime::system::Events;
+    use slider::Slider;
+    // They cost a step nothing.
+    assert_eq!(Slider::new().guard_count(), 0);
+    let unmet = |outcome: Result<(), Fault>| match outcome {
+        Err(Fault { part, time, cause: Cause::NotMet { by } }) => (part, time, by),
+        other => panic!("{other:?}"),
+    };
+    for (grip, by) in [(-5.0, 15.0), (9.0, 1.0), (1.5e6, 0.5e6), (f64::INFINITY, f64::INFINITY)] {
+        let slider = Slider { grip, ..Slider::new() };
+        assert_eq!(unmet(slider.start().map(|_| ())), ("pulls_back", 0.0, by));
+        let mut sim = Slider::new().start().unwrap();
+        sim.step(0.1).unwrap();
+        sim.mechanism.grip = grip;
+        assert_eq!(unmet(sim.step(0.1)), ("pulls_back", 0.1, by));
+        sim.mechanism.grip = 10.0;
+        sim.step(0.1).unwrap();
+    }
 }
 
 mod chain {

@@ -24,3 +24,4 @@ mod table;
 mod value;
 
 pub use command::{Outcome, Streams, run};
+pub use server::Server;

@@ -260,6 +260,7 @@ fn limit(of: &plm_compiler::Limit) -> Limit {
         plm_compiler::Least::Zero => Least::Zero,
         plm_compiler::Least::Negative => Least::Negative,
         plm_compiler::Least::Share => Least::Share,
+        plm_compiler::Least::Required => Least::Required,
     };
     Limit { part: text(&of.part), what: text(&of.what), unit: text(&of.unit), least }
 }

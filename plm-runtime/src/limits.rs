@@ -29,6 +29,8 @@ pub enum Least {
     Negative,
     /// Zero, and one is the most.
     Share,
+    /// Zero: the value is what a requirement of parameters is kept by.
+    Required,
 }
 
 impl Least {
@@ -38,28 +40,32 @@ impl Least {
             Self::Zero => "finite and not negative",
             Self::Negative => "finite and not positive",
             Self::Share => "0 to 1",
+            Self::Required => "kept",
         }
     }
 
     fn allows<S: Real>(self, value: S) -> bool {
         let zero = S::lit(0.0);
-        value.is_finite()
-            && match self {
-                Self::Positive => zero < value,
-                Self::Carried | Self::Zero => zero <= value,
-                Self::Negative => value <= zero,
-                Self::Share => zero <= value && value <= S::lit(1.0),
-            }
+        match self {
+            Self::Positive => value.is_finite() && zero < value,
+            Self::Carried | Self::Zero => value.is_finite() && zero <= value,
+            Self::Negative => value.is_finite() && value <= zero,
+            Self::Share => zero <= value && value <= S::lit(1.0),
+            Self::Required => zero <= value,
+        }
     }
 }
 
 /// Looks at the values that parameters give to what has limits.
 ///
 /// # Errors
-/// [`Cause::NotAllowed`] for the first one that is outside of them.
+/// [`Cause::NotAllowed`] for the first one that is outside of them, [`Cause::NotMet`] of a requirement.
 pub fn check<S: Real>(t: S, values: &[S], limits: &[Limit]) -> Result<(), Fault> {
     match values.iter().zip(limits).find(|(value, limit)| !limit.least.allows(**value)) {
         None => Ok(()),
+        Some((value, Limit { part, least: Least::Required, .. })) => {
+            Err(Fault::of_part(t.to_f64(), part, Cause::NotMet { by: -value.to_f64() }))
+        }
         Some((value, limit)) => Err(refused(t, limit, limit.least.wanted(), *value)),
     }
 }

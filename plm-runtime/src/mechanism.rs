@@ -146,7 +146,8 @@ pub trait Mechanism: System<S: Real> + Copy {
     ///
     /// # Errors
     /// [`Cause::NotAllowed`](crate::Cause::NotAllowed): a parameter that is not a number, or one that makes a mass, an
-    /// inertia or a compliance what it cannot be.
+    /// inertia or a compliance what it cannot be. [`Cause::NotMet`](crate::Cause::NotMet): a requirement of parameters
+    /// that does not hold.
     fn check(&self, t: Self::S) -> Result<(), Fault> {
         let _ = t;
         Ok(())

@@ -1,7 +1,6 @@
-//! A language server over standard input and output: diagnostics, hover, completion, definitions, layout, quick fixes.
+//! A language server: diagnostics, hover, completion, definitions, layout, quick fixes.
 //!
-//! The messages are those of the Language Server Protocol 3.17. Texts are compiled when no message waits, so that a keystroke does not
-//! wait for the one before.
+//! The messages are those of the Language Server Protocol 3.17.
 
 mod complete;
 mod document;
@@ -9,108 +8,63 @@ mod meaning;
 mod names;
 mod parts;
 mod path;
+mod streams;
 mod text;
 
 use std::collections::BTreeMap;
-use std::error::Error;
 use std::ops::Range;
 
-use lsp_server::{Connection, ErrorCode, Message, Notification, Request, Response};
+use lsp_server::{ErrorCode, Message, Notification, Request, Response};
 use plm_compiler::without_panic;
 use serde_json::{Value, json};
 
 use crate::layout::formatted;
 use document::Document;
 use meaning::{Meaning, hover, meaning};
+pub(crate) use streams::serve;
 
-/// Serves until the editor says that it ends.
-///
-/// # Errors
-/// The editor breaks the protocol, or its streams.
-pub(crate) fn serve() -> Result<(), Box<dyn Error + Send + Sync>> {
-    let (connection, threads) = Connection::stdio();
-    let (id, params) = connection.initialize_start()?;
-    // Rust files have a formatter; an editor that asks for languages hears of declarations alone.
-    let asks = params["capabilities"]["textDocument"]["formatting"]["dynamicRegistration"] == true;
-    let capabilities = json!({
-        "textDocumentSync": { "openClose": true, "change": 1 },
-        "hoverProvider": true,
-        "definitionProvider": true,
-        "documentFormattingProvider": !asks,
-        "codeActionProvider": { "codeActionKinds": ["quickfix"] },
-        "completionProvider": { "triggerCharacters": ["."] },
-    });
-    let info = json!({ "name": "plm", "version": env!("CARGO_PKG_VERSION") });
-    connection.initialize_finish(id, json!({ "capabilities": capabilities, "serverInfo": info }))?;
-    if asks {
-        connection.sender.send(registration().into())?;
-    }
-    Server { connection: &connection, documents: BTreeMap::new(), stale: Vec::new() }.run()?;
-    // Its thread ends when the last sender has gone.
-    drop(connection);
-    Ok(threads.join()?)
-}
-
-/// Registers the layout of declarations.
-fn registration() -> Request {
-    let options = json!({ "documentSelector": [{ "language": "plm" }] });
-    let registration =
-        json!({ "id": "layout", "method": "textDocument/formatting", "registerOptions": options });
-    let id = "layout".to_owned().into();
-    Request::new(id, "client/registerCapability".to_owned(), json!({ "registrations": [registration] }))
-}
-
-struct Server<'a> {
-    connection: &'a Connection,
+/// A language server, whatever carries its messages.
+#[derive(Default)]
+pub struct Server {
     documents: BTreeMap<String, Document>,
     /// Texts that have changed since they were compiled.
     stale: Vec<String>,
 }
 
-impl Server<'_> {
-    fn run(&mut self) -> Result<(), Box<dyn Error + Send + Sync>> {
-        loop {
-            let message = match self.connection.receiver.try_recv() {
-                Ok(message) => message,
-                Err(_) if self.check()? => continue,
-                Err(_) => match self.connection.receiver.recv() {
-                    Ok(message) => message,
-                    Err(_) => return Ok(()),
-                },
-            };
-            match message {
-                Message::Request(request) => {
-                    if self.connection.handle_shutdown(&request)? {
-                        return Ok(());
-                    }
-                    let response = self.answer(request);
-                    self.connection.sender.send(response.into())?;
-                }
-                Message::Notification(notification) => self.note(&notification)?,
-                Message::Response(_) => {}
+impl Server {
+    /// Takes one message of the protocol as JSON, and gives what follows from it, until texts have been compiled: answers and
+    /// diagnostics, as JSON each.
+    ///
+    /// # Errors
+    /// The message is none of the protocol.
+    pub fn message(&mut self, text: &str) -> Result<Vec<String>, serde_json::Error> {
+        let mut answers: Vec<Message> = match serde_json::from_str(text)? {
+            Message::Request(Request { id, method, params }) if method == "initialize" => {
+                vec![Response::new_ok(id, greeting(&params)).into()]
             }
+            Message::Request(request) => vec![self.answer(request).into()],
+            Message::Notification(notification) => {
+                self.note(&notification).into_iter().map(Message::from).collect()
+            }
+            Message::Response(_) => Vec::new(),
+        };
+        while let Some(shown) = self.check() {
+            answers.push(shown.into());
         }
+        answers.iter().map(serde_json::to_string).collect()
     }
 
-    /// Compiles one text that has changed, if there is one.
-    fn check(&mut self) -> Result<bool, Box<dyn Error + Send + Sync>> {
-        let Some(uri) = self.stale.pop() else { return Ok(false) };
-        if let Some(document) = self.documents.get_mut(&uri) {
-            let problems = document.check();
-            self.publish(&uri, &problems)?;
-        }
-        Ok(true)
+    /// Compiles one text that has changed, if there is one: its diagnostics.
+    fn check(&mut self) -> Option<Notification> {
+        let uri = self.stale.pop()?;
+        let problems = self.documents.get_mut(&uri).map(Document::check).unwrap_or_default();
+        Some(published(&uri, &problems))
     }
 
-    fn publish(&self, uri: &str, problems: &[Value]) -> Result<(), Box<dyn Error + Send + Sync>> {
-        let shown = json!({ "uri": uri, "diagnostics": problems });
-        let notification = Notification::new("textDocument/publishDiagnostics".to_owned(), shown);
-        Ok(self.connection.sender.send(notification.into())?)
-    }
-
-    fn note(&mut self, notification: &Notification) -> Result<(), Box<dyn Error + Send + Sync>> {
+    /// Notes what became of a text; of one that was closed no diagnostics are left.
+    fn note(&mut self, notification: &Notification) -> Option<Notification> {
         let params = &notification.params;
-        let Some(uri) = params["textDocument"]["uri"].as_str() else { return Ok(()) };
+        let uri = params["textDocument"]["uri"].as_str()?;
         let text = match notification.method.as_str() {
             "textDocument/didOpen" => params["textDocument"]["text"].as_str(),
             "textDocument/didChange" => {
@@ -118,16 +72,15 @@ impl Server<'_> {
             }
             "textDocument/didClose" => {
                 self.documents.remove(uri);
-                return self.publish(uri, &[]);
+                self.stale.retain(|other| other != uri);
+                return Some(published(uri, &[]));
             }
             _ => None,
-        };
-        if let Some(text) = text {
-            self.documents.insert(uri.to_owned(), Document::new(uri, text.to_owned()));
-            self.stale.retain(|other| other != uri);
-            self.stale.push(uri.to_owned());
-        }
-        Ok(())
+        }?;
+        self.documents.insert(uri.to_owned(), Document::new(uri, text.to_owned()));
+        self.stale.retain(|other| other != uri);
+        self.stale.push(uri.to_owned());
+        None
     }
 
     fn answer(&self, request: Request) -> Response {
@@ -155,6 +108,30 @@ impl Server<'_> {
             }
         }
     }
+}
+
+/// What it can do, for an editor that says what it can do itself.
+fn greeting(params: &Value) -> Value {
+    let capabilities = json!({
+        "textDocumentSync": { "openClose": true, "change": 1 },
+        "hoverProvider": true,
+        "definitionProvider": true,
+        "documentFormattingProvider": !asks_for_languages(params),
+        "codeActionProvider": { "codeActionKinds": ["quickfix"] },
+        "completionProvider": { "triggerCharacters": ["."] },
+    });
+    let info = json!({ "name": "plm", "version": env!("CARGO_PKG_VERSION") });
+    json!({ "capabilities": capabilities, "serverInfo": info })
+}
+
+/// Does an editor ask of which languages there is a layout? Rust files have a formatter; such an editor hears of declarations alone.
+fn asks_for_languages(params: &Value) -> bool {
+    params["capabilities"]["textDocument"]["formatting"]["dynamicRegistration"] == true
+}
+
+fn published(uri: &str, problems: &[Value]) -> Notification {
+    let shown = json!({ "uri": uri, "diagnostics": problems });
+    Notification::new("textDocument/publishDiagnostics".to_owned(), shown)
 }
 
 fn show(document: &Document, at: usize) -> Option<Value> {
@@ -206,4 +183,45 @@ fn fixes(document: &Document, range: &Value) -> Value {
         })
     });
     Value::Array(fixes.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use super::Server;
+
+    /// What follows from a message.
+    fn said(server: &mut Server, message: &Value) -> Vec<Value> {
+        let answers = server.message(&message.to_string()).unwrap_or_default();
+        answers.iter().filter_map(|text| serde_json::from_str(text).ok()).collect()
+    }
+
+    #[test]
+    fn a_message_is_answered_without_streams() {
+        let mut server = Server::default();
+        let greeting = json!({ "id": 1, "method": "initialize", "params": { "capabilities": {} } });
+        let [greeting] = &said(&mut server, &greeting)[..] else { unreachable!() };
+        assert_eq!(greeting["result"]["capabilities"]["documentFormattingProvider"], true);
+
+        let text = "pub P { ground { port o: (0, 0) m; } body b { mass: 1 kg } }";
+        let document = json!({ "uri": "plm:p.plm", "languageId": "plm", "version": 1, "text": text });
+        let open = json!({ "method": "textDocument/didOpen", "params": { "textDocument": document } });
+        let [shown] = &said(&mut server, &open)[..] else { unreachable!() };
+        assert_eq!(shown["method"], "textDocument/publishDiagnostics");
+        assert!(shown["params"]["diagnostics"].as_array().is_some_and(|all| !all.is_empty()), "{shown}");
+
+        let place =
+            json!({ "textDocument": { "uri": "plm:p.plm" }, "position": { "line": 0, "character": 45 } });
+        let asked = json!({ "id": 2, "method": "textDocument/completion", "params": place });
+        let [found] = &said(&mut server, &asked)[..] else { unreachable!() };
+        let labels =
+            found["result"].as_array().map(|all| all.iter().map(|of| &of["label"]).collect::<Vec<_>>());
+        assert!(labels.is_some_and(|labels| labels.contains(&&json!("mass"))), "{found}");
+
+        let closed = json!({ "method": "textDocument/didClose", "params": { "textDocument": document } });
+        let [shown] = &said(&mut server, &closed)[..] else { unreachable!() };
+        assert_eq!(shown["params"]["diagnostics"], json!([]));
+        assert!(server.message("no message").is_err());
+    }
 }

@@ -1,6 +1,7 @@
 //! Values that must be positive: masses, inertias, compliances.
 
 use crate::diag::{Code, Diagnostics};
+use crate::model::Range;
 use crate::numeric::{Scene, value};
 
 /// Reports masses and inertias that are known to be wrong only with the defaults of the parameters that they read.
@@ -28,11 +29,11 @@ pub(super) fn check_masses(scene: &Scene, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Reports compliances that are known to be wrong only with the defaults of the parameters that they read; false if there are
-/// some.
+/// Reports compliances and requirements that are known to be wrong only with the defaults of the parameters that they read; false if
+/// there are some.
 pub(super) fn check_limits(scene: &Scene, diagnostics: &mut Diagnostics) -> bool {
     let mut are_kept = true;
-    for limit in &scene.model.limits {
+    for limit in scene.model.limits.iter().filter(|limit| !scene.model.reads_required(limit.value)) {
         let found = value(limit.value, &scene.values);
         if limit.range.holds(found) {
             continue;
@@ -40,7 +41,10 @@ pub(super) fn check_limits(scene: &Scene, diagnostics: &mut Diagnostics) -> bool
         are_kept = false;
         let (what, part, unit, wanted) = (&limit.what, &limit.part, &limit.unit, limit.range.words());
         let space = if unit.is_empty() { "" } else { " " };
-        let message = format!("the {what} of `{part}` must be {wanted}, found {found}{space}{unit}");
+        let message = match limit.range {
+            Range::Required => format!("the requirement `{part}` does not hold, by {} in SI units", -found),
+            _ => format!("the {what} of `{part}` must be {wanted}, found {found}{space}{unit}"),
+        };
         diagnostics
             .error(limit.code, limit.span, message)
             .note("this is its value with the defaults of the parameters")

@@ -33,6 +33,8 @@ pub enum Least {
     Negative,
     /// Zero to one.
     Share,
+    /// Zero or more: what a requirement is kept by.
+    Required,
 }
 
 impl Limit {
@@ -75,6 +77,7 @@ pub(crate) fn varying(model: &Model, may_be_carried: bool) -> Vec<Limit> {
             Range::NotNegative => Least::Zero,
             Range::NotPositive => Least::Negative,
             Range::Share => Least::Share,
+            Range::Required => Least::Required,
         };
         Limit::new(&limit.part, &limit.what, &limit.unit, least, limit.value)
     });

@@ -35,6 +35,8 @@ pub enum Range {
     NotPositive,
     /// Zero to one.
     Share,
+    /// Zero or more: what a requirement is kept by.
+    Required,
 }
 
 impl Range {
@@ -45,17 +47,18 @@ impl Range {
             Range::NotNegative => "finite and not negative",
             Range::NotPositive => "finite and not positive",
             Range::Share => "0 to 1",
+            Range::Required => "kept",
         }
     }
 
     /// Is a value in it?
     pub fn holds(self, value: f64) -> bool {
-        value.is_finite()
-            && match self {
-                Range::Positive => value > 0.0,
-                Range::NotNegative => value >= 0.0,
-                Range::NotPositive => value <= 0.0,
-                Range::Share => (0.0..=1.0).contains(&value),
-            }
+        match self {
+            Range::Positive => value.is_finite() && value > 0.0,
+            Range::NotNegative => value.is_finite() && value >= 0.0,
+            Range::NotPositive => value.is_finite() && value <= 0.0,
+            Range::Share => (0.0..=1.0).contains(&value),
+            Range::Required => value >= 0.0,
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! What parts require, and how it is switched off.
 
-use plm_compiler::model::Model;
+use plm_compiler::model::{Model, Range};
 
 use crate::parts::scattered;
 use crate::support::{assert_near, resolve};
@@ -24,6 +24,12 @@ fn requirements_are_switched_off_where_a_part_is_used() {
                 }}
                 part two(a: frame) {{ rope left(a) {{ strength: 1 N; within[0]: off; }} rope right(a) {{ strength: 2 N; }} }}
                 body stone {{ mass: 1 kg; inertia: 1 kg*m^2; port a: (0, 0) m; }}
+                part pad(a: frame) {{
+                    param width: m;
+                    require wide: width >= 10 mm;
+                    force on a: (0, width*1 N/m);
+                }}
+                param broad: m = 20 mm;
                 {use_of_it}
             }}"
         ))
@@ -52,6 +58,11 @@ fn requirements_are_switched_off_where_a_part_is_used() {
         "pub P {{ {never} body b {{ mass: 1 kg; inertia: 1 kg*m^2; port a: (0, 0) m; }} always x(b.a) {{ low: off; }} }}"
     ));
     assert!(required(&model).is_empty());
+    // What parameters alone decide is a limit of theirs, not a condition of the motion.
+    let model = of("pad p(stone.a) { width: broad; }");
+    assert!(required(&model).is_empty());
+    let limits = model.limits.iter().map(|limit| (limit.part.as_str(), limit.range));
+    assert!(limits.eq([("p.wide", Range::Required)]));
 }
 
 #[test]

@@ -1,11 +1,13 @@
 //! Requirements: what must hold for the model to mean anything.
 //!
-//! A requirement is a condition with a held side. The run ends where that side would change.
+//! A requirement is a condition with a held side. The run ends where that side would change. One of parameters alone is a limit, which
+//! is looked at when they change.
 
 use plm_cas::Expr;
 
+use crate::collect::PushAll;
 use crate::diag::Code;
-use crate::model::Switch;
+use crate::model::{Limit, Range, Switch};
 use crate::resolve::Resolver;
 use crate::resolve::names::ScopeId;
 use crate::resolve::values::condition::side_text;
@@ -74,11 +76,11 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Requirements as switches that must not change.
+    /// Requirements as switches that must not change; those of parameters become limits.
     pub(crate) fn evaluate_requirements(&mut self) -> Vec<Switch> {
         self.check_switched();
         let mut switches = Vec::new();
-        for Requirement { scope, condition, name, is_off, .. } in
+        for Requirement { scope, condition, name, span, is_off } in
             std::mem::take(&mut self.unresolved.requirements)
         {
             if is_off {
@@ -87,7 +89,19 @@ impl<'a> Resolver<'a> {
                 continue;
             }
             // A mistake has been reported; what else is wrong is found all the same.
-            let Ok(differences) = self.requirement(scope, condition, &name) else { continue };
+            let Ok((differences, reads)) = self.requirement(scope, condition, &name) else { continue };
+            if reads.beyond(Reads::FIXED) == Reads::NOTHING {
+                self.unresolved.limits.push_all(differences.into_iter().map(|value| Limit {
+                    part: name.clone(),
+                    what: "requirement".to_owned(),
+                    value,
+                    unit: String::new(),
+                    range: Range::Required,
+                    code: Code::WrongKind,
+                    span,
+                }));
+                continue;
+            }
             for difference in differences {
                 let symbol = Expr::symbol(format!("switch_{}", switches.len()));
                 switches.push(Switch {
@@ -105,8 +119,8 @@ impl<'a> Resolver<'a> {
         switches
     }
 
-    /// Expressions that are positive as long as a condition holds.
-    fn requirement(&mut self, scope: ScopeId, expr: &'a ast::Expr, name: &str) -> Eval<Vec<Expr>> {
+    /// Expressions that are positive as long as a condition holds, and what they read.
+    fn requirement(&mut self, scope: ScopeId, expr: &'a ast::Expr, name: &str) -> Eval<(Vec<Expr>, Reads)> {
         let (condition, reads) = self.condition(scope, expr)?;
         let beyond = reads.beyond(Reads::KNOWN);
         if beyond != Reads::NOTHING {
@@ -117,7 +131,7 @@ impl<'a> Resolver<'a> {
         }
         let mut differences = Vec::new();
         if positive(&condition, &mut differences) {
-            return Ok(differences);
+            return Ok((differences, reads));
         }
         if condition.known().is_some() {
             return Err(self.never_holds(scope, expr, name));
