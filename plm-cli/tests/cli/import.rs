@@ -221,6 +221,48 @@ fn models_that_need_care_are_taken() {
     }
 }
 
+/// An included file, whose elements are told at their own places; models within models, and one that is static.
+#[test]
+fn models_of_several_files_and_of_several_models_are_taken() {
+    let folder = folder();
+    let bodies = "<mujoco><worldbody><body name=\"bob\"><joint name=\"pin\" axis=\"0 1 0\"/><geom class=\"ball\" pos=\"0 0 -2\"/>\n\
+                  </body></worldbody><keyframe><key name=\"up\" qpos=\"3\"/></keyframe></mujoco>";
+    fs::write(folder.join("bodies.xml"), bodies).unwrap();
+    let outer = "<mujoco><option><flag contact=\"disable\"/></option><default><default class=\"ball\"><geom size=\"0.1\" density=\"500\"/>\
+                 </default></default><include file=\"bodies.xml\"/></mujoco>";
+    fs::write(folder.join("outer.xml"), outer).unwrap();
+    let Said { code, output, errors } = plm_in(&folder, &["import", "outer.xml"], b"");
+    assert_eq!(
+        (code, errors.as_str()),
+        (0, "warning: <key> `up` of <keyframe> is not taken\n --> bodies.xml:2:30\n")
+    );
+    // 500 kg/m^3 of a ball of 0.1 m.
+    assert!(output.contains("mass: 2.09439510239 kg;") && output.contains("centre: (0, -2) m;"), "{output}");
+
+    let link = |name: &str, pose: &str| {
+        format!(
+            "<link name=\"{name}\"><pose>{pose}</pose><inertial><mass>2</mass><inertia><ixx>0.1</ixx><iyy>0.2</iyy><izz>0.3</izz></inertia>\
+             </inertial></link>"
+        )
+    };
+    let text = format!(
+        "<sdf version=\"1.9\"><world name=\"w\"><model name=\"base\"><static>true</static>{}</model>\
+         <model name=\"arm\"><pose>1 0 0 0 0 0</pose><model name=\"tool\"><pose>0 0 -1 0 0.5 0</pose>{}</model></model>\
+         <joint name=\"pin\" type=\"revolute\"><parent>base::post</parent><child>arm::tool::tip</child>\
+         <axis><xyz expressed_in=\"world\">0 1 0</xyz></axis></joint></world></sdf>",
+        link("post", "0 0 0 0 0 0"),
+        link("tip", "0.2 0 0 0 0 0")
+    );
+    let Said { code, output, errors } = plm(&["import", "-"], &text);
+    assert_eq!((code, errors.as_str()), (0, ""), "{output}");
+    // The inertia about the file's y, and the joint at the place of its child.
+    let (sin, cos) = 0.5_f64.sin_cos();
+    let place =
+        format!("        port pin: ({:.11}, {:.11}) m, axis: -0.5 rad;", 1.0 + 0.2 * cos, -1.0 - 0.2 * sin);
+    assert!(output.contains("gravity: 9.8 m/s^2;") && output.contains("inertia: 0.2 kg*m^2;"), "{output}");
+    assert!(output.contains(&place), "{place}\n{output}");
+}
+
 #[test]
 fn a_drawing_becomes_contour_and_holes() {
     let Said { code, output, errors } = import("plate.dxf", &[]);

@@ -59,6 +59,16 @@ impl<'a> Frames<'a> {
         }
     }
 
+    /// Adds the joints and frames of a world, whose names have nothing in front.
+    pub(super) fn world(&mut self, world: &'a Element) {
+        for (tag, kind) in [("joint", Kind::Joint), ("frame", Kind::Frame)] {
+            for element in world.children.iter().filter(|child| child.name == tag) {
+                let name = element.get("name").unwrap_or_default().to_owned();
+                self.declared.insert(name, Declared { element, kind, scope: String::new() });
+            }
+        }
+    }
+
     pub(super) fn get(&self, scope: &str, name: &str) -> Option<&Declared<'a>> {
         self.declared.get(&format!("{scope}{name}"))
     }

@@ -54,11 +54,14 @@ pub(crate) fn read(root: &Element, notices: &mut Notices) -> Option<Spatial> {
     let version = root.number("version", notices).unwrap_or(AXES_OF_JOINTS);
     let (frames, links, joints) = (Frames::default(), BTreeMap::new(), BTreeMap::new());
     let mut reader = Reader { version, frames, links, joints, spatial, notices };
-    // The names of a single model need no name in front.
-    let scope = |model: &Element| match models.len() {
-        1 => String::new(),
-        _ => format!("{}::", model.get("name").unwrap_or("model")),
+    // The names of a single model need no name in front, unless the world speaks of them.
+    let is_alone = models.len() == 1 && world.is_none_or(|world| world.child("joint").is_none());
+    let scope = |model: &Element| {
+        if is_alone { String::new() } else { format!("{}::", model.get("name").unwrap_or("model")) }
     };
+    if let Some(world) = world {
+        reader.frames.world(world);
+    }
     for model in &models {
         reader.frames.model(model, WORLD, &scope(model));
     }
@@ -83,6 +86,7 @@ const WITHOUT_MOTION: &[&str] = &[
     "model",
     "gravity",
     "joint",
+    "frame",
     "light",
     "scene",
     "physics",
