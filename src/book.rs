@@ -44,7 +44,7 @@ pages! {
     Linearise = "running/linearise.md";
 }
 
-#[cfg(feature = "dynamic")]
+#[cfg(all(feature = "analysis", feature = "dynamic"))]
 pages! {
     AtRunTime = "running/at-run-time.md";
 }

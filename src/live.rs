@@ -132,7 +132,8 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     }
 
     fn read_starts(&mut self) {
-        let (bodies, ground) = (6 * M::TABLES.bodies.len(), 3 * M::TABLES.ground.len());
+        let tables = self.mechanism.tables();
+        let (bodies, ground) = (6 * tables.bodies.len(), 3 * tables.ground.len());
         let numbers = &mut self.numbers;
         numbers.push(0.0);
         self.mechanism.starts_mut().each(&mut |_, start| {
@@ -140,7 +141,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
                 numbers.push(start.value);
             }
         });
-        self.numbers.resize(1 + bodies + ground + M::OBSERVED.len(), f64::NAN);
+        self.numbers.resize(1 + bodies + ground + self.mechanism.observables().len(), f64::NAN);
     }
 
     /// Numbers of a picture that parameters change, SI: of each body mass, moment of inertia, depth, place and angle of each port, the
@@ -154,14 +155,34 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     }
 
     /// The parts that have sizes, a line each: the name of the part, and those of its sizes, with blanks between.
-    pub fn size_names() -> String {
-        SizeNames::of::<M>().to_string()
+    pub fn size_names(&self) -> String {
+        SizeNames::of(&self.mechanism).to_string()
     }
 
     /// The rows of contact, a line each: the mode, a tab, the name. Empty without rows, and where nothing was assembled.
     pub fn contacts(&self) -> String {
         let rows = self.sim.iter().flat_map(Sim::contacts);
         rows.map(|(name, mode)| format!("{mode}\t{name}")).collect::<Vec<String>>().join("\n")
+    }
+
+    /// The mechanism with its parameters as they are set; its [`tables`](Described::tables) name what is read and set here by number.
+    pub fn mechanism(&self) -> &M {
+        &self.mechanism
+    }
+
+    /// The number of a parameter by its name.
+    pub fn parameter_named(&self, name: &str) -> Option<usize> {
+        self.mechanism.tables().parameters.iter().position(|own| own.name == name)
+    }
+
+    /// The number of an input by its name.
+    pub fn input_named(&self, name: &str) -> Option<usize> {
+        self.mechanism.tables().inputs.iter().position(|own| own.name == name)
+    }
+
+    /// The number of a body by its name.
+    pub fn body_named(&self, name: &str) -> Option<usize> {
+        self.mechanism.tables().bodies.iter().position(|own| own.name == name)
     }
 
     /// A parameter, SI; not a number beyond the last.
@@ -203,7 +224,7 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         let Some(pose) = self.sim.as_ref().and_then(|sim| M::pose(sim.state(), body)) else { return };
         let turn = (x - pose.x) * fy - (y - pose.y) * fx;
         for (suffix, value) in [("x", fx), ("y", fy), ("turn", turn)] {
-            if let Some(index) = pull_input::<M>(body, suffix) {
+            if let Some(index) = pull_input(&self.mechanism, body, suffix) {
                 self.set_input(index, value);
             }
         }
@@ -219,7 +240,8 @@ impl<M: Described<S = f64> + Statics> Live<M> {
         let Some(now) = now else { return false };
         let starts = state.mechanism().starts_at(&M::full(state));
         *self.mechanism.starts_mut() = starts;
-        let (first, last, mut index, mut origin) = (6 * body, 6 * M::TABLES.bodies.len(), 0, [0.0; 3]);
+        let (first, last, mut index, mut origin) =
+            (6 * body, 6 * self.mechanism.tables().bodies.len(), 0, [0.0; 3]);
         let turned = BodyTurn::of(now.angle, angle);
         self.mechanism.starts_mut().each(&mut |_, start| {
             if index >= first && index < first + 3 {
@@ -255,7 +277,8 @@ impl<M: Described<S = f64> + Statics> Live<M> {
     }
 
     fn inputs(&self) -> Vec<f64> {
-        if self.sim.is_none() { Vec::new() } else { (0..M::INPUTS.len()).map(|k| self.input(k)).collect() }
+        let count = self.mechanism.input_names().len();
+        if self.sim.is_none() { Vec::new() } else { (0..count).map(|k| self.input(k)).collect() }
     }
 
     /// Keeps the result, or the error.

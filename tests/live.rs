@@ -2,8 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
 use plm::Described;
+use plm::dynamic::{Compiled, Small};
 use plm::live::{Live, with_pulls};
-use plm::runtime::Ports;
+use plm::runtime::{Ports, Statics};
 
 plm::mechanism! {
     /// A four-bar with a parameter and an input, and what `with_pulls` adds to its declaration.
@@ -59,10 +60,7 @@ fn its_shape_has_the_parameters_of_now() {
     assert_eq!([declared[end], declared[end + 1]], [0.9 - 0.4, -0.1]);
     assert_eq!(declared[3 * of_body + 4..][..4], [1.0, 0.0, 0.0, 0.0]);
     // The four pins; one of them is an eighth of the parameter.
-    assert_eq!(
-        Live::<FourBar>::size_names(),
-        "o pin_diameter\nb pin_diameter\nc pin_diameter\np pin_diameter"
-    );
+    assert_eq!(live.size_names(), "o pin_diameter\nb pin_diameter\nc pin_diameter\np pin_diameter");
     assert_eq!(declared[3 * of_body + 8..], [0.0, 0.9 / 8.0, 0.0, 0.0]);
     live.set_parameter(0, 0.95);
     assert_eq!(live.shape()[end], 0.95 - 0.4);
@@ -273,4 +271,71 @@ fn what_is_placed_in_the_air_bounces() {
     assert!(error.part == "floor" && error.text.contains("gap is negative"), "{error:?}");
     assert_eq!(motion(&mut live), before);
     assert!(live.step(0.1) && live.error().is_none());
+}
+
+/// Everything that a page does with a mechanism, and the bits of all that it shows.
+fn handled<M: Described<S = f64> + Statics>(mechanism: M) -> Vec<String> {
+    let (mut live, mut seen) = (Live::new(mechanism), Vec::new());
+    let mut see = |live: &mut Live<M>, done: bool| {
+        let bits = |numbers: &[f64]| numbers.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
+        let (shape, moment) = (bits(live.shape()), bits(live.read()));
+        let error = live.error().map(|error| format!("{} {}: {}", error.time, error.part, error.text));
+        seen.push(format!("{done} {shape:?} {moment:?} {error:?}"));
+    };
+    let (reach, torque) = (live.parameter_named("reach").unwrap(), live.input_named("torque").unwrap());
+    let crank = live.body_named("crank").unwrap();
+    for k in 0..60 {
+        match k {
+            10 => live.set_parameter(reach, 0.95),
+            20 => live.set_input(torque, 2.0),
+            30 => live.pull(crank, [0.1, 0.2], [3.0, -1.0]),
+            // No four-bar closes with it: nothing moves until it is taken back.
+            40 => live.set_parameter(reach, 9.0),
+            43 => live.set_parameter(reach, 0.9),
+            _ => {}
+        }
+        let done = live.step(0.01);
+        see(&mut live, done);
+    }
+    let again: [fn(&mut Live<M>) -> bool; 3] =
+        [|live| live.place(0, [0.1, 0.2, 1.3]), |live| live.restart(), |live| live.reset()];
+    for begin in again {
+        let done = begin(&mut live);
+        see(&mut live, done);
+        let done = live.step(0.02);
+        see(&mut live, done);
+    }
+    assert_eq!(live.parameter_named("Reach"), None);
+    seen
+}
+
+/// A mechanism from text in the hands of a page, beside the compiled one: the same bits.
+#[test]
+fn a_mechanism_from_text_is_handled_as_a_compiled_one() {
+    let text: Small = Compiled::new("four-bar", FourBar::<f64>::DECLARATION).unwrap().mechanism().unwrap();
+    let (found, expected) = (handled(text), handled(FourBar::new()));
+    for (found, expected) in found.iter().zip(&expected) {
+        assert_eq!(found, expected);
+    }
+    assert_eq!(found.len(), expected.len());
+    assert!(
+        expected.iter().any(|seen| seen.starts_with("false")) && expected.last().unwrap().starts_with("true")
+    );
+}
+
+/// Pulls that are added to a text move its bodies, as those of a declaration do.
+#[test]
+fn a_mechanism_from_text_is_pulled() {
+    let bare = "pub Sled {
+        ground { port o: (0, 0) m; }
+        body block { mass: 2 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }
+        prismatic rail(ground.o, block.o);
+    }";
+    let text: Small = Compiled::new("sled", &with_pulls(bare, &["block"])).unwrap().mechanism().unwrap();
+    let mut live = Live::new(text);
+    let block = live.body_named("block").unwrap();
+    live.pull(block, [0.0, 0.0], [3.0, 0.0]);
+    assert!(live.step(0.5));
+    // x = F t^2/(2 m).
+    assert!((live.read()[1] - 3.0 * 0.25 / 4.0).abs() < 1e-9);
 }

@@ -128,8 +128,8 @@ where
         c: c * &basis,
         d,
         basis,
-        inputs: <T::M as Ports>::INPUTS,
-        outputs: <T::M as Ports>::OUTPUTS,
+        inputs: of.as_moment().mechanism().input_names(),
+        outputs: of.as_moment().mechanism().output_names(),
     })
 }
 
@@ -155,19 +155,20 @@ pub fn derivatives<T>(state: &T) -> Result<Derivatives, Fault>
 where
     T: Moment<M: Linearisable<State = T>>,
 {
-    let size = <<T::M as Rate>::X as plm_runtime::Vector<f64>>::LEN;
+    let own = own(state.mechanism());
+    let size = own.len();
     if !state.mechanism().is_regular(&state.held()) {
         return Err(Fault::new(state.time(), Cause::Singular { rows: size }));
     }
-    let a = by_state(state, size)?;
-    let (inputs, outputs) = (<T::M as Ports>::INPUTS, <T::M as Ports>::OUTPUTS);
-    let (b, d) = (0..inputs.len())
-        .map(|j| along(state, Direction::Input(j)))
-        .fold((DMatrix::zeros(size, 0), DMatrix::zeros(outputs.len(), 0)), |(b, d), change| {
+    let a = by_state(state, &own)?;
+    let (inputs, outputs) = (state.mechanism().input_names().len(), state.mechanism().output_names().len());
+    let (b, d) = (0..inputs)
+        .map(|j| along(state, Direction::Input(j), &own))
+        .fold((DMatrix::zeros(size, 0), DMatrix::zeros(outputs, 0)), |(b, d), change| {
             (append(b, &change.rate), append(d, &change.outputs))
         });
-    let (c, rows) = (0..size).map(|j| along(state, Direction::State(j))).fold(
-        (DMatrix::zeros(outputs.len(), 0), None),
+    let (c, rows) = own.iter().map(|j| along(state, Direction::State(*j), &own)).fold(
+        (DMatrix::zeros(outputs, 0), None),
         |(c, rows), change| {
             let rows = rows.unwrap_or_else(|| DMatrix::zeros(change.constraints.len(), 0));
             (append(c, &change.outputs), Some(append(rows, &change.constraints)))
@@ -176,15 +177,20 @@ where
     Ok(Derivatives { a, b, c, d, constraints: rows.unwrap_or_else(|| DMatrix::zeros(0, size)) })
 }
 
-/// The derivatives of the rate by the state.
-fn by_state<T: Moment<M: Linearisable<State = T>>>(state: &T, size: usize) -> Result<DMatrix<f64>, Fault> {
+/// Places of the numbers that a state has.
+fn own<M: Rate>(mechanism: &M) -> Vec<usize> {
+    (0..<M::X as plm_runtime::Vector<M::S>>::LEN).filter(|place| mechanism.has_number(*place)).collect()
+}
+
+/// The derivatives of the rate by the state, whose numbers stand at these places.
+fn by_state<T: Moment<M: Linearisable<State = T>>>(state: &T, own: &[usize]) -> Result<DMatrix<f64>, Fault> {
     type X<T> = <<T as Moment>::M as Rate>::X;
     let mut matrix = <X<T> as Dense<f64>>::zeros();
     let health = state.mechanism().jacobian(state.time(), &state.held(), state.x(), &mut matrix, None);
     if !health.is_good() {
-        return Err(Fault::new(state.time(), Cause::Singular { rows: size }));
+        return Err(Fault::new(state.time(), Cause::Singular { rows: own.len() }));
     }
-    Ok(DMatrix::from_fn(size, size, |i, j| <X<T> as Dense<f64>>::entry(&matrix, i, j)))
+    Ok(DMatrix::from_fn(own.len(), own.len(), |i, j| <X<T> as Dense<f64>>::entry(&matrix, own[i], own[j])))
 }
 
 /// A state or an input that moves.
@@ -201,7 +207,7 @@ struct Change {
     constraints: Vec<f64>,
 }
 
-fn along<T: Moment<M: Linearisable<State = T>>>(state: &T, direction: Direction) -> Change {
+fn along<T: Moment<M: Linearisable<State = T>>>(state: &T, direction: Direction, own: &[usize]) -> Change {
     type Lifted<T> = <<T as Moment>::M as Linear>::Lifted<1>;
     type Number = Dual<f64, 1>;
     let (lifted, mut held) = state.mechanism().lift::<1>(&state.held());
@@ -223,10 +229,7 @@ fn along<T: Moment<M: Linearisable<State = T>>>(state: &T, direction: Direction)
     let tangent = |number: Number| number.tangents[0];
     let mut rate = x;
     lifted.rate(time, &held, &x, &mut rate);
-    let rate = plm_runtime::Vector::fold(&rate, Vec::new(), |mut rate, number| {
-        rate.push(tangent(number));
-        rate
-    });
+    let rate = own.iter().map(|place| tangent(plm_runtime::Vector::at(&rate, *place))).collect();
     let mut constraints = Vec::new();
     let mut row = |number| constraints.push(tangent(number));
     lifted.constraints(time, &x, &mut row);

@@ -1,7 +1,7 @@
 //! A declaration with what the compiler says of it.
 
 use plm_compiler::token::Sources;
-use plm_compiler::{Expansion, bug_message, compile, without_panic};
+use plm_compiler::{Expansion, analyse, bug_message, compile, without_panic};
 
 use crate::excerpt::{Excerpt, Excerpts, excerpts};
 use crate::read;
@@ -11,7 +11,7 @@ use crate::read;
 pub(crate) struct Checked {
     /// The declaration and the library files that it uses.
     pub(crate) sources: Sources,
-    /// Code, diagnostics and report.
+    /// Code where it was asked for, diagnostics and report.
     pub(crate) expansion: Expansion,
 }
 
@@ -43,18 +43,34 @@ impl Declarations {
         self.found.is_empty() && self.left_out.is_empty()
     }
 
-    /// Compiles one after the other; a bug of the compiler is a message.
+    /// Looks at one after the other; a bug of the compiler is a message.
+    pub(crate) fn checked(&self) -> impl Iterator<Item = Result<Checked, String>> {
+        self.expanded_by(analyse)
+    }
+
+    /// The same with the code.
     pub(crate) fn compiled(&self) -> impl Iterator<Item = Result<Checked, String>> {
-        self.found.iter().map(|excerpt| {
+        self.expanded_by(compile)
+    }
+
+    fn expanded_by(&self, compile: Compile) -> impl Iterator<Item = Result<Checked, String>> {
+        self.found.iter().map(move |excerpt| {
             let masked = excerpt.masked(&self.text);
-            let compiled = without_panic(|| checked(&self.name, &self.text, masked.as_deref()));
+            let compiled = without_panic(|| expanded(compile, &self.name, &self.text, masked.as_deref()));
             compiled.map_err(|what| format!("{}: {}", self.name, bug_message(&what)))
         })
     }
 }
 
-/// Compiles one declaration of a text, whose lines end as on Unix; `masked` is that of its excerpt.
+/// The compiler, or what it does without code.
+type Compile = fn(&mut Sources) -> Expansion;
+
+/// Looks at one declaration of a text, whose lines end as on Unix; `masked` is that of its excerpt.
 pub(crate) fn checked(name: &str, text: &str, masked: Option<&str>) -> Checked {
+    expanded(analyse, name, text, masked)
+}
+
+fn expanded(compile: Compile, name: &str, text: &str, masked: Option<&str>) -> Checked {
     let mut sources = Sources::new();
     match masked {
         Some(masked) => sources.add_excerpt(name, text, masked),

@@ -6,6 +6,7 @@
 
 mod capacity;
 mod code;
+mod description;
 mod handle;
 mod memory;
 mod model;
@@ -18,6 +19,7 @@ mod text;
 pub use self::handle::{Dynamic, Starts};
 pub use self::record::Sample;
 pub use self::run::{Column, Error, Large, Mechanism, Run, Small};
+pub use self::running::OnRun;
 pub use self::system::State;
 pub use self::text::{Compiled, Refused};
 pub use plm_run::Integrator;

@@ -6,6 +6,7 @@ use plm_runtime::charts::{Charts, Revolutions};
 use plm_runtime::limits::{Least, Limit};
 
 use crate::code::{Code, Room};
+use crate::description::Description;
 use crate::memory::Counts;
 
 /// A mechanism without its numbers.
@@ -22,6 +23,7 @@ pub(crate) struct Model {
     pub(crate) switches: Switches,
     pub(crate) start: Start,
     pub(crate) outputs: Vec<Code>,
+    pub(crate) description: Description,
     pub(crate) names_of_starts: &'static [&'static str],
     pub(crate) names: &'static [&'static str],
     pub(crate) parts: &'static [&'static str],
@@ -39,6 +41,7 @@ pub(crate) struct Absolute {
     pub(crate) dynamics: Code,
     pub(crate) free: Code,
     pub(crate) x_dot: Code,
+    pub(crate) at_rest: Code,
     pub(crate) guards: Code,
     pub(crate) phi: Code,
     pub(crate) phi_dot: Code,
@@ -86,7 +89,7 @@ pub(crate) struct Start {
 }
 
 /// A list that lives as long as the program.
-fn kept<T>(items: impl IntoIterator<Item = T>) -> &'static [T] {
+pub(crate) fn kept<T>(items: impl IntoIterator<Item = T>) -> &'static [T] {
     Vec::leak(items.into_iter().collect())
 }
 
@@ -95,7 +98,7 @@ pub(crate) fn text(text: &str) -> &'static str {
     String::leak(text.to_owned())
 }
 
-fn texts<'a>(all: impl IntoIterator<Item = &'a String>) -> &'static [&'static str] {
+pub(crate) fn texts<'a>(all: impl IntoIterator<Item = &'a String>) -> &'static [&'static str] {
     kept(all.into_iter().map(|one| text(one)))
 }
 
@@ -104,8 +107,9 @@ fn lists(all: impl IntoIterator<Item = Vec<usize>>) -> &'static [&'static [usize
 }
 
 impl Model {
-    /// The tables of a lowered mechanism whose state has room for so many coordinates and velocities. They are never freed.
-    pub(crate) fn new(lowered: Lowered, capacity: usize) -> &'static Model {
+    /// The tables of a lowered mechanism whose text has this name, and whose state has room for so many coordinates and velocities. They
+    /// are never freed.
+    pub(crate) fn new(lowered: Lowered, name: &str, capacity: usize) -> &'static Model {
         let nq = lowered.coordinates.len();
         let coordinates = lowered.charts.first().map_or(nq, |chart| chart.names.len());
         let state = Room { coordinates, capacity };
@@ -145,6 +149,7 @@ impl Model {
             switches: Switches::new(&lowered, state),
             start: Start::new(&lowered, state),
             outputs: lowered.outputs.iter().map(|output| Code::new(&output.value, &[], state)).collect(),
+            description: Description::new(&lowered, name, state),
             names_of_starts: texts(&lowered.starts.names),
             names: texts(&lowered.names),
             parts: texts(&lowered.parts),
@@ -195,6 +200,7 @@ impl Absolute {
             dynamics: Code::new(&of.dynamics, &["dx", "lambda"], room),
             free: Code::new(&of.free, &["force", "gamma"], room),
             x_dot: Code::new(&of.x_dot, &["x_dot"], room),
+            at_rest: Code::new(&of.at_rest, &["force", "x_dot"], room),
             guards: Code::new(&of.guards, &["g"], room),
             phi: Code::new(&of.phi, &["phi"], room),
             phi_dot: Code::new(&of.phi_dot, &["phi_dot"], room),

@@ -3,11 +3,9 @@
 use core::cell::Cell;
 use core::ops::ControlFlow;
 
+use plm_runtime::described::by_number;
 use plm_runtime::sim::Seen;
-use plm_runtime::{BodyState, Fault, Method, Moment, Sim};
-
-use crate::handle::Dynamic;
-use crate::system::State;
+use plm_runtime::{BodyState, Described, Fault, Method, Moment, Sim};
 
 /// Numbers of a run at a moment.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,17 +22,15 @@ pub struct Sample {
 pub(crate) type See<'a> = &'a mut dyn FnMut(&Sample) -> ControlFlow<()>;
 
 impl Sample {
-    fn of<const NQ: usize, const NC: usize, const N: usize>(state: &State<f64, NQ, NC, N>) -> Self {
-        let outputs = state.mechanism().model.lowered.outputs.iter().enumerate();
-        let value = |(k, output): (usize, &plm_compiler::lowered::Output)| {
-            let value = state.output(k).unwrap_or(f64::NAN);
-            if output.declared { value / output.factor } else { value }
-        };
-        Sample {
-            time: state.time(),
-            bodies: (0..).map_while(|k| state.body(k)).collect(),
-            values: outputs.map(value).collect(),
-        }
+    fn of<M: Described<S = f64>>(state: &M::State) -> Self {
+        let outputs = by_number::shown(state.mechanism()).enumerate();
+        let values = outputs.map(|(k, output)| {
+            let value = M::observed(state, k).unwrap_or(f64::NAN);
+            output.map_or(value, |(_, output)| value / output.factor)
+        });
+        let mut sample = Sample { time: state.time(), bodies: Vec::new(), values: values.collect() };
+        M::poses(state, &mut |pose| sample.bodies.push(pose));
+        sample
     }
 
     /// Is it the same moment to the bit?
@@ -58,8 +54,8 @@ struct Samples<'a> {
 
 impl Samples<'_> {
     /// Hands a moment out. What is seen for several reasons is one sample.
-    fn take<const NQ: usize, const NC: usize, const N: usize>(&mut self, state: &State<f64, NQ, NC, N>) {
-        let sample = Sample::of(state);
+    fn take<M: Described<S = f64>>(&mut self, state: &M::State) {
+        let sample = Sample::of::<M>(state);
         if self.last.as_ref().is_some_and(|last| last.is(&sample)) {
             return;
         }
@@ -70,16 +66,13 @@ impl Samples<'_> {
         self.last = Some(sample);
     }
 
-    fn seen<const NQ: usize, const NC: usize, const N: usize>(
-        &mut self,
-        seen: Seen<'_, State<f64, NQ, NC, N>>,
-    ) {
+    fn seen<M: Described<S = f64>>(&mut self, seen: Seen<'_, M::State>) {
         match seen {
-            Seen::Sample(state) | Seen::Switched(state) => self.take(state),
+            Seen::Sample(state) | Seen::Switched(state) => self.take::<M>(state),
             // Of what switches at one time there is one sample before it.
             Seen::Condition(_, before) | Seen::Instant(before) => {
                 if self.switched.is_none_or(|time| time.to_bits() != before.time().to_bits()) {
-                    self.take(before);
+                    self.take::<M>(before);
                 }
                 self.switched = Some(before.time());
             }
@@ -89,16 +82,16 @@ impl Samples<'_> {
 }
 
 /// Runs until a time with a sample every so often, s; a run that fails has one where it ended.
-pub(crate) fn record<const NQ: usize, const NC: usize, const N: usize, I: Method<Dynamic<f64, NQ, NC, N>>>(
-    sim: &mut Sim<Dynamic<f64, NQ, NC, N>, I>,
+pub(crate) fn record<M: Described<S = f64>, I: Method<M>>(
+    sim: &mut Sim<M, I>,
     (until, every): (f64, f64),
     see: See,
 ) -> Result<(), Fault> {
     let goes_on = Cell::new(true);
     let mut samples = Samples { see, last: None, switched: None, goes_on: &goes_on };
-    let outcome = Sim::watch_while(sim, until, every, |seen| samples.seen(seen), |_| goes_on.get());
+    let outcome = Sim::watch_while(sim, until, every, |seen| samples.seen::<M>(seen), |_| goes_on.get());
     if outcome.is_err() {
-        samples.take(sim.state());
+        samples.take::<M>(sim.state());
     }
     outcome
 }

@@ -11,7 +11,7 @@ use plm_runtime::{BodyState, Dop853, Fault, Method, Moment, Rk4, Sim, Stats};
 use crate::handle::Dynamic;
 use crate::model::Model;
 use crate::record::Sample;
-use crate::running::{Any, One, Running};
+use crate::running::{Counted, OnRun, Record, Running, SetInput, StepTo};
 use crate::system::State;
 use crate::text::{Compiled, Refused};
 
@@ -216,17 +216,18 @@ impl Mechanism {
         {
             return Err(Error::NotGiven(param.name.clone()));
         }
-        let sim: Box<dyn Running> = match (self.size, method) {
+        let sim = match (self.size, method) {
             (Size::Small, method) => {
                 let small: Small = self.with_values();
-                Box::new(Any(Box::new(method.of(started(&small, &self.inputs)?)), Stats::default()))
+                Running::Small(Box::new(method.of(started(&small, &self.inputs)?)))
             }
-            (Size::Large, Integrator::Dop853(rtol)) => Box::new(One(self.large(Dop853::new(rtol))?)),
-            (Size::Large, Integrator::Rk4(h)) => Box::new(One(self.large(Rk4::new(h))?)),
+            (Size::Large, Integrator::Dop853(rtol)) => Running::LargeDop853(self.large(Dop853::new(rtol))?),
+            (Size::Large, Integrator::Rk4(h)) => Running::LargeRk4(self.large(Rk4::new(h))?),
             (Size::Large, _) => return Err(Error::Method("Dop853 and Rk4")),
         };
         Ok(Run {
             sim,
+            stats: Stats::default(),
             bodies: lowered.bodies.clone(),
             inputs: lowered.inputs.iter().map(|input| input.name.clone()).collect(),
             outputs: lowered.outputs.iter().map(Column::of).collect(),
@@ -285,7 +286,8 @@ impl Column {
 
 /// A running simulation.
 pub struct Run {
-    sim: Box<dyn Running>,
+    sim: Running,
+    stats: Stats,
     bodies: Vec<String>,
     inputs: Vec<String>,
     outputs: Vec<Column>,
@@ -308,7 +310,7 @@ impl Run {
     /// # Errors
     /// [`Error::Fault`]: time, part and cause; the run stands where it ended.
     pub fn step_to(&mut self, time: f64) -> Result<(), Error> {
-        Ok(self.sim.step_to(time)?)
+        Ok(self.then(StepTo(time))?)
     }
 
     /// Runs to a time, s, and shows a sample every so often, s: the first one at once, further ones before and after what switches, as
@@ -322,12 +324,19 @@ impl Run {
         every: f64,
         mut see: impl FnMut(&Sample) -> ControlFlow<()>,
     ) -> Result<(), Error> {
-        Ok(self.sim.record((until, every), &mut see)?)
+        Ok(self.then(Record((until, every), &mut see))?)
+    }
+
+    /// Does something with the simulation, whatever its size and its method: records it, looks for an equilibrium, linearises it.
+    pub fn then<W: OnRun>(&mut self, work: W) -> W::Output {
+        let output = self.sim.then(work);
+        self.stats = self.sim.then(Counted);
+        output
     }
 
     /// What was done so far.
     pub fn stats(&self) -> Stats {
-        self.sim.stats()
+        self.stats
     }
 
     /// Names of the bodies, in the order of the declaration.
@@ -381,7 +390,7 @@ impl Run {
     /// [`Error::Unknown`].
     pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), Error> {
         let at = place("input", name, self.inputs.iter().map(String::as_str))?;
-        self.sim.set_input(at, value);
+        self.then(SetInput(at, value));
         Ok(())
     }
 }

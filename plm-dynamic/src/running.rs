@@ -1,160 +1,131 @@
 //! Runs of any size by any method, behind one type.
 
 use plm_run::{AnySim, OnSim};
-use plm_runtime::{BodyState, Fault, Method, Moment, Sim, Stats};
+use plm_runtime::described::by_number;
+use plm_runtime::{BodyState, Described, Dop853, Fault, Linear, Method, Moment, Rk4, Sim, Statics, Stats};
 
-use crate::handle::Dynamic;
 use crate::record::{See, record};
-use crate::system::State;
+use crate::run::{Large, Small};
+
+/// Work on a run of a mechanism from text, whatever room the mechanism takes, and whatever method it runs by.
+pub trait OnRun {
+    /// Result of the work.
+    type Output;
+
+    /// Does it.
+    fn on<M, I>(self, sim: &mut Sim<M, I>) -> Self::Output
+    where
+        M: Described<S = f64> + Statics + Linear<Lifted<1>: Described + Statics>,
+        I: Method<M>;
+}
 
 /// A run of some size by some method.
-pub(crate) trait Running {
+pub(crate) enum Running {
+    /// Of the smaller size, by a method of the catalogue.
+    Small(Box<AnySim<Small>>),
+    /// Of the larger size.
+    LargeDop853(Box<Sim<Large, Dop853<Large>>>),
+    /// Of the larger size.
+    LargeRk4(Box<Sim<Large, Rk4<f64>>>),
+}
+
+/// Evaluates an expression on the state of a run.
+macro_rules! at_state {
+    ($running:expr, $state:ident => $value:expr) => {
+        match $running {
+            Running::Small(sim) => {
+                let $state = sim.state();
+                $value
+            }
+            Running::LargeDop853(sim) => {
+                let $state = sim.state();
+                $value
+            }
+            Running::LargeRk4(sim) => {
+                let $state = sim.state();
+                $value
+            }
+        }
+    };
+}
+
+/// Work on a run of the smaller size.
+struct OfSmall<W>(W);
+
+impl<W: OnRun> OnSim<Small> for OfSmall<W> {
+    type Output = W::Output;
+
+    fn on<I: Method<Small>>(self, sim: &mut Sim<Small, I>) -> W::Output {
+        self.0.on(sim)
+    }
+}
+
+impl Running {
+    /// Does something with it.
+    pub(crate) fn then<W: OnRun>(&mut self, work: W) -> W::Output {
+        match self {
+            Self::Small(sim) => sim.then(OfSmall(work)),
+            Self::LargeDop853(sim) => work.on(sim),
+            Self::LargeRk4(sim) => work.on(sim),
+        }
+    }
+
     /// The time, s.
-    fn time(&self) -> f64;
-    /// Runs to a time, s.
-    fn step_to(&mut self, time: f64) -> Result<(), Fault>;
-    /// Runs to a time, s, and shows samples, so often, s.
-    fn record(&mut self, until_every: (f64, f64), see: See) -> Result<(), Fault>;
-    /// What was done so far.
-    fn stats(&self) -> Stats;
+    pub(crate) fn time(&self) -> f64 {
+        at_state!(self, state => state.time())
+    }
+
     /// Pose and velocity of a body by its number.
-    fn body(&self, number: usize) -> Option<BodyState<f64>>;
+    pub(crate) fn body(&self, number: usize) -> Option<BodyState<f64>> {
+        at_state!(self, state => state.body(number))
+    }
+
     /// An output by its number, SI; not a number behind the last one.
-    fn output(&self, number: usize) -> f64;
-    /// Gives an input a value.
-    fn set_input(&mut self, number: usize, value: f64);
-}
-
-/// By a method of the catalogue.
-pub(crate) struct Any<const NQ: usize, const NC: usize, const N: usize>(
-    pub(crate) Box<AnySim<Dynamic<f64, NQ, NC, N>>>,
-    pub(crate) Stats,
-);
-
-/// By one method.
-pub(crate) struct One<const NQ: usize, const NC: usize, const N: usize, I>(
-    pub(crate) Box<Sim<Dynamic<f64, NQ, NC, N>, I>>,
-);
-
-fn output<const NQ: usize, const NC: usize, const N: usize>(
-    state: &State<f64, NQ, NC, N>,
-    number: usize,
-) -> f64 {
-    state.output(number).unwrap_or(f64::NAN)
-}
-
-fn set<const NQ: usize, const NC: usize, const N: usize>(
-    state: &mut State<f64, NQ, NC, N>,
-    number: usize,
-    value: f64,
-) {
-    if let Some(input) = state.in_place().held.input.get_mut(number) {
-        *input = value;
+    pub(crate) fn output(&self, number: usize) -> f64 {
+        at_state!(self, state => state.output(number)).unwrap_or(f64::NAN)
     }
 }
 
-impl<const NQ: usize, const NC: usize, const N: usize, I> Running for One<NQ, NC, N, I>
-where
-    I: Method<Dynamic<f64, NQ, NC, N>>,
-{
-    fn time(&self) -> f64 {
-        self.0.state().time()
-    }
+/// Runs to a time.
+pub(crate) struct StepTo(pub(crate) f64);
 
-    fn step_to(&mut self, time: f64) -> Result<(), Fault> {
-        self.0.step_to(time)
-    }
+impl OnRun for StepTo {
+    type Output = Result<(), Fault>;
 
-    fn record(&mut self, until_every: (f64, f64), see: See) -> Result<(), Fault> {
-        record(&mut self.0, until_every, see)
-    }
-
-    fn stats(&self) -> Stats {
-        self.0.stats()
-    }
-
-    fn body(&self, number: usize) -> Option<BodyState<f64>> {
-        self.0.state().body(number)
-    }
-
-    fn output(&self, number: usize) -> f64 {
-        output(self.0.state(), number)
-    }
-
-    fn set_input(&mut self, number: usize, value: f64) {
-        set(&mut self.0, number, value);
+    fn on<M: Described<S = f64>, I: Method<M>>(self, sim: &mut Sim<M, I>) -> Self::Output {
+        sim.step_to(self.0)
     }
 }
 
-/// Runs to a time, and gives the counters.
-struct StepTo(f64);
+/// Runs to a time, s, with samples so often, s.
+pub(crate) struct Record<'a>(pub(crate) (f64, f64), pub(crate) See<'a>);
 
-impl<const NQ: usize, const NC: usize, const N: usize> OnSim<Dynamic<f64, NQ, NC, N>> for StepTo {
-    type Output = (Result<(), Fault>, Stats);
+impl OnRun for Record<'_> {
+    type Output = Result<(), Fault>;
 
-    fn on<I: Method<Dynamic<f64, NQ, NC, N>>>(
-        self,
-        sim: &mut Sim<Dynamic<f64, NQ, NC, N>, I>,
-    ) -> Self::Output {
-        (sim.step_to(self.0), sim.stats())
-    }
-}
-
-/// Runs to a time with samples, and gives the counters.
-struct Record<'a>((f64, f64), See<'a>);
-
-impl<const NQ: usize, const NC: usize, const N: usize> OnSim<Dynamic<f64, NQ, NC, N>> for Record<'_> {
-    type Output = (Result<(), Fault>, Stats);
-
-    fn on<I: Method<Dynamic<f64, NQ, NC, N>>>(
-        self,
-        sim: &mut Sim<Dynamic<f64, NQ, NC, N>, I>,
-    ) -> Self::Output {
-        (record(sim, self.0, self.1), sim.stats())
+    fn on<M: Described<S = f64>, I: Method<M>>(self, sim: &mut Sim<M, I>) -> Self::Output {
+        record(sim, self.0, self.1)
     }
 }
 
 /// Gives an input a value.
-struct SetInput(usize, f64);
+pub(crate) struct SetInput(pub(crate) usize, pub(crate) f64);
 
-impl<const NQ: usize, const NC: usize, const N: usize> OnSim<Dynamic<f64, NQ, NC, N>> for SetInput {
+impl OnRun for SetInput {
     type Output = ();
 
-    fn on<I: Method<Dynamic<f64, NQ, NC, N>>>(self, sim: &mut Sim<Dynamic<f64, NQ, NC, N>, I>) {
-        set(sim, self.0, self.1);
+    fn on<M: Described<S = f64>, I: Method<M>>(self, sim: &mut Sim<M, I>) {
+        by_number::set_input(sim, self.0, self.1);
     }
 }
 
-impl<const NQ: usize, const NC: usize, const N: usize> Running for Any<NQ, NC, N> {
-    fn time(&self) -> f64 {
-        self.0.state().time()
-    }
+/// Gives the counters.
+pub(crate) struct Counted;
 
-    fn step_to(&mut self, time: f64) -> Result<(), Fault> {
-        let (outcome, stats) = self.0.then(StepTo(time));
-        self.1 = stats;
-        outcome
-    }
+impl OnRun for Counted {
+    type Output = Stats;
 
-    fn record(&mut self, until_every: (f64, f64), see: See) -> Result<(), Fault> {
-        let (outcome, stats) = self.0.then(Record(until_every, see));
-        self.1 = stats;
-        outcome
-    }
-
-    fn stats(&self) -> Stats {
-        self.1
-    }
-
-    fn body(&self, number: usize) -> Option<BodyState<f64>> {
-        self.0.state().body(number)
-    }
-
-    fn output(&self, number: usize) -> f64 {
-        output(self.0.state(), number)
-    }
-
-    fn set_input(&mut self, number: usize, value: f64) {
-        self.0.then(SetInput(number, value));
+    fn on<M: Described<S = f64>, I: Method<M>>(self, sim: &mut Sim<M, I>) -> Stats {
+        sim.stats()
     }
 }

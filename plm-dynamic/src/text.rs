@@ -5,7 +5,7 @@ use std::path::Path;
 
 use plm_compiler::lowered::{Lowered, Unsupported};
 use plm_compiler::token::Sources;
-use plm_compiler::{compile, without_panic};
+use plm_compiler::{analyse, without_panic};
 
 use crate::capacity::{INPUTS, KINKS, PARAMETERS, SWITCHES};
 use crate::handle::Dynamic;
@@ -14,6 +14,7 @@ use crate::model::Model;
 /// A declaration that was compiled: tables and functions.
 #[derive(Clone, Debug)]
 pub struct Compiled {
+    name: String,
     lowered: Lowered,
 }
 
@@ -65,7 +66,7 @@ impl Compiled {
                 let content = std::fs::read_to_string(Path::new(name).with_file_name(&file));
                 sources.add_file(&file, content.map_err(|error| error.to_string()));
             }
-            let expansion = compile(&mut sources);
+            let expansion = analyse(&mut sources);
             expansion.lower().ok_or_else(|| {
                 let all = expansion.diagnostics.sorted();
                 all.into_iter().map(|one| one.render(&sources)).collect::<String>()
@@ -76,19 +77,19 @@ impl Compiled {
             Ok(Err(mistakes)) => Err(Refused::Mistakes(mistakes)),
             Ok(Ok(Err(Unsupported::Contact))) => Err(Refused::Unsupported("friction or unilateral contact")),
             Ok(Ok(Err(Unsupported::Sets))) => Err(Refused::Unsupported("an event that sets states")),
-            Ok(Ok(Ok(lowered))) => Compiled::with_room(lowered),
+            Ok(Ok(Ok(lowered))) => Compiled::with_room(name, lowered),
         }
     }
 
     /// With no more of anything than all mechanisms have room for.
-    fn with_room(lowered: Lowered) -> Result<Compiled, Refused> {
+    fn with_room(name: &str, lowered: Lowered) -> Result<Compiled, Refused> {
         within([
             ("parameters", lowered.parameters.len(), PARAMETERS),
             ("inputs", lowered.inputs.len(), INPUTS),
             ("conditions", lowered.switches.all.len(), SWITCHES),
             ("kinks", lowered.switches.kinks, KINKS),
         ])?;
-        Ok(Compiled { lowered })
+        Ok(Compiled { name: name.to_owned(), lowered })
     }
 
     /// The mechanism as declared, with room for `NQ` coordinates, `NC` rows and `N` numbers of a state; parameters without a default
@@ -100,7 +101,7 @@ impl Compiled {
         self,
     ) -> Result<Dynamic<f64, NQ, NC, N>, Refused> {
         self.fits::<NQ, NC, N>()?;
-        Ok(Dynamic::declared(Model::new(self.lowered, NQ), &[]))
+        Ok(Dynamic::declared(Model::new(self.lowered, &self.name, NQ), &[]))
     }
 
     /// Is there room for it?

@@ -6,6 +6,8 @@
 mod arm_on_jack;
 #[path = "../../tests/snapshots/bouncer.rs"]
 mod bouncer;
+#[path = "../../tests/snapshots/chain.rs"]
+mod chain;
 #[path = "../../tests/snapshots/double_pendulum.rs"]
 mod double_pendulum;
 #[path = "../../tests/snapshots/driven_crank.rs"]
@@ -17,11 +19,16 @@ mod plate_on_three_pins;
 #[path = "../../tests/snapshots/slider_crank.rs"]
 mod slider_crank;
 
-use plm::runtime::{Described, Linear, Mechanism};
-use plm::{Adams, Dop853, Method, RadauIia5, Rk4, Ros34Pw2, Sim};
+use std::fmt::Debug;
+
+use plm::runtime::described::by_number;
+use plm::runtime::{Described, Linear, Mechanism, Ports, Statics};
+use plm::{
+    Adams, Dop853, Linearisable, Method, RadauIia5, Rk4, Ros34Pw2, Sim, Stabilise, linearise, stabilise,
+};
 use plm_dynamic::{Compiled, Dynamic};
 
-type Small = Dynamic<f64, 12, 16, 32>;
+type Small = Dynamic<f64, 15, 16, 38>;
 
 /// Everything that is compared at a moment: poses and velocities, declared outputs.
 fn of_compiled<M: Described<S = f64>>(state: &M::State) -> Vec<u64> {
@@ -58,9 +65,60 @@ fn compared<M: Described<S = f64>, I: Method<M>, J: Method<Small>>(
     assert_eq!((own.steps, own.rejected, own.evaluations), (other.steps, other.rejected, other.evaluations));
 }
 
-fn same_bits<M: Described<S = f64>>(mechanism: M) {
+/// Names, units, numbers of pictures, and the numbers of a moment, which recordings and pages have.
+fn same_description<M: Described<S = f64> + Statics>(mechanism: M, dynamic: Small) {
+    assert_eq!(M::TABLES, dynamic.tables());
+    assert_eq!((M::SHAPES, M::HOLES), (dynamic.shapes(), dynamic.holes()));
+    assert_eq!((M::OBSERVED, M::DECLARATION), (dynamic.observables(), dynamic.declaration()));
+    assert_eq!((M::INPUTS, M::OUTPUTS), (dynamic.input_names(), dynamic.output_names()));
+    assert_eq!((M::COORDINATES, M::ROWS), (dynamic.coordinate_names(), dynamic.row_names()));
+    assert_eq!(M::STATES, dynamic.state_names());
+    let figures = |figure: &dyn Fn(f64, usize) -> Option<f64>| {
+        let all = [0.0, 0.3].map(|t| (0..).map_while(|k| figure(t, k)).map(f64::to_bits).collect::<Vec<_>>());
+        assert!(!all[0].is_empty());
+        all
+    };
+    assert_eq!(figures(&|t, k| mechanism.figure(t, k)), figures(&|t, k| dynamic.figure(t, k)));
+    assert_eq!(shape(&mechanism), shape(&dynamic));
+    assert_eq!(moment(mechanism), moment(dynamic));
+}
+
+fn shape<M: Described<S = f64>>(of: &M) -> Vec<u64> {
+    let mut all = Vec::new();
+    by_number::shape(of, &mut |number| all.push(number.to_bits()));
+    all
+}
+
+fn moment<M: Described<S = f64>>(of: M) -> Vec<u64> {
+    let (sim, mut all) = (of.start().unwrap(), Vec::new());
+    by_number::moment::<M>(sim.state(), &mut |number| all.push(number.to_bits()));
+    M::outputs(sim.state(), &mut |number| all.push(number.to_bits()));
+    all
+}
+
+/// Static equilibria, and the linear systems around them and around the start.
+fn same_analysis<M: Stabilise + Described + Linearisable>(mechanism: M) {
+    let dynamic: Small = Compiled::new("mechanism.plm", M::DECLARATION).unwrap().mechanism().unwrap();
+    assert_eq!(analysed(mechanism), analysed(dynamic));
+}
+
+/// What is found, as text that has every bit of every number.
+fn analysed<M: Stabilise + Described + Linearisable>(of: M) -> Vec<String> {
+    let sim = of.start().unwrap();
+    let text = |all: &dyn Debug| format!("{all:?}");
+    let mut all = vec![text(&linearise(&sim))];
+    for found in [of.stabilise(), stabilise(&sim)] {
+        let found = found.unwrap();
+        all.push(text(&(&found.residuals, &found.free, &found.values, found.iterations, found.size)));
+        all.push(text(&found.start().and_then(|sim| linearise(&sim))));
+    }
+    all
+}
+
+fn same_bits<M: Described<S = f64> + Statics>(mechanism: M) {
     let text = M::DECLARATION;
     let dynamic: Small = Compiled::new("mechanism.plm", text).unwrap().mechanism().unwrap();
+    same_description(mechanism, dynamic);
     let by_steps =
         (mechanism.start_with(Rk4::new(1e-3)).unwrap(), dynamic.start_with(Rk4::new(1e-3)).unwrap());
     compared(by_steps, (5, 0.02));
@@ -93,7 +151,19 @@ fn same_bits_of_implicit<M: Described<S = f64> + Linear>(mechanism: M) {
 }
 
 #[test]
-fn a_tree() {
+fn analyses() {
+    same_analysis(double_pendulum::DoublePendulum::new());
+    same_analysis(chain::Chain::new());
+    same_analysis(four_bar::FourBar::new());
+    same_analysis(slider_crank::SliderCrank::new());
+    same_analysis(driven_crank::DrivenCrank::new());
+    same_analysis(plate_on_three_pins::PlateOnThreePins::new());
+    same_analysis(arm_on_jack::ArmOnJack::new());
+}
+
+#[test]
+fn trees() {
+    same_bits(chain::Chain::new());
     same_bits(double_pendulum::DoublePendulum::new());
     same_bits_with_history(double_pendulum::DoublePendulum::new());
 }

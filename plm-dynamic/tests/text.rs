@@ -1,7 +1,9 @@
 //! Mechanisms from text as their users have them: names, values, mistakes.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
-use plm_dynamic::{Error, Integrator, Mechanism, Refused};
+use plm::runtime::{Described, Linear, Statics};
+use plm::{Fault, Method, Moment, Sim, linearise, stabilise};
+use plm_dynamic::{Error, Integrator, Mechanism, OnRun, Refused};
 
 const PENDULUM: &str = "pub Pendulum {
     param length: m = 1 m;
@@ -50,6 +52,41 @@ fn inputs_act_from_when_they_are_set() {
     assert!((run.output("bob.angle").unwrap() - 0.1).abs() < 1e-6);
     let columns: Vec<(&str, &str)> = run.columns().collect();
     assert_eq!(columns, [("bob.angle", "deg"), ("hinge.force.x", "N"), ("hinge.force.y", "N")]);
+}
+
+/// Looks for the equilibrium near where a run is: the angle there, rad, and the frequency of small swings, rad/s.
+struct AtRest;
+
+impl OnRun for AtRest {
+    type Output = Result<(f64, f64), Fault>;
+
+    fn on<M, I>(self, sim: &mut Sim<M, I>) -> Self::Output
+    where
+        M: Described<S = f64> + Statics + Linear<Lifted<1>: Described + Statics>,
+        I: Method<M>,
+    {
+        let rest = stabilise(sim)?.start()?;
+        let angle = M::pose(rest.state(), 0).map_or(f64::NAN, |pose| pose.angle);
+        assert!(rest.state().mechanism().tables().bodies.len() == 1);
+        Ok((angle, linearise(&rest)?.modes()[0].frequency))
+    }
+}
+
+/// A torque that holds the pendulum aslant, and small swings there: sin a = M/(m g l), omega^2 = g cos(a)/l.
+#[test]
+fn a_run_is_brought_to_rest() {
+    // What is locked stays where it is.
+    let mut pendulum = Mechanism::from_text(&PENDULUM.replace(", locked", "")).unwrap();
+    for (name, value) in [("damping", 0.0), ("length", 0.25)] {
+        pendulum.set_parameter(name, value).unwrap();
+    }
+    let mut run = pendulum.start().unwrap();
+    run.set_input("torque", 9.81 * 0.25 * 0.4_f64.sin()).unwrap();
+    run.step_to(0.1).unwrap();
+    let (angle, frequency) = run.then(AtRest).unwrap();
+    assert!((angle - 0.4).abs() < 1e-8, "{angle}");
+    assert!((frequency - (9.81 * 0.4_f64.cos() / 0.25).sqrt()).abs() < 1e-6, "{frequency}");
+    assert!((run.time() - 0.1).abs() < 1e-12);
 }
 
 #[test]

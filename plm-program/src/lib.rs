@@ -3,13 +3,11 @@
 //! `plm::view` is this crate.
 
 mod arguments;
-mod described;
 mod foreign;
 mod library;
 mod linking;
 mod options;
 mod program;
-mod recorder;
 mod server;
 mod sketch;
 
@@ -18,13 +16,11 @@ pub use plm_sketch::{Block, Sense, Side, Sketch, Symbol};
 pub use plm_view::*;
 
 pub use arguments::{Arguments, Known};
-pub use described::mechanism;
 pub use foreign::{NoDefault, fmu, fmu_of, library};
 pub use library::Library;
 pub use options::{Options, Table};
 pub use plm_python::wheel::wheel;
 pub use plm_run::{BadOption, Integrator};
 pub use program::{Program, run, write};
-pub use recorder::Recorder;
 pub use server::Server;
 pub use sketch::sketch;

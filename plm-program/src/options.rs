@@ -9,9 +9,9 @@ use plm_foreign::fmi::Version;
 use plm_run::{BadOption, Integrator, METHODS, nearest, unknown};
 use plm_runtime::described::{Quantity, by_number};
 use plm_runtime::{AsMoment, Described, Method, Moment, Sim, Statics};
+use plm_view::Recorder;
 
 use super::arguments::{Arguments, Known};
-use super::recorder::Recorder;
 
 /// What is asked for on the command line.
 ///
@@ -232,7 +232,7 @@ impl Options {
     /// A name that is no parameter, with those that there are.
     pub fn apply<M: Described<S = f64> + Statics>(&self, mechanism: &mut M) -> Result<(), BadOption> {
         for (name, value) in &self.set {
-            let (index, factor) = find("parameter", name, M::TABLES.parameters)?;
+            let (index, factor) = find("parameter", name, mechanism.tables().parameters)?;
             by_number::set_parameter(mechanism, index, in_si(*value, factor));
         }
         Ok(())
@@ -248,7 +248,7 @@ impl Options {
         I: Method<M>,
     {
         for (name, value) in &self.input {
-            let (index, factor) = find("input", name, M::TABLES.inputs)?;
+            let (index, factor) = find("input", name, sim.state().mechanism().tables().inputs)?;
             by_number::set_input(sim, index, in_si(*value, factor));
         }
         Ok(())
@@ -292,8 +292,8 @@ fn known(quantities: &[Quantity]) -> String {
 }
 
 /// Parameters and inputs of a mechanism as lines of help; nothing where there are none.
-pub(super) fn quantities_of<M: Described>() -> String {
-    let tables = [("parameters", M::TABLES.parameters), ("inputs", M::TABLES.inputs)];
+pub(super) fn quantities_of<M: Described>(of: &M) -> String {
+    let tables = [("parameters", of.tables().parameters), ("inputs", of.tables().inputs)];
     let some = tables.into_iter().filter(|(_, quantities)| !quantities.is_empty());
     let lines: Vec<String> =
         some.map(|(what, quantities)| format!("\n{what}: {}", known(quantities))).collect();

@@ -13,12 +13,11 @@ use plm_runtime::described::pulls::WithPulls;
 use plm_runtime::{Described, Fault, Method, Moment, Sim, Statics};
 use plm_view::live::Module;
 use plm_view::package::plm;
-use plm_view::{Chart, Page, Recording, Results};
+use plm_view::{Chart, Page, Recorder, Recording, Results};
 
 use super::Library;
 use super::foreign::fmu_of;
 use super::options::{Options, quantities_of};
-use super::recorder::Recorder;
 use super::server::Server;
 
 /// A run of a mechanism as its command line asks for it.
@@ -86,7 +85,7 @@ impl<M: Exchanged> Program<M> {
     /// A parameter or an input that is not there; a fault of the run; a file that cannot be written, a port that cannot be had.
     pub fn with(mut self, options: &Options) -> Result<(), Box<dyn Error>> {
         if let Some(help) = &options.help {
-            println!("{help}{}", quantities_of::<M>());
+            println!("{help}{}", quantities_of(&self.mechanism));
             return Ok(());
         }
         if let Some(folder) = &options.c {

@@ -6,10 +6,9 @@ use std::time::{Duration, Instant};
 
 use plm_runtime::described::by_number::{self, SizeNames};
 use plm_runtime::described::pulls::pull_input;
-use plm_runtime::{AsMoment, Described, Fault, Method, Moment, Sim, Statics};
+use plm_runtime::{AsMoment, Described, Fault, Method, Moment, Ports, Sim, Statics};
+use plm_view::Recorder;
 use plm_view::serve::{Host, Message, Pull};
-
-use super::recorder::Recorder;
 
 /// A page served to browsers on this machine, for a loop of the user's own: hardware, a controller.
 ///
@@ -74,7 +73,7 @@ impl<M: Described<S = f64> + Statics> Server<M> {
     pub fn start<I: Method<M>>(sim: &Sim<M, I>, port: u16) -> io::Result<Self> {
         let mut described = Recorder::observing_all(sim).into_recording();
         described.about.method = String::from("served by a program");
-        let pulls = pull_input::<M>(0, "x").is_some();
+        let pulls = pull_input(sim.state().mechanism(), 0, "x").is_some();
         let host = Host::start(&described, port, pulls)?;
         let mut server = Self {
             host,
@@ -214,8 +213,7 @@ impl<M: Described<S = f64> + Statics> Server<M> {
 
     /// Begins again with parameters and inputs as they are.
     fn restart<I: Method<M>>(&mut self, sim: &mut Sim<M, I>) {
-        let inputs: Vec<Option<f64>> =
-            (0..M::INPUTS.len()).map(|k| by_number::input::<M>(sim.state(), k)).collect();
+        let inputs: Vec<Option<f64>> = inputs(sim.state()).collect();
         let outcome = sim.reset();
         for (index, value) in inputs.into_iter().enumerate() {
             if let Some(value) = value {
@@ -248,12 +246,13 @@ impl<M: Described<S = f64> + Statics> Server<M> {
 
     fn tell_settings<I: Method<M>>(&self, sim: &Sim<M, I>) {
         let (state, mut shape) = (sim.state(), Vec::new());
-        let (parameters, inputs) = (0..M::TABLES.parameters.len(), 0..M::INPUTS.len());
-        let parameters = parameters.map(|k| state.mechanism().parameter(k).unwrap_or(f64::NAN));
-        let inputs = inputs.map(|k| by_number::input::<M>(state, k).unwrap_or(f64::NAN));
-        by_number::shape(state.mechanism(), &mut |number| shape.push(number));
+        let mechanism = state.mechanism();
+        let parameters = 0..mechanism.tables().parameters.len();
+        let parameters = parameters.map(|k| mechanism.parameter(k).unwrap_or(f64::NAN));
+        let inputs = inputs(state).map(|input| input.unwrap_or(f64::NAN));
+        by_number::shape(mechanism, &mut |number| shape.push(number));
         let (parameters, inputs): (Vec<_>, Vec<_>) = (parameters.collect(), inputs.collect());
-        self.host.settings(&parameters, &inputs, (&shape, &SizeNames::of::<M>().to_string()));
+        self.host.settings(&parameters, &inputs, (&shape, &SizeNames::of(mechanism).to_string()));
     }
 
     fn set_running(&mut self, runs: bool) {
@@ -261,6 +260,12 @@ impl<M: Described<S = f64> + Statics> Server<M> {
         self.runs = runs;
         self.host.running(runs, self.speed);
     }
+}
+
+/// All inputs of a run, SI.
+fn inputs<T: Moment<M: Described<S = f64, State = T>>>(state: &T) -> impl Iterator<Item = Option<f64>> {
+    let count = state.mechanism().input_names().len();
+    (0..count).map(|k| by_number::input::<T::M>(state, k))
 }
 
 /// The pull as it is with the body where it is now.
@@ -272,7 +277,7 @@ fn pull_by<M: Described<S = f64>, I: Method<M>>(sim: &mut Sim<M, I>, pull: &Pull
 
 fn set_wrench<M: Described<S = f64>, I: Method<M>>(sim: &mut Sim<M, I>, body: usize, wrench: [f64; 3]) {
     for (suffix, value) in ["x", "y", "turn"].into_iter().zip(wrench) {
-        if let Some(index) = pull_input::<M>(body, suffix) {
+        if let Some(index) = pull_input(sim.state().mechanism(), body, suffix) {
             by_number::set_input(sim, index, value);
         }
     }

@@ -1,10 +1,9 @@
 //! A drawing of any mechanism.
 
+use plm_runtime::described::Place;
 use plm_runtime::{AsMoment, Described, Moment, Scalar};
 use plm_sketch::Sketch;
-use plm_view::Mechanism;
-
-use super::described::{mechanism, numbers};
+use plm_view::{Mechanism, mechanism};
 
 /// A schematic drawing of a mechanism at a moment: of a `Sim` or of a state. Gravity is told by [`Sketch::with_gravity`].
 ///
@@ -32,7 +31,8 @@ pub fn sketch<T: Moment<M: Described<State = T>>>(of: &impl AsMoment<State = T>)
     T::M::poses(state, &mut |pose| poses.push([pose.x, pose.y, pose.angle].map(Scalar::to_f64)));
     let mut mechanism: Mechanism = mechanism(state.mechanism());
     for (k, port) in mechanism.ground.iter_mut().enumerate() {
-        [port.x, port.y, port.angle] = numbers(state.mechanism().ground(time, k));
+        [port.x, port.y, port.angle] =
+            Place::components(state.mechanism().ground(time, k)).map(Scalar::to_f64);
     }
     Sketch::new(mechanism, poses)
 }

@@ -12,6 +12,18 @@ pub trait Ports: Mechanism {
     /// Names and units of the outputs; a vector is two outputs.
     const OUTPUTS: &'static [(&'static str, &'static str)];
 
+    /// Names and units of the inputs: [`INPUTS`](Self::INPUTS), or those of a mechanism whose type has none, as one from text.
+    #[inline]
+    fn input_names(&self) -> &'static [(&'static str, &'static str)] {
+        Self::INPUTS
+    }
+
+    /// Names and units of the outputs.
+    #[inline]
+    fn output_names(&self) -> &'static [(&'static str, &'static str)] {
+        Self::OUTPUTS
+    }
+
     /// The inputs among what is held over a step.
     fn inputs(held: &mut <Self as Rate>::U) -> &mut Self::Input;
 

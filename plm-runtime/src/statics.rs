@@ -8,7 +8,7 @@ use crate::vector::Vector;
 
 /// The equations of a mechanism as they are before it is solved for accelerations; implemented by generated code.
 pub trait Statics: Mechanism {
-    /// A state in absolute coordinates: [q, v, first-order states], SI units.
+    /// A state in absolute coordinates: [q, v, first-order states], SI units, without gaps; zeros stand behind them where there is room.
     type Full: Vector<<Self as Rate>::S>;
     /// A number for each constraint row.
     type Rows: Vector<<Self as Rate>::S>;
@@ -21,6 +21,24 @@ pub trait Statics: Mechanism {
     const ROWS: &'static [&'static str];
     /// Name of each first-order state, and its SI unit.
     const STATES: &'static [(&'static str, &'static str)];
+
+    /// Name of each coordinate: [`COORDINATES`](Self::COORDINATES), or those of a mechanism whose type has none, as one from text.
+    #[inline]
+    fn coordinate_names(&self) -> &'static [&'static str] {
+        Self::COORDINATES
+    }
+
+    /// Name of each constraint row.
+    #[inline]
+    fn row_names(&self) -> &'static [&'static str] {
+        Self::ROWS
+    }
+
+    /// Name of each first-order state, and its SI unit.
+    #[inline]
+    fn state_names(&self) -> &'static [(&'static str, &'static str)] {
+        Self::STATES
+    }
 
     /// The state of a moment in absolute coordinates, angles with all turns.
     fn full(state: &Self::State) -> Self::Full;

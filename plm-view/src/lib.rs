@@ -21,15 +21,18 @@
 //! A recording belongs to the caller, not to the run: when a run fails, everything that was recorded before
 //! the failure is still there to be written and looked at.
 //!
-//! The crate knows numbers, names and units, and of a mechanism what a results file tells. `plm::view` records one.
+//! The crate knows numbers, names and units, and of a mechanism what a results file tells. A [`Recorder`] takes that of any mechanism by
+//! its contract, `plm::Described`.
 
 mod chart;
+mod described;
 mod error;
 mod figures;
 pub mod live;
 mod markup;
 pub mod package;
 mod page;
+mod recorder;
 mod recording;
 mod results;
 pub mod serve;
@@ -37,10 +40,12 @@ pub mod serve;
 pub mod svg;
 
 pub use chart::{Axis, Chart, Rule, Series};
+pub use described::mechanism;
 pub use error::{Error, Unread};
 pub use figures::{Figure, Figures};
 pub use page::Page;
-pub use plm_math::Operations;
+pub use plm_runtime::Operations;
+pub use recorder::Recorder;
 pub use recording::{About, Column, Event, Fault, Recording, Row};
 pub use results::{
     Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report, Results, Shape,

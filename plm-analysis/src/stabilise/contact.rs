@@ -60,7 +60,7 @@ pub(super) fn holding<M: Stabilise>(
 
 /// Nothing moves at the start: velocities that are not locked are zero.
 pub(super) fn at_rest<M: Stabilise>(mechanism: &mut M) {
-    let (mut index, bodies) = (0, 2 * M::COORDINATES.len());
+    let (mut index, bodies) = (0, 2 * mechanism.coordinate_names().len());
     mechanism.starts_mut().each(&mut |_, start| {
         if index < bodies && index % 6 >= 3 && !start.locked {
             start.value = 0.0;
@@ -124,7 +124,7 @@ pub(super) fn supports<M: Stabilise>(
     let least = BALANCED * task.scales.force.amax();
     let of_row = |(k, of): (usize, &Holding)| {
         let name = residuals.mechanism().contact_name(of.row);
-        let force = evaluation.point.lambda.get(Residuals::<M>::OWN + k).copied();
+        let force = evaluation.point.lambda.get(residuals.own() + k).copied();
         let Some(force) = force.filter(|_| is_unique) else {
             return Ok(Support { name, force: None, used: None });
         };

@@ -24,14 +24,14 @@ const REACH: f64 = 100.0;
 /// Which states follow the coordinates: their rate vanishes at rest whatever coordinates, states and multipliers are, and is
 /// linear in the velocities.
 pub(super) fn following<M: Stabilise>(residuals: &Residuals<M>, start: &Point, scales: &Scales) -> Vec<bool> {
-    let mut follows = vec![true; Residuals::<M>::NX];
-    let mut moves = vec![false; Residuals::<M>::NX];
+    let mut follows = vec![true; residuals.nx()];
+    let mut moves = vec![false; residuals.nx()];
     let mut fractions = Fractions(0.0);
     for probe in 0..PROBES {
         let reach = if probe == 0 { 0.0 } else { REACH };
         let point = beside(start, scales, reach, &mut fractions);
-        let a = DVector::from_fn(Residuals::<M>::NQ, |_, _| fractions.next());
-        let b = DVector::from_fn(Residuals::<M>::NQ, |_, _| fractions.next());
+        let a = DVector::from_fn(residuals.nq(), |_, _| fractions.next());
+        let b = DVector::from_fn(residuals.nq(), |_, _| fractions.next());
         let still = residuals.rows(&point).rate;
         let rate = |v: &dyn Fn(usize) -> f64| residuals.moving(&point, v).rate;
         let (of_a, of_b) = (rate(&|i| a[i]), rate(&|i| b[i]));
@@ -49,7 +49,7 @@ pub(super) fn following<M: Stabilise>(residuals: &Residuals<M>, start: &Point, s
 
 /// Which states nothing reads, neither forces nor rates: integrals that somebody wants to see.
 pub(super) fn unread<M: Stabilise>(residuals: &Residuals<M>, start: &Point, scales: &Scales) -> Vec<bool> {
-    let mut unread = vec![true; Residuals::<M>::NX];
+    let mut unread = vec![true; residuals.nx()];
     let mut fractions = Fractions(0.0);
     for probe in 0..PROBES {
         let reach = if probe == 0 { 0.0 } else { REACH };
@@ -67,7 +67,7 @@ pub(super) fn rates_along<M: Stabilise>(
     point: &Point,
     directions: &DMatrix<f64>,
 ) -> DMatrix<f64> {
-    let mut rates = DMatrix::zeros(Residuals::<M>::NX, directions.ncols());
+    let mut rates = DMatrix::zeros(residuals.nx(), directions.ncols());
     for k in 0..directions.ncols() {
         rates.set_column(k, &residuals.moving(point, |i| directions[(i, k)]).rate);
     }

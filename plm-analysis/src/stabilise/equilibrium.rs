@@ -60,7 +60,8 @@ impl<M: Statics> Equilibrium<M> {
     /// The position that moved most, if it moved by more than the size of the mechanism: such an equilibrium is hardly the
     /// one that was meant. A spring may be too soft, a stop be missing, or a start be far off.
     pub fn far(&self) -> Option<&Change> {
-        let positions = self.values.iter().take(M::COORDINATES.len()).filter(|change| change.unit == "m");
+        let coordinates = self.mechanism.coordinate_names().len();
+        let positions = self.values.iter().take(coordinates).filter(|change| change.unit == "m");
         let most = positions.max_by(|a, b| a.moved.abs().total_cmp(&b.moved.abs()));
         most.filter(|change| change.moved.abs() > self.size)
     }

@@ -33,7 +33,7 @@ impl<M: Stabilise> Task<M> {
             Self { residuals, scales, locks, follows: Vec::new(), free: Vec::new(), fixed: Vec::new() };
         task.follows = task.following(start)?;
         let unread = unread(&task.residuals, start, &task.scales);
-        let others = (0..Residuals::<M>::NX).filter(|i| !task.follows[*i]);
+        let others = (0..task.residuals.nx()).filter(|i| !task.follows[*i]);
         (task.fixed, task.free) = others.partition(|i| task.locks.x[*i] || unread[*i]);
         Some(task)
     }
@@ -49,7 +49,7 @@ impl<M: Stabilise> Task<M> {
 
     /// Directions that joints and locks leave, in columns: m and rad.
     fn ways(&self, by_q: &Rows<DMatrix<f64>>) -> Option<DMatrix<f64>> {
-        let size = Residuals::<M>::NQ;
+        let size = self.residuals.nq();
         let mut rows = scaled(&by_q.phi, |_| 1.0 / self.scales.length, |j| self.scales.q[j]);
         let locked: Vec<usize> = (0..size).filter(|k| self.locks.q[*k]).collect();
         let first = rows.nrows();
@@ -63,7 +63,7 @@ impl<M: Stabilise> Task<M> {
 
     /// Locked coordinates.
     pub(super) fn locked(&self) -> Vec<usize> {
-        (0..Residuals::<M>::NQ).filter(|k| self.locks.q[*k]).collect()
+        (0..self.residuals.nq()).filter(|k| self.locks.q[*k]).collect()
     }
 
     /// Closes the joints by the shortest way that leaves locks alone; false if they stay open.
@@ -167,7 +167,7 @@ struct Balance {
 impl Balance {
     /// Gives the point the multipliers that balance best: they, and the forces of locks, enter linearly.
     fn at<M: Stabilise>(task: &Task<M>, point: &mut Point) -> Option<Self> {
-        let (nq, nc, locked) = (Residuals::<M>::NQ, task.residuals.nc(), task.locked());
+        let (nq, nc, locked) = (task.residuals.nq(), task.residuals.nc(), task.locked());
         let by_lambda = task.residuals.by_lambda(point);
         let force = scaled(&by_lambda.force, |i| 1.0 / task.scales.force[i], |_| 1.0);
         let sizes = DVector::from_fn(nc, |j, _| match force.column(j).amax() {
@@ -175,7 +175,7 @@ impl Balance {
             largest => 1.0 / largest,
         });
         let mut carries = DMatrix::zeros(nq, nc + locked.len());
-        let mut rates = DMatrix::zeros(Residuals::<M>::NX, nc + locked.len());
+        let mut rates = DMatrix::zeros(task.residuals.nx(), nc + locked.len());
         for j in 0..nc {
             carries.set_column(j, &(force.column(j) * sizes[j]));
             rates.set_column(j, &(by_lambda.rate.column(j) * sizes[j]));

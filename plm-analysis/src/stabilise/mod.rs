@@ -73,7 +73,7 @@ where
 {
     let state = of.as_moment();
     let (mut mechanism, mut full) = (*state.mechanism(), <T::M as Statics>::full(state));
-    let coordinates = <T::M as Statics>::COORDINATES.len();
+    let coordinates = mechanism.coordinate_names().len();
     for velocity in coordinates..2 * coordinates {
         full.set(velocity, 0.0);
     }
@@ -86,7 +86,7 @@ fn search<M: Stabilise>(of: M, setting: Setting<M>) -> Result<Equilibrium<M>, Fa
     if M::CONTACTS > 0 {
         contact::at_rest(&mut of);
     }
-    let singular = Fault::new(setting.time, Cause::Singular { rows: Residuals::<M>::OWN });
+    let singular = Fault::new(setting.time, Cause::Singular { rows: of.row_names().len() });
     let (_, before) = Residuals::at_start(of, &setting, &[])?;
     let (mut mechanism, mut iterations, mut stopped, mut push) = (of, 0, None, PUSH);
     let mut released = Vec::new();
@@ -104,7 +104,7 @@ fn search<M: Stabilise>(of: M, setting: Setting<M>) -> Result<Equilibrium<M>, Fa
             mechanism = task.residuals.started_at(&point);
         }
         // Conditions are on the sides that the start had; where it ended they may be on others.
-        if steps > 0 && <M::G as Vector<f64>>::LEN > 0 {
+        if steps > 0 && mechanism.guard_count() > 0 {
             continue;
         }
         let found = Found { task: &task, evaluation: &evaluation, before: &before };

@@ -169,6 +169,11 @@ pub(super) struct Found<'a, M: Stabilise> {
 }
 
 impl<M: Stabilise> Found<'_, M> {
+    /// The mechanism, which has the names.
+    fn mechanism(&self) -> &M {
+        self.task.residuals.mechanism()
+    }
+
     pub(super) fn equilibrium(
         &self,
         (mechanism, setting): (M, Setting<M>),
@@ -194,7 +199,8 @@ impl<M: Stabilise> Found<'_, M> {
         };
         let rates = self.task.residuals.rows(&self.evaluation.point).phi_dot;
         let size = 1e-9 * self.task.scales.length.max(1.0);
-        let rows = M::ROWS.iter().zip(rates.iter()).filter(|(_, rate)| rate.abs() > size);
+        let rows =
+            self.mechanism().row_names().iter().zip(rates.iter()).filter(|(_, rate)| rate.abs() > size);
         let rows = rows.map(|(name, rate)| residual(name, -rate, "m/s or rad/s"));
         let locked = self.task.locks.motions.iter();
         rows.chain(locked.map(|(name, value)| residual(name, *value, "m/s or rad/s"))).collect()
@@ -205,7 +211,7 @@ impl<M: Stabilise> Found<'_, M> {
         let locked = self.task.locked();
         let forces = locked.iter().zip(self.evaluation.of_locks.iter());
         let forces = forces.filter(|(k, force)| force.abs() > BALANCED * self.task.scales.force[**k]);
-        let residual = |(k, force): (&usize, &f64)| Self::force(What::Lock, *k, *force);
+        let residual = |(k, force): (&usize, &f64)| self.force(What::Lock, *k, *force);
         forces.map(residual).collect()
     }
 
@@ -218,11 +224,11 @@ impl<M: Stabilise> Found<'_, M> {
         let moves = motion.component_div(&scales.q);
         let (k, _) = moves.iter().map(|moved| moved.abs()).enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
         let work = scaled.norm_squared();
-        (work.sqrt() > BALANCED).then(|| Self::force(What::Force, k, -work / motion[k]))
+        (work.sqrt() > BALANCED).then(|| self.force(What::Force, k, -work / motion[k]))
     }
 
-    fn force(what: What, k: usize, value: f64) -> Residual {
-        let name = M::COORDINATES.get(k).copied().unwrap_or_default();
+    fn force(&self, what: What, k: usize, value: f64) -> Residual {
+        let name = self.mechanism().coordinate_names().get(k).copied().unwrap_or_default();
         let unit = if k % 3 == 2 { "N*m" } else { "N" };
         Residual { name: name.into(), what, value, unit: unit.into() }
     }
@@ -232,7 +238,7 @@ impl<M: Stabilise> Found<'_, M> {
         let Evaluation { rate, rate_scale, .. } = self.evaluation;
         let moving = (0..rate.len()).filter(|i| rate[*i].abs() > BALANCED * rate_scale[*i]);
         let residual = |i: usize| {
-            let (name, unit) = M::STATES.get(i).copied().unwrap_or_default();
+            let (name, unit) = self.mechanism().state_names().get(i).copied().unwrap_or_default();
             let what = if self.task.locks.x[i] { What::LockedState } else { What::State };
             let unit = if unit == "no unit" { "1/s".into() } else { format!("{unit}/s") };
             Residual { name: name.into(), what, value: rate[i], unit }
@@ -244,8 +250,13 @@ impl<M: Stabilise> Found<'_, M> {
     fn free(&self) -> Vec<Freedom> {
         let directions = &self.evaluation.free;
         let projector = directions * directions.transpose();
-        let names: Vec<&'static str> =
-            M::COORDINATES.iter().copied().chain(M::STATES.iter().map(|(name, _)| *name)).collect();
+        let names: Vec<&'static str> = self
+            .mechanism()
+            .coordinate_names()
+            .iter()
+            .copied()
+            .chain(self.mechanism().state_names().iter().map(|(name, _)| *name))
+            .collect();
         groups(&projector)
             .into_iter()
             .map(|group| {
@@ -259,11 +270,11 @@ impl<M: Stabilise> Found<'_, M> {
 
     fn values(&self) -> Vec<Change> {
         let (point, before) = (&self.evaluation.point, self.before);
-        let coordinates = M::COORDINATES.iter().enumerate().map(|(k, name)| {
+        let coordinates = self.mechanism().coordinate_names().iter().enumerate().map(|(k, name)| {
             let unit = if k % 3 == 2 { "rad" } else { "m" };
             change(name, unit, (&point.q, &before.q), k)
         });
-        let states = M::STATES.iter().enumerate();
+        let states = self.mechanism().state_names().iter().enumerate();
         let states = states.map(|(i, (name, unit))| change(name, unit, (&point.x, &before.x), i));
         coordinates.chain(states).collect()
     }

@@ -68,10 +68,20 @@ pub(super) struct Holding {
 type Lifted<M> = <M as Linear>::Lifted<1>;
 
 impl<M: Stabilise> Residuals<M> {
-    pub(super) const NQ: usize = M::COORDINATES.len();
-    /// Constraint rows of the joints.
-    pub(super) const OWN: usize = M::ROWS.len();
-    pub(super) const NX: usize = M::STATES.len();
+    /// Number of coordinates.
+    pub(super) fn nq(&self) -> usize {
+        self.mechanism.coordinate_names().len()
+    }
+
+    /// Number of constraint rows of the joints.
+    pub(super) fn own(&self) -> usize {
+        self.mechanism.row_names().len()
+    }
+
+    /// Number of first-order states.
+    pub(super) fn nx(&self) -> usize {
+        self.mechanism.state_names().len()
+    }
 
     /// The assembled start. Gaps that are released do not hold.
     pub(super) fn at_start(
@@ -81,10 +91,11 @@ impl<M: Stabilise> Residuals<M> {
     ) -> Result<(Self, Point), Fault> {
         let start = setting.start(mechanism)?;
         let full = M::full(&start);
-        let q = DVector::from_fn(Self::NQ, |i, _| full.at(i));
-        let x = DVector::from_fn(Self::NX, |i, _| full.at(2 * Self::NQ + i));
         let mut residuals = Self { mechanism, time: setting.time, held: start.held(), holding: Vec::new() };
-        let mut point = Point { q, x, lambda: DVector::zeros(Self::OWN) };
+        let (nq, nx) = (residuals.nq(), residuals.nx());
+        let q = DVector::from_fn(nq, |i, _| full.at(i));
+        let x = DVector::from_fn(nx, |i, _| full.at(2 * nq + i));
+        let mut point = Point { q, x, lambda: DVector::zeros(residuals.own()) };
         residuals.holding = contact::holding(&residuals, &point, released);
         point.lambda = DVector::zeros(residuals.nc());
         Ok((residuals, point))
@@ -92,7 +103,7 @@ impl<M: Stabilise> Residuals<M> {
 
     /// Rows whose multipliers are unknown.
     pub(super) fn nc(&self) -> usize {
-        Self::OWN + self.holding.len()
+        self.own() + self.holding.len()
     }
 
     /// Discrete state.
@@ -102,7 +113,7 @@ impl<M: Stabilise> Residuals<M> {
 
     /// Displacements of all rows of contact at a point, and how much each can give to either side.
     pub(super) fn of_contact(&self, point: &Point) -> (Vec<f64>, Vec<[f64; 2]>) {
-        let mut gaps = self.values(point, |_| 0.0).split_off(Self::NQ + 2 * Self::OWN + Self::NX);
+        let mut gaps = self.values(point, |_| 0.0).split_off(self.nq() + 2 * self.own() + self.nx());
         let limits = gaps.split_off(<M as Events>::CONTACTS);
         (gaps, limits.as_chunks().0.to_vec())
     }
@@ -113,7 +124,7 @@ impl<M: Stabilise> Residuals<M> {
 
     /// The mechanism with its start at a point.
     pub(super) fn started_at(&self, point: &Point) -> M {
-        let full: M::Full = Vector::from_fn(|i| Self::entry(point, i, |_| 0.0));
+        let full: M::Full = Vector::from_fn(|i| self.entry(point, i, |_| 0.0));
         let mut mechanism = self.mechanism;
         *mechanism.starts_mut() = mechanism.starts_at(&full);
         mechanism
@@ -127,24 +138,24 @@ impl<M: Stabilise> Residuals<M> {
     /// The residuals with velocities.
     pub(super) fn moving(&self, point: &Point, v: impl Fn(usize) -> f64) -> Rows<DVector<f64>> {
         let all = DVector::from_vec(self.values(point, v));
-        let mut rows = Self::split(|from, count| all.rows(from, count).into_owned());
-        let own = Self::NQ + 2 * Self::OWN + Self::NX;
+        let mut rows = self.split(|from, count| all.rows(from, count).into_owned());
+        let own = self.nq() + 2 * self.own() + self.nx();
         rows.phi = rows.phi.resize_vertically(self.nc(), 0.0);
         rows.phi_dot = rows.phi_dot.resize_vertically(self.nc(), 0.0);
         for (k, Holding { row, place }) in self.holding.iter().enumerate() {
-            rows.phi[Self::OWN + k] = entry(&all, own + row) - place;
+            rows.phi[self.own() + k] = entry(&all, own + row) - place;
         }
         rows
     }
 
     /// Residuals at a point, then displacements and limits of the rows of contact.
     fn values(&self, point: &Point, v: impl Fn(usize) -> f64) -> Vec<f64> {
-        let full = Vector::from_fn(|i| Self::entry(point, i, &v));
+        let full = Vector::from_fn(|i| self.entry(point, i, &v));
         let lambda = Vector::from_fn(|i| entry(&point.lambda, i));
         let mut held = self.held;
         for (k, of) in self.holding.iter().enumerate() {
             if let Some(own) = M::multipliers(&mut held).get_mut(of.row) {
-                *own = entry(&point.lambda, Self::OWN + k);
+                *own = entry(&point.lambda, self.own() + k);
             }
         }
         let mut values = Vec::new();
@@ -154,12 +165,12 @@ impl<M: Stabilise> Residuals<M> {
 
     /// Derivatives by the coordinates.
     pub(super) fn by_q(&self, point: &Point) -> Rows<DMatrix<f64>> {
-        self.derivatives(point, Self::NQ, |k| (Some(k), None))
+        self.derivatives(point, self.nq(), |k| (Some(k), None))
     }
 
     /// Derivatives by the first-order states.
     pub(super) fn by_x(&self, point: &Point) -> Rows<DMatrix<f64>> {
-        self.derivatives(point, Self::NX, |k| (Some(2 * Self::NQ + k), None))
+        self.derivatives(point, self.nx(), |k| (Some(2 * self.nq() + k), None))
     }
 
     /// Derivatives by the multipliers.
@@ -178,16 +189,16 @@ impl<M: Stabilise> Residuals<M> {
         let (lifted, held) = self.mechanism.lift::<1>(&self.held);
         let dual = |value: f64, moves: bool| Number { value, tangents: [if moves { 1.0 } else { 0.0 }] };
         let contacts = 3 * <M as Events>::CONTACTS;
-        let mut all = DMatrix::zeros(Self::NQ + 2 * Self::OWN + Self::NX + contacts, count);
+        let mut all = DMatrix::zeros(self.nq() + 2 * self.own() + self.nx() + contacts, count);
         for k in 0..count {
             let (state, row) = variable(k);
             let mut held = held;
             for (k, of) in self.holding.iter().enumerate() {
                 if let Some(own) = <Lifted<M> as Statics>::multipliers(&mut held).get_mut(of.row) {
-                    *own = dual(entry(&point.lambda, Self::OWN + k), row == Some(Self::OWN + k));
+                    *own = dual(entry(&point.lambda, self.own() + k), row == Some(self.own() + k));
                 }
             }
-            let full = Vector::from_fn(|i| dual(Self::entry(point, i, |_| 0.0), state == Some(i)));
+            let full = Vector::from_fn(|i| dual(self.entry(point, i, |_| 0.0), state == Some(i)));
             let lambda = Vector::from_fn(|i| dual(entry(&point.lambda, i), row == Some(i)));
             let mut i = 0;
             <Lifted<M> as Statics>::equations(
@@ -204,18 +215,18 @@ impl<M: Stabilise> Residuals<M> {
                 },
             );
         }
-        let mut rows = Self::split(|from, count| all.rows(from, count).into_owned());
-        let own = Self::NQ + 2 * Self::OWN + Self::NX;
+        let mut rows = self.split(|from, count| all.rows(from, count).into_owned());
+        let own = self.nq() + 2 * self.own() + self.nx();
         rows.phi = rows.phi.resize_vertically(self.nc(), 0.0);
         rows.phi_dot = rows.phi_dot.resize_vertically(self.nc(), 0.0);
         for (k, of) in self.holding.iter().enumerate() {
-            rows.phi.row_mut(Self::OWN + k).copy_from(&all.row(own + of.row));
+            rows.phi.row_mut(self.own() + k).copy_from(&all.row(own + of.row));
         }
         rows
     }
 
-    fn split<T>(part: impl Fn(usize, usize) -> T) -> Rows<T> {
-        let (nq, nc, nx) = (Self::NQ, Self::OWN, Self::NX);
+    fn split<T>(&self, part: impl Fn(usize, usize) -> T) -> Rows<T> {
+        let (nq, nc, nx) = (self.nq(), self.own(), self.nx());
         Rows {
             force: part(0, nq),
             phi: part(nq, nc),
@@ -225,8 +236,8 @@ impl<M: Stabilise> Residuals<M> {
     }
 
     /// Entry of a state in absolute coordinates.
-    fn entry(point: &Point, i: usize, v: impl Fn(usize) -> f64) -> f64 {
-        let nq = Self::NQ;
+    fn entry(&self, point: &Point, i: usize, v: impl Fn(usize) -> f64) -> f64 {
+        let nq = self.nq();
         match i {
             _ if i < nq => entry(&point.q, i),
             _ if i < 2 * nq => v(i - nq),

@@ -1,7 +1,7 @@
 //! One of each unknown and of each residual: a millimetre, a milliradian, a bar, a typical force.
 
 use nalgebra::DVector;
-use plm_runtime::{Start, StartValues, Statics};
+use plm_runtime::{Start, StartValues};
 
 use super::Stabilise;
 use super::residuals::{Point, Residuals};
@@ -32,10 +32,11 @@ impl Scales {
         };
         let typical = (0..force.len()).map(acts).fold(0.0, f64::max);
         let typical = if typical > 0.0 { typical } else { 1.0 };
-        let state = |i: usize| M::STATES.get(i).map_or(1.0, |(_, unit)| size_of(unit, typical, length));
+        let names = residuals.mechanism().state_names();
+        let state = |i: usize| names.get(i).map_or(1.0, |(_, unit)| size_of(unit, typical, length));
         Self {
             q: DVector::from_element(force.len(), 1e-3),
-            x: DVector::from_fn(M::STATES.len(), |i, _| state(i)),
+            x: DVector::from_fn(names.len(), |i, _| state(i)),
             force: DVector::from_fn(force.len(), |k, _| typical * lever(k)),
             length,
         }
@@ -69,7 +70,7 @@ impl Locks {
     pub(super) fn of<M: Stabilise>(mut mechanism: M) -> Self {
         let mut starts: Vec<(&'static str, Start<f64>)> = Vec::new();
         mechanism.starts_mut().each(&mut |name, start| starts.push((name, *start)));
-        let (bodies, x) = starts.split_at(2 * <M as Statics>::COORDINATES.len());
+        let (bodies, x) = starts.split_at(2 * mechanism.coordinate_names().len());
         let (mut q, mut motions) = (Vec::new(), Vec::new());
         for body in bodies.chunks(6) {
             let (position, velocity) = body.split_at(3);

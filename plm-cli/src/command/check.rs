@@ -32,7 +32,7 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
 fn check(file: &File, is_json: bool, streams: &mut Streams) -> Result<Outcome, Failure> {
     let declarations = Declarations::new(&file.name, &file.text);
     let mut outcome = Outcome::Good;
-    for declaration in declarations.compiled() {
+    for declaration in declarations.checked() {
         let Checked { sources, expansion } = match declaration {
             Ok(declaration) => declaration,
             Err(bug) => {

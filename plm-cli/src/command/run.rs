@@ -3,10 +3,12 @@
 use std::fs;
 use std::io::{BufWriter, Write};
 use std::ops::ControlFlow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use plm_compiler::bug_message;
 use plm_dynamic::{Error, Integrator, Mechanism, Refused, Run, Sample};
+
+mod recording;
 
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
@@ -21,11 +23,13 @@ pub(super) const COMMAND: Command = Command {
     title: "runs a declaration, and writes its outputs over time",
     options: &[
         ("--until SECONDS", "when the run ends"),
-        ("--every SECONDS", "between samples; without it 20 in a table, 1000 in CSV"),
+        ("--every SECONDS", "between samples; without it 20 in a table, 1000 in files"),
         ("--set NAME=VALUE", "a parameter, in SI or with a unit (`--set length=20cm`); as often as wanted"),
         ("--input NAME=VALUE", "an input over the run, in SI or with a unit; as often as wanted"),
         ("--method NAME[:NUMBER]", "the method with its tolerance or its longest step (Dop853:1e-9)"),
         ("--csv FILE", "writes all that compiled programs write as CSV; `-` is the standard output"),
+        ("--view FILE", "writes a page that moves (HTML), as compiled programs do"),
+        ("--out FILE", "writes a results file (.npz), as compiled programs do"),
     ],
     run,
 };
@@ -43,23 +47,28 @@ struct Asked {
     input: Vec<String>,
     method: Integrator,
     csv: Option<String>,
+    view: Option<PathBuf>,
+    out: Option<PathBuf>,
 }
 
 impl Asked {
     fn new(words: &mut Words) -> Result<Asked, Failure> {
         let csv = words.value("--csv");
+        let [view, out] = ["--view", "--out"].map(|option| words.value(option).map(PathBuf::from));
+        let has_files = csv.is_some() || view.is_some() || out.is_some();
         let until = time("--until", words.value("--until"))?;
         let until = until.ok_or("a run needs its end: `--until SECONDS`")?;
         let every = time("--every", words.value("--every"))?;
-        let every = every.unwrap_or(until / SAMPLES[usize::from(csv.is_some())]);
-        if csv.is_none() && until / every > MOST_ROWS {
+        let every = every.unwrap_or(until / SAMPLES[usize::from(has_files)]);
+        if !has_files && until / every > MOST_ROWS {
             return Err(format!(
                 "--every {every} makes a table of more than {MOST_ROWS} rows: with `--csv FILE`"
             )
             .into());
         }
         let method = words.value("--method").map(|text| text.parse()).transpose()?.unwrap_or_default();
-        Ok(Asked { until, every, set: words.values("--set"), input: words.values("--input"), method, csv })
+        let (set, input) = (words.values("--set"), words.values("--input"));
+        Ok(Asked { until, every, set, input, method, csv, view, out })
     }
 }
 
@@ -82,18 +91,26 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
         Ok(run) => run,
         Err(error) => return refused(error, streams),
     };
-    let outcome = match asked.csv.as_deref() {
-        None => as_table(&asked, &mut run, streams.output)?,
-        Some("-") => as_csv(&asked, &mut run, streams.output)?,
-        Some(name) => {
-            let unwritten = |why: std::io::Error| format!("{name}: {why}");
-            if let Some(folder) = Path::new(name).parent() {
-                fs::create_dir_all(folder).map_err(unwritten)?;
-            }
-            as_csv(&asked, &mut run, &mut fs::File::create(name).map_err(unwritten)?)?
-        }
+    let outcome = if asked.view.is_some() || asked.out.is_some() {
+        recording::write(&asked, &mut run, streams.output)?
+    } else if let Some(name) = &asked.csv {
+        as_csv(&asked, &mut run, &mut *csv_to(name, streams.output)?)?
+    } else {
+        as_table(&asked, &mut run, streams.output)?
     };
     outcome.map_or_else(|error| refused(error.into(), streams), |()| Ok(Outcome::Good))
+}
+
+/// The file of this name, with the folders above it; `-` is the standard output.
+fn csv_to<'a>(name: &str, output: &'a mut dyn Write) -> Result<Box<dyn Write + 'a>, Failure> {
+    if name == "-" {
+        return Ok(Box::new(output));
+    }
+    let unwritten = |why: std::io::Error| format!("{name}: {why}");
+    if let Some(folder) = Path::new(name).parent() {
+        fs::create_dir_all(folder).map_err(unwritten)?;
+    }
+    Ok(Box::new(fs::File::create(name).map_err(unwritten)?))
 }
 
 /// A run with the values that are asked for.

@@ -37,32 +37,37 @@ fn registration() -> Request {
 
 fn go_on(connection: &Connection, server: &mut Server) -> Result<(), Box<dyn Error + Send + Sync>> {
     loop {
-        let message = match connection.receiver.try_recv() {
-            Ok(message) => message,
-            Err(_) => {
-                if let Some(shown) = server.check() {
-                    connection.sender.send(shown.into())?;
-                    continue;
-                }
-                match connection.receiver.recv() {
-                    Ok(message) => message,
-                    Err(_) => return Ok(()),
-                }
-            }
-        };
-        match message {
-            Message::Request(request) => {
-                if connection.handle_shutdown(&request)? {
-                    return Ok(());
-                }
-                connection.sender.send(server.answer(request).into())?;
-            }
-            Message::Notification(notification) => {
-                if let Some(shown) = server.note(&notification) {
-                    connection.sender.send(shown.into())?;
-                }
-            }
-            Message::Response(_) => {}
+        while connection.receiver.is_empty()
+            && let Some(shown) = server.check()
+        {
+            connection.sender.send(shown.into())?;
+        }
+        let Ok(message) = connection.receiver.recv() else { return Ok(()) };
+        if take(connection, server, message)? {
+            return Ok(());
         }
     }
+}
+
+/// Answers a message; whether it was the last.
+fn take(
+    connection: &Connection,
+    server: &mut Server,
+    message: Message,
+) -> Result<bool, Box<dyn Error + Send + Sync>> {
+    match message {
+        Message::Request(request) => {
+            if connection.handle_shutdown(&request)? {
+                return Ok(true);
+            }
+            connection.sender.send(server.answer(request).into())?;
+        }
+        Message::Notification(notification) => {
+            if let Some(shown) = server.note(&notification) {
+                connection.sender.send(shown.into())?;
+            }
+        }
+        Message::Response(_) => {}
+    }
+    Ok(false)
 }

@@ -12,7 +12,7 @@ mod four_bar;
 
 use std::fs;
 
-use plm::view::Recorder;
+use plm::view::{Options, Recorder};
 use plm::{Described, Dop853, Method, Sim};
 
 use super::{Said, folder, plm, plm_in, root};
@@ -61,6 +61,32 @@ fn csv_is_that_of_compiled_programs() {
     let switched = of_compiled(bouncer::Bouncer::new().start_with(Dop853::new(1e-9)).unwrap());
     assert_eq!(of_text("bouncer.plm", &[]), switched);
     assert!(switched.lines().count() > 22, "{switched}");
+}
+
+/// Page, results file and CSV of one run, with what switches.
+#[test]
+fn files_are_those_of_compiled_programs() {
+    let [own, compiled] = [folder(), folder()];
+    let path = root().join("tests/snapshots/bouncer.plm");
+    let files = ["--view", "out/a.html", "--out", "a.npz", "--csv", "a.csv"];
+    let words = [&["run", path.to_str().unwrap(), "--until", "1", "--every", "0.05"][..], &files].concat();
+    let said = plm_in(&own, &words, b"");
+    assert_eq!((said.code, said.output.as_str(), said.errors.as_str()), (0, "", ""));
+
+    let mut sim = bouncer::Bouncer::new().start_with(Dop853::new(1e-9)).unwrap();
+    let mut recorder = Recorder::observing_all(&sim);
+    recorder.run(&mut sim, 1.0, 0.05).unwrap();
+    let words = files.map(|word| match word.strip_prefix("--") {
+        Some(_) => word.to_owned(),
+        None => compiled.join(word).display().to_string(),
+    });
+    let options = Options::parse(words).unwrap();
+    let written = plm::view::write::<bouncer::Bouncer<f64>>(&options, recorder.recording()).unwrap();
+    assert_eq!(written.len(), 3);
+    for file in ["out/a.html", "a.npz", "a.csv"] {
+        let [own, compiled] = [&own, &compiled].map(|folder| fs::read(folder.join(file)).unwrap());
+        assert!(own == compiled && own.len() > 200, "{file}");
+    }
 }
 
 /// A small swing in a table against its closed form; poses, because no output is declared.

@@ -41,7 +41,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     }
 
     /// Times at which conditions change, s, and the slopes of what they compare.
-    fn instants(&self, u: &Held<S, NQ>) -> (Vec<S>, Vec<S>) {
+    pub(super) fn instants(&self, u: &Held<S, NQ>) -> (Vec<S>, Vec<S>) {
         let switches = &self.model.lowered.switches;
         let count = switches.all.len() - switches.guards;
         let (mut at, mut slope) = (vec![S::ZERO; count], vec![S::ZERO; count]);

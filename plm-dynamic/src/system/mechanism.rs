@@ -72,6 +72,11 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
         }
     }
 
+    /// By count, places of its angles in the pose of all bodies.
+    pub(crate) fn turning(&self) -> [&'static [usize]; NQ] {
+        core::array::from_fn(|k| self.model.turns_in_pose.get(k).copied().unwrap_or_default())
+    }
+
     /// The inputs as declared.
     pub(crate) fn declared_input(&self) -> [S; INPUTS] {
         let values = self.values(S::ZERO, &self.model.start.inputs, self.model.lowered.inputs.len());

@@ -2,10 +2,12 @@
 
 mod absolute;
 mod charted;
+mod described;
 mod events;
 mod mechanism;
 mod motion;
 mod singular;
 mod state;
+mod statics;
 
 pub use self::state::State;

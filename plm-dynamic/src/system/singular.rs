@@ -117,7 +117,14 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Linear for Dynam
 
     fn constraints(&self, t: S, x: &[S; N], row: &mut impl FnMut(S)) {
         if self.is_absolute() {
-            absolute::residuals::<S, Self, NQ, NC, N>(self, t, x, row);
+            let (rows, mut index) = (self.model.lowered.rows.len(), 0);
+            absolute::residuals::<S, Self, NQ, NC, N>(self, t, x, &mut |residual| {
+                // Behind the last row there is room.
+                if index % NC < rows {
+                    row(residual);
+                }
+                index += 1;
+            });
         }
     }
 }

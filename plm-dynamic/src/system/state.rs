@@ -65,23 +65,46 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> State<S, NQ, NC,
         }
     }
 
+    /// Pose and velocity of every body, with whole turns.
+    pub(crate) fn unwrapped_pose(&self) -> ([S; NQ], [S; NQ]) {
+        let (mut q, v) = self.pose();
+        turns::add(&self.held.turns, &mut q, &self.mechanism.turning());
+        (q, v)
+    }
+
     /// Pose and velocity of the centre of gravity of a body by its number; none behind the last one.
     pub fn body(&self, number: usize) -> Option<BodyState<S>> {
-        let (mut q, v) = self.pose();
-        let places: [&[usize]; NQ] =
-            core::array::from_fn(|k| self.mechanism.model.turns_in_pose.get(k).copied().unwrap_or_default());
-        turns::add(&self.held.turns, &mut q, &places);
+        let (q, v) = self.unwrapped_pose();
         (number < self.mechanism.model.lowered.bodies.len()).then(|| BodyState::among(&q, &v, number))?
     }
 
     /// A number of the outputs, declared and observed, by its number, SI.
     pub fn output(&self, number: usize) -> Option<S> {
+        self.output_of(number, &self.pose(), &mut None)
+    }
+
+    /// Gives `each` the declared outputs in their units.
+    pub(crate) fn declared(&self, each: &mut impl FnMut(S)) {
+        let (pose, mut solution) = (self.pose(), None);
+        let outputs = self.mechanism.model.lowered.outputs.iter().enumerate();
+        for (k, output) in outputs.filter(|(_, output)| output.declared) {
+            let value = self.output_of(k, &pose, &mut solution).unwrap_or(S::lit(f64::NAN));
+            each(value / S::lit(output.factor));
+        }
+    }
+
+    /// An output by its number, with the pose, and with the solution as far as one has asked for it.
+    fn output_of(
+        &self,
+        number: usize,
+        (q, v): &([S; NQ], [S; NQ]),
+        solution: &mut Option<([S; NQ], [S; NC])>,
+    ) -> Option<S> {
         let model = self.mechanism.model;
         let code = model.outputs.get(number)?;
-        let solution = model.lowered.outputs.get(number)?.solves.then(|| self.solved());
-        let (q, v) = self.pose();
-        let mut frame = Frame { held: Some(&self.held), x: &self.x, ..Frame::of_pose(self.time, &q, &v) };
-        if let Some((a, lambda)) = &solution {
+        let mut frame = Frame { held: Some(&self.held), x: &self.x, ..Frame::of_pose(self.time, q, v) };
+        if model.lowered.outputs.get(number)?.solves {
+            let (a, lambda) = solution.get_or_insert_with(|| self.solved());
             (frame.a, frame.lambda) = (a, lambda);
         }
         Some(self.mechanism.run(code, &frame, []))

@@ -1,7 +1,8 @@
 //! Compilation: all passes, in order.
 //!
 //! The model gives equations, the equations a program in absolute coordinates. That program assembles the start in numbers. Joint
-//! coordinates follow where the mechanism allows them, then the report and the text. A check follows each pass.
+//! coordinates follow where the mechanism allows them, then the report and the text. A check follows each pass. Who runs a mechanism by
+//! its tables, or asks what is wrong with it, leaves out the text.
 
 use crate::collect::CollectVec;
 use std::cell::RefCell;
@@ -9,7 +10,7 @@ use std::cell::RefCell;
 use plm_cas::{Expr, Graph, algebra};
 
 use crate::check;
-use crate::derive::{Massless, count_turns, derive, hold_switches, with_turns};
+use crate::derive::{Equations, Massless, count_turns, derive, hold_switches, with_turns};
 use crate::diag::Diagnostics;
 use crate::emit::{self, Code, Place};
 use crate::fallback;
@@ -25,7 +26,7 @@ use crate::token::Sources;
 #[derive(Debug, Default)]
 pub struct Expansion {
     /// Rust source: the mechanism, or after errors one with its names so that nothing cascades; `None` if not even its
-    /// own name was found.
+    /// own name was found, or none was asked for.
     pub code: Option<Code>,
     /// Everything that is wrong.
     pub diagnostics: Diagnostics,
@@ -39,6 +40,19 @@ pub struct Expansion {
 ///
 /// Mistakes never end the compilation early with nothing: they are all in [`Expansion::diagnostics`].
 pub fn compile(sources: &mut Sources) -> Expansion {
+    expanded(sources, Some(emit::emit))
+}
+
+/// As [`compile`], without code: diagnostics, report and the mechanism for the interpreter.
+pub fn analyse(sources: &mut Sources) -> Expansion {
+    expanded(sources, None)
+}
+
+/// Writes the text of a mechanism.
+type Emit = for<'a> fn(&'a Model, &'a Equations, &'a Program, &'a Report, Place<'a>) -> Code;
+
+/// Runs the passes, the last of them where there is one.
+fn expanded(sources: &mut Sources, emit: Option<Emit>) -> Expansion {
     let mut sink = Diagnostics::new();
     let reading = front::read(sources, &mut sink);
     let place = |span| sources.place_in_rust(span);
@@ -46,13 +60,13 @@ pub fn compile(sources: &mut Sources) -> Expansion {
     let expansion = model.and_then(|model| {
         check::check_names(&model, &mut sink);
         let (model, observed) = split_observed(&reading, model);
-        back_end(model, observed, &place, &mut sink)
+        back_end(model, observed, (emit, &place), &mut sink)
     });
     let mut expansion = expansion.unwrap_or_default();
     if sink.has_errors() {
         sink.drop_hints();
         // A mechanism that is complete but for its start is emitted as it is; else one with its names has to do.
-        let code = expansion.code.or_else(|| placeholder_code(&reading, &place));
+        let code = expansion.code.or_else(|| placeholder_code(&reading, (emit?, &place)));
         expansion = Expansion { code, ..Expansion::default() };
     }
     sink.count_unshown();
@@ -64,7 +78,7 @@ pub fn compile(sources: &mut Sources) -> Expansion {
 /// none; `None` if it has no name itself.
 pub fn names_only(sources: &mut Sources) -> Option<Code> {
     let reading = front::read(sources, &mut Diagnostics::new());
-    placeholder_code(&reading, &|span| sources.place_in_rust(span))
+    placeholder_code(&reading, (emit::emit, &|span| sources.place_in_rust(span)))
 }
 
 /// Observed outputs, and their graph.
@@ -80,10 +94,15 @@ fn split_observed(reading: &Reading, model: Model) -> (Model, Observed) {
     (unobserved, Some((observed, model.graph)))
 }
 
-/// From the model to source text, in the model's graph, which the oracle keeps.
-fn back_end(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnostics) -> Option<Expansion> {
+/// From the model on, in the model's graph, which the oracle keeps.
+fn back_end(
+    mut model: Model,
+    observed: Observed,
+    text: (Option<Emit>, Place),
+    sink: &mut Diagnostics,
+) -> Option<Expansion> {
     let mut graph = std::mem::take(&mut model.graph);
-    let mut expansion = graph.enter(|| passes(model, observed, place, sink))?;
+    let mut expansion = graph.enter(|| passes(model, observed, text, sink))?;
     if let Some(oracle) = &mut expansion.oracle {
         oracle.graph = RefCell::new(graph);
     }
@@ -91,7 +110,12 @@ fn back_end(mut model: Model, observed: Observed, place: Place, sink: &mut Diagn
 }
 
 /// The passes behind the model; nothing where there are errors that leave nothing to go on with.
-fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnostics) -> Option<Expansion> {
+fn passes(
+    mut model: Model,
+    observed: Observed,
+    (emit, place): (Option<Emit>, Place),
+    sink: &mut Diagnostics,
+) -> Option<Expansion> {
     check::check_connectivity(&model, sink);
     require_no_errors(sink)?;
 
@@ -129,9 +153,9 @@ fn passes(mut model: Model, observed: Observed, place: Place, sink: &mut Diagnos
     let mut report = Report::new(&scene, &program);
     report.add_start(&scene, &start, program.reduced());
 
-    let code = emit::emit(&model, &equations, &program, &report, place);
+    let code = emit.map(|emit| emit(&model, &equations, &program, &report, place));
     let oracle = Oracle { graph: RefCell::default(), model, equations, program };
-    Some(Expansion { code: Some(code), report: Some(report), oracle: Some(oracle), ..Expansion::default() })
+    Some(Expansion { code, report: Some(report), oracle: Some(oracle), ..Expansion::default() })
 }
 
 /// The bodies without mass, and what depends on their masses.
@@ -160,7 +184,7 @@ fn import(mut outputs: Vec<Output>, from: &Graph, (held, revolutions): (&Pairs, 
 }
 
 /// The source of a placeholder for a model with errors; nothing about it is checked, and its start is not assembled.
-fn placeholder_code(reading: &Reading, place: Place) -> Option<Code> {
+fn placeholder_code(reading: &Reading, (emit, place): (Emit, Place)) -> Option<Code> {
     let unchecked = || {
         let model = fallback::model(reading)?;
         let equations = derive(&model);
@@ -168,7 +192,7 @@ fn placeholder_code(reading: &Reading, place: Place) -> Option<Code> {
         let reduced = reduce(&Scene::declared(&model, &equations, &absolute), None);
         let program = Program::new(&model, &equations, absolute, reduced);
         let report = Report::new(&Scene::declared(&model, &equations, &program.absolute), &program);
-        Some(emit::emit(&model, &equations, &program, &report, place))
+        Some(emit(&model, &equations, &program, &report, place))
     };
     Graph::new().enter(unchecked)
 }

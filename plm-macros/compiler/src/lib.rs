@@ -37,11 +37,13 @@ pub mod units;
 pub mod words;
 
 pub use bug::{bug_message, without_panic};
-pub use compile::{Expansion, compile, names_only};
+pub use compile::{Expansion, analyse, compile, names_only};
 pub use emit::Code;
 pub use facts::limits::{Least, Limit};
+pub use facts::quantities::{Quantities, Quantity};
 pub use oracle::{InChart, Oracle};
 pub use picture::{Picture, PictureBody, PicturePart, PicturePort, PictureShape};
+pub use reads::{Motion, Reads};
 pub use report::Report;
 pub use source::{OfScalar, Source};
 #[cfg(feature = "lowered")]

@@ -7,20 +7,26 @@ use plm_cas::{Expr, algebra};
 use crate::model::Model;
 
 /// Reads of a quantity, beside parameters.
-pub(crate) struct Reads {
-    pub(crate) motion: Motion,
-    pub(crate) time: bool,
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reads {
+    /// Quantities of bodies.
+    pub motion: Motion,
+    /// Is the time read, by itself or by a motion that is prescribed?
+    pub time: bool,
     /// First-order states, by number.
-    pub(crate) states: Vec<usize>,
+    pub states: Vec<usize>,
     /// Inputs, by number.
-    pub(crate) inputs: Vec<usize>,
+    pub inputs: Vec<usize>,
 }
 
 /// Quantities of bodies that are read; called as in the runtime.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Motion {
+pub enum Motion {
+    /// None.
     Nothing,
+    /// Poses, which all coordinates may give.
     Poses,
+    /// Velocities, which all coordinates and their rates may give.
     Velocities,
 }
 

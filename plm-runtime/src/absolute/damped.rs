@@ -86,7 +86,7 @@ impl<S: Real, const NQ: usize, const NC: usize> Measure<S, NQ, NC> {
         let (_, mut left) = self.products(m, at, &d, f);
         let (mut p, mut square) = (left, dot(&left, &left));
         let least = S::lit(SOLVED) * square;
-        for _ in 0..2 * NQ {
+        for _ in 0..2 * m.layout().coordinates.len() {
             let is_left = square > least;
             if !is_left {
                 break;

@@ -112,7 +112,7 @@ fn from_places<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize
     for all in [true, false] {
         let held = |k: usize| k % 3 == 2 && (all || given.get(k) == Some(&true));
         let free = Vector::from_fn(|k| if held(k) { S::ZERO } else { free.at(k) });
-        if all || (2..NQ).step_by(3).any(|k| !held(k)) {
+        if all || (2..m.layout().coordinates.len()).step_by(3).any(|k| !held(k)) {
             Measure::new(m, &free).descend(m, t, &mut q, PLACING);
         }
     }

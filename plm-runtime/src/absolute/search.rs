@@ -46,7 +46,11 @@ pub(super) fn search<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     let (mut best, mut least) = (None::<(usize, S, Pose<S, NQ, NC>)>, (S::INFINITY, start));
     let (mut starts, mut closed, mut steps) = (0, 0, 0);
     while starts <= STARTS {
-        let mut q = if starts == 0 { start } else { others.next(&start, free, m.length()) };
+        let mut q = if starts == 0 {
+            start
+        } else {
+            others.next(&start, free, (m.layout().coordinates.len(), m.length()))
+        };
         starts += 1;
         if measure.work < MOST_WORK {
             measure.descend(m, t, &mut q, STEPS);
@@ -188,14 +192,22 @@ impl<S: Real> Others<S> {
         S::lit(2.0) * unit - S::lit(1.0)
     }
 
-    /// The next start.
-    fn next<const NQ: usize>(&mut self, start: &[S; NQ], free: &[S; NQ], length: S) -> [S; NQ] {
+    /// The next start, of so many coordinates; behind them there is room, which stays as it is.
+    fn next<const NQ: usize>(
+        &mut self,
+        start: &[S; NQ],
+        free: &[S; NQ],
+        (own, length): (usize, S),
+    ) -> [S; NQ] {
         let all = self.share >= S::lit(1.0);
         self.share = if all { S::lit(0.125) } else { self.share + S::lit(0.125) };
         self.with_places = !self.with_places;
         let angle = self.share * S::lit(core::f64::consts::PI);
         let place = if self.with_places { self.share * length } else { S::ZERO };
         Vector::from_fn(|k| {
+            if k >= own {
+                return start.at(k);
+            }
             let reach = free.at(k) * if k % 3 == 2 { angle } else { place };
             reach.mul_add(self.unit(), start.at(k))
         })

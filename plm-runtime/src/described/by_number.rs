@@ -10,10 +10,10 @@ use crate::start::follow_where;
 use crate::statics::Statics;
 
 /// What each observed quantity is shown in: the declared output of its name in its unit, or SI where there is none.
-pub fn shown<M: Described>() -> impl Iterator<Item = Option<(usize, &'static Quantity)>> {
+pub fn shown<M: Described>(of: &M) -> impl Iterator<Item = Option<(usize, &'static Quantity)>> + use<M> {
     // Both lists are in the order of the declaration.
-    let mut declared = M::TABLES.outputs.iter().enumerate().peekable();
-    M::OBSERVED.iter().map(move |(name, _)| declared.next_if(|(_, output)| output.name == *name))
+    let mut declared = of.tables().outputs.iter().enumerate().peekable();
+    of.observables().iter().map(move |(name, _)| declared.next_if(|(_, output)| output.name == *name))
 }
 
 /// Gives `each` the numbers of a moment: the time (s); x, y, angle, vx, vy, omega of each body; x, y, angle of each port of the
@@ -21,11 +21,11 @@ pub fn shown<M: Described>() -> impl Iterator<Item = Option<(usize, &'static Qua
 pub fn moment<M: Described<S = f64>>(state: &M::State, each: &mut impl FnMut(f64)) {
     each(state.time());
     M::poses(state, &mut |pose| pose.components().into_iter().for_each(&mut *each));
-    for port in 0..M::TABLES.ground.len() {
+    for port in 0..state.mechanism().tables().ground.len() {
         let place = Place::components(state.mechanism().ground(state.time(), port));
         place.into_iter().for_each(&mut *each);
     }
-    for (k, output) in shown::<M>().enumerate() {
+    for (k, output) in shown(state.mechanism()).enumerate() {
         let value = M::observed(state, k).unwrap_or(f64::NAN);
         // As the output itself is made, to the bit.
         each(output.map_or(value, |(_, output)| value / output.factor));
@@ -37,24 +37,24 @@ pub fn moment<M: Described<S = f64>>(state: &M::State, each: &mut impl FnMut(f64
 /// [`SizeNames`], 0 where none was given; of each shape of a part, then of each hole of a body, the number of its points, and these.
 pub fn shape<M: Described<S = f64>>(of: &M, each: &mut impl FnMut(f64)) {
     let number = |number: Option<f64>| number.unwrap_or(f64::NAN);
-    for (k, body) in M::TABLES.bodies.iter().enumerate() {
+    for (k, body) in of.tables().bodies.iter().enumerate() {
         [of.mass(k), of.inertia(k), of.depth(k)].map(number).into_iter().for_each(&mut *each);
         for port in 0..body.ports.len() {
             Place::components(of.port(k, port)).into_iter().for_each(&mut *each);
         }
         points(body.contour, |point| of.contour(k, point), each);
     }
-    for k in 0..M::TABLES.ground.len() {
+    for k in 0..of.tables().ground.len() {
         Place::components(of.ground(0.0, k)).into_iter().for_each(&mut *each);
         each(number(of.ground_depth(k)));
     }
-    for (k, part) in M::TABLES.parts.iter().enumerate() {
+    for (k, part) in of.tables().parts.iter().enumerate() {
         (0..part.sizes.len()).map(|size| number(of.size(k, size))).for_each(&mut *each);
     }
-    for (k, shape) in M::SHAPES.iter().enumerate() {
+    for (k, shape) in of.shapes().iter().enumerate() {
         points(shape.points, |point| of.shape_point(k, point), each);
     }
-    for (k, hole) in M::HOLES.iter().enumerate() {
+    for (k, hole) in of.holes().iter().enumerate() {
         points(hole.points, |point| of.hole_point(k, point), each);
     }
 }
@@ -70,8 +70,8 @@ pub struct SizeNames(&'static [Part]);
 
 impl SizeNames {
     /// Those of a mechanism.
-    pub fn of<M: Described>() -> Self {
-        Self(M::TABLES.parts)
+    pub fn of<M: Described>(mechanism: &M) -> Self {
+        Self(mechanism.tables().parts)
     }
 }
 

@@ -1,8 +1,8 @@
 //! A mechanism describes itself, by number: for whoever draws, records, couples or sets mechanisms without knowing their
 //! names.
 //!
-//! Names, units and who joins whom are constants, [`Described::TABLES`]. What parameters change is a function of the
-//! mechanism. Nothing of it is compiled where nobody asks.
+//! Names, units and who joins whom are constants of a type that the compiler wrote, [`Described::TABLES`]; those of any mechanism are
+//! [`Described::tables`]. What parameters change is a function of the mechanism. Nothing of it is compiled where nobody asks.
 
 pub mod by_number;
 pub mod pulls;
@@ -47,14 +47,14 @@ type Number<M> = <M as Rate>::S;
 
 /// A mechanism that tells of its bodies, parts, parameters and quantities by number.
 ///
-/// Numbers count from 0 in the order of [`TABLES`](Self::TABLES); beyond the last there is nothing (`None`). All is in SI.
+/// Numbers count from 0 in the order of [`tables`](Self::tables); beyond the last there is nothing (`None`). All is in SI.
 ///
 /// ```
 /// use plm_runtime::Described;
 ///
 /// /// The mass of all bodies, kg.
 /// fn mass<M: Described<S = f64>>(mechanism: &M) -> f64 {
-///     (0..M::TABLES.bodies.len()).filter_map(|body| mechanism.mass(body)).sum()
+///     (0..mechanism.tables().bodies.len()).filter_map(|body| mechanism.mass(body)).sum()
 /// }
 /// ```
 pub trait Described: Mechanism + Ports {
@@ -76,6 +76,42 @@ pub trait Described: Mechanism + Ports {
     /// Steps by themselves that it orders, as it names them: `rk4`, which is `State::step_rk4`.
     const STEPS: &'static [&'static str] = &[];
 
+    /// Names, units, and who joins whom: [`TABLES`](Self::TABLES), or those of a mechanism whose type has none, as one from text.
+    #[inline]
+    fn tables(&self) -> &'static Tables {
+        Self::TABLES
+    }
+
+    /// Names and SI units of the quantities that [`observed`](Self::observed) gives.
+    #[inline]
+    fn observables(&self) -> &'static [(&'static str, &'static str)] {
+        Self::OBSERVED
+    }
+
+    /// The declaration in the language of `mechanism!`, as it was written.
+    #[inline]
+    fn declaration(&self) -> &'static str {
+        Self::DECLARATION
+    }
+
+    /// Files that it names, and their paths.
+    #[inline]
+    fn files(&self) -> &'static [(&'static str, &'static str)] {
+        Self::FILES
+    }
+
+    /// Shapes of parts for pictures, in the order of the parts.
+    #[inline]
+    fn shapes(&self) -> &'static [Shape] {
+        Self::SHAPES
+    }
+
+    /// Holes of the contours of bodies, in the order of the bodies.
+    #[inline]
+    fn holes(&self) -> &'static [Hole] {
+        Self::HOLES
+    }
+
     /// The number with this index among all that the tables point at.
     #[doc(hidden)]
     fn figure(&self, t: Number<Self>, index: usize) -> Option<Number<Self>>;
@@ -89,7 +125,7 @@ pub trait Described: Mechanism + Ports {
     /// Gives `each` the pose and velocity of every body.
     fn poses(state: &Self::State, each: &mut impl FnMut(BodyState<Number<Self>>));
 
-    /// A quantity of [`OBSERVED`](Self::OBSERVED), worked out when it is asked for.
+    /// A quantity of [`observables`](Self::observables), worked out when it is asked for.
     fn observed(state: &Self::State, index: usize) -> Option<Number<Self>>;
 
     /// The condition on the time alone that changes at the time `t`, s; in words of diagnostics, as
@@ -101,58 +137,58 @@ pub trait Described: Mechanism + Ports {
 
     /// Mass of a body, kg; `None` if it was declared without.
     fn mass(&self, body: usize) -> Option<Number<Self>> {
-        self.declared(Self::TABLES.bodies.get(body)?.first)
+        self.declared(self.tables().bodies.get(body)?.first)
     }
 
     /// Moment of inertia of a body about its centre of gravity, kg m^2; `None` if it was declared without.
     fn inertia(&self, body: usize) -> Option<Number<Self>> {
-        self.declared(Self::TABLES.bodies.get(body)?.first + 1)
+        self.declared(self.tables().bodies.get(body)?.first + 1)
     }
 
     /// Depth of a body for pictures, m; 0 where none was declared.
     fn depth(&self, body: usize) -> Option<Number<Self>> {
-        self.constant(Self::TABLES.bodies.get(body)?.first + 2)
+        self.constant(self.tables().bodies.get(body)?.first + 2)
     }
 
     /// A port of a body, from its centre of gravity in its axes.
     fn port(&self, body: usize, port: usize) -> Option<Place<Number<Self>>> {
-        let Body { ports, first, .. } = Self::TABLES.bodies.get(body)?;
+        let Body { ports, first, .. } = self.tables().bodies.get(body)?;
         ports.get(port)?;
         self.place(Number::<Self>::lit(0.0), first + OF_BODY + OF_PORT * port)
     }
 
     /// A point of the contour of a body, from its centre of gravity in its axes, m.
     fn contour(&self, body: usize, point: usize) -> Option<[Number<Self>; 2]> {
-        let Body { ports, contour, first, .. } = *Self::TABLES.bodies.get(body)?;
+        let Body { ports, contour, first, .. } = *self.tables().bodies.get(body)?;
         self.point(contour, first + OF_BODY + OF_PORT * ports.len(), point)
     }
 
     /// A port of the ground at the time `t`, s; from the origin, absolute axes.
     fn ground(&self, t: Number<Self>, port: usize) -> Option<Place<Number<Self>>> {
-        self.place(t, Self::TABLES.ground.get(port)?.first)
+        self.place(t, self.tables().ground.get(port)?.first)
     }
 
     /// Depth of a port of the ground for pictures, m; 0 where none was declared.
     fn ground_depth(&self, port: usize) -> Option<Number<Self>> {
-        self.constant(Self::TABLES.ground.get(port)?.first + OF_PORT)
+        self.constant(self.tables().ground.get(port)?.first + OF_PORT)
     }
 
     /// A size of a part for pictures, m; 0 where none was given.
     fn size(&self, part: usize, size: usize) -> Option<Number<Self>> {
-        let Part { sizes, first, .. } = Self::TABLES.parts.get(part)?;
+        let Part { sizes, first, .. } = self.tables().parts.get(part)?;
         sizes.get(size)?;
         self.constant(first + size)
     }
 
-    /// A point of a shape of [`SHAPES`](Self::SHAPES), in the axes of its frame; m, or in the measure of symbols.
+    /// A point of a shape of [`shapes`](Self::shapes), in the axes of its frame; m, or in the measure of symbols.
     fn shape_point(&self, shape: usize, point: usize) -> Option<[Number<Self>; 2]> {
-        let Shape { points, first, .. } = *Self::SHAPES.get(shape)?;
+        let Shape { points, first, .. } = *self.shapes().get(shape)?;
         self.point(points, first, point)
     }
 
-    /// A point of a hole of [`HOLES`](Self::HOLES), from the centre of gravity of its body in its axes, m.
+    /// A point of a hole of [`holes`](Self::holes), from the centre of gravity of its body in its axes, m.
     fn hole_point(&self, hole: usize, point: usize) -> Option<[Number<Self>; 2]> {
-        let Hole { points, first, .. } = *Self::HOLES.get(hole)?;
+        let Hole { points, first, .. } = *self.holes().get(hole)?;
         self.point(points, first, point)
     }
 
@@ -175,7 +211,7 @@ pub trait Described: Mechanism + Ports {
 
     /// A first-order state.
     fn state(state: &Self::State, index: usize) -> Option<Number<Self>> {
-        let states = Self::TABLES.states.len();
+        let states = state.mechanism().tables().states.len();
         let first = <Self as Rate>::X::LEN.checked_sub(states)?;
         (index < states).then(|| state.x().at(first + index))
     }

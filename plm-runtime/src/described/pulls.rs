@@ -41,8 +41,8 @@ impl fmt::Display for WithPulls<'_> {
 }
 
 /// The number of the input through which a body is pulled: `x`, `y` or `turn`.
-pub fn pull_input<M: Described>(body: usize, suffix: &str) -> Option<usize> {
-    M::INPUTS.iter().position(|(name, _)| {
+pub fn pull_input<M: Described>(of: &M, body: usize, suffix: &str) -> Option<usize> {
+    of.input_names().iter().position(|(name, _)| {
         let rest = name.strip_prefix(PULL).and_then(|rest| rest.split_once('_'));
         rest.is_some_and(|(number, end)| number.parse() == Ok(body) && end == suffix)
     })

@@ -3,7 +3,6 @@
 use super::Described;
 use crate::mechanism::Moment;
 use crate::method::Method;
-use crate::ports::Ports;
 use crate::scalar::Scalar;
 use crate::sim::Sim;
 use crate::start::StartValues as _;
@@ -24,7 +23,7 @@ where
             let (state, mut held) = (&self.state, self.state.held());
             let (mut own, mut time, mut x) = (*state.mechanism(), state.time(), *state.x());
             mechanism_in_words(&mut own, words);
-            for index in 0..<M as Ports>::INPUTS.len() {
+            for index in 0..own.input_names().len() {
                 if let Some(input) = M::input(M::inputs(&mut held), index) {
                     words.number(input);
                 }
@@ -47,7 +46,7 @@ where
 
 /// Shows the parameters of a mechanism and its start values with their locks.
 pub fn mechanism_in_words<M: Described + Statics>(mechanism: &mut M, words: &mut impl Words) {
-    for index in 0..M::TABLES.parameters.len() {
+    for index in 0..mechanism.tables().parameters.len() {
         if let Some(parameter) = mechanism.parameter_mut(index) {
             words.number(parameter);
         }

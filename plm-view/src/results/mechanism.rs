@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use plm_math::Operations;
+use plm_runtime::Operations;
 use serde::{Deserialize, Serialize};
 
 use super::number::or_nan;

@@ -1,10 +1,11 @@
 //! Documentation of the emitted items: equations, shapes, units, counts.
 
-use crate::collect::{CollectVec, MapEach, PushAll};
+use crate::collect::{MapEach, PushAll};
 use plm_cas::{Count, Expr, Number};
 use proc_macro2::TokenStream;
 
 use super::Emission;
+pub(super) use crate::facts::quantities::trimmed;
 use crate::units::DisplayUnit;
 
 /// Constraint rows that a table shows; a long chain repeats itself.
@@ -33,11 +34,6 @@ pub(super) fn field(own: &[String], what: &str, unit: &DisplayUnit, more: &str) 
     } else {
         comment(&format!("{}\n\nIn {unit}{more}.", trimmed(own)))
     }
-}
-
-/// The user's own lines.
-pub(super) fn trimmed(own: &[String]) -> String {
-    own.iter().map(|line| line.trim()).collect_vec().join("\n")
 }
 
 /// Default of a value in words: a number in the unit that it was declared in, else its expression.

@@ -2,6 +2,7 @@
 
 pub(crate) mod conditions;
 pub(crate) mod limits;
+pub(crate) mod quantities;
 pub(crate) mod state;
 
 use plm_cas::{Expr, algebra};

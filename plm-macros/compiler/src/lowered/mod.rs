@@ -1,6 +1,7 @@
 //! A mechanism as data: what emission writes as Rust, as tables and routines that a program can run without rustc.
 
 mod charts;
+mod description;
 mod equations;
 mod registers;
 mod routine;
@@ -13,7 +14,7 @@ use crate::collect::CollectVec;
 use crate::compile::Expansion;
 use crate::derive::Equations;
 use crate::facts;
-use crate::formulate::{Function, Program, Reduced, coordinate_name};
+use crate::formulate::{Function, Place, Program, Reduced, coordinate_name};
 use crate::model::{Model, Stabilisation};
 use crate::oracle::Oracle;
 use crate::report::Report;
@@ -21,10 +22,13 @@ use crate::source::{Origin, Symbols};
 use crate::units::DisplayUnit;
 
 pub use self::charts::{Chart, Loops, Turns};
+pub use self::description::{Body, Description, Frame, GroundPort, Hole, Part, Shape, Varying};
 pub use self::equations::{AbsoluteEquations, Output, Row};
 pub use self::routine::{Operation, Register, Routine, Step, Target};
 pub use self::start::{Branch, Least, Limit, Parameter, Starts};
 pub use self::switches::{End, Jump, Switch, Switches};
+pub use crate::facts::quantities::{Quantities, Quantity};
+pub use crate::reads::{Motion, Reads};
 
 /// A mechanism as data.
 #[derive(Clone, Debug)]
@@ -75,6 +79,8 @@ pub struct Lowered {
     pub may_be_singular: bool,
     /// Do forces read accelerations or reactions?
     pub feeds_back: bool,
+    /// Names, units and numbers for tables and pictures.
+    pub description: Description,
 }
 
 /// The form of the state.
@@ -144,6 +150,11 @@ impl Parts<'_> {
         of_tree || !facts::reads_solution(model, equations, &program.absolute)
     }
 
+    /// A value that parameters and the time give, as what the routine returns.
+    fn value(&self, value: Expr) -> Routine {
+        self.routine(&Function::of_results(vec![(Place::Value, value)]), Origin::Arguments)
+    }
+
     /// Values that parameters and the time give, as an array.
     fn values(&self, values: &[Expr]) -> Routine {
         self.routine(&Function::of_array("values", values), Origin::Arguments)
@@ -198,6 +209,7 @@ impl Lowered {
             has_energy: !facts::knows_time(model) && model.has_masses(),
             may_be_singular: facts::may_be_singular(model, equations, reduced),
             feeds_back: crate::derive::feeds_back(model),
+            description: Description::new(&parts, report),
         })
     }
 }

@@ -3,37 +3,24 @@
 
 use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
-use plm_cas::Expr;
 use proc_macro2::{Literal, TokenStream};
 
 use super::super::{Emission, docs, number, quoted, table_compression};
-use crate::model::{FrameRef, Instance, Name, Pair, Shape};
-use crate::numeric::value;
+use crate::facts::quantities::{Quantities, Quantity};
+use crate::model::{FrameRef, Instance, Pair, Shape};
 use crate::reads::{Reads, reads};
 use crate::sorted::SortedMap;
-use crate::tables::{NumericTable, declared_values, exponents};
-use crate::units::DisplayUnit;
+use crate::tables::NumericTable;
 
 /// A value of the type `Tables`.
 pub(crate) fn tables(emission: &Emission, numbers: &NumericTable) -> TokenStream {
     let Emission { model, shown, report, .. } = emission;
     let (name, docs) = (shown.to_string(), docs::trimmed(&model.docs));
-    let known = declared_values(model);
-    let declared = |expr: Expr| Some(value(expr, &known)).filter(|value| !value.is_nan());
-    let parameters = model.params.iter().map(|param| {
-        let default = known.iter().find(|(symbol, _)| *symbol == param.symbol);
-        quantity(&param.name, &param.docs, &param.unit, default.map(|(_, value)| *value))
-    });
-    let inputs = model
-        .inputs
-        .iter()
-        .map(|input| quantity(&input.name, &input.docs, &input.unit, declared(input.default)));
-    let states =
-        model.states.iter().map(|state| quantity(&state.name, &[], &state.unit, declared(state.start)));
-    let [parameters, inputs, states] = [parameters.collect_vec(), inputs.collect_vec(), states.collect_vec()]
-        .map_each(|rows| emission.lines(rows));
+    let Quantities { parameters, inputs, states, outputs } = Quantities::of(model);
+    let [parameters, inputs, states, outputs] =
+        [parameters, inputs, states, outputs].map_each(|rows| emission.lines(rows.iter().map(quantity)));
     let (bodies, ground) = (bodies(emission, numbers), ground(emission, numbers));
-    let (parts, outputs) = (parts(emission, numbers), emission.lines(outputs(emission)));
+    let parts = parts(emission, numbers);
     let reads = emission.lines(reads(model).iter().map(|row| reads_row(row.as_ref())));
     let (number, formulation, reason) =
         (Literal::u8_unsuffixed(report.taken.number), &report.taken.formulation, &report.taken.reason);
@@ -182,19 +169,6 @@ fn part(instance: &Instance, name: &str, frames: &str, first: usize) -> String {
     )
 }
 
-/// The declared outputs, a vector as two.
-fn outputs(emission: &Emission) -> Vec<String> {
-    let declared = emission.model.outputs.iter().filter(|output| output.declared);
-    let rows = declared.flat_map(|output| {
-        let axes: &[&str] = if output.components.len() == 1 { &[""] } else { &[".x", ".y"] };
-        axes.iter().map(|axis| {
-            let name = Name { text: format!("{}{axis}", output.name.text), span: output.name.span };
-            quantity(&name, std::slice::from_ref(&output.docs), &output.unit, None)
-        })
-    });
-    rows.collect_vec()
-}
-
 fn reads_row(reads: Option<&Reads>) -> String {
     let Some(Reads { motion, time, states, inputs }) = reads else { return "None".to_owned() };
     format!(
@@ -203,12 +177,11 @@ fn reads_row(reads: Option<&Reads>) -> String {
     )
 }
 
-fn quantity(name: &Name, docs: &[String], unit: &DisplayUnit, default: Option<f64>) -> String {
-    let (name, docs, text, factor) = (&name.text, docs::trimmed(docs), &unit.text, unit.factor.to_f64());
-    let (exponents, default) = (exponents(unit), default.map(literal));
-    let default = default.map_or("None".to_owned(), |default| format!("Some({default})"));
+fn quantity(quantity: &Quantity) -> String {
+    let Quantity { name, docs, unit, factor, exponents, default } = quantity;
+    let default = default.map_or("None".to_owned(), |default| format!("Some({})", literal(default)));
     format!(
-        "described::Quantity {{ name: {name:?}, docs: {docs:?}, unit: {text:?}, factor: {factor:?}, \
+        "described::Quantity {{ name: {name:?}, docs: {docs:?}, unit: {unit:?}, factor: {factor:?}, \
          exponents: {exponents:?}, default: {default} }}"
     )
 }

@@ -2,12 +2,11 @@
 
 use core::marker::PhantomData;
 
+use crate::described::{mechanism, numbers};
+use crate::recording::{self, Column, Recording, Row};
 use plm_runtime::described::{Quantity, by_number};
 use plm_runtime::sim::Seen;
 use plm_runtime::{AsMoment, Described, Fault, Method, Moment, Scalar, Sim, System};
-use plm_view::{Column, Recording, Row};
-
-use super::described::{mechanism, numbers};
 
 /// Takes poses and quantities of a mechanism while it runs: at communication points, before and after what switches, and at
 /// every internal step if asked.
@@ -61,11 +60,11 @@ impl<M: Described> Recorder<M> {
     /// Records the poses and the declared outputs, in their units, of a mechanism with the parameters that it has now; of a
     /// `Sim` or of a state.
     pub fn new(of: &impl AsMoment<State: Moment<M = M>>) -> Self {
-        let outputs = M::TABLES.outputs;
+        let outputs = of.as_moment().mechanism().tables().outputs;
         Self::of(of, outputs.iter().map(column), (0..outputs.len()).map(Taken::Output).collect())
     }
 
-    /// Records the poses and these quantities of [`Described::OBSERVED`], SI.
+    /// Records the poses and these quantities of [`Described::observables`], SI.
     ///
     /// # Errors
     /// The first name that is not there.
@@ -73,15 +72,17 @@ impl<M: Described> Recorder<M> {
         of: &impl AsMoment<State: Moment<M = M>>,
         names: impl IntoIterator<Item = &'n str>,
     ) -> Result<Self, &'n str> {
-        let find = |name| M::OBSERVED.iter().position(|(known, _)| *known == name).ok_or(name);
+        let known = of.as_moment().mechanism().observables();
+        let find = |name| known.iter().position(|(own, _)| *own == name).ok_or(name);
         let found: Vec<usize> = names.into_iter().map(find).collect::<Result<_, &str>>()?;
-        let columns: Vec<(&str, &str)> = found.iter().map(|k| M::OBSERVED[*k]).collect();
+        let columns: Vec<(&str, &str)> = found.iter().map(|k| known[*k]).collect();
         Ok(Self::of(of, columns, found.into_iter().map(Taken::Observed).collect()))
     }
 
     /// Records the poses, the declared outputs in their units, and all other observed quantities in SI.
     pub fn observing_all(of: &impl AsMoment<State: Moment<M = M>>) -> Self {
-        let all = by_number::shown::<M>().zip(M::OBSERVED).enumerate();
+        let mechanism = of.as_moment().mechanism();
+        let all = by_number::shown(mechanism).zip(mechanism.observables()).enumerate();
         let (columns, quantities): (Vec<Column>, Vec<Taken>) = all
             .map(|(k, (output, observed))| match output {
                 Some((number, row)) => (column(row), Taken::Output(number)),
@@ -123,11 +124,11 @@ impl<M: Described> Recorder<M> {
         self.run_seen(sim, until, every, &mut |_| {})
     }
 
-    /// The same, and gives `told` the time of every step.
+    /// Runs as [`run`](Self::run) does, and gives `told` the time of every step.
     ///
     /// # Errors
     /// As [`run`](Self::run).
-    pub(super) fn run_seen<I: Method<M>>(
+    pub fn run_seen<I: Method<M>>(
         &mut self,
         sim: &mut Sim<M, I>,
         until: M::S,
@@ -146,7 +147,7 @@ impl<M: Described> Recorder<M> {
             // The moment of the fault, as far as it came.
             self.take(sim.state());
             let (part, text) = (fault.part.to_owned(), fault.cause.to_string());
-            self.recording.about.fault = Some(plm_view::Fault { time: fault.time, part, text });
+            self.recording.about.fault = Some(recording::Fault { time: fault.time, part, text });
         }
         outcome
     }
@@ -158,7 +159,7 @@ impl<M: Described> Recorder<M> {
             poses.extend(pose.components().map(Scalar::to_f64));
         });
         if self.recording.about.mechanism.ground_moves() {
-            let ports = 0..M::TABLES.ground.len();
+            let ports = 0..state.mechanism().tables().ground.len();
             ground.extend(ports.flat_map(|k| numbers(state.mechanism().ground(time, k))));
         }
         let values = self.values(state);

@@ -2,11 +2,12 @@
 
 use plm_runtime::described::{self, Described, Place};
 use plm_runtime::{Rate, Scalar};
-use plm_view::{Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report, Shape};
+
+use crate::results::{Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report, Shape};
 
 /// What a results file tells of a mechanism with its parameters as they are.
 pub fn mechanism<M: Described>(of: &M) -> Mechanism {
-    let tables = M::TABLES;
+    let tables = of.tables();
     Mechanism {
         name: tables.name.to_owned(),
         doc: tables.docs.to_owned(),
@@ -35,13 +36,13 @@ fn report(report: &described::Report) -> Report {
 }
 
 fn body<M: Described>(of: &M, k: usize) -> Body {
-    let row = &M::TABLES.bodies[k];
+    let row = &of.tables().bodies[k];
     let ports = row.ports.iter().enumerate().map(|(j, name)| {
         let [x, y, angle] = numbers(of.port(k, j));
         Port { name: (*name).to_owned(), x, y, angle }
     });
     let contour = Some(points(row.contour, |point| of.contour(k, point)));
-    let holes = M::HOLES.iter().enumerate().filter(|(_, hole)| hole.body == k);
+    let holes = of.holes().iter().enumerate().filter(|(_, hole)| hole.body == k);
     Body {
         name: row.name.to_owned(),
         mass: number(of.mass(k)),
@@ -61,18 +62,18 @@ fn points<S: Scalar>(count: usize, at: impl Fn(usize) -> Option<[S; 2]>) -> Vec<
 }
 
 /// Place and angle.
-pub(super) fn numbers<S: Scalar>(place: Option<Place<S>>) -> [f64; 3] {
+pub(crate) fn numbers<S: Scalar>(place: Option<Place<S>>) -> [f64; 3] {
     Place::components(place).map(Scalar::to_f64)
 }
 
 fn ground<M: Described>(of: &M, k: usize) -> GroundPort {
-    let row = &M::TABLES.ground[k];
+    let row = &of.tables().ground[k];
     let [x, y, angle] = numbers(of.ground(<M as Rate>::S::lit(0.0), k));
     GroundPort { name: row.name.to_owned(), x, y, angle, depth: number(of.ground_depth(k)), moves: row.moves }
 }
 
 fn part<M: Described>(of: &M, k: usize) -> Part {
-    let row = &M::TABLES.parts[k];
+    let row = &of.tables().parts[k];
     let frames = row.frames.iter().map(|frame| Frame {
         argument: frame.argument.to_owned(),
         body: frame.body,
@@ -85,12 +86,12 @@ fn part<M: Described>(of: &M, k: usize) -> Part {
         pair: row.pair.map(ToOwned::to_owned),
         frames: frames.collect(),
         sizes: sizes.filter(|(_, size)| size.is_finite() && *size != 0.0).collect(),
-        shapes: (0..M::SHAPES.len()).filter(|j| M::SHAPES[*j].part == k).map(|j| shape(of, j)).collect(),
+        shapes: (0..of.shapes().len()).filter(|j| of.shapes()[*j].part == k).map(|j| shape(of, j)).collect(),
     }
 }
 
 fn shape<M: Described>(of: &M, k: usize) -> Shape {
-    let row = &M::SHAPES[k];
+    let row = &of.shapes()[k];
     Shape {
         look: row.look.to_owned(),
         body: row.at.0,

@@ -1,0 +1,63 @@
+//! Files of a recorded run: a results file, a page, CSV.
+
+use std::io::{BufWriter, Write};
+
+use plm_dynamic::{Error, OnRun, Run, Sample};
+use plm_runtime::{BodyState, Described, Fault, Method, Moment, Sim};
+use plm_view::{Page, Recorder, Recording, Results};
+
+use super::{Asked, Failure, columns, csv_to, row};
+use crate::table::{csv_headings, csv_row};
+
+/// Records until a time, s, so often, s, as compiled programs do.
+struct Record(f64, f64);
+
+/// A recorded run.
+struct Recorded {
+    outcome: Result<(), Fault>,
+    recording: Recording,
+    /// Name of the mechanism.
+    name: &'static str,
+}
+
+impl OnRun for Record {
+    type Output = Recorded;
+
+    fn on<M: Described<S = f64>, I: Method<M>>(self, sim: &mut Sim<M, I>) -> Recorded {
+        let (mut recorder, name) = (Recorder::observing_all(sim), sim.state().mechanism().tables().name);
+        let outcome = recorder.run(sim, self.0, self.1);
+        Recorded { outcome, recording: recorder.into_recording(), name }
+    }
+}
+
+/// Runs, and writes the files that are asked for; the outcome of the run. What came before a fault is written all the same.
+pub(super) fn write(asked: &Asked, run: &mut Run, to: &mut dyn Write) -> Result<Result<(), Error>, Failure> {
+    let Recorded { outcome, recording, name } = run.then(Record(asked.until, asked.every));
+    if let Some(path) = &asked.out {
+        recording.write(path)?;
+    }
+    if let Some(path) = &asked.csv {
+        let (columns, headings) = columns(run, true);
+        let mut to = BufWriter::new(csv_to(path, to)?);
+        csv_headings(&headings, &mut to)?;
+        for sample in samples(&recording) {
+            csv_row(&row(&columns, &sample), &mut to)?;
+        }
+        to.flush()?;
+    }
+    if let Some(path) = &asked.view {
+        let results = Results { runs: vec![recording], ..Results::default() };
+        Page::new(&results.to_bytes()?, name).write_html(path)?;
+    }
+    Ok(outcome.map_err(Error::from))
+}
+
+/// The rows of a recording.
+fn samples(recording: &Recording) -> impl Iterator<Item = Sample> {
+    let body = |&[x, y, angle, vx, vy, omega]: &[f64; 6]| BodyState::of([x, y, angle], [vx, vy, omega]);
+    recording.times().iter().zip(recording.rows()).enumerate().map(move |(k, (time, values))| Sample {
+        time: *time,
+        bodies: recording.poses(k).iter().map(body).collect(),
+        values: values.to_vec(),
+    })
+}

@@ -1,0 +1,153 @@
+//! Names, units and numbers of a mechanism for tables and pictures, as lists that live as long as the program.
+
+use plm_compiler::lowered::{self, Lowered, Varying};
+use plm_compiler::{Motion, Quantity, Reads};
+use plm_runtime::described;
+
+use crate::code::{Code, Room};
+use crate::model::{kept, text, texts};
+
+/// Names with their units.
+type Named = &'static [(&'static str, &'static str)];
+
+/// The tables by which a mechanism describes itself.
+#[derive(Debug)]
+pub(crate) struct Description {
+    pub(crate) tables: &'static described::Tables,
+    /// Names and SI units of all outputs.
+    pub(crate) observed: Named,
+    /// Names of the declared outputs, and the units that they are shown in.
+    pub(crate) outputs: Named,
+    /// Names and SI units of the inputs.
+    pub(crate) inputs: Named,
+    /// Names and SI units of the first-order states.
+    pub(crate) states: Named,
+    pub(crate) declaration: &'static str,
+    /// Files that the declaration names, and their paths.
+    pub(crate) files: Named,
+    pub(crate) shapes: &'static [described::Shape],
+    pub(crate) holes: &'static [described::Hole],
+    /// Names of the conditions on the time alone.
+    pub(crate) instants: &'static [&'static str],
+    /// The numbers of the tables, SI; not numbers where they vary.
+    pub(crate) constants: Vec<f64>,
+    /// Place and function of those that vary, in the order of their places.
+    pub(crate) varying: Vec<(usize, Code)>,
+}
+
+impl Description {
+    /// That of a lowered mechanism whose text has this name.
+    pub(crate) fn new(lowered: &Lowered, name: &str, room: Room) -> Description {
+        let of = &lowered.description;
+        let path = |file: &String| std::path::Path::new(name).with_file_name(file).display().to_string();
+        let declared = lowered.outputs.iter().filter(|output| output.declared);
+        let switches = lowered.switches.all.iter().skip(lowered.switches.guards);
+        let varying = |Varying { index, value }: &Varying| (*index, Code::new(value, &[], room));
+        Description {
+            tables: Box::leak(Box::new(tables(of))),
+            observed: named(lowered.outputs.iter().map(|output| (&output.name, &output.si))),
+            outputs: named(declared.map(|output| (&output.name, &output.unit))),
+            inputs: with_units(&lowered.inputs),
+            states: with_units(&lowered.states),
+            declaration: text(&of.declaration),
+            files: kept(of.files.iter().map(|file| (text(file), text(&path(file))))),
+            shapes: kept(of.shapes.iter().map(shape)),
+            holes: kept(of.holes.iter().map(hole)),
+            instants: texts(switches.map(|switch| &switch.name)),
+            constants: of.constants.clone(),
+            varying: of.varying.iter().map(varying).collect(),
+        }
+    }
+}
+
+fn named<'a>(all: impl Iterator<Item = (&'a String, &'a String)>) -> Named {
+    kept(all.map(|(name, unit)| (text(name), text(unit))))
+}
+
+/// Names and SI units; that of a pure number is told in words, as by compiled code.
+fn with_units(all: &[lowered::Named]) -> Named {
+    let unit = |unit: &'static str| if unit.is_empty() { "no unit" } else { unit };
+    kept(all.iter().map(|of| (text(&of.name), unit(text(&of.unit)))))
+}
+
+fn tables(of: &lowered::Description) -> described::Tables {
+    let list = |quantities: &[Quantity]| kept(quantities.iter().map(quantity));
+    described::Tables {
+        name: text(&of.name),
+        docs: text(&of.docs),
+        report: described::Report {
+            rung: of.number,
+            formulation: text(&of.formulation),
+            reason: text(&of.reason),
+            operations: of.operations,
+            degrees_of_freedom: of.freedom,
+        },
+        bodies: kept(of.bodies.iter().map(body)),
+        ground: kept(of.ground.iter().map(ground)),
+        parts: kept(of.parts.iter().map(part)),
+        parameters: list(&of.quantities.parameters),
+        inputs: list(&of.quantities.inputs),
+        states: list(&of.quantities.states),
+        outputs: list(&of.quantities.outputs),
+        reads: kept(of.reads.iter().map(|row| row.as_ref().map(reads))),
+    }
+}
+
+fn quantity(of: &Quantity) -> described::Quantity {
+    described::Quantity {
+        name: text(&of.name),
+        docs: text(&of.docs),
+        unit: text(&of.unit),
+        factor: of.factor,
+        exponents: of.exponents,
+        default: of.default,
+    }
+}
+
+fn reads(of: &Reads) -> described::Reads {
+    described::Reads {
+        motion: match of.motion {
+            Motion::Nothing => described::Motion::Nothing,
+            Motion::Poses => described::Motion::Poses,
+            Motion::Velocities => described::Motion::Velocities,
+        },
+        time: of.time,
+        states: kept(of.states.iter().copied()),
+        inputs: kept(of.inputs.iter().copied()),
+    }
+}
+
+fn body(of: &lowered::Body) -> described::Body {
+    let lowered::Body { name, ports, contour, first } = of;
+    described::Body { name: text(name), ports: texts(ports), contour: *contour, first: *first }
+}
+
+fn ground(of: &lowered::GroundPort) -> described::GroundPort {
+    described::GroundPort { name: text(&of.name), moves: of.moves, first: of.first }
+}
+
+fn part(of: &lowered::Part) -> described::Part {
+    let frames = of.frames.iter().map(|frame| described::Frame {
+        argument: text(&frame.argument),
+        body: frame.body,
+        port: frame.port,
+    });
+    described::Part {
+        name: text(&of.name),
+        kind: text(&of.kind),
+        pair: of.pair,
+        frames: kept(frames),
+        sizes: texts(&of.sizes),
+        first: of.first,
+    }
+}
+
+fn shape(of: &lowered::Shape) -> described::Shape {
+    let lowered::Shape { part, look, at, towards, is_symbol, points, first } = *of;
+    described::Shape { part, look, at, towards, is_symbol, points, first }
+}
+
+fn hole(of: &lowered::Hole) -> described::Hole {
+    let lowered::Hole { body, points, first } = *of;
+    described::Hole { body, points, first }
+}
