@@ -9,11 +9,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources that are looked at.
-const CRATES: [&str; 15] = [
+const CRATES: [&str; 16] = [
     "src",
     "plm-analysis/src",
     "plm-cli/src",
     "plm-foreign/src",
+    "plm-import/src",
     "plm-macros/cas/src",
     "plm-macros/compiler/src",
     "plm-program/src",

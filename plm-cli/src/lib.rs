@@ -5,6 +5,7 @@
 //! plm run FILE --until SECONDS  its outputs over time
 //! plm expand FILE              the Rust code that the macro would emit
 //! plm report FILE              bodies, rows, formulation, operations, assembly
+//! plm import FILE              a declaration from URDF, SDF or MJCF, a contour from DXF
 //! plm fmt [--check] FILE…      one layout, with comments kept
 //! plm lsp                      a language server on standard input and output
 //! ```

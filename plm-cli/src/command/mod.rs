@@ -3,6 +3,7 @@
 mod check;
 mod expand;
 mod fmt;
+mod import;
 mod lsp;
 mod run;
 mod words;
@@ -56,8 +57,15 @@ struct Command {
 }
 
 /// All commands, in the order of the help.
-const COMMANDS: &[Command] =
-    &[check::COMMAND, run::COMMAND, expand::EXPAND, expand::REPORT, fmt::COMMAND, lsp::COMMAND];
+const COMMANDS: &[Command] = &[
+    check::COMMAND,
+    run::COMMAND,
+    expand::EXPAND,
+    expand::REPORT,
+    import::COMMAND,
+    fmt::COMMAND,
+    lsp::COMMAND,
+];
 
 /// Runs the command that the words name, without the name of the program.
 pub fn run(words: impl Iterator<Item = OsString>, streams: &mut Streams) -> Outcome {

@@ -4,6 +4,7 @@
 mod check;
 mod extension;
 mod fmt;
+mod import;
 mod json;
 mod lsp;
 mod run;

@@ -1,0 +1,192 @@
+//! A mechanism in its plane: bodies with ports, and pairs that join them.
+
+mod bodies;
+mod chain;
+mod hosts;
+mod pairs;
+mod start;
+
+use crate::names::Names;
+use crate::notice::Notices;
+use crate::outline::Outline;
+use crate::plane::Plane;
+use crate::spatial::Spatial;
+
+/// A mechanism in its plane.
+#[derive(Debug)]
+pub(crate) struct Planar {
+    pub(crate) plane: Plane,
+    pub(crate) gravity: [f64; 2],
+    /// The ports of the ground.
+    pub(crate) ground: Vec<Port>,
+    pub(crate) bodies: Vec<Body>,
+    pub(crate) pairs: Vec<Pair>,
+    /// A group of bodies has no joint to the ground.
+    pub(crate) floats: bool,
+}
+
+/// A body of the declaration.
+#[derive(Debug)]
+pub(crate) struct Body {
+    pub(crate) name: String,
+    pub(crate) mass: f64,
+    pub(crate) inertia: f64,
+    /// Centre of gravity, in the axes of the body.
+    pub(crate) centre: [f64; 2],
+    /// Pose of the origin as the file draws it: x, y, angle.
+    pub(crate) drawn: [f64; 3],
+    /// Pose of the origin at the start.
+    pub(crate) start: [f64; 3],
+    /// Coordinates that the start gives, and those that it locks: x, y, angle.
+    pub(crate) given: [bool; 3],
+    pub(crate) locked: [bool; 3],
+    /// Place along the normal.
+    pub(crate) depth: f64,
+    pub(crate) ports: Vec<Port>,
+    pub(crate) port_names: Names,
+    /// In the axes of the body, the largest first.
+    pub(crate) outlines: Vec<Outline>,
+}
+
+/// A port.
+#[derive(Clone, Debug)]
+pub(crate) struct Port {
+    pub(crate) name: String,
+    pub(crate) at: [f64; 2],
+    pub(crate) angle: f64,
+}
+
+/// Whom a port belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Host {
+    Ground,
+    Body(usize),
+}
+
+/// A port of a body or of the ground, by numbers.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct End {
+    pub(crate) host: Host,
+    pub(crate) port: usize,
+}
+
+/// Kinds of pairs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PairKind {
+    Revolute,
+    Prismatic,
+    Weld,
+    /// A slide with a hinge behind it.
+    Slot,
+    /// Two slides: `b` does not turn.
+    Upright,
+    /// What acts along one of two slides on the ground.
+    Slide,
+}
+
+/// Two ports that a joint of the declaration joins.
+#[derive(Debug)]
+pub(crate) struct Pair {
+    pub(crate) name: String,
+    pub(crate) kind: PairKind,
+    pub(crate) a: End,
+    pub(crate) b: End,
+    /// The joint of the file whose values it has.
+    pub(crate) joint: usize,
+}
+
+impl Planar {
+    /// Lays a mechanism into its plane.
+    pub(crate) fn of(spatial: &Spatial, names: &mut Names, notices: &mut Notices) -> Option<Planar> {
+        let plane = Plane::of(spatial, notices)?;
+        let mut planar = Planar {
+            gravity: plane.flat(spatial.gravity),
+            plane,
+            ground: Vec::new(),
+            bodies: Vec::new(),
+            pairs: Vec::new(),
+            floats: false,
+        };
+        let hosts = hosts::Hosts::of(spatial);
+        bodies::add(&mut planar, spatial, &hosts, names, notices);
+        pairs::add(&mut planar, spatial, &hosts, names, notices);
+        planar.find_driven(spatial, notices);
+        if planar.bodies.is_empty() && !notices.has_errors() {
+            notices.error(&spatial.place, "nothing in it moves");
+        }
+        if notices.has_errors() {
+            return None;
+        }
+        start::set(&mut planar, spatial);
+        planar.size_up(spatial, notices);
+        Some(planar)
+    }
+
+    /// Tells of drives and couplings whose joints are no pairs.
+    fn find_driven(&self, spatial: &Spatial, notices: &mut Notices) {
+        let is_pair = |joint: usize| self.pairs.iter().any(|pair| pair.joint == joint);
+        for drive in spatial.drives.iter().filter(|drive| !is_pair(drive.joint)) {
+            notices.warn(&drive.place, format!("`{}` drives a joint that is left out", drive.name));
+        }
+        for coupling in &spatial.couplings {
+            if !is_pair(coupling.joint) || coupling.of.is_some_and(|of| !is_pair(of)) {
+                notices.error(
+                    &coupling.place,
+                    format!("`{}` speaks of a joint that is left out", coupling.name),
+                );
+            }
+        }
+    }
+
+    pub(crate) fn port(&self, end: End) -> &Port {
+        match end.host {
+            Host::Ground => &self.ground[end.port],
+            Host::Body(body) => &self.bodies[body].ports[end.port],
+        }
+    }
+
+    /// A port as the declaration names it.
+    pub(crate) fn path(&self, end: End) -> String {
+        let host = match end.host {
+            Host::Ground => "ground",
+            Host::Body(body) => &self.bodies[body].name,
+        };
+        format!("{host}.{}", self.port(end).name)
+    }
+
+    /// The pose of a host in the plane, as the file draws it.
+    fn pose(&self, host: Host) -> [f64; 3] {
+        match host {
+            Host::Ground => [0.0; 3],
+            Host::Body(body) => self.bodies[body].drawn,
+        }
+    }
+
+    /// A point of the plane in the axes of a host.
+    fn local(&self, host: Host, at: [f64; 2]) -> [f64; 2] {
+        let [x, y, angle] = self.pose(host);
+        let (sin, cos) = angle.sin_cos();
+        let d = [at[0] - x, at[1] - y];
+        [cos * d[0] + sin * d[1], -sin * d[0] + cos * d[1]]
+    }
+
+    /// Gives an inertia to points of mass, of which the language asks one.
+    fn size_up(&mut self, spatial: &Spatial, notices: &mut Notices) {
+        for body in &mut self.bodies {
+            if body.inertia > 0.0 {
+                continue;
+            }
+            let away = |port: &Port| (port.at[0] - body.centre[0]).hypot(port.at[1] - body.centre[1]);
+            let reach = body.ports.iter().map(away).fold(0.0, f64::max);
+            body.inertia = 1e-12 * body.mass * if reach > 0.0 { reach * reach } else { 1.0 };
+            notices.warn(
+                &spatial.place,
+                format!(
+                    "`{}` has no inertia across the plane: {} kg*m^2 is written",
+                    body.name,
+                    crate::number::short(body.inertia)
+                ),
+            );
+        }
+    }
+}

@@ -1,0 +1,342 @@
+//! URDF: the format of ROS (wiki.ros.org/urdf/XML), with what Drake adds.
+
+use std::collections::BTreeMap;
+
+use crate::notice::Notices;
+use crate::space::{IDENTITY, Pose, Vector, roll_pitch_yaw, turned, unit};
+use crate::spatial::{Drive, Inertial, Joint, Kind, Link, Quantity, Shape, Solid, Spatial};
+use crate::xml::Element;
+
+/// URDF says nothing of gravity; its simulators take this.
+const GRAVITY: Vector = [0.0, 0.0, -9.81];
+/// An effort that bounds nothing.
+const UNBOUNDED: f64 = 1e9;
+
+/// The mechanism of a `<robot>`.
+pub(crate) fn read(robot: &Element, notices: &mut Notices) -> Option<Spatial> {
+    let mut spatial = Spatial {
+        name: robot.get("name").unwrap_or("robot").to_owned(),
+        place: robot.place.clone(),
+        gravity: GRAVITY,
+        links: robot.all("link").map(|link| self::link(link, notices)).collect(),
+        joints: Vec::new(),
+        drives: Vec::new(),
+        couplings: Vec::new(),
+    };
+    let numbers: BTreeMap<String, usize> =
+        spatial.links.iter().enumerate().map(|(k, link)| (link.name.clone(), k)).collect();
+    let joints: Vec<Drawn<'_>> =
+        robot.all("joint").filter_map(|joint| drawn(joint, &numbers, notices)).collect();
+    place_links(robot, &mut spatial, &joints, notices)?;
+    let held = spatial.joints.len();
+    for drawn in &joints {
+        let joint = joint(drawn, &spatial, notices);
+        spatial.joints.extend(joint);
+    }
+    if spatial.joints.len() < held + joints.len() {
+        return None;
+    }
+    let names: BTreeMap<String, usize> =
+        spatial.joints.iter().enumerate().map(|(k, joint)| (joint.name.clone(), k)).collect();
+    for (k, drawn) in joints.iter().enumerate() {
+        super::mimic::read(drawn.element, held + k, &names, &mut spatial, notices);
+    }
+    drives(robot, &names, &joints, &mut spatial, notices);
+    for element in &robot.children {
+        match element.name.as_str() {
+            "link" | "joint" | "transmission" | "material" => {}
+            "frame" => frame(element, &numbers, &mut spatial, notices),
+            _ => notices.warn(&element.place, format!("{} is not taken", element.shown())),
+        }
+    }
+    Some(spatial)
+}
+
+fn link(element: &Element, notices: &mut Notices) -> Link {
+    let mut shapes = Vec::new();
+    for child in &element.children {
+        match child.name.as_str() {
+            "inertial" => {}
+            "visual" => shapes.extend(shape(child, notices)),
+            "collision" => notices.warn(
+                &child.place,
+                format!(
+                    "collision of link `{}`: contacts are left out",
+                    element.get("name").unwrap_or_default()
+                ),
+            ),
+            _ => notices.warn(&child.place, format!("{} is not taken", child.shown())),
+        }
+    }
+    Link {
+        name: element.get("name").unwrap_or("link").to_owned(),
+        place: element.place.clone(),
+        pose: Pose::HERE,
+        inertial: element.child("inertial").and_then(|inertial| self::inertial(inertial, notices)),
+        shapes,
+        points: Vec::new(),
+    }
+}
+
+/// Mass and inertia; none of a mass of zero.
+fn inertial(element: &Element, notices: &mut Notices) -> Option<Inertial> {
+    let pose = origin(element, notices);
+    let mass = element.child("mass")?.number("value", notices)?;
+    let inertia = element.child("inertia");
+    let mut entry = |name| inertia.and_then(|inertia| inertia.number(name, notices)).unwrap_or_default();
+    let [xx, yy, zz] = ["ixx", "iyy", "izz"].map(&mut entry);
+    let [xy, xz, yz] = ["ixy", "ixz", "iyz"].map(&mut entry);
+    let own = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+    (mass > 0.0).then(|| Inertial { mass, centre: pose.at, tensor: crate::space::tensor(&pose.turn, &own) })
+}
+
+fn shape(visual: &Element, notices: &mut Notices) -> Option<Shape> {
+    let pose = origin(visual, notices);
+    let solid = visual.child("geometry")?.children.first()?;
+    let solid = match solid.name.as_str() {
+        "box" => Solid::Box(solid.exactly::<3>("size", notices)?.map(|size| size / 2.0)),
+        "cylinder" => Solid::Cylinder {
+            radius: solid.number("radius", notices)?,
+            half: solid.number("length", notices)? / 2.0,
+        },
+        "capsule" => Solid::Capsule {
+            radius: solid.number("radius", notices)?,
+            half: solid.number("length", notices)? / 2.0,
+        },
+        "sphere" => Solid::Ellipsoid([solid.number("radius", notices)?; 3]),
+        _ => {
+            notices.warn(&solid.place, format!("{} is not drawn", solid.shown()));
+            return None;
+        }
+    };
+    Some(Shape { solid, pose })
+}
+
+fn origin(element: &Element, notices: &mut Notices) -> Pose {
+    element.child("origin").map_or(Pose::HERE, |origin| placed(origin, notices))
+}
+
+/// The pose of `xyz` and `rpy`.
+fn placed(element: &Element, notices: &mut Notices) -> Pose {
+    let at = element.exactly("xyz", notices).unwrap_or_default();
+    let turn = element.exactly("rpy", notices).map_or(IDENTITY, roll_pitch_yaw);
+    Pose { turn, at }
+}
+
+/// A joint before its links have places.
+struct Drawn<'a> {
+    element: &'a Element,
+    parent: Option<usize>,
+    child: usize,
+    origin: Pose,
+}
+
+fn drawn<'a>(
+    element: &'a Element,
+    links: &BTreeMap<String, usize>,
+    notices: &mut Notices,
+) -> Option<Drawn<'a>> {
+    let mut end = |tag: &str| {
+        let Some(end) = element.child(tag) else {
+            notices.error(&element.place, format!("{} has no <{tag}>", element.shown()));
+            return None;
+        };
+        let name = end.get("link").unwrap_or_default();
+        let found = links.get(name).copied();
+        if found.is_none() && name != "world" {
+            notices.error(&end.place, format!("there is no link `{name}`"));
+            return None;
+        }
+        Some(found)
+    };
+    let (parent, child) = (end("parent")?, end("child")?);
+    let Some(child) = child else {
+        notices.error(&element.place, format!("{} has the world as its child", element.shown()));
+        return None;
+    };
+    Some(Drawn { element, parent, child, origin: origin(element, notices) })
+}
+
+/// Poses of all links, from the root outwards. The root that is not named `world` is joined to it.
+fn place_links(
+    robot: &Element,
+    spatial: &mut Spatial,
+    joints: &[Drawn<'_>],
+    notices: &mut Notices,
+) -> Option<()> {
+    let mut placed: Vec<bool> = spatial.links.iter().map(|_| false).collect();
+    for k in 0..spatial.links.len() {
+        if joints.iter().any(|joint| joint.child == k) {
+            continue;
+        }
+        let link = &spatial.links[k];
+        if link.name != "world" {
+            notices.warn(
+                &link.place,
+                format!("link `{}` is joined to nothing that holds it: it is taken as fixed", link.name),
+            );
+        }
+        let (name, place) = (format!("{}_held", link.name), link.place.clone());
+        spatial.joints.push(Joint::new(
+            &name,
+            &place,
+            Kind::Fixed,
+            [None, Some(k)],
+            [0.0; 3],
+            [0.0, 0.0, 1.0],
+        ));
+        placed[k] = true;
+    }
+    // A joint more is passed in each round, or there is a circle.
+    for _ in 0..=joints.len() {
+        for joint in joints {
+            let parent = match joint.parent {
+                None => Pose::HERE,
+                Some(parent) if placed[parent] => spatial.links[parent].pose,
+                Some(_) => continue,
+            };
+            if !placed[joint.child] {
+                spatial.links[joint.child].pose = parent.of(&joint.origin);
+                placed[joint.child] = true;
+            }
+        }
+    }
+    if let Some(k) = placed.iter().position(|placed| !placed) {
+        notices.error(
+            &spatial.links[k].place,
+            format!("link `{}` hangs in a circle of joints", spatial.links[k].name),
+        );
+        return None;
+    }
+    if spatial.links.is_empty() {
+        notices.error(&robot.place, "there is no link in it");
+        return None;
+    }
+    Some(())
+}
+
+fn joint(drawn: &Drawn<'_>, spatial: &Spatial, notices: &mut Notices) -> Option<Joint> {
+    let element = drawn.element;
+    let kind = match element.get("type").unwrap_or_default() {
+        "revolute" | "continuous" => Kind::Revolute,
+        "prismatic" => Kind::Prismatic,
+        "fixed" => Kind::Fixed,
+        "floating" | "planar" => Kind::Free,
+        other => {
+            notices.error(
+                &element.place,
+                format!("{}: a joint of type `{other}` is not planar", element.shown()),
+            );
+            return None;
+        }
+    };
+    let pose = spatial.links[drawn.child].pose;
+    let axis = element.child("axis").and_then(|axis| axis.exactly("xyz", notices)).unwrap_or([1.0, 0.0, 0.0]);
+    let Some(axis) = unit(turned(&pose.turn, axis)) else {
+        notices.error(&element.place, format!("{}: its axis has no direction", element.shown()));
+        return None;
+    };
+    let name = element.get("name").unwrap_or("joint");
+    let mut joint = Joint::new(name, &element.place, kind, [drawn.parent, Some(drawn.child)], pose.at, axis);
+    if kind == Kind::Free && element.get("type") == Some("floating") {
+        notices.warn(
+            &element.place,
+            format!("{}: its link moves freely in the plane, and not out of it", element.shown()),
+        );
+    }
+    for child in &element.children {
+        match child.name.as_str() {
+            "parent" | "child" | "origin" | "axis" | "mimic" => {}
+            "dynamics" => {
+                joint.damping = child.number("damping", notices).unwrap_or_default();
+                joint.friction = child.number("friction", notices).unwrap_or_default();
+            }
+            "limit" => limit(child, element, &mut joint, notices),
+            _ => notices.warn(&child.place, format!("{} of {} is not taken", child.shown(), element.shown())),
+        }
+    }
+    Some(joint)
+}
+
+fn limit(limit: &Element, element: &Element, joint: &mut Joint, notices: &mut Notices) {
+    if element.get("type") == Some("continuous") || !matches!(joint.kind, Kind::Revolute | Kind::Prismatic) {
+        return;
+    }
+    let finite = |value: Option<f64>| value.filter(|value| value.abs() < UNBOUNDED);
+    joint.lower = finite(limit.number("lower", notices));
+    joint.upper = finite(limit.number("upper", notices));
+    if limit.get("lower").is_none() && limit.get("upper").is_none() {
+        notices.warn(
+            &limit.place,
+            format!("{} has a <limit> without lower and upper: it is taken without limits", element.shown()),
+        );
+    }
+}
+
+/// Inputs of the joints that have a transmission; where there is none, of those that have an effort.
+fn drives(
+    robot: &Element,
+    joints: &BTreeMap<String, usize>,
+    drawn: &[Drawn<'_>],
+    spatial: &mut Spatial,
+    notices: &mut Notices,
+) {
+    let offset = spatial.joints.len() - drawn.len();
+    for transmission in robot.all("transmission") {
+        let name = transmission.child("joint").and_then(|joint| joint.get("name")).unwrap_or_default();
+        let Some(&joint) = joints.get(name) else {
+            notices
+                .warn(&transmission.place, format!("{}: there is no joint `{name}`", transmission.shown()));
+            continue;
+        };
+        let actuator = transmission.child("actuator");
+        let within =
+            |tag| actuator.and_then(|actuator| actuator.child(tag)).or_else(|| transmission.child(tag));
+        let gear = within("mechanicalReduction").and_then(|reduction| reduction.text_numbers::<1>(notices));
+        let name = actuator.and_then(|actuator| actuator.get("name")).unwrap_or(name);
+        let effort = effort(drawn[joint - offset].element, notices);
+        spatial.drives.push(drive(name, transmission, joint, gear.map_or(1.0, |[gear]| gear), effort));
+    }
+    if robot.child("transmission").is_some() {
+        return;
+    }
+    for (k, drawn) in drawn.iter().enumerate() {
+        if let Some(effort) = effort(drawn.element, notices) {
+            let name = drawn.element.get("name").unwrap_or("joint");
+            spatial.drives.push(drive(name, drawn.element, offset + k, 1.0, Some(effort)));
+        }
+    }
+}
+
+/// The greatest effort of a joint, where there is one.
+fn effort(joint: &Element, notices: &mut Notices) -> Option<f64> {
+    joint.child("limit")?.number("effort", notices).filter(|effort| *effort > 0.0)
+}
+
+/// A drive by a force or torque, of which the joint feels `gear` times as much, but not more than the effort.
+pub(crate) fn drive(name: &str, element: &Element, joint: usize, gear: f64, effort: Option<f64>) -> Drive {
+    let effort = effort.filter(|effort| *effort < UNBOUNDED);
+    Drive {
+        name: name.to_owned(),
+        place: element.place.clone(),
+        joint,
+        gear: 1.0,
+        gain: gear,
+        bias: [0.0; 3],
+        input: Quantity::Force,
+        input_range: None,
+        force_range: effort.map(|effort| [-effort, effort]),
+    }
+}
+
+/// A frame that Drake adds: a port.
+fn frame(element: &Element, links: &BTreeMap<String, usize>, spatial: &mut Spatial, notices: &mut Notices) {
+    let (Some(name), Some(&link)) =
+        (element.get("name"), element.get("link").and_then(|link| links.get(link)))
+    else {
+        notices.warn(&element.place, format!("{}: its link is not known", element.shown()));
+        return;
+    };
+    let pose = placed(element, notices);
+    spatial.links[link].points.push((name.to_owned(), pose));
+}
