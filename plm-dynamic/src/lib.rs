@@ -6,6 +6,7 @@
 
 mod capacity;
 mod code;
+mod contact;
 mod handle;
 mod memory;
 mod model;

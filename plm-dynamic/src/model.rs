@@ -6,6 +6,7 @@ use plm_runtime::charts::{Charts, Revolutions};
 use plm_runtime::limits::{Least, Limit};
 
 use crate::code::{Code, Room};
+use crate::contact::{Contacts, Sets};
 use crate::memory::Counts;
 
 /// A mechanism without its numbers.
@@ -20,6 +21,8 @@ pub(crate) struct Model {
     pub(crate) absolute: Absolute,
     pub(crate) in_charts: Vec<InChart>,
     pub(crate) switches: Switches,
+    pub(crate) contacts: Option<Contacts>,
+    pub(crate) sets: Sets,
     pub(crate) start: Start,
     pub(crate) outputs: Vec<Code>,
     pub(crate) names_of_starts: &'static [&'static str],
@@ -86,7 +89,7 @@ pub(crate) struct Start {
 }
 
 /// A list that lives as long as the program.
-fn kept<T>(items: impl IntoIterator<Item = T>) -> &'static [T] {
+pub(crate) fn kept<T>(items: impl IntoIterator<Item = T>) -> &'static [T] {
     Vec::leak(items.into_iter().collect())
 }
 
@@ -95,7 +98,7 @@ pub(crate) fn text(text: &str) -> &'static str {
     String::leak(text.to_owned())
 }
 
-fn texts<'a>(all: impl IntoIterator<Item = &'a String>) -> &'static [&'static str] {
+pub(crate) fn texts<'a>(all: impl IntoIterator<Item = &'a String>) -> &'static [&'static str] {
     kept(all.into_iter().map(|one| text(one)))
 }
 
@@ -125,18 +128,21 @@ impl Model {
                 places.map(|places| places.into_iter().map(|k| state.place(k)).collect::<Vec<_>>()).collect()
             }
         };
-        let model = Model {
-            layout: Layout {
-                rows: texts(lowered.rows.iter().map(|row| &row.name)),
-                parts: texts(lowered.rows.iter().map(|row| &row.part)),
-                coordinates: texts(&lowered.coordinates),
-                angular: kept(lowered.rows.iter().map(|row| row.is_angular)),
-                given_angles: if lowered.starts.given_angles.contains(&true) {
-                    kept(lowered.starts.given_angles.iter().copied())
-                } else {
-                    &[]
-                },
+        let layout = Layout {
+            rows: texts(lowered.rows.iter().map(|row| &row.name)),
+            parts: texts(lowered.rows.iter().map(|row| &row.part)),
+            coordinates: texts(&lowered.coordinates),
+            angular: kept(lowered.rows.iter().map(|row| row.is_angular)),
+            given_angles: if lowered.starts.given_angles.contains(&true) {
+                kept(lowered.starts.given_angles.iter().copied())
+            } else {
+                &[]
             },
+        };
+        let model = Model {
+            contacts: Contacts::new(&lowered, &layout, state),
+            sets: Sets::new(&lowered.sets, state),
+            layout,
             charts: charts(&lowered),
             counts,
             coordinates,
@@ -230,7 +236,13 @@ impl Switches {
         Switches {
             instants: Code::new(&of.instants, &["at", "slope"], room),
             terms: Code::new(&of.terms, &["jump"], room),
-            texts: texts(of.all.iter().take(of.guards).map(|switch| &switch.text)),
+            texts: texts(
+                of.all
+                    .iter()
+                    .take(of.guards)
+                    .map(|switch| &switch.text)
+                    .chain(lowered.contacts.iter().flat_map(|contacts| &contacts.guard_names)),
+            ),
         }
     }
 }

@@ -2,10 +2,14 @@
 
 mod absolute;
 mod charted;
+mod conditional;
+mod contact;
 mod events;
 mod mechanism;
 mod motion;
+mod sets;
 mod singular;
+mod sliding;
 mod state;
 
 pub use self::state::State;

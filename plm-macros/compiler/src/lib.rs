@@ -40,6 +40,7 @@ pub use bug::{bug_message, without_panic};
 pub use compile::{Expansion, compile, names_only};
 pub use emit::Code;
 pub use facts::limits::{Least, Limit};
+pub use formulate::{OfRows, RowTerm};
 pub use oracle::{InChart, Oracle};
 pub use picture::{Picture, PictureBody, PicturePart, PicturePort, PictureShape};
 pub use report::Report;
