@@ -1,6 +1,6 @@
 //! Rows of contact, and events that set states: tables and functions.
 
-use plm_compiler::lowered::{self, ContactKind, Lowered};
+use plm_compiler::lowered::{self, ContactKind, Lowered, ReadByConditions};
 use plm_runtime::absolute::Layout;
 
 use crate::code::{Code, Room};
@@ -82,6 +82,16 @@ impl Contacts {
     /// Guards: three of each place, and that of the determinant.
     pub(crate) fn guards(&self) -> usize {
         self.guard_names.len()
+    }
+
+    /// Do conditions read multipliers?
+    pub(crate) fn are_read(&self) -> bool {
+        self.lowered.read == ReadByConditions::Multipliers
+    }
+
+    /// Do conditions read what contacts do?
+    pub(crate) fn decide_sides(&self) -> bool {
+        self.lowered.read != ReadByConditions::Nothing
     }
 
     /// The kind of the law of a row; none of a place behind the last row.

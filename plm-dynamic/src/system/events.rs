@@ -15,8 +15,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     /// Guards, then kinks, at a state.
     fn all_watched(&self, t: S, u: &Held<S, NQ>, x: &[S; N]) -> [S; WATCHED] {
         let mut all = [S::lit(1.0); WATCHED];
-        let contacts = self.model.contacts.as_ref();
-        let are_read = contacts.is_some_and(|contacts| contacts.lowered.are_read);
+        let are_read = self.model.contacts.as_ref().is_some_and(crate::contact::Contacts::are_read);
         let u = &if are_read { self.loaded(t, u, x) } else { *u };
         if self.model.lowered.switches.read_solution {
             let state = State::new(*self, *u, t, *x);
@@ -151,8 +150,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Events for Dynam
         each: &mut impl FnMut(usize, Enclosed<S>),
     ) -> bool {
         let switches = &self.model.lowered.switches;
-        let contacts = self.model.contacts.as_ref();
-        let are_read = contacts.is_some_and(|contacts| contacts.lowered.are_read);
+        let are_read = self.model.contacts.as_ref().is_some_and(crate::contact::Contacts::are_read);
         if are_read || switches.read_solution || matches!(u.of_loops, OfLoops::Free { .. }) {
             return false;
         }

@@ -120,10 +120,10 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
         if let Some(contacts) = &self.model.contacts {
             own.close(t, input, &mut held, &mut x)?;
             contact::begin::<Self, ROWS>(&own, t, &mut held, &mut x)?;
-            if self.sets_states() || contacts.lowered.decide_sides {
+            if self.sets_states() || contacts.decide_sides() {
                 own.take_sides(t, &mut held, &x);
             }
-            if self.sets_states() && contacts.lowered.decide_sides {
+            if self.sets_states() && contacts.decide_sides() {
                 own.take_sides(t, &mut held, &x);
             }
         }

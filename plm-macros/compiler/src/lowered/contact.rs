@@ -32,14 +32,24 @@ pub struct Contacts {
     pub moves_by_time: bool,
     /// The rate is affine in the multipliers.
     pub is_affine: bool,
-    /// Conditions read multipliers.
-    pub are_read: bool,
-    /// Conditions read multipliers, modes or reactions: their sides are known behind those where a run begins.
-    pub decide_sides: bool,
+    /// What conditions of the state read.
+    pub read: ReadByConditions,
     /// Functions chart by chart; of trees and absolute coordinates those of one.
     pub charts: Vec<ContactChart>,
     /// Constraints with a condition.
     pub conditional: Option<Conditional>,
+}
+
+/// What conditions of the state read of what contacts do. Where they read something, their sides are known behind the modes of the rows
+/// where a run begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReadByConditions {
+    /// Neither modes nor forces.
+    Nothing,
+    /// Modes, or reactions of joints.
+    Modes,
+    /// Multipliers.
+    Multipliers,
 }
 
 /// A row of contact.
@@ -139,7 +149,14 @@ impl Contacts {
         }
         let (charts, absolute) = (charts(parts), &program.absolute);
         let reactions = bounding_reactions(&model.contacts).into_iter().zip(contact::readers(model));
-        let are_read = contact::are_read_by_conditions(model);
+        let read = if contact::are_read_by_conditions(model) {
+            ReadByConditions::Multipliers
+        } else if contact::modes_are_read_by_conditions(model) || conditions::read_solution(model, equations)
+        {
+            ReadByConditions::Modes
+        } else {
+            ReadByConditions::Nothing
+        };
         Some(Contacts {
             rows: rows(parts),
             places: contact::places(model),
@@ -152,10 +169,7 @@ impl Contacts {
             impacts: model.impacts,
             moves_by_time: charts.iter().any(|(contact, _)| contact.moves_by_time),
             is_affine: charts.iter().all(|(contact, _)| contact.is_affine),
-            are_read,
-            decide_sides: are_read
-                || contact::modes_are_read_by_conditions(model)
-                || conditions::read_solution(model, equations),
+            read,
             charts: lowered(parts, &charts),
             conditional: absolute.conditional.as_ref().map(|own| Conditional::new(parts, own)),
         })

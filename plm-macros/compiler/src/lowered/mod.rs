@@ -24,8 +24,8 @@ use crate::units::DisplayUnit;
 
 pub use self::charts::{Chart, Loops, Turns};
 pub use self::contact::{
-    BoundingReaction, Conditional, ContactChart, ContactKind, ContactRow, Contacts, Impacts, OfRows, RowTerm,
-    Sliding,
+    BoundingReaction, Conditional, ContactChart, ContactKind, ContactRow, Contacts, Impacts, OfRows,
+    ReadByConditions, RowTerm, Sliding,
 };
 pub use self::equations::{AbsoluteEquations, Output, Row};
 pub use self::routine::{Operation, Register, Routine, Step, Target};
