@@ -23,7 +23,7 @@ pub enum OfRows {
         sticks: bool,
         /// The limit of its force to the positive side, else to the negative one.
         upper: bool,
-        /// What of it.
+        /// The term of it.
         term: RowTerm,
     },
     /// A reaction that bounds frictions.
@@ -32,7 +32,7 @@ pub enum OfRows {
         load: usize,
         /// 0 or 1.
         component: usize,
-        /// What of it.
+        /// The term of it.
         term: RowTerm,
     },
 }
@@ -40,7 +40,7 @@ pub enum OfRows {
 /// A term of what is affine in multipliers and sizes of reactions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RowTerm {
-    /// What does not depend on them.
+    /// The part that does not depend on them.
     Own,
     /// The factor of the multiplier of a row.
     By(usize),

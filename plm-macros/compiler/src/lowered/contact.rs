@@ -32,7 +32,7 @@ pub struct Contacts {
     pub moves_by_time: bool,
     /// The rate is affine in the multipliers.
     pub is_affine: bool,
-    /// What conditions of the state read.
+    /// The numbers of contact that conditions of the state read.
     pub read: ReadByConditions,
     /// Functions chart by chart; of trees and absolute coordinates those of one.
     pub charts: Vec<ContactChart>,
@@ -40,7 +40,7 @@ pub struct Contacts {
     pub conditional: Option<Conditional>,
 }
 
-/// What conditions of the state read of what contacts do. Where they read something, their sides are known behind the modes of the rows
+/// The numbers of contact that conditions of the state read. Where they read some, their sides are known behind the modes of the rows
 /// where a run begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReadByConditions {
