@@ -1,6 +1,9 @@
 //! The time stepping of Moreau and Jean in declarations: beside the event-driven run, as an ordered step, and in every formulation.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
+#[path = "support/beside_text.rs"]
+mod beside_text;
+
 use plm::runtime::{Moment, Vector};
 use plm::{Dop853, Fault, MoreauJean};
 
@@ -104,6 +107,15 @@ fn ordered_steps_have_the_bits_of_a_run() {
         assert_eq!(solution.residual, sim.method().residual(), "{k}");
     }
     assert_eq!((sim.state().held(), sim.stats().evaluations), (state.held(), 600));
+}
+
+/// Steps over contact of mechanisms from text have the bits of compiled ones.
+#[test]
+fn mechanisms_from_text_have_the_bits_of_compiled_ones() {
+    let method = || (MoreauJean::new(2e-3), "MoreauJean:2e-3");
+    beside_text::same_bits(FourBar::new(), method(), (4, 0.1));
+    beside_text::same_bits(Absolute::new(), method(), (4, 0.03));
+    beside_text::same_bits(Bench::new(), method(), (4, 0.25));
 }
 
 /// The error of an angle of the four-bar beside the event-driven run falls with the step, in joint and in absolute coordinates.

@@ -4,9 +4,13 @@
 pub(crate) const PARAMETERS: usize = 64;
 /// Inputs.
 pub(crate) const INPUTS: usize = 32;
-/// Conditions, of the state and of the time.
+/// Conditions, of the state and of the time; and guards, those of rows of contact among them.
 pub(crate) const SWITCHES: usize = 64;
 /// Kinks.
 pub(crate) const KINKS: usize = 64;
 /// Guards and kinks.
 pub(crate) const WATCHED: usize = SWITCHES + KINKS;
+/// Rows of contact, and reactions that bound frictions.
+pub(crate) const ROWS: usize = 12;
+/// Events that set states.
+pub(crate) const EVENTS: usize = 16;

@@ -1,6 +1,7 @@
 //! Straight-line functions that are evaluated step by step, on any scalar.
 
-use plm_compiler::lowered::{Operation, Routine, Step, Target};
+use plm_compiler::lowered::{OfRows, Operation, Routine, Step, Target};
+use plm_compiler::model::ContactMode;
 use plm_compiler::{OfScalar, Source};
 use plm_runtime::Scalar;
 
@@ -32,6 +33,16 @@ pub(crate) enum Array {
     Residuals,
     /// Rates of the state.
     Rates,
+    /// Signs of the slips of rows of contact.
+    Slip,
+    /// Signs of reactions along a line.
+    Line,
+    /// Forces of rows of contact.
+    Force,
+    /// Accelerations of the coordinates.
+    Second,
+    /// Numbers that do not depend on forces of contact.
+    Known,
 }
 
 /// Where an argument comes from.
@@ -53,6 +64,10 @@ pub(crate) enum Argument {
     Remembered(usize),
     /// An element of an array.
     Element(Array, usize),
+    /// The multiplier of a row of contact.
+    Multiplier(usize),
+    /// 1 where a row of contact has this mode, else 0.
+    Mode(usize, ContactMode),
     /// Nothing that a function of this crate has.
     None,
 }
@@ -68,6 +83,10 @@ pub(crate) enum Place {
     Entry(usize, usize),
     /// To a number that is remembered of loops.
     Remembered(usize),
+    /// To a number of the rows of contact.
+    Rows(OfRows),
+    /// To what a multiplier of one, of a row of contact, adds to a number of the rate.
+    Response(usize, usize),
 }
 
 /// Numbers of the state: how many coordinates it has, and how many there is room for.
@@ -105,10 +124,14 @@ impl Code {
             Source::Element(name, k) => {
                 array(name).map_or(Argument::None, |array| Argument::Element(array, in_state(name, k)))
             }
-            Source::Multiplier(_) | Source::Mode(..) | Source::Number(_) => Argument::None,
+            Source::Multiplier(k) => Argument::Multiplier(k),
+            Source::Mode(k, mode) => Argument::Mode(k, mode),
+            Source::Number(_) => Argument::None,
         };
         let place = |target: &Target| match *target {
             Target::Value => Place::Value,
+            Target::Rows(place) => Place::Rows(place),
+            Target::Entry("response", row, column) => Place::Response(row, room.place(column)),
             Target::Entry(_, row, column) => Place::Entry(room.place(row), room.place(column)),
             Target::Remembered(k) => Place::Remembered(k),
             Target::Element(name, k) => {
@@ -153,6 +176,11 @@ fn array(name: &str) -> Option<Array> {
         "w" => Array::Weights,
         "r" => Array::Residuals,
         "dx" => Array::Rates,
+        "slip" => Array::Slip,
+        "line" => Array::Line,
+        "force" => Array::Force,
+        "second" => Array::Second,
+        "known" => Array::Known,
         _ => return None,
     })
 }

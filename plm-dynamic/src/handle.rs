@@ -1,15 +1,17 @@
 //! A mechanism with its numbers: a handle that is copied.
 
 use plm_runtime::charts::OfLoops;
+use plm_runtime::contact;
 use plm_runtime::held::Held as HeldOf;
 use plm_runtime::{Scalar, Start, StartValues};
 
-use crate::capacity::{INPUTS, PARAMETERS, SWITCHES, WATCHED};
+use crate::capacity::{INPUTS, PARAMETERS, ROWS, SWITCHES, WATCHED};
 use crate::code::{Argument, Array, Code, Place};
 use crate::memory::Memory;
 use crate::model::Model;
 use plm_compiler::OfScalar;
 use plm_compiler::lowered::Form;
+use plm_compiler::model::ContactMode;
 
 /// A mechanism of at most `NQ / 3` bodies and `NC` constraint rows, with `N` numbers in a state [q, v, first-order states]. Coordinates
 /// of its own stand in the places of the first ones of these.
@@ -28,8 +30,13 @@ pub struct Starts<S, const N: usize> {
 }
 
 /// What is held over a step.
-pub(crate) type Held<S, const NQ: usize> =
-    HeldOf<[S; INPUTS], [S; SWITCHES], [<S as Scalar>::Turns; NQ], OfLoops<Memory<S, NQ>, [S; NQ]>>;
+pub(crate) type Held<S, const NQ: usize> = HeldOf<
+    [S; INPUTS],
+    [S; SWITCHES],
+    [<S as Scalar>::Turns; NQ],
+    OfLoops<Memory<S, NQ>, [S; NQ]>,
+    contact::Held<S, ROWS>,
+>;
 
 /// The numbers that a function reads, beside parameters.
 #[derive(Clone, Copy)]
@@ -44,6 +51,22 @@ pub(crate) struct Frame<'a, S: Scalar, const NQ: usize> {
     pub(crate) weights: &'a [S],
     pub(crate) residuals: &'a [S],
     pub(crate) rates: &'a [S],
+    pub(crate) sliding: Sliding<'a, S>,
+}
+
+/// The numbers of rows of contact that all slip.
+#[derive(Clone, Copy)]
+pub(crate) struct Sliding<'a, S> {
+    pub(crate) slip: &'a [S],
+    pub(crate) line: &'a [S],
+    pub(crate) force: &'a [S],
+    pub(crate) second: &'a [S],
+    pub(crate) known: &'a [S],
+}
+
+impl<S> Sliding<'_, S> {
+    /// No numbers.
+    pub(crate) const NONE: Self = Sliding { slip: &[], line: &[], force: &[], second: &[], known: &[] };
 }
 
 impl<'a, S: Scalar, const NQ: usize> Frame<'a, S, NQ> {
@@ -61,6 +84,7 @@ impl<'a, S: Scalar, const NQ: usize> Frame<'a, S, NQ> {
             weights: none,
             residuals: none,
             rates: none,
+            sliding: Sliding::NONE,
         }
     }
 
@@ -93,7 +117,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
                         *to = value;
                     }
                 }
-                Place::Entry(..) | Place::Remembered(_) => {}
+                _ => {}
             },
         );
         returned
@@ -111,7 +135,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
                         *to = value;
                     }
                 }
-                Place::Element(..) | Place::Entry(..) => {}
+                _ => {}
             },
         );
         (memory, returned)
@@ -139,7 +163,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     }
 
     #[inline]
-    fn read(&self, argument: Argument, frame: &Frame<S, NQ>) -> S {
+    pub(crate) fn read(&self, argument: Argument, frame: &Frame<S, NQ>) -> S {
         let of = |list: &[S], k: usize| list.get(k).copied().unwrap_or(S::ZERO);
         match argument {
             Argument::Time => frame.t,
@@ -154,6 +178,11 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
                     Array::Weights => frame.weights,
                     Array::Residuals => frame.residuals,
                     Array::Rates => frame.rates,
+                    Array::Slip => frame.sliding.slip,
+                    Array::Line => frame.sliding.line,
+                    Array::Force => frame.sliding.force,
+                    Array::Second => frame.sliding.second,
+                    Array::Known => frame.sliding.known,
                 };
                 of(list, k)
             }
@@ -169,6 +198,14 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
                 Some(OfLoops::InChart { continuation, .. }) => continuation.number(k),
                 _ => S::ZERO,
             },
+            Argument::Multiplier(k) => frame.held.map_or(S::ZERO, |held| of(&held.contact.lambda, k)),
+            Argument::Mode(k, mode) => {
+                let is_so = frame.held.is_some_and(|held| match mode {
+                    ContactMode::Open => held.contact.modes.is_open(k),
+                    ContactMode::Sticking => held.contact.modes.is_sticking(k),
+                });
+                S::lit(if is_so { 1.0 } else { 0.0 })
+            }
             Argument::None => S::lit(f64::NAN),
         }
     }
@@ -194,7 +231,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
                 }
                 OfLoops::Free { q, v } => OfLoops::Free { q: q.map(number), v: v.map(number) },
             },
-            contact: (),
+            contact: contact::Held::packed(&held.contact, [&held.contact], &|[value]: [S; 1]| number(value)),
         }
     }
 

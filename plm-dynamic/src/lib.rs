@@ -6,6 +6,7 @@
 
 mod capacity;
 mod code;
+mod contact;
 mod description;
 mod handle;
 mod memory;

@@ -6,6 +6,7 @@ use plm_runtime::charts::{Charts, Revolutions};
 use plm_runtime::limits::{Least, Limit};
 
 use crate::code::{Code, Room};
+use crate::contact::{Contacts, Sets};
 use crate::description::Description;
 use crate::memory::Counts;
 
@@ -21,6 +22,8 @@ pub(crate) struct Model {
     pub(crate) absolute: Absolute,
     pub(crate) in_charts: Vec<InChart>,
     pub(crate) switches: Switches,
+    pub(crate) contacts: Option<Contacts>,
+    pub(crate) sets: Sets,
     pub(crate) start: Start,
     pub(crate) outputs: Vec<Code>,
     pub(crate) description: Description,
@@ -129,18 +132,21 @@ impl Model {
                 places.map(|places| places.into_iter().map(|k| state.place(k)).collect::<Vec<_>>()).collect()
             }
         };
-        let model = Model {
-            layout: Layout {
-                rows: texts(lowered.rows.iter().map(|row| &row.name)),
-                parts: texts(lowered.rows.iter().map(|row| &row.part)),
-                coordinates: texts(&lowered.coordinates),
-                angular: kept(lowered.rows.iter().map(|row| row.is_angular)),
-                given_angles: if lowered.starts.given_angles.contains(&true) {
-                    kept(lowered.starts.given_angles.iter().copied())
-                } else {
-                    &[]
-                },
+        let layout = Layout {
+            rows: texts(lowered.rows.iter().map(|row| &row.name)),
+            parts: texts(lowered.rows.iter().map(|row| &row.part)),
+            coordinates: texts(&lowered.coordinates),
+            angular: kept(lowered.rows.iter().map(|row| row.is_angular)),
+            given_angles: if lowered.starts.given_angles.contains(&true) {
+                kept(lowered.starts.given_angles.iter().copied())
+            } else {
+                &[]
             },
+        };
+        let model = Model {
+            contacts: Contacts::new(&lowered, &layout, state),
+            sets: Sets::new(&lowered.sets, state),
+            layout,
             charts: charts(&lowered),
             counts,
             coordinates,
@@ -200,7 +206,7 @@ impl Absolute {
             dynamics: Code::new(&of.dynamics, &["dx", "lambda"], room),
             free: Code::new(&of.free, &["force", "gamma"], room),
             x_dot: Code::new(&of.x_dot, &["x_dot"], room),
-            at_rest: Code::new(&of.at_rest, &["force", "x_dot"], room),
+            at_rest: Code::new(&of.at_rest, &["force", "x_dot", "gap", "limit"], room),
             guards: Code::new(&of.guards, &["g"], room),
             phi: Code::new(&of.phi, &["phi"], room),
             phi_dot: Code::new(&of.phi_dot, &["phi_dot"], room),
@@ -236,7 +242,13 @@ impl Switches {
         Switches {
             instants: Code::new(&of.instants, &["at", "slope"], room),
             terms: Code::new(&of.terms, &["jump"], room),
-            texts: texts(of.all.iter().take(of.guards).map(|switch| &switch.text)),
+            texts: texts(
+                of.all
+                    .iter()
+                    .take(of.guards)
+                    .map(|switch| &switch.text)
+                    .chain(lowered.contacts.iter().flat_map(|contacts| &contacts.guard_names)),
+            ),
         }
     }
 }

@@ -3,11 +3,11 @@
 use std::fmt;
 use std::path::Path;
 
-use plm_compiler::lowered::{Lowered, Unsupported};
+use plm_compiler::lowered::Lowered;
 use plm_compiler::token::Sources;
 use plm_compiler::{analyse, without_panic};
 
-use crate::capacity::{INPUTS, KINKS, PARAMETERS, SWITCHES};
+use crate::capacity::{EVENTS, INPUTS, KINKS, PARAMETERS, ROWS, SWITCHES};
 use crate::handle::Dynamic;
 use crate::model::Model;
 
@@ -25,8 +25,6 @@ pub enum Refused {
     Mistakes(String),
     /// The compiler has failed.
     Bug(String),
-    /// It has what cannot run without rustc yet.
-    Unsupported(&'static str),
     /// It is larger than there is room for: what there is too much of, how much, and the most.
     TooLarge {
         /// What there is too much of.
@@ -42,7 +40,6 @@ impl fmt::Display for Refused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Mistakes(text) | Self::Bug(text) => f.write_str(text),
-            Self::Unsupported(what) => write!(f, "{what} cannot run without rustc yet"),
             Self::TooLarge { what, found, most } => {
                 write!(f, "{found} {what}, and there is room for {most}")
             }
@@ -57,7 +54,7 @@ impl Compiled {
     /// beside that.
     ///
     /// # Errors
-    /// The diagnostics of its mistakes, or what cannot run without rustc.
+    /// The diagnostics of its mistakes, or what there is no room for.
     pub fn new(name: &str, text: &str) -> Result<Compiled, Refused> {
         let compiled = without_panic(|| {
             let mut sources = Sources::new();
@@ -75,15 +72,18 @@ impl Compiled {
         match compiled {
             Err(bug) => Err(Refused::Bug(bug)),
             Ok(Err(mistakes)) => Err(Refused::Mistakes(mistakes)),
-            Ok(Ok(Err(Unsupported::Contact))) => Err(Refused::Unsupported("friction or unilateral contact")),
-            Ok(Ok(Err(Unsupported::Sets))) => Err(Refused::Unsupported("an event that sets states")),
-            Ok(Ok(Ok(lowered))) => Compiled::with_room(name, lowered),
+            Ok(Ok(lowered)) => Compiled::with_room(name, lowered),
         }
     }
 
     /// With no more of anything than all mechanisms have room for.
     fn with_room(name: &str, lowered: Lowered) -> Result<Compiled, Refused> {
+        let contacts = lowered.contacts.as_ref();
+        let guards = contacts.map_or(0, |contacts| contacts.guard_names.len());
         within([
+            ("rows of contact", contacts.map_or(0, |contacts| contacts.places), ROWS),
+            ("guards of conditions and contact", lowered.switches.guards + guards, SWITCHES),
+            ("events that set states", lowered.sets.events.len(), EVENTS),
             ("parameters", lowered.parameters.len(), PARAMETERS),
             ("inputs", lowered.inputs.len(), INPUTS),
             ("conditions", lowered.switches.all.len(), SWITCHES),
@@ -107,9 +107,11 @@ impl Compiled {
     /// Is there room for it?
     pub(crate) fn fits<const NQ: usize, const NC: usize, const N: usize>(&self) -> Result<(), Refused> {
         let states = N.saturating_sub(2 * NQ);
+        let conditional = self.lowered.contacts.as_ref().and_then(|contacts| contacts.conditional.as_ref());
+        let conditional = conditional.map_or(0, |conditional| conditional.rows.len());
         within([
             ("coordinates", self.lowered.coordinates.len(), NQ),
-            ("constraint rows", self.lowered.rows.len(), NC),
+            ("constraint rows", self.lowered.rows.len() + conditional, NC),
             ("first-order states", self.lowered.states.len(), states),
         ])
     }

@@ -109,16 +109,38 @@ fn mistakes_have_their_carets() {
     }
 }
 
+/// A ball that falls from 1 m onto a floor with e = 0.5: the n-th flight is e^2n high, and bouncing ends (1 + e)/(1 - e) times the
+/// first fall behind its begin.
 #[test]
-fn what_cannot_run_yet_is_named() {
-    let ball = "pub Ball {
-        gravity: 9.81 m/s^2;
-        ground { port o: (0, 0) m; }
-        body ball { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start y: 1 m; }
-        unilateral floor: ball.y >= 0 m { restitution: 0.5; }
-    }";
-    let error = Mechanism::from_text(ball).unwrap_err();
-    assert_eq!(error, Error::Refused(Refused::Unsupported("friction or unilateral contact")));
+fn contacts_and_events_run() {
+    let ball = Mechanism::from_text(
+        "pub Ball {
+            gravity: 9.81 m/s^2;
+            discrete bounces: 1 = 0;
+            body ball { mass: 1 kg; inertia: 1 kg*m^2; start y: 1 m; start vx: 1 m/s; }
+            unilateral floor: ball.y >= 0 m { restitution: 0.5; }
+            when ball.vy > 0 m/s { bounces = bounces + 1; }
+            output bounces, push = reaction(floor);
+        }",
+    )
+    .unwrap();
+    let fall = (2.0_f64 / 9.81).sqrt();
+    let mut run = ball.start_with(Integrator::Dop853(1e-10)).unwrap();
+    run.step_to(2.25 * fall).unwrap();
+    assert!((run.body("ball").unwrap().y - 0.0625).abs() < 1e-9);
+    assert_eq!(run.row(), [2.0, 0.0]);
+    run.step_to(3.0 * fall + 0.1).unwrap();
+    assert!(run.body("ball").unwrap().y.abs() < 1e-12);
+    assert!((run.row()[1] - 9.81).abs() < 1e-9);
+}
+
+#[test]
+fn what_there_is_no_room_for_is_named() {
+    let rows = |k: usize| format!("unilateral floor{k}: ball.y >= 0 m;");
+    let rows: String = (0..30).map(rows).collect();
+    let ball = format!("pub Ball {{ body ball {{ mass: 1 kg; inertia: 1 kg*m^2; start y: 1 m; }} {rows} }}");
+    let error = Mechanism::from_text(&ball).unwrap_err();
+    assert!(error.to_string().starts_with("30 rows of contact, and there is room for "), "{error}");
 }
 
 /// More bodies than the small class has, against the same chain by another method.

@@ -56,7 +56,7 @@ pub struct Snapshot<M: Mechanism, I = Dop853<M>>(Sim<M, I>);
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// A simulation that begins in `state`.
     pub fn new(mut state: M::State, method: I) -> Self {
-        if M::CONTACTS > 0 {
+        if state.mechanism().contact_count() > 0 {
             M::change_contact(state.in_place().held, I::CHANGE);
         }
         Self {

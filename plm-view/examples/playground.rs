@@ -24,7 +24,8 @@ fn write(html: &str, (module, editor): (&str, &str), gallery: &[String]) -> Resu
     let read = |path: &str| std::fs::read(path).map_err(|error| format!("cannot read {path}: {error}"));
     let text = |path: &str| String::from_utf8(read(path)?).map_err(|error| format!("{path}: {error}"));
     let of_machine = |path: &String| {
-        let declaration = declaration(&text(path)?).ok_or_else(|| format!("{path}: there is no `mechanism! {{…}}`"))?;
+        let declaration =
+            declaration(&text(path)?).ok_or_else(|| format!("{path}: there is no `mechanism! {{…}}`"))?;
         Ok((named(path), declaration))
     };
     let texts = gallery.iter().map(of_machine).collect::<Result<Vec<_>, String>>()?;

@@ -3,12 +3,15 @@
 
 mod around;
 mod assembled;
+#[path = "../support/beside_text.rs"]
+mod beside_text;
 mod bounds;
 #[path = "../support/compass.rs"]
 mod compass;
 mod existence;
 mod flights;
 mod friction;
+mod from_text;
 mod joints;
 mod loads;
 mod loops;

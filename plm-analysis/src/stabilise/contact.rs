@@ -4,7 +4,7 @@
 //! unknowns, until the rows that hold where the search has ended are those with which it began.
 
 use plm_runtime::contact::Mode;
-use plm_runtime::{Cause, Events, Fault, StartValues};
+use plm_runtime::{Cause, Fault, StartValues};
 
 use super::evaluation::{Evaluation, Task};
 use super::residuals::{Holding, Point, Residuals};
@@ -28,9 +28,10 @@ pub struct Support {
 }
 
 /// The mode of each row.
-fn modes<M: Stabilise>(held: &M::U) -> impl Iterator<Item = (usize, Mode)> {
-    let status = M::contacts(held);
-    let modes: Vec<Mode> = (0..<M as Events>::CONTACTS).map_while(|row| status.mode(row)).collect();
+fn modes<M: Stabilise>(residuals: &Residuals<M>) -> impl Iterator<Item = (usize, Mode)> + use<M> {
+    let status = M::contacts(residuals.held());
+    let modes: Vec<Mode> =
+        (0..residuals.mechanism().contact_count()).map_while(|row| status.mode(row)).collect();
     modes.into_iter().enumerate()
 }
 
@@ -46,11 +47,11 @@ pub(super) fn holding<M: Stabilise>(
     start: &Point,
     released: &[usize],
 ) -> Vec<Holding> {
-    if <M as Events>::CONTACTS == 0 {
+    if residuals.mechanism().contact_count() == 0 {
         return Vec::new();
     }
     let (displacements, _) = residuals.of_contact(start);
-    let holds = modes::<M>(residuals.held()).filter_map(|(row, mode)| match mode {
+    let holds = modes(residuals).filter_map(|(row, mode)| match mode {
         Mode::Closed => Some(Holding { row, place: 0.0 }),
         Mode::Sticks => Some(Holding { row, place: displacements.get(row).copied()? }),
         _ => None,
@@ -71,12 +72,13 @@ pub(super) fn at_rest<M: Stabilise>(mechanism: &mut M) {
 
 /// The point with gaps that have become negative closed; none where joints do not let them.
 pub(super) fn lifted<M: Stabilise>(task: &mut Task<M>, mut point: Point) -> Option<Point> {
-    if <M as Events>::CONTACTS == 0 {
+    let count = task.residuals.mechanism().contact_count();
+    if count == 0 {
         return Some(point);
     }
     let none = CLOSED * task.scales.length;
     // A gap that is closed may open another one.
-    for _ in 0..=<M as Events>::CONTACTS {
+    for _ in 0..=count {
         let (displacements, _) = task.residuals.of_contact(&point);
         let sunk = displacements.iter().enumerate().filter(|(row, gap)| {
             let holds = task.residuals.holding.iter().any(|of| of.row == *row);
@@ -98,7 +100,7 @@ pub(super) fn lifted<M: Stabilise>(task: &mut Task<M>, mut point: Point) -> Opti
 /// A friction that slips where nothing moves: it does not hold there.
 pub(super) fn slips<M: Stabilise>(residuals: &Residuals<M>, time: f64) -> Option<Fault> {
     let slips = |mode: Mode| matches!(mode, Mode::Forwards | Mode::Backwards);
-    let (row, _) = modes::<M>(residuals.held()).find(|(_, mode)| slips(*mode))?;
+    let (row, _) = modes(residuals).find(|(_, mode)| slips(*mode))?;
     Some(Fault::of_part(time, residuals.mechanism().contact_name(row), Cause::Slips))
 }
 

@@ -83,7 +83,7 @@ where
 
 fn search<M: Stabilise>(of: M, setting: Setting<M>) -> Result<Equilibrium<M>, Fault> {
     let mut of = of;
-    if M::CONTACTS > 0 {
+    if of.contact_count() > 0 {
         contact::at_rest(&mut of);
     }
     let singular = Fault::new(setting.time, Cause::Singular { rows: of.row_names().len() });
@@ -130,7 +130,7 @@ fn search<M: Stabilise>(of: M, setting: Setting<M>) -> Result<Equilibrium<M>, Fa
         let point = pushed(&task, &evaluation, push);
         let Some(point) = point.and_then(|point| contact::lifted(&mut task, point)) else { break };
         mechanism = task.residuals.started_at(&point);
-        if M::CONTACTS > 0 {
+        if mechanism.contact_count() > 0 {
             // The floor may be far.
             push *= 2.0;
         }

@@ -1,7 +1,7 @@
 //! Residuals of static equilibrium as vectors and matrices, with their exact derivatives.
 
 use nalgebra::{DMatrix, DVector};
-use plm_runtime::{Dual, Events, Fault, Linear, Moment, Statics, Vector};
+use plm_runtime::{Dual, Fault, Linear, Moment, Statics, Vector};
 
 use super::{Stabilise, contact};
 
@@ -114,7 +114,7 @@ impl<M: Stabilise> Residuals<M> {
     /// Displacements of all rows of contact at a point, and how much each can give to either side.
     pub(super) fn of_contact(&self, point: &Point) -> (Vec<f64>, Vec<[f64; 2]>) {
         let mut gaps = self.values(point, |_| 0.0).split_off(self.nq() + 2 * self.own() + self.nx());
-        let limits = gaps.split_off(<M as Events>::CONTACTS);
+        let limits = gaps.split_off(self.mechanism.contact_count());
         (gaps, limits.as_chunks().0.to_vec())
     }
 
@@ -188,7 +188,7 @@ impl<M: Stabilise> Residuals<M> {
         type Number = Dual<f64, 1>;
         let (lifted, held) = self.mechanism.lift::<1>(&self.held);
         let dual = |value: f64, moves: bool| Number { value, tangents: [if moves { 1.0 } else { 0.0 }] };
-        let contacts = 3 * <M as Events>::CONTACTS;
+        let contacts = 3 * self.mechanism.contact_count();
         let mut all = DMatrix::zeros(self.nq() + 2 * self.own() + self.nx() + contacts, count);
         for k in 0..count {
             let (state, row) = variable(k);

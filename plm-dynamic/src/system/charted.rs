@@ -3,7 +3,7 @@
 use plm_runtime::Real;
 use plm_runtime::charts::{Charted, Charts, OfLoops};
 
-use crate::capacity::{INPUTS, SWITCHES};
+use crate::capacity::{INPUTS, ROWS, SWITCHES};
 use crate::handle::{Dynamic, Frame, Held};
 use crate::memory::Memory;
 use crate::model::WITHOUT_LOOPS;
@@ -12,7 +12,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Charted for Dyna
     type Input = [S; INPUTS];
     type Switches = [S; SWITCHES];
     type Turns = [i32; NQ];
-    type Contact = ();
+    type Contact = plm_runtime::contact::Held<S, ROWS>;
     type Continuation = Memory<S, NQ>;
     type Q = [S; NQ];
     // Those of lanes alone, which no mechanism at run time has.

@@ -3,16 +3,20 @@
 use plm_compiler::lowered::End;
 use plm_runtime::absolute::{self, Crossing};
 use plm_runtime::charts::OfLoops;
+use plm_runtime::contact::{self, Contacts};
 use plm_runtime::{Cause, Enclosed, Events, Fault, Moment, Real, events};
 
 use super::State;
-use crate::capacity::{KINKS, SWITCHES, WATCHED};
+use crate::capacity::{KINKS, ROWS, SWITCHES, WATCHED};
 use crate::handle::{Dynamic, Frame, Held};
+use crate::system::contact::store;
 
 impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
     /// Guards, then kinks, at a state.
     fn all_watched(&self, t: S, u: &Held<S, NQ>, x: &[S; N]) -> [S; WATCHED] {
         let mut all = [S::lit(1.0); WATCHED];
+        let are_read = self.model.contacts.as_ref().is_some_and(crate::contact::Contacts::are_read);
+        let u = &if are_read { self.loaded(t, u, x) } else { *u };
         if self.model.lowered.switches.read_solution {
             let state = State::new(*self, *u, t, *x);
             let (a, lambda) = state.solved();
@@ -40,6 +44,45 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
         }
     }
 
+    /// Guards of contact.
+    fn contact_guards(&self) -> usize {
+        self.model.contacts.as_ref().map_or(0, crate::contact::Contacts::guards)
+    }
+
+    /// The place of a guard of contact among all guards; none of a row that there is only room for.
+    fn place_of_guard(&self, number: usize) -> Option<usize> {
+        let (own, count) = (self.model.lowered.switches.guards, self.contact_guards());
+        match number {
+            _ if number == contact::PER_ROW * ROWS => Some(own + count - 1),
+            _ if number + 1 < count => Some(own + number),
+            _ => None,
+        }
+    }
+
+    /// The number of the guard of contact that stands in this place behind those of the conditions.
+    fn number_of_guard(&self, place: usize) -> Option<usize> {
+        let count = self.contact_guards();
+        let last = (place + 1 == count).then_some(contact::PER_ROW * ROWS);
+        last.or_else(|| (place + 1 < count).then_some(place))
+    }
+
+    /// Rows that exist, where that is a question.
+    fn existing(&self, u: &Held<S, NQ>) -> Option<[bool; ROWS]> {
+        self.model.contacts.as_ref()?.exist.as_ref()?;
+        Some(core::array::from_fn(|row| self.exists(u, row)))
+    }
+
+    /// Looks at rows that have begun to exist.
+    fn look_at_appearance(
+        &self,
+        t: S,
+        u: &Held<S, NQ>,
+        x: &[S; N],
+        existed: Option<[bool; ROWS]>,
+    ) -> Result<(), Fault> {
+        existed.map_or(Ok(()), |existed| contact::appear::<Self, ROWS>(self, t, (u, x), existed))
+    }
+
     /// Times at which conditions change, s, and the slopes of what they compare.
     pub(super) fn instants(&self, u: &Held<S, NQ>) -> (Vec<S>, Vec<S>) {
         let switches = &self.model.lowered.switches;
@@ -56,8 +99,20 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Events for Dynam
     const KINKS: usize = KINKS;
     const SELECTIVE: bool = true;
 
+    const CONTACTS: usize = ROWS;
+    const BENDS: bool = true;
+
     fn guard_count(&self) -> usize {
-        self.model.lowered.switches.guards
+        self.model.lowered.switches.guards + self.contact_guards()
+    }
+
+    fn contact_count(&self) -> usize {
+        self.model.contacts.as_ref().map_or(0, |contacts| contacts.lowered.rows.len())
+    }
+
+    fn may_bend(&self) -> bool {
+        let reactions = self.model.contacts.iter().flat_map(|contacts| &contacts.lowered.reactions);
+        reactions.into_iter().any(|reaction| reaction.in_plane)
     }
 
     fn guards(&self, t: S, u: &Self::U, x: &[S; N], g: &mut [S; SWITCHES]) {
@@ -66,6 +121,13 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Events for Dynam
         *g = [S::lit(1.0); SWITCHES];
         for (guard, value) in g.iter_mut().zip(all).take(own) {
             *guard = value;
+        }
+        if self.has_contacts() {
+            contact::guards::<Self, ROWS>(self, t, u, x, &mut |index, guard| {
+                if let Some(place) = self.place_of_guard(index) {
+                    store(g, place, guard);
+                }
+            });
         }
     }
 
@@ -88,28 +150,78 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Events for Dynam
         each: &mut impl FnMut(usize, Enclosed<S>),
     ) -> bool {
         let switches = &self.model.lowered.switches;
-        if switches.read_solution || matches!(u.of_loops, OfLoops::Free { .. }) {
+        let are_read = self.model.contacts.as_ref().is_some_and(crate::contact::Contacts::are_read);
+        if are_read || switches.read_solution || matches!(u.of_loops, OfLoops::Free { .. }) {
             return false;
         }
-        let constant = |number: S| Enclosed::constant(number);
-        let (mechanism, held) = (self.map(&constant), Self::map_held(u, &constant));
-        let x: [Enclosed<S>; N] = core::array::from_fn(x);
-        let mut all = [Enclosed::constant(S::lit(1.0)); WATCHED];
-        mechanism.watched(t, &held, &x, &mut all);
-        for (index, value) in all.into_iter().take(switches.guards + switches.kinks).enumerate() {
-            let kink = index.checked_sub(switches.guards);
-            each(kink.map_or(index, |kink| SWITCHES + kink), value);
+        let watched = switches.guards + switches.kinks;
+        if watched > 0 {
+            let constant = |number: S| Enclosed::constant(number);
+            let (mechanism, held) = (self.map(&constant), Self::map_held(u, &constant));
+            let x: [Enclosed<S>; N] = core::array::from_fn(x);
+            let mut all = [Enclosed::constant(S::lit(1.0)); WATCHED];
+            mechanism.watched(t, &held, &x, &mut all);
+            for (index, value) in all.into_iter().take(watched).enumerate() {
+                let kink = index.checked_sub(switches.guards);
+                each(kink.map_or(index, |kink| SWITCHES + kink), value);
+            }
         }
-        true
+        !self.has_contacts()
+            || contact::guards_within::<Self, ROWS>(self, t, u, x, &mut |index, guard| {
+                if let Some(place) = self.place_of_guard(index) {
+                    each(place, guard);
+                }
+            })
     }
 
-    fn switch(&self, _t: S, u: &mut Self::U, _x: &mut [S; N], index: usize) -> Result<(), Fault> {
-        if !self.must_hold(index)
-            && let Some(side) = u.switches.get_mut(index)
-        {
-            *side = -*side;
+    fn stay(
+        &self,
+        u: &Self::U,
+        places: [(S, &[S; N]); 2],
+        within: (Enclosed<S>, &impl Fn(usize) -> Enclosed<S>),
+        end: &[S; SWITCHES],
+    ) -> bool {
+        let switches = &self.model.lowered.switches;
+        let end = |index: usize| {
+            let place = self.place_of_guard(index).and_then(|place| end.get(place));
+            place.copied().unwrap_or(S::lit(1.0))
+        };
+        let are_alone = self.has_contacts() && switches.guards + switches.kinks == 0;
+        are_alone && contact::stay::<Self, ROWS>(self, u, places, within, end)
+    }
+
+    fn switch(&self, t: S, u: &mut Self::U, x: &mut [S; N], index: usize) -> Result<(), Fault> {
+        self.switch_behind(t, u, x, (index, S::ZERO))
+    }
+
+    fn switch_behind(
+        &self,
+        t: S,
+        u: &mut Self::U,
+        x: &mut [S; N],
+        (index, step): (usize, S),
+    ) -> Result<(), Fault> {
+        if self.must_hold(index) {
+            return Ok(());
         }
-        Ok(())
+        self.followed(t, u, x, |u, x| {
+            let existed = self.existing(u);
+            let of_contact = index.checked_sub(self.model.lowered.switches.guards);
+            if let (None, Some(side)) = (of_contact, u.switches.get_mut(index)) {
+                *side = -*side;
+            }
+            self.look_at_appearance(t, u, x, existed)?;
+            match of_contact.and_then(|index| self.number_of_guard(index)) {
+                _ if !self.has_contacts() => {}
+                Some(index) => {
+                    contact::switch_behind::<Self, ROWS>(self, t, u, x, (index, step))?;
+                }
+                None => {
+                    contact::update::<Self, ROWS>(self, t, u, x)?;
+                }
+            }
+            Ok(())
+        })
     }
 
     fn must_hold(&self, index: usize) -> bool {
@@ -129,9 +241,42 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Events for Dynam
         at.into_iter().filter(|at| *at > t).reduce(S::min)
     }
 
-    fn switch_at_time(&self, t: S, u: &mut Self::U, _x: &mut [S; N]) -> Result<(), Fault> {
-        self.take_sides_at_time(t, u);
-        Ok(())
+    fn switch_at_time(&self, t: S, u: &mut Self::U, x: &mut [S; N]) -> Result<(), Fault> {
+        let switches = &self.model.lowered.switches;
+        if switches.all.len() == switches.guards {
+            return Ok(());
+        }
+        self.followed(t, u, x, |u, x| {
+            let existed = self.existing(u);
+            self.take_sides_at_time(t, u);
+            self.look_at_appearance(t, u, x, existed)?;
+            if self.has_contacts() {
+                contact::update::<Self, ROWS>(self, t, u, x)?;
+            }
+            Ok(())
+        })
+    }
+
+    fn state_was_set(&self, t: S, u: &mut Self::U, x: &mut [S; N]) -> Result<(), Fault> {
+        if self.has_contacts() { contact::state_was_set::<Self, ROWS>(self, t, u, x) } else { Ok(()) }
+    }
+
+    fn contacts(u: &Self::U) -> contact::Status<'_> {
+        u.contact.status()
+    }
+
+    fn change_contact(u: &mut Self::U, change: contact::Change) {
+        u.contact.modes.change = change;
+    }
+
+    fn stride<const EVALUATIONS: usize>(
+        &self,
+        stride: &contact::Stride<S>,
+        u: &mut Self::U,
+        x: &mut [S; N],
+        behind: impl FnOnce(&mut Self::U, &mut [S; N], &contact::Solution<S>) -> Result<(), Fault>,
+    ) -> Result<contact::Solution<S>, Fault> {
+        contact::step::<Self, ROWS, EVALUATIONS>(self, stride, u, x, behind)
     }
 
     fn matters(&self, u: &Self::U, index: usize, unknown: u64) -> bool {
@@ -139,6 +284,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Events for Dynam
         let number = match index.checked_sub(SWITCHES) {
             Some(kink) if kink < switches.kinks => switches.guards + kink,
             None if index < switches.guards => index,
+            None if index < self.guard_count() => return true,
             _ => return false,
         };
         if switches.roots.is_empty() {

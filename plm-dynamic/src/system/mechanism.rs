@@ -2,6 +2,7 @@
 
 use plm_compiler::lowered::Form;
 use plm_runtime::charts::{self, OfLoops};
+use plm_runtime::contact;
 use plm_runtime::held::Held as HeldOf;
 use plm_runtime::singular::NearSingular;
 use plm_runtime::{
@@ -10,7 +11,7 @@ use plm_runtime::{
 };
 
 use super::State;
-use crate::capacity::{INPUTS, PARAMETERS, SWITCHES};
+use crate::capacity::{INPUTS, PARAMETERS, ROWS, SWITCHES};
 use crate::handle::{Dynamic, Held, Starts};
 use crate::memory::Memory;
 use crate::model::Model;
@@ -68,7 +69,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
             switches: [S::lit(1.0); SWITCHES],
             turns: [0; NQ],
             of_loops: OfLoops::InChart { chart: 0, continuation: Memory::new(self.model.counts) },
-            contact: (),
+            contact: contact::Held::open(),
         }
     }
 
@@ -120,13 +121,62 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
             return Err(Fault::new(t.to_f64(), Cause::Repeats { joints }));
         }
         own.enter(t, &mut held, (&assembly.q, &assembly.v), &mut x);
-        if !self.model.lowered.switches.all.is_empty() {
-            own.switch_at_time(t, &mut held, &mut x)?;
-        }
-        if self.model.lowered.switches.guards > 0 {
-            events::switch_where_due(&own, t, &mut held, &mut x)?;
+        own.begin_sides(t, &mut held, &mut x)?;
+        if let Some(contacts) = &self.model.contacts {
+            own.close(t, input, &mut held, &mut x)?;
+            contact::begin::<Self, ROWS>(&own, t, &mut held, &mut x)?;
+            if self.sets_states() || contacts.decide_sides() {
+                own.take_sides(t, &mut held, &x);
+            }
+            if self.sets_states() && contacts.decide_sides() {
+                own.take_sides(t, &mut held, &x);
+            }
         }
         Ok((held, x))
+    }
+
+    /// The sides of conditions that apply where a run begins. Events that set states do not happen there.
+    fn begin_sides(&self, t: S, held: &mut Held<S, NQ>, x: &mut [S; N]) -> Result<(), Fault> {
+        let switches = &self.model.lowered.switches;
+        let contacts = self.model.contacts.as_ref();
+        // Contacts have their modes when all constraints that hold are closed.
+        let are_closed = contacts.is_none_or(|contacts| contacts.conditional.is_none());
+        if self.sets_states() || !are_closed {
+            self.take_sides_at_time(t, held);
+            self.take_sides(t, held, x);
+            return Ok(());
+        }
+        if !switches.all.is_empty() {
+            self.switch_at_time(t, held, x)?;
+        }
+        if switches.guards > 0 {
+            events::switch_where_due(self, t, held, x)?;
+        }
+        Ok(())
+    }
+
+    /// Takes the sides of all conditions of the state; nothing becomes true by that.
+    fn take_sides(&self, t: S, held: &mut Held<S, NQ>, x: &[S; N]) {
+        let guards = self.model.lowered.switches.guards;
+        events::take_sides(self, t, held, x, (guards, |u: &mut Held<S, NQ>| &mut u.switches[..]));
+    }
+
+    /// Assembles anew with the constraints that hold where a run begins. Which hold may depend on the pose: it is asked again behind
+    /// that, a few times.
+    fn close(&self, t: S, input: [S; INPUTS], held: &mut Held<S, NQ>, x: &mut [S; N]) -> Result<(), Fault> {
+        let mut closed = [false; ROWS];
+        for _ in 0..4 {
+            let holds = self.conditions_that_hold(held);
+            if holds == closed {
+                break;
+            }
+            let (q, v) = self.assembled_with(t, holds)?;
+            *held = self.holding(input);
+            self.enter(t, held, (&q, &v), x);
+            self.begin_sides(t, held, x)?;
+            closed = holds;
+        }
+        Ok(())
     }
 
     /// Do some of its own rows repeat others?
@@ -135,7 +185,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     }
 
     /// From a pose and velocity to the state.
-    fn enter(&self, t: S, held: &mut Held<S, NQ>, (q, v): (&[S; NQ], &[S; NQ]), x: &mut [S; N]) {
+    pub(super) fn enter(&self, t: S, held: &mut Held<S, NQ>, (q, v): (&[S; NQ], &[S; NQ]), x: &mut [S; N]) {
         match self.model.lowered.form {
             Form::Loops => charts::enter(self, t, held, (q, v), x),
             Form::Tree => charts::Charted::to_chart(self, 0, t, q, v, x),

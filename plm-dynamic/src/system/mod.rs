@@ -2,11 +2,15 @@
 
 mod absolute;
 mod charted;
+mod conditional;
+mod contact;
 mod described;
 mod events;
 mod mechanism;
 mod motion;
+mod sets;
 mod singular;
+mod sliding;
 mod state;
 mod statics;
 

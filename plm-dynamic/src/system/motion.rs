@@ -2,12 +2,14 @@
 
 use plm_runtime::absolute;
 use plm_runtime::charts::{self, OfLoops};
+use plm_runtime::contact::{self, Contacts};
 use plm_runtime::{
     Cause, Constraints, Drift, Energy, Fault, Health, Labels, Moment, Rate, Real, Scalar, Updated, Vector,
     turns,
 };
 
 use super::State;
+use crate::capacity::ROWS;
 use crate::handle::{Dynamic, Frame, Held};
 use plm_compiler::lowered::Form;
 
@@ -18,6 +20,37 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Rate for Dynam
     const NQ: usize = NQ;
 
     fn rate(&self, t: S, u: &Self::U, x: &[S; N], dx: &mut [S; N]) -> Health<S> {
+        *dx = [S::ZERO; N];
+        if self.has_contacts() {
+            return self.rate_with_contact(t, u, x, dx);
+        }
+        self.rate_holding(t, u, x, dx)
+    }
+
+    fn coordinates(&self) -> usize {
+        self.model.coordinates
+    }
+
+    fn states(&self) -> usize {
+        2 * self.model.coordinates + self.model.lowered.states.len()
+    }
+
+    fn typical(&self) -> [S; N] {
+        let (own, count) = (&self.model.lowered.typical, self.model.coordinates);
+        // What no coordinate has is zero: a size that some has changes no norm, and no largest one.
+        let filled = |number: usize| own.get(number).copied().unwrap_or(1.0);
+        let mut typical = [S::lit(filled(0)); N];
+        typical.iter_mut().skip(NQ).take(NQ).for_each(|size| *size = S::lit(filled(count)));
+        for (k, size) in own.iter().enumerate() {
+            typical.set(place::<NQ>(k, count), S::lit(*size));
+        }
+        typical
+    }
+}
+
+impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+    /// The rate with the multipliers of contact that are held.
+    pub(super) fn rate_holding(&self, t: S, u: &Held<S, NQ>, x: &[S; N], dx: &mut [S; N]) -> Health<S> {
         let frame = Frame::of_state(t, u, x);
         *dx = [S::ZERO; N];
         match self.model.lowered.form {
@@ -39,25 +72,6 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Rate for Dynam
                 OfLoops::Free { .. } => Health(S::ZERO),
             },
         }
-    }
-
-    fn coordinates(&self) -> usize {
-        self.model.coordinates
-    }
-
-    fn states(&self) -> usize {
-        2 * self.model.coordinates + self.model.lowered.states.len()
-    }
-
-    fn typical(&self) -> [S; N] {
-        let (own, count) = (&self.model.lowered.typical, self.model.coordinates);
-        // What no coordinate has is zero: a size that some has changes no norm.
-        let filled = own.first().copied().unwrap_or(1.0);
-        let mut typical = [S::lit(filled); N];
-        for (k, size) in own.iter().enumerate() {
-            typical.set(place::<NQ>(k, count), S::lit(*size));
-        }
-        typical
     }
 }
 
@@ -85,7 +99,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Constraints for 
             Form::Loops if self.rate(t, u, x, dx).is_good() => Ok(()),
             Form::Loops => Err(charts::not_regular(self, t, u, x)),
             Form::Absolute => {
-                let solution = self.accelerate(t, u, x)?;
+                let solution = self.accelerate(t, &self.loaded(t, u, x), x)?;
                 let (_, v): ([S; NQ], [S; NQ]) = absolute::split(x);
                 absolute::join(&v, &solution.a, dx);
                 let mut x_dot = [S::ZERO; N];
@@ -98,16 +112,18 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Constraints for 
         }
     }
 
-    fn project(&self, t: S, _u: &Self::U, x: &mut [S; N]) -> Result<(), Fault> {
-        if self.projects() { absolute::project_state::<S, Self, NQ, NC, N>(self, t, x) } else { Ok(()) }
+    fn project(&self, t: S, u: &Self::U, x: &mut [S; N]) -> Result<(), Fault> {
+        if self.has_contacts() {
+            return contact::project::<Self, ROWS>(self, t, u, x);
+        }
+        self.project_joints(t, u, x)
     }
 
-    fn drift(&self, t: S, _u: &Self::U, x: &[S; N]) -> Drift<S> {
-        if self.projects() {
-            absolute::drift::<S, Self, NQ, NC, N>(self, t, x)
-        } else {
-            Drift { phi: S::ZERO, phi_dot: S::ZERO }
+    fn drift(&self, t: S, u: &Self::U, x: &[S; N]) -> Drift<S> {
+        if self.has_contacts() {
+            return contact::drift::<Self, ROWS>(self, t, u, x);
         }
+        self.drift_of_joints(t, u, x)
     }
 
     fn baumgarte_rate(&self) -> Option<f64> {
@@ -144,7 +160,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Constraints for 
 
 impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
     /// Are states projected onto constraints?
-    fn projects(&self) -> bool {
+    pub(super) fn projects(&self) -> bool {
         self.is_absolute() && self.model.start.baumgarte.is_none()
     }
 
@@ -183,7 +199,16 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Labels for Dynam
 
     fn guard_name(&self, index: usize) -> &'static str {
         let switches = &self.model.lowered.switches;
-        switches.all.get(index).filter(|_| index < switches.guards).map_or("", |switch| &switch.name)
+        if let Some(index) = index.checked_sub(switches.guards) {
+            let names = self.model.contacts.as_ref().map(|contacts| contacts.guard_names);
+            return names.and_then(|names| names.get(index)).copied().unwrap_or_default();
+        }
+        switches.all.get(index).map_or("", |switch| &switch.name)
+    }
+
+    fn contact_name(&self, row: usize) -> &'static str {
+        let names = self.model.contacts.as_ref().map(|contacts| contacts.names);
+        names.and_then(|names| names.get(row)).copied().unwrap_or_default()
     }
 
     fn conditions(&self) -> &'static [&'static str] {

@@ -2,8 +2,11 @@
 
 use plm_runtime::charts::{self, Charted, OfLoops};
 use plm_runtime::singular::ExtendedPrecision;
-use plm_runtime::{DoubleDouble, Dual, Health, Linear, Rate, Real, Scalar, absolute, linear};
+use plm_runtime::{
+    DoubleDouble, Dual, Health, Linear, Rate, Real, Scalar, Vector, absolute, contact, linear,
+};
 
+use crate::capacity::ROWS;
 use crate::handle::{Dynamic, Frame, Held};
 
 type Wide<S> = DoubleDouble<S>;
@@ -113,6 +116,15 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Linear for Dynam
             let _ = self.jvp(t, u, x, (S::lit(1.0), &[S::ZERO; N]), by_t);
         }
         linear::finite(health, by_x)
+    }
+
+    fn held_rows(&self, t: S, u: &Self::U, x: &[S; N], row: &mut impl FnMut(S)) {
+        if self.has_contacts() {
+            contact::held_rows::<Self, ROWS>(self, t, u, x, row);
+        }
+        for state in &self.model.lowered.discrete {
+            row(x.at(2 * NQ + state));
+        }
     }
 
     fn constraints(&self, t: S, x: &[S; N], row: &mut impl FnMut(S)) {

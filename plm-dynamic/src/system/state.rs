@@ -102,7 +102,8 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> State<S, NQ, NC,
     ) -> Option<S> {
         let model = self.mechanism.model;
         let code = model.outputs.get(number)?;
-        let mut frame = Frame { held: Some(&self.held), x: &self.x, ..Frame::of_pose(self.time, q, v) };
+        let held = self.loaded();
+        let mut frame = Frame { held: Some(&held), x: &self.x, ..Frame::of_pose(self.time, q, v) };
         if model.lowered.outputs.get(number)?.solves {
             let (a, lambda) = solution.get_or_insert_with(|| self.solved());
             (frame.a, frame.lambda) = (a, lambda);
@@ -114,17 +115,18 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> State<S, NQ, NC,
     pub(crate) fn solved(&self) -> ([S; NQ], [S; NC]) {
         let (mechanism, model) = (&self.mechanism, self.mechanism.model);
         let (mut a, mut lambda) = ([S::ZERO; NQ], [S::ZERO; NC]);
+        let held = &self.loaded();
         let tree = model.in_charts.first().filter(|_| model.lowered.form == Form::Tree);
         if let Some(reactions) = tree.and_then(|chart| chart.reactions.as_ref()) {
-            let frame = Frame::of_state(self.time, &self.held, &self.x);
+            let frame = Frame::of_state(self.time, held, &self.x);
             mechanism.run(reactions, &frame, [&mut a, &mut lambda]);
             return (a, lambda);
         }
         let (x, mut dx) = (self.absolute(), [S::ZERO; N]);
-        let frame = Frame::of_state(self.time, &self.held, &x);
+        let frame = Frame::of_state(self.time, held, &x);
         let health = mechanism.run(&model.absolute.dynamics, &frame, [&mut dx, &mut lambda]);
         if !Health(health).is_good()
-            && let Ok(solution) = mechanism.accelerate(self.time, &self.held, &x)
+            && let Ok(solution) = mechanism.accelerate(self.time, held, &x)
         {
             return (solution.a, solution.lambda);
         }
@@ -133,10 +135,16 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> State<S, NQ, NC,
         (a, lambda)
     }
 
+    /// What is held, with the multipliers of contact.
+    fn loaded(&self) -> Held<S, NQ> {
+        self.mechanism.loaded(self.time, &self.held, &self.x)
+    }
+
     /// A scalar of the state.
     fn value(&self, code: &crate::code::Code) -> S {
         let (q, v) = self.pose();
-        let frame = Frame { held: Some(&self.held), x: &self.x, ..Frame::of_pose(self.time, &q, &v) };
+        let held = self.loaded();
+        let frame = Frame { held: Some(&held), x: &self.x, ..Frame::of_pose(self.time, &q, &v) };
         self.mechanism.run(code, &frame, [])
     }
 

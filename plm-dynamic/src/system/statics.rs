@@ -1,8 +1,10 @@
 //! A mechanism at rest, in absolute coordinates without gaps.
 
+use plm_runtime::system::Events;
 use plm_runtime::{Absolute, BodyStart, Fault, Real, Statics, absolute, turns};
 
 use super::State;
+use crate::capacity::ROWS;
 use crate::code::Room;
 use crate::handle::{Dynamic, Frame, Held, Starts};
 
@@ -66,15 +68,22 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Statics for Dyna
     fn equations(&self, t: S, u: &Held<S, NQ>, x: &[S; N], lambda: &[S; NC], each: &mut impl FnMut(S)) {
         let (x, lowered) = (self.spread(x), &self.model.lowered);
         let (mut force, mut x_dot) = ([S::ZERO; NQ], [S::ZERO; N]);
+        let (mut gap, mut limit) = ([S::ZERO; ROWS], [S::ZERO; 2 * ROWS]);
         let frame = Frame { lambda, ..Frame::of_state(t, u, &x) };
-        self.run(&self.model.absolute.at_rest, &frame, [&mut force, &mut x_dot]);
+        self.run(&self.model.absolute.at_rest, &frame, [&mut force, &mut x_dot, &mut gap, &mut limit]);
         let (q, v): ([S; NQ], [S; NQ]) = absolute::split(&x);
         let (nq, nc) = (lowered.coordinates.len(), lowered.rows.len());
         let balance = absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force);
         balance.into_iter().take(nq).for_each(&mut *each);
         self.phi(t, &q).into_iter().take(nc).for_each(&mut *each);
         self.phi_dot(t, &q, &v).into_iter().take(nc).for_each(&mut *each);
-        x_dot.into_iter().take(lowered.states.len()).for_each(each);
+        x_dot.into_iter().take(lowered.states.len()).for_each(&mut *each);
+        let contacts = self.contact_count();
+        gap.into_iter().take(contacts).chain(limit.into_iter().take(2 * contacts)).for_each(each);
+    }
+
+    fn multipliers(held: &mut Held<S, NQ>) -> &mut [S] {
+        &mut held.contact.lambda
     }
 
     fn start_with_inputs(&self, t: S, held: &Held<S, NQ>) -> Result<(Held<S, NQ>, [S; N]), Fault> {

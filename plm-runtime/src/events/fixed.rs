@@ -26,9 +26,9 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
     /// Can no guard leave its side in steps of a method? There is none, or those of contact alone, which steps decide.
     #[inline]
     pub(crate) fn has_none<M: System<S = S, G = G>, I: Method<M>>(system: &M, held: &M::U) -> bool {
-        let are_of_contact =
-            I::CHANGE == Change::InSteps && M::CONTACTS > 0 && G::LEN == guard_count(M::CONTACTS);
-        system.guard_count() == 0 || are_of_contact && system.is_regular(held)
+        let (rows, guards) = (system.contact_count(), system.guard_count());
+        let are_of_contact = I::CHANGE == Change::InSteps && rows > 0 && guards == guard_count(rows);
+        guards == 0 || are_of_contact && system.is_regular(held)
     }
 
     /// The event at the end of a step: without dense output by its guards, unless the step stays in the guard-free region.

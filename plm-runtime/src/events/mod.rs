@@ -206,7 +206,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
                 let mut due = due.filter(|_| context.time >= time);
                 if let Some(index) = due.filter(|index| context.system.must_hold(*index)) {
                     due = meet(method, context, (&before, &start), index)?.then_some(index);
-                } else if let Some(index) = due.filter(|_| M::CONTACTS > 0) {
+                } else if let Some(index) = due.filter(|_| context.system.contact_count() > 0) {
                     refine(context, start.time, index)?;
                 }
                 self.arrive(guards_here(context)?);
@@ -224,7 +224,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         (start, end): (&Beginning<M>, &G),
         (least, beyond_kinks): (S, bool),
     ) -> Result<(Ends, S), Fault> {
-        if M::CONTACTS > 0 && self.stay(context, start, end) {
+        if context.system.contact_count() > 0 && self.stay(context, start, end) {
             return Ok((Ends::Whole, context.time));
         }
         if context.system.guard_count() > 0 {

@@ -107,7 +107,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         for i in 0..M::G::LEN {
             if residual.at(i) < M::S::ZERO {
                 match search.return_of(i) {
-                    Some(from) if M::CONTACTS > 0 && from <= finest() => {
+                    Some(from) if system.contact_count() > 0 && from <= finest() => {
                         let guard = search.values(from).at(i);
                         search.first.set(i, guard);
                     }

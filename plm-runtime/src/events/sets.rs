@@ -18,6 +18,12 @@ pub trait Sets<const W: usize>: System<S: Real> {
     /// Conditions of the state: their guards are the first ones, and their sides stand first.
     const CONDITIONS: usize;
 
+    /// Number of these conditions: `CONDITIONS`, or fewer of a system that has its size from a program.
+    #[inline]
+    fn condition_count(&self) -> usize {
+        Self::CONDITIONS
+    }
+
     /// The sides of all conditions that are held.
     fn sides(u: &mut Self::U) -> &mut [Self::S];
 
@@ -76,7 +82,8 @@ pub fn change<M: Sets<W>, const W: usize>(
         }
     }
     let after = differences(system, t, u, x);
-    let marks: [bool; 64] = core::array::from_fn(|k| k < M::CONDITIONS && changed(&before, &after, k));
+    let marks: [bool; 64] =
+        core::array::from_fn(|k| k < system.condition_count() && changed(&before, &after, k));
     let conditions = Names::marked(system.conditions(), &marks);
     let first = marks.iter().position(|due| *due).unwrap_or(0);
     let cause = Cause::Zeno { events: MOST_ROUNDS, within: 0.0, conditions };
@@ -85,7 +92,7 @@ pub fn change<M: Sets<W>, const W: usize>(
 
 /// Takes the sides of all conditions of the state where a run begins: nothing becomes true by that.
 pub fn begin<M: Sets<W>, const W: usize>(system: &M, t: M::S, u: &mut M::U, x: &M::X) {
-    take_sides(system, t, u, x, (M::CONDITIONS, M::sides));
+    take_sides(system, t, u, x, (system.condition_count(), M::sides));
 }
 
 /// The same where no event sets states: `sides` gives those of all conditions, of which the first `conditions` are of the state.
@@ -117,7 +124,7 @@ fn differences<M: Sets<W>, const W: usize>(system: &M, t: M::S, u: &M::U, x: &M:
     let (guards, mut held) = (guards(system, t, u, x), *u);
     let sides = M::sides(&mut held);
     M::G::from_fn(|k| match sides.get(k) {
-        Some(side) if k < M::CONDITIONS => *side * guards.at(k),
+        Some(side) if k < system.condition_count() => *side * guards.at(k),
         _ => M::S::ZERO,
     })
 }
@@ -136,10 +143,12 @@ fn follow<M: Sets<W>, const W: usize>(
     before: &M::G,
 ) -> (bool, M::G) {
     let mut has_followed = false;
-    for _ in 0..=M::CONDITIONS {
+    for _ in 0..=system.condition_count() {
         let after = differences(system, t, u, x);
         let mut any = false;
-        for k in (0..M::CONDITIONS).filter(|k| changed(before, &after, *k) && !system.must_hold(*k)) {
+        for k in
+            (0..system.condition_count()).filter(|k| changed(before, &after, *k) && !system.must_hold(*k))
+        {
             let side = M::S::lit(if after.at(k) < M::S::ZERO { -1.0 } else { 1.0 });
             if let Some(held) = M::sides(u).get_mut(k).filter(|held| **held != side) {
                 *held = side;

@@ -60,7 +60,7 @@ impl<'a, M: Pack<S = f64>, I: Method<M>> Lane<'a, M, I> {
         let step = self.context.step(from);
         self.limits.energy_jump.is_none()
             && self.history.counts.is_none()
-            && self.method.drift_check() == DriftCheck::Skip
+            && self.method.drift_check(system) == DriftCheck::Skip
             && M::Rescue::nearness(&step, I::LENGTH) == Nearness::Regular
             && system.is_calm(*time, held, x)
             && (Detector::has_none::<M, I>(system, held)

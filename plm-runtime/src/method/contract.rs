@@ -157,7 +157,8 @@ pub trait FixedLength<M: System>: Sized {
 
     /// Whether the state that the next step leads to is projected. Methods that project by themselves have no check.
     #[inline]
-    fn drift_check(&self) -> DriftCheck<M::S> {
+    fn drift_check(&self, system: &M) -> DriftCheck<M::S> {
+        let _ = system;
         DriftCheck::Skip
     }
 

@@ -333,7 +333,7 @@ impl<M: System<S: Real>, F: Formula> FixedLength<M> for FixedStep<M::S, F> {
     }
 
     #[inline]
-    fn drift_check(&self) -> DriftCheck<M::S> {
+    fn drift_check(&self, _system: &M) -> DriftCheck<M::S> {
         FixedStep::drift_check(self)
     }
 

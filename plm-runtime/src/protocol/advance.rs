@@ -148,7 +148,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     pub(crate) fn conclude(&mut self, from: &Beginning<M>, event: Event) -> Made<M::S> {
         let Self { method, context, guarded, .. } = self;
         let (length, limits) = (I::LENGTH, guarded.limits);
-        let mut rules = Rules { length, drift: method.drift_check(), limits };
+        let mut rules = Rules { length, drift: method.drift_check(context.system), limits };
         let mut drifted = false;
         let (mut held, mut x) = (context.held, context.x);
         let mut proposal = Proposal::of(context, (from.time, &from.x), (&mut held, &mut x));

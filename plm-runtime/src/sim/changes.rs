@@ -37,7 +37,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             self.parameters = parameters;
             self.stats.renewed += 1;
         }
-        if M::CONTACTS > 0 {
+        if self.state.mechanism().contact_count() > 0 {
             let (time, mut held, mut x) = (self.state.time(), self.state.held(), *self.state.x());
             self.state.mechanism().state_was_set(time, &mut held, &mut x)?;
             self.state.set(time, &held, &x);

@@ -22,7 +22,7 @@ impl<M: Mechanism, I> Sim<M, I> {
     /// Every contact row with its name and its mode, in the order of their declaration.
     pub fn contacts(&self) -> impl Iterator<Item = (&'static str, Mode)> {
         let (mechanism, held) = (self.state.mechanism(), self.state.held());
-        (0..M::CONTACTS)
+        (0..mechanism.contact_count())
             .filter_map(move |row| Some((mechanism.contact_name(row), M::contacts(&held).mode(row)?)))
     }
 
@@ -30,7 +30,7 @@ impl<M: Mechanism, I> Sim<M, I> {
     /// row. The impulse of a gap is positive, that of a friction has the sign of its force.
     pub fn impulse(&self, name: &str) -> Option<Impulse> {
         let (mechanism, held) = (self.state.mechanism(), self.state.held());
-        let row = (0..M::CONTACTS).find(|row| mechanism.contact_name(*row) == name)?;
+        let row = (0..mechanism.contact_count()).find(|row| mechanism.contact_name(*row) == name)?;
         M::contacts(&held).impulse(row)
     }
 

@@ -307,7 +307,9 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
 
     #[inline]
     fn holds(context: &Context<'_, M>) -> bool {
-        if context.system.is_charted() { M::is_near(&context.held) } else { context.rescued.is_some() }
+        let (system, held) = (context.system, &context.held);
+        let is_near = if system.is_charted() { M::is_near(held) } else { context.rescued.is_some() };
+        is_near && system.may_be_singular()
     }
 
     #[inline]
@@ -334,6 +336,9 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
     }
 
     fn take(context: &mut Context<'_, M>) -> bool {
+        if !context.system.may_be_singular() {
+            return false;
+        }
         let full = context.system.full(context.time, &context.held, &context.x);
         if !full.is_finite() {
             return false;

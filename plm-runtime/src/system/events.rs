@@ -148,8 +148,20 @@ pub trait Events: Rate {
     /// Number of [contact rows](crate::contact). Simulations of a mechanism with some step one by one, each in modes of its own.
     const CONTACTS: usize = 0;
 
+    /// Number of contact rows: `CONTACTS`, or fewer of a system that has its size from a program.
+    #[inline]
+    fn contact_count(&self) -> usize {
+        Self::CONTACTS
+    }
+
     /// May contact forces bend sharply within a step? Those do that the size of a reaction in the plane bounds, where it passes near zero.
     const BENDS: bool = false;
+
+    /// Do they in this system: `BENDS`, or less of one that comes from a program?
+    #[inline]
+    fn may_bend(&self) -> bool {
+        Self::BENDS
+    }
 
     /// What the contact rows do.
     fn contacts(u: &Self::U) -> contact::Status<'_> {

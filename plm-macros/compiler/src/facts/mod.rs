@@ -1,6 +1,7 @@
 //! Facts of a mechanism beside its equations, for whoever writes it: as Rust, or as data.
 
 pub(crate) mod conditions;
+pub(crate) mod contact;
 pub(crate) mod limits;
 pub(crate) mod quantities;
 pub(crate) mod state;

@@ -14,6 +14,7 @@ use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, algebra};
 
 use super::function::{Function, Place};
+use super::rows::{OfRows, RowTerm};
 use super::sliding::{self, Sliding};
 use crate::derive::Equations;
 use crate::model::{ContactLaw, Model, Step, bounding_reactions};
@@ -99,8 +100,8 @@ fn kinematics(model: &Model, equations: &Equations, motion: &Accelerated) -> Fun
     let here = |expr: Expr| algebra::substitute(&[expr], motion.substitution)[0];
     let mut results = Vec::new();
     for (i, (contact, row)) in model.contacts.iter().zip(&equations.contacts).enumerate() {
-        results.push((Place::Path(format!("rows.gap[{i}]")), here(contact.displacement)));
-        results.push((Place::Path(format!("rows.rate[{i}]")), here(row.rate)));
+        results.push((Place::Rows(OfRows::Gap(i)), here(contact.displacement)));
+        results.push((Place::Rows(OfRows::Rate(i)), here(row.rate)));
     }
     without_zeros(Function::of_results(results))
 }
@@ -118,12 +119,11 @@ fn accelerations(
         let row = &equations.contacts[i];
         let terms = row.direction.iter().map(|&(k, entry)| here(entry) * motion.bodies[k]);
         let along: Expr = terms.sum();
-        results.push((Place::Path(format!("rows.free[{i}]")), along + here(row.bias)));
-        results.push((Place::Path(format!("rows.bias[{i}]")), here(row.bias)));
+        results.push((Place::Rows(OfRows::Free(i)), along + here(row.bias)));
+        results.push((Place::Rows(OfRows::Bias(i)), here(row.bias)));
         let columns = lambda.iter().enumerate();
-        results.push_all(
-            columns.map(|(j, &lambda)| (Place::Path(format!("rows.delassus[{i}][{j}]")), along.diff(lambda))),
-        );
+        results
+            .push_all(columns.map(|(j, &lambda)| (Place::Rows(OfRows::Delassus(i, j)), along.diff(lambda))));
     }
     results
 }
@@ -135,20 +135,19 @@ fn limits(model: &Model, motion: &Accelerated, lambda: &[Expr]) -> Vec<(Place, E
     let mut results = Vec::new();
     for (i, contact) in model.contacts.iter().enumerate() {
         let ContactLaw::Friction { kinetic, adhesion, reactions } = &contact.law else { continue };
-        for (which, limits) in [("kinetic", kinetic), ("adhesion", adhesion)] {
+        for (sticks, limits) in [(false, kinetic), (true, adhesion)] {
             let limits = algebra::substitute(limits, motion.substitution);
-            for (side, limit) in ["lower", "upper"].into_iter().zip(limits) {
-                let place = format!("rows.{which}[{i}].{side}");
+            for (upper, limit) in [false, true].into_iter().zip(limits) {
+                let place = |term| OfRows::Limit { row: i, sticks, upper, term };
                 if reactions.is_empty() {
-                    results.extend(affine(&place, limit, lambda));
+                    results.extend(affine(place, limit, lambda));
                     continue;
                 }
                 let own = algebra::substitute(&[limit], &none)[0];
-                results.extend(affine(&place, own, lambda));
+                results.extend(affine(place, own, lambda));
+                let shares = sizes.iter().enumerate();
                 results.push_all(
-                    sizes.iter().enumerate().map(|(load, size)| {
-                        (Place::Path(format!("{place}.share[{load}]")), limit.diff(*size))
-                    }),
+                    shares.map(|(load, size)| (Place::Rows(place(RowTerm::Share(load))), limit.diff(*size))),
                 );
             }
         }
@@ -169,18 +168,17 @@ fn reactions(
     for (load, reaction) in bounding_reactions(&model.contacts).into_iter().enumerate() {
         let components = algebra::substitute(&reaction.components, &known);
         for (k, component) in components.into_iter().enumerate() {
-            results.extend(affine(&format!("rows.reaction[{load}][{k}]"), component, lambda));
+            results.extend(affine(|term| OfRows::Reaction { load, component: k, term }, component, lambda));
         }
     }
     results
 }
 
 /// An affine function of the multipliers; those that are left in its own part become zero later.
-fn affine(place: &str, value: Expr, lambda: &[Expr]) -> Vec<(Place, Expr)> {
-    let mut results = vec![(Place::Path(format!("{place}.own")), value)];
+fn affine(place: impl Fn(RowTerm) -> OfRows, value: Expr, lambda: &[Expr]) -> Vec<(Place, Expr)> {
+    let mut results = vec![(Place::Rows(place(RowTerm::Own)), value)];
     let factors = lambda.iter().enumerate();
-    results
-        .push_all(factors.map(|(j, &lambda)| (Place::Path(format!("{place}.by[{j}]")), value.diff(lambda))));
+    results.push_all(factors.map(|(j, &lambda)| (Place::Rows(place(RowTerm::By(j))), value.diff(lambda))));
     results
 }
 
@@ -192,10 +190,9 @@ fn response(motion: &Accelerated, lambda: &[Expr]) -> (Vec<(Place, Expr)>, bool)
         match place {
             Place::Element("dx", k) if (n..2 * n).contains(k) => {
                 let columns = lambda.iter().enumerate();
-                results
-                    .push_all(columns.map(|(j, &lambda)| {
-                        (Place::Path(format!("response[{j}][{k}]")), value.diff(lambda))
-                    }));
+                results.push_all(
+                    columns.map(|(j, &lambda)| (Place::Entry("response", j, *k), value.diff(lambda))),
+                );
             }
             _ => others.push(*value),
         }

@@ -3,6 +3,8 @@
 use crate::collect::CollectVec;
 use plm_cas::{Expr, Tape, algebra};
 
+use super::rows::OfRows;
+
 /// Where a result is stored.
 #[derive(Clone, PartialEq, Eq)]
 pub(crate) enum Place {
@@ -12,6 +14,8 @@ pub(crate) enum Place {
     Entry(&'static str, usize, usize),
     /// A number within a structure, `memory.turns[0].cos`.
     Path(String),
+    /// A number of the rows of contact, `rows.gap[0]`.
+    Rows(OfRows),
     /// The value that the function returns.
     Value,
 }

@@ -16,6 +16,7 @@ mod pattern;
 mod program;
 mod reduced;
 mod resolvent;
+mod rows;
 mod sliding;
 mod switches;
 
@@ -27,4 +28,5 @@ pub(crate) use linearised::{Augmented, Linearised, Part, Term};
 pub(crate) use program::{Program, reduce};
 pub(crate) use reduced::{Chart, Reduced, is_tree};
 pub(crate) use resolvent::Resolvent;
+pub use rows::{OfRows, RowTerm};
 pub(crate) use sliding::Sliding;

@@ -1,10 +1,12 @@
 //! A mechanism as data: what emission writes as Rust, as tables and routines that a program can run without rustc.
 
 mod charts;
+mod contact;
 mod description;
 mod equations;
 mod registers;
 mod routine;
+mod sets;
 mod start;
 mod switches;
 
@@ -18,13 +20,18 @@ use crate::formulate::{Function, Place, Program, Reduced, coordinate_name};
 use crate::model::{Model, Stabilisation};
 use crate::oracle::Oracle;
 use crate::report::Report;
-use crate::source::{Origin, Symbols};
+use crate::source::{Origin, Source, Symbols};
 use crate::units::DisplayUnit;
 
 pub use self::charts::{Chart, Loops, Turns};
+pub use self::contact::{
+    BoundingReaction, Conditional, ContactChart, ContactKind, ContactRow, Contacts, Impacts, OfRows,
+    ReadByConditions, RowTerm, Sliding,
+};
 pub use self::description::{Body, Description, Frame, GroundPort, Hole, Part, Shape, Varying};
 pub use self::equations::{AbsoluteEquations, Output, Row};
 pub use self::routine::{Operation, Register, Routine, Step, Target};
+pub use self::sets::{Set, Sets};
 pub use self::start::{Branch, Least, Limit, Parameter, Starts};
 pub use self::switches::{End, Jump, Switch, Switches};
 pub use crate::facts::quantities::{Quantities, Quantity};
@@ -69,6 +76,12 @@ pub struct Lowered {
     pub turns: Vec<Turns>,
     /// Conditions.
     pub switches: Switches,
+    /// Rows of contact.
+    pub contacts: Option<Contacts>,
+    /// Events that set states.
+    pub sets: Sets,
+    /// First-order states that only events change, by number.
+    pub discrete: Vec<usize>,
     /// Declared outputs, then what is observed.
     pub outputs: Vec<Output>,
     /// Numbers by which the rate of Baumgarte's stabilisation is found, where it is ordered: the time constant, s.
@@ -103,21 +116,9 @@ pub struct Named {
     pub unit: String,
 }
 
-/// An item of the language that cannot be lowered yet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unsupported {
-    /// Friction, unilateral contact, or a constraint with a condition.
-    Contact,
-    /// An event that sets states.
-    Sets,
-}
-
 impl Expansion {
     /// The mechanism as data; nothing after errors.
-    ///
-    /// # Errors
-    /// The item of it that cannot be lowered.
-    pub fn lower(&self) -> Option<Result<Lowered, Unsupported>> {
+    pub fn lower(&self) -> Option<Lowered> {
         let (oracle, report) = (self.oracle.as_ref()?, self.report.as_ref()?);
         let Oracle { graph, .. } = oracle;
         Some(graph.borrow_mut().enter(|| Lowered::new(oracle, report)))
@@ -137,9 +138,15 @@ struct Parts<'a> {
 impl Parts<'_> {
     /// A function with the arguments of an origin.
     fn routine(&self, function: &Function, origin: Origin) -> Routine {
+        self.routine_with(function, origin, &[])
+    }
+
+    /// A function with the arguments of an origin and others.
+    fn routine_with(&self, function: &Function, origin: Origin, others: &[(Expr, Source)]) -> Routine {
         let &Parts { model, equations, program, reduced, .. } = self;
         let symbols = Symbols { model, equations, absolute: &program.absolute, reduced };
-        Routine::new(function, &symbols.of(origin).into_iter().collect(), &self.paths)
+        let places = symbols.of(origin).into_iter().chain(others.iter().copied());
+        Routine::new(function, &places.collect(), &self.paths)
     }
 
     /// May a body be without mass, if others carry it? Absolute coordinates divide by each mass.
@@ -162,14 +169,8 @@ impl Parts<'_> {
 }
 
 impl Lowered {
-    fn new(oracle: &Oracle, report: &Report) -> Result<Lowered, Unsupported> {
+    fn new(oracle: &Oracle, report: &Report) -> Lowered {
         let Oracle { model, equations, program, .. } = oracle;
-        if !model.contacts.is_empty() {
-            return Err(Unsupported::Contact);
-        }
-        if !model.whens.is_empty() {
-            return Err(Unsupported::Sets);
-        }
         let reduced = program.reduced();
         let memory = reduced.iter().flat_map(|reduced| &reduced.memory);
         let paths = memory.map(|(_, path)| path.clone()).collect_vec();
@@ -182,7 +183,8 @@ impl Lowered {
         let named = |name: &str, unit: &DisplayUnit| Named { name: name.to_owned(), unit: si(unit) };
         let states = model.states.iter().map(|state| named(&state.name.text, &state.unit));
         let inputs = model.inputs.iter().map(|input| named(&input.name.text, &input.unit));
-        Ok(Lowered {
+        let discrete = model.states.iter().enumerate().filter(|(_, state)| state.rate.is_zero());
+        Lowered {
             name: model.name.text.clone(),
             form,
             bodies: model.bodies.iter().map(|body| body.name.text.clone()).collect_vec(),
@@ -201,6 +203,9 @@ impl Lowered {
             loops: reduced.filter(|_| form == Form::Loops).map(|reduced| Loops::new(model, reduced)),
             turns: charts::turns(&parts),
             switches: Switches::new(&parts),
+            contacts: Contacts::new(&parts),
+            sets: Sets::new(&parts),
+            discrete: discrete.map(|(k, _)| k).collect_vec(),
             outputs: equations::outputs(&parts),
             baumgarte: match model.stabilisation {
                 Stabilisation::Projection => None,
@@ -210,7 +215,7 @@ impl Lowered {
             may_be_singular: facts::may_be_singular(model, equations, reduced),
             feeds_back: crate::derive::feeds_back(model),
             description: Description::new(&parts, report),
-        })
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use plm_cas::{Expr, Op, Ref, Tape};
 
 use crate::collect::{CollectVec, PushAll};
 use crate::emit::{MOST_TERMS, uses};
-use crate::formulate::{Function, Place};
+use crate::formulate::{Function, OfRows, Place};
 use crate::sorted::SortedMap;
 use crate::source::Source;
 
@@ -39,6 +39,8 @@ pub enum Target {
     Entry(&'static str, usize, usize),
     /// A number that is remembered of loops, in the order of storage.
     Remembered(usize),
+    /// A number of the rows of contact.
+    Rows(OfRows),
 }
 
 /// An operation, and the register of its result.
@@ -137,6 +139,7 @@ fn target(place: &Place, paths: &[String]) -> Target {
         Place::Value => Target::Value,
         Place::Element(array, index) => Target::Element(array, *index),
         Place::Entry(matrix, row, column) => Target::Entry(matrix, *row, *column),
+        Place::Rows(place) => Target::Rows(*place),
         Place::Path(path) => {
             let own = |known: &String| path.strip_prefix("memory.") == Some(known);
             Target::Remembered(paths.iter().position(own).unwrap_or(usize::MAX))

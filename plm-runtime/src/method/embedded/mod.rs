@@ -149,7 +149,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         // Where forces bend sharply within a step estimates are no powers of its length, and one that is combined may vanish by chance: the
         // error was 1000 times the tolerance then. Behind the first step the last one tells what is to be expected; before, the estimate of
         // lower order bounds it by itself.
-        let is_first = M::BENDS && self.steady.is_new();
+        let is_first = context.system.may_bend() && self.steady.is_new();
         let least = if is_first { P::plain_error(h, k, by) } else { M::S::ZERO };
         (error, least, self.drift_ratio(context, (context.time + h, end)))
     }
@@ -222,6 +222,9 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
     const NAME: &'static str = P::NAME;
 
     fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        if self.rate.is_none() && context.system.may_bend() {
+            self.steady = Steady::new();
+        }
         let rate = rate_here(&mut self.rate, context)?;
         let mut proposal = match self.proposal {
             Some(proposal) => proposal,
@@ -275,9 +278,6 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
         self.rate = None;
         self.span = None;
         self.projection = Projection::new();
-        if M::BENDS {
-            self.steady = Steady::new();
-        }
     }
 
     fn fresh(&self) -> Self {

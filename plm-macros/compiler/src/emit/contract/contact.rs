@@ -1,16 +1,14 @@
 //! `Contacts`: rows of contact as the runtime asks for them, and what the other contracts call of them.
 
-use crate::collect::{CollectVec, PushAll};
+use crate::collect::CollectVec;
 use crate::emit::template::quote;
-use plm_cas::{Expr, algebra};
 use proc_macro2::{Literal, TokenStream};
 
 use super::super::lower::inline;
 use super::super::{Emission, Sizes, number, quoted};
-use super::contact_events::PER_ROW;
 use super::{contact_motion, contact_sliding};
-use crate::derive::range;
-use crate::model::{Contact, ContactLaw, Impacts, Model, Stabilisation, bounding_reactions};
+use crate::facts::contact as facts;
+use crate::model::{ContactLaw, Impacts, Stabilisation};
 
 /// Has the mechanism rows of contact?
 pub(in super::super) fn are_there(emission: &Emission) -> bool {
@@ -19,13 +17,7 @@ pub(in super::super) fn are_there(emission: &Emission) -> bool {
 
 /// Room for rows, and for the reactions that bound them: the larger number of both.
 pub(in super::super) fn count(emission: &Emission) -> Literal {
-    number(places(emission.model))
-}
-
-/// Places for rows. Behind those that are declared there are some that never exist, where more reactions bound frictions than there are
-/// rows.
-pub(super) fn places(model: &Model) -> usize {
-    model.contacts.len().max(bounding_reactions(&model.contacts).len())
+    number(facts::places(emission.model))
 }
 
 /// The type of what is held of contact.
@@ -123,8 +115,8 @@ fn contract(emission: &Emission) -> TokenStream {
 fn existence(emission: &Emission) -> Option<TokenStream> {
     let count = count(emission);
     let rows = emission.model.contacts.len();
-    let are_more = places(emission.model) > rows;
-    if !some_may_not_exist(emission) {
+    let are_more = facts::places(emission.model) > rows;
+    if !facts::some_may_not_exist(emission.model) {
         let rows = number(rows);
         return are_more.then(|| {
             quote! {
@@ -145,17 +137,7 @@ fn existence(emission: &Emission) -> Option<TokenStream> {
 
 /// Frictions that are off without a push.
 fn bounded_by_pushes(emission: &Emission) -> Option<TokenStream> {
-    let contacts = &emission.model.contacts;
-    let none: Vec<(Expr, Expr)> = contacts.iter().map(|row| (row.lambda, Expr::ZERO)).collect_vec();
-    let is_bounded = |row: &Contact| match &row.law {
-        ContactLaw::Friction { kinetic, adhesion, reactions } if reactions.is_empty() => {
-            let limits = [*kinetic, *adhesion].concat();
-            algebra::substitute(&limits, &none).into_iter().all(Expr::is_zero)
-        }
-        _ => false,
-    };
-    let rows = contacts.iter().enumerate().filter(|(_, row)| is_bounded(row));
-    let rows: Vec<Literal> = rows.map(|(row, _)| number(row)).collect_vec();
+    let rows = facts::bounded_by_pushes(emission.model).into_iter().map(number).collect_vec();
     (!rows.is_empty()).then(|| {
         quote! {
             fn is_bounded_by_pushes(&self, row: usize) -> bool {
@@ -167,24 +149,7 @@ fn bounded_by_pushes(emission: &Emission) -> Option<TokenStream> {
 
 /// Frictions whose bounds follow the state or the time, and are not known to be positive whatever these are.
 fn bounds_that_may_fall(emission: &Emission) -> Option<TokenStream> {
-    let model = emission.model;
-    let sizes = bounding_reactions(&model.contacts).into_iter().map(|reaction| reaction.size);
-    let presses = sizes.chain(model.contacts.iter().map(|row| row.lambda)).collect_vec();
-    let none = presses.iter().map(|press| (*press, Expr::ZERO)).collect_vec();
-    let held = model.params.iter().map(|param| param.symbol);
-    let held = held.chain(model.inputs.iter().map(|input| input.symbol)).collect_vec();
-    let falls = |value: Expr| {
-        let moves = algebra::symbols(&[value]).iter().any(|symbol| !held.contains(symbol));
-        moves && range(value)[0] < 0.0
-    };
-    let rows = model.contacts.iter().enumerate().filter(|(_, row)| {
-        let ContactLaw::Friction { kinetic, adhesion, .. } = &row.law else { return false };
-        [*kinetic, *adhesion].concat().into_iter().any(|limit| {
-            let own = algebra::substitute(&[limit], &none)[0];
-            falls(own) || presses.iter().any(|press| falls(limit.diff(*press)))
-        })
-    });
-    let rows: Vec<Literal> = rows.map(|(row, _)| number(row)).collect_vec();
+    let rows = facts::bounds_that_may_fall(emission.model).into_iter().map(number).collect_vec();
     (!rows.is_empty()).then(|| {
         quote! {
             fn bound_may_fall(&self, row: usize) -> bool {
@@ -192,11 +157,6 @@ fn bounds_that_may_fall(emission: &Emission) -> Option<TokenStream> {
             }
         }
     })
-}
-
-/// Has a row a condition for its existence?
-pub(super) fn some_may_not_exist(emission: &Emission) -> bool {
-    emission.model.contacts.iter().any(|row| row.exists.is_some())
 }
 
 /// Projection of the joints, where the state is not in coordinates of its own.
@@ -229,24 +189,6 @@ pub(super) fn labels(emission: &Emission) -> Option<TokenStream> {
             }
         }
     })
-}
-
-/// By guard of contact, the name of its row; the sign of a reaction has that of the first row that it bounds, and the determinant of the
-/// active rows that of the first.
-pub(super) fn names_of_guards<'a>(emission: &'a Emission) -> Vec<&'a String> {
-    let contacts = &emission.model.contacts;
-    let Some(first) = contacts.first() else { return Vec::new() };
-    let reactions = bounding_reactions(contacts);
-    let mut names = Vec::new();
-    for place in 0..places(emission.model) {
-        let own = &contacts.get(place).unwrap_or(first).name;
-        let size = reactions.get(place).map(|reaction| reaction.size);
-        let reads = |contact: &&Contact| contact.reactions().iter().any(|read| Some(read.size) == size);
-        let of_sign = contacts.iter().find(reads).map_or(own, |contact| &contact.name);
-        names.push_all([own; PER_ROW - 1].into_iter().chain([of_sign]));
-    }
-    names.push(&first.name);
-    names
 }
 
 /// Laws of the rows.

@@ -5,10 +5,8 @@ use proc_macro2::{Literal, TokenStream};
 
 use super::super::{Emission, Sizes, number};
 use super::{contact, sets, switches, system};
+use crate::facts::contact as facts;
 use crate::model::{Stabilisation, bounding_reactions};
-
-/// Guards of each row, and one for the determinant of the active rows: `rt::contact::guard_count`.
-pub(super) const PER_ROW: usize = 3;
 
 /// Guards of the conditions, and of contact.
 struct Counts {
@@ -138,7 +136,7 @@ pub(super) struct Beside {
 impl Beside {
     /// Guards of contact.
     pub(super) fn guards_of(emission: &Emission) -> usize {
-        if contact::are_there(emission) { PER_ROW * contact::places(emission.model) + 1 } else { 0 }
+        facts::guards(emission.model)
     }
 
     pub(super) fn new(emission: &Emission) -> Beside {
@@ -193,7 +191,7 @@ impl Beside {
 }
 
 fn appearance(emission: &Emission) -> [TokenStream; 2] {
-    if !contact::some_may_not_exist(emission) {
+    if !facts::some_may_not_exist(emission.model) {
         return Default::default();
     }
     let Counts { rows, .. } = Counts::of(emission);

@@ -8,10 +8,11 @@ use super::super::bindings::Origin;
 use super::super::function::function;
 use super::super::{Emission, Form, Sizes, memory};
 use super::charted::call;
-use super::contact::{self, count, some_may_not_exist};
+use super::contact::{self, count};
 use super::contact_sliding;
+use crate::facts::contact as facts;
 use crate::formulate::ContactFunctions;
-use crate::model::{Contact, bounding_reactions};
+use crate::model::bounding_reactions;
 
 /// Straight-line functions, chart by chart, and what calls them.
 pub(super) fn functions(emission: &Emission) -> [TokenStream; 2] {
@@ -24,7 +25,7 @@ fn straight_line(emission: &Emission) -> TokenStream {
     let of = of_charts(emission);
     let all = of.into_iter().enumerate().map(|(k, of)| in_chart(emission, k, of)).collect_vec();
     let (all, exist, count) = (joined(all), &emission.program.rows_exist, count(emission));
-    let exist = some_may_not_exist(emission).then(|| {
+    let exist = facts::some_may_not_exist(emission.model).then(|| {
         function(
             emission,
             "Does each row of contact exist? 1, or 0.",
@@ -295,14 +296,14 @@ pub(super) fn rate(emission: &Emission) -> TokenStream {
 fn loads(emission: &Emission) -> TokenStream {
     let contacts = &emission.model.contacts;
     let mut lines = Vec::new();
-    for (load, reaction) in bounding_reactions(contacts).into_iter().enumerate() {
+    let readers = facts::readers(emission.model);
+    for (load, (reaction, rows)) in bounding_reactions(contacts).into_iter().zip(readers).enumerate() {
         let kind = match reaction.components.len() {
             1 => format!("Line {{ negative: u.contact.modes.negative[{load}] }}"),
             _ => "Plane".to_owned(),
         };
         lines.push(format!("rows.load[{load}] = rt::contact::Load::{kind};"));
-        let reads = |contact: &Contact| contact.reactions().iter().any(|read| read.size == reaction.size);
-        for (row, _) in contacts.iter().enumerate().filter(|(_, contact)| reads(contact)) {
+        for row in rows {
             lines.push(format!("rows.read[{row}][{load}] = true;"));
         }
     }

@@ -2,7 +2,6 @@
 
 use crate::collect::CollectVec;
 use crate::emit::template::quote;
-use plm_cas::{Expr, algebra};
 use proc_macro2::{Literal, TokenStream};
 
 use super::super::bindings::Origin;
@@ -11,6 +10,7 @@ use super::super::{Emission, Sizes, number};
 use super::contact;
 use super::contact_events::Beside;
 use super::limits::into_state;
+use crate::facts::contact as facts;
 use crate::model::{Target, When};
 
 /// Does any event set states?
@@ -137,7 +137,7 @@ fn events(emission: &Emission) -> TokenStream {
 fn settle(emission: &Emission) -> Option<TokenStream> {
     let length = &emission.sizes.length;
     let Beside { switch_at_time: update, appearance: [_, appear], .. } = Beside::new(emission);
-    let moved = moved_by_states(emission);
+    let moved = facts::moved_by_states(emission.model).into_iter().map(number).collect_vec();
     let appearance = (!(appear.is_empty() && moved.is_empty())).then(|| {
         let rows = contact::count(emission);
         let stays = if moved.is_empty() { quote!(true) } else { quote!(!matches!(row, #(#moved)|*)) };
@@ -159,14 +159,6 @@ fn settle(emission: &Emission) -> Option<TokenStream> {
             }
         }
     })
-}
-
-/// Rows whose gaps read discrete states.
-fn moved_by_states(emission: &Emission) -> Vec<Literal> {
-    let states = emission.model.states.iter().map(|state| state.symbol).collect_vec();
-    let rows = emission.model.contacts.iter().enumerate();
-    let reads = |of: Expr| algebra::symbols(&[of]).iter().any(|symbol| states.contains(symbol));
-    rows.filter(|(_, row)| reads(row.displacement)).map(|(row, _)| number(row)).collect_vec()
 }
 
 fn event(emission: &Emission, when: &When, begins: usize) -> TokenStream {

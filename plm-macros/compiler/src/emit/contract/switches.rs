@@ -2,7 +2,6 @@
 
 use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
-use plm_cas::{Expr, algebra};
 use proc_macro2::TokenStream;
 use quote::format_ident;
 
@@ -13,8 +12,9 @@ use super::charted::in_held;
 use super::contact;
 use super::contact_events::Beside;
 use super::sets;
-use crate::facts::conditions;
-use crate::model::{Decisions, End, Model};
+use crate::facts::contact::are_read_by_conditions as reads_contact;
+use crate::facts::{self, conditions};
+use crate::model::{Decisions, End};
 
 /// Guards and kinks, which every step evaluates, at a time and over an interval.
 pub(super) fn watched(emission: &Emission) -> TokenStream {
@@ -110,21 +110,11 @@ fn guards_within(emission: &Emission) -> TokenStream {
     }
 }
 
-/// Does a condition of the state read forces of contact?
-fn reads_contact(model: &Model) -> bool {
-    let read = read_by_conditions(model);
-    model.contacts.iter().any(|row| read.contains(&row.lambda))
-}
-
 /// Does a condition of the state read what contacts do, or forces?
 pub(in super::super) fn read_forces(emission: &Emission) -> bool {
-    let read = read_by_conditions(emission.model);
-    let of_contact = emission.model.contacts.iter().any(|row| read.contains(&row.mode));
-    of_contact || reads_contact(emission.model) || emission.events_read_solution()
-}
-
-fn read_by_conditions(model: &Model) -> Vec<Expr> {
-    algebra::symbols(&model.switches.iter().map(|switch| switch.difference).collect_vec())
+    let model = emission.model;
+    let of_contact = facts::contact::modes_are_read_by_conditions(model) || reads_contact(model);
+    of_contact || emission.events_read_solution()
 }
 
 /// The call of the guards' function of a mechanism that is called so, with accelerations and multipliers if events read some, and `g` as its last
@@ -211,7 +201,7 @@ pub(super) fn switch(emission: &Emission) -> TokenStream {
 /// Names of the conditions of the state, and their texts.
 pub(super) fn names(emission: &Emission) -> TokenStream {
     let model = emission.model;
-    let of_contact = contact::names_of_guards(emission);
+    let of_contact = facts::contact::names_of_guards(model);
     let names = model.switches.iter().take(model.guards()).map(|switch| &switch.name);
     let names = emission.text(quoted(names.chain(of_contact.iter().copied())));
     let texts = emission.text(quoted(conditions::texts(model).chain(of_contact.into_iter().cloned())));

@@ -327,6 +327,7 @@ impl<'a> Lowering<'a> {
             Place::Element(array, i) => format!("{array}[{i}]"),
             Place::Entry(matrix, i, j) => format!("{matrix}[{i}][{j}]"),
             Place::Path(path) => path.clone(),
+            Place::Rows(place) => place.to_string(),
         };
         self.lines.statements.push(Statement::Store { place, value: fragment.text, reads: fragment.reads });
     }

@@ -263,6 +263,7 @@ impl<'a> Items<'a> {
             Place::Element(array, i) => format!("{array}[{i}]"),
             Place::Entry(matrix, i, j) => format!("{matrix}[{i}][{j}]"),
             Place::Path(path) => path.clone(),
+            Place::Rows(place) => place.to_string(),
         };
         let (first, mut key) = (self.sources.len(), Vec::new());
         self.push_source(self.source(self.results[result]), &mut key);

@@ -1,0 +1,52 @@
+//! Rows of contact that all slip, where reactions bound them: sweeps over the forces.
+
+use plm_compiler::lowered::Form;
+use plm_runtime::{Health, Scalar, contact};
+
+use crate::capacity::ROWS;
+use crate::handle::{Dynamic, Frame, Held, Sliding};
+
+impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+    /// The rate where all rows that have a force slip, and the sizes of reactions along a line; nothing where sweeps do not converge.
+    pub(super) fn contact_sliding(
+        &self,
+        t: S,
+        u: &Held<S, NQ>,
+        x: &[S; N],
+        dx: &mut [S; N],
+        sizes: Option<&mut [S; ROWS]>,
+    ) -> Option<Health<S>> {
+        let functions = self.contact_functions(u)?.sliding.as_ref()?;
+        let [slip, line] = &contact::slipping(&u.contact.modes)?;
+        let (mut free, mut slope) = ([S::ZERO; NQ], [S::lit(1.0); ROWS]);
+        let mut known = vec![S::ZERO; functions.known];
+        let signs = Sliding { slip, line, ..Sliding::NONE };
+        let frame = Frame { sliding: signs, ..Frame::of_state(t, u, x) };
+        let health = self.run(&functions.motion, &frame, [dx, &mut free, &mut known, &mut slope]);
+        let health = if self.model.lowered.form == Form::Tree { S::lit(1.0) } else { health };
+        let mut weights = [1.0; NQ];
+        for (to, weight) in weights.iter_mut().zip(&functions.weights) {
+            *to = *weight;
+        }
+        let known = &known;
+        let at = |force: &[S; ROWS], second: &[S; NQ], run: &mut dyn FnMut(&Frame<S, NQ>)| {
+            let numbers = Sliding { slip: &[], line, force, second, known };
+            run(&Frame { sliding: numbers, ..Frame::at(t) });
+        };
+        let sweep = |force: &[S; ROWS], second: &[S; NQ], next: &mut [S; ROWS], changed: &mut [S; NQ]| {
+            at(force, second, &mut |frame| {
+                self.run(&functions.sweep, frame, [next, changed]);
+            });
+        };
+        let (force, second) = contact::slide((&slope, &weights), functions.is_explicit, free, sweep)?;
+        for (to, acceleration) in dx.iter_mut().skip(NQ).zip(second) {
+            *to = acceleration;
+        }
+        if let Some(sizes) = sizes {
+            at(&force, &second, &mut |frame| {
+                self.run(&functions.sizes, frame, [sizes]);
+            });
+        }
+        Some(Health(health))
+    }
+}

@@ -1,0 +1,73 @@
+//! Mechanisms from text with rows of contact: the bits of compiled ones.
+
+use std::iter::once;
+use std::ops::ControlFlow;
+
+use plm::runtime::Described;
+use plm::view::Recorder;
+use plm::{Dop853, dynamic};
+
+use crate::beside_text::same_bits;
+use crate::{assembled, existence, flights, friction, joints, loops, mixed, reactions, release, scenes};
+
+/// Compares runs of mechanisms over an interval, s, in four parts.
+macro_rules! same {
+    ($($mechanism:path: $time:literal),* $(,)?) => {
+        $({
+            type M = $mechanism;
+            same_bits(M::new(), (Dop853::new(1e-8), "Dop853:1e-8"), (4, $time / 4.0));
+        })*
+    };
+}
+
+/// Bouncing to its end, frictions that stick, rows that begin to exist, bodies that are released, known times, the laws of impact.
+#[test]
+fn trees_have_the_bits_of_compiled_code() {
+    same!(
+        flights::Ball: 3.0,
+        friction::Oscillator: 1.0,
+        existence::Stairs: 1.0,
+        release::Released: 1.0,
+        release::Dog: 1.0,
+        mixed::Timed: 1.0,
+        scenes::impacts::Newton: 0.5,
+        scenes::impacts::Sequential: 0.5,
+    );
+}
+
+/// Constraints with a condition that hold at the start, frictions that reactions along a line and in the plane bound.
+#[test]
+fn absolute_coordinates_have_the_bits_of_compiled_code() {
+    same!(assembled::InBodies: 1.2, reactions::CollarInAbsolute: 0.5, scenes::pins::InAbsolute: 0.3);
+}
+
+/// The same in charts of loops; one of them locks up.
+#[test]
+fn loops_have_the_bits_of_compiled_code() {
+    same!(loops::InCharts: 0.5, joints::InThreePins: 0.2, reactions::LinkageInCharts: 0.6);
+}
+
+/// Rows before and behind impacts are those of the CSV of compiled programs.
+#[test]
+fn samples_are_those_of_compiled_programs() {
+    let mut sim = flights::Ball::new().start_with(Dop853::new(1e-9)).unwrap();
+    let mut recorder = Recorder::observing_all(&sim);
+    recorder.run(&mut sim, 3.0, 0.25).unwrap();
+    let mut csv = Vec::new();
+    recorder.recording().write_csv_to(&mut csv).unwrap();
+    let csv = String::from_utf8(csv).unwrap();
+    let text = dynamic::Mechanism::from_text(<flights::Ball>::DECLARATION).unwrap();
+    let mut run = text.start_with("Dop853:1e-9".parse().unwrap()).unwrap();
+    let mut lines = csv.lines().skip(1);
+    let mut samples = 0;
+    run.record(3.0, 0.25, |sample| {
+        let numbers: Vec<f64> = lines.next().unwrap().split(',').map(|text| text.parse().unwrap()).collect();
+        let own: Vec<f64> = once(sample.time).chain(sample.values.iter().copied()).collect();
+        let known = once(&numbers[0]).chain(&numbers[numbers.len() - sample.values.len()..]);
+        assert!(own.iter().zip(known).all(|(own, known)| own == known), "{own:?} {numbers:?}");
+        samples += 1;
+        ControlFlow::Continue(())
+    })
+    .unwrap();
+    assert!(lines.next().is_none() && samples > 15, "{samples}");
+}

@@ -1,0 +1,45 @@
+//! A mechanism from text beside the compiled one: the same bits of poses and outputs, the same steps, evaluations, events and faults.
+
+use plm::dynamic::{self, Integrator, Run};
+use plm::runtime::{Described, Moment};
+use plm::{Method, Sim, Stats};
+
+fn of_compiled<M: Described<S = f64>>(state: &M::State) -> Vec<u64> {
+    let mut all = Vec::new();
+    M::poses(state, &mut |body| all.extend(body.components()));
+    (0..M::OBSERVED.len()).for_each(|k| all.extend(M::observed(state, k)));
+    all.into_iter().map(f64::to_bits).collect()
+}
+
+fn of_text(run: &Run) -> Vec<u64> {
+    let poses = run.bodies().flat_map(|name| run.body(name).unwrap().components());
+    let outputs = run.all_columns().iter().map(|column| run.output(&column.name).unwrap());
+    poses.chain(outputs).map(f64::to_bits).collect()
+}
+
+fn counted(stats: Stats) -> [u64; 5] {
+    [stats.steps, stats.rejected, stats.evaluations, stats.switches, stats.projected]
+}
+
+/// Compares a run of so many intervals of some length, s, by a method, which `integrator` names as text does.
+#[track_caller]
+pub(crate) fn same_bits<M: Described<S = f64>, I: Method<M>>(
+    mechanism: M,
+    (method, integrator): (I, &str),
+    (times, by): (u32, f64),
+) {
+    let text = dynamic::Mechanism::from_text(M::DECLARATION).unwrap();
+    let integrator: Integrator = integrator.parse().unwrap();
+    let mut compiled: Sim<M, I> = mechanism.start_with(method).unwrap();
+    let mut run = text.start_with(integrator).unwrap();
+    for k in 1..=times {
+        let end = f64::from(k) * by;
+        let ends = compiled.step_to(end).map_err(|fault| fault.to_string());
+        assert_eq!(ends, run.step_to(end).map_err(|error| error.to_string()), "to {end}");
+        assert_eq!(of_compiled::<M>(compiled.state()), of_text(&run), "at {}", compiled.state().time());
+        if ends.is_err() {
+            return;
+        }
+    }
+    assert_eq!(counted(compiled.stats()), counted(run.stats()));
+}
