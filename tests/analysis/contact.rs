@@ -1,5 +1,6 @@
 //! Friction and unilateral contact: the linear system of the modes held, and equilibria that rest on rows.
 
+use plm::dynamic::{Compiled, Small};
 use plm::runtime::linalg::Dense;
 use plm::runtime::{Described, Linear, Rate, Vector};
 use plm::{Cause, Dop853, Equilibrium, Linearisation, Moment, Sim, Stabilise, Support, linearise, stabilise};
@@ -276,4 +277,22 @@ fn an_arm_rests_on_its_stop_and_a_table_on_its_feet() {
     sim.step(1.0).unwrap();
     assert!(sim.is_undetermined());
     assert_eq!((sim.arm().omega, sim.table().vx), (0.0, 0.0));
+}
+
+/// Mechanisms from text come to rest where compiled ones do, on the same rows.
+#[test]
+fn equilibria_of_texts_are_those_of_compiled_code() {
+    fn found<M: Stabilise>(of: M) -> String {
+        let found = of.stabilise().unwrap();
+        let supports = found.supports.iter().map(|support| (support.name, support.force, support.used));
+        format!("{:?}", (&found.values, &found.free, found.iterations, supports.collect::<Vec<_>>()))
+    }
+    fn same<M: Stabilise + Described>(mechanism: M) {
+        let text: Small = Compiled::new("scene.plm", M::DECLARATION).unwrap().mechanism().unwrap();
+        assert_eq!(found(mechanism), found(text));
+    }
+    same(on_a_slope::Slope::new());
+    same(against_a_wall::Ladder::new());
+    same(on_feet::Feet::new());
+    same(wheel::absolute::Scene::new());
 }
