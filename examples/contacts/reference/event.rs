@@ -5,11 +5,11 @@ use super::extrapolation::step;
 use super::impact::{Impulses, poisson};
 use super::linear::solve_one;
 use super::problem::{Mode, Problem};
-use super::run::{Event, Held, Run, Runner, State, Stop};
+use super::run::{Event, FLAT, Held, Run, Runner, State, Stop};
 use super::world::{Law, Pose, World};
 
-/// A gap is closed below this, m or rad: what is wider has an impact of its own. `plm` has the same, of the length of the mechanism.
-const CLOSED: f64 = 1e-9;
+/// A gap is closed below this, m or rad: what is wider has an impact of its own. Five times what gaps are known to.
+const CLOSED: f64 = 5.0 * FLAT;
 /// A flight below this height is none, m or rad.
 const LOWEST: f64 = 1e-13;
 /// A slip below this is none, m/s or rad/s.

@@ -65,6 +65,8 @@ pub struct Event {
 pub const PASSED: f64 = 1e-11;
 /// Gaps are known better than the other margins by this factor.
 const FINER: f64 = 5000.0;
+/// Rounding of a gap: what is not deeper has not passed zero.
+pub const FLAT: f64 = PASSED / FINER;
 /// Parts of a step in which a gap near zero is looked at.
 const PARTS: u32 = 8;
 const MOST_EVENTS: usize = 3000;
@@ -166,7 +168,7 @@ impl Runner<'_> {
             let t = h * f64::from(k) / f64::from(PARTS);
             let (value, rate) = if k == PARTS { last } else { self.gap_after(row, t) };
             let to = (t, rate);
-            if value < 0.0 || from.1 < 0.0 && rate > 0.0 && self.dips_between(row, from, to) {
+            if value < -FLAT || from.1 < 0.0 && rate > 0.0 && self.dips_between(row, from, to) {
                 return true;
             }
             from = to;
@@ -179,7 +181,7 @@ impl Runner<'_> {
         loop {
             let middle = 0.5 * (low.0 + high.0);
             let (value, rate) = self.gap_after(row, middle);
-            if value < 0.0 {
+            if value < -FLAT {
                 return true;
             }
             // False for what is not a number.

@@ -14,7 +14,7 @@ use super::margins::{PER_ROW, SIGN};
 use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
 use super::paradox::lost;
-use super::project::{end_flights, project, stop};
+use super::project::{behind_flights, end_flights, project, stop};
 use super::rows::{Law, Rows, below, indices};
 use super::scales::{acceleration, rounding};
 use super::sunk::above;
@@ -24,8 +24,12 @@ use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
-/// A gap below this fraction of the length of the mechanism is closed.
+/// A gap below this fraction of the length of the mechanism is closed where a run begins, and in steps without events.
 pub(super) const CLOSED: f64 = 1e-9;
+/// A gap that closes at the time of an event is off by so many roundings of that length, ...
+const ROUNDED: f64 = 64.0;
+/// ... and by what its rate makes of so many roundings of the time.
+const LATE: f64 = 8.0;
 /// One that closes at an event that was located is led to zero from so far away.
 const NEAR: f64 = 1e-6;
 /// A flight of a height below so many roundings of the length is none.
@@ -269,8 +273,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         }
         // A gap that closes may be some tolerances away from zero: no step is to find that. Behind a step of fixed length it is left to
         // the steps where it is farther away.
-        let most =
-            if self.step > M::S::ZERO { self.closed() } else { M::S::lit(NEAR) * self.system.length() };
+        let most = M::S::lit(if self.step > M::S::ZERO { CLOSED } else { NEAR }) * self.system.length();
         let is_far = |i: usize| laws[i].is_unilateral() && rows.gap[i].abs() > most;
         if indices::<N>().any(|i| after.of[i] == Mode::Closed && is_far(i)) {
             stop(self.system, (self.t, u, &self.system.rows_at(self.t, u, x)), x);
@@ -282,16 +285,24 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     /// Gaps that are closed, and frictions.
     pub(super) fn touches(&self, laws: &[Law<M::S>; N], rows: &Rows<M::S, N>, u: &M::U) -> [bool; N] {
         let modes = u.modes();
-        // An event of something else ends no flight, as that of a ball at its highest point.
-        let near = if self.occasion == Occasion::Change { self.lowest_flight() } else { self.closed() };
         core::array::from_fn(|i| {
             let was_closed = modes.of[i] == Mode::Closed || modes.carried[i];
             let is_due = self.occasion.row() == Some(i);
             if !self.system.exists(u, i) {
                 return false;
             }
-            !laws[i].is_unilateral() || was_closed || is_due || rows.gap[i] <= near
+            !laws[i].is_unilateral() || was_closed || is_due || rows.gap[i] <= self.near(rows.rate[i])
         })
+    }
+
+    /// Below this a gap of this rate is closed. Behind the start it is what rounding of the state and of the time makes of a gap that
+    /// closes at the time of the event: one that closes later, however soon, has an impact of its own.
+    fn near(&self, rate: M::S) -> M::S {
+        if self.occasion == Occasion::Start {
+            return M::S::lit(CLOSED) * self.system.length();
+        }
+        let late = M::S::lit(LATE) * M::S::EPSILON * self.t.abs();
+        late.mul_add((-rate).max(M::S::ZERO), M::S::lit(ROUNDED) * M::S::EPSILON * self.system.length())
     }
 
     /// The modes that each row may have, by its gap and its rate.
@@ -303,23 +314,27 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         u: &M::U,
     ) -> [Allowed; N] {
         let (touches, acceleration) = (self.touches(laws, rows, u), acceleration::<M, N>(rows, u));
+        let is_due = |i: usize| self.occasion.row() == Some(i);
+        let rests = |i: usize| {
+            let short = if is_due(i) { self.short(rows, i) } else { M::S::ZERO };
+            laws[i].is_unilateral()
+                && touches[i]
+                && rows.rate[i] <= self.resting(rows, i).max(none).max(short)
+        };
+        let behind = behind_flights(rows, rests);
         core::array::from_fn(|i| {
-            let is_due = self.occasion.row() == Some(i);
             if let Some(mode) = laws[i].fixed(self.system.exists(u, i)) {
                 return Allowed::Only(mode);
             }
             if laws[i].is_unilateral() {
-                let short = if is_due { self.short(rows, i) } else { M::S::ZERO };
-                let rests = touches[i] && rows.rate[i] <= self.resting(rows, i).max(none).max(short);
-                return if rests { Allowed::Touching } else { Allowed::Only(Mode::Open) };
+                return if rests(i) { Allowed::Touching } else { Allowed::Only(Mode::Open) };
             }
-            let since = if is_due && impacts == 0 && u.modes().of[i].slips() {
-                self.step * acceleration
-            } else {
-                M::S::ZERO
-            };
+            let slips = is_due(i) && impacts == 0 && u.modes().of[i].slips();
+            let since = if slips { self.step * acceleration } else { M::S::ZERO };
             let none = none.max(self.no_slip(acceleration)).max(since);
             match rows.rate[i] {
+                // It slips by flights alone that are not followed.
+                slip if slip.abs() > none && behind[i].abs() <= none => Allowed::Resting,
                 slip if slip > none => Allowed::Only(Mode::Forwards),
                 slip if slip < -none => Allowed::Only(Mode::Backwards),
                 _ if rows.turns(i, none, self.system.length()) => {
@@ -329,10 +344,6 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
                 _ => Allowed::Resting,
             }
         })
-    }
-
-    fn closed(&self) -> M::S {
-        M::S::lit(CLOSED) * self.system.length()
     }
 
     /// Slower than this a row rests: its flight would be lower than rounding. What pulls it may be what pulls others: a block on a block

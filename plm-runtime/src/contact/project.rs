@@ -48,6 +48,17 @@ pub(super) fn end_flights<M: Contacts<N>, const N: usize>(
     }
 }
 
+/// The rates of the rows where the gaps that rest have none; those that they have where these gaps depend on each other.
+pub(super) fn behind_flights<S: Real, const N: usize>(
+    rows: &Rows<S, N>,
+    rests: impl Fn(usize) -> bool,
+) -> [S; N] {
+    let modes = core::array::from_fn(|i| if rests(i) { Mode::Closed } else { Mode::Open });
+    let Some(taken) = held(rows, modes, rows.rate) else { return rows.rate };
+    let left = Rows { free: rows.rate, ..*rows };
+    core::array::from_fn(|i| left.acceleration(i, &taken))
+}
+
 /// Projects the joints, leads rows that hold back to their places, and takes their rates out of the velocities.
 ///
 /// # Errors
