@@ -79,7 +79,7 @@ impl Page {
     pub fn with_editor(mut self, script: &str, gallery: &[(String, String)]) -> Self {
         let texts = gallery.iter().map(|(name, text)| serde_json::json!({ "name": name, "text": text }));
         // `</script` would end the element; in JSON a backslash may stand before any slash.
-        let gallery = serde_json::Value::from_iter(texts).to_string().replace("</", "<\\/");
+        let gallery = texts.collect::<serde_json::Value>().to_string().replace("</", "<\\/");
         self.editor = Some(Editor { script: script.to_owned(), gallery });
         self
     }
@@ -99,8 +99,9 @@ impl Page {
         let mut packed = element("packed-style", style.as_bytes());
         packed += &element("packed", script.as_bytes());
         if let Some(editor) = &self.editor {
-            packed +=
-                &format!("<script type=\"text/plain\" id=\"gallery-texts\">{}</script>\n", editor.gallery);
+            packed += "<script type=\"text/plain\" id=\"gallery-texts\">";
+            packed += &editor.gallery;
+            packed += "</script>\n";
         }
         if !self.module.is_empty() {
             packed += &element("module", &self.module);
