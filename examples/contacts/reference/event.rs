@@ -8,7 +8,7 @@ use super::problem::{Mode, Problem};
 use super::run::{Event, FLAT, Held, Run, Runner, State, Stop};
 use super::world::{Law, Pose, World};
 
-/// A gap is closed below this, m or rad: what is wider has an impact of its own. Five times what gaps are known to.
+/// Gaps are closed below this: five times what they are known to.
 const CLOSED: f64 = 5.0 * FLAT;
 /// A flight below this height is none, m or rad.
 const LOWEST: f64 = 1e-13;
@@ -28,7 +28,12 @@ impl<'w> Runner<'w> {
             lines: vec![1.0; n],
             lambda: vec![1.0; n],
         };
-        Self { world, longest, now: start, held, run: Run::default() }
+        Self { world, longest, closed: CLOSED, now: start, held, run: Run::default() }
+    }
+
+    /// The same where wider gaps are closed, by this factor.
+    pub fn merging(self, factor: f64) -> Self {
+        Self { closed: factor * self.closed, ..self }
     }
 
     /// Impacts, and the modes from now on. `due` is the row whose margin is passed.
@@ -126,7 +131,7 @@ impl<'w> Runner<'w> {
     fn touches(&self, problem: &Problem, i: usize, due: Option<usize>) -> bool {
         let was_closed = self.held.modes[i] == Mode::Closed || self.held.carried[i];
         match problem.laws[i] {
-            Law::Gap { .. } => was_closed || due == Some(i) || problem.rows[i].value < CLOSED,
+            Law::Gap { .. } => was_closed || due == Some(i) || problem.rows[i].value < self.closed,
             Law::Rub(_) => false,
         }
     }

@@ -74,6 +74,8 @@ const MOST_EVENTS: usize = 3000;
 pub struct Runner<'w> {
     pub world: &'w World,
     pub longest: f64,
+    /// A gap is closed below this, m or rad: what is wider has an impact of its own.
+    pub closed: f64,
     pub now: State,
     pub held: Held,
     pub run: Run,
