@@ -67,4 +67,8 @@ fn pages(folder: &Path, rest: &[String]) -> Result<(), Box<dyn Error>> {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+#[path = "../../tests/support/beside_text.rs"]
+mod beside_text;
+#[cfg(test)]
 mod tests;

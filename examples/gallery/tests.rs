@@ -5,8 +5,13 @@ use std::fs;
 use std::path::Path;
 use std::sync::OnceLock;
 
+use crate::beside_text::same;
 use crate::book;
 use crate::list::{ARM, MACHINES, Machine};
+use crate::machines::{
+    andrews, excavator, geneva, jansen, klann, lambda, peaucellier, pumpjack, scissor, walschaerts, watt,
+    whitworth, wiper,
+};
 use crate::sheet::Sheet;
 
 fn root() -> &'static Path {
@@ -79,4 +84,24 @@ fn every_machine_is_a_file_to_copy() {
         assert!(text.contains("//! Source: "), "{} does not say its source", path.display());
     }
     assert_eq!(files, MACHINES.len());
+}
+
+/// All of them from text, also those that are larger than 8 bodies.
+#[test]
+fn machines_from_text_have_the_bits_of_compiled_code() {
+    same!(
+        andrews::Andrews: 0.004,
+        excavator::Excavator: 0.02,
+        geneva::Geneva: 0.2,
+        jansen::Jansen: 0.02,
+        klann::Klann: 0.2,
+        lambda::Lambda: 0.2,
+        peaucellier::Peaucellier: 0.2,
+        pumpjack::Pumpjack: 0.2,
+        scissor::Scissor: 0.2,
+        walschaerts::Walschaerts: 0.2,
+        watt::Watt: 0.2,
+        whitworth::Whitworth: 0.2,
+        wiper::Wiper: 0.2,
+    );
 }

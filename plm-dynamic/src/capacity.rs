@@ -7,7 +7,7 @@ pub(crate) const INPUTS: usize = 32;
 /// Conditions, of the state and of the time; and guards, those of rows of contact among them.
 pub(crate) const SWITCHES: usize = 64;
 /// Kinks.
-pub(crate) const KINKS: usize = 64;
+pub(crate) const KINKS: usize = 96;
 /// Guards and kinks.
 pub(crate) const WATCHED: usize = SWITCHES + KINKS;
 /// Rows of contact, and reactions that bound frictions.

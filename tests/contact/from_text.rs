@@ -7,18 +7,8 @@ use plm::runtime::Described;
 use plm::view::Recorder;
 use plm::{Dop853, dynamic};
 
-use crate::beside_text::same_bits;
+use crate::beside_text::same;
 use crate::{assembled, existence, flights, friction, joints, loops, mixed, reactions, release, scenes};
-
-/// Compares runs of mechanisms over an interval, s, in four parts.
-macro_rules! same {
-    ($($mechanism:path: $time:literal),* $(,)?) => {
-        $({
-            type M = $mechanism;
-            same_bits(M::new(), (Dop853::new(1e-8), "Dop853:1e-8"), (4, $time / 4.0));
-        })*
-    };
-}
 
 /// Bouncing to its end, frictions that stick, rows that begin to exist, bodies that are released, known times, the laws of impact.
 #[test]

@@ -7,7 +7,11 @@
 #[path = "../../examples/manual/demos/mod.rs"]
 mod demos;
 
+#[path = "../support/beside_text.rs"]
+mod beside_text;
+
 mod assembly;
+mod from_text;
 mod ledger;
 mod modes;
 mod numbers;

@@ -1,11 +1,15 @@
 //! Parts of the library beside closed forms, published figures and conservation laws.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
+#[path = "../support/beside_text.rs"]
+mod beside_text;
+
 mod belts;
 mod brakes;
 mod bristles;
 mod catches;
 mod contact;
+mod from_text;
 mod functions;
 mod gears;
 mod hydraulics;

@@ -35,11 +35,32 @@ pub(crate) fn same_bits<M: Described<S = f64>, I: Method<M>>(
     for k in 1..=times {
         let end = f64::from(k) * by;
         let ends = compiled.step_to(end).map_err(|fault| fault.to_string());
-        assert_eq!(ends, run.step_to(end).map_err(|error| error.to_string()), "to {end}");
-        assert_eq!(of_compiled::<M>(compiled.state()), of_text(&run), "at {}", compiled.state().time());
+        let (name, ends_of_text) = (text.name(), run.step_to(end).map_err(|error| error.to_string()));
+        assert_eq!(ends, ends_of_text, "{name} to {end}");
+        assert_eq!(
+            of_compiled::<M>(compiled.state()),
+            of_text(&run),
+            "{name} at {}",
+            compiled.state().time()
+        );
         if ends.is_err() {
             return;
         }
     }
-    assert_eq!(counted(compiled.stats()), counted(run.stats()));
+    assert_eq!(counted(compiled.stats()), counted(run.stats()), "{}", text.name());
 }
+
+/// Compares runs of mechanisms with their declared values by `Dop853` over an interval, s, in four parts. Each has the stack of a
+/// program, since one of many bodies with contact takes up to 2 MB without optimisation.
+macro_rules! same {
+    ($($mechanism:path: $time:literal),* $(,)?) => {
+        $({
+            type M = $mechanism;
+            let by = (plm::Dop853::new(1e-8), "Dop853:1e-8");
+            let compare = move || $crate::beside_text::same_bits(M::new(), by, (4, $time / 4.0));
+            std::thread::Builder::new().stack_size(8 << 20).spawn(compare).unwrap().join().unwrap();
+        })*
+    };
+}
+#[allow(unused_imports, reason = "some compare by methods of their own")]
+pub(crate) use same;
