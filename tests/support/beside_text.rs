@@ -52,6 +52,7 @@ pub(crate) fn same_bits<M: Described<S = f64>, I: Method<M>>(
 
 /// Compares runs of mechanisms with their declared values by `Dop853` over an interval, s, in four parts. Each has the stack of a
 /// program, since one of many bodies with contact takes up to 2 MB without optimisation.
+#[allow(unused_macros, reason = "some compare by methods of their own")]
 macro_rules! same {
     ($($mechanism:path: $time:literal),* $(,)?) => {
         $({
