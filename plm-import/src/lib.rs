@@ -45,7 +45,7 @@ pub struct Options {
 pub struct Imported {
     /// The text; none where a notice is an error.
     pub text: Option<String>,
-    /// What could not be taken, in the order in which it is found.
+    /// Elements that could not be taken, in the order in which they are found.
     pub notices: Vec<Notice>,
 }
 
@@ -93,8 +93,12 @@ fn declared(
     prepare(&mut spatial, options, notices);
     let mut names = Names::default();
     let planar = Planar::of(&spatial, &mut names, notices)?;
-    let file = name.rsplit(['/', '\\']).next().unwrap_or(name);
-    Some(write::declaration(&planar, &spatial, &mut names, file, format))
+    Some(write::declaration(&planar, &spatial, &mut names, file_name(name), format))
+}
+
+/// The last part of a path.
+fn file_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
 /// Leaves out what is asked for, and moves starts that lie outside of their limits to them.

@@ -1,4 +1,4 @@
-//! Notices: what of a file could not be taken, and where it stands.
+//! Notices: elements of a file that could not be taken, with their places.
 
 use std::fmt;
 use std::rc::Rc;
@@ -36,7 +36,7 @@ pub struct Notice {
     pub level: Level,
     /// The place of the element.
     pub place: Place,
-    /// What was found, and what became of it.
+    /// The finding and its consequence.
     pub message: String,
 }
 

@@ -1,4 +1,4 @@
-//! Outlines: what of a solid is seen along the normal of the plane.
+//! Outlines: projections of solids along the normal of the plane.
 
 use crate::plane::Plane;
 use crate::space::{Pose, Vector};

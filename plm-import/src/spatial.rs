@@ -3,7 +3,7 @@
 //! All poses are those in which the file draws the mechanism, in the frame of the world.
 
 use crate::notice::Place;
-use crate::space::{Matrix, Pose, Vector};
+use crate::space::{Matrix, Pose, Vector, tensor};
 
 /// A mechanism in space.
 #[derive(Debug)]
@@ -16,6 +16,21 @@ pub(crate) struct Spatial {
     pub(crate) joints: Vec<Joint>,
     pub(crate) drives: Vec<Drive>,
     pub(crate) couplings: Vec<Coupling>,
+}
+
+impl Spatial {
+    /// A mechanism without links.
+    pub(crate) fn new(name: &str, place: &Place, gravity: Vector) -> Spatial {
+        Spatial {
+            name: name.to_owned(),
+            place: place.clone(),
+            gravity,
+            links: Vec::new(),
+            joints: Vec::new(),
+            drives: Vec::new(),
+            couplings: Vec::new(),
+        }
+    }
 }
 
 /// A rigid body, or a frame without mass.
@@ -36,6 +51,14 @@ pub(crate) struct Inertial {
     pub(crate) mass: f64,
     pub(crate) centre: Vector,
     pub(crate) tensor: Matrix,
+}
+
+impl Inertial {
+    /// Mass with its inertia `xx yy zz xy xz yz` in the axes of `pose`, which stands at the centre of gravity; none of a mass of zero.
+    pub(crate) fn new(mass: f64, pose: &Pose, [xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Option<Inertial> {
+        let own = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+        (mass > 0.0).then(|| Inertial { mass, centre: pose.at, tensor: tensor(&pose.turn, &own) })
+    }
 }
 
 /// A solid at a place of a link.
@@ -130,7 +153,12 @@ impl Joint {
         }
     }
 
-    /// Does anything act in the joint, or does it end?
+    /// A joint that holds its links to each other.
+    pub(crate) fn fixed(name: &str, place: &Place, pair: [Option<usize>; 2], at: Vector) -> Joint {
+        Joint::new(name, place, Kind::Fixed, pair, at, [0.0, 0.0, 1.0])
+    }
+
+    /// Is it without springs, dampers, friction, rotor and limits?
     pub(crate) fn is_plain(&self) -> bool {
         [self.damping, self.stiffness, self.friction, self.armature].iter().all(|value| *value == 0.0)
             && self.lower.is_none()
@@ -153,7 +181,7 @@ pub(crate) struct Drive {
     pub(crate) force_range: Option<[f64; 2]>,
 }
 
-/// What the input of a drive is.
+/// Quantity that the input of a drive sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Quantity {
     Number,

@@ -14,15 +14,8 @@ const UNBOUNDED: f64 = 1e9;
 
 /// The mechanism of a `<robot>`.
 pub(crate) fn read(robot: &Element, notices: &mut Notices) -> Option<Spatial> {
-    let mut spatial = Spatial {
-        name: robot.get("name").unwrap_or("robot").to_owned(),
-        place: robot.place.clone(),
-        gravity: GRAVITY,
-        links: robot.all("link").map(|link| self::link(link, notices)).collect(),
-        joints: Vec::new(),
-        drives: Vec::new(),
-        couplings: Vec::new(),
-    };
+    let mut spatial = Spatial::new(robot.get("name").unwrap_or("robot"), &robot.place, GRAVITY);
+    spatial.links.extend(robot.all("link").map(|link| self::link(link, notices)));
     let numbers: BTreeMap<String, usize> =
         spatial.links.iter().enumerate().map(|(k, link)| (link.name.clone(), k)).collect();
     let joints: Vec<Drawn<'_>> =
@@ -39,7 +32,7 @@ pub(crate) fn read(robot: &Element, notices: &mut Notices) -> Option<Spatial> {
     let names: BTreeMap<String, usize> =
         spatial.joints.iter().enumerate().map(|(k, joint)| (joint.name.clone(), k)).collect();
     for (k, drawn) in joints.iter().enumerate() {
-        super::mimic::read(drawn.element, held + k, &names, &mut spatial, notices);
+        super::mimic::read(drawn.element, held + k, |name| names.get(name).copied(), &mut spatial, notices);
     }
     drives(robot, &names, &joints, &mut spatial, notices);
     for element in &robot.children {
@@ -83,11 +76,9 @@ fn inertial(element: &Element, notices: &mut Notices) -> Option<Inertial> {
     let pose = origin(element, notices);
     let mass = element.child("mass")?.number("value", notices)?;
     let inertia = element.child("inertia");
-    let mut entry = |name| inertia.and_then(|inertia| inertia.number(name, notices)).unwrap_or_default();
-    let [xx, yy, zz] = ["ixx", "iyy", "izz"].map(&mut entry);
-    let [xy, xz, yz] = ["ixy", "ixz", "iyz"].map(&mut entry);
-    let own = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
-    (mass > 0.0).then(|| Inertial { mass, centre: pose.at, tensor: crate::space::tensor(&pose.turn, &own) })
+    let entries = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"]
+        .map(|name| inertia.and_then(|inertia| inertia.number(name, notices)).unwrap_or_default());
+    Inertial::new(mass, &pose, entries)
 }
 
 fn shape(visual: &Element, notices: &mut Notices) -> Option<Shape> {
@@ -164,7 +155,7 @@ fn place_links(
     joints: &[Drawn<'_>],
     notices: &mut Notices,
 ) -> Option<()> {
-    let mut placed: Vec<bool> = spatial.links.iter().map(|_| false).collect();
+    let mut placed = vec![false; spatial.links.len()];
     for k in 0..spatial.links.len() {
         if joints.iter().any(|joint| joint.child == k) {
             continue;
@@ -177,14 +168,7 @@ fn place_links(
             );
         }
         let (name, place) = (format!("{}_held", link.name), link.place.clone());
-        spatial.joints.push(Joint::new(
-            &name,
-            &place,
-            Kind::Fixed,
-            [None, Some(k)],
-            [0.0; 3],
-            [0.0, 0.0, 1.0],
-        ));
+        spatial.joints.push(Joint::fixed(&name, &place, [None, Some(k)], [0.0; 3]));
         placed[k] = true;
     }
     // A joint more is passed in each round, or there is a circle.

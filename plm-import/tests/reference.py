@@ -3,8 +3,8 @@
     python3 -m pip install mujoco==4.0.0 numpy
     python3 plm-import/tests/reference.py
 
-prints the numbers of tests/motion.rs. Trees are run by MuJoCo's own RK4 at 10 us. MuJoCo's equality constraints give way, so
-that the loop is run by the same RK4 of the accelerations of
+prints the numbers of plm-cli/tests/cli/import.rs. Trees are run by MuJoCo's own RK4 at 10 us. MuJoCo's equality constraints
+give way, so that loops and coupled joints are run by RK4 at 1 ms of the accelerations of
 
     M a + J^T lambda = tau,   J a = -dJ/dt v
 
@@ -41,7 +41,7 @@ def model(path):
 
 
 def closed_acceleration(model, data):
-    """Acceleration with rigid `connect` constraints, of the state in data."""
+    """Acceleration with rigid `connect` and `joint` constraints, of the state in data."""
     mujoco.mj_forward(model, data)
     mass = np.zeros((model.nv, model.nv))
     mujoco.mj_fullM(model, data, mass)

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use plm_import::{Level, Options};
+use plm_import::Options;
 
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
@@ -42,15 +42,13 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
     }
     let Some(text) = imported.text else { return Ok(Outcome::Wrong) };
     write!(streams.output, "{text}")?;
-    let has_errors = imported.notices.iter().any(|notice| notice.level == Level::Error);
-    let is_wrong = has_errors || (!is_drawing && !is_right(&text, streams)?);
-    Ok(if is_wrong { Outcome::Wrong } else { Outcome::Good })
+    Ok(if is_drawing || is_right(&text, streams)? { Outcome::Good } else { Outcome::Wrong })
 }
 
-/// Compiles what was written, and tells what the compiler says of it.
+/// Analyses the written declaration, and writes its diagnostics; false where one is an error.
 fn is_right(text: &str, streams: &mut Streams) -> Result<bool, Failure> {
     let mut is_right = true;
-    for declaration in Declarations::new("<declaration>", text).compiled() {
+    for declaration in Declarations::new("<declaration>", text).checked() {
         let Checked { sources, expansion } = declaration?;
         for diagnostic in expansion.diagnostics.sorted() {
             writeln!(streams.errors, "{}", diagnostic.render(&sources))?;

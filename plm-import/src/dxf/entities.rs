@@ -15,7 +15,7 @@ pub(super) struct Chain {
     pub(super) place: Place,
 }
 
-/// What is taken of a file.
+/// Unit and chains of a drawing.
 #[derive(Debug, Default)]
 pub(super) struct Drawing {
     /// `$INSUNITS`.

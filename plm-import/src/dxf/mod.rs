@@ -8,11 +8,7 @@ use std::rc::Rc;
 use self::entities::Drawing;
 use crate::Imported;
 use crate::notice::{Notices, Place};
-use crate::number::drawn;
 use crate::outline::area;
-
-/// Columns of a line of the result.
-const LONGEST: usize = 110;
 
 /// The contour of a body, and its holes, from the outlines of a DXF drawing: lines of a `body` block.
 ///
@@ -41,29 +37,16 @@ fn written(name: &str, text: &str, notices: &mut Notices) -> Option<String> {
                 .error(&hole.place, "this outline lies outside of the largest one: a body has one contour");
         }
     }
-    let short = name.rsplit(['/', '\\']).next().unwrap_or(name);
-    let mut made = format!("// From {short} (DXF), by plm import.\n");
-    for (k, outline) in outlines.iter().enumerate() {
-        let word = if k == 0 { "contour" } else { "hole" };
-        let mut points = outline.points.clone();
+    let counter_clockwise = outlines.iter().map(|outline| {
+        let mut points: Vec<[f64; 2]> =
+            outline.points.iter().map(|point| point.map(|part| scale * part)).collect();
         if area(&points) < 0.0 {
             points.reverse();
         }
-        let mut line = format!("{word}: ");
-        for (k, [x, y]) in points.iter().enumerate() {
-            let end = if k + 1 == points.len() { format!(" {unit};") } else { ", ".to_owned() };
-            let entry = format!("({}, {}){end}", drawn(scale * x), drawn(scale * y));
-            if line.len() + entry.len() > LONGEST {
-                made.push_str(line.trim_end());
-                made.push('\n');
-                "    ".clone_into(&mut line);
-            }
-            line.push_str(&entry);
-        }
-        made.push_str(&line);
-        made.push('\n');
-    }
-    Some(made)
+        points
+    });
+    let outlines: Vec<_> = counter_clockwise.collect();
+    Some(crate::write::drawing(crate::file_name(name), &outlines, unit))
 }
 
 /// The unit of the language for `$INSUNITS`, and the factor to it.

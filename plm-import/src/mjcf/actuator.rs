@@ -25,17 +25,8 @@ impl Reader<'_> {
         let gear =
             element.numbers("gear", self.notices).and_then(|gear| gear.first().copied()).unwrap_or(1.0);
         // In radians, whatever the unit of the file.
-        let range = |reader: &mut Self, range: &str, limited: &str| {
-            let given = element.exactly::<2>(range, reader.notices);
-            let is_limited = match element.get(limited) {
-                Some("true") => true,
-                Some("false") => false,
-                _ => given.is_some() && reader.compiler.auto_limits,
-            };
-            given.filter(|_| is_limited)
-        };
-        let input_range = range(self, "ctrlrange", "ctrllimited");
-        let force_range = range(self, "forcerange", "forcelimited");
+        let input_range = self.range(&element, "ctrlrange", "ctrllimited");
+        let force_range = self.range(&element, "forcerange", "forcelimited");
         let name = element
             .get("name")
             .map_or_else(|| format!("{}_input", self.spatial.joints[joint].name), str::to_owned);

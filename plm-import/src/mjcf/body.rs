@@ -6,7 +6,7 @@ use crate::space::{Matrix, Pose, add, dot, scaled, sub, tensor, turned, unit};
 use crate::spatial::{Inertial, Joint, Kind, Link};
 use crate::xml::Element;
 
-/// Where elements stand: link, its pose, the pose of frames around them within it, and the class of the bodies around them.
+/// Surroundings of an element: link, its pose, the pose of frames around it within the link, and the class of the bodies around it.
 #[derive(Clone)]
 struct Around {
     link: Option<usize>,
@@ -23,27 +23,27 @@ impl Reader<'_> {
             frame: Pose::HERE,
             class: world.get("childclass").map(str::to_owned),
         };
-        self.children(world, &around);
+        self.children(world, &around, &mut Vec::new());
     }
 
-    fn children(&mut self, element: &Element, around: &Around) {
+    /// Reads what stands within a body; masses of its geoms come to `parts`.
+    fn children(&mut self, element: &Element, around: &Around, parts: &mut Vec<Inertial>) {
         for child in &element.children {
             match child.name.as_str() {
                 "body" => self.body(child, around),
                 "frame" => {
-                    let at = child.exactly("pos", self.notices).unwrap_or_default();
-                    let turn = self.compiler.rotation(child, self.notices);
+                    for lost in all(child, &["joint", "freejoint", "inertial"]) {
+                        let message = format!("{} within a frame is not taken", lost.shown());
+                        self.notices.error(&lost.place, message);
+                    }
                     let class = child.get("childclass").map(str::to_owned).or(around.class.clone());
-                    let frame = around.frame.of(&Pose { turn, at });
-                    self.children(child, &Around { frame, class, ..around.clone() });
+                    let frame = around.frame.of(&self.placed(child));
+                    self.children(child, &Around { frame, class, ..around.clone() }, parts);
                 }
                 "site" => self.site(child, around),
-                "geom" if around.link.is_none() => {
-                    let geom = self.defaults.styled(child, around.class.as_deref(), self.notices);
-                    self.touches(&geom);
-                }
-                // Joints and masses are read with the body.
-                "geom" | "joint" | "freejoint" | "inertial" | "light" | "camera" => {}
+                "geom" => self.shape(child, around, parts),
+                // They are read with the body.
+                "joint" | "freejoint" | "inertial" | "light" | "camera" => {}
                 "composite" | "flexcomp" | "replicate" | "attach" => {
                     self.notices.error(&child.place, format!("{} is not taken", child.shown()));
                 }
@@ -60,9 +60,7 @@ impl Reader<'_> {
     }
 
     fn body(&mut self, element: &Element, around: &Around) {
-        let at = element.exactly("pos", self.notices).unwrap_or_default();
-        let turn = self.compiler.rotation(element, self.notices);
-        let pose = around.pose.of(&around.frame.of(&Pose { turn, at }));
+        let pose = around.pose.of(&around.frame.of(&self.placed(element)));
         let class = element.get("childclass").map(str::to_owned).or(around.class.clone());
         let number = self.spatial.links.len();
         let name = element.get("name").map_or_else(|| format!("body_{}", number + 1), str::to_owned);
@@ -79,24 +77,23 @@ impl Reader<'_> {
         let link = number + links.len() - 1;
         self.bodies.insert(name.clone(), link);
         let inner = Around { link: Some(link), pose, frame: Pose::HERE, class };
-        self.weigh(element, &inner);
         let mut parent = around.link;
         for (joint, child) in joints.iter().zip(&links) {
             self.joint(joint, &inner, parent, *child);
             parent = Some(*child);
         }
         if joints.is_empty() {
-            let joint = Joint::new(
-                &format!("{name}_weld"),
-                &element.place,
-                Kind::Fixed,
-                [around.link, Some(link)],
-                pose.at,
-                [0.0, 0.0, 1.0],
-            );
-            self.spatial.joints.push(joint);
+            let pair = [around.link, Some(link)];
+            self.spatial.joints.push(Joint::fixed(&format!("{name}_weld"), &element.place, pair, pose.at));
         }
-        self.children(element, &inner);
+        let mut parts = Vec::new();
+        self.children(element, &inner, &mut parts);
+        let inertial = match (element.child("inertial"), self.compiler.from_geoms) {
+            (Some(given), FromGeoms::Never | FromGeoms::Else) => self.inertial(given),
+            (None, FromGeoms::Never) => None,
+            _ => sum(&parts),
+        };
+        self.spatial.links[link].inertial = inertial;
     }
 
     fn push_link(&mut self, name: &str, element: &Element, pose: Pose) {
@@ -111,42 +108,29 @@ impl Reader<'_> {
         });
     }
 
-    /// Shapes and mass of the body around.
-    fn weigh(&mut self, body: &Element, around: &Around) {
+    /// The shape of a geom, and its mass.
+    fn shape(&mut self, element: &Element, around: &Around, parts: &mut Vec<Inertial>) {
+        let geom = self.defaults.styled(element, around.class.as_deref(), self.notices);
+        self.touches(&geom);
         let Some(link) = around.link else { return };
-        let mut parts = Vec::new();
-        for (geom, frame) in within(self, body, "geom", Pose::HERE) {
-            let geom = self.defaults.styled(&geom, around.class.as_deref(), self.notices);
-            self.touches(&geom);
-            let Some((mut shape, inertial)) = self.geom(&geom) else { continue };
-            shape.pose = frame.of(&shape.pose);
-            self.spatial.links[link].shapes.push(shape);
-            parts.extend(inertial.map(|own| Inertial {
-                mass: own.mass,
-                centre: shape.pose.at,
-                tensor: tensor(&shape.pose.turn, &own.tensor),
-            }));
-        }
-        let given = body.child("inertial");
-        let inertial = match (given, self.compiler.from_geoms) {
-            (Some(given), FromGeoms::Never | FromGeoms::Else) => self.inertial(given),
-            (None, FromGeoms::Never) => None,
-            _ => sum(&parts),
-        };
-        self.spatial.links[link].inertial = inertial;
+        let Some((mut shape, inertial)) = self.geom(&geom) else { return };
+        shape.pose = around.frame.of(&shape.pose);
+        parts.extend(inertial.map(|own| Inertial {
+            mass: own.mass,
+            centre: shape.pose.at,
+            tensor: tensor(&shape.pose.turn, &own.tensor),
+        }));
+        self.spatial.links[link].shapes.push(shape);
     }
 
     fn inertial(&mut self, element: &Element) -> Option<Inertial> {
         let mass = element.number("mass", self.notices)?;
-        let centre = element.exactly("pos", self.notices).unwrap_or_default();
-        let turn = self.compiler.rotation(element, self.notices);
-        let own = if let Some([xx, yy, zz, xy, xz, yz]) = element.exactly("fullinertia", self.notices) {
-            [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
-        } else {
+        let pose = self.placed(element);
+        let entries = element.exactly("fullinertia", self.notices).unwrap_or_else(|| {
             let [x, y, z] = element.exactly("diaginertia", self.notices).unwrap_or_default();
-            [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]]
-        };
-        (mass > 0.0).then(|| Inertial { mass, centre, tensor: tensor(&turn, &own) })
+            [x, y, z, 0.0, 0.0, 0.0]
+        });
+        Inertial::new(mass, &pose, entries)
     }
 
     fn joint(&mut self, element: &Element, around: &Around, parent: Option<usize>, child: usize) {
@@ -209,13 +193,8 @@ impl Reader<'_> {
         if self.compiler.has(Effect::Friction) {
             joint.friction = number("frictionloss");
         }
-        let range = styled.exactly::<2>("range", self.notices);
-        let is_limited = match styled.get("limited") {
-            Some("true") => true,
-            Some("false") => false,
-            _ => range.is_some() && self.compiler.auto_limits,
-        };
-        if let Some([lower, upper]) = range.filter(|_| is_limited && self.compiler.has(Effect::Limit)) {
+        let range = self.range(styled, "range", "limited");
+        if let Some([lower, upper]) = range.filter(|_| self.compiler.has(Effect::Limit)) {
             (joint.lower, joint.upper) = (Some(lower * angle), Some(upper * angle));
         }
     }
@@ -223,8 +202,7 @@ impl Reader<'_> {
     fn site(&mut self, element: &Element, around: &Around) {
         let site = self.defaults.styled(element, around.class.as_deref(), self.notices);
         let Some(name) = site.get("name") else { return };
-        let at = site.exactly("pos", self.notices).unwrap_or_default();
-        let pose = around.frame.of(&Pose { turn: self.compiler.rotation(&site, self.notices), at });
+        let pose = around.frame.of(&self.placed(&site));
         self.sites.insert(name.to_owned(), (around.link, pose));
         if let Some(link) = around.link {
             self.spatial.links[link].points.push((name.to_owned(), pose));
@@ -237,23 +215,8 @@ fn all<'a>(element: &'a Element, names: &[&str]) -> Vec<&'a Element> {
     element.children.iter().filter(|child| names.contains(&child.name.as_str())).collect()
 }
 
-/// The children with this tag, also those within frames, with the poses of their frames.
-fn within(reader: &mut Reader<'_>, element: &Element, name: &str, frame: Pose) -> Vec<(Element, Pose)> {
-    let mut found = Vec::new();
-    for child in &element.children {
-        if child.name == name {
-            found.push((child.clone(), frame));
-        } else if child.name == "frame" {
-            let at = child.exactly("pos", reader.notices).unwrap_or_default();
-            let turn = reader.compiler.rotation(child, reader.notices);
-            found.extend(within(reader, child, name, frame.of(&Pose { turn, at })));
-        }
-    }
-    found
-}
-
 /// One mass for several (Steiner's theorem); none of none.
-pub(crate) fn sum(parts: &[Inertial]) -> Option<Inertial> {
+fn sum(parts: &[Inertial]) -> Option<Inertial> {
     let mass: f64 = parts.iter().map(|part| part.mass).sum();
     if mass <= 0.0 {
         return None;

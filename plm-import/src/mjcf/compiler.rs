@@ -1,4 +1,4 @@
-//! `<compiler>` and `<option>`: how the rest of the file is meant.
+//! `<compiler>` and `<option>`: units, conventions and effects of the rest of the file.
 
 use crate::notice::Notices;
 use crate::space::{
@@ -6,7 +6,7 @@ use crate::space::{
 };
 use crate::xml::Element;
 
-/// What the attributes of `<compiler>` and `<option>` say.
+/// Settings of `<compiler>` and `<option>`.
 #[derive(Debug)]
 pub(super) struct Compiler {
     /// Radians in the unit of the file.
@@ -25,7 +25,7 @@ pub(super) struct Compiler {
     disabled: Vec<Effect>,
 }
 
-/// Where the inertia of a body comes from.
+/// Source of the inertia of a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum FromGeoms {
     Always,

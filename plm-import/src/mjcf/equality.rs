@@ -91,14 +91,7 @@ impl Reader<'_> {
         };
         let name = self.name(element);
         let at = self.pose(child).at;
-        self.spatial.joints.push(Joint::new(
-            &name,
-            &element.place,
-            Kind::Fixed,
-            [parent, child],
-            at,
-            [0.0, 0.0, 1.0],
-        ));
+        self.spatial.joints.push(Joint::fixed(&name, &element.place, [parent, child], at));
     }
 
     fn follow(&mut self, element: &Element) {

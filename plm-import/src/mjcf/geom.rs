@@ -27,8 +27,7 @@ impl Reader<'_> {
             let turn = from_z(sub(from, to))?;
             (Pose { turn, at: scaled(add(from, to), 0.5) }, Some(norm(sub(to, from)) / 2.0))
         } else {
-            let at = geom.exactly("pos", self.notices).unwrap_or_default();
-            (Pose { turn: self.compiler.rotation(geom, self.notices), at }, None)
+            (self.placed(geom), None)
         };
         // With two ends the first length is that of both directions across them.
         let mut lengths = size;

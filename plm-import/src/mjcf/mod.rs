@@ -33,8 +33,8 @@ struct Reader<'a> {
     notices: &'a mut Notices,
 }
 
-/// Elements that say how it looks, how it is computed, or that nothing touches.
-const WITHOUT_MOTION: &[&str] = &[
+/// Sections that are read elsewhere, or say nothing of the motion.
+const WITHOUT_NOTICE: &[&str] = &[
     "asset",
     "visual",
     "statistic",
@@ -52,15 +52,7 @@ const WITHOUT_MOTION: &[&str] = &[
 pub(crate) fn read(root: &Element, notices: &mut Notices) -> Option<Spatial> {
     let compiler = Compiler::new(root, notices);
     let defaults = Defaults::new(root, notices);
-    let spatial = Spatial {
-        name: root.get("model").unwrap_or("model").to_owned(),
-        place: root.place.clone(),
-        gravity: compiler.gravity,
-        links: Vec::new(),
-        joints: Vec::new(),
-        drives: Vec::new(),
-        couplings: Vec::new(),
-    };
+    let spatial = Spatial::new(root.get("model").unwrap_or("model"), &root.place, compiler.gravity);
     let (joints, bodies, sites) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
     let mut reader =
         Reader { compiler, defaults, spatial, joints, bodies, sites, touching: Vec::new(), notices };
@@ -86,10 +78,27 @@ pub(crate) fn read(root: &Element, notices: &mut Notices) -> Option<Spatial> {
 }
 
 impl Reader<'_> {
+    /// The pose of `pos` and an orientation.
+    fn placed(&mut self, element: &Element) -> Pose {
+        let at = element.exactly("pos", self.notices).unwrap_or_default();
+        Pose { turn: self.compiler.rotation(element, self.notices), at }
+    }
+
+    /// A range that holds: its attribute `limited` says so, or `autolimits` of the compiler where there is none.
+    fn range(&mut self, element: &Element, range: &str, limited: &str) -> Option<[f64; 2]> {
+        let given = element.exactly(range, self.notices);
+        let is_limited = match element.get(limited) {
+            Some("true") => true,
+            Some("false") => false,
+            _ => self.compiler.auto_limits,
+        };
+        given.filter(|_| is_limited)
+    }
+
     /// A section of the file that is not taken.
     fn section(&mut self, section: &Element) {
         match section.name.as_str() {
-            name if WITHOUT_MOTION.contains(&name) => {}
+            name if WITHOUT_NOTICE.contains(&name) => {}
             "contact" => {
                 for pair in section.all("pair") {
                     self.notices.warn(&pair.place, format!("{}: contacts are left out", pair.shown()));

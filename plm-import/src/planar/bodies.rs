@@ -1,10 +1,11 @@
 //! Bodies of a planar mechanism: mass, ports and outlines of the links that they carry.
 
 use super::hosts::{Hosts, Role};
-use super::{Body, Host, Planar, Port};
+use super::{Body, Planar, Port, local};
 use crate::names::Names;
 use crate::notice::Notices;
 use crate::outline::Outline;
+use crate::plane::Plane;
 use crate::space::{dot, tensor, turned};
 use crate::spatial::{Link, Spatial};
 
@@ -21,20 +22,23 @@ pub(super) fn add(
             continue;
         }
         let Some(inertial) = link.inertial else { continue };
-        let at = planar.plane.flat(link.pose.at);
-        let angle = angle_of(planar, link);
-        let normal = planar.plane.normal;
+        let plane = &planar.plane;
+        let [x, y] = plane.flat(link.pose.at);
+        let pose = [x, y, angle_of(plane, link)];
+        let normal = plane.normal;
+        let centre = link.pose.point(inertial.centre);
+        let depth = dot(centre, normal);
         let inertia = dot(normal, turned(&tensor(&link.pose.turn, &inertial.tensor), normal));
         let mut body = Body {
             name: names.give(&link.name, "body"),
             mass: inertial.mass,
             inertia,
-            centre: [0.0; 2],
-            drawn: [at[0], at[1], angle],
-            start: [at[0], at[1], angle],
+            centre: local(pose, plane.flat(centre)),
+            drawn: pose,
+            start: pose,
             given: [false, false, true],
             locked: [false; 3],
-            depth: dot(link.pose.point(inertial.centre), normal),
+            depth: if depth.abs() < 1e-9 { 0.0 } else { depth },
             ports: Vec::new(),
             port_names: Names::of_ports(),
             outlines: Vec::new(),
@@ -42,54 +46,43 @@ pub(super) fn add(
         if inertia < 0.0 || !inertia.is_finite() || !inertial.mass.is_finite() {
             notices.error(&link.place, format!("the inertia of `{}` is negative or no number", link.name));
         }
-        let centre = planar.plane.flat(link.pose.point(inertial.centre));
-        body.depth = if body.depth.abs() < 1e-9 { 0.0 } else { body.depth };
-        planar.bodies.push(body);
-        let host = Host::Body(planar.bodies.len() - 1);
-        let centre = planar.local(host, centre);
-        if let Some(body) = planar.bodies.last_mut() {
-            body.centre = centre;
-        }
         for (k, carried) in spatial.links.iter().enumerate() {
             if k == number || hosts.roles[k] == Role::Part(number) {
-                carry(planar, host, carried);
+                carry(&mut body, plane, carried);
             }
         }
-        if let Some(body) = planar.bodies.last_mut() {
-            body.outlines.sort_by(|a, b| b.area().abs().total_cmp(&a.area().abs()));
-        }
+        body.outlines.sort_by(|a, b| b.area().abs().total_cmp(&a.area().abs()));
+        planar.bodies.push(body);
     }
 }
 
 /// The angle of a body: that of the first axis of its link that lies in the plane.
-fn angle_of(planar: &Planar, link: &Link) -> f64 {
+fn angle_of(plane: &Plane, link: &Link) -> f64 {
     let columns = crate::space::transposed(&link.pose.turn);
-    let within = columns.into_iter().find(|axis| dot(*axis, planar.plane.normal).abs() < 1e-4);
+    let within = columns.into_iter().find(|axis| dot(*axis, plane.normal).abs() < 1e-4);
     within.map_or(0.0, |axis| {
-        let [x, y] = planar.plane.flat(axis);
+        let [x, y] = plane.flat(axis);
         let angle = y.atan2(x);
         if angle.abs() < 1e-12 { 0.0 } else { angle }
     })
 }
 
-/// Outlines and named points of a link.
-fn carry(planar: &mut Planar, host: Host, link: &Link) {
-    let Host::Body(number) = host else { return };
+/// Adds outlines and named points of a link to the body that carries it.
+fn carry(body: &mut Body, plane: &Plane, link: &Link) {
     for shape in &link.shapes {
-        let outline = Outline::of(shape, &link.pose, &planar.plane);
-        let local = match outline {
-            Some(Outline::Circle { at, radius }) => Outline::Circle { at: planar.local(host, at), radius },
+        let outline = Outline::of(shape, &link.pose, plane);
+        let outline = match outline {
+            Some(Outline::Circle { at, radius }) => Outline::Circle { at: local(body.drawn, at), radius },
             Some(Outline::Polygon(points)) => {
-                Outline::Polygon(points.into_iter().map(|point| planar.local(host, point)).collect())
+                Outline::Polygon(points.into_iter().map(|point| local(body.drawn, point)).collect())
             }
             None => continue,
         };
-        planar.bodies[number].outlines.push(local);
+        body.outlines.push(outline);
     }
     for (name, pose) in &link.points {
         let pose = link.pose.of(pose);
-        let at = planar.local(host, planar.plane.flat(pose.at));
-        let body = &mut planar.bodies[number];
+        let at = local(body.drawn, plane.flat(pose.at));
         let name = body.port_names.give(name, "port");
         body.ports.push(Port { name, at, angle: 0.0 });
     }

@@ -22,7 +22,7 @@ pub(super) fn from(spatial: &Spatial, hosts: &Hosts, number: usize) -> Vec<usize
     }
 }
 
-/// What a chain becomes.
+/// Form of a chain in the declaration.
 #[derive(Clone, Copy, Debug)]
 enum Shape {
     /// Nothing is held: two slides and a hinge.
@@ -67,10 +67,9 @@ pub(super) fn add(
     let at = planar.plane.flat(last.at);
     for number in acting {
         let joint = &spatial.joints[number];
-        let axis = planar.plane.flat(joint.axis);
         let name = names.give(&joint.name, "joint");
-        let zero = [at[0] - joint.drawn * axis[0], at[1] - joint.drawn * axis[1]];
-        let a = planar.add_port(parent, &name, zero, axis[1].atan2(axis[0]));
+        let (zero, along) = planar.slide(joint, at);
+        let a = planar.add_port(parent, &name, zero, along);
         let b = planar.add_port(child, &name, at, 0.0);
         planar.pairs.push(Pair { name, kind: PairKind::Slide, a, b, joint: number });
     }

@@ -1,8 +1,8 @@
-//! Which links are the ground, which are bodies, and which are part of another one.
+//! Roles of links: ground, body, part of another link, or without mass between joints.
 
 use crate::spatial::{Joint, Kind, Spatial};
 
-/// What a link becomes.
+/// Role of a link in the declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
     /// It is fixed to the world.

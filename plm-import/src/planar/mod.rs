@@ -19,6 +19,7 @@ pub(crate) struct Planar {
     pub(crate) gravity: [f64; 2],
     /// The ports of the ground.
     pub(crate) ground: Vec<Port>,
+    ground_names: Names,
     pub(crate) bodies: Vec<Body>,
     pub(crate) pairs: Vec<Pair>,
     /// A group of bodies has no joint to the ground.
@@ -56,7 +57,7 @@ pub(crate) struct Port {
     pub(crate) angle: f64,
 }
 
-/// Whom a port belongs to.
+/// Owner of a port.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Host {
     Ground,
@@ -80,7 +81,7 @@ pub(crate) enum PairKind {
     Slot,
     /// Two slides: `b` does not turn.
     Upright,
-    /// What acts along one of two slides on the ground.
+    /// Forces along one of two slides on the ground.
     Slide,
 }
 
@@ -103,6 +104,7 @@ impl Planar {
             gravity: plane.flat(spatial.gravity),
             plane,
             ground: Vec::new(),
+            ground_names: Names::default(),
             bodies: Vec::new(),
             pairs: Vec::new(),
             floats: false,
@@ -164,10 +166,7 @@ impl Planar {
 
     /// A point of the plane in the axes of a host.
     fn local(&self, host: Host, at: [f64; 2]) -> [f64; 2] {
-        let [x, y, angle] = self.pose(host);
-        let (sin, cos) = angle.sin_cos();
-        let d = [at[0] - x, at[1] - y];
-        [cos * d[0] + sin * d[1], -sin * d[0] + cos * d[1]]
+        local(self.pose(host), at)
     }
 
     /// Gives an inertia to points of mass, of which the language asks one.
@@ -189,4 +188,11 @@ impl Planar {
             );
         }
     }
+}
+
+/// A point in the axes of a frame whose pose, x, y and angle, is given in the same axes as the point.
+pub(crate) fn local([x, y, angle]: [f64; 3], at: [f64; 2]) -> [f64; 2] {
+    let (sin, cos) = angle.sin_cos();
+    let d = [at[0] - x, at[1] - y];
+    [cos * d[0] + sin * d[1], -sin * d[0] + cos * d[1]]
 }

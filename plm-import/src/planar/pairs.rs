@@ -49,8 +49,7 @@ pub(super) fn add(
             _ => chain::add(planar, spatial, &chain, [a, b], names, notices),
         }
     }
-    for (number, joint) in spatial.joints.iter().enumerate().filter(|(number, _)| !done[*number]) {
-        let _ = number;
+    for (joint, _) in spatial.joints.iter().zip(done).filter(|(_, done)| !done) {
         notices.error(
             &joint.place,
             format!("joint `{}` hangs on a link without mass that others hold too", joint.name),
@@ -63,21 +62,23 @@ impl Planar {
     pub(super) fn add_port(&mut self, host: Host, name: &str, at: [f64; 2], angle: f64) -> End {
         let at = self.local(host, at);
         let angle = wrapped(angle);
-        match host {
-            Host::Ground => {
-                let mut names = Names::default();
-                self.ground.iter().for_each(|port| drop(names.give(&port.name, "port")));
-                let name = names.give(name, "port");
-                self.ground.push(Port { name, at, angle });
-                End { host, port: self.ground.len() - 1 }
-            }
+        let (ports, names) = match host {
+            Host::Ground => (&mut self.ground, &mut self.ground_names),
             Host::Body(body) => {
                 let body = &mut self.bodies[body];
-                let name = body.port_names.give(name, "port");
-                body.ports.push(Port { name, at, angle });
-                End { host, port: body.ports.len() - 1 }
+                (&mut body.ports, &mut body.port_names)
             }
-        }
+        };
+        let name = names.give(name, "port");
+        ports.push(Port { name, at, angle });
+        End { host, port: ports.len() - 1 }
+    }
+
+    /// The point of a slide at which its coordinate is zero, where it is drawn at `at`, and the angle of its direction.
+    pub(super) fn slide(&self, joint: &Joint, at: [f64; 2]) -> ([f64; 2], f64) {
+        let axis = self.plane.flat(joint.axis);
+        let zero = [at[0] - joint.drawn * axis[0], at[1] - joint.drawn * axis[1]];
+        (zero, axis[1].atan2(axis[0]))
     }
 
     pub(super) fn angle(&self, host: Host) -> f64 {
@@ -116,9 +117,7 @@ fn single(
             }
         }
         Kind::Prismatic => {
-            let axis = planar.plane.flat(joint.axis);
-            let along = axis[1].atan2(axis[0]);
-            let zero = [at[0] - joint.drawn * axis[0], at[1] - joint.drawn * axis[1]];
+            let (zero, along) = planar.slide(joint, at);
             let a = planar.add_port(parent, &name, zero, along - planar.angle(parent));
             (PairKind::Prismatic, a, planar.add_port(child, &name, at, along - planar.angle(child)))
         }

@@ -23,7 +23,7 @@ pub(super) enum Kind {
 pub(super) struct Declared<'a> {
     pub(super) element: &'a Element,
     pub(super) kind: Kind,
-    /// What stands in front of the names within its model: `arm::`, or nothing.
+    /// Prefix of the names within its model: `arm::`, or nothing.
     pub(super) scope: String,
 }
 

@@ -2,12 +2,12 @@
 
 use super::frames::pose_of;
 use crate::notice::Notices;
-use crate::space::tensor;
+use crate::space::Pose;
 use crate::spatial::{Inertial, Shape, Solid};
 use crate::xml::Element;
 
-/// Elements of a link that say nothing of its motion.
-const WITHOUT_MOTION: &[&str] =
+/// Elements of a link that are read elsewhere, or say nothing of its motion.
+const WITHOUT_NOTICE: &[&str] =
     &["pose", "inertial", "self_collide", "must_be_base_link", "enable_wind", "light", "material"];
 
 /// Shapes of a link; tells what is not taken.
@@ -15,7 +15,7 @@ pub(super) fn shapes(link: &Element, notices: &mut Notices) -> Vec<Shape> {
     let mut shapes = Vec::new();
     for child in &link.children {
         match child.name.as_str() {
-            name if WITHOUT_MOTION.contains(&name) => {}
+            name if WITHOUT_NOTICE.contains(&name) => {}
             "visual" => shapes.extend(shape(child, notices)),
             "collision" => {
                 let name = link.get("name").unwrap_or_default();
@@ -41,9 +41,7 @@ pub(super) fn inertial(link: &Element, is_held: bool, notices: &mut Notices) -> 
                 format!("{} has no <inertial>: 1 kg and 1 kg*m^2 as SDF says", link.shown()),
             );
         }
-        let mut unit = Inertial { mass: 1.0, centre: [0.0; 3], tensor: crate::space::IDENTITY };
-        unit.mass = 1.0;
-        return Some(unit);
+        return Inertial::new(1.0, &Pose::HERE, [1.0, 1.0, 1.0, 0.0, 0.0, 0.0]);
     };
     if inertial.get("auto") == Some("true") {
         notices.error(&inertial.place, format!("{}: inertia by density is not taken", link.shown()));
@@ -56,8 +54,7 @@ pub(super) fn inertial(link: &Element, is_held: bool, notices: &mut Notices) -> 
     };
     let [xx, yy, zz] = ["ixx", "iyy", "izz"].map(|name| entry(name, 1.0));
     let [xy, xz, yz] = ["ixy", "ixz", "iyz"].map(|name| entry(name, 0.0));
-    let own = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
-    (mass > 0.0).then(|| Inertial { mass, centre: pose.at, tensor: tensor(&pose.turn, &own) })
+    Inertial::new(mass, &pose, [xx, yy, zz, xy, xz, yz])
 }
 
 fn shape(visual: &Element, notices: &mut Notices) -> Option<Shape> {

@@ -14,7 +14,7 @@ use crate::xml::Element;
 
 /// The gravity of a world that does not say it.
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.8];
-/// What stands in front of the names of the world, so that the frame of a model is not given in itself.
+/// Prefix of the names of the world, so that the frame of a model is not given in itself.
 const WORLD: &str = "world::";
 /// A limit that bounds nothing.
 const UNBOUNDED: f64 = 1e9;
@@ -26,6 +26,8 @@ struct Reader<'a> {
     frames: Frames<'a>,
     links: BTreeMap<String, usize>,
     joints: BTreeMap<String, usize>,
+    /// Axes of joints that may follow others, with the numbers of these joints and their scopes.
+    axes: Vec<(&'a Element, usize, String)>,
     spatial: Spatial,
     notices: &'a mut Notices,
 }
@@ -39,21 +41,14 @@ pub(crate) fn read(root: &Element, notices: &mut Notices) -> Option<Spatial> {
         notices.error(&root.place, "there is no model in it");
         return None;
     };
-    let mut spatial = Spatial {
-        name: world.unwrap_or(first).get("name").unwrap_or("model").to_owned(),
-        place: root.place.clone(),
-        gravity: GRAVITY,
-        links: Vec::new(),
-        joints: Vec::new(),
-        drives: Vec::new(),
-        couplings: Vec::new(),
-    };
+    let name = world.unwrap_or(first).get("name").unwrap_or("model");
+    let mut spatial = Spatial::new(name, &root.place, GRAVITY);
     if let Some(gravity) = world.and_then(|world| world.child("gravity")) {
         spatial.gravity = gravity.text_numbers(notices)?;
     }
     let version = root.number("version", notices).unwrap_or(AXES_OF_JOINTS);
     let (frames, links, joints) = (Frames::default(), BTreeMap::new(), BTreeMap::new());
-    let mut reader = Reader { version, frames, links, joints, spatial, notices };
+    let mut reader = Reader { version, frames, links, joints, axes: Vec::new(), spatial, notices };
     // The names of a single model need no name in front, unless the world speaks of them.
     let is_alone = models.len() == 1 && world.is_none_or(|world| world.child("joint").is_none());
     let scope = |model: &Element| {
@@ -74,15 +69,16 @@ pub(crate) fn read(root: &Element, notices: &mut Notices) -> Option<Spatial> {
     for joint in world.into_iter().flat_map(|world| world.all("joint")) {
         reader.joint(joint, "");
     }
+    reader.follow();
     reader.points();
-    for element in outer.children.iter().filter(|child| !WITHOUT_MOTION.contains(&child.name.as_str())) {
+    for element in outer.children.iter().filter(|child| !WITHOUT_NOTICE.contains(&child.name.as_str())) {
         reader.tell(element, "the world");
     }
     (!reader.notices.has_errors()).then_some(reader.spatial)
 }
 
-/// Elements of a world that say nothing of its motion, or are read elsewhere.
-const WITHOUT_MOTION: &[&str] = &[
+/// Elements of a world that are read elsewhere, or say nothing of its motion.
+const WITHOUT_NOTICE: &[&str] = &[
     "model",
     "gravity",
     "joint",
@@ -98,7 +94,7 @@ const WITHOUT_MOTION: &[&str] = &[
     "world",
 ];
 
-impl Reader<'_> {
+impl<'a> Reader<'a> {
     fn tell(&mut self, element: &Element, of: &str) {
         match element.name.as_str() {
             "include" => self.notices.error(&element.place, "<include>: models of other files are not taken"),
@@ -135,14 +131,7 @@ impl Reader<'_> {
         let number = self.spatial.links.len();
         let (name, place) = (full.replace("::", "_"), element.place.clone());
         if is_static {
-            let held = Joint::new(
-                &format!("{name}_held"),
-                &place,
-                Kind::Fixed,
-                [None, Some(number)],
-                pose.at,
-                [0.0, 0.0, 1.0],
-            );
+            let held = Joint::fixed(&format!("{name}_held"), &place, [None, Some(number)], pose.at);
             self.spatial.joints.push(held);
         }
         self.links.insert(full, number);
@@ -160,7 +149,7 @@ impl Reader<'_> {
         })
     }
 
-    fn joints(&mut self, model: &Element, scope: &str) {
+    fn joints(&mut self, model: &'a Element, scope: &str) {
         for element in &model.children {
             match element.name.as_str() {
                 "joint" => self.joint(element, scope),
@@ -172,7 +161,7 @@ impl Reader<'_> {
         }
     }
 
-    fn joint(&mut self, element: &Element, scope: &str) {
+    fn joint(&mut self, element: &'a Element, scope: &str) {
         let kind = match element.get("type").unwrap_or_default() {
             "revolute" | "continuous" => Kind::Revolute,
             "prismatic" => Kind::Prismatic,
@@ -219,7 +208,15 @@ impl Reader<'_> {
             let name = self.spatial.joints[number].name.clone();
             self.spatial.drives.push(drive(&name, element, number, 1.0, Some(effort)));
         }
-        crate::mimic::read(axis, number, &self.joints, &mut self.spatial, self.notices);
+        self.axes.push((axis, number, scope.to_owned()));
+    }
+
+    /// Joints that follow others, which may be declared behind them.
+    fn follow(&mut self) {
+        for (axis, number, scope) in std::mem::take(&mut self.axes) {
+            let number_of = |name: &str| self.joints.get(&format!("{scope}{name}")).copied();
+            crate::mimic::read(axis, number, number_of, &mut self.spatial, self.notices);
+        }
     }
 
     /// Axis, spring, damper and limits; tells whether there is an axis.

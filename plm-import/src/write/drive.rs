@@ -1,7 +1,7 @@
 //! Inputs, and the drives of joints that read them.
 
-use super::Lines;
 use super::joint::{Units, units};
+use super::{Lines, sum};
 use crate::names::Names;
 use crate::number::short;
 use crate::planar::Planar;
@@ -101,19 +101,8 @@ fn law(drive: &Drive, input: &str, unit: &str, joint: &str, units: &Units) -> St
     term(outer * constant, units.force, "");
     term(outer * drive.gear * of_coordinate, units.stiffness, &format!("{joint}.{}", units.coordinate));
     term(outer * drive.gear * of_rate, units.damping, &format!("{joint}.speed"));
-    let mut sum = String::new();
-    for (is_negative, term) in &terms {
-        let sign = match (sum.is_empty(), *is_negative) {
-            (true, false) => "",
-            (true, true) => "-",
-            (false, false) => " + ",
-            (false, true) => " - ",
-        };
-        sum = format!("{sum}{sign}{term}");
-    }
-    let Some([low, high]) = drive.force_range else {
-        return if sum.is_empty() { "0".to_owned() } else { sum };
-    };
+    let sum = sum(&terms);
+    let Some([low, high]) = drive.force_range else { return sum };
     let bound =
         |bound: f64| if bound == 0.0 { "0".to_owned() } else { format!("{} {}", short(bound), units.force) };
     let bounded = format!("clamp({sum}, {}, {})", bound(low), bound(high));

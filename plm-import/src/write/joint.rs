@@ -1,7 +1,7 @@
 //! Joints, rotors on them, joints that follow others, and outputs.
 
-use super::Lines;
 use super::drive::Drives;
+use super::{Lines, sum};
 use crate::names::Names;
 use crate::number::{angle, length, short};
 use crate::planar::{Pair, PairKind, Planar};
@@ -146,7 +146,7 @@ pub(super) fn couplings(planar: &Planar, spatial: &Spatial, names: &mut Names, l
         };
         let Some((own, unit)) = pair(coupling.joint).and_then(path) else { continue };
         let other = coupling.of.and_then(pair).and_then(path);
-        let mut sum = String::new();
+        let mut terms = Vec::new();
         for (power, coefficient) in
             coupling.coefficients.iter().enumerate().filter(|(_, value)| **value != 0.0)
         {
@@ -156,17 +156,10 @@ pub(super) fn couplings(planar: &Planar, spatial: &Spatial, names: &mut Names, l
                 None => continue,
                 Some((of, of_unit)) => term(&size, unit, of, of_unit, power),
             };
-            let sign = match (sum.is_empty(), *coefficient < 0.0) {
-                (true, false) => "",
-                (true, true) => "-",
-                (false, false) => " + ",
-                (false, true) => " - ",
-            };
-            sum = format!("{sum}{sign}{term}");
+            terms.push((*coefficient < 0.0, term));
         }
-        let sum = if sum.is_empty() { "0".to_owned() } else { sum };
         let name = names.give(&coupling.name, "row");
-        lines.line(&format!("constraint {name}: {own} = {sum};"));
+        lines.line(&format!("constraint {name}: {own} = {};", sum(&terms)));
     }
 }
 

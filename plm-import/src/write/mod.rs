@@ -4,16 +4,16 @@ mod drive;
 mod joint;
 
 use crate::names::{Names, mechanism};
-use crate::number::{angle, coarse, length, short};
+use crate::number::{angle, coarse, drawn, length, short};
 use crate::outline::Outline;
-use crate::planar::{Body, PairKind, Planar, Port};
+use crate::planar::{Body, PairKind, Planar, Port, local};
 use crate::plane::Plane;
 use crate::spatial::Spatial;
 
 /// Columns of a list, without its indentation.
 const LONGEST: usize = 110;
 
-/// What acts along one of two slides, whose carriage has no mass.
+/// Part for the forces along one of two slides whose carriage has no mass.
 const SLIDE: &str = "\
 /// A slide whose carriage has no mass, on the ground: what acts along the x axis of `a`.
 part free_slide(a: frame, b: frame) {
@@ -123,6 +123,18 @@ pub(crate) fn declaration(
     lines.text
 }
 
+/// Contour and holes of a body, from the outlines of a drawing with their corners in `unit`.
+pub(crate) fn drawing(file: &str, outlines: &[Vec<[f64; 2]>], unit: &str) -> String {
+    let mut lines = Lines::default();
+    lines.line(&format!("// From {file} (DXF), by plm import."));
+    for (k, points) in outlines.iter().enumerate() {
+        let corners: Vec<String> =
+            points.iter().map(|[x, y]| format!("({}, {})", drawn(*x), drawn(*y))).collect();
+        lines.list(if k == 0 { "contour: " } else { "hole: " }, &corners, &format!(" {unit};"));
+    }
+    lines.text
+}
+
 fn gravity([x, y]: [f64; 2], lines: &mut Lines) {
     let [x, y] = [x, y].map(|part| if part.abs() < 1e-9 { 0.0 } else { part });
     match (x, y) {
@@ -130,6 +142,21 @@ fn gravity([x, y]: [f64; 2], lines: &mut Lines) {
         (0.0, y) if y < 0.0 => lines.line(&format!("gravity: {} m/s^2;", short(-y))),
         (x, y) => lines.line(&format!("gravity: ({}, {}) m/s^2;", short(x), short(y))),
     }
+}
+
+/// The sum of terms, each with whether it is negative; `0` of none.
+fn sum(terms: &[(bool, String)]) -> String {
+    let mut sum = String::new();
+    for (is_negative, term) in terms {
+        sum.push_str(match (sum.is_empty(), *is_negative) {
+            (true, false) => "",
+            (true, true) => "-",
+            (false, false) => " + ",
+            (false, true) => " - ",
+        });
+        sum.push_str(term);
+    }
+    if sum.is_empty() { "0".to_owned() } else { sum }
 }
 
 fn point([x, y]: [f64; 2]) -> String {
@@ -220,11 +247,7 @@ fn outlines(body: &Body, names: &mut Names, lines: &mut Lines) {
         let name = names.give(&format!("{}_shape{number}", body.name), "part");
         let head = |part: &str| format!("{part} {name}({}.{}) {{ ", body.name, port.name);
         // From the port, in its axes.
-        let local = |[x, y]: [f64; 2]| {
-            let (sin, cos) = port.angle.sin_cos();
-            let d = [x - port.at[0], y - port.at[1]];
-            [cos * d[0] + sin * d[1], -sin * d[0] + cos * d[1]]
-        };
+        let local = |at: [f64; 2]| local([port.at[0], port.at[1], port.angle], at);
         match outline {
             Outline::Polygon(points) => {
                 let points: Vec<[f64; 2]> = points.iter().map(|point| local(*point)).collect();
