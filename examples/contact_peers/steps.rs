@@ -10,8 +10,9 @@ use crate::runs::{Run, line};
 /// Settings of the runs.
 pub const LINES: [&str; 3] = ["theta 0.5", "theta 1", "two evaluations"];
 
-/// Their names in the picture, behind them that of the other program.
+/// Names of the curves in the legend: those of the settings, then that of Siconos.
 const NAMES: [&str; 4] = ["θ = 1/2", "θ = 1", "θ = 1/2, two evaluations", "Siconos, θ = 1/2"];
+/// Colours of the curves, as indices of `CURVES`.
 const COLOURS: [usize; 4] = [0, 1, 2, 4];
 
 const WIDTH: f64 = 860.0;
@@ -23,7 +24,7 @@ const PLOT: [f64; 4] = [58.0, 30.0, 338.0, 184.0];
 const STEPS: [f64; 2] = [-1.9, -4.2];
 const ERRORS: [f64; 2] = [-12.0, 1.0];
 
-/// The scenes: those beside other programs, and those of steps alone.
+/// Scenes and their titles: those that other programs run too, and those of time stepping alone.
 const STEPPED: [(&str, &str); 7] = [
     SCENES[0],
     SCENES[1],
@@ -57,7 +58,7 @@ pub fn svg(runs: &[Run], peers: &[Run]) -> String {
     svg + "</svg>\n"
 }
 
-/// The names of the lines, in the place of a panel.
+/// The legend, in the place of the panel behind the last one.
 fn legend(svg: &mut String, [left, top]: [f64; 2]) {
     let [x0, y0, ..] = PLOT;
     for (number, (name, colour)) in NAMES.into_iter().zip(COLOURS).enumerate() {

@@ -29,7 +29,7 @@ pub enum Least {
     Negative,
     /// Zero, and one is the most.
     Share,
-    /// Zero: the value is what a requirement of parameters is kept by.
+    /// Zero, and infinity is allowed: the margin of a requirement of parameters.
     Required,
 }
 
@@ -46,13 +46,14 @@ impl Least {
 
     fn allows<S: Real>(self, value: S) -> bool {
         let zero = S::lit(0.0);
-        match self {
-            Self::Positive => value.is_finite() && zero < value,
-            Self::Carried | Self::Zero => value.is_finite() && zero <= value,
-            Self::Negative => value.is_finite() && value <= zero,
-            Self::Share => zero <= value && value <= S::lit(1.0),
-            Self::Required => zero <= value,
-        }
+        let is_allowed = value.is_finite() || matches!(self, Self::Required);
+        is_allowed
+            && match self {
+                Self::Positive => zero < value,
+                Self::Carried | Self::Zero | Self::Required => zero <= value,
+                Self::Negative => value <= zero,
+                Self::Share => zero <= value && value <= S::lit(1.0),
+            }
     }
 }
 

@@ -8,7 +8,7 @@ use super::problem::{Mode, Problem};
 use super::run::{Event, FLAT, Held, Run, Runner, State, Stop};
 use super::world::{Law, Pose, World};
 
-/// Gaps are closed below this: five times what they are known to.
+/// Width below which a gap is closed, m or rad: five times its rounding.
 const CLOSED: f64 = 5.0 * FLAT;
 /// A flight below this height is none, m or rad.
 const LOWEST: f64 = 1e-13;
@@ -31,7 +31,7 @@ impl<'w> Runner<'w> {
         Self { world, longest, closed: CLOSED, now: start, held, run: Run::default() }
     }
 
-    /// The same where wider gaps are closed, by this factor.
+    /// Widens the gaps that are closed by a factor.
     pub fn merging(self, factor: f64) -> Self {
         Self { closed: factor * self.closed, ..self }
     }

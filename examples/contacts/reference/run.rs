@@ -65,7 +65,7 @@ pub struct Event {
 pub const PASSED: f64 = 1e-11;
 /// Gaps are known better than the other margins by this factor.
 const FINER: f64 = 5000.0;
-/// Rounding of a gap: what is not deeper has not passed zero.
+/// Rounding of a gap, m or rad: a gap above minus this has not passed zero.
 pub const FLAT: f64 = PASSED / FINER;
 /// Parts of a step in which a gap near zero is looked at.
 const PARTS: u32 = 8;
@@ -74,7 +74,7 @@ const MOST_EVENTS: usize = 3000;
 pub struct Runner<'w> {
     pub world: &'w World,
     pub longest: f64,
-    /// A gap is closed below this, m or rad: what is wider has an impact of its own.
+    /// Width below which a gap is closed, m or rad. A wider gap has an impact of its own.
     pub closed: f64,
     pub now: State,
     pub held: Held,

@@ -15,7 +15,8 @@
 )]
 
 mod clock;
-mod more;
+#[path = "../../tests/contact/oscillator.rs"]
+mod oscillator;
 mod scenes;
 #[path = "../../tests/contact/slider_crank.rs"]
 mod slider_crank;
@@ -25,7 +26,8 @@ mod support;
 
 use plm_runtime::{Dop853, Mechanism};
 
-use scenes::{Ball, Block, Crank, Oscillator};
+use oscillator::Oscillator;
+use scenes::{Ball, Block, Crank};
 
 /// Tolerances of the runs, relative and absolute.
 const TOLERANCES: [f64; 5] = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
@@ -81,7 +83,7 @@ fn block(tolerance: f64) {
 
 /// To 2 s, and ten more at rest.
 fn oscillator(tolerance: f64) {
-    let start = || Oscillator.start_with(Dop853::new(tolerance)).unwrap();
+    let start = || Oscillator::RELEASED.start_with(Dop853::new(tolerance)).unwrap();
     let run = || {
         let mut sim = start();
         sim.step_to(2.0).unwrap();

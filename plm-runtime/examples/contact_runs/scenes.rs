@@ -1,4 +1,4 @@
-//! The five scenes as systems with contact rows.
+//! Scenes as systems with contact rows: those that other programs run too, and two of time stepping alone, a rope and a shaken table.
 
 use plm_runtime::Scalar;
 use plm_runtime::contact::{Law, Limit, Rows};
@@ -82,33 +82,6 @@ impl Scene<3, 4> for Block {
 
 system!(Block, 3, 4);
 
-/// 1 kg on a spring of 100 N/m with a dry friction of 0.981 N, released at 0.1 m.
-#[derive(Clone, Copy, Debug)]
-pub struct Oscillator;
-
-impl Scene<1, 1> for Oscillator {
-    fn laws(&self) -> [Law<f64>; 1] {
-        [Law::Friction]
-    }
-    fn free<T: Scalar>(&self, _t: T, q: [T; 1], _v: [T; 1]) -> [T; 1] {
-        [T::lit(-100.0) * q[0]]
-    }
-    fn inverse_mass<T: Scalar>(&self, _q: [T; 1]) -> [[T; 1]; 1] {
-        [[T::lit(1.0)]]
-    }
-    fn contact<T: Scalar>(&self, _t: T, q: [T; 1], _v: [T; 1]) -> [Row<T, 1>; 1] {
-        [Row::fixed(q[0], [T::lit(1.0)])]
-    }
-    fn friction<T: Scalar>(&self, _t: T, _q: [T; 1], _v: [T; 1], rows: &mut Rows<T, 1>) {
-        rows.set_friction(0, Limit::own(T::lit(0.981)));
-    }
-    fn start(&self) -> ([f64; 1], [f64; 1]) {
-        ([0.1], [0.0])
-    }
-}
-
-system!(Oscillator, 1, 1);
-
 /// A ball that falls 1 m, with a restitution of 0.8.
 #[derive(Clone, Copy, Debug)]
 pub struct Ball;
@@ -119,9 +92,6 @@ impl Scene<1, 1> for Ball {
     }
     fn free<T: Scalar>(&self, _t: T, _q: [T; 1], _v: [T; 1]) -> [T; 1] {
         [T::lit(-GRAVITY)]
-    }
-    fn inverse_mass<T: Scalar>(&self, _q: [T; 1]) -> [[T; 1]; 1] {
-        [[T::lit(1.0)]]
     }
     fn contact<T: Scalar>(&self, _t: T, q: [T; 1], _v: [T; 1]) -> [Row<T, 1>; 1] {
         [Row::fixed(q[0], [T::lit(1.0)])]
@@ -161,3 +131,64 @@ impl Scene<1, 1> for Crank {
 }
 
 system!(Crank, 1, 1);
+
+/// 1 kg that falls beside a pin, 0.5 m away, until its rope of 1 m is taut; then it swings.
+#[derive(Clone, Copy, Debug)]
+pub struct Rope;
+
+impl Rope {
+    /// Energy above the lowest place once the rope is taut, J: the part of the velocity across the rope stays.
+    pub fn energy_when_taut() -> f64 {
+        let fall = 0.75_f64.sqrt();
+        0.25 * GRAVITY * fall + GRAVITY * (1.0 - fall)
+    }
+
+    /// Energy above the lowest place, J.
+    pub fn energy(x: &[f64; 4]) -> f64 {
+        0.5 * (x[2] * x[2] + x[3] * x[3]) + GRAVITY * (x[1] + 1.0)
+    }
+}
+
+impl Scene<2, 1> for Rope {
+    fn laws(&self) -> [Law<f64>; 1] {
+        [Law::Unilateral { restitution: 0.0 }]
+    }
+    fn free<T: Scalar>(&self, _t: T, _q: [T; 2], _v: [T; 2]) -> [T; 2] {
+        [T::ZERO, T::lit(-GRAVITY)]
+    }
+    fn contact<T: Scalar>(&self, _t: T, q: [T; 2], v: [T; 2]) -> [Row<T, 2>; 1] {
+        let gap = T::lit(0.5) * (T::lit(1.0) - q[0] * q[0] - q[1] * q[1]);
+        [Row { rest: -(v[0] * v[0] + v[1] * v[1]), ..Row::fixed(gap, [-q[0], -q[1]]) }]
+    }
+    fn start(&self) -> ([f64; 2], [f64; 2]) {
+        ([0.5, 0.0], [0.0; 2])
+    }
+}
+
+system!(Rope, 2, 1);
+
+/// A ball that falls 0.3 m onto a table which moves by 20 mm at 22 rad/s, with a restitution of 0.5. In the limit it bounces once in a
+/// period of the table (P. J. Holmes, The dynamics of repeated impacts with a sinusoidally vibrating table, Journal of Sound and
+/// Vibration 84, 1982).
+#[derive(Clone, Copy, Debug)]
+pub struct Shaken;
+
+impl Scene<1, 1> for Shaken {
+    fn laws(&self) -> [Law<f64>; 1] {
+        [Law::Unilateral { restitution: 0.5 }]
+    }
+    fn free<T: Scalar>(&self, _t: T, _q: [T; 1], _v: [T; 1]) -> [T; 1] {
+        [T::lit(-GRAVITY)]
+    }
+    fn contact<T: Scalar>(&self, t: T, q: [T; 1], _v: [T; 1]) -> [Row<T, 1>; 1] {
+        let (rate, size) = (T::lit(22.0), T::lit(0.02));
+        let (sin, cos) = (rate * t).sin_cos();
+        let (drive, rest) = (-(size * rate * cos), size * rate * rate * sin);
+        [Row { drive, rest, ..Row::fixed(q[0] - size * sin, [T::lit(1.0)]) }]
+    }
+    fn start(&self) -> ([f64; 1], [f64; 1]) {
+        ([0.3], [0.0])
+    }
+}
+
+system!(Shaken, 1, 1);

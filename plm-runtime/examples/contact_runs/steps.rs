@@ -1,9 +1,9 @@
-//! The same scenes by the time stepping of Moreau and Jean: error, creep and energy by its step.
+//! Time stepping of Moreau and Jean: error, creep and energy against the step, in scenes with contact.
 
 use plm_runtime::{Dop853, Mechanism, Moment, MoreauJean, Sim, Vector};
 
-use crate::more::{Belt, Rope, Shaken};
-use crate::scenes::{Ball, Block, Crank, Oscillator};
+use crate::oscillator::Oscillator;
+use crate::scenes::{Ball, Block, Crank, Rope, Shaken};
 use crate::{clock, gain, reference};
 
 /// Steps, s.
@@ -11,9 +11,13 @@ const STEPS: [f64; 7] = [1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4];
 /// Shares of a step that positions make with the velocity at its end.
 const THETAS: [f64; 2] = [0.5, 1.0];
 
-/// When the scenes end that have an event-driven run as their reference, s: the mass on the belt slips then, the rope is taut, and the ball flies
-/// behind its sixth bounce.
-const ENDS: [f64; 3] = [2.0, 1.5, 1.8];
+// Ends of the scenes whose reference is an event-driven run, s.
+/// The mass on the belt slips for the third time.
+const BELT_END: f64 = 2.0;
+/// The rope is taut.
+const ROPE_END: f64 = 1.5;
+/// The ball flies after its sixth bounce.
+const SHAKEN_END: f64 = 1.8;
 
 /// The first coordinate of an event-driven run with this tolerance.
 fn by_events<M: Mechanism<S = f64, X: Vector<f64>>>(scene: M, time: f64, tolerance: f64) -> f64 {
@@ -30,9 +34,9 @@ fn row_by_events<M: Mechanism<S = f64, X: Vector<f64>>>(name: &str, scene: M, ti
 
 /// All rows.
 pub fn all() {
-    row_by_events("belt", Belt, ENDS[0]);
-    row_by_events("rope", Rope, ENDS[1]);
-    row_by_events("shaken", Shaken, ENDS[2]);
+    row_by_events("belt", Oscillator::ON_BELT, BELT_END);
+    row_by_events("rope", Rope, ROPE_END);
+    row_by_events("shaken", Shaken, SHAKEN_END);
     for theta in THETAS {
         for h in STEPS {
             let by = Stepped::<1> { theta, h };
@@ -41,12 +45,12 @@ pub fn all() {
             by.ball();
             by.rocking();
             by.crank();
-            by.belt();
+            by.row_against_events("belt", (Oscillator::ON_BELT, BELT_END), f64::NAN);
             by.rope();
-            by.shaken();
+            by.row_against_events("shaken", (Shaken, SHAKEN_END), f64::NAN);
         }
     }
-    // Where forces or rows depend on velocities.
+    // Two evaluations make a difference where forces or rows depend on velocities.
     for h in STEPS {
         let by = Stepped::<2> { theta: 0.5, h };
         by.rocking();
@@ -109,11 +113,12 @@ impl<const EVALUATIONS: usize> Stepped<EVALUATIONS> {
     }
 
     fn oscillator(self) {
-        let mut sim = self.to(Oscillator, 2.0);
+        let mut sim = self.to(Oscillator::RELEASED, 2.0);
         let rest = sim.x[0];
         sim.step_to(12.0).unwrap();
         let error = (rest - reference("oscillator", "x")).abs();
-        self.row("oscillator", error, (Oscillator, 2.0), [1e5 * (sim.x[0] - rest).abs(), f64::NAN]);
+        let creep = 1e5 * (sim.x[0] - rest).abs();
+        self.row("oscillator", error, (Oscillator::RELEASED, 2.0), [creep, f64::NAN]);
     }
 
     fn ball(self) {
@@ -146,24 +151,19 @@ impl<const EVALUATIONS: usize> Stepped<EVALUATIONS> {
         self.row("slider-crank", error, (Crank, 1.0), [f64::NAN; 2]);
     }
 
-    fn belt(self) {
-        let error = self.beside(Belt, ENDS[0]);
-        self.row("belt", error, (Belt, ENDS[0]), [f64::NAN; 2]);
-    }
-
     fn rope(self) {
-        let sim = self.to(Rope, ENDS[1]);
-        let gain = Rope::energy(&sim.x) / Rope::energy_behind() - 1.0;
-        self.row("rope", self.beside(Rope, ENDS[1]), (Rope, ENDS[1]), [f64::NAN, gain]);
+        let energy = Rope::energy(&self.to(Rope, ROPE_END).x);
+        self.row_against_events("rope", (Rope, ROPE_END), energy / Rope::energy_when_taut() - 1.0);
     }
 
-    fn shaken(self) {
-        let error = self.beside(Shaken, ENDS[2]);
-        self.row("shaken", error, (Shaken, ENDS[2]), [f64::NAN; 2]);
-    }
-
-    /// How far the first coordinate is from that of an event-driven run.
-    fn beside<M: Mechanism<S = f64, X: Vector<f64>>>(self, scene: M, time: f64) -> f64 {
-        (self.to(scene, time).state().x().at(0) - by_events(scene, time, 1e-12)).abs()
+    /// The row of a scene whose reference is an event-driven run: the error of the first coordinate.
+    fn row_against_events<M: Mechanism<S = f64, X: Vector<f64>>>(
+        self,
+        name: &str,
+        (scene, end): (M, f64),
+        gain: f64,
+    ) {
+        let error = (self.to(scene, end).state().x().at(0) - by_events(scene, end, 1e-12)).abs();
+        self.row(name, error, (scene, end), [f64::NAN, gain]);
     }
 }

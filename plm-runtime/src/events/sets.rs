@@ -95,7 +95,8 @@ pub fn begin<M: Sets<W>, const W: usize>(system: &M, t: M::S, u: &mut M::U, x: &
     take_sides(system, t, u, x, (system.condition_count(), M::sides));
 }
 
-/// The same where no event sets states: `sides` gives those of all conditions, of which the first `conditions` are of the state.
+/// Takes the sides of conditions as [`begin`] does, where no event sets states: `sides` gives the sides of all conditions, of which the
+/// first `conditions` are of the state.
 pub fn take_sides<M: System<S: Real>>(
     system: &M,
     t: M::S,

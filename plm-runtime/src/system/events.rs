@@ -157,7 +157,7 @@ pub trait Events: Rate {
     /// May contact forces bend sharply within a step? Those do that the size of a reaction in the plane bounds, where it passes near zero.
     const BENDS: bool = false;
 
-    /// Do they in this system: `BENDS`, or less of one that comes from a program?
+    /// Contact forces of this system may bend sharply: `BENDS`, or false of a system from text without such a bound.
     #[inline]
     fn may_bend(&self) -> bool {
         Self::BENDS

@@ -36,9 +36,6 @@ impl Scene<3, 4> for Corner {
     fn free<T: Scalar>(&self, _t: T, _q: [T; 3], _v: [T; 3]) -> [T; 3] {
         [T::ZERO; 3]
     }
-    fn inverse_mass<T: Scalar>(&self, _q: [T; 3]) -> [[T; 3]; 3] {
-        core::array::from_fn(|i| core::array::from_fn(|j| T::lit(if i == j { 1.0 } else { 0.0 })))
-    }
     fn contact<T: Scalar>(&self, _t: T, q: [T; 3], _v: [T; 3]) -> [Row<T, 3>; 4] {
         self.directions().map(|w| {
             let w = w.map(T::lit);

@@ -5,49 +5,15 @@ use core::f64::consts::PI;
 use plm_runtime::contact::{Affine, Law, Limit, Load, Mode, Rows};
 use plm_runtime::{Dop853, Mechanism, Scalar};
 
+use crate::oscillator::Oscillator;
 use crate::support::{Row, Scene, system};
 
 const GRAVITY: f64 = 9.81;
 
-/// A mass on a spring of 100 N/m and on a belt: 1 kg.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Oscillator {
-    pub(crate) kinetic: f64,
-    pub(crate) adhesion: f64,
-    pub(crate) belt: f64,
-    pub(crate) start: [f64; 2],
-}
-
-impl Scene<1, 1> for Oscillator {
-    fn laws(&self) -> [Law<f64>; 1] {
-        [Law::Friction]
-    }
-    fn free<T: Scalar>(&self, _t: T, q: [T; 1], _v: [T; 1]) -> [T; 1] {
-        [T::lit(-100.0) * q[0]]
-    }
-    fn inverse_mass<T: Scalar>(&self, _q: [T; 1]) -> [[T; 1]; 1] {
-        [[T::lit(1.0)]]
-    }
-    fn contact<T: Scalar>(&self, t: T, q: [T; 1], _v: [T; 1]) -> [Row<T, 1>; 1] {
-        let belt = T::lit(self.belt);
-        [Row { drive: -belt, ..Row::fixed(q[0] - belt * t, [T::lit(1.0)]) }]
-    }
-    fn friction<T: Scalar>(&self, _t: T, _q: [T; 1], _v: [T; 1], rows: &mut Rows<T, 1>) {
-        let limit = |coefficient: f64| Limit::own(T::lit(coefficient * GRAVITY));
-        rows.set_adhesion(0, limit(self.kinetic), limit(self.adhesion));
-    }
-    fn start(&self) -> ([f64; 1], [f64; 1]) {
-        ([self.start[0]], [self.start[1]])
-    }
-}
-
-system!(Oscillator, 1, 1);
-
 /// Case C04: amplitudes fall by 2 mu N / k, until it rests within mu N / k.
 #[test]
 fn a_coulomb_oscillator_comes_to_rest() {
-    let scene = Oscillator { kinetic: 0.1, adhesion: 0.1, belt: 0.0, start: [0.1, 0.0] };
-    let mut sim = scene.start_with(Dop853::new(1e-12)).unwrap();
+    let mut sim = Oscillator::RELEASED.start_with(Dop853::new(1e-12)).unwrap();
     let half = PI / 10.0;
     for (k, turn) in [0.1, -0.08038, 0.06076, -0.04114, 0.02152, -0.0019].into_iter().enumerate() {
         sim.step_to(half * k as f64).unwrap();
@@ -65,8 +31,7 @@ fn a_coulomb_oscillator_comes_to_rest() {
 /// Case C06: static above kinetic friction.
 #[test]
 fn a_mass_on_a_belt_sticks_and_slips() {
-    let scene = Oscillator { kinetic: 0.25, adhesion: 0.4, belt: 0.1, start: [0.0, 0.1] };
-    let mut sim = scene.start_with(Dop853::new(1e-12)).unwrap();
+    let mut sim = Oscillator::ON_BELT.start_with(Dop853::new(1e-12)).unwrap();
     let (first, slips, period) = (0.3924, 0.433_536_962_770_418_6, 0.727_836_962_770_418_5);
     for k in 0..10 {
         let begun = first + f64::from(k) * period;
@@ -261,9 +226,6 @@ impl Scene<2, 2> for Guides {
     fn free<T: Scalar>(&self, t: T, _q: [T; 2], _v: [T; 2]) -> [T; 2] {
         let [size, omega] = SWING.map(T::lit);
         [T::ZERO, size * (omega * t).sin()]
-    }
-    fn inverse_mass<T: Scalar>(&self, _q: [T; 2]) -> [[T; 2]; 2] {
-        [[T::lit(1.0), T::ZERO], [T::ZERO, T::lit(1.0)]]
     }
     fn contact<T: Scalar>(&self, _t: T, q: [T; 2], _v: [T; 2]) -> [Row<T, 2>; 2] {
         [0, 1].map(|i| Row::fixed(q[i], core::array::from_fn(|k| T::lit(f64::from(u8::from(k == i))))))

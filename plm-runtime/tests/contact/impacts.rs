@@ -22,9 +22,6 @@ impl Scene<2, 1> for Ball {
     fn free<T: Scalar>(&self, _t: T, _q: [T; 2], _v: [T; 2]) -> [T; 2] {
         [T::lit(GRAVITY * self.angle.sin()), T::lit(-GRAVITY * self.angle.cos())]
     }
-    fn inverse_mass<T: Scalar>(&self, _q: [T; 2]) -> [[T; 2]; 2] {
-        [[T::lit(1.0), T::ZERO], [T::ZERO, T::lit(1.0)]]
-    }
     fn contact<T: Scalar>(&self, _t: T, q: [T; 2], _v: [T; 2]) -> [Row<T, 2>; 1] {
         [Row::fixed(q[1], [T::ZERO, T::lit(1.0)])]
     }
@@ -83,9 +80,6 @@ impl Scene<3, 2> for Cradle {
     }
     fn free<T: Scalar>(&self, _t: T, _q: [T; 3], _v: [T; 3]) -> [T; 3] {
         [T::ZERO; 3]
-    }
-    fn inverse_mass<T: Scalar>(&self, _q: [T; 3]) -> [[T; 3]; 3] {
-        core::array::from_fn(|i| core::array::from_fn(|j| if i == j { T::lit(1.0) } else { T::ZERO }))
     }
     fn contact<T: Scalar>(&self, _t: T, q: [T; 3], _v: [T; 3]) -> [Row<T, 3>; 2] {
         let (one, none) = (T::lit(1.0), T::ZERO);
@@ -181,9 +175,6 @@ impl Scene<1, 1> for Pendulum {
     }
     fn free<T: Scalar>(&self, _t: T, q: [T; 1], _v: [T; 1]) -> [T; 1] {
         [-(T::lit(GRAVITY) * q[0].sin())]
-    }
-    fn inverse_mass<T: Scalar>(&self, _q: [T; 1]) -> [[T; 1]; 1] {
-        [[T::lit(1.0)]]
     }
     fn contact<T: Scalar>(&self, _t: T, q: [T; 1], _v: [T; 1]) -> [Row<T, 1>; 1] {
         [Row::fixed(q[0], [T::lit(1.0)])]

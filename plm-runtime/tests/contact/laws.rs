@@ -124,9 +124,6 @@ impl Scene<1, 1> for Angle {
     fn free<T: Scalar>(&self, _t: T, q: [T; 1], _v: [T; 1]) -> [T; 1] {
         [-(T::lit(self.gravity) * q[0].sin())]
     }
-    fn inverse_mass<T: Scalar>(&self, _q: [T; 1]) -> [[T; 1]; 1] {
-        [[T::lit(1.0)]]
-    }
     fn contact<T: Scalar>(&self, _t: T, q: [T; 1], _v: [T; 1]) -> [Row<T, 1>; 1] {
         [Row::fixed(q[0], [T::lit(1.0)])]
     }
@@ -216,9 +213,6 @@ impl Scene<2, 1> for Particle {
     }
     fn free<T: Scalar>(&self, _t: T, _q: [T; 2], _v: [T; 2]) -> [T; 2] {
         [T::ZERO, T::lit(-GRAVITY)]
-    }
-    fn inverse_mass<T: Scalar>(&self, _q: [T; 2]) -> [[T; 2]; 2] {
-        [[T::lit(1.0), T::ZERO], [T::ZERO, T::lit(1.0)]]
     }
     fn contact<T: Scalar>(&self, _t: T, q: [T; 2], v: [T; 2]) -> [Row<T, 2>; 1] {
         // z = (q.q - 1)/2, so that z'' = q.a + v.v

@@ -188,9 +188,6 @@ impl Scene<1, 1> for Driven {
     fn free<T: Scalar>(&self, _t: T, _q: [T; 1], _v: [T; 1]) -> [T; 1] {
         [T::ZERO]
     }
-    fn inverse_mass<T: Scalar>(&self, _q: [T; 1]) -> [[T; 1]; 1] {
-        [[T::lit(1.0)]]
-    }
     fn contact<T: Scalar>(&self, t: T, _q: [T; 1], _v: [T; 1]) -> [Row<T, 1>; 1] {
         let [gap, drive, rest, _] = slider(t);
         [Row { gap, direction: [T::ZERO], drive, rest }]

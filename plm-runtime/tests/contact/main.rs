@@ -11,6 +11,7 @@ mod impacts;
 mod laws;
 mod machines;
 mod many;
+mod oscillator;
 mod painleve;
 mod slider_crank;
 mod stepping;

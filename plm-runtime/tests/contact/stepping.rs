@@ -6,8 +6,9 @@ use plm_runtime::{Dop853, Mechanism, MoreauJean, Scalar, Sim};
 use crate::block::Block;
 use crate::bodies::rocking;
 use crate::energy::{Numbers, Random, begin, energy, random};
-use crate::friction::{Oscillator, Roller};
+use crate::friction::Roller;
 use crate::impacts::{Ball, Cradle};
+use crate::oscillator::Oscillator;
 use crate::slider_crank::{inertia, slider};
 use crate::support::{Row, Scene, dot, system};
 
@@ -38,9 +39,8 @@ fn errors_fall_with_the_step() {
         let ball = Ball { height: 1.0, angle: 0.0, restitution: 0.5 };
         errors(4.0, |h| at(ball, by(h), top).x[1] - 0.25);
         // A belt: stuck again behind the first slip.
-        let belt = Oscillator { kinetic: 0.25, adhesion: 0.4, belt: 0.1, start: [0.0, 0.1] };
         let caught = 0.3924 + 0.433_536_962_770_418_6;
-        errors(0.5, |h| at(belt, by(h), caught + 0.1).x[0] - 0.01981);
+        errors(0.5, |h| at(Oscillator::ON_BELT, by(h), caught + 0.1).x[0] - 0.01981);
         // A rocking block behind its first impact, at the turn.
         let turn = 0.5 * (0.347_093_586_788_881_3 + 0.950_920_536_477_668_3);
         let block = rocking(0.5 * 0.2_f64.atan());
@@ -82,9 +82,9 @@ impl Scene<1, 2> for Driven {
 
 system!(Driven, 1, 2);
 
-/// A slider-crank whose damping and inertia forces need the velocity within the step: with two evaluations of order 2 until the crank strikes,
-/// and of order 1 behind that. Angles at 0.5 s and 0.82 s, rad, by the classical Runge-Kutta method with steps of 25 us in Python, from the
-/// kinetic energy and its derivative by a complex step; the impact by bisection.
+/// Two evaluations are of order 2 where forces depend on velocities, until the crank strikes, and of order 1 from then on. Angles at
+/// 0.5 s and 0.82 s, rad, by the classical Runge-Kutta method with steps of 25 us in Python, from the kinetic energy and its derivative
+/// by a complex step; the impact by bisection.
 #[test]
 fn two_evaluations_are_of_order_2_between_impacts() {
     let (before, behind) = (15.357_881_417_462, 24.701_471_262_149);

@@ -9,8 +9,11 @@ pub(crate) trait Scene<const NQ: usize, const N: usize>: Copy {
     fn laws(&self) -> [Law<f64>; N];
     /// Accelerations without contact forces.
     fn free<T: Scalar>(&self, t: T, q: [T; NQ], v: [T; NQ]) -> [T; NQ];
-    /// The inverse of the mass matrix.
-    fn inverse_mass<T: Scalar>(&self, q: [T; NQ]) -> [[T; NQ]; NQ];
+    /// The inverse of the mass matrix; the identity unless a scene has another one.
+    fn inverse_mass<T: Scalar>(&self, q: [T; NQ]) -> [[T; NQ]; NQ] {
+        let _ = q;
+        core::array::from_fn(|i| core::array::from_fn(|k| if i == k { T::lit(1.0) } else { T::ZERO }))
+    }
     /// Displacements, directions w and what accelerations lack: z'' = w a + zeta; z' = w v + r.
     fn contact<T: Scalar>(&self, t: T, q: [T; NQ], v: [T; NQ]) -> [Row<T, NQ>; N];
     /// Limits of friction.
