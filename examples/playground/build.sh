@@ -22,6 +22,6 @@ mkdir -p "$made"
 # In a folder of its own: its features are not those of the workspace.
 (cd examples/playground && cargo build -q --release --lib --target wasm32-unknown-unknown --target-dir "$root/target/playground")
 machines=examples/gallery/machines
-cargo run -q -p plm-view --example playground -- target/plm/playground.html \
+cargo run -q -p plm-cli --example playground -- target/plm/playground.html \
     target/playground/wasm32-unknown-unknown/release/plm_playground.wasm "$made/editor.js" examples/four_bar.rs \
     $machines/{watt,peaucellier,lambda,klann,whitworth,pumpjack,scissor,andrews,walschaerts,wiper}.rs examples/double_pendulum.rs

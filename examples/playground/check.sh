@@ -3,6 +3,5 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 bash examples/playground/build.sh
-cargo build -q -p plm-view --example page
-PLM_PLAYGROUND=$PWD/target/plm/playground.html PLM_PAGE=$PWD/target/debug/examples/page \
+PLM_PLAYGROUND=$PWD/target/plm/playground.html \
     node --test --test-reporter=spec plm-view/page/browser/playground.test.js

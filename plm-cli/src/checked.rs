@@ -43,12 +43,12 @@ impl Declarations {
         self.found.is_empty() && self.left_out.is_empty()
     }
 
-    /// Looks at one after the other; a bug of the compiler is a message.
+    /// Analyses the declarations one after the other, without their code; a bug of the compiler is a message.
     pub(crate) fn checked(&self) -> impl Iterator<Item = Result<Checked, String>> {
         self.expanded_by(analyse)
     }
 
-    /// The same with the code.
+    /// Compiles the declarations one after the other; a bug of the compiler is a message.
     pub(crate) fn compiled(&self) -> impl Iterator<Item = Result<Checked, String>> {
         self.expanded_by(compile)
     }
@@ -62,10 +62,10 @@ impl Declarations {
     }
 }
 
-/// The compiler, or what it does without code.
+/// `compile` or `analyse` of the compiler.
 type Compile = fn(&mut Sources) -> Expansion;
 
-/// Looks at one declaration of a text, whose lines end as on Unix; `masked` is that of its excerpt.
+/// Analyses one declaration of a text, whose lines end as on Unix; `masked` is that of its excerpt.
 pub(crate) fn checked(name: &str, text: &str, masked: Option<&str>) -> Checked {
     expanded(analyse, name, text, masked)
 }

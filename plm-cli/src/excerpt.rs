@@ -63,6 +63,20 @@ pub(crate) fn excerpts(name: &str, text: &str) -> Excerpts {
     excerpts
 }
 
+/// The texts of the declarations of a file, by its name, each from its margin on.
+pub fn declarations(name: &str, text: &str) -> Vec<String> {
+    let text = text.replace("\r\n", "\n");
+    excerpts(name, &text).found.iter().map(|excerpt| from_margin(&text[excerpt.range.clone()])).collect()
+}
+
+/// Lines without the blanks that all of them begin with.
+fn from_margin(text: &str) -> String {
+    let filled = || text.lines().filter(|line| !line.trim().is_empty());
+    let margin = filled().map(|line| line.len() - line.trim_start().len()).min().unwrap_or_default();
+    let lines = text.trim_matches('\n').lines().map(|line| line.get(margin..).unwrap_or_default());
+    lines.collect::<Vec<_>>().join("\n").trim_end().to_owned() + "\n"
+}
+
 /// Contents of the calls of `mechanism!` and of `parts!` in a Rust file, in their order.
 pub(crate) fn calls(text: &str) -> Vec<Range<usize>> {
     let rust = Rust::new(text);
@@ -194,7 +208,7 @@ fn masked(text: &str, kept: &[Range<usize>]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::excerpts;
+    use super::{declarations, excerpts};
 
     /// The declarations of a Rust file without blanks.
     fn found(text: &str) -> Vec<String> {
@@ -210,6 +224,13 @@ mod tests {
         let text = "/// mechanism! { a }\n// mechanism! { b }\nconst S: &str = \"mechanism! { c }\"; macro_rules! d { () => { mechanism! { e } } }\n\
                     plm::mechanism! { pub F { '{'; } }\nfn g() { mechanism!(pub H { }); let é = r\"}\"; }";
         assert_eq!(found(text), ["pub F { '{'; }", "pub H { }"]);
+    }
+
+    #[test]
+    fn texts_begin_at_their_margin() {
+        let rust = "plm::mechanism! {\r\n    // }\n    pub A {\n        gravity: 0;\n\n    }\n}\nplm::mechanism! { pub B {} }";
+        assert_eq!(declarations("a.rs", rust), ["// }\npub A {\n    gravity: 0;\n\n}\n", "pub B {}\n"]);
+        assert_eq!(declarations("a.plm", "pub C {}"), ["pub C {}\n"]);
     }
 
     #[test]

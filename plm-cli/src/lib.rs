@@ -24,4 +24,5 @@ mod table;
 mod value;
 
 pub use command::{Outcome, Streams, run};
+pub use excerpt::declarations;
 pub use server::Server;

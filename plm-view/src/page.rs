@@ -17,7 +17,7 @@ use bundle::Kind;
 /// The page before anything is put into it.
 const TEMPLATE: &str = include_str!("../page/page.html");
 const STYLE: &str = include_str!("../page/style.css");
-/// What a page with an editor has besides.
+/// Style of the editor of declarations.
 const STYLE_OF_EDITOR: &str = include_str!("../page/playground.css");
 /// Style and script stand deflated in a page that is a file, which makes the file smaller by a fifth or more; this starts it.
 const UNPACK: &str = include_str!("../page/unpack.js");
@@ -40,7 +40,7 @@ pub struct Page {
     editor: Option<Editor>,
 }
 
-/// What a page in which declarations are typed has besides its module.
+/// The editor of a page in which declarations are typed.
 #[derive(Clone, Debug)]
 struct Editor {
     /// The script of the editor.

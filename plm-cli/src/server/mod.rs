@@ -110,7 +110,7 @@ impl Server {
     }
 }
 
-/// What it can do, for an editor that says what it can do itself.
+/// Capabilities of the server, for an editor that sends its own.
 fn greeting(params: &Value) -> Value {
     let capabilities = json!({
         "textDocumentSync": { "openClose": true, "change": 1 },
@@ -191,7 +191,7 @@ mod tests {
 
     use super::Server;
 
-    /// What follows from a message.
+    /// Answers to a message.
     fn said(server: &mut Server, message: &Value) -> Vec<Value> {
         let answers = server.message(&message.to_string()).unwrap_or_default();
         answers.iter().filter_map(|text| serde_json::from_str(text).ok()).collect()

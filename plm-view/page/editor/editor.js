@@ -1,7 +1,7 @@
 // The editor of declarations: CodeMirror, with what the language server says.
 
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
-import { defaultKeymap, history, historyKeymap, indentWithTab, redo, undo } from "@codemirror/commands";
+import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { bracketMatching, foldGutter, foldKeymap, indentOnInput, indentUnit, syntaxHighlighting } from "@codemirror/language";
 import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
@@ -12,18 +12,9 @@ import { colours, declarations, indentation } from "./highlight.js";
 /** @import {Text} from "@codemirror/state" */
 /** @import {Completion, CompletionContext, CompletionResult} from "@codemirror/autocomplete" */
 /** @import {Diagnostic} from "@codemirror/lint" */
+/** @import {Edit, Language as LanguageClient, Place, Problem} from "../src/language.js" */
 
-/**
- * A place of the protocol: line and column from 0, in units of UTF-16, as this editor counts too.
- * @typedef {{line: number, character: number}} Place
- * @typedef {{start: Place, end: Place}} Range
- * @typedef {{range: Range, severity: number, code?: string, message: string}} Problem
- * @typedef {{title: string, edits: {range: Range, newText: string}[]}} Fix
- * What the language server is asked.
- * @typedef {{complete: (at: Place) => Promise<{label: string, kind: number, detail: string, documentation: string}[]>,
- *   hover: (at: Place) => Promise<{text: string, range: Range} | null>, fixes: (range: Range) => Promise<Fix[]>,
- *   layout: () => Promise<{range: Range, newText: string}[]>}} Language
- */
+/** What the language server is asked. @typedef {Pick<LanguageClient, "complete" | "hover">} Language */
 
 /** Kinds of the protocol, as the list of completions shows them. @type {Record<number, string>} */
 const KINDS = { 3: "function", 5: "property", 6: "variable", 7: "class", 10: "property", 11: "constant", 14: "keyword", 21: "constant" };
@@ -40,7 +31,7 @@ function place(text, at) {
   return { line: number - 1, character: at - from };
 }
 
-/** @param {Text} text @param {{range: Range, newText: string}[]} edits */
+/** @param {Text} text @param {Edit[]} edits */
 const changes = (text, edits) => edits.map(({ range, newText }) => ({ from: offset(text, range.start), to: offset(text, range.end), insert: newText }));
 
 /** @param {Language} language */
@@ -155,7 +146,7 @@ export function makeEditor(parent, text, language, changed) {
     text: () => view.state.doc.toString(),
     /** Another text, which can be undone. @param {string} other */
     replace: (other) => view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: other }, selection: { anchor: 0 } }),
-    /** Edits of the language server. @param {{range: Range, newText: string}[]} edits */
+    /** Edits of the language server. @param {Edit[]} edits */
     edit: (edits) => view.dispatch({ changes: changes(view.state.doc, edits) }),
     /** A place that is shown, with the cursor there. @param {Place} at */
     goTo: (at) => {
@@ -163,7 +154,5 @@ export function makeEditor(parent, text, language, changed) {
       view.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: "center" }) });
       view.focus();
     },
-    undo: () => undo(view),
-    redo: () => redo(view),
   };
 }

@@ -165,6 +165,18 @@ export class App {
 
   /** @param {Run[]} runs */
   showRuns(runs) {
+    this.replaceRuns(runs);
+    if (this.curves.length === 0) this.curves = usualCurves(this.run);
+    this.player.stop();
+    this.player.chosenStep = null;
+    this.updateBounds();
+    this.player.seek(this.player.start);
+    this.lookFrom("front");
+    this.tellFault();
+  }
+
+  /** Runs in the place of those that are shown; of curves those stay that there still are. @param {Run[]} runs */
+  replaceRuns(runs) {
     this.runViews = [];
     for (const run of runs) this.addRun(run);
     this.active = 0;
@@ -175,13 +187,6 @@ export class App {
     if (this.across !== null && !names.has(this.across)) this.across = null;
     [this.traces, this.usualTraces, this.isPathGiven] = [[], [], false];
     this.drawUsualPath(this.run);
-    if (this.curves.length === 0) this.curves = usualCurves(this.run);
-    this.player.stop();
-    this.player.chosenStep = null;
-    this.updateBounds();
-    this.player.seek(this.player.start);
-    this.lookFrom("front");
-    this.tellFault();
   }
 
   /** Draws the path that tells most of a run. @param {Run | null} run */

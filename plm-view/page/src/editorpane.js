@@ -89,13 +89,8 @@ export class EditorPane {
   changed(text) {
     this.language.change(text);
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => void this.run(text), REST_OF_KEYS);
+    this.timer = setTimeout(() => void this.exchange.declare(text), REST_OF_KEYS);
     this.follow(text);
-  }
-
-  /** The picture follows the text. @param {string} text */
-  async run(text) {
-    await this.exchange.declare(text);
   }
 
   /** The address follows the text. @param {string} text */

@@ -83,15 +83,13 @@ export class Exchange {
     const before = app.live;
     this.shown?.terminate();
     this.shown = worker;
-    [app.runViews, app.active, app.layout, app.selected, app.messages] = [[], 0, "one", null, []];
-    [app.traces, app.usualTraces, app.isPathGiven] = [[], [], false];
+    app.messages = [];
     const live = new Live(app, head, null, worker);
     app.live = live;
-    live.show();
-    const names = new Set(live.run.quantities().map(({ name }) => name));
-    app.curves = app.curves.filter((name) => names.has(name));
+    app.replaceRuns([live.run]);
     if (before !== null) keepSettings(before, live);
-    live.followCamera.choose();
+    // A view that somebody has chosen stays as long as it is the same mechanism.
+    if (before?.mechanism.name !== head.mechanism.name || before.followCamera.chosen !== null) live.followCamera.choose();
     this.count += 1;
     const goesOn = before?.isRunning ?? !matchMedia("(prefers-reduced-motion: reduce)").matches;
     if (goesOn) live.start();

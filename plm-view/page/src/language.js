@@ -1,6 +1,8 @@
 // The language server in a worker of its own, spoken to by the Language Server Protocol.
 //
-// `languageWorker` goes into the worker as text, so that it uses nothing from outside of itself.
+// `languageWorker` goes into the worker as text, so that it uses nothing from outside of itself but what goes with it.
+
+import { writeText } from "./machine.js";
 
 /** @import {Carrier} from "./exchange.js" */
 
@@ -10,6 +12,7 @@
  * @typedef {{start: Place, end: Place}} Range
  * @typedef {{range: Range, severity: number, code?: string, message: string}} Problem
  * @typedef {{range: Range, newText: string}} Edit
+ * @typedef {{label: string, kind: number, detail: string, documentation: string}} Choice
  * @typedef {{id?: number, method?: string, params?: any, result?: any, error?: {message: string}}} Message
  */
 
@@ -110,7 +113,7 @@ export class Language {
     });
   }
 
-  /** @param {Place} position */
+  /** @param {Place} position @returns {Promise<Choice[]>} */
   async complete(position) {
     return (await this.ask("completion", { position })) ?? [];
   }
@@ -147,9 +150,7 @@ export function languageWorker(scope) {
         return;
       }
       const { exports } = await loading;
-      const bytes = new TextEncoder().encode(data.text);
-      const room = exports.plm_room(bytes.length);
-      new Uint8Array(exports.memory.buffer, room, bytes.length).set(bytes);
+      writeText(exports, data.text);
       const [place, length] = [exports.plm_answer(), exports.plm_text_length()];
       const text = new TextDecoder().decode(new Uint8Array(exports.memory.buffer, place, length));
       scope.postMessage({ kind: "heard", messages: JSON.parse(text) });
@@ -161,5 +162,5 @@ export function languageWorker(scope) {
 
 /** The text of the worker. */
 export function languageText() {
-  return `${languageWorker}\nlanguageWorker(self);\n`;
+  return `${writeText}\n${languageWorker}\nlanguageWorker(self);\n`;
 }

@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { App } from "../src/app.js";
 import { Live } from "../src/live.js";
-import { LiveMachine } from "../src/worker.js";
+import { LiveMachine } from "../src/machine.js";
 import { fourBarHead, modulePath, nativeRows, runOfRows, withoutModule } from "./support/live.js";
 import { makeNpz } from "./support/npz.js";
 

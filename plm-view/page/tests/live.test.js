@@ -12,7 +12,7 @@ import { readResults } from "../src/results.js";
 import { Run } from "../src/run.js";
 import { readShape } from "../src/shape.js";
 import { View } from "../src/view.js";
-import { LiveMachine } from "../src/worker.js";
+import { LiveMachine } from "../src/machine.js";
 import { csvText, resultsFile } from "../src/write.js";
 import { modulePath, nativeRows, withoutModule } from "./support/live.js";
 import { headOf } from "./support/scenes.js";

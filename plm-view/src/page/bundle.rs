@@ -82,6 +82,7 @@ const RESULTS: &[(&str, &str)] = &[("start", include_str!("../../page/src/start.
 const LIVE: &[(&str, &str)] = &[
     ("shape", include_str!("../../page/src/shape.js")),
     ("write", include_str!("../../page/src/write.js")),
+    ("machine", include_str!("../../page/src/machine.js")),
     ("worker", include_str!("../../page/src/worker.js")),
     ("startworker", include_str!("../../page/src/startworker.js")),
     ("followcamera", include_str!("../../page/src/followcamera.js")),

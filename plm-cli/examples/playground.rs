@@ -1,9 +1,10 @@
 //! A page in which declarations are typed, from its module and its editor: `bash examples/playground/build.sh` calls
-//! `cargo run -p plm-view --example playground -- page.html module.wasm editor.js machine.rs…`.
+//! `cargo run -p plm-cli --example playground -- page.html module.wasm editor.js machine.rs…`.
 
 use std::path::Path;
 use std::process::ExitCode;
 
+use plm_cli::declarations;
 use plm_view::Page;
 
 fn main() -> ExitCode {
@@ -23,33 +24,13 @@ fn main() -> ExitCode {
 fn write(html: &str, (module, editor): (&str, &str), gallery: &[String]) -> Result<(), String> {
     let read = |path: &str| std::fs::read(path).map_err(|error| format!("cannot read {path}: {error}"));
     let text = |path: &str| String::from_utf8(read(path)?).map_err(|error| format!("{path}: {error}"));
-    let of_machine = |path: &String| {
-        let declaration =
-            declaration(&text(path)?).ok_or_else(|| format!("{path}: there is no `mechanism! {{…}}`"))?;
-        Ok((named(path), declaration))
+    let of_machine = |path: &String| match declarations(path, &text(path)?).into_iter().next() {
+        Some(declaration) => Ok((named(path), declaration)),
+        None => Err(format!("{path}: there is no `mechanism! {{…}}`")),
     };
     let texts = gallery.iter().map(of_machine).collect::<Result<Vec<_>, String>>()?;
     let page = Page::new(&[], "plm").with_module(&read(module)?).with_editor(&text(editor)?, &texts);
     page.write_html(html).map_err(|error| error.to_string())
-}
-
-/// The declaration within the first `mechanism! { … }` of a Rust file, from the margin on.
-fn declaration(rust: &str) -> Option<String> {
-    let (_, behind) = rust.split_once("mechanism! {")?;
-    let mut depth = 1_usize;
-    let end = behind.char_indices().find_map(|(at, letter)| {
-        match letter {
-            '{' => depth += 1,
-            '}' => depth -= 1,
-            _ => {}
-        }
-        (depth == 0).then_some(at)
-    })?;
-    let lines: Vec<&str> = behind[..end].trim_matches('\n').lines().collect();
-    let filled = lines.iter().filter(|line| !line.trim().is_empty());
-    let margin = filled.map(|line| line.len() - line.trim_start().len()).min()?;
-    let lines = lines.iter().map(|line| line.get(margin..).unwrap_or_default());
-    Some(lines.collect::<Vec<_>>().join("\n").trim_end().to_owned() + "\n")
 }
 
 /// `machines/four_bar.rs` as it is shown: `Four bar`.
