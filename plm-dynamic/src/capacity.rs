@@ -1,4 +1,4 @@
-//! How much a mechanism may have of what has the same room in all.
+//! Capacities that all sizes of `Dynamic` have in common.
 
 /// Parameters.
 pub(crate) const PARAMETERS: usize = 64;

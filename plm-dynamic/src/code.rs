@@ -8,7 +8,7 @@ use plm_runtime::Scalar;
 /// A function: its steps, its arguments, and the places of its results.
 #[derive(Clone, Debug)]
 pub(crate) struct Code {
-    steps: Vec<Step>,
+    steps: &'static [Step],
     registers: usize,
     arguments: Vec<Argument>,
     results: Vec<(Place, u32)>,
@@ -110,7 +110,7 @@ impl Room {
 
 impl Code {
     /// A function whose outputs have these names, in order. The arrays `x` and `dx` have the room of the state.
-    pub(crate) fn new(routine: &Routine, outputs: &[&str], room: Room) -> Code {
+    pub(crate) fn new(routine: &'static Routine, outputs: &[&str], room: Room) -> Code {
         let in_state =
             |name: &str, index: usize| if name == "x" || name == "dx" { room.place(index) } else { index };
         let argument = |source: &Source| match *source {
@@ -140,7 +140,7 @@ impl Code {
             }
         };
         Code {
-            steps: routine.steps.clone(),
+            steps: &routine.steps,
             registers: routine.registers,
             arguments: routine.sources.iter().map(argument).collect(),
             results: routine.results.iter().map(|(target, register)| (place(target), *register)).collect(),
@@ -157,7 +157,7 @@ impl Code {
             many.resize(self.registers, S::ZERO);
             &mut many[..]
         };
-        for step in &self.steps {
+        for step in self.steps {
             evaluate(step, registers, |k| self.arguments.get(k).map_or(S::ZERO, |place| argument(*place)));
         }
         for (place, register) in &self.results {

@@ -1,4 +1,4 @@
-//! Rows of contact, and events that set states: tables and functions.
+//! Rows of contact: tables and functions.
 
 use plm_compiler::lowered::{self, ContactKind, Lowered, ReadByConditions};
 use plm_runtime::absolute::Layout;
@@ -9,7 +9,7 @@ use crate::model::{kept, texts};
 /// Rows of contact of a mechanism.
 #[derive(Debug)]
 pub(crate) struct Contacts {
-    pub(crate) lowered: lowered::Contacts,
+    pub(crate) lowered: &'static lowered::Contacts,
     pub(crate) names: &'static [&'static str],
     pub(crate) guard_names: &'static [&'static str],
     /// Coefficients of restitution of the rows.
@@ -52,17 +52,10 @@ pub(crate) struct Conditional {
     pub(crate) places: Vec<[usize; 2]>,
 }
 
-/// Functions of events that set states.
-#[derive(Debug)]
-pub(crate) struct Sets {
-    pub(crate) holds: Code,
-    pub(crate) values: Code,
-}
-
 impl Contacts {
-    pub(crate) fn new(mechanism: &Lowered, joints: &Layout, state: Room) -> Option<Contacts> {
+    pub(crate) fn new(mechanism: &'static Lowered, joints: &Layout, state: Room) -> Option<Contacts> {
         let of = mechanism.contacts.as_ref()?;
-        let chart = |chart: &lowered::ContactChart| InChart {
+        let chart = |chart: &'static lowered::ContactChart| InChart {
             kinematics: Code::new(&chart.kinematics, &[], state),
             motion: Code::new(&chart.motion, &["dx"], state),
             together: chart.together.as_ref().map(|together| Code::new(together, &["dx"], state)),
@@ -75,18 +68,13 @@ impl Contacts {
             exist: of.exist.as_ref().map(|exist| Code::new(exist, &["exist"], state)),
             charts: of.charts.iter().map(chart).collect(),
             conditional: of.conditional.as_ref().map(|own| Conditional::new(own, joints, state)),
-            lowered: of.clone(),
+            lowered: of,
         })
     }
 
     /// Guards: three of each place, and that of the determinant.
     pub(crate) fn guards(&self) -> usize {
         self.guard_names.len()
-    }
-
-    /// Do conditions read multipliers?
-    pub(crate) fn are_read(&self) -> bool {
-        self.lowered.read == ReadByConditions::Multipliers
     }
 
     /// Do conditions read what contacts do?
@@ -101,7 +89,7 @@ impl Contacts {
 }
 
 impl Sliding {
-    fn new(of: &lowered::Sliding, length: f64, state: Room) -> Sliding {
+    fn new(of: &'static lowered::Sliding, length: f64, state: Room) -> Sliding {
         let inverse = 1.0 / length;
         Sliding {
             motion: Code::new(&of.motion, &["dx", "free", "known", "slope"], state),
@@ -115,9 +103,9 @@ impl Sliding {
 }
 
 impl Conditional {
-    fn new(of: &lowered::Conditional, joints: &Layout, state: Room) -> Conditional {
-        let joined = |own: &'static [&'static str], others: &[String]| {
-            kept(own.iter().copied().chain(texts(others).iter().copied()))
+    fn new(of: &'static lowered::Conditional, joints: &Layout, state: Room) -> Conditional {
+        let joined = |own: &'static [&'static str], others: &'static [String]| {
+            kept(own.iter().copied().chain(others.iter().map(String::as_str)))
         };
         Conditional {
             rows: of.rows.clone(),
@@ -131,15 +119,6 @@ impl Conditional {
             phi_dot: Code::new(&of.phi_dot, &["phi_dot"], state),
             phi_q: Code::new(&of.phi_q, &["phi_q"], state),
             places: of.places.clone(),
-        }
-    }
-}
-
-impl Sets {
-    pub(crate) fn new(of: &lowered::Sets, state: Room) -> Sets {
-        Sets {
-            holds: Code::new(&of.holds, &["holds"], state),
-            values: Code::new(&of.values, &["set"], state),
         }
     }
 }

@@ -37,20 +37,20 @@ pub(crate) struct Description {
 
 impl Description {
     /// That of a lowered mechanism whose text has this name.
-    pub(crate) fn new(lowered: &Lowered, name: &str, room: Room) -> Description {
+    pub(crate) fn new(lowered: &'static Lowered, name: &str, room: Room) -> Description {
         let of = &lowered.description;
         let path = |file: &String| std::path::Path::new(name).with_file_name(file).display().to_string();
         let declared = lowered.outputs.iter().filter(|output| output.declared);
         let switches = lowered.switches.all.iter().skip(lowered.switches.guards);
-        let varying = |Varying { index, value }: &Varying| (*index, Code::new(value, &[], room));
+        let varying = |Varying { index, value }: &'static Varying| (*index, Code::new(value, &[], room));
         Description {
             tables: Box::leak(Box::new(tables(of))),
             observed: named(lowered.outputs.iter().map(|output| (&output.name, &output.si))),
             outputs: named(declared.map(|output| (&output.name, &output.unit))),
             inputs: with_units(&lowered.inputs),
             states: with_units(&lowered.states),
-            declaration: text(&of.declaration),
-            files: kept(of.files.iter().map(|file| (text(file), text(&path(file))))),
+            declaration: &of.declaration,
+            files: kept(of.files.iter().map(|file| (file.as_str(), text(&path(file))))),
             shapes: kept(of.shapes.iter().map(shape)),
             holes: kept(of.holes.iter().map(hole)),
             instants: texts(switches.map(|switch| &switch.name)),
@@ -60,25 +60,25 @@ impl Description {
     }
 }
 
-fn named<'a>(all: impl Iterator<Item = (&'a String, &'a String)>) -> Named {
-    kept(all.map(|(name, unit)| (text(name), text(unit))))
+fn named(all: impl Iterator<Item = (&'static String, &'static String)>) -> Named {
+    kept(all.map(|(name, unit)| (name.as_str(), unit.as_str())))
 }
 
 /// Names and SI units; that of a pure number is told in words, as by compiled code.
-fn with_units(all: &[lowered::Named]) -> Named {
+fn with_units(all: &'static [lowered::Named]) -> Named {
     let unit = |unit: &'static str| if unit.is_empty() { "no unit" } else { unit };
-    kept(all.iter().map(|of| (text(&of.name), unit(text(&of.unit)))))
+    kept(all.iter().map(|of| (of.name.as_str(), unit(of.unit.as_str()))))
 }
 
-fn tables(of: &lowered::Description) -> described::Tables {
-    let list = |quantities: &[Quantity]| kept(quantities.iter().map(quantity));
+fn tables(of: &'static lowered::Description) -> described::Tables {
+    let list = |quantities: &'static [Quantity]| kept(quantities.iter().map(quantity));
     described::Tables {
-        name: text(&of.name),
-        docs: text(&of.docs),
+        name: &of.name,
+        docs: &of.docs,
         report: described::Report {
             rung: of.number,
-            formulation: text(&of.formulation),
-            reason: text(&of.reason),
+            formulation: &of.formulation,
+            reason: &of.reason,
             operations: of.operations,
             degrees_of_freedom: of.freedom,
         },
@@ -93,18 +93,18 @@ fn tables(of: &lowered::Description) -> described::Tables {
     }
 }
 
-fn quantity(of: &Quantity) -> described::Quantity {
+fn quantity(of: &'static Quantity) -> described::Quantity {
     described::Quantity {
-        name: text(&of.name),
-        docs: text(&of.docs),
-        unit: text(&of.unit),
+        name: &of.name,
+        docs: &of.docs,
+        unit: &of.unit,
         factor: of.factor,
         exponents: of.exponents,
         default: of.default,
     }
 }
 
-fn reads(of: &Reads) -> described::Reads {
+fn reads(of: &'static Reads) -> described::Reads {
     described::Reads {
         motion: match of.motion {
             Motion::Nothing => described::Motion::Nothing,
@@ -112,29 +112,29 @@ fn reads(of: &Reads) -> described::Reads {
             Motion::Velocities => described::Motion::Velocities,
         },
         time: of.time,
-        states: kept(of.states.iter().copied()),
-        inputs: kept(of.inputs.iter().copied()),
+        states: &of.states,
+        inputs: &of.inputs,
     }
 }
 
-fn body(of: &lowered::Body) -> described::Body {
+fn body(of: &'static lowered::Body) -> described::Body {
     let lowered::Body { name, ports, contour, first } = of;
-    described::Body { name: text(name), ports: texts(ports), contour: *contour, first: *first }
+    described::Body { name, ports: texts(ports), contour: *contour, first: *first }
 }
 
-fn ground(of: &lowered::GroundPort) -> described::GroundPort {
-    described::GroundPort { name: text(&of.name), moves: of.moves, first: of.first }
+fn ground(of: &'static lowered::GroundPort) -> described::GroundPort {
+    described::GroundPort { name: &of.name, moves: of.moves, first: of.first }
 }
 
-fn part(of: &lowered::Part) -> described::Part {
+fn part(of: &'static lowered::Part) -> described::Part {
     let frames = of.frames.iter().map(|frame| described::Frame {
-        argument: text(&frame.argument),
+        argument: &frame.argument,
         body: frame.body,
         port: frame.port,
     });
     described::Part {
-        name: text(&of.name),
-        kind: text(&of.kind),
+        name: &of.name,
+        kind: &of.kind,
         pair: of.pair,
         frames: kept(frames),
         sizes: texts(&of.sizes),

@@ -6,14 +6,14 @@ use plm_runtime::charts::{Charts, Revolutions};
 use plm_runtime::limits::{Least, Limit};
 
 use crate::code::{Code, Room};
-use crate::contact::{Contacts, Sets};
+use crate::contact::Contacts;
 use crate::description::Description;
 use crate::memory::Counts;
 
 /// A mechanism without its numbers.
 #[derive(Debug)]
 pub(crate) struct Model {
-    pub(crate) lowered: Lowered,
+    pub(crate) lowered: &'static Lowered,
     pub(crate) layout: Layout,
     pub(crate) charts: Charts,
     pub(crate) counts: Counts,
@@ -77,6 +77,13 @@ pub(crate) struct Switches {
     pub(crate) texts: &'static [&'static str],
 }
 
+/// Functions of events that set states.
+#[derive(Debug)]
+pub(crate) struct Sets {
+    pub(crate) holds: Code,
+    pub(crate) values: Code,
+}
+
 /// Parameters and starts.
 #[derive(Debug)]
 pub(crate) struct Start {
@@ -101,8 +108,9 @@ pub(crate) fn text(text: &str) -> &'static str {
     String::leak(text.to_owned())
 }
 
-pub(crate) fn texts<'a>(all: impl IntoIterator<Item = &'a String>) -> &'static [&'static str] {
-    kept(all.into_iter().map(|one| text(one)))
+/// Names of a lowered mechanism, which lives as long.
+pub(crate) fn texts(all: impl IntoIterator<Item = &'static String>) -> &'static [&'static str] {
+    kept(all.into_iter().map(String::as_str))
 }
 
 fn lists(all: impl IntoIterator<Item = Vec<usize>>) -> &'static [&'static [usize]] {
@@ -113,10 +121,11 @@ impl Model {
     /// The tables of a lowered mechanism whose text has this name, and whose state has room for so many coordinates and velocities. They
     /// are never freed.
     pub(crate) fn new(lowered: Lowered, name: &str, capacity: usize) -> &'static Model {
+        let lowered: &'static Lowered = Box::leak(Box::new(lowered));
         let nq = lowered.coordinates.len();
         let coordinates = lowered.charts.first().map_or(nq, |chart| chart.names.len());
         let state = Room { coordinates, capacity };
-        let absolute = Absolute::new(&lowered, Room { coordinates: nq, capacity });
+        let absolute = Absolute::new(lowered, Room { coordinates: nq, capacity });
         let counts = lowered.loops.as_ref().map_or_else(Counts::default, |loops| Counts {
             coordinates: loops.coordinates,
             angles: loops.turning.len(),
@@ -144,22 +153,24 @@ impl Model {
             },
         };
         let model = Model {
-            contacts: Contacts::new(&lowered, &layout, state),
+            contacts: Contacts::new(lowered, &layout, state),
             sets: Sets::new(&lowered.sets, state),
             layout,
-            charts: charts(&lowered),
+            charts: charts(lowered),
             counts,
             coordinates,
             absolute,
             in_charts: lowered.charts.iter().map(|chart| InChart::new(chart, state)).collect(),
-            switches: Switches::new(&lowered, state),
-            start: Start::new(&lowered, state),
+            switches: Switches::new(lowered, state),
+            start: Start::new(lowered, state),
             outputs: lowered.outputs.iter().map(|output| Code::new(&output.value, &[], state)).collect(),
-            description: Description::new(&lowered, name, state),
+            description: Description::new(lowered, name, state),
             names_of_starts: texts(&lowered.starts.names),
             names: texts(&lowered.names),
             parts: texts(&lowered.parts),
-            parameters: kept(lowered.parameters.iter().map(|param| (text(&param.name), text(&param.unit)))),
+            parameters: kept(
+                lowered.parameters.iter().map(|param| (param.name.as_str(), param.unit.as_str())),
+            ),
             turns_in_pose: turns(|turns| turns.in_pose.clone()),
             turns_in_state: lists(turns_in_state),
             lowered,
@@ -179,7 +190,7 @@ pub(crate) const WITHOUT_LOOPS: Charts = Charts {
     closing: &[],
 };
 
-fn charts(lowered: &Lowered) -> Charts {
+fn charts(lowered: &'static Lowered) -> Charts {
     let Some(loops) = &lowered.loops else { return WITHOUT_LOOPS };
     let revolutions = lowered.turns.iter().map(|turns| Revolutions {
         coordinates: lists(turns.in_state.iter().cloned()),
@@ -198,7 +209,7 @@ fn charts(lowered: &Lowered) -> Charts {
 }
 
 impl Absolute {
-    fn new(lowered: &Lowered, room: Room) -> Absolute {
+    fn new(lowered: &'static Lowered, room: Room) -> Absolute {
         let of = &lowered.absolute;
         let state = lowered.charts.first().map_or(room.coordinates, |chart| chart.names.len());
         let moment = Room { coordinates: state, ..room };
@@ -221,7 +232,7 @@ impl Absolute {
 }
 
 impl InChart {
-    fn new(of: &lowered::Chart, room: Room) -> InChart {
+    fn new(of: &'static lowered::Chart, room: Room) -> InChart {
         let code = |routine, outputs: &[&str]| Code::new(routine, outputs, room);
         InChart {
             rate: code(&of.rate, &["dx"]),
@@ -237,7 +248,7 @@ impl InChart {
 }
 
 impl Switches {
-    fn new(lowered: &Lowered, room: Room) -> Switches {
+    fn new(lowered: &'static Lowered, room: Room) -> Switches {
         let of = &lowered.switches;
         Switches {
             instants: Code::new(&of.instants, &["at", "slope"], room),
@@ -253,8 +264,14 @@ impl Switches {
     }
 }
 
+impl Sets {
+    fn new(of: &'static lowered::Sets, room: Room) -> Sets {
+        Sets { holds: Code::new(&of.holds, &["holds"], room), values: Code::new(&of.values, &["set"], room) }
+    }
+}
+
 impl Start {
-    fn new(lowered: &Lowered, room: Room) -> Start {
+    fn new(lowered: &'static Lowered, room: Room) -> Start {
         let of = &lowered.starts;
         let values = |routine| Code::new(routine, &["values"], room);
         Start {
@@ -271,7 +288,7 @@ impl Start {
     }
 }
 
-fn limit(of: &plm_compiler::Limit) -> Limit {
+fn limit(of: &'static plm_compiler::Limit) -> Limit {
     let least = match of.least {
         plm_compiler::Least::Positive => Least::Positive,
         plm_compiler::Least::Carried => Least::Carried,
@@ -280,5 +297,5 @@ fn limit(of: &plm_compiler::Limit) -> Limit {
         plm_compiler::Least::Share => Least::Share,
         plm_compiler::Least::Required => Least::Required,
     };
-    Limit { part: text(&of.part), what: text(&of.what), unit: text(&of.unit), least }
+    Limit { part: &of.part, what: &of.what, unit: &of.unit, least }
 }

@@ -76,17 +76,17 @@ impl Compiled {
         }
     }
 
-    /// With no more of anything than all mechanisms have room for.
+    /// Checks the capacities that all sizes have in common.
     fn with_room(name: &str, lowered: Lowered) -> Result<Compiled, Refused> {
         let contacts = lowered.contacts.as_ref();
         let guards = contacts.map_or(0, |contacts| contacts.guard_names.len());
         within([
             ("rows of contact", contacts.map_or(0, |contacts| contacts.places), ROWS),
+            ("conditions", lowered.switches.all.len(), SWITCHES),
             ("guards of conditions and contact", lowered.switches.guards + guards, SWITCHES),
             ("events that set states", lowered.sets.events.len(), EVENTS),
             ("parameters", lowered.parameters.len(), PARAMETERS),
             ("inputs", lowered.inputs.len(), INPUTS),
-            ("conditions", lowered.switches.all.len(), SWITCHES),
             ("kinks", lowered.switches.kinks, KINKS),
         ])?;
         Ok(Compiled { name: name.to_owned(), lowered })

@@ -65,7 +65,7 @@ fn compared<M: Described<S = f64>, I: Method<M>, J: Method<Small>>(
     assert_eq!((own.steps, own.rejected, own.evaluations), (other.steps, other.rejected, other.evaluations));
 }
 
-/// Names, units, numbers of pictures, and the numbers of a moment, which recordings and pages have.
+/// Compares names, units, drawings and the numbers of a moment, as recordings and pages have them.
 fn same_description<M: Described<S = f64> + Statics>(mechanism: M, dynamic: &Small) {
     assert_eq!(M::TABLES, dynamic.tables());
     assert_eq!((M::SHAPES, M::HOLES), (dynamic.shapes(), dynamic.holes()));
@@ -102,7 +102,7 @@ fn same_analysis<M: Stabilise + Described + Linearisable>(mechanism: M) {
     assert_eq!(analysed(mechanism), analysed(dynamic));
 }
 
-/// What is found, as text that has every bit of every number.
+/// Equilibria and linear systems as text, which has every bit of every number.
 fn analysed<M: Stabilise + Described + Linearisable>(of: M) -> Vec<String> {
     let sim = of.start().unwrap();
     let text = |all: &dyn Debug| format!("{all:?}");

@@ -54,7 +54,7 @@ fn inputs_act_from_when_they_are_set() {
     assert_eq!(columns, [("bob.angle", "deg"), ("hinge.force.x", "N"), ("hinge.force.y", "N")]);
 }
 
-/// Looks for the equilibrium near where a run is: the angle there, rad, and the frequency of small swings, rad/s.
+/// Equilibrium near the state of a run: its angle, rad, and the frequency of small swings about it, rad/s.
 struct AtRest;
 
 impl OnRun for AtRest {
@@ -75,7 +75,7 @@ impl OnRun for AtRest {
 /// A torque that holds the pendulum aslant, and small swings there: sin a = M/(m g l), omega^2 = g cos(a)/l.
 #[test]
 fn a_run_is_brought_to_rest() {
-    // What is locked stays where it is.
+    // A locked coordinate would not move to the equilibrium.
     let mut pendulum = Mechanism::from_text(&PENDULUM.replace(", locked", "")).unwrap();
     for (name, value) in [("damping", 0.0), ("length", 0.25)] {
         pendulum.set_parameter(name, value).unwrap();

@@ -115,7 +115,7 @@ fn a_long_chain_takes_adams() {
     }
     assert_eq!((auto.stats(), auto.bar_63().x), (known.stats(), known.bar_63().x));
     assert!((known.bar_63().x - other.bar_63().x).abs() < 1e-6);
-    // The same text without rustc: the steps of its functions are those of the loops.
+    // The chain from text has the bits of compiled code, whose functions are loops.
     let text = plm::dynamic::Mechanism::from_text(hanging::Chain::<f64>::DECLARATION).unwrap();
     let mut run = text.start_with(plm::dynamic::Integrator::Dop853(1e-8)).unwrap();
     run.step_to(0.3).unwrap();

@@ -18,7 +18,7 @@ fn linkages_of_known_straightness_are_rated_rightly() {
 }
 
 #[test]
-fn the_best_of_random_six_bars_does_not_depend_on_threads() {
+fn the_best_of_random_six_bars_runs_from_its_declaration() {
     let seed = 7;
     let found = search(seed, 24, 2);
     assert!(found.outcomes[..2] == [0, 1].map(|number| outcome(seed, number)));

@@ -31,13 +31,13 @@ fn absolute_coordinates_have_the_bits_of_compiled_code() {
     same!(assembled::InBodies: 1.2, reactions::CollarInAbsolute: 0.5, scenes::pins::InAbsolute: 0.3);
 }
 
-/// The same in charts of loops; one of them locks up.
+/// Loops in charts; one of them locks up.
 #[test]
 fn loops_have_the_bits_of_compiled_code() {
     same!(loops::InCharts: 0.5, joints::InThreePins: 0.2, reactions::LinkageInCharts: 0.6);
 }
 
-/// Rows before and behind impacts are those of the CSV of compiled programs.
+/// Samples of a run from text, those before and after impacts too, are the rows of the CSV of a compiled program.
 #[test]
 fn samples_are_those_of_compiled_programs() {
     let mut sim = flights::Ball::new().start_with(Dop853::new(1e-9)).unwrap();

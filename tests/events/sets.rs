@@ -2,7 +2,7 @@
 
 use plm::{BodyState, Dop853, mechanism};
 
-use crate::beside_text::same_bits;
+use crate::beside_text::same;
 
 #[track_caller]
 fn near(found: f64, known: f64, within: f64) {
@@ -178,10 +178,5 @@ fn a_loop_goes_on_with_the_velocity_that_was_set() {
 /// Events of mechanisms from text set the bits of compiled ones.
 #[test]
 fn mechanisms_from_text_set_the_same_bits() {
-    const BY: &str = "Dop853:1e-9";
-    same_bits(Ball::new(), (Dop853::new(1e-9), BY), (4, 0.4));
-    same_bits(Oven::new(), (Dop853::new(1e-9), BY), (4, 0.5));
-    same_bits(InTree::new(), (Dop853::new(1e-9), BY), (4, 0.25));
-    same_bits(InAbsolute::new(), (Dop853::new(1e-9), BY), (4, 0.25));
-    same_bits(FourBar::new(), (Dop853::new(1e-9), BY), (4, 0.25));
+    same!(Ball: 1.6, Oven: 2.0, InTree: 1.0, InAbsolute: 1.0, FourBar: 1.0);
 }

@@ -63,7 +63,7 @@ const CRANK: f64 = 160.0;
 const APART: f64 = 40.0;
 
 impl SixBar {
-    /// That of a seed and a number.
+    /// The six-bar of a seed and a number.
     pub fn random(seed: u64, number: u64) -> Self {
         let mut random = Random::new(seed, number);
         let topology = random.one_of(&TOPOLOGIES);

@@ -1,4 +1,4 @@
-//! The search: so many six-bars of a seed, the best of them, and what became of the others.
+//! The search: the six-bars of a seed, the best of them, and the outcome of each.
 
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
@@ -25,7 +25,7 @@ pub struct Found {
     pub score: f64,
 }
 
-/// What became of a mechanism.
+/// Outcome of one mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
     /// A whole turn, and its straightest path.
@@ -36,7 +36,7 @@ pub enum Outcome {
     Refused(Refused),
 }
 
-/// What was found.
+/// Outcomes of a search, and the time that it took.
 #[derive(Debug)]
 pub struct Search {
     pub outcomes: Vec<Outcome>,

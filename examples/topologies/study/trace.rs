@@ -15,7 +15,7 @@ pub type Poses = Vec<Vec<[f64; 3]>>;
 /// Compiles a declaration and traces its bodies for a second.
 ///
 /// # Errors
-/// What the compiler refuses, or the fault that ends the turn.
+/// The diagnostics of a text that the compiler refuses, or the fault that ends the turn.
 pub fn trace(text: &str) -> Result<Poses, Error> {
     let mut run = Mechanism::from_text(text)?.start_with(Integrator::Dop853(1e-9))?;
     let mut poses = Poses::new();

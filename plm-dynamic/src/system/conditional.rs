@@ -18,24 +18,22 @@ struct Joined<'a, S, const NQ: usize, const NC: usize, const N: usize> {
 
 impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
     /// The constraints with a condition, by their numbers among these, that hold.
-    pub(super) fn conditions_that_hold(&self, held: &Held<S, NQ>) -> [bool; ROWS] {
-        let conditional = self.model.contacts.as_ref().and_then(|contacts| contacts.conditional.as_ref());
+    pub(super) fn conditions_that_hold(&self, of: &Conditional, held: &Held<S, NQ>) -> [bool; ROWS] {
         let mut holds = [false; ROWS];
-        for (holds, row) in holds.iter_mut().zip(conditional.into_iter().flat_map(|own| &own.rows)) {
+        for (holds, row) in holds.iter_mut().zip(&of.rows) {
             *holds = self.exists(held, *row);
         }
         holds
     }
 
     /// Position and velocity that the joints allow, and the marked constraints.
-    pub(super) fn assembled_with(&self, t: S, holds: [bool; ROWS]) -> Result<([S; NQ], [S; NQ]), Fault> {
-        let conditional = self.model.contacts.as_ref().and_then(|contacts| contacts.conditional.as_ref());
-        let assembly = match conditional {
-            Some(conditional) => {
-                absolute::assemble::<S, _, NQ, NC>(&Joined { mechanism: self, conditional, holds }, t)?
-            }
-            None => absolute::assemble::<S, Self, NQ, NC>(self, t)?,
-        };
+    pub(super) fn assembled_with(
+        &self,
+        t: S,
+        (conditional, holds): (&'static Conditional, [bool; ROWS]),
+    ) -> Result<([S; NQ], [S; NQ]), Fault> {
+        let joined = Joined { mechanism: self, conditional, holds };
+        let assembly = absolute::assemble::<S, _, NQ, NC>(&joined, t)?;
         Ok((assembly.q, assembly.v))
     }
 }

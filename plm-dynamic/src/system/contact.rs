@@ -1,6 +1,6 @@
 //! Rows of contact: the rate with their forces, and the contract of the runtime.
 
-use plm_compiler::lowered::{ContactKind, Form, Impacts, OfRows, RowTerm};
+use plm_compiler::lowered::{ContactKind, Form, Impacts, OfRows, ReadByConditions, RowTerm};
 use plm_runtime::charts::OfLoops;
 use plm_runtime::contact::{
     self, Affine, Contacts, ImpactLaw, Kinematics, Law, Limit, Load, Motion, Rows, with_multipliers,
@@ -23,6 +23,12 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     /// Has it rows of contact?
     pub(super) fn has_contacts(&self) -> bool {
         self.model.contacts.is_some()
+    }
+
+    /// Do conditions of the state read multipliers of contact?
+    pub(super) fn conditions_read_multipliers(&self) -> bool {
+        let contacts = self.model.contacts.as_ref();
+        contacts.is_some_and(|contacts| contacts.lowered.read == ReadByConditions::Multipliers)
     }
 
     /// Functions of the rows in the chart that is held.
@@ -178,7 +184,9 @@ fn put<S>(rows: &mut Rows<S, ROWS>, place: OfRows, value: S) {
             if let Some(Affine { own, by }) = reaction {
                 match term {
                     RowTerm::By(row) => store(by, row, value),
-                    RowTerm::Own | RowTerm::Share(_) => *own = value,
+                    RowTerm::Own => *own = value,
+                    // Sizes of reactions are in limits of frictions only.
+                    RowTerm::Share(_) => {}
                 }
             }
         }

@@ -1,4 +1,4 @@
-//! Conditions: guards, kinks, known times.
+//! Events: guards of conditions and of rows of contact, kinks, known times.
 
 use plm_compiler::lowered::End;
 use plm_runtime::absolute::{self, Crossing};
@@ -15,8 +15,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     /// Guards, then kinks, at a state.
     fn all_watched(&self, t: S, u: &Held<S, NQ>, x: &[S; N]) -> [S; WATCHED] {
         let mut all = [S::lit(1.0); WATCHED];
-        let are_read = self.model.contacts.as_ref().is_some_and(crate::contact::Contacts::are_read);
-        let u = &if are_read { self.loaded(t, u, x) } else { *u };
+        let u = &if self.conditions_read_multipliers() { self.loaded(t, u, x) } else { *u };
         if self.model.lowered.switches.read_solution {
             let state = State::new(*self, *u, t, *x);
             let (a, lambda) = state.solved();
@@ -150,8 +149,8 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Events for Dynam
         each: &mut impl FnMut(usize, Enclosed<S>),
     ) -> bool {
         let switches = &self.model.lowered.switches;
-        let are_read = self.model.contacts.as_ref().is_some_and(crate::contact::Contacts::are_read);
-        if are_read || switches.read_solution || matches!(u.of_loops, OfLoops::Free { .. }) {
+        let is_free = matches!(u.of_loops, OfLoops::Free { .. });
+        if self.conditions_read_multipliers() || switches.read_solution || is_free {
             return false;
         }
         let watched = switches.guards + switches.kinks;

@@ -164,13 +164,16 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     /// Assembles anew with the constraints that hold where a run begins. Which hold may depend on the pose: it is asked again behind
     /// that, a few times.
     fn close(&self, t: S, input: [S; INPUTS], held: &mut Held<S, NQ>, x: &mut [S; N]) -> Result<(), Fault> {
+        let contacts = self.model.contacts.as_ref();
+        let conditional = contacts.and_then(|contacts| contacts.conditional.as_ref());
+        let Some(conditional) = conditional else { return Ok(()) };
         let mut closed = [false; ROWS];
         for _ in 0..4 {
-            let holds = self.conditions_that_hold(held);
+            let holds = self.conditions_that_hold(conditional, held);
             if holds == closed {
                 break;
             }
-            let (q, v) = self.assembled_with(t, holds)?;
+            let (q, v) = self.assembled_with(t, (conditional, holds))?;
             *held = self.holding(input);
             self.enter(t, held, (&q, &v), x);
             self.begin_sides(t, held, x)?;

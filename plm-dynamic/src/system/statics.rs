@@ -1,4 +1,4 @@
-//! A mechanism at rest, in absolute coordinates without gaps.
+//! Residuals of equilibrium, over states in absolute coordinates with unused room at the end.
 
 use plm_runtime::system::Events;
 use plm_runtime::{Absolute, BodyStart, Fault, Real, Statics, absolute, turns};
@@ -19,7 +19,8 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
         2 * self.model.lowered.coordinates.len() + self.model.lowered.states.len()
     }
 
-    /// A state in absolute coordinates with the room that functions expect, from one without gaps.
+    /// A state in absolute coordinates with unused room behind its coordinates and behind its velocities, as functions expect it, from one
+    /// with all of it at the end.
     fn spread(&self, x: &[S; N]) -> [S; N] {
         let (room, mut all) = (self.absolute_room(), [S::ZERO; N]);
         for (k, number) in x.iter().enumerate().take(self.absolute_count()) {
@@ -130,7 +131,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Statics for Dyna
 }
 
 impl<S: Real, const NQ: usize, const NC: usize, const N: usize> State<S, NQ, NC, N> {
-    /// The state in absolute coordinates with all turns, without gaps.
+    /// The state in absolute coordinates with all turns, unused room at the end.
     fn unwrapped(&self) -> [S; N] {
         let (mechanism, mut x) = (plm_runtime::Moment::mechanism(self), self.absolute());
         turns::add(&plm_runtime::Moment::held(self).turns, &mut x, &mechanism.turning());

@@ -48,7 +48,7 @@ pub fn analyse(sources: &mut Sources) -> Expansion {
     expanded(sources, None)
 }
 
-/// Writes the text of a mechanism.
+/// Writes the text of a mechanism. A pointer, so that a program that only analyses does not link emission.
 type Emit = for<'a> fn(&'a Model, &'a Equations, &'a Program, &'a Report, Place<'a>) -> Code;
 
 /// Runs the passes, the last of them where there is one.

@@ -33,7 +33,7 @@ pub enum Least {
     Negative,
     /// Zero to one.
     Share,
-    /// Zero or more: what a requirement is kept by.
+    /// Zero or more, infinity too: the margin of a requirement.
     Required,
 }
 

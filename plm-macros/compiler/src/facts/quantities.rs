@@ -25,7 +25,7 @@ pub struct Quantity {
     pub default: Option<f64>,
 }
 
-/// All of them.
+/// All quantities of a mechanism that have names.
 #[derive(Clone, Debug)]
 pub struct Quantities {
     /// The parameters.
@@ -52,7 +52,7 @@ impl Quantity {
 }
 
 impl Quantities {
-    /// Those of a model.
+    /// The quantities of a model.
     pub(crate) fn of(model: &Model) -> Quantities {
         let known = declared_values(model);
         let declared = |expr: Expr| Some(value(expr, &known)).filter(|value| !value.is_nan());
@@ -77,13 +77,17 @@ impl Quantities {
 fn outputs(model: &Model) -> Vec<Quantity> {
     let mut all = Vec::new();
     for output in model.outputs.iter().filter(|output| output.declared) {
-        let axes: &[&str] = if output.components.len() == 1 { &[""] } else { &[".x", ".y"] };
-        all.push_all(axes.iter().map(|axis| {
+        all.push_all(axes(output.components.len()).iter().map(|axis| {
             let name = format!("{}{axis}", output.name.text);
             Quantity::new(&name, std::slice::from_ref(&output.docs), &output.unit, None)
         }));
     }
     all
+}
+
+/// The axes of a quantity with so many components.
+pub(crate) fn axes(components: usize) -> &'static [&'static str] {
+    if components == 1 { &[""] } else { &[".x", ".y"] }
 }
 
 /// Documentation of the user, line by line.

@@ -1,8 +1,9 @@
 //! Absolute coordinates and outputs as data.
 
 use super::routine::{Routine, Target};
-use super::{Parts, axes, si};
+use super::{Parts, si};
 use crate::collect::{CollectVec, PushAll};
+use crate::facts::quantities::axes;
 use crate::formulate::Function;
 use crate::model;
 use crate::source::Origin;

@@ -229,11 +229,6 @@ fn names<'a>(names: impl Iterator<Item = &'a String>) -> Vec<String> {
     names.cloned().collect_vec()
 }
 
-/// The axes of a quantity with so many components.
-fn axes(components: usize) -> &'static [&'static str] {
-    if components == 1 { &[""] } else { &[".x", ".y"] }
-}
-
 /// The places of parameters that some expressions read.
 fn read_parameters(model: &Model, roots: &[Expr]) -> Vec<usize> {
     let read = plm_cas::algebra::symbols(roots);

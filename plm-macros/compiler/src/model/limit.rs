@@ -35,7 +35,7 @@ pub enum Range {
     NotPositive,
     /// Zero to one.
     Share,
-    /// Zero or more: what a requirement is kept by.
+    /// Zero or more, infinity too: the margin of a requirement.
     Required,
 }
 
@@ -53,12 +53,13 @@ impl Range {
 
     /// Is a value in it?
     pub fn holds(self, value: f64) -> bool {
-        match self {
-            Range::Positive => value.is_finite() && value > 0.0,
-            Range::NotNegative => value.is_finite() && value >= 0.0,
-            Range::NotPositive => value.is_finite() && value <= 0.0,
-            Range::Share => (0.0..=1.0).contains(&value),
-            Range::Required => value >= 0.0,
-        }
+        let is_allowed = value.is_finite() || matches!(self, Range::Required);
+        is_allowed
+            && match self {
+                Range::Positive => value > 0.0,
+                Range::NotNegative | Range::Required => value >= 0.0,
+                Range::NotPositive => value <= 0.0,
+                Range::Share => (0.0..=1.0).contains(&value),
+            }
     }
 }
