@@ -85,6 +85,11 @@ pub trait Scalar:
     fn to_f64(self) -> f64;
     /// Neither infinite nor NaN, in every lane.
     fn is_finite(self) -> bool;
+    /// Gives `each` the derivatives of the number, where it has some.
+    #[inline]
+    fn each_derivative(self, each: &mut impl FnMut(f64)) {
+        let _ = (self, each);
+    }
 
     /// `self * a + b`: two roundings, or one with the feature `fma`.
     #[must_use]
