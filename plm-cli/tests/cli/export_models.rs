@@ -11,8 +11,8 @@ const MACHINE: [(&str, f64); 6] = [
     ("drive.angle", -1.104_061_041_682_844),
     ("pin.angle", -1.068_281_125_783_139),
     ("pivot.angle", -0.152_543_932_244_352),
-    ("rail.displacement", -0.443_800_758_910_244),
-    ("swing.angle", 1.957_147_636_498_775),
+    ("rail.displacement", -0.450_118_548_225_054),
+    ("swing.angle", 1.971_212_813_142_182),
     ("groove.angle", -3.132_308_436_681_981),
 ];
 
@@ -54,13 +54,21 @@ fn what_is_read_back_moves_as_before() {
     let acting = " { stiffness: 25 N/m; damping: 0.4 N*s/m; rotary_damping: 0.01 N*m*s/rad; }";
     let machine =
         model("machine.plm").replace(acting, ";").replace(", groove.angle, groove.displacement", "");
+    let imported = |name: &str| {
+        let words = ["import", name, "--without", "limits", "--without", "friction"];
+        plm_in(&root().join("plm-import/tests/models"), &words, b"").output
+    };
     for (text, format, inputs) in [
-        (machine, "--mjcf", &["torque=0.3", "pull=0.5"][..]),
+        (imported("oblique.xml"), "--mjcf", &[][..]),
+        (imported("four_bar.xml"), "--mjcf", &["torque=0.5"]),
+        (imported("arm.urdf"), "--mjcf", &[]),
+        (machine, "--mjcf", &["torque=0.3", "pull=0.5"]),
         (model("robot.plm"), "--mjcf", &["motor=0.5"]),
         (model("robot.plm"), "--urdf", &["motor=0.5"]),
     ] {
         let said = export(&folder, &text, format);
-        assert_eq!((said.code, said.errors.as_str()), (0, ""), "{format}");
+        // Pictures of other parts are left out.
+        assert!(said.code == 0 && !said.errors.contains("error"), "{format} {said:?}");
         let said = plm_in(&folder, &["import", "-"], said.output.as_bytes());
         assert_eq!((said.code, said.errors.as_str()), (0, ""), "{format}");
         // The accelerations are outputs of the one, too.
@@ -77,7 +85,7 @@ fn what_is_read_back_moves_as_before() {
             }
             compared += 1;
         }
-        assert!(compared > 3, "{format}: {compared}");
+        assert!(compared > 2, "{format}: {compared}");
     }
 }
 
@@ -121,7 +129,7 @@ fn what_a_format_does_not_have_is_told_and_nothing_is_written() {
         (
             format!("input u: N*m = 0;\n{pin} {{ drive: u^2/(1 N*m); }}"),
             "--mjcf",
-            "error: `drive` of revolute `pin` is not a multiple of one input, which a motor is\n --> <stdin>:5:10",
+            "error: `drive` of revolute `pin` is not a multiple of one input, clamped or not, which a motor is\n --> <stdin>:5:10",
         ),
         (
             format!("{pin} {{ friction: 0.1; pin_diameter: 1 cm; }}"),

@@ -5,7 +5,7 @@ use super::pairs::{Kind, Pair};
 use super::pictures::bars;
 use super::tags::{Tags, numbers, unless_zero, unless_zeros};
 use super::tree::{Joint, Motion};
-use super::{Export, drives};
+use super::{Drive, Export, drives};
 use crate::notice::Notices;
 use crate::number::exact;
 
@@ -36,8 +36,13 @@ pub(super) fn text(export: &Export, file: &str, notices: &mut Notices) -> String
     let drives = drives(export, notices);
     if !drives.is_empty() {
         tags.open("actuator", &[]);
-        for (name, joint, factor) in drives {
-            tags.empty("motor", &[("name", name), ("joint", joint.to_owned()), ("gear", exact(factor))]);
+        for Drive { name, joint, factor, range, .. } in drives {
+            let range = range.map_or(String::new(), |range| numbers(&range));
+            let gear = exact(factor);
+            tags.empty(
+                "motor",
+                &[("name", name), ("joint", joint.to_owned()), ("gear", gear), ("ctrlrange", range)],
+            );
         }
         tags.close("actuator");
     }

@@ -13,7 +13,7 @@ mod tree;
 mod urdf;
 
 use plm_compiler::span::Span;
-use plm_compiler::{Assembled, AssembledPart, FieldValue};
+use plm_compiler::{Assembled, AssembledPart, FieldValue, InputTerm};
 
 use crate::notice::{Notice, Notices, Place};
 use crate::number;
@@ -103,25 +103,34 @@ fn pairs(mechanism: &Assembled, place: PlaceOf, notices: &mut Notices) -> Vec<Pa
     pairs
 }
 
-/// The inputs of drives in the order of the joints, each with the joint and the factor.
-fn drives<'a>(export: &'a Export, notices: &mut Notices) -> Vec<(String, &'a str, f64)> {
-    let mut drives: Vec<(String, &str, f64)> = Vec::new();
+/// A drive of a joint, by an input.
+struct Drive<'a> {
+    name: String,
+    joint: &'a str,
+    span: Span,
+    factor: f64,
+    /// The values of the input beyond which nothing changes.
+    range: Option<[f64; 2]>,
+}
+
+/// The drives in the order of the joints.
+fn drives<'a>(export: &'a Export, notices: &mut Notices) -> Vec<Drive<'a>> {
+    let mut drives: Vec<Drive> = Vec::new();
     for joint in export.tree.joints(export) {
-        let Some((input, factor)) = &joint.acting.drive else { continue };
-        let at = (export.place)(joint.span);
-        let is_shared = drives.iter().any(|(known, ..)| known == input);
+        let Some(InputTerm { input, factor, range }) = &joint.acting.drive else { continue };
+        let is_shared = drives.iter().any(|known| known.name == *input);
         let name = if is_shared { format!("{input}_of_{}", joint.name) } else { input.clone() };
         if is_shared {
             notices.warn(
-                &at,
+                &(export.place)(joint.span),
                 format!("the input `{input}` drives several joints: for `{}` it is `{name}`", joint.name),
             );
         }
-        drives.push((name, joint.label, *factor));
+        drives.push(Drive { name, joint: joint.label, span: joint.span, factor: *factor, range: *range });
     }
     for input in &export.mechanism.inputs {
         let (at, name) = ((export.place)(input.span), &input.name);
-        if !drives.iter().any(|(known, ..)| known == name) {
+        if !drives.iter().any(|known| known.name == *name) {
             notices.warn(&at, format!("the input `{name}` drives no joint: it is left out"));
         } else if input.start != 0.0 {
             notices.warn(

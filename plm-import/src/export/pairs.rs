@@ -1,8 +1,8 @@
 //! Kinematic pairs of a declaration, with what acts in them.
 
-use plm_compiler::FieldValue;
 use plm_compiler::model::FrameRef;
 use plm_compiler::span::Span;
+use plm_compiler::{FieldValue, InputTerm};
 
 use super::counts;
 
@@ -40,8 +40,8 @@ pub(super) struct Acting {
     pub(super) friction: f64,
     pub(super) lower: Option<f64>,
     pub(super) upper: Option<f64>,
-    /// An input, and the force or torque of a unit of it.
-    pub(super) drive: Option<(String, f64)>,
+    /// A force or torque that an input sets.
+    pub(super) drive: Option<InputTerm>,
 }
 
 /// A pair of two frames.
@@ -82,9 +82,9 @@ impl Pair {
             };
         };
         match (field, value) {
-            ("drive", FieldValue::Input(input, factor)) => acting.drive = Some((input.clone(), *factor)),
+            ("drive", FieldValue::Input(term)) => acting.drive = Some(term.clone()),
             ("drive", value) if counts(value) => {
-                return Err("is not a multiple of one input, which a motor is".to_owned());
+                return Err("is not a multiple of one input, clamped or not, which a motor is".to_owned());
             }
             ("drive", _) => {}
             (_, FieldValue::Input(..) | FieldValue::Other) => return Err("is no number".to_owned()),

@@ -4,7 +4,7 @@ use super::frames::{Posed, in_file, sub, turned};
 use super::pictures::bars;
 use super::tags::{Tags, numbers, unless_zeros};
 use super::tree::{Joint, Link, Motion};
-use super::{Export, drives};
+use super::{Drive, Export, drives};
 use crate::notice::Notices;
 use crate::number::exact;
 
@@ -17,8 +17,8 @@ const GRAVITY: [f64; 2] = [0.0, -9.81];
 
 pub(super) fn text(export: &Export, file: &str, notices: &mut Notices) -> String {
     let mechanism = export.mechanism;
-    tell(export, notices);
     let drives = drives(export, notices);
+    tell(export, &drives, notices);
     let poses = export.tree.zero(mechanism, &export.pairs);
     let writer = Writer { export, posed: Posed { mechanism, poses: &poses } };
     let mut tags = Tags::default();
@@ -29,10 +29,9 @@ pub(super) fn text(export: &Export, file: &str, notices: &mut Notices) -> String
         writer.link(link, &mut tags);
     }
     for link in &export.tree.links {
-        let is_driven = |joint: &Joint| drives.iter().any(|(_, driven, _)| joint.name == *driven);
-        writer.joints(link, is_driven, &mut tags);
+        writer.joints(link, &drives, &mut tags);
     }
-    for (name, joint, factor) in &drives {
+    for Drive { name, joint, factor, .. } in &drives {
         tags.element("transmission", &[("name", format!("{name}_transmission"))], |tags| {
             tags.with_text("type", "transmission_interface/SimpleTransmission");
             tags.empty("joint", &[("name", (*joint).to_owned())]);
@@ -46,9 +45,21 @@ pub(super) fn text(export: &Export, file: &str, notices: &mut Notices) -> String
     tags.text
 }
 
+/// The greatest force or torque of the drive of a joint; none of a joint without.
+fn effort(joint: &Joint, drives: &[Drive]) -> Option<f64> {
+    let drive = drives.iter().find(|drive| drive.joint == joint.name)?;
+    Some(drive.range.map_or(UNBOUNDED, |[_, high]| (drive.factor * high).abs()))
+}
+
 /// Tells what URDF does not have.
-fn tell(export: &Export, notices: &mut Notices) {
+fn tell(export: &Export, drives: &[Drive], notices: &mut Notices) {
     let mechanism = export.mechanism;
+    for drive in drives {
+        if drive.range.is_some_and(|[low, high]| (low + high).abs() > 1e-12 * high) {
+            let why = "has other bounds on both sides, where URDF has one effort";
+            notices.error(&(export.place)(drive.span), format!("the drive of `{}` {why}", drive.joint));
+        }
+    }
     for pair in export.tree.loops.iter().map(|k| &export.pairs[*k]) {
         notices.error(
             &(export.place)(pair.span),
@@ -142,7 +153,7 @@ impl Writer<'_> {
     }
 
     /// The joints from the parent of a link to it, with the links without mass between two of them.
-    fn joints(&self, link: &Link, is_driven: impl Fn(&Joint) -> bool, tags: &mut Tags) {
+    fn joints(&self, link: &Link, drives: &[Drive], tags: &mut Tags) {
         let joints = link.joints(&self.export.pairs, self.posed);
         let (parent, child) = (self.name(link.parent), self.name(Some(link.body)));
         let offset = sub(self.origin_of(Some(link.body)), self.origin_of(link.parent));
@@ -160,12 +171,12 @@ impl Writer<'_> {
         match (link.pair, &joints[..]) {
             (None, _) => held(&format!("{child}_free"), "floating", tags),
             (Some((pair, _)), []) => held(&self.export.pairs[pair].name, "fixed", tags),
-            (_, [only]) => self.joint(only, [&parent, &child], (at, turn), is_driven(only), link, tags),
+            (_, [only]) => self.joint(only, [&parent, &child], (at, turn), effort(only, drives), link, tags),
             (_, [first, second, ..]) => {
                 let carriage = format!("{}_carriage", first.label);
                 tags.empty("link", &[("name", carriage.clone())]);
-                self.joint(first, [&parent, &carriage], (at, turn), is_driven(first), link, tags);
-                self.joint(second, [&carriage, &child], ([0.0; 3], 0.0), is_driven(second), link, tags);
+                self.joint(first, [&parent, &carriage], (at, turn), effort(first, drives), link, tags);
+                self.joint(second, [&carriage, &child], ([0.0; 3], 0.0), effort(second, drives), link, tags);
             }
         }
     }
@@ -175,7 +186,7 @@ impl Writer<'_> {
         joint: &Joint,
         [parent, child]: [&str; 2],
         (at, turn): ([f64; 3], f64),
-        is_driven: bool,
+        effort: Option<f64>,
         link: &Link,
         tags: &mut Tags,
     ) {
@@ -189,7 +200,7 @@ impl Writer<'_> {
             ends(parent, child, tags);
             origin(at, turn, tags);
             tags.empty("axis", &[("xyz", numbers(&axis))]);
-            if kind != "continuous" || is_driven {
+            if kind != "continuous" || effort.is_some() {
                 let bound = |limit: Option<f64>, usual: f64| {
                     if kind == "continuous" { String::new() } else { exact(limit.unwrap_or(usual)) }
                 };
@@ -198,7 +209,7 @@ impl Writer<'_> {
                     &[
                         ("lower", bound(acting.lower, -UNBOUNDED)),
                         ("upper", bound(acting.upper, UNBOUNDED)),
-                        ("effort", exact(if is_driven { UNBOUNDED } else { 0.0 })),
+                        ("effort", exact(effort.unwrap_or_default())),
                         ("velocity", exact(UNBOUNDED)),
                     ],
                 );

@@ -1,7 +1,7 @@
 //! A compiled mechanism at its start, in names and numbers: for whoever writes it in another format.
 
 use crate::collect::{CollectVec, MapEach};
-use plm_cas::{Expr, algebra};
+use plm_cas::{Expr, Function, Node, algebra};
 
 use crate::model::{Body, FrameRef, Input, Model, Name, Part, SetField};
 use crate::numeric::{Reach, Scene, add_switches, assemble, value};
@@ -85,15 +85,41 @@ pub struct AssembledPart {
     pub acts: bool,
 }
 
+/// A multiple of an input, `factor * input`, or `factor * clamp(input, range)`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InputTerm {
+    /// The input.
+    pub input: String,
+    /// The factor, SI.
+    pub factor: f64,
+    /// The values of the input beyond which nothing changes, SI.
+    pub range: Option<[f64; 2]>,
+}
+
 /// A value that the use of a part sets.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FieldValue {
     /// A number, SI, that parameters alone decide.
     Number(f64),
-    /// A multiple of one input: its name, and the factor, SI.
-    Input(String, f64),
+    /// A multiple of one input.
+    Input(InputTerm),
     /// A value that depends on the state, the time or several inputs, or that nothing reads.
     Other,
+}
+
+/// Values of symbols.
+struct Known(Vec<(Expr, f64)>);
+
+impl Known {
+    fn number(&self, expr: Expr) -> f64 {
+        value(expr, &self.0)
+    }
+
+    /// The same with another value of a symbol.
+    fn with(&self, symbol: Expr, value: f64) -> Known {
+        let others = self.0.iter().copied().filter(|(known, _)| *known != symbol);
+        Known(others.chain([(symbol, value)]).collect_vec())
+    }
 }
 
 impl Oracle {
@@ -105,7 +131,8 @@ impl Oracle {
             let start = assemble(&scene, Reach::Full);
             let mut known = scene.moving(&start.q, &start.v);
             add_switches(model, &mut known);
-            let number = |expr: Expr| value(expr, &known);
+            let known = Known(known);
+            let number = |expr: Expr| known.number(expr);
             let moving = start.q.chunks_exact(3).zip(start.v.chunks_exact(3));
             let parts = model.parts.iter().enumerate();
             Assembled {
@@ -115,7 +142,7 @@ impl Oracle {
                 inputs: model.inputs.iter().map(|row| input(row, &number)).collect_vec(),
                 bodies: model.bodies.iter().zip(moving).map(|(row, at)| body(row, at, &number)).collect_vec(),
                 ground: model.ground.iter().map(|row| port(row, &number)).collect_vec(),
-                parts: parts.map(|(k, part)| self::part(model, k, part, &number)).collect_vec(),
+                parts: parts.map(|(k, part)| self::part(model, k, part, &known)).collect_vec(),
                 events: model.whens.iter().map(|when| when.span).collect_vec(),
             }
         })
@@ -142,10 +169,10 @@ fn body(body: &Body, (q, v): (&[f64], &[f64]), number: &impl Fn(Expr) -> f64) ->
     }
 }
 
-fn part(model: &Model, at: usize, part: &Part, number: &impl Fn(Expr) -> f64) -> AssembledPart {
+fn part(model: &Model, at: usize, part: &Part, known: &Known) -> AssembledPart {
     let instance = model.instances.iter().find(|instance| instance.name == part.name.text);
     let fields = instance.map_or(&[][..], |instance| &instance.fields);
-    let field = |SetField { name, value }: &SetField| (name.clone(), field_value(model, *value, number));
+    let field = |SetField { name, value }: &SetField| (name.clone(), field_value(model, *value, known));
     let rows = model.rows.iter().chain(&model.compliant).map(|row| row.part);
     let contacts = model.contacts.iter().map(|contact| contact.part);
     let loads = model.loads.iter().map(|load| load.part);
@@ -162,24 +189,65 @@ fn part(model: &Model, at: usize, part: &Part, number: &impl Fn(Expr) -> f64) ->
 }
 
 /// The value of a field: a number, a multiple of an input, or neither.
-fn field_value(model: &Model, value: Option<Expr>, number: &impl Fn(Expr) -> f64) -> FieldValue {
+fn field_value(model: &Model, value: Option<Expr>, known: &Known) -> FieldValue {
     let Some(value) = value else { return FieldValue::Other };
     let mut symbols = algebra::symbols(&[value]);
     symbols.retain(|symbol| !model.params.iter().any(|param| param.symbol == *symbol));
-    let input = |symbol: Expr| model.inputs.iter().find(|input| input.symbol == symbol);
+    let term = |symbol: Expr| {
+        let input = model.inputs.iter().find(|input| input.symbol == symbol)?;
+        let (factor, range) = clamped(value, symbol, known)?;
+        Some(FieldValue::Input(InputTerm { input: input.name.text.clone(), factor, range }))
+    };
     match symbols[..] {
-        [] => FieldValue::Number(number(value)),
-        [symbol] => {
-            let factor = value.diff(symbol);
-            let at_zero = algebra::substitute(&[value], &[(symbol, Expr::ZERO)]);
-            let is_linear = !algebra::symbols(&[factor]).contains(&symbol);
-            match input(symbol) {
-                Some(input) if is_linear && at_zero.iter().all(|value| value.is_zero()) => {
-                    FieldValue::Input(input.name.text.clone(), number(factor))
-                }
-                _ => FieldValue::Other,
-            }
-        }
+        [] => FieldValue::Number(known.number(value)),
+        [symbol] => term(symbol).unwrap_or(FieldValue::Other),
         _ => FieldValue::Other,
     }
+}
+
+/// Values of an input at which a clamped multiple of it has reached its bounds.
+const FAR: f64 = 1e12;
+
+/// Factor and range of a multiple of an input, which may be clamped; nothing of another function.
+///
+/// A function with one minimum and one maximum at most, and else sums and factors, is linear piece by piece. Where it is constant on
+/// both ends, below and above zero, it has two kinks, so that its slope at zero and its bounds tell all of it.
+fn clamped(value: Expr, symbol: Expr, known: &Known) -> Option<(f64, Option<[f64; 2]>)> {
+    let at = |u: f64| known.with(symbol, u).number(value);
+    let slope = known.with(symbol, 0.0).number(value.diff(symbol));
+    if !is_piecewise_linear(value, symbol) || at(0.0) != 0.0 || slope == 0.0 {
+        return None;
+    }
+    let [low, high] = [-FAR, FAR].map_each(|u| at(u) / slope);
+    let is_constant = [-FAR, FAR].map_each(|u| at(2.0 * u) == at(u));
+    let is_close = |found: f64, wanted: f64| (found - wanted).abs() <= 1e-9 * wanted.abs();
+    match is_constant {
+        [false, false] if is_close(low, -FAR) && is_close(high, FAR) => Some((slope, None)),
+        [true, true] if low < 0.0 && high > 0.0 => Some((slope, Some([low, high]))),
+        _ => None,
+    }
+}
+
+/// Is an expression made of sums, of factors, and of one minimum and one maximum at most?
+fn is_piecewise_linear(value: Expr, symbol: Expr) -> bool {
+    let reads = |expr: Expr| algebra::symbols(&[expr]).contains(&symbol);
+    let (mut minima, mut maxima) = (0, 0);
+    let is_linear =
+        algebra::reachable(&[value]).into_iter().filter(|&expr| reads(expr)).all(|expr| match expr.node() {
+            Node::Symbol | Node::Sum { .. } => true,
+            Node::Product(factors) => {
+                let mut reading = factors.iter().filter(|(factor, _)| reads(*factor));
+                reading.next().is_some_and(|(_, exponent)| *exponent == 1) && reading.next().is_none()
+            }
+            Node::Call(Function::Min, _) => {
+                minima += 1;
+                true
+            }
+            Node::Call(Function::Max, _) => {
+                maxima += 1;
+                true
+            }
+            _ => false,
+        });
+    is_linear && minima <= 1 && maxima <= 1
 }
