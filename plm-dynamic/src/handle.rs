@@ -6,10 +6,11 @@ use plm_runtime::held::Held as HeldOf;
 use plm_runtime::{Scalar, Start, StartValues};
 
 use crate::capacity::{INPUTS, PARAMETERS, ROWS, SWITCHES, WATCHED};
-use crate::code::{Argument, Array, Code, Place};
+use crate::code::Code;
 use crate::memory::Memory;
 use crate::model::Model;
-use plm_compiler::OfScalar;
+use crate::native::Translator;
+use crate::places::{Argument, Array, List, Place, of_scalar};
 use plm_compiler::lowered::Form;
 use plm_compiler::model::ContactMode;
 
@@ -100,59 +101,56 @@ impl<'a, S: Scalar, const NQ: usize> Frame<'a, S, NQ> {
 }
 
 impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
-    /// Evaluates a function: its outputs go to arrays, what it returns comes back.
-    pub(crate) fn run<const K: usize>(
-        &self,
-        code: &Code,
-        frame: &Frame<S, NQ>,
-        mut outputs: [&mut [S]; K],
-    ) -> S {
-        let mut returned = S::ZERO;
-        code.run(
-            |argument| self.read(argument, frame),
-            |place, value| match place {
-                Place::Value => returned = value,
-                Place::Element(output, k) => {
-                    if let Some(to) = outputs.get_mut(output).and_then(|output| output.get_mut(k)) {
-                        *to = value;
-                    }
-                }
-                _ => {}
-            },
-        );
-        returned
+    /// Evaluates a function: its outputs go to arrays, what it returns comes back, or zero.
+    pub(crate) fn run<const K: usize>(&self, code: &Code, frame: &Frame<S, NQ>, outputs: [&mut [S]; K]) -> S {
+        self.evaluate(code, frame, outputs, |_, _| {}).unwrap_or(S::ZERO)
     }
 
     /// Evaluates a function of what is to be remembered.
     pub(crate) fn remembered(&self, code: &Code, frame: &Frame<S, NQ>) -> (Memory<S, NQ>, S) {
-        let (mut memory, mut returned) = (Memory::new(self.model.counts), S::ZERO);
-        code.run(
-            |argument| self.read(argument, frame),
-            |place, value| match place {
-                Place::Value => returned = value,
-                Place::Remembered(k) => {
-                    if let Some(to) = memory.number_mut(k) {
-                        *to = value;
-                    }
-                }
-                _ => {}
-            },
-        );
-        (memory, returned)
+        let mut memory = Memory::new(self.model.counts);
+        let returned = self.evaluate(code, frame, [], |place, value| {
+            if let Place::Remembered(k) = place
+                && let Some(to) = memory.number_mut(k)
+            {
+                *to = value;
+            }
+        });
+        (memory, returned.unwrap_or(S::ZERO))
     }
 
     /// Evaluates a function of the entries of a matrix.
     pub(crate) fn entries(&self, code: &Code, frame: &Frame<S, NQ>, matrix: &mut [[S; N]; N]) {
-        code.run(
-            |argument| self.read(argument, frame),
-            |place, value| {
-                if let Place::Entry(row, column) = place
-                    && let Some(entry) = matrix.get_mut(row).and_then(|row| row.get_mut(column))
-                {
-                    *entry = value;
-                }
-            },
-        );
+        self.evaluate(code, frame, [], |place, value| {
+            if let Place::Entry(row, column) = place
+                && let Some(entry) = matrix.get_mut(row).and_then(|row| row.get_mut(column))
+            {
+                *entry = value;
+            }
+        });
+    }
+
+    /// Evaluates a function, by machine code where it has some: its outputs go to arrays, other results to `other`.
+    pub(crate) fn evaluate<const K: usize>(
+        &self,
+        code: &Code,
+        frame: &Frame<S, NQ>,
+        mut outputs: [&mut [S]; K],
+        mut other: impl FnMut(Place, S),
+    ) -> Option<S> {
+        let gathered = |argument| self.read(argument, frame);
+        // No other scalar than f64 has machine code.
+        if S::f64s(&[]).is_some()
+            && let Some(translator) = self.model.translator.get()
+            && let Some(machine_code) = code.machine_code(translator.as_ref())
+        {
+            let mut own = outputs.each_mut().map(|list| S::f64s_mut(list).unwrap_or_default());
+            let inputs = (|list| self.list(list, frame), gathered);
+            if let Some(value) = code.compute(machine_code, inputs, &mut own, &mut other) {
+                return code.returns().then_some(value);
+            }
+        }
+        code.interpret(gathered, &mut outputs, other)
     }
 
     /// Values of parameters and the time.
@@ -162,35 +160,44 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
         values
     }
 
+    /// A list of what a function reads; those of the discrete state are empty where none is at hand.
     #[inline]
-    pub(crate) fn read(&self, argument: Argument, frame: &Frame<S, NQ>) -> S {
-        let of = |list: &[S], k: usize| list.get(k).copied().unwrap_or(S::ZERO);
+    fn list<'a>(&'a self, list: List, frame: &'a Frame<'a, S, NQ>) -> &'a [S] {
+        match list {
+            List::Time => std::slice::from_ref(&frame.t),
+            List::Parameters => &self.parameters,
+            List::Inputs => frame.held.map_or(&[], |held| &held.input),
+            List::Switches => frame.held.map_or(&[], |held| &held.switches),
+            List::Multipliers => frame.held.map_or(&[], |held| &held.contact.lambda),
+            List::Array(array) => match array {
+                Array::X => frame.x,
+                Array::Q => frame.q,
+                Array::V => frame.v,
+                Array::A => frame.a,
+                Array::Lambda => frame.lambda,
+                Array::Weights => frame.weights,
+                Array::Residuals => frame.residuals,
+                Array::Rates => frame.rates,
+                Array::Slip => frame.sliding.slip,
+                Array::Line => frame.sliding.line,
+                Array::Force => frame.sliding.force,
+                Array::Second => frame.sliding.second,
+                Array::Known => frame.sliding.known,
+            },
+            List::Gathered => &[],
+        }
+    }
+
+    #[inline]
+    fn read(&self, argument: Argument, frame: &Frame<S, NQ>) -> S {
+        let of = |list, k: usize| self.list(list, frame).get(k).copied().unwrap_or(S::ZERO);
         match argument {
             Argument::Time => frame.t,
-            Argument::Parameter(k) => of(&self.parameters, k),
-            Argument::Element(array, k) => {
-                let list = match array {
-                    Array::X => frame.x,
-                    Array::Q => frame.q,
-                    Array::V => frame.v,
-                    Array::A => frame.a,
-                    Array::Lambda => frame.lambda,
-                    Array::Weights => frame.weights,
-                    Array::Residuals => frame.residuals,
-                    Array::Rates => frame.rates,
-                    Array::Slip => frame.sliding.slip,
-                    Array::Line => frame.sliding.line,
-                    Array::Force => frame.sliding.force,
-                    Array::Second => frame.sliding.second,
-                    Array::Known => frame.sliding.known,
-                };
-                of(list, k)
-            }
-            Argument::Scalar(OfScalar::MostGrowth) => S::lit(S::MOST_GROWTH),
-            Argument::Scalar(OfScalar::Agreement) => S::lit(S::AGREEMENT),
-            Argument::Scalar(OfScalar::Precision) => S::lit(S::PRECISION),
-            Argument::Input(k) => frame.held.map_or(S::ZERO, |held| of(&held.input, k)),
-            Argument::Switch(k) => frame.held.map_or(S::ZERO, |held| of(&held.switches, k)),
+            Argument::Parameter(k) => of(List::Parameters, k),
+            Argument::Element(array, k) => of(List::Array(array), k),
+            Argument::Scalar(number) => of_scalar(number),
+            Argument::Input(k) => of(List::Inputs, k),
+            Argument::Switch(k) => of(List::Switches, k),
             Argument::Turns(k) => {
                 frame.held.and_then(|held| held.turns.get(k)).map_or(S::ZERO, |turns| S::of_turns(*turns))
             }
@@ -198,7 +205,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
                 Some(OfLoops::InChart { continuation, .. }) => continuation.number(k),
                 _ => S::ZERO,
             },
-            Argument::Multiplier(k) => frame.held.map_or(S::ZERO, |held| of(&held.contact.lambda, k)),
+            Argument::Multiplier(k) => of(List::Multipliers, k),
             Argument::Mode(k, mode) => {
                 let is_so = frame.held.is_some_and(|held| match mode {
                     ContactMode::Open => held.contact.modes.is_open(k),
@@ -233,6 +240,11 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
             },
             contact: contact::Held::packed(&held.contact, [&held.contact], &|[value]: [S; 1]| number(value)),
         }
+    }
+
+    /// Has functions computed by machine code of a translator from now on, in all copies of this mechanism. The first translator stays.
+    pub fn translate_by(&self, translator: Box<dyn Translator>) {
+        let _ = self.model.translator.set(translator);
     }
 
     /// Is the state in absolute coordinates?

@@ -11,6 +11,8 @@ mod description;
 mod handle;
 mod memory;
 mod model;
+mod native;
+mod places;
 mod record;
 mod run;
 mod running;
@@ -18,6 +20,7 @@ mod system;
 mod text;
 
 pub use self::handle::{Dynamic, Starts};
+pub use self::native::{Element, Function, Input, MachineCode, Translator};
 pub use self::record::Sample;
 pub use self::run::{Column, Error, Large, Mechanism, Run, Small};
 pub use self::running::OnRun;

@@ -1,19 +1,24 @@
 //! The tables and functions of a mechanism, which live as long as the program: a run is a handle to them with its numbers.
 
+use std::sync::OnceLock;
+
 use plm_compiler::lowered::{self, Form, Lowered};
 use plm_runtime::absolute::Layout;
 use plm_runtime::charts::{Charts, Revolutions};
 use plm_runtime::limits::{Least, Limit};
 
-use crate::code::{Code, Room};
+use crate::code::Code;
 use crate::contact::Contacts;
 use crate::description::Description;
 use crate::memory::Counts;
+use crate::native::Translator;
+use crate::places::Room;
 
 /// A mechanism without its numbers.
 #[derive(Debug)]
 pub(crate) struct Model {
     pub(crate) lowered: &'static Lowered,
+    pub(crate) translator: OnceLock<Box<dyn Translator>>,
     pub(crate) layout: Layout,
     pub(crate) charts: Charts,
     pub(crate) counts: Counts,
@@ -174,6 +179,7 @@ impl Model {
             turns_in_pose: turns(|turns| turns.in_pose.clone()),
             turns_in_state: lists(turns_in_state),
             lowered,
+            translator: OnceLock::new(),
         };
         Box::leak(Box::new(model))
     }

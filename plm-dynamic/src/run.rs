@@ -10,6 +10,7 @@ use plm_runtime::{BodyState, Dop853, Fault, Method, Moment, Rk4, Sim, Stats};
 
 use crate::handle::Dynamic;
 use crate::model::Model;
+use crate::native::Translator;
 use crate::record::Sample;
 use crate::running::{Counted, OnRun, Record, Running, SetInput, StepTo};
 use crate::system::State;
@@ -174,6 +175,12 @@ impl Mechanism {
     /// Name and SI unit of each input.
     pub fn inputs(&self) -> impl Iterator<Item = (&str, &str)> + Clone {
         self.model.lowered.inputs.iter().map(|Named { name, unit }| (name.as_str(), unit.as_str()))
+    }
+
+    /// Has functions computed by machine code of a translator from now on, also in runs of it that have begun. The first translator
+    /// stays.
+    pub fn translate_by(&self, translator: Box<dyn Translator>) {
+        let _ = self.model.translator.set(translator);
     }
 
     /// Gives a parameter a value, SI.

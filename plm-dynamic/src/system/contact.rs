@@ -8,9 +8,10 @@ use plm_runtime::contact::{
 use plm_runtime::{Drift, Fault, Health, Real, Scalar, absolute};
 
 use crate::capacity::ROWS;
-use crate::code::{Code, Place};
+use crate::code::Code;
 use crate::contact::InChart;
 use crate::handle::{Dynamic, Frame, Held};
+use crate::places::Place;
 
 /// The rate without contact forces, and what multipliers of one add to it.
 struct Free<S, const N: usize> {
@@ -79,14 +80,11 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
         let mut rows = Kinematics::none();
         if let Some(functions) = self.contact_functions(u) {
             let frame = Frame::of_state(t, u, x);
-            functions.kinematics.run(
-                |argument| self.read(argument, &frame),
-                |place, value| match place {
-                    Place::Rows(OfRows::Gap(row)) => store(&mut rows.gap, row, value),
-                    Place::Rows(OfRows::Rate(row)) => store(&mut rows.rate, row, value),
-                    _ => {}
-                },
-            );
+            self.evaluate(&functions.kinematics, &frame, [], |place, value| match place {
+                Place::Rows(OfRows::Gap(row)) => store(&mut rows.gap, row, value),
+                Place::Rows(OfRows::Rate(row)) => store(&mut rows.rate, row, value),
+                _ => {}
+            });
         }
         self.put_loads(u, &mut rows.load, &mut rows.read);
         rows
@@ -108,20 +106,16 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
         let mut health = if is_tree { S::lit(1.0) } else { S::ZERO };
         if let Some(code) = code {
             let frame = Frame::of_state(t, u, x);
-            code.run(
-                |argument| self.read(argument, &frame),
-                |place, value| match place {
-                    Place::Value => health = value,
-                    Place::Element(0, k) => store(&mut rate, k, value),
-                    Place::Response(row, k) => {
-                        if let Some(response) = responses.get_mut(row) {
-                            store(response, k, value);
-                        }
+            let returned = self.evaluate(code, &frame, [&mut rate], |place, value| match place {
+                Place::Response(row, k) => {
+                    if let Some(response) = responses.get_mut(row) {
+                        store(response, k, value);
                     }
-                    Place::Rows(place) => put(rows, place, value),
-                    _ => {}
-                },
-            );
+                }
+                Place::Rows(place) => put(rows, place, value),
+                _ => {}
+            });
+            health = returned.unwrap_or(health);
         }
         self.put_loads(u, &mut rows.load, &mut rows.read);
         Free { rate, responses, health: Health(health) }

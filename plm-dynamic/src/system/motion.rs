@@ -77,7 +77,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
 
 /// The place of a number of the state that has so many coordinates.
 pub(super) fn place<const NQ: usize>(index: usize, coordinates: usize) -> usize {
-    crate::code::Room { coordinates, capacity: NQ }.place(index)
+    crate::places::Room { coordinates, capacity: NQ }.place(index)
 }
 
 /// The number of the state that stands at a place.

@@ -5,8 +5,8 @@ use plm_runtime::{Absolute, BodyStart, Fault, Real, Statics, absolute, turns};
 
 use super::State;
 use crate::capacity::ROWS;
-use crate::code::Room;
 use crate::handle::{Dynamic, Frame, Held, Starts};
+use crate::places::Room;
 
 impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
     /// Coordinates of all bodies, and the room for them.
