@@ -112,7 +112,14 @@ impl Code {
             for (to, argument) in own.iter_mut().zip(beside) {
                 *to = gathered(*argument);
             }
-            let mut inputs: [&[f64]; LISTS] = [&[]; LISTS];
+            let (mut few, mut all): ([&[f64]; FEW_LISTS], [&[f64]; LISTS]);
+            let inputs = if lists.len() <= FEW_LISTS {
+                few = [&[]; FEW_LISTS];
+                &mut few[..]
+            } else {
+                all = [&[]; LISTS];
+                &mut all[..]
+            };
             for (to, from) in inputs.iter_mut().zip(lists) {
                 *to = S::f64s(if *from == List::Gathered { own } else { list(*from) })?;
             }
@@ -165,6 +172,8 @@ impl Code {
 
 /// The most lists that a function reads: every [`Array`] and every other [`List`].
 const LISTS: usize = 19;
+/// So many lists are enough for most functions.
+const FEW_LISTS: usize = 4;
 
 impl Inputs {
     fn new(arguments: &[Argument]) -> Inputs {

@@ -1,5 +1,7 @@
 //! A mechanism with its numbers: a handle that is copied.
 
+use std::sync::Arc;
+
 use plm_runtime::charts::OfLoops;
 use plm_runtime::contact;
 use plm_runtime::held::Held as HeldOf;
@@ -15,9 +17,9 @@ use plm_compiler::lowered::Form;
 use plm_compiler::model::ContactMode;
 
 /// A mechanism of at most `NQ / 3` bodies and `NC` constraint rows, with `N` numbers in a state [q, v, first-order states]. Coordinates
-/// of its own stand in the places of the first ones of these.
+/// of its own stand in the places of the first ones of these. Loops remember at most `L` numbers of each kind.
 #[derive(Clone, Copy, Debug)]
-pub struct Dynamic<S, const NQ: usize, const NC: usize, const N: usize> {
+pub struct Dynamic<S, const NQ: usize, const NC: usize, const N: usize, const L: usize = NQ> {
     pub(crate) model: &'static Model,
     pub(crate) parameters: [S; PARAMETERS],
     pub(crate) starts: Starts<S, N>,
@@ -31,19 +33,19 @@ pub struct Starts<S, const N: usize> {
 }
 
 /// What is held over a step.
-pub(crate) type Held<S, const NQ: usize> = HeldOf<
+pub(crate) type Held<S, const NQ: usize, const L: usize> = HeldOf<
     [S; INPUTS],
     [S; SWITCHES],
     [<S as Scalar>::Turns; NQ],
-    OfLoops<Memory<S, NQ>, [S; NQ]>,
+    OfLoops<Memory<S, L>, [S; NQ]>,
     contact::Held<S, ROWS>,
 >;
 
 /// The numbers that a function reads, beside parameters.
 #[derive(Clone, Copy)]
-pub(crate) struct Frame<'a, S: Scalar, const NQ: usize> {
+pub(crate) struct Frame<'a, S: Scalar, const NQ: usize, const L: usize> {
     pub(crate) t: S,
-    pub(crate) held: Option<&'a Held<S, NQ>>,
+    pub(crate) held: Option<&'a Held<S, NQ, L>>,
     pub(crate) x: &'a [S],
     pub(crate) q: &'a [S],
     pub(crate) v: &'a [S],
@@ -70,7 +72,7 @@ impl<S> Sliding<'_, S> {
     pub(crate) const NONE: Self = Sliding { slip: &[], line: &[], force: &[], second: &[], known: &[] };
 }
 
-impl<'a, S: Scalar, const NQ: usize> Frame<'a, S, NQ> {
+impl<'a, S: Scalar, const NQ: usize, const L: usize> Frame<'a, S, NQ, L> {
     /// The time alone.
     pub(crate) fn at(t: S) -> Self {
         let none: &[S] = &[];
@@ -95,19 +97,24 @@ impl<'a, S: Scalar, const NQ: usize> Frame<'a, S, NQ> {
     }
 
     /// A state with what is held.
-    pub(crate) fn of_state(t: S, held: &'a Held<S, NQ>, x: &'a [S]) -> Self {
+    pub(crate) fn of_state(t: S, held: &'a Held<S, NQ, L>, x: &'a [S]) -> Self {
         Frame { held: Some(held), x, ..Frame::at(t) }
     }
 }
 
-impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
     /// Evaluates a function: its outputs go to arrays, what it returns comes back, or zero.
-    pub(crate) fn run<const K: usize>(&self, code: &Code, frame: &Frame<S, NQ>, outputs: [&mut [S]; K]) -> S {
+    pub(crate) fn run<const K: usize>(
+        &self,
+        code: &Code,
+        frame: &Frame<S, NQ, L>,
+        outputs: [&mut [S]; K],
+    ) -> S {
         self.evaluate(code, frame, outputs, |_, _| {}).unwrap_or(S::ZERO)
     }
 
     /// Evaluates a function of what is to be remembered.
-    pub(crate) fn remembered(&self, code: &Code, frame: &Frame<S, NQ>) -> (Memory<S, NQ>, S) {
+    pub(crate) fn remembered(&self, code: &Code, frame: &Frame<S, NQ, L>) -> (Memory<S, L>, S) {
         let mut memory = Memory::new(self.model.counts);
         let returned = self.evaluate(code, frame, [], |place, value| {
             if let Place::Remembered(k) = place
@@ -120,7 +127,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     }
 
     /// Evaluates a function of the entries of a matrix.
-    pub(crate) fn entries(&self, code: &Code, frame: &Frame<S, NQ>, matrix: &mut [[S; N]; N]) {
+    pub(crate) fn entries(&self, code: &Code, frame: &Frame<S, NQ, L>, matrix: &mut [[S; N]; N]) {
         self.evaluate(code, frame, [], |place, value| {
             if let Place::Entry(row, column) = place
                 && let Some(entry) = matrix.get_mut(row).and_then(|row| row.get_mut(column))
@@ -134,7 +141,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     pub(crate) fn evaluate<const K: usize>(
         &self,
         code: &Code,
-        frame: &Frame<S, NQ>,
+        frame: &Frame<S, NQ, L>,
         mut outputs: [&mut [S]; K],
         mut other: impl FnMut(Place, S),
     ) -> Option<S> {
@@ -162,7 +169,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
 
     /// A list of what a function reads; those of the discrete state are empty where none is at hand.
     #[inline]
-    fn list<'a>(&'a self, list: List, frame: &'a Frame<'a, S, NQ>) -> &'a [S] {
+    fn list<'a>(&'a self, list: List, frame: &'a Frame<'a, S, NQ, L>) -> &'a [S] {
         match list {
             List::Time => std::slice::from_ref(&frame.t),
             List::Parameters => &self.parameters,
@@ -189,7 +196,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     }
 
     #[inline]
-    fn read(&self, argument: Argument, frame: &Frame<S, NQ>) -> S {
+    fn read(&self, argument: Argument, frame: &Frame<S, NQ, L>) -> S {
         let of = |list, k: usize| self.list(list, frame).get(k).copied().unwrap_or(S::ZERO);
         match argument {
             Argument::Time => frame.t,
@@ -218,7 +225,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     }
 
     /// The same mechanism in other numbers.
-    pub(crate) fn map<T: Scalar>(&self, number: &impl Fn(S) -> T) -> Dynamic<T, NQ, NC, N> {
+    pub(crate) fn map<T: Scalar>(&self, number: &impl Fn(S) -> T) -> Dynamic<T, NQ, NC, N, L> {
         Dynamic {
             model: self.model,
             parameters: self.parameters.map(number),
@@ -227,7 +234,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     }
 
     /// What is held, in other numbers.
-    pub(crate) fn map_held<T: Scalar>(held: &Held<S, NQ>, number: &impl Fn(S) -> T) -> Held<T, NQ> {
+    pub(crate) fn map_held<T: Scalar>(held: &Held<S, NQ, L>, number: &impl Fn(S) -> T) -> Held<T, NQ, L> {
         HeldOf {
             input: held.input.map(number),
             switches: held.switches.map(number),
@@ -243,8 +250,8 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     }
 
     /// Has functions computed by machine code of a translator from now on, in all copies of this mechanism. The first translator stays.
-    pub fn translate_by(&self, translator: Box<dyn Translator>) {
-        let _ = self.model.translator.set(translator);
+    pub fn translate_by(&self, translator: Arc<dyn Translator>) {
+        self.model.translate_by(translator);
     }
 
     /// Is the state in absolute coordinates?
@@ -258,7 +265,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     }
 
     /// Guards, then kinks, where they need no accelerations.
-    pub(crate) fn watched(&self, t: S, held: &Held<S, NQ>, x: &[S], out: &mut [S; WATCHED]) {
+    pub(crate) fn watched(&self, t: S, held: &Held<S, NQ, L>, x: &[S], out: &mut [S; WATCHED]) {
         let frame = Frame::of_state(t, held, x);
         let code = match held.of_loops {
             OfLoops::InChart { chart, .. } if !self.is_absolute() => {

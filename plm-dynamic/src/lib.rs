@@ -16,14 +16,16 @@ mod places;
 mod record;
 mod run;
 mod running;
+mod sizes;
 mod system;
 mod text;
 
 pub use self::handle::{Dynamic, Starts};
 pub use self::native::{Element, Function, Input, MachineCode, Translator};
 pub use self::record::Sample;
-pub use self::run::{Column, Error, Large, Mechanism, Run, Small};
+pub use self::run::{Column, Error, Mechanism, Run};
 pub use self::running::OnRun;
+pub use self::sizes::{Large, Small};
 pub use self::system::State;
 pub use self::text::{Compiled, Refused};
 pub use plm_run::Integrator;

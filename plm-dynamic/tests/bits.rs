@@ -21,6 +21,7 @@ mod plate_on_three_pins;
 mod slider_crank;
 
 use std::fmt::Debug;
+use std::sync::Arc;
 
 use plm::runtime::described::by_number;
 use plm::runtime::{Described, Linear, Mechanism, Ports, Statics};
@@ -37,7 +38,7 @@ fn from_text<M: Described<S = f64>>(_: &M) -> [Small; 2] {
     let host = Host::new().unwrap().after(0);
     [None, Some(host)].map(|host| {
         let small: Small = Compiled::new("mechanism.plm", M::DECLARATION).unwrap().mechanism().unwrap();
-        host.into_iter().for_each(|host| small.translate_by(Box::new(host)));
+        host.into_iter().for_each(|host| small.translate_by(Arc::new(host)));
         small
     })
 }

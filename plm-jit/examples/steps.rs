@@ -1,5 +1,5 @@
 //! Times of a step: from text by machine code and by steps, over compiled by rustc. `cargo run --release -p plm-jit --example steps`
-//! prints a line for each mechanism; ratios of one run are what counts.
+//! prints a line for each mechanism, or for those whose name begins with an argument; ratios of one run are what counts.
 #![allow(
     unused_imports,
     unreachable_pub,
@@ -17,6 +17,7 @@ mod declared;
 
 use std::error::Error;
 use std::hint::black_box;
+use std::sync::Arc;
 use std::time::Instant;
 
 use declared::{s1, s2, s5, s6};
@@ -58,7 +59,7 @@ fn ready(text: &str, host: Option<Host>, method: Integrator) -> Result<(Mechanis
     let begin = Instant::now();
     let mechanism = Mechanism::from_text(text)?;
     if let Some(host) = host {
-        mechanism.translate_by(Box::new(host));
+        mechanism.translate_by(Arc::new(host));
     }
     mechanism.start_with(method)?.step_to(1e-5)?;
     Ok((mechanism, begin.elapsed().as_secs_f64() * 1e3))
@@ -70,6 +71,9 @@ fn compare<M: Described<S = f64>, I: Method<M>>(
     (method, by_name): (impl Fn() -> I, Integrator),
     (end, steps): (f64, f64),
 ) -> Result<(), Box<dyn Error>> {
+    if std::env::args().nth(1).is_some_and(|wanted| !name.starts_with(&wanted)) {
+        return Ok(());
+    }
     let Some(host) = Host::new() else { return Err("no machine code for this processor".into()) };
     let (interpreted, _) = ready(M::DECLARATION, None, by_name)?;
     let (translated, lazily) = ready(M::DECLARATION, Some(host.clone()), by_name)?;

@@ -10,8 +10,10 @@ use plm_runtime::Scalar;
 /// Lists that are read, lists that are written, and one that is written beside them; gives the value that the function returns.
 type Entry = unsafe extern "C" fn(*const *const f64, *const *mut f64, *mut f64) -> f64;
 
-/// The most lists of each kind.
+/// The most lists that are read.
 pub(crate) const LISTS: usize = 24;
+/// The most lists that are written; most functions read no more either.
+pub(crate) const FEW: usize = 6;
 
 /// The lengths that a function needs of its lists.
 #[derive(Debug, Default)]
@@ -41,15 +43,29 @@ impl Loaded {
 }
 
 impl MachineCode for Loaded {
-    #[inline]
     fn run(&self, inputs: &[&[f64]], outputs: &mut [&mut [f64]], others: &mut [f64]) -> Option<f64> {
+        if self.lengths.inputs.len() <= FEW {
+            self.call::<FEW>(inputs, outputs, others)
+        } else {
+            self.call::<LISTS>(inputs, outputs, others)
+        }
+    }
+}
+
+impl Loaded {
+    /// Calls the code, which reads at most `K` lists.
+    #[inline]
+    fn call<const K: usize>(
+        &self,
+        inputs: &[&[f64]],
+        outputs: &mut [&mut [f64]],
+        others: &mut [f64],
+    ) -> Option<f64> {
         let Lengths { inputs: read, outputs: written, others: beside } = &self.lengths;
-        let suffice = inputs.len() >= read.len() && outputs.len() >= written.len() && others.len() >= *beside;
-        let mut from = [std::ptr::null(); LISTS];
-        let mut to = [std::ptr::null_mut(); LISTS];
-        if !suffice {
+        if inputs.len() < read.len() || outputs.len() < written.len() || others.len() < *beside {
             return None;
         }
+        let (mut from, mut to) = ([std::ptr::null(); K], [std::ptr::null_mut(); FEW]);
         for ((pointer, list), length) in from.iter_mut().zip(inputs).zip(read) {
             if list.len() < *length {
                 return None;
@@ -62,7 +78,7 @@ impl MachineCode for Loaded {
             }
             *pointer = list.as_mut_ptr();
         }
-        // SAFETY: the code reads and writes below these lengths; there are no more lists than pointers.
+        // SAFETY: the code reads and writes below these lengths; it was made for no more lists than there are pointers.
         Some(unsafe { (self.entry)(from.as_ptr(), to.as_ptr(), others.as_mut_ptr()) })
     }
 }

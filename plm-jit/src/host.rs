@@ -10,7 +10,7 @@ use cranelift_jit::{JITBuilder, JITModule};
 use cranelift_module::{Module, default_libcall_names};
 use plm_dynamic::{Element, Function, Input, MachineCode, Translator};
 
-use crate::call::{LISTS, Loaded};
+use crate::call::{FEW, LISTS, Loaded};
 use crate::functions::is_fused;
 use crate::translate::translate;
 
@@ -73,8 +73,9 @@ fn fits(function: &Function<'_>) -> bool {
         Input::Element(element) => Some(*element),
         Input::Number(_) => None,
     });
-    let mut elements = arguments.chain(function.outputs.iter().map(|(element, _)| *element));
-    elements.all(|Element { list, index }| list < LISTS && index < MOST_NUMBERS)
+    let outputs = function.outputs.iter().map(|(element, _)| *element);
+    let fit = |most: usize| move |Element { list, index }| list < most && index < MOST_NUMBERS;
+    arguments.into_iter().all(fit(LISTS)) && outputs.into_iter().all(fit(FEW))
 }
 
 impl Translator for Host {

@@ -5,6 +5,8 @@
 //! those of compiled code, and products and sums round as there: so the bits are those of the steps, and of compiled code.
 //!
 //! ```
+//! use std::sync::Arc;
+//!
 //! use plm_dynamic::Mechanism;
 //!
 //! let text = "pub Pendulum {
@@ -15,7 +17,7 @@
 //! }";
 //! let (pendulum, interpreted) = (Mechanism::from_text(text)?, Mechanism::from_text(text)?);
 //! if let Some(translator) = plm_jit::Host::new() {
-//!     pendulum.translate_by(Box::new(translator));
+//!     pendulum.translate_by(Arc::new(translator));
 //! }
 //! let angles = [pendulum, interpreted].map(|mechanism| {
 //!     let mut run = mechanism.start()?;

@@ -5,8 +5,8 @@ use plm_runtime::{BodyStart, Health, Real, Start, Vector, singular};
 
 use crate::handle::{Dynamic, Frame};
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Absolute<S, NQ, NC>
-    for Dynamic<S, NQ, NC, N>
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Absolute<S, NQ, NC>
+    for Dynamic<S, NQ, NC, N, L>
 {
     fn layout(&self) -> &'static Layout {
         &self.model.layout
@@ -78,7 +78,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Absolute<S, NQ, 
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
     /// Start values of the centres of gravity, body by body.
     fn starts_of(&self, of: impl Fn(BodyStart<S>, [S; 2], usize) -> [Start<S>; 3]) -> [Start<S>; NQ] {
         let count = self.model.lowered.bodies.len();

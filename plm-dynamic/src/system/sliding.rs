@@ -6,12 +6,12 @@ use plm_runtime::{Health, Scalar, contact};
 use crate::capacity::ROWS;
 use crate::handle::{Dynamic, Frame, Held, Sliding};
 
-impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
     /// The rate where all rows that have a force slip, and the sizes of reactions along a line; nothing where sweeps do not converge.
     pub(super) fn contact_sliding(
         &self,
         t: S,
-        u: &Held<S, NQ>,
+        u: &Held<S, NQ, L>,
         x: &[S; N],
         dx: &mut [S; N],
         sizes: Option<&mut [S; ROWS]>,
@@ -29,7 +29,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
             *to = *weight;
         }
         let known = &known;
-        let at = |force: &[S; ROWS], second: &[S; NQ], run: &mut dyn FnMut(&Frame<S, NQ>)| {
+        let at = |force: &[S; ROWS], second: &[S; NQ], run: &mut dyn FnMut(&Frame<S, NQ, L>)| {
             let numbers = Sliding { slip: &[], line, force, second, known };
             run(&Frame { sliding: numbers, ..Frame::at(t) });
         };
