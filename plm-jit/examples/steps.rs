@@ -1,5 +1,6 @@
 //! Times of a step: from text by machine code and by steps, over compiled by rustc. `cargo run --release -p plm-jit --example steps`
-//! prints a line for each mechanism, or for those whose name begins with an argument; ratios of one run are what counts.
+//! prints a line for each mechanism, or for those whose name begins with an argument, and ends where bits differ; ratios of one run are
+//! what counts.
 #![allow(
     unused_imports,
     unreachable_pub,
@@ -16,7 +17,6 @@ mod chain;
 mod declared;
 
 use std::error::Error;
-use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -36,22 +36,23 @@ fn compiled<M: Described<S = f64>, I: Method<M>>(
     mechanism: M,
     method: I,
     end: f64,
-) -> Result<f64, plm::Fault> {
+) -> Result<Outcome, plm::Fault> {
     let mut sim = mechanism.start_with(method)?;
     let begin = Instant::now();
     sim.step(end)?;
     let time = begin.elapsed().as_secs_f64() * 1e9;
-    black_box(sim.state());
-    Ok(time)
+    let mut bits = Vec::new();
+    M::poses(sim.state(), &mut |body| bits.extend(body.components().map(f64::to_bits)));
+    Ok((time, bits))
 }
 
-fn from_text(mechanism: &Mechanism, method: Integrator, end: f64) -> Result<f64, plm_dynamic::Error> {
+fn from_text(mechanism: &Mechanism, method: Integrator, end: f64) -> Result<Outcome, plm_dynamic::Error> {
     let mut run = mechanism.start_with(method)?;
     let begin = Instant::now();
     run.step_to(end)?;
     let time = begin.elapsed().as_secs_f64() * 1e9;
-    black_box(run.time());
-    Ok(time)
+    let poses = run.bodies().filter_map(|name| run.body(name).ok());
+    Ok((time, poses.flat_map(|body| body.components().map(f64::to_bits)).collect()))
 }
 
 /// A mechanism of a text, and the time until it has made its first step, ms.
@@ -79,11 +80,17 @@ fn compare<M: Described<S = f64>, I: Method<M>>(
     let (translated, lazily) = ready(M::DECLARATION, Some(host.clone()), by_name)?;
     let (_, at_once) = ready(M::DECLARATION, Some(host.after(0)), by_name)?;
     let mut least = [f64::INFINITY; 3];
-    for turn in 0..TURNS {
-        least[0] = least[0].min(compiled(mechanism, method(), end)?);
-        least[1] = least[1].min(from_text(&translated, by_name, end)?);
-        if turn < TURNS / 3 {
-            least[2] = least[2].min(from_text(&interpreted, by_name, end)?);
+    for _ in 0..TURNS {
+        let outcomes = [
+            compiled(mechanism, method(), end)?,
+            from_text(&translated, by_name, end)?,
+            from_text(&interpreted, by_name, end)?,
+        ];
+        if outcomes.iter().any(|(_, bits)| *bits != outcomes[0].1) {
+            return Err(format!("{name}: other bits").into());
+        }
+        for (least, (time, _)) in least.iter_mut().zip(outcomes) {
+            *least = least.min(time);
         }
     }
     let [rustc, machine, by_steps] = least;
