@@ -49,17 +49,17 @@ pub(crate) struct Frame<'a, S: Scalar, const NQ: usize, const L: usize> {
     pub(crate) x: &'a [S],
     pub(crate) q: &'a [S],
     pub(crate) v: &'a [S],
+    pub(crate) beside: Option<&'a Beside<'a, S>>,
+}
+
+/// Numbers that few functions read: accelerations, multipliers, those of a correction, rates, those of rows of contact that all slip.
+#[derive(Clone, Copy)]
+pub(crate) struct Beside<'a, S> {
     pub(crate) a: &'a [S],
     pub(crate) lambda: &'a [S],
     pub(crate) weights: &'a [S],
     pub(crate) residuals: &'a [S],
     pub(crate) rates: &'a [S],
-    pub(crate) sliding: Sliding<'a, S>,
-}
-
-/// The numbers of rows of contact that all slip.
-#[derive(Clone, Copy)]
-pub(crate) struct Sliding<'a, S> {
     pub(crate) slip: &'a [S],
     pub(crate) line: &'a [S],
     pub(crate) force: &'a [S],
@@ -67,28 +67,27 @@ pub(crate) struct Sliding<'a, S> {
     pub(crate) known: &'a [S],
 }
 
-impl<S> Sliding<'_, S> {
+impl<S> Beside<'_, S> {
     /// No numbers.
-    pub(crate) const NONE: Self = Sliding { slip: &[], line: &[], force: &[], second: &[], known: &[] };
+    pub(crate) const NONE: Self = Beside {
+        a: &[],
+        lambda: &[],
+        weights: &[],
+        residuals: &[],
+        rates: &[],
+        slip: &[],
+        line: &[],
+        force: &[],
+        second: &[],
+        known: &[],
+    };
 }
 
 impl<'a, S: Scalar, const NQ: usize, const L: usize> Frame<'a, S, NQ, L> {
     /// The time alone.
     pub(crate) fn at(t: S) -> Self {
         let none: &[S] = &[];
-        Frame {
-            t,
-            held: None,
-            x: none,
-            q: none,
-            v: none,
-            a: none,
-            lambda: none,
-            weights: none,
-            residuals: none,
-            rates: none,
-            sliding: Sliding::NONE,
-        }
+        Frame { t, held: None, x: none, q: none, v: none, beside: None }
     }
 
     /// A pose, and velocities.
@@ -176,21 +175,22 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
             List::Inputs => frame.held.map_or(&[], |held| &held.input),
             List::Switches => frame.held.map_or(&[], |held| &held.switches),
             List::Multipliers => frame.held.map_or(&[], |held| &held.contact.lambda),
-            List::Array(array) => match array {
-                Array::X => frame.x,
-                Array::Q => frame.q,
-                Array::V => frame.v,
-                Array::A => frame.a,
-                Array::Lambda => frame.lambda,
-                Array::Weights => frame.weights,
-                Array::Residuals => frame.residuals,
-                Array::Rates => frame.rates,
-                Array::Slip => frame.sliding.slip,
-                Array::Line => frame.sliding.line,
-                Array::Force => frame.sliding.force,
-                Array::Second => frame.sliding.second,
-                Array::Known => frame.sliding.known,
-            },
+            List::Array(Array::X) => frame.x,
+            List::Array(Array::Q) => frame.q,
+            List::Array(Array::V) => frame.v,
+            List::Array(array) => frame.beside.map_or(&[], |beside| match array {
+                Array::A => beside.a,
+                Array::Lambda => beside.lambda,
+                Array::Weights => beside.weights,
+                Array::Residuals => beside.residuals,
+                Array::Rates => beside.rates,
+                Array::Slip => beside.slip,
+                Array::Line => beside.line,
+                Array::Force => beside.force,
+                Array::Second => beside.second,
+                Array::Known => beside.known,
+                Array::X | Array::Q | Array::V => &[],
+            }),
             List::Gathered => &[],
         }
     }

@@ -31,7 +31,9 @@ chain::chain!(Chain64, 64);
 /// Turns of which the shortest counts.
 const TURNS: u32 = 12;
 
-/// The time of a run to an end, ns.
+/// The time of a run to an end, ns, and the bits of all poses there.
+type Outcome = (f64, Vec<u64>);
+
 fn compiled<M: Described<S = f64>, I: Method<M>>(
     mechanism: M,
     method: I,

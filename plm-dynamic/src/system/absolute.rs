@@ -3,7 +3,7 @@
 use plm_runtime::absolute::{Absolute, Branch, Layout};
 use plm_runtime::{BodyStart, Health, Real, Start, Vector, singular};
 
-use crate::handle::{Dynamic, Frame};
+use crate::handle::{Beside, Dynamic, Frame};
 
 impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Absolute<S, NQ, NC>
     for Dynamic<S, NQ, NC, N, L>
@@ -34,7 +34,8 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 
     fn min_norm(&self, t: S, q: &[S; NQ], w: &[S; NQ], r: &[S; NC], dq: &mut [S; NQ]) -> Health<S> {
-        let frame = Frame { weights: w, residuals: r, ..Frame::of_pose(t, q, &[]) };
+        let beside = Beside { weights: w, residuals: r, ..Beside::NONE };
+        let frame = Frame { beside: Some(&beside), ..Frame::of_pose(t, q, &[]) };
         Health(self.run(&self.model.absolute.min_norm, &frame, [dq]))
     }
 

@@ -8,7 +8,7 @@ use plm_runtime::{Cause, Enclosed, Events, Fault, Moment, Real, events};
 
 use super::State;
 use crate::capacity::{KINKS, ROWS, SWITCHES, WATCHED};
-use crate::handle::{Dynamic, Frame, Held};
+use crate::handle::{Beside, Dynamic, Frame, Held};
 use crate::system::contact::store;
 
 impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
@@ -23,7 +23,8 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
             let in_chart = matches!(u.of_loops, OfLoops::InChart { .. });
             let code = self.model.in_charts.first().filter(|_| in_chart).map(|chart| &chart.guards);
             let x: &[S] = if code.is_some() { x } else { &full };
-            let frame = Frame { a: &a, lambda: &lambda, ..Frame::of_state(t, u, x) };
+            let beside = Beside { a: &a, lambda: &lambda, ..Beside::NONE };
+            let frame = Frame { beside: Some(&beside), ..Frame::of_state(t, u, x) };
             self.run(code.unwrap_or(&self.model.absolute.guards), &frame, [&mut all]);
         } else if matches!(u.of_loops, OfLoops::Free { .. }) {
             let full = State::new(*self, *u, t, *x).absolute();

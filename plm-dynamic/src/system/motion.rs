@@ -37,7 +37,12 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
     }
 
     fn typical(&self) -> [S; N] {
-        core::array::from_fn(|place| self.typical_at(place))
+        let sizes = &self.model.typical;
+        let mut typical = [S::lit(sizes.first().copied().unwrap_or(1.0)); N];
+        for (to, size) in typical.iter_mut().zip(sizes) {
+            *to = S::lit(*size);
+        }
+        typical
     }
 
     #[inline]

@@ -7,7 +7,7 @@ use plm_runtime::{
 };
 
 use crate::capacity::ROWS;
-use crate::handle::{Dynamic, Frame, Held};
+use crate::handle::{Beside, Dynamic, Frame, Held};
 
 type Wide<S> = DoubleDouble<S>;
 
@@ -113,7 +113,8 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         let mut dx = [S::ZERO; N];
         let health = self.rate(t, u, x, &mut dx);
         *by_x = [[S::ZERO; N]; N];
-        self.entries(entries, &Frame { rates: &dx, ..Frame::of_state(t, u, x) }, by_x);
+        let beside = Beside { rates: &dx, ..Beside::NONE };
+        self.entries(entries, &Frame { beside: Some(&beside), ..Frame::of_state(t, u, x) }, by_x);
         if let Some(by_t) = by_t {
             let _ = self.jvp(t, u, x, (S::lit(1.0), &[S::ZERO; N]), by_t);
         }

@@ -2,7 +2,7 @@
 
 use plm_runtime::{BodyState, Health, InPlace, Moment, Real, absolute, charts, turns};
 
-use crate::handle::{Dynamic, Frame, Held};
+use crate::handle::{Beside, Dynamic, Frame, Held};
 use crate::system::singular;
 use plm_compiler::lowered::Form;
 
@@ -106,9 +106,11 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         let code = model.outputs.get(number)?;
         let held = self.loaded();
         let mut frame = Frame { held: Some(&held), x: &self.x, ..Frame::of_pose(self.time, q, v) };
+        let beside;
         if model.lowered.outputs.get(number)?.solves {
             let (a, lambda) = solution.get_or_insert_with(|| self.solved());
-            (frame.a, frame.lambda) = (a, lambda);
+            beside = Beside { a, lambda, ..Beside::NONE };
+            frame.beside = Some(&beside);
         }
         Some(self.mechanism.run(code, &frame, []))
     }

@@ -5,7 +5,7 @@ use plm_runtime::{Absolute, BodyStart, Fault, Real, Statics, absolute, turns};
 
 use super::State;
 use crate::capacity::ROWS;
-use crate::handle::{Dynamic, Frame, Held, Starts};
+use crate::handle::{Beside, Dynamic, Frame, Held, Starts};
 use crate::places::Room;
 
 impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
@@ -72,7 +72,8 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         let (x, lowered) = (self.spread(x), &self.model.lowered);
         let (mut force, mut x_dot) = ([S::ZERO; NQ], [S::ZERO; N]);
         let (mut gap, mut limit) = ([S::ZERO; ROWS], [S::ZERO; 2 * ROWS]);
-        let frame = Frame { lambda, ..Frame::of_state(t, u, &x) };
+        let beside = Beside { lambda, ..Beside::NONE };
+        let frame = Frame { beside: Some(&beside), ..Frame::of_state(t, u, &x) };
         self.run(&self.model.absolute.at_rest, &frame, [&mut force, &mut x_dot, &mut gap, &mut limit]);
         let (q, v): ([S; NQ], [S; NQ]) = absolute::split(&x);
         let (nq, nc) = (lowered.coordinates.len(), lowered.rows.len());
