@@ -12,6 +12,7 @@
 //! ```
 //!
 //! A file is a declaration (`.plm`), or Rust with `mechanism! { … }` in it (`.rs`).
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod checked;
 mod command;

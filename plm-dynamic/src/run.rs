@@ -3,22 +3,17 @@
 use std::fmt;
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::sync::Arc;
 
-use plm_compiler::lowered::{Named, Output};
+use plm_compiler::lowered::{Lowered, Named, Output};
 use plm_run::Integrator;
-use plm_runtime::{BodyState, Dop853, Fault, Method, Moment, Rk4, Sim, Stats};
+use plm_runtime::{BodyState, Fault, Stats};
 
-use crate::handle::Dynamic;
-use crate::model::Model;
+use crate::native::Translator;
 use crate::record::Sample;
 use crate::running::{Counted, OnRun, Record, Running, SetInput, StepTo};
-use crate::system::State;
+use crate::sizes::{Given, Models};
 use crate::text::{Compiled, Refused};
-
-/// Mechanisms of at most 8 bodies, 32 constraint rows and 16 first-order states.
-pub type Small = Dynamic<f64, 24, 32, 64>;
-/// Mechanisms of at most 64 bodies, 224 constraint rows and 64 first-order states.
-pub type Large = Dynamic<f64, 192, 224, 448>;
 
 /// A mechanism from text, with the values of its parameters and inputs.
 ///
@@ -47,19 +42,8 @@ pub type Large = Dynamic<f64, 192, 224, 448>;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    model: &'static Model,
-    size: Size,
-    parameters: Vec<Option<f64>>,
-    inputs: Vec<Option<f64>>,
-}
-
-/// The smaller one of the sizes that have room for a mechanism.
-#[derive(Clone, Copy, Debug)]
-enum Size {
-    /// That of [`Small`].
-    Small,
-    /// That of [`Large`].
-    Large,
+    models: Models,
+    given: Given,
 }
 
 /// Why a mechanism does not run.
@@ -152,28 +136,36 @@ impl Mechanism {
     /// # Errors
     /// As [`from_text`](Self::from_text).
     pub fn from_named_text(name: &str, text: &str) -> Result<Self, Error> {
-        let compiled = Compiled::new(name, text)?;
-        let (model, size) = match compiled.fits::<24, 32, 64>() {
-            Ok(()) => (compiled.mechanism::<24, 32, 64>()?.model, Size::Small),
-            Err(_) => (compiled.mechanism::<192, 224, 448>()?.model, Size::Large),
-        };
-        let (parameters, inputs) = (model.lowered.parameters.len(), model.lowered.inputs.len());
-        Ok(Self { model, size, parameters: vec![None; parameters], inputs: vec![None; inputs] })
+        let models = Models::new(Compiled::new(name, text)?)?;
+        let lowered = models.smallest().lowered;
+        let [parameters, inputs] =
+            [lowered.parameters.len(), lowered.inputs.len()].map(|count| vec![None; count]);
+        Ok(Self { models, given: Given { parameters, inputs } })
+    }
+
+    fn lowered(&self) -> &'static Lowered {
+        self.models.smallest().lowered
     }
 
     /// Its name.
     pub fn name(&self) -> &str {
-        &self.model.lowered.name
+        &self.lowered().name
     }
 
     /// Name and SI unit of each parameter.
     pub fn parameters(&self) -> impl Iterator<Item = (&str, &str)> + Clone {
-        self.model.lowered.parameters.iter().map(|param| (param.name.as_str(), param.unit.as_str()))
+        self.lowered().parameters.iter().map(|param| (param.name.as_str(), param.unit.as_str()))
     }
 
     /// Name and SI unit of each input.
     pub fn inputs(&self) -> impl Iterator<Item = (&str, &str)> + Clone {
-        self.model.lowered.inputs.iter().map(|Named { name, unit }| (name.as_str(), unit.as_str()))
+        self.lowered().inputs.iter().map(|Named { name, unit }| (name.as_str(), unit.as_str()))
+    }
+
+    /// Has functions computed by machine code of a translator from now on, also in runs of it that have begun. The first translator
+    /// stays.
+    pub fn translate_by(&self, translator: Arc<dyn Translator>) {
+        self.models.translate_by(translator);
     }
 
     /// Gives a parameter a value, SI.
@@ -182,7 +174,7 @@ impl Mechanism {
     /// [`Error::Unknown`].
     pub fn set_parameter(&mut self, name: &str, value: f64) -> Result<(), Error> {
         let place = place("parameter", name, self.parameters().map(|(name, _)| name))?;
-        self.parameters[place] = Some(value);
+        self.given.parameters[place] = Some(value);
         Ok(())
     }
 
@@ -192,7 +184,7 @@ impl Mechanism {
     /// [`Error::Unknown`].
     pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), Error> {
         let place = place("input", name, self.inputs().map(|(name, _)| name))?;
-        self.inputs[place] = Some(value);
+        self.given.inputs[place] = Some(value);
         Ok(())
     }
 
@@ -209,22 +201,14 @@ impl Mechanism {
     /// # Errors
     /// [`Error::NotGiven`], [`Error::Fault`] of assembly, [`Error::Method`].
     pub fn start_with(&self, method: Integrator) -> Result<Run, Error> {
-        let lowered = &self.model.lowered;
-        let missing = lowered.parameters.iter().zip(&self.parameters);
+        let lowered = self.lowered();
+        let missing = lowered.parameters.iter().zip(&self.given.parameters);
         if let Some((param, _)) =
             missing.into_iter().find(|(param, given)| param.default.is_none() && given.is_none())
         {
             return Err(Error::NotGiven(param.name.clone()));
         }
-        let sim = match (self.size, method) {
-            (Size::Small, method) => {
-                let small: Small = self.with_values();
-                Running::Small(Box::new(method.of(started(&small, &self.inputs)?)))
-            }
-            (Size::Large, Integrator::Dop853(rtol)) => Running::LargeDop853(self.large(Dop853::new(rtol))?),
-            (Size::Large, Integrator::Rk4(h)) => Running::LargeRk4(self.large(Rk4::new(h))?),
-            (Size::Large, _) => return Err(Error::Method("Dop853 and Rk4")),
-        };
+        let sim = self.models.start(method, &self.given)?;
         Ok(Run {
             sim,
             stats: Stats::default(),
@@ -233,34 +217,6 @@ impl Mechanism {
             outputs: lowered.outputs.iter().map(Column::of).collect(),
         })
     }
-
-    /// A run of a large mechanism by a method.
-    fn large<I: Method<Large>>(&self, method: I) -> Result<Box<Sim<Large, I>>, Fault> {
-        let large: Large = self.with_values();
-        Ok(Box::new(Sim::new(started(&large, &self.inputs)?, method)))
-    }
-
-    /// The mechanism with the values of its parameters.
-    fn with_values<const NQ: usize, const NC: usize, const N: usize>(&self) -> Dynamic<f64, NQ, NC, N> {
-        let mut own = Dynamic::declared(self.model, &self.parameters);
-        for (place, value) in own.parameters.iter_mut().zip(&self.parameters) {
-            *place = value.unwrap_or(*place);
-        }
-        own
-    }
-}
-
-/// A start with the inputs that are given.
-fn started<const NQ: usize, const NC: usize, const N: usize>(
-    mechanism: &Dynamic<f64, NQ, NC, N>,
-    given: &[Option<f64>],
-) -> Result<State<f64, NQ, NC, N>, Fault> {
-    let mut inputs = mechanism.declared_input();
-    for (input, given) in inputs.iter_mut().zip(given) {
-        *input = given.unwrap_or(*input);
-    }
-    let (held, x) = mechanism.start_holding(0.0, inputs)?;
-    Ok(State::new(*mechanism, held, 0.0, x))
 }
 
 /// A number that can be read of a run: an output, of a vector one of two.
