@@ -6,20 +6,25 @@
 
 mod capacity;
 mod code;
+mod column;
 mod contact;
 mod description;
+mod gradient;
 mod handle;
 mod memory;
 mod model;
 mod record;
 mod run;
 mod running;
+mod start;
 mod system;
 mod text;
 
+pub use self::column::Column;
+pub use self::gradient::{By, Derivative};
 pub use self::handle::{Dynamic, Starts};
 pub use self::record::Sample;
-pub use self::run::{Column, Error, Large, Mechanism, Run, Small};
+pub use self::run::{Error, Large, Mechanism, Run, Small};
 pub use self::running::OnRun;
 pub use self::system::State;
 pub use self::text::{Compiled, Refused};

@@ -4,10 +4,11 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::path::Path;
 
-use plm_compiler::lowered::{Named, Output};
+use plm_compiler::lowered::Named;
 use plm_run::Integrator;
-use plm_runtime::{BodyState, Dop853, Fault, Method, Moment, Rk4, Sim, Stats};
+use plm_runtime::{BodyState, Dop853, Fault, Method, Moment, Real, Rk4, Sim, Stats};
 
+use crate::column::Column;
 use crate::handle::Dynamic;
 use crate::model::Model;
 use crate::record::Sample;
@@ -47,15 +48,18 @@ pub type Large = Dynamic<f64, 192, 224, 448>;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    model: &'static Model,
-    size: Size,
-    parameters: Vec<Option<f64>>,
-    inputs: Vec<Option<f64>>,
+    pub(crate) model: &'static Model,
+    pub(crate) size: Size,
+    pub(crate) parameters: Vec<Option<f64>>,
+    pub(crate) inputs: Vec<Option<f64>>,
+    pub(crate) starts: Vec<Option<f64>>,
+    /// When its runs begin, s.
+    pub(crate) time: f64,
 }
 
 /// The smaller one of the sizes that have room for a mechanism.
 #[derive(Clone, Copy, Debug)]
-enum Size {
+pub(crate) enum Size {
     /// That of [`Small`].
     Small,
     /// That of [`Large`].
@@ -69,7 +73,7 @@ pub enum Error {
     Refused(Refused),
     /// It has nothing of this name: what was looked for, the name, and those that there are.
     Unknown {
-        /// `parameter`, `input`, `body`, `output`.
+        /// `parameter`, `input`, `start value`, `body`, `output`.
         what: &'static str,
         /// The name.
         name: String,
@@ -80,6 +84,8 @@ pub enum Error {
     NotGiven(String),
     /// A method that a mechanism of this size has no run by.
     Method(&'static str),
+    /// Derivatives are had of at most 8 bodies, by two methods.
+    NoDerivative,
     /// The run has ended.
     Fault(Fault),
 }
@@ -95,6 +101,7 @@ impl fmt::Display for Error {
                 write!(f, "there is no {what} `{name}`; there are {known}")
             }
             Self::NotGiven(name) => write!(f, "the parameter `{name}` has no default: it must be given"),
+            Self::NoDerivative => f.write_str("derivatives are of at most 8 bodies, by Dop853 and Rk4"),
             Self::Method(most) => write!(f, "more than 8 bodies run by {most}"),
             Self::Fault(fault) => fault.fmt(f),
         }
@@ -116,7 +123,7 @@ impl From<Refused> for Error {
 }
 
 /// The place of a name.
-fn place<'a>(
+pub(crate) fn place<'a>(
     what: &'static str,
     name: &str,
     names: impl Iterator<Item = &'a str> + Clone,
@@ -158,7 +165,15 @@ impl Mechanism {
             Err(_) => (compiled.mechanism::<192, 224, 448>()?.model, Size::Large),
         };
         let (parameters, inputs) = (model.lowered.parameters.len(), model.lowered.inputs.len());
-        Ok(Self { model, size, parameters: vec![None; parameters], inputs: vec![None; inputs] })
+        let starts = vec![None; model.names_of_starts.len()];
+        Ok(Self {
+            model,
+            size,
+            parameters: vec![None; parameters],
+            inputs: vec![None; inputs],
+            starts,
+            time: 0.0,
+        })
     }
 
     /// Its name.
@@ -209,17 +224,12 @@ impl Mechanism {
     /// # Errors
     /// [`Error::NotGiven`], [`Error::Fault`] of assembly, [`Error::Method`].
     pub fn start_with(&self, method: Integrator) -> Result<Run, Error> {
+        self.all_given()?;
         let lowered = &self.model.lowered;
-        let missing = lowered.parameters.iter().zip(&self.parameters);
-        if let Some((param, _)) =
-            missing.into_iter().find(|(param, given)| param.default.is_none() && given.is_none())
-        {
-            return Err(Error::NotGiven(param.name.clone()));
-        }
         let sim = match (self.size, method) {
             (Size::Small, method) => {
                 let small: Small = self.with_values();
-                Running::Small(Box::new(method.of(started(&small, &self.inputs)?)))
+                Running::Small(Box::new(method.of(started(&small, &self.inputs, self.time)?)))
             }
             (Size::Large, Integrator::Dop853(rtol)) => Running::LargeDop853(self.large(Dop853::new(rtol))?),
             (Size::Large, Integrator::Rk4(h)) => Running::LargeRk4(self.large(Rk4::new(h))?),
@@ -237,54 +247,44 @@ impl Mechanism {
     /// A run of a large mechanism by a method.
     fn large<I: Method<Large>>(&self, method: I) -> Result<Box<Sim<Large, I>>, Fault> {
         let large: Large = self.with_values();
-        Ok(Box::new(Sim::new(started(&large, &self.inputs)?, method)))
+        Ok(Box::new(Sim::new(started(&large, &self.inputs, self.time)?, method)))
     }
 
     /// The mechanism with the values of its parameters.
-    fn with_values<const NQ: usize, const NC: usize, const N: usize>(&self) -> Dynamic<f64, NQ, NC, N> {
+    pub(crate) fn with_values<const NQ: usize, const NC: usize, const N: usize>(
+        &self,
+    ) -> Dynamic<f64, NQ, NC, N> {
         let mut own = Dynamic::declared(self.model, &self.parameters);
         for (place, value) in own.parameters.iter_mut().zip(&self.parameters) {
             *place = value.unwrap_or(*place);
+        }
+        if self.starts.iter().any(Option::is_some) {
+            own.starts = own.declared_starts();
+            let given = own.starts.values.iter_mut().zip(&self.starts);
+            for (start, value) in given.filter_map(|(start, value)| value.map(|value| (start, value))) {
+                *start = start.at(value);
+            }
         }
         own
     }
 }
 
 /// A start with the inputs that are given.
-fn started<const NQ: usize, const NC: usize, const N: usize>(
-    mechanism: &Dynamic<f64, NQ, NC, N>,
-    given: &[Option<f64>],
-) -> Result<State<f64, NQ, NC, N>, Fault> {
+pub(crate) fn started<S: Real, const NQ: usize, const NC: usize, const N: usize>(
+    mechanism: &Dynamic<S, NQ, NC, N>,
+    given: &[Option<S>],
+    time: S,
+) -> Result<State<S, NQ, NC, N>, Fault> {
     let mut inputs = mechanism.declared_input();
     for (input, given) in inputs.iter_mut().zip(given) {
         *input = given.unwrap_or(*input);
     }
-    let (held, x) = mechanism.start_holding(0.0, inputs)?;
-    Ok(State::new(*mechanism, held, 0.0, x))
+    let (held, x) = mechanism.start_holding(time, inputs)?;
+    Ok(State::new(*mechanism, held, time, x))
 }
 
-/// A number that can be read of a run: an output, of a vector one of two.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Column {
-    /// Its name: `hinge.force.x`.
-    pub name: String,
-    /// Its unit: of a declared output the one that it has in the declaration, else that of SI; empty for a pure number.
-    pub unit: String,
-    /// Is it declared as an output? Else it is a quantity that can be observed.
-    pub declared: bool,
-    /// Its value in SI over that in the unit.
-    factor: f64,
-}
-
-impl Column {
-    fn of(output: &Output) -> Column {
-        let Output { name, declared, .. } = output;
-        let (unit, factor) = if *declared { (&output.unit, output.factor) } else { (&output.si, 1.0) };
-        Column { name: name.clone(), unit: unit.clone(), declared: *declared, factor }
-    }
-}
-
-/// A running simulation.
+/// A running simulation. A copy goes on as the original does, to the bit.
+#[derive(Clone)]
 pub struct Run {
     sim: Running,
     stats: Stats,
