@@ -1,8 +1,8 @@
 //! What a package of Python has of a run, without Python: bytes by every method, the state, its rates and their derivatives.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
-use plm::foreign::{Kind, Status};
-use plm::python::{Run, Runnable, method};
+use plm::foreign::{Foreign, Kind, Status};
+use plm::python::{Asked, Run, Runnable, Running, method};
 use plm::runtime::contact::Mode;
 use plm::{Cause, Described, Fault};
 
@@ -93,7 +93,7 @@ fn start<M: Runnable>(declared: M, (name, step): (&str, Option<f64>)) -> Run<M> 
 }
 
 /// At every tenth step the run is saved, and what was saved, read into a run by another method, is stepped beside it from there on.
-fn goes_on<M: Runnable>(declared: M) {
+fn goes_on<M: Runnable + Foreign>(declared: M) {
     for by in METHODS {
         let (mut run, mut copy) = (start(declared, by), start(declared, METHODS[0]));
         for k in 0..120 {
@@ -104,7 +104,10 @@ fn goes_on<M: Runnable>(declared: M) {
             for each in [&mut run, &mut copy] {
                 match k {
                     35 => each.set(Kind::Input, 0, -2.0).unwrap(),
-                    75 => each.set(Kind::Parameter, 0, 1.5 * each.get(Kind::Parameter, 0).unwrap()).unwrap(),
+                    75 => {
+                        let value = each.get(Kind::Parameter, 0).unwrap();
+                        each.set(Kind::Parameter, 0, 1.5 * value).unwrap();
+                    }
                     _ => {}
                 }
                 each.step(0.013, &mut |_| true).unwrap();
@@ -126,14 +129,14 @@ fn a_saved_run_goes_on_to_the_bit_by_every_method() {
 #[test]
 fn rows_of_contact_are_read_by_number() {
     let mut run = start(Thrown::new(), METHODS[0]);
-    let rows = |run: &Run<Thrown>| [0, 1].map(|row| run.get(Kind::Contact, row).unwrap());
+    let rows = |run: &mut Run<Thrown>| [0, 1].map(|row| run.get(Kind::Contact, row).unwrap());
     let numbers = |modes: [Mode; 2]| modes.map(|mode| mode.number() as f64);
-    assert_eq!(rows(&run), numbers([Mode::Open, Mode::Off]));
+    assert_eq!(rows(&mut run), numbers([Mode::Open, Mode::Off]));
     run.step(0.9, &mut |_| true).unwrap();
-    assert_eq!(rows(&run), numbers([Mode::Closed, Mode::Sticks]));
+    assert_eq!(rows(&mut run), numbers([Mode::Closed, Mode::Sticks]));
     run.set(Kind::Input, 0, 14.0).unwrap();
     run.step(0.1, &mut |_| true).unwrap();
-    assert_eq!(rows(&run), numbers([Mode::Closed, Mode::Forwards]));
+    assert_eq!(rows(&mut run), numbers([Mode::Closed, Mode::Forwards]));
     assert_eq!(run.get(Kind::Contact, 2).unwrap_err().status(), Status::NoSuch);
 
     let trouble = Run::start(Thrown::new(), method("dop853", None, None).unwrap(), (&[], &[(1, -0.01)]), 0.0);
@@ -181,6 +184,7 @@ fn a_coordinate_has_the_name_that_it_has_in_its_chart() {
 fn rates_are_those_of_a_run<M: Runnable>(declared: M, tolerance: f64) {
     let mut run = start(declared, METHODS[0]);
     run.step(0.05, &mut |_| true).unwrap();
+    let mut now = run.clone();
     let at = |h: f64| {
         let mut ahead = run.clone();
         ahead.step(h, &mut |_| true).unwrap();
@@ -189,8 +193,8 @@ fn rates_are_those_of_a_run<M: Runnable>(declared: M, tolerance: f64) {
     // Forward differences: f' = (-25 f0 + 48 f1 - 36 f2 + 16 f3 - 3 f4) / 12 h.
     let h = 1e-3;
     let values: Vec<Vec<f64>> =
-        (0..5).map(|k| if k == 0 { run.state().unwrap() } else { at(h * f64::from(k)) }).collect();
-    for (i, rate) in run.rates().unwrap().iter().enumerate() {
+        (0..5).map(|k| if k == 0 { now.state().unwrap() } else { at(h * f64::from(k)) }).collect();
+    for (i, rate) in now.rates().unwrap().iter().enumerate() {
         let sum: f64 = [-25.0, 48.0, -36.0, 16.0, -3.0].iter().zip(&values).map(|(c, x)| c * x[i]).sum();
         let found = sum / (12.0 * h);
         assert!(
@@ -213,7 +217,7 @@ fn rates_are_what_a_run_does() {
 fn derivatives_are_difference_quotients_of_rates() {
     let mut run = start(Rocker::new(), METHODS[0]);
     run.step(0.05, &mut |_| true).unwrap();
-    let (state, [a, b, c, _]) = (run.state().unwrap(), run.jacobian().unwrap());
+    let (state, names, [a, b, c, _]) = (run.state().unwrap(), run.state_names(), run.jacobian().unwrap());
     assert_eq!((a.shape(), b.shape(), c.shape()), ((3, 3), (3, 1), (2, 3)));
     // Of order 4, with an error of some 1e-12 and rounding of 1e-16 / h.
     let h = 1e-3;
@@ -227,7 +231,7 @@ fn derivatives_are_difference_quotients_of_rates() {
                 other.set(Kind::Input, 0, 1.0 + by).unwrap();
             }
             other.set_state(&x).unwrap();
-            assert_eq!(other.state_names(), run.state_names());
+            assert_eq!(other.state_names(), names);
             other.rates().unwrap()
         };
         let (near, far) = ([at(h), at(-h)], [at(2.0 * h), at(-2.0 * h)]);
@@ -298,12 +302,16 @@ fn a_record_has_events_and_whatever_is_read() {
     let mut run = start(Hopper::new(), METHODS[0]);
     run.set(Kind::Input, 0, 1.5).unwrap();
     let columns = [(Kind::Input, 0), (Kind::State, 0), (Kind::Parameter, 0), (Kind::Output, 0)];
-    let (record, outcome) = run.run((1.0, 0.1), &columns, &mut |_| true);
+    let asked = Asked { until: 1.0, every: 0.1, quantities: &columns, poses: true };
+    let (record, outcome) = run.run(asked, &mut |_| true);
     outcome.unwrap();
     assert!(record.columns.iter().all(|column| column.len() == 11));
     assert!(
         record.columns[1].iter().all(|push| *push == 1.5) && record.columns[3].iter().all(|k| *k == 5000.0)
     );
+    // Behind them x, y, angle, vx, vy, omega of the ball: at 0.1 s it has fallen g t^2/2 less the push.
+    assert_eq!(record.columns.len(), 1 + columns.len() + 6);
+    assert_eq!(record.columns[6].last(), Some(&run.pose(0).unwrap()[1]));
     // It falls by 0.4 m from rest: 0.4 m = (g - 1.5 m/s^2) t^2 / 2 + 1.5 m/s^2 tau (t - tau), as the valve lags by tau.
     let (g, tau) = (9.81 - 1.5, 1e-3);
     let root = f64::sqrt((1.5 * tau) * (1.5 * tau) + 2.0 * g * (0.4 + 1.5 * tau * tau));

@@ -39,7 +39,7 @@ const TOLERANCE: f64 = 1e-13;
 /// Where the text is refused, or a run fails that should not.
 pub fn judge(case: &Case) -> Result<Verdict, String> {
     let compiled = Compiled::new("case", &case.text).map_err(|error| error.to_string())?;
-    let mechanism = compiled.mechanism::<24, 32, 64>().map_err(|error| error.to_string())?;
+    let mechanism = compiled.mechanism::<24, 32, 64, 24>().map_err(|error| error.to_string())?;
     let lifted = with_derivatives(&mechanism, case.by.map(|(name, _)| By::Parameter(name)))
         .map_err(|error| error.to_string())?;
     let derived = match outputs(lifted, case.time) {

@@ -6,8 +6,10 @@
 
 mod capacity;
 mod code;
+mod column;
 mod contact;
 mod description;
+mod gradient;
 mod handle;
 mod memory;
 mod model;
@@ -17,13 +19,16 @@ mod record;
 mod run;
 mod running;
 mod sizes;
+mod start;
 mod system;
 mod text;
 
+pub use self::column::Column;
+pub use self::gradient::{By, Derivative};
 pub use self::handle::{Dynamic, Starts};
 pub use self::native::{Element, Function, Input, MachineCode, Translator};
 pub use self::record::Sample;
-pub use self::run::{Column, Error, Mechanism, Run};
+pub use self::run::{Error, Mechanism, Run};
 pub use self::running::OnRun;
 pub use self::sizes::{Large, Small};
 pub use self::system::State;

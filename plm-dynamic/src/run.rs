@@ -5,10 +5,11 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 
-use plm_compiler::lowered::{Lowered, Named, Output};
+use plm_compiler::lowered::{Lowered, Named};
 use plm_run::Integrator;
 use plm_runtime::{BodyState, Fault, Stats};
 
+use crate::column::Column;
 use crate::native::Translator;
 use crate::record::Sample;
 use crate::running::{Counted, OnRun, Record, Running, SetInput, StepTo};
@@ -42,8 +43,8 @@ use crate::text::{Compiled, Refused};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    models: Models,
-    given: Given,
+    pub(crate) models: Models,
+    pub(crate) given: Given,
 }
 
 /// Why a mechanism does not run.
@@ -53,7 +54,7 @@ pub enum Error {
     Refused(Refused),
     /// It has nothing of this name: what was looked for, the name, and those that there are.
     Unknown {
-        /// `parameter`, `input`, `body`, `output`.
+        /// `parameter`, `input`, `start value`, `body`, `output`.
         what: &'static str,
         /// The name.
         name: String,
@@ -64,6 +65,8 @@ pub enum Error {
     NotGiven(String),
     /// A method that a mechanism of this size has no run by.
     Method(&'static str),
+    /// Derivatives are had of at most 8 bodies, by two methods.
+    NoDerivative,
     /// The run has ended.
     Fault(Fault),
 }
@@ -79,6 +82,7 @@ impl fmt::Display for Error {
                 write!(f, "there is no {what} `{name}`; there are {known}")
             }
             Self::NotGiven(name) => write!(f, "the parameter `{name}` has no default: it must be given"),
+            Self::NoDerivative => f.write_str("derivatives are of at most 8 bodies, by Dop853 and Rk4"),
             Self::Method(most) => write!(f, "more than 8 bodies run by {most}"),
             Self::Fault(fault) => fault.fmt(f),
         }
@@ -100,7 +104,7 @@ impl From<Refused> for Error {
 }
 
 /// The place of a name.
-fn place<'a>(
+pub(crate) fn place<'a>(
     what: &'static str,
     name: &str,
     names: impl Iterator<Item = &'a str> + Clone,
@@ -137,10 +141,7 @@ impl Mechanism {
     /// As [`from_text`](Self::from_text).
     pub fn from_named_text(name: &str, text: &str) -> Result<Self, Error> {
         let models = Models::new(Compiled::new(name, text)?)?;
-        let lowered = models.smallest().lowered;
-        let [parameters, inputs] =
-            [lowered.parameters.len(), lowered.inputs.len()].map(|count| vec![None; count]);
-        Ok(Self { models, given: Given { parameters, inputs } })
+        Ok(Self { models, given: Given::nothing(models.smallest()) })
     }
 
     fn lowered(&self) -> &'static Lowered {
@@ -201,13 +202,8 @@ impl Mechanism {
     /// # Errors
     /// [`Error::NotGiven`], [`Error::Fault`] of assembly, [`Error::Method`].
     pub fn start_with(&self, method: Integrator) -> Result<Run, Error> {
+        self.all_given()?;
         let lowered = self.lowered();
-        let missing = lowered.parameters.iter().zip(&self.given.parameters);
-        if let Some((param, _)) =
-            missing.into_iter().find(|(param, given)| param.default.is_none() && given.is_none())
-        {
-            return Err(Error::NotGiven(param.name.clone()));
-        }
         let sim = self.models.start(method, &self.given)?;
         Ok(Run {
             sim,
@@ -219,28 +215,8 @@ impl Mechanism {
     }
 }
 
-/// A number that can be read of a run: an output, of a vector one of two.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Column {
-    /// Its name: `hinge.force.x`.
-    pub name: String,
-    /// Its unit: of a declared output the one that it has in the declaration, else that of SI; empty for a pure number.
-    pub unit: String,
-    /// Is it declared as an output? Else it is a quantity that can be observed.
-    pub declared: bool,
-    /// Its value in SI over that in the unit.
-    factor: f64,
-}
-
-impl Column {
-    fn of(output: &Output) -> Column {
-        let Output { name, declared, .. } = output;
-        let (unit, factor) = if *declared { (&output.unit, output.factor) } else { (&output.si, 1.0) };
-        Column { name: name.clone(), unit: unit.clone(), declared: *declared, factor }
-    }
-}
-
-/// A running simulation.
+/// A running simulation. A copy goes on as the original does, to the bit.
+#[derive(Clone)]
 pub struct Run {
     sim: Running,
     stats: Stats,

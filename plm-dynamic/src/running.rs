@@ -2,6 +2,7 @@
 
 use plm_run::{AnySim, OnSim};
 use plm_runtime::described::by_number;
+use plm_runtime::held::Discrete;
 use plm_runtime::{BodyState, Described, Dop853, Fault, Linear, Method, Moment, Rk4, Sim, Statics, Stats};
 
 use crate::record::{See, record};
@@ -15,11 +16,12 @@ pub trait OnRun {
     /// Does it.
     fn on<M, I>(self, sim: &mut Sim<M, I>) -> Self::Output
     where
-        M: Described<S = f64> + Statics + Linear<Lifted<1>: Described + Statics>,
+        M: Described<S = f64, U: Discrete> + Statics + Linear<Lifted<1>: Described + Statics>,
         I: Method<M>;
 }
 
 /// A run of some size by some method.
+#[derive(Clone)]
 pub(crate) enum Running {
     /// Of the smallest size.
     TinyDop853(Box<Sim<Tiny, Dop853<Tiny>>>),

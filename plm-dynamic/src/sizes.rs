@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use plm_run::Integrator;
-use plm_runtime::{Dop853, Fault, Method, Moment, Rk4, Sim};
+use plm_runtime::{Dop853, Fault, Method, Moment, Real, Rk4, Sim};
 
 use crate::handle::Dynamic;
 use crate::model::Model;
@@ -31,11 +31,42 @@ pub(crate) enum Models {
     Large(&'static Model),
 }
 
-/// Values that are given to parameters and inputs, by number.
+/// Values that are given to parameters, inputs and starts, by number, and the time at which runs begin, s.
 #[derive(Clone, Debug)]
 pub(crate) struct Given {
     pub(crate) parameters: Vec<Option<f64>>,
     pub(crate) inputs: Vec<Option<f64>>,
+    pub(crate) starts: Vec<Option<f64>>,
+    pub(crate) time: f64,
+}
+
+impl Given {
+    /// All as declared.
+    pub(crate) fn nothing(model: &Model) -> Self {
+        let [parameters, inputs, starts] =
+            [model.lowered.parameters.len(), model.lowered.inputs.len(), model.names_of_starts.len()]
+                .map(|count| vec![None; count]);
+        Self { parameters, inputs, starts, time: 0.0 }
+    }
+
+    /// A mechanism with the values of parameters and starts.
+    pub(crate) fn to<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+        &self,
+        model: &'static Model,
+    ) -> Dynamic<f64, NQ, NC, N, L> {
+        let mut own = Dynamic::declared(model, &self.parameters);
+        for (place, value) in own.parameters.iter_mut().zip(&self.parameters) {
+            *place = value.unwrap_or(*place);
+        }
+        if self.starts.iter().any(Option::is_some) {
+            own.starts = own.declared_starts();
+            let given = own.starts.values.iter_mut().zip(&self.starts);
+            for (start, value) in given.filter_map(|(start, value)| value.map(|value| (start, value))) {
+                *start = start.at(value);
+            }
+        }
+        own
+    }
 }
 
 impl Models {
@@ -58,6 +89,14 @@ impl Models {
         }
     }
 
+    /// Those of [`Small`], where it has room.
+    pub(crate) fn small(self) -> Option<&'static Model> {
+        match self {
+            Self::Tiny([_, small]) | Self::Small(small) => Some(small),
+            Self::Large(_) => None,
+        }
+    }
+
     pub(crate) fn translate_by(self, translator: Arc<dyn Translator>) {
         if let Self::Tiny([_, small]) = self {
             small.translate_by(Arc::clone(&translator));
@@ -75,8 +114,8 @@ impl Models {
                 Running::TinyRk4(sim::<9, 8, 32, 9, _>((tiny, given), Rk4::new(h))?)
             }
             (Self::Tiny([_, small]) | Self::Small(small), method) => {
-                let start: State<f64, 24, 32, 64, 24> = started(small, given)?;
-                Running::Small(Box::new(method.of(start)))
+                let small: Small = given.to(small);
+                Running::Small(Box::new(method.of(started(&small, &given.inputs, given.time)?)))
             }
             (Self::Large(large), Integrator::Dop853(rtol)) => {
                 Running::LargeDop853(sim::<192, 224, 448, 64, _>((large, given), Dop853::new(rtol))?)
@@ -102,22 +141,20 @@ fn sim<
     (model, given): (&'static Model, &Given),
     method: I,
 ) -> Result<Boxed<Dynamic<f64, NQ, NC, N, L>, I>, Fault> {
-    Ok(Box::new(Sim::new(started(model, given)?, method)))
+    let mechanism: Dynamic<f64, NQ, NC, N, L> = given.to(model);
+    Ok(Box::new(Sim::new(started(&mechanism, &given.inputs, given.time)?, method)))
 }
 
-/// A start with the values that are given.
-fn started<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
-    model: &'static Model,
-    given: &Given,
-) -> Result<State<f64, NQ, NC, N, L>, Fault> {
-    let mut mechanism: Dynamic<f64, NQ, NC, N, L> = Dynamic::declared(model, &given.parameters);
-    for (place, value) in mechanism.parameters.iter_mut().zip(&given.parameters) {
-        *place = value.unwrap_or(*place);
-    }
+/// A start with the inputs that are given.
+pub(crate) fn started<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    mechanism: &Dynamic<S, NQ, NC, N, L>,
+    given: &[Option<S>],
+    time: S,
+) -> Result<State<S, NQ, NC, N, L>, Fault> {
     let mut inputs = mechanism.declared_input();
-    for (input, given) in inputs.iter_mut().zip(&given.inputs) {
+    for (input, given) in inputs.iter_mut().zip(given) {
         *input = given.unwrap_or(*input);
     }
-    let (held, x) = mechanism.start_holding(0.0, inputs)?;
-    Ok(State::new(mechanism, held, 0.0, x))
+    let (held, x) = mechanism.start_holding(time, inputs)?;
+    Ok(State::new(*mechanism, held, time, x))
 }

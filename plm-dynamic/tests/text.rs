@@ -3,7 +3,7 @@
 
 use plm::runtime::{Described, Linear, Statics};
 use plm::{Fault, Method, Moment, Sim, linearise, stabilise};
-use plm_dynamic::{Error, Integrator, Mechanism, OnRun, Refused};
+use plm_dynamic::{By, Error, Integrator, Mechanism, OnRun, Refused};
 
 const PENDULUM: &str = "pub Pendulum {
     param length: m = 1 m;
@@ -87,6 +87,60 @@ fn a_run_is_brought_to_rest() {
     assert!((angle - 0.4).abs() < 1e-8, "{angle}");
     assert!((frequency - (9.81 * 0.4_f64.cos() / 0.25).sqrt()).abs() < 1e-6, "{frequency}");
     assert!((run.time() - 0.1).abs() < 1e-12);
+}
+
+/// Small swings from a start value that is set, at a time that is set; a copy goes on to the bit.
+#[test]
+fn starts_are_set_and_runs_are_copied() {
+    let mut pendulum = Mechanism::from_text(PENDULUM).unwrap();
+    pendulum.set_parameter("damping", 0.0).unwrap();
+    assert_eq!(pendulum.starts()[2], "bob.angle");
+    pendulum.set_start("bob.angle", 1e-3).unwrap();
+    pendulum.set_time(2.0);
+    let mut run = pendulum.start().unwrap();
+    run.step_to(2.3).unwrap();
+    let mut copy = run.clone();
+    for each in [&mut run, &mut copy] {
+        each.step_to(2.5).unwrap();
+    }
+    assert_eq!(run.output("bob.angle").unwrap().to_bits(), copy.output("bob.angle").unwrap().to_bits());
+    let swing = 1e-3 * (9.81_f64.sqrt() * 0.5).cos();
+    // The period of swings of a milliradian is longer by a^2/16.
+    assert!((run.output("bob.angle").unwrap() - swing).abs() < 1e-9);
+}
+
+/// y = a cos(w t) with w^2 = k/m, and its derivatives.
+#[test]
+fn derivatives_are_those_of_the_closed_form() {
+    let block = Mechanism::from_text(
+        "pub Block {
+            param load: kg = 2 kg;
+            input push: N = 0;
+            ground { port o: (0, 0) m; }
+            body block { mass: load; inertia: 1 kg*m^2; port o: (0, 0) m; start x: 0.3 m, locked; }
+            prismatic rail(ground.o, block.o) { stiffness: 40 N/m; drive: push; }
+            output block.x in mm;
+        }",
+    )
+    .unwrap();
+    let w = 20.0_f64.sqrt();
+    let closed: [(By, &dyn Fn(f64) -> f64); 3] = [
+        (By::Parameter(0), &|t| 0.3 * t * (w * t).sin() * w / 4.0),
+        (By::Start(0), &|t| (w * t).cos()),
+        (By::Input(0), &|t| (1.0 - (w * t).cos()) / 40.0),
+    ];
+    for (by, slope) in closed {
+        let found = block.derivative(by, Integrator::Dop853(1e-11), (1.0, 0.1), &[0], &mut || true).unwrap();
+        assert_eq!(found.times.len(), 11);
+        for ((t, y), dy) in found.times.iter().zip(&found.values[0]).zip(&found.slopes[0]) {
+            assert!(
+                (y - 0.3 * (w * t).cos()).abs() < 1e-9 && (dy - slope(*t)).abs() < 1e-8,
+                "{by:?} {t} {dy}"
+            );
+        }
+    }
+    let other = block.derivative(By::Start(0), Integrator::Gauss2(1e-3), (1.0, 0.1), &[0], &mut || true);
+    assert_eq!(other.unwrap_err(), Error::NoDerivative);
 }
 
 #[test]

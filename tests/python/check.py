@@ -67,6 +67,12 @@ expect(results.units["trolley.x"] == "m" and results.units["bar.angle"] == "rad"
 expect(results["time"][0] == 0.0 and results["time"][-1] == 0.5 == m.time, "from the start to the end")
 expect(results["bar.angle"][-1] == m["bar.angle"], "whose last row is the present")
 
+moved = m.run(0.7, 0.1, poses=True)
+expect(moved.poses["bar"].shape == (3, 6) and moved.poses["bar"][-1].tolist() == list(m.pose("bar")), "poses are had")
+expect(moved.stats == m.stats() and m.stats()["steps"] > 0 and m.stats()["switches"] >= 0, "and counters")
+m = Gantry(load=2.0)
+m.run(0.5)
+
 # What a mechanism tells of itself.
 expect(m.parameters["tilt"].unit == "rad" and m.parameters["tilt"].declared_unit == "deg", "units are told")
 expect(math.isclose(m.tilt, math.radians(20.0)) and m.parameters["tilt"].docs == "At the start.", "values are SI")

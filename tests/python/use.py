@@ -13,6 +13,8 @@ m = Gantry(load=2.0, mass=3.0, start={"bar.angle": 0.5}, method="dop853", tolera
 m.push = 3.0
 m["push"] = m.push + m.level + m.get("bar.angle")
 m.step(0.1)
+steps: float = m.stats()["steps"]
+poses: NDArray[np.float64] = m.run(1.0, poses=True).poses["bar"]
 results: Results = m.run(2.0, every=0.1, outputs=["bar.angle"], progress=lambda time: None)
 angles: NDArray[np.float64] = results["bar.angle"]
 linear: Linearisation = m.linearise()

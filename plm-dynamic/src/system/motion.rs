@@ -200,6 +200,20 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         own.and_then(|index| self.model.names.get(index)).copied().unwrap_or_default()
     }
 
+    fn name_in_chart(&self, held: &Held<S, NQ, L>, at: usize) -> &'static str {
+        let count = self.model.coordinates;
+        let chart = match held.of_loops {
+            OfLoops::InChart { chart, .. } if self.is_charted() => self.model.lowered.charts.get(chart),
+            _ => None,
+        };
+        let name =
+            chart.zip(index::<NQ>(at, count)).and_then(|(chart, index)| match index.checked_sub(count) {
+                None => chart.names.get(index),
+                Some(index) => chart.rates.get(index).filter(|_| index < count),
+            });
+        name.map_or_else(|| self.name_of_state(at), String::as_str)
+    }
+
     fn guard_name(&self, index: usize) -> &'static str {
         let switches = &self.model.lowered.switches;
         if let Some(index) = index.checked_sub(switches.guards) {

@@ -1,63 +1,80 @@
 //! A run that is recorded: columns of quantities, and what has switched.
 
 use plm_foreign::Kind;
-use plm_run::OnSim;
 use plm_runtime::{Fault, Method, Moment, Seen, Sim};
 
 use super::{Runnable, number};
 
+/// What is recorded of a run, and until when.
+#[derive(Clone, Copy)]
+pub struct Asked<'a> {
+    /// When it ends, s.
+    pub until: f64,
+    /// Between two rows, s.
+    pub every: f64,
+    /// Quantities of those that [`Running::get`](super::Running::get) knows.
+    pub quantities: &'a [(Kind, usize)],
+    /// Are there the poses and velocities of all bodies behind them: x, y, angle, vx, vy, omega of each?
+    pub poses: bool,
+}
+
 /// What a run has come to.
 pub struct Record {
-    /// The times, s, then a column of each quantity that was asked for, SI.
+    /// The times, s, then a column of each number that was asked for, SI.
     pub columns: Vec<Vec<f64>>,
     /// When something switched, s, and what.
     pub events: Vec<(f64, &'static str)>,
 }
 
 impl Record {
-    pub(super) fn new(quantities: usize) -> Self {
-        Self { columns: vec![Vec::new(); 1 + quantities], events: Vec::new() }
-    }
-
     /// Adds a row.
-    pub(super) fn take<M: Runnable>(&mut self, state: &M::State, quantities: &[(Kind, usize)]) {
-        let value = |(kind, index): &(Kind, usize)| number::<M>(state, *kind, *index).unwrap_or(f64::NAN);
-        let values = quantities.iter().map(value);
-        for (column, value) in self.columns.iter_mut().zip(std::iter::once(state.time()).chain(values)) {
-            column.push(value);
+    fn take<M: Runnable>(&mut self, state: &M::State, asked: &Asked<'_>) {
+        let mut columns = self.columns.iter_mut();
+        let mut push = |value| {
+            if let Some(column) = columns.next() {
+                column.push(value);
+            }
+        };
+        push(state.time());
+        for (kind, index) in asked.quantities {
+            push(number::<M>(state, *kind, *index).unwrap_or(f64::NAN));
+        }
+        if asked.poses {
+            M::poses(state, &mut |pose| pose.components().into_iter().for_each(&mut push));
         }
     }
 
     /// The time of the last row, s.
-    pub(super) fn last(&self) -> Option<f64> {
+    fn last(&self) -> Option<f64> {
         self.columns.first()?.last().copied()
     }
 }
 
-/// Runs until a time and takes a row every so many seconds.
-pub(super) struct Recorded<'a> {
-    pub(super) times: (f64, f64),
-    pub(super) quantities: &'a [(Kind, usize)],
-    pub(super) record: &'a mut Record,
-    pub(super) goes_on: &'a mut dyn FnMut(f64) -> bool,
-}
-
-impl<M: Runnable> OnSim<M> for Recorded<'_> {
-    type Output = Result<(), Fault>;
-
-    fn on<I: Method<M>>(self, sim: &mut Sim<M, I>) -> Self::Output {
-        let Self { times: (until, every), quantities, record, goes_on } = self;
-        let see = |seen: Seen<'_, M::State>| match seen {
-            Seen::Sample(state) => record.take::<M>(state, quantities),
-            Seen::Condition(index, before) => {
-                record.events.push((before.time(), before.mechanism().guard_name(index)));
-            }
-            Seen::Instant(before) => {
-                let name = before.mechanism().instant_name(before.time(), &before.held());
-                record.events.push((before.time(), name));
-            }
-            _ => {}
-        };
-        Sim::watch_while(sim, until, every, see, goes_on)
+/// Runs until a time and takes a row every so many seconds, as long as `goes_on` says so. Where it ended early the last row is where it
+/// came to.
+pub(super) fn record<M: Runnable, I: Method<M>>(
+    sim: &mut Sim<M, I>,
+    asked: Asked<'_>,
+    goes_on: &mut dyn FnMut(f64) -> bool,
+) -> (Record, Result<(), Fault>) {
+    let bodies = if asked.poses { sim.state().mechanism().tables().bodies.len() } else { 0 };
+    let columns = vec![Vec::new(); 1 + asked.quantities.len() + 6 * bodies];
+    let mut record = Record { columns, events: Vec::new() };
+    let see = |seen: Seen<'_, M::State>| match seen {
+        Seen::Sample(state) => record.take::<M>(state, &asked),
+        Seen::Condition(index, before) => {
+            record.events.push((before.time(), before.mechanism().guard_name(index)));
+        }
+        Seen::Instant(before) => {
+            let name = before.mechanism().instant_name(before.time(), &before.held());
+            record.events.push((before.time(), name));
+        }
+        _ => {}
+    };
+    let outcome = Sim::watch_while(sim, asked.until, asked.every, see, goes_on);
+    let time = sim.state().time();
+    if record.last().is_some_and(|last| last < time) && time < asked.until {
+        record.take::<M>(sim.state(), &asked);
     }
+    (record, outcome)
 }

@@ -1,6 +1,6 @@
 //! A run as bytes, for files and for other processes: the format of [`plm_foreign::saved`], with the method before what it shows.
 
-use plm_foreign::{Error, Status, saved};
+use plm_foreign::{Error, Foreign, Status, saved};
 use plm_run::Integrator;
 use plm_runtime::words::{InWords, Words};
 use plm_runtime::{Moment, Vector};
@@ -10,7 +10,7 @@ use super::{Run, Runnable};
 /// Says that what follows is a run of Python, whose method may be any.
 const MARK: u64 = u64::from_le_bytes(*b"python\0\0");
 
-impl<M: Runnable> Run<M> {
+impl<M: Runnable + Foreign> Run<M> {
     /// Everything that decides how the run goes on.
     ///
     /// # Errors
@@ -43,12 +43,12 @@ impl<M: Runnable> Run<M> {
 }
 
 #[derive(Clone)]
-struct Saved<M: Runnable> {
+struct Saved<M: Runnable + Foreign> {
     mark: u64,
     run: Run<M>,
 }
 
-impl<M: Runnable> InWords for Saved<M> {
+impl<M: Runnable + Foreign> InWords for Saved<M> {
     fn each(&mut self, words: &mut impl Words) {
         words.word(&mut self.mark);
         self.run.0.each(words);

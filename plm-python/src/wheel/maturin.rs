@@ -22,7 +22,7 @@ const PACKAGES_LEFT_OUT: [&str; 8] =
     ["plm-cli", "plm-dynamic", "plm-import", "plm-jit", "plm-program", "plm-sketch", "plm-study", "plm-view"];
 const FEATURES_LEFT_OUT: [&str; 4] = ["batch", "dynamic", "view", "wheel"];
 /// Folders in it that are not.
-const LEFT_OUT: [&str; 4] = ["tests", "benches", "examples", "target"];
+const LEFT_OUT: [&str; 6] = ["tests", "benches", "examples", "target", "python", "dynamic"];
 
 /// Builds a wheel of a package and of further texts, name and contents, in a folder; gives its name and its bytes. No path of this
 /// machine is in it.

@@ -14,15 +14,19 @@ use plm_view::package::{self, Output, Package, renew};
 use self::python::is_keyword;
 
 /// What all mechanisms have in common, in Python.
-const MECHANISM: &str = include_str!("mechanism.py");
+const MECHANISM: &str = include_str!("../../python/plm/_mechanism.py");
 /// What they give and tell.
-const VALUES: &str = include_str!("values.py");
+const VALUES: &str = include_str!("../../python/plm/_values.py");
 /// How callers' numbers are looked at.
-const CHECKS: &str = include_str!("checks.py");
+const CHECKS: &str = include_str!("../../python/plm/_checks.py");
+/// Saved moments.
+const SAVED: &str = include_str!("../../python/plm/_saved.py");
 /// Tables of notebooks, and curves.
-const SHOW: &str = include_str!("show.py");
-/// The way from there to Rust, for a mechanism called `NAME` in the package `PREFIX`.
+const SHOW: &str = include_str!("../../python/plm/_show.py");
+/// The way from there to Rust, for runs of a type `Own`.
 const NATIVE: &str = include_str!("native.rs.txt");
+/// Runs of a compiled mechanism called `NAME` in the package `PREFIX`.
+const COMPILED: &str = include_str!("compiled.rs.txt");
 
 /// Writes a wheel of a mechanism, for Python 3.9 and later on machines such as this one, into a folder, and a source distribution,
 /// which pip builds on others; gives both files.
@@ -42,6 +46,7 @@ pub fn wheel<M: Foreign>(mechanism: &M, folder: &Path) -> Result<Vec<PathBuf>, B
         file("_mechanism.py", MECHANISM.to_string()),
         file("_values.py", VALUES.to_string()),
         file("_checks.py", CHECKS.to_string()),
+        file("_saved.py", SAVED.to_string()),
         file("_show.py", SHOW.to_string()),
         file("py.typed", String::new()),
     ];
@@ -96,8 +101,9 @@ fn project(name: &str, docs: &str) -> String {
 fn native<M: Foreign>(package: &str) -> String {
     let without = M::TABLES.parameters.iter().filter(|parameter| parameter.default.is_none());
     let required: Vec<&str> = without.map(|_| "f64::NAN").collect();
-    let text = NATIVE.replace("PREFIX", package).replace("REQUIRED", &required.join(", "));
-    format!("plm::mechanism! {{\n{}\n}}\n{}", M::DECLARATION, text.replace("NAME", M::TABLES.name))
+    let text = COMPILED.replace("PREFIX", package).replace("REQUIRED", &required.join(", "));
+    let text = text.replace("NAME", M::TABLES.name);
+    format!("plm::mechanism! {{\n{}\n}}\n{text}\n{NATIVE}", M::DECLARATION)
 }
 
 #[cfg(test)]

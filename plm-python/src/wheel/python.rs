@@ -10,8 +10,8 @@ const KEYWORDS: [&str; 35] = [
     "del", "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is",
     "lambda", "nonlocal", "not", "or", "pass", "raise", "return", "try", "while", "with", "yield",
 ];
-/// What every mechanism has, in `mechanism.py`.
-const MEMBERS: [&str; 21] = [
+/// What every mechanism has, in `_mechanism.py`.
+const MEMBERS: [&str; 22] = [
     "bodies",
     "contacts",
     "from_bytes",
@@ -31,10 +31,11 @@ const MEMBERS: [&str; 21] = [
     "state",
     "state_names",
     "states",
+    "stats",
     "step",
     "time",
 ];
-/// Keywords of every mechanism, in `mechanism.py`, as its types tell them.
+/// Keywords of every mechanism, in `_mechanism.py`, as its types tell them.
 const OWN: [(&str, &str, &str); 6] = [
     ("start", "Mapping[str, float] | None", "None"),
     ("method", "str", "\"dop853\""),
@@ -53,7 +54,7 @@ const COMMON: [(&str, &str); 9] = [
     ("_values", "Pose"),
     ("_values", "Quantity"),
     ("_values", "Results"),
-    ("_mechanism", "Snapshot"),
+    ("_saved", "Snapshot"),
 ];
 
 /// `__init__.py`
@@ -75,7 +76,7 @@ pub(super) fn source<M: Foreign>(mechanism: &M) -> String {
     let rows = |rows: &[Quantity]| tuple(&rows.iter().map(quantity).collect::<Vec<String>>());
     format!(
         "{module}\n\nfrom . import _mechanism, _native, _values\n{common}\n{all}\n__version__ = {version}\n\n\n\
-         class {name}(_mechanism.Mechanism):\n    {class}\n\n    __slots__ = ()\n    _native = _native.Native\n    \
+         class {name}(_mechanism.Mechanism):\n    {class}\n\n    __slots__ = ()\n    _native = _native\n    \
          _tables = _values.Tables(\n        parameters={parameters},\n        inputs={inputs},\n        \
          states={states},\n        outputs={outputs},\n        starts={starts},\n        bodies=({bodies}),\n        \
          declared={declared},\n        contacts=({contacts}),\n    )\n",

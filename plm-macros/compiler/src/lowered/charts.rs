@@ -3,6 +3,7 @@
 use super::routine::Routine;
 use super::{Parts, names};
 use crate::collect::{CollectVec, MapEach};
+use crate::facts::state;
 use crate::formulate::{self, Reduced};
 use crate::model::Model;
 use crate::source::Origin;
@@ -12,6 +13,8 @@ use crate::source::Origin;
 pub struct Chart {
     /// Names of the coordinates.
     pub names: Vec<String>,
+    /// Names of their rates.
+    pub rates: Vec<String>,
     /// `dx`; of loops, returning the smallest square of a dyad's measure.
     pub rate: Routine,
     /// `q`, `v` of all bodies; of loops, returning the same.
@@ -74,6 +77,7 @@ fn lowered(parts: &Parts, chart: &formulate::Chart) -> Chart {
     let origin = Origin::Chart(chart);
     Chart {
         names: chart.names.clone(),
+        rates: chart.names.iter().map(|name| state::rate_of(name)).collect(),
         rate: parts.routine(&chart.rate, origin),
         pose: parts.routine(&chart.pose, origin),
         from_pose: parts.routine(&chart.from_pose, Origin::Pose),

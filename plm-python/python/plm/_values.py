@@ -75,12 +75,21 @@ class Results(Dict[str, Array]):
     units: dict[str, str]
     #: What has switched, in the order of time.
     events: tuple[Event, ...]
+    #: Of each body where poses were asked for: rows of x, y, angle, vx, vy, omega of its centre of gravity; m, rad, m/s, rad/s.
+    poses: dict[str, Array]
+    #: Counters of the run, from its start on: `Mechanism.stats`.
+    stats: dict[str, float]
 
     def __init__(
-        self, columns: Mapping[str, Array], units: Mapping[str, str], events: Iterable[Event] = ()
+        self,
+        columns: Mapping[str, Array],
+        units: Mapping[str, str],
+        events: Iterable[Event] = (),
+        poses: Optional[Mapping[str, Array]] = None,
+        stats: Optional[Mapping[str, float]] = None,
     ) -> None:
         super().__init__(columns)
-        self.units, self.events = dict(units), tuple(events)
+        self.units, self.events, self.poses, self.stats = dict(units), tuple(events), dict(poses or {}), dict(stats or {})
 
     def __missing__(self, name: object) -> Array:
         raise KeyError(unknown("column", name, self))

@@ -12,6 +12,7 @@ import numpy as np
 
 from . import _show
 from ._checks import Line, chosen, finite, matrix, optional, text
+from ._saved import Snapshot as Snapshot, restored, vars_of
 from ._values import Array, Event, Jacobian, Linearisation, Pose, Quantity, Results, Tables, unknown
 
 # Kinds of numbers, as plm counts them.
@@ -20,22 +21,6 @@ CONTACT = 8
 # What a row of contact does, by its number.
 MODES = "open", "closed", "off", "sticks", "forwards", "backwards"
 SETTABLE = (PARAMETER, INPUT, STATE)
-
-
-class Snapshot:
-    """A mechanism as it was at one moment: `Mechanism.save`. `bytes(snapshot)` are for files; it can be pickled."""
-
-    __slots__ = ("_of", "_saved")
-
-    def __init__(self, of: type[Mechanism], saved: Any) -> None:
-        # A run, or its bytes.
-        self._of, self._saved = of, saved
-
-    def __bytes__(self) -> bytes:
-        return self._saved if isinstance(self._saved, bytes) else bytes(self._saved.save())
-
-    def __reduce__(self) -> Any:
-        return Snapshot, (self._of, bytes(self))
 
 
 class Mechanism:
@@ -84,7 +69,19 @@ class Mechanism:
         twice = [name for name in parameters or () if name in given]
         if twice:
             raise TypeError(f"parameter {twice[0]!r} is given twice: as a keyword and in parameters")
-        tables, given = self._tables, {**given, **(parameters or {})}
+        by = text("method", method), optional("tolerance", tolerance), optional("longest_step", longest_step)
+        self._run = self._started({**given, **(parameters or {})}, start or {}, by, time)
+
+    def _started(
+        self,
+        given: Mapping[str, float],
+        start: Mapping[str, float],
+        by: tuple[str, Optional[float], Optional[float]],
+        time: float,
+        *inputs: Any,
+    ) -> Any:
+        """A run from these parameters and start values on; `inputs` by number where it begins with others than declared."""
+        tables = self._tables
         known = [row.name for row in tables.parameters]
         for name in given:
             if name not in known:
@@ -94,14 +91,15 @@ class Mechanism:
         if missing:
             raise TypeError(f"parameters without a default must be given: {', '.join(missing)}")
         names = [row.name for row in tables.starts]
-        for name in start or {}:
+        for name in start:
             if name not in names:
                 raise KeyError(unknown("start value", name, names))
-        self._run = self._native.start(
-            (text("method", method), optional("tolerance", tolerance), optional("longest_step", longest_step)),
+        return self._native.start(
+            by,
             [(known.index(name), finite(name, value)) for name, value in given.items()],
-            [(names.index(name), finite(name, value)) for name, value in (start or {}).items()],
+            [(names.index(name), finite(name, value)) for name, value in start.items()],
             finite("time", time),
+            *inputs,
         )
 
     @property
@@ -171,12 +169,13 @@ class Mechanism:
         every: Optional[float] = None,
         outputs: Optional[Iterable[str]] = None,
         progress: Union[bool, Callable[[float], object], None] = None,
+        poses: bool = False,
     ) -> Results:
         """Runs until the time `until`, s, and gives the time and quantities every `every`, s: 1000 times if that is not said.
 
         `outputs` are names of outputs, inputs, states or parameters, the outputs that were declared if nothing is said. What
-        switched on the way are the `events` of the results. `progress` is called now and then with the time, or shows a line
-        if it is True.
+        switched on the way are the `events` of the results; with `poses` they have the `poses` of all bodies. `progress` is called
+        now and then with the time, or shows a line if it is True.
 
         What ends the run early, a `Fault`, Ctrl+C, what `progress` raises, has the rows before as `results`; the run is
         then where the last row is, and can be gone on with.
@@ -195,16 +194,27 @@ class Mechanism:
             raise ValueError(f"every must be positive: {every}")
         numbers = [self._number(name) for name in names]
         line = Line(begin, until) if progress is True else None
-        columns, events, error = self._run.run((until, every), numbers, line or progress or None)
+        columns, events, error = self._run.run((until, every), numbers, bool(poses), line or progress or None)
         if line:
             line.end()
         units = {"time": "s", **{name: self._rows[name].unit for name in names}}
-        arrays = (np.frombuffer(column, dtype=np.float64) for column in columns)
-        results = Results(dict(zip(units, arrays)), units, (Event(*event) for event in events))
+        arrays = [np.frombuffer(column, dtype=np.float64) for column in columns]
+        of_bodies = zip(self.bodies, range(len(units), len(arrays), 6))
+        results = Results(
+            dict(zip(units, arrays)),
+            units,
+            (Event(*event) for event in events),
+            {name: np.column_stack(arrays[at : at + 6]) for name, at in of_bodies},
+            self.stats(),
+        )
         if error is not None:
             error.results = results
             raise error
         return results
+
+    def stats(self) -> dict[str, float]:
+        """Counters of the run, from its start on: steps, rejected steps, evaluations, and more; and its longest step, s."""
+        return {name: count if name == "longest_step" else int(count) for name, count in self._run.stats()}
 
     @property
     def state(self) -> Array:
@@ -277,14 +287,14 @@ class Mechanism:
         elif not isinstance(saved, (bytes, bytearray, memoryview)):
             raise TypeError(f"what is restored must have been saved by a {type(self).__name__}, or be bytes of that")
         if isinstance(saved, (bytes, bytearray, memoryview)):
-            self._run.read(bytes(saved))
+            self._native.read(self._run, bytes(saved))
         else:
             self._run.restore(saved)
 
     @classmethod
     def from_bytes(cls, saved: bytes) -> Any:
         """A mechanism that goes on from the bytes of a saved moment."""
-        return _restored(cls, bytes(saved), {})
+        return restored(cls, bytes(saved), {})
 
     def __copy__(self) -> Any:
         other = object.__new__(type(self))
@@ -298,7 +308,7 @@ class Mechanism:
         return other
 
     def __reduce__(self) -> Any:
-        return _restored, (type(self), bytes(self._run.save()), dict(vars_of(self)))
+        return restored, (type(self), bytes(self._native.save(self._run)), dict(vars_of(self)))
 
     def __repr__(self) -> str:
         values = (f"{row.name}={self.get(row.name):g}" for row in self._tables.parameters)
@@ -347,19 +357,6 @@ class Mechanism:
         if name not in self._numbers:
             raise KeyError(unknown("quantity", name, self._numbers))
         return self._numbers[name]
-
-
-def _restored(of: type[Mechanism], saved: bytes, own: dict[str, Any]) -> Any:
-    """What was pickled; `own` are attributes of a user's class."""
-    other = object.__new__(of)
-    other._run = of._native.saved(saved)
-    vars_of(other).update(own)
-    return other
-
-
-def vars_of(mechanism: Mechanism) -> dict[str, Any]:
-    """The attributes that a user's class has, which may have none."""
-    return getattr(mechanism, "__dict__", {})
 
 
 def _init() -> Callable[..., None]:

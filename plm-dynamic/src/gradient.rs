@@ -1,0 +1,121 @@
+//! Derivatives of the outputs of a run, by a run on dual numbers.
+
+use plm_run::Integrator;
+use plm_runtime::sim::Seen;
+use plm_runtime::{Dop853, Dual, Fault, Method, Moment, Rk4, Sim};
+
+use crate::handle::Dynamic;
+use crate::model::Model;
+use crate::run::{Error, Mechanism};
+use crate::sizes::started;
+
+/// A number with its derivative.
+type Lifted = Dual<f64, 1>;
+/// Mechanisms of at most 8 bodies on such numbers.
+type Small = Dynamic<Lifted, 24, 32, 64, 24>;
+
+/// What a derivative is taken by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    /// A parameter by its number.
+    Parameter(usize),
+    /// A start value by its number.
+    Start(usize),
+    /// An input by its number, constant over the run.
+    Input(usize),
+}
+
+/// Numbers of a run over time, and their derivatives.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Derivative {
+    /// Times, s.
+    pub times: Vec<f64>,
+    /// Of each quantity its values, SI.
+    pub values: Vec<Vec<f64>>,
+    /// Of each quantity its derivatives, SI.
+    pub slopes: Vec<Vec<f64>>,
+}
+
+impl Mechanism {
+    /// Runs until a time, s, with a sample every so often, s, of quantities by their numbers among
+    /// [`observables`](Mechanism::observables), and gives their derivatives; of mechanisms of at most 8 bodies, by `Dop853` and `Rk4`.
+    /// The values have the bits of a run; it ends early where `goes_on` says so.
+    ///
+    /// # Errors
+    /// As [`start_with`](Mechanism::start_with); [`Error::NoDerivative`]; [`Error::Fault`] of the run.
+    pub fn derivative(
+        &self,
+        by: By,
+        method: Integrator,
+        (until, every): (f64, f64),
+        quantities: &[usize],
+        goes_on: &mut dyn FnMut() -> bool,
+    ) -> Result<Derivative, Error> {
+        let model = self.models.small().ok_or(Error::NoDerivative)?;
+        self.all_given()?;
+        let own = self.lifted(model, by);
+        let mut inputs: Vec<Option<Lifted>> =
+            self.given.inputs.iter().map(|given| given.map(Dual::constant)).collect();
+        if let By::Input(k) = by
+            && let (Some(input), Some(declared)) = (inputs.get_mut(k), own.declared_input().get(k))
+        {
+            *input = Some(Dual::variable(input.unwrap_or(*declared).value, 0));
+        }
+        let state = started(&own, &inputs, Dual::constant(self.given.time))?;
+        let times = [until, every].map(Dual::constant);
+        Ok(match method {
+            Integrator::Dop853(rtol) => {
+                over(Sim::new(state, Dop853::new(Dual::constant(rtol))), times, quantities, goes_on)
+            }
+            Integrator::Rk4(h) => {
+                over(Sim::new(state, Rk4::new(Dual::constant(h))), times, quantities, goes_on)
+            }
+            _ => return Err(Error::NoDerivative),
+        }?)
+    }
+
+    /// The mechanism on numbers with a derivative by one of its own.
+    fn lifted(&self, model: &'static Model, by: By) -> Small {
+        let mut own: Small = self.given.to::<24, 32, 64, 24>(model).map(&Dual::constant);
+        if let By::Parameter(k) = by
+            && let Some(parameter) = own.parameters.get_mut(k)
+        {
+            *parameter = Dual::variable(parameter.value, 0);
+        }
+        own.starts = own.declared_starts();
+        for (start, given) in own.starts.values.iter_mut().zip(&self.given.starts) {
+            if let Some(value) = given {
+                *start = start.at(Dual::constant(*value));
+            }
+        }
+        if let By::Start(k) = by
+            && let Some(start) = own.starts.values.get_mut(k)
+        {
+            *start = start.at(Dual::variable(start.value.value, 0));
+        }
+        own
+    }
+}
+
+/// Runs a simulation until a time with samples.
+fn over<I: Method<Small>>(
+    mut sim: Sim<Small, I>,
+    [until, every]: [Lifted; 2],
+    quantities: &[usize],
+    goes_on: &mut dyn FnMut() -> bool,
+) -> Result<Derivative, Fault> {
+    let columns = vec![Vec::new(); quantities.len()];
+    let mut derivative = Derivative { times: Vec::new(), values: columns.clone(), slopes: columns };
+    let see = |seen: Seen<'_, <Small as plm_runtime::Mechanism>::State>| {
+        let Seen::Sample(state) = seen else { return };
+        derivative.times.push(state.time().value);
+        let columns = derivative.values.iter_mut().zip(&mut derivative.slopes);
+        for (k, (values, slopes)) in quantities.iter().zip(columns) {
+            let Dual { value, tangents: [slope] } = state.output(*k).unwrap_or(Dual::constant(f64::NAN));
+            values.push(value);
+            slopes.push(slope);
+        }
+    };
+    Sim::watch_while(&mut sim, until, every, see, |_| goes_on())?;
+    Ok(derivative)
+}

@@ -1,0 +1,64 @@
+//! What a mechanism from text tells of itself before it runs, and where its runs begin.
+
+use plm_runtime::described::Tables;
+
+use crate::run::{Error, Mechanism, place};
+use crate::sizes::Large;
+
+impl Mechanism {
+    /// Bodies, parts and quantities with their documentation, and the report of the compiler.
+    pub fn tables(&self) -> &'static Tables {
+        self.models.smallest().description.tables
+    }
+
+    /// The declaration, as it was written.
+    pub fn declaration(&self) -> &'static str {
+        self.models.smallest().description.declaration
+    }
+
+    /// Name and SI unit of each number that can be read of a run: of declared outputs and of what is observed.
+    pub fn observables(&self) -> &'static [(&'static str, &'static str)] {
+        self.models.smallest().description.observed
+    }
+
+    /// Names of the rows of contact.
+    pub fn contacts(&self) -> &'static [&'static str] {
+        self.models.smallest().contacts.as_ref().map_or(&[], |contacts| contacts.names)
+    }
+
+    /// Names of the start values: x, y, angle, vx, vy, omega of the origin of each body, then first-order states.
+    pub fn starts(&self) -> &'static [&'static str] {
+        self.models.smallest().names_of_starts
+    }
+
+    /// The start values of the declaration with the parameters as they are, SI.
+    pub fn declared_starts(&self) -> Vec<f64> {
+        let own: Large = self.given.to(self.models.smallest());
+        let starts = own.declared_starts();
+        starts.values.iter().take(self.starts().len()).map(|start| start.value).collect()
+    }
+
+    /// Gives a start value, SI; assembly keeps it where the declaration locks it.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`].
+    pub fn set_start(&mut self, name: &str, value: f64) -> Result<(), Error> {
+        let place = place("start value", name, self.starts().iter().copied())?;
+        self.given.starts[place] = Some(value);
+        Ok(())
+    }
+
+    /// Sets the time, s, at which runs begin; without it they begin at 0.
+    pub fn set_time(&mut self, time: f64) {
+        self.given.time = time;
+    }
+
+    /// Has every parameter a value?
+    pub(crate) fn all_given(&self) -> Result<(), Error> {
+        let mut all = self.models.smallest().lowered.parameters.iter().zip(&self.given.parameters);
+        match all.find(|(param, given)| param.default.is_none() && given.is_none()) {
+            Some((param, _)) => Err(Error::NotGiven(param.name.clone())),
+            None => Ok(()),
+        }
+    }
+}
