@@ -152,7 +152,9 @@ impl Runner<'_> {
         // A margin can dip between two samples.
         let samples = [&self.now, state].map(|state| self.problem(state));
         for i in 0..samples[0].count() {
-            let [Some(a), Some(b)] = samples.each_ref().map(|problem| self.dipping(problem, i)) else { continue };
+            let [Some(a), Some(b)] = samples.each_ref().map(|problem| self.dipping(problem, i)) else {
+                continue;
+            };
             let is_near = a.0.min(b.0) < h * (a.1.abs() + b.1.abs());
             let dips = || match self.held.modes[i] {
                 Mode::Open => self.dips(i, h, [a, b]),
