@@ -30,11 +30,12 @@ const CHANGE: f64 = 1e-9;
 /// Longest steps of the reference, and of its second run.
 const STEPS: [f64; 2] = [0.0125, 0.009];
 
-/// Factor on the width of gaps that the reference closes, in a second run: the result of impacts that follow each other ever faster
-/// depends on which of them are counted as one.
-const MERGED: f64 = 10.0;
-/// Most further runs of the reference, those with changed numbers and the merged one, ...
-const CHANGES: usize = 5;
+/// Factors on the width of gaps that the reference closes, in further runs: the result of impacts that follow each other ever faster
+/// depends on which of them are counted as one. From one impact to the next the gaps shrink to a fraction, and the last impact is of the one
+/// or of the other side as the width decides: a decade in six parts holds both.
+const MERGED: [f64; 6] = [1.5, 2.2, 3.2, 4.6, 6.8, 10.0];
+/// Most runs of the reference with changed numbers, ...
+const CHANGES: usize = 4;
 /// ... which are made while the difference is below this share of what is allowed.
 const MOST_BY_CHANCE: f64 = 100.0;
 
@@ -120,9 +121,10 @@ impl Case {
         Runner::new(&world, start, longest).go(&times())
     }
 
-    /// The reference's run that closes wider gaps, so that more impacts are counted as one.
-    fn merged(&self) -> Run {
-        Runner::new(&self.draft.world, self.start(), STEPS[1]).merging(MERGED).go(&times())
+    /// The reference's runs that close wider gaps, so that more impacts are counted as one.
+    fn merged(&self) -> impl Iterator<Item = Run> {
+        let runner = || Runner::new(&self.draft.world, self.start(), STEPS[1]);
+        MERGED.into_iter().map(move |factor| runner().merging(factor).go(&times()))
     }
 
     pub fn run(&self, formulation: usize, method: Method) -> Outcome {
@@ -141,7 +143,7 @@ impl Case {
             let [shorter, other] = self.reference(STEPS.map(|h| 0.1 * h));
             (known, others) = (shorter, vec![other]);
         }
-        let (mut judged, mut has_merged) = (Vec::new(), false);
+        let (mut judged, mut has_merged, mut changes) = (Vec::new(), false, 1);
         let mut random = self.seeds.clone();
         for (number, (formulation, _)) in self.family.runners.iter().enumerate() {
             // Those that are asked for one after the other differ by their pace.
@@ -150,11 +152,12 @@ impl Case {
             let (mut verdict, mut worst) = self.compare((&known, &others), &outcome, pace);
             if matches!(verdict, Verdict::Wrong(_)) && !has_merged {
                 has_merged = true;
-                others.push(self.merged());
+                others.extend(self.merged());
                 (verdict, worst) = self.compare((&known, &others), &outcome, pace);
             }
             // One change of the numbers may by chance be one that has little effect.
-            while matches!(verdict, Verdict::Wrong(_)) && worst < MOST_BY_CHANCE && others.len() < CHANGES {
+            while matches!(verdict, Verdict::Wrong(_)) && worst < MOST_BY_CHANCE && changes < CHANGES {
+                changes += 1;
                 random.bits();
                 others.push(self.changed(&mut random.clone(), STEPS[1]));
                 (verdict, worst) = self.compare((&known, &others), &outcome, pace);

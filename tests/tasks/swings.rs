@@ -1,6 +1,6 @@
 //! Tasks with what walks and what swings.
 
-use super::compass::{SLOPE, walked};
+use super::compass::{PAPER, SLOPE};
 use super::{G, check};
 
 /// The cycle of the paper's equations, its period of 0.734 s, and the energy that the slope gives in a step.
@@ -9,7 +9,7 @@ fn a_compass_walks() {
     let mut x = [0.22, -0.22 - 2.0 * SLOPE, -1.1, -0.4];
     let mut period = 0.0;
     for _ in 0..40 {
-        (period, x) = walked(x);
+        (period, x) = PAPER.walked(x);
     }
     let length = 2.0 * (0.5 * (x[0] - x[1]).abs()).sin();
     assert!((period - 0.734).abs() < 5e-4);

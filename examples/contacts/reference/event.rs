@@ -42,7 +42,20 @@ impl<'w> Runner<'w> {
         // Behind impacts rates are rounding of those before.
         let rows = self.problem(&self.now).rows;
         let none = 1e-12 * rows.iter().fold(0.0, |fast: f64, row| fast.max(row.rate.abs()));
-        self.impacts(due, none)?;
+        let (problem, best) = match self.next((due, none), false)? {
+            // It would sink in, however slowly.
+            (problem, best) if self.sinks(&problem, &best, (due, none)) => self.next((due, none), true)?,
+            next => next,
+        };
+        self.hold(&problem, best)?;
+        let jump = before.iter().zip(&self.now.v).fold(0.0, |jump: f64, (a, b)| jump.max((a - b).abs()));
+        self.run.events.push(Event { t: self.now.t, modes: self.held.modes.clone(), jump });
+        Ok(())
+    }
+
+    /// Impacts, then the choice among the modes. A row that approaches so slowly that it rests has no impact, unless `all` have.
+    fn next(&mut self, (due, none): (Option<usize>, f64), all: bool) -> Result<(Problem, Choice), Stop> {
+        self.impacts(due, none, all)?;
         let problem = self.problem(&self.now);
         let allowed: Vec<Allowed> =
             (0..problem.count()).map(|i| self.allowed(&problem, i, (due, none))).collect();
@@ -64,10 +77,15 @@ impl<'w> Runner<'w> {
         if !is_stepped && found.iter().any(|other| !is_same(&problem, &best, other)) {
             return Err(Stop::Ambiguous);
         }
-        self.hold(&problem, best)?;
-        let jump = before.iter().zip(&self.now.v).fold(0.0, |jump: f64, (a, b)| jump.max((a - b).abs()));
-        self.run.events.push(Event { t: self.now.t, modes: self.held.modes.clone(), jump });
-        Ok(())
+        Ok((problem, best))
+    }
+
+    /// Does a row open that approaches?
+    fn sinks(&self, problem: &Problem, choice: &Choice, (due, none): (Option<usize>, f64)) -> bool {
+        (0..problem.count()).any(|i| {
+            let opens = choice.modes[i] == Mode::Open && !choice.carried[i];
+            opens && self.touches(problem, i, due) && problem.rows[i].rate < -none
+        })
     }
 
     fn hold(&mut self, problem: &Problem, best: Choice) -> Result<(), Stop> {
@@ -136,13 +154,13 @@ impl<'w> Runner<'w> {
         }
     }
 
-    /// Impacts until no row approaches; a rate of `none` is rounding.
-    fn impacts(&mut self, due: Option<usize>, none: f64) -> Result<(), Stop> {
+    /// Impacts until no row approaches faster than it may to rest, or until none at all does; a rate of `none` is rounding.
+    fn impacts(&mut self, due: Option<usize>, none: f64, all: bool) -> Result<(), Stop> {
         for _ in 0..30 {
             let problem = self.problem(&self.now);
             let touches: Vec<bool> = (0..problem.count()).map(|i| self.touches(&problem, i, due)).collect();
-            let approaches =
-                |i: usize| touches[i] && problem.rows[i].rate < -self.resting(&problem, i).max(none);
+            let slow = |i: usize| if all { none } else { self.resting(&problem, i).max(none) };
+            let approaches = |i: usize| touches[i] && problem.rows[i].rate < -slow(i);
             if !(0..problem.count()).any(approaches) {
                 return Ok(());
             }

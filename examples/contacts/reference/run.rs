@@ -3,7 +3,7 @@
 use super::choose::stick;
 use super::extrapolation::step;
 use super::problem::{Mode, Problem};
-use super::world::{Law, World};
+use super::world::World;
 
 /// Why the reference ends before its time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -149,18 +149,38 @@ impl Runner<'_> {
         if worst.0 < -PASSED {
             return Some(worst);
         }
-        // A gap can dip between two samples.
-        let (before, after) = (self.problem(&self.now), self.problem(state));
-        for i in 0..before.count() {
-            let is_open = self.held.modes[i] == Mode::Open && !self.held.carried[i];
-            if is_open && matches!(before.laws[i], Law::Gap { .. }) {
-                let [a, b] = [&before, &after].map(|problem| (problem.rows[i].value, problem.rows[i].rate));
-                if a.0.min(b.0) < h * (a.1.abs() + b.1.abs()) && self.dips(i, h, [a, b]) {
-                    return Some((-1.0, Some(i)));
-                }
+        // A margin can dip between two samples.
+        let samples = [&self.now, state].map(|state| self.problem(state));
+        for i in 0..samples[0].count() {
+            let [Some(a), Some(b)] = samples.each_ref().map(|problem| self.dipping(problem, i)) else {
+                continue;
+            };
+            let is_near = a.0.min(b.0) < h * (a.1.abs() + b.1.abs());
+            let dips = || match self.held.modes[i] {
+                Mode::Open => self.dips(i, h, [a, b]),
+                // It has one lowest place.
+                _ => a.1 < 0.0 && b.1 > 0.0 && self.dips_between(i, (0.0, a.1), (h, b.1)),
+            };
+            if is_near && dips() {
+                return Some((-1.0, Some(i)));
             }
         }
         None
+    }
+
+    /// A margin that can dip, and its rate: an open gap, or the speed of a friction that slips; none of other rows.
+    fn dipping(&self, problem: &Problem, row: usize) -> Option<(f64, f64)> {
+        let (mode, seen) = (self.held.modes[row], &problem.rows[row]);
+        match mode {
+            _ if self.held.carried[row] => None,
+            Mode::Open => Some((seen.value, seen.rate)),
+            _ if mode.sign() != 0.0 => {
+                let (lambda, _) = problem.forces(&self.held.modes, &self.held.lambda)?;
+                let sign = mode.sign();
+                Some((sign * seen.rate, sign * problem.acceleration(row, &lambda).0))
+            }
+            _ => None,
+        }
     }
 
     /// Is a gap negative within the time `h`, at whose ends it has these values and rates?
@@ -168,7 +188,7 @@ impl Runner<'_> {
         let mut from = (0.0, first.1);
         for k in 1..=PARTS {
             let t = h * f64::from(k) / f64::from(PARTS);
-            let (value, rate) = if k == PARTS { last } else { self.gap_after(row, t) };
+            let (value, rate) = if k == PARTS { last } else { self.after(row, t) };
             let to = (t, rate);
             if value < -FLAT || from.1 < 0.0 && rate > 0.0 && self.dips_between(row, from, to) {
                 return true;
@@ -178,12 +198,13 @@ impl Runner<'_> {
         false
     }
 
-    /// Is a gap negative where it is lowest, between two times with its rates there? Time is halved until they cannot lead to zero.
+    /// Is a margin negative where it is lowest, between two times with its rates there? Time is halved until they cannot lead to zero.
     fn dips_between(&self, row: usize, mut low: (f64, f64), mut high: (f64, f64)) -> bool {
+        let rounding = if self.held.modes[row] == Mode::Open { FLAT } else { PASSED };
         loop {
             let middle = 0.5 * (low.0 + high.0);
-            let (value, rate) = self.gap_after(row, middle);
-            if value < -FLAT {
+            let (value, rate) = self.after(row, middle);
+            if value < -rounding {
                 return true;
             }
             // False for what is not a number.
@@ -195,10 +216,10 @@ impl Runner<'_> {
         }
     }
 
-    /// A gap and its rate a time later in the modes held.
-    fn gap_after(&self, row: usize, t: f64) -> (f64, f64) {
-        let seen = self.moved(t).map(|state| self.problem(&state));
-        seen.map_or((f64::NAN, f64::NAN), |problem| (problem.rows[row].value, problem.rows[row].rate))
+    /// A margin that can dip, and its rate, a time later in the modes held.
+    fn after(&self, row: usize, t: f64) -> (f64, f64) {
+        let seen = self.moved(t).and_then(|state| self.dipping(&self.problem(&state), row));
+        seen.unwrap_or((f64::NAN, f64::NAN))
     }
 
     fn least(&self, state: &State) -> (f64, Option<usize>) {

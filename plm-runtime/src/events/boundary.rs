@@ -122,11 +122,17 @@ pub(super) fn meet<M: System<S: Real>, I: Method<M>>(
 
 /// Moves the end of a step that a guard has ended to where that guard vanishes. The dense output by which the time was located is less
 /// exact than the step, by much where a row of contact comes slowly. The way is so short that the midpoint rule leads there.
+///
+/// The state is projected first: gaps that close at one moment because others are closed would do so one after the other by the drift of
+/// those, and a row that opens would keep its drift as a gap.
 pub(super) fn refine<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     start: M::S,
     index: usize,
 ) -> Result<(), Fault> {
+    let mut projected = context.x;
+    context.project(context.time, &mut projected)?;
+    context.x = projected;
     let (here, time, x) = (guards_here(context)?, context.time, context.x);
     let noise = rounding((context.system, &context.held), (time, time), &x, &here);
     let off = here.at(index);

@@ -1,8 +1,10 @@
-//! Impacts that rigid bodies leave open: corners with several outcomes, impulses that rows share in many ways.
+//! Impacts in corners: those that rigid bodies leave open, with several outcomes or impulses that rows share in many ways, and gaps that
+//! close at one moment because others are closed.
 
-use plm_runtime::Scalar;
 use plm_runtime::contact::{self, ImpactLaw, Law, Limit, Modes, Outcome, Rows};
+use plm_runtime::{Dop853, Mechanism, Scalar};
 
+use crate::bodies::{inverse_mass, point};
 use crate::support::{Row, Scene, system};
 
 /// A body of 1 kg and 1 kg m^2 in a corner, which touches the floor and the wall in two of its points: x, y, angle.
@@ -123,4 +125,63 @@ fn what_is_struck_at_once_has_no_order() {
     assert!(beam([-1.0, -1.0, 0.0], ImpactLaw::Sequential));
     assert!(!beam([-1.0, -2.0, 0.0], ImpactLaw::Sequential));
     assert!(!beam([-1.0, -1.0, 0.0], ImpactLaw::Poisson));
+}
+
+/// Half the width and half the height of a plate, m, and the force that presses it into the corner of a floor and a wall, N.
+const HALF: [f64; 2] = [0.4, 0.3];
+const PRESS: [f64; 2] = [-30.0, -50.0];
+const TILT: f64 = 0.1;
+
+/// A plate of 1 kg and 0.2 kg m^2 that slides into a corner without friction: its toe is on the floor and its heel at the wall. The heel
+/// comes to the floor and the corner above it to the wall when it is level, both at one moment by geometry.
+#[derive(Clone, Copy, Debug)]
+struct Plate;
+
+impl Scene<3, 4> for Plate {
+    fn laws(&self) -> [Law<f64>; 4] {
+        [Law::Unilateral { restitution: 0.0 }; 4]
+    }
+    fn free<T: Scalar>(&self, _t: T, _q: [T; 3], _v: [T; 3]) -> [T; 3] {
+        [T::lit(PRESS[0]), T::lit(PRESS[1]), T::ZERO]
+    }
+    fn inverse_mass<T: Scalar>(&self, _q: [T; 3]) -> [[T; 3]; 3] {
+        inverse_mass(0.2)
+    }
+    fn contact<T: Scalar>(&self, _t: T, q: [T; 3], v: [T; 3]) -> [Row<T, 3>; 4] {
+        let [w, h] = HALF;
+        let (floor, wall) = ([0.0, 1.0], [1.0, 0.0]);
+        [([w, -h], floor), ([-w, -h], wall), ([-w, -h], floor), ([-w, h], wall)].map(|(at, normal)| {
+            let [gap, _] = point(q, v, at, normal);
+            gap
+        })
+    }
+    fn start(&self) -> ([f64; 3], [f64; 3]) {
+        let ([w, h], (sin, cos)) = (HALF, TILT.sin_cos());
+        ([w * cos + h * sin, h * cos + w * sin, -TILT], [0.0; 3])
+    }
+}
+
+system!(Plate, 3, 4);
+
+/// One impact, which all of the energy goes into: the work of the forces until there. With a tolerance that lets the rows at rest drift
+/// both gaps close at one moment all the same.
+#[test]
+fn gaps_that_close_together_by_geometry_are_one_impact() {
+    let [w, h] = HALF;
+    let ([x, y, _], _) = Scene::start(&Plate);
+    for tolerance in [1e-6, 1e-7, 3e-8, 3e-9, 1e-9, 1e-11] {
+        let mut sim = Plate.start_with(Dop853::new(tolerance)).unwrap();
+        let before = sim.stats().switches;
+        sim.step_to(0.056).unwrap();
+        let [vx, vy, omega] = [3, 4, 5].map(|i| sim.x[i]);
+        let energy = 0.5 * (vx * vx + vy * vy + 0.2 * omega * omega);
+        let work = PRESS[0] * (sim.x[0] - x) + PRESS[1] * (sim.x[1] - y);
+        assert!((energy - work).abs() < 10.0 * tolerance, "{tolerance:e}: {energy} {work}");
+        assert!(omega > 1.0 && sim.stats().switches == before, "{tolerance:e}: {omega}");
+        sim.step_to(0.1).unwrap();
+        assert_eq!(sim.stats().switches - before, 1, "{tolerance:e}: {:?}", sim.x);
+        for (i, rest) in [w, h, 0.0, 0.0, 0.0, 0.0].into_iter().enumerate() {
+            assert!((sim.x[i] - rest).abs() < 1e-14, "{tolerance:e}: {:?}", sim.x);
+        }
+    }
 }
