@@ -38,7 +38,9 @@ fn from_text<M: Described<S = f64>>(_: &M) -> [Small; 2] {
     let host = Host::new().unwrap().after(0);
     [None, Some(host)].map(|host| {
         let small: Small = Compiled::new("mechanism.plm", M::DECLARATION).unwrap().mechanism().unwrap();
-        host.into_iter().for_each(|host| small.translate_by(Arc::new(host)));
+        if let Some(host) = host {
+            small.translate_by(Arc::new(host));
+        }
         small
     })
 }

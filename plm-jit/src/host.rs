@@ -34,7 +34,7 @@ impl Host {
     pub fn new() -> Option<Host> {
         let isa = cranelift_native::builder().ok()?.finish(flags().ok()?).ok()?;
         // A step of a function takes as long to translate as to interpret some thousand times.
-        Some(Host { isa, is_fused: is_fused(), evaluations_before: 500 })
+        Some(Host { isa, is_fused: is_fused(), evaluations_before: 2000 })
     }
 
     /// Functions are translated after so many evaluations by steps.
