@@ -134,7 +134,8 @@ fn told(error: &plm::live::Error) -> String {
 /// The mechanism of a text with inputs that pull its bodies, where there is room for them, and the results file of its start.
 fn compiled(text: &str) -> Result<(OfSize, Vec<u8>), Refused> {
     let declared = Compiled::new("text", text)?;
-    match declared.clone().mechanism::<24, 32, 64>() {
+    let fits: Result<Small, Refused> = declared.clone().mechanism();
+    match fits {
         Ok(small) => {
             let bodies: Vec<&str> = small.tables().bodies.iter().map(|body| body.name).collect();
             let pulled = Compiled::new("text", &with_pulls(text, &bodies)).and_then(Compiled::mechanism);
@@ -150,9 +151,11 @@ fn compiled(text: &str) -> Result<(OfSize, Vec<u8>), Refused> {
 }
 
 /// A results file of the start; empty where it cannot be assembled.
-fn results<const NQ: usize, const NC: usize, const N: usize>(own: Dynamic<f64, NQ, NC, N>) -> Vec<u8>
+fn results<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    own: Dynamic<f64, NQ, NC, N, L>,
+) -> Vec<u8>
 where
-    Dynamic<f64, NQ, NC, N>: Statics<S = f64> + Described,
+    Dynamic<f64, NQ, NC, N, L>: Statics<S = f64> + Described,
 {
     let Ok(sim) = own.start() else { return Vec::new() };
     let mut recorder = Recorder::observing_all(&sim);

@@ -115,7 +115,7 @@ impl Known {
         value(expr, &self.0)
     }
 
-    /// The same with another value of a symbol.
+    /// These values, with another one of a symbol.
     fn with(&self, symbol: Expr, value: f64) -> Known {
         let others = self.0.iter().copied().filter(|(known, _)| *known != symbol);
         Known(others.chain([(symbol, value)]).collect_vec())
