@@ -98,10 +98,10 @@ pub use plm_macros::{mechanism, parts};
 pub use plm_runtime as runtime;
 pub use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
 pub use plm_runtime::{
-    Adams, BodyMotion, BodyStart, BodyState, Cause, Constraints, Described, Dop853, Dopri5, Dual, Events,
+    Adams, BodyMotion, BodyStart, BodyState, By, Cause, Constraints, Described, Dop853, Dopri5, Dual, Events,
     Fault, Found, Labels, Mechanism, Method, Moment, MoreauJean, Names, Notice, Observed, Operations, Rate,
     Real, Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats, System, Vern9, to_absolute,
-    to_relative,
+    to_relative, with_derivatives,
 };
 #[cfg(doctest)]
 mod book;

@@ -9,12 +9,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources that are looked at.
-const CRATES: [&str; 16] = [
+const CRATES: [&str; 17] = [
     "src",
     "plm-analysis/src",
     "plm-cli/src",
     "plm-foreign/src",
     "plm-import/src",
+    "plm-jit/src",
     "plm-macros/cas/src",
     "plm-macros/compiler/src",
     "plm-program/src",

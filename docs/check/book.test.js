@@ -7,6 +7,7 @@ import http from "node:http";
 import { createRequire } from "node:module";
 import path from "node:path";
 import test, { after } from "node:test";
+import { unpackText } from "../../plm-view/page/src/packedtext.js";
 
 const root = path.join(import.meta.dirname, "../..");
 const book = path.resolve(process.env.PLM_BOOK ?? path.join(root, "target/book"));
@@ -152,6 +153,18 @@ test("in a browser", { skip }, async (t) => {
       return names;
     }, fs.readFileSync(path.join(root, "docs/theme/pictures.js"), "utf8"));
     assert.deepEqual(shown, ["favicon-dark.svg", "favicon.svg"]);
+    await close();
+  });
+
+  await t.test("declarations have a link where there is a playground, and none where there is none", async () => {
+    const { page, wrong, close } = await open("getting-started", 1200, "light");
+    const links = () => page.locator(".open-declaration a").evaluateAll((all) => all.map((link) => link.getAttribute("href")));
+    assert.deepEqual(await links(), []);
+    await page.evaluate(() => plmLink("playground.html"));
+    const [first] = await links();
+    const text = await unpackText(new URLSearchParams(first.slice("playground.html#".length)).get("text"));
+    assert.match(text, /^\/\/\/ The double pendulum[^]*^pub DoublePendulum \{$/m);
+    assert.deepEqual(wrong, []);
     await close();
   });
 

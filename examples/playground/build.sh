@@ -2,11 +2,17 @@
 # Makes the playground: target/plm/playground.html, one file that asks nothing of any network.
 #
 #     bash examples/playground/build.sh
+#     bash examples/playground/build.sh --book target/book  # also into a built book, whose declarations then have *Open*
 #
-# It needs node (20 or later), npm, and `rustup target add wasm32-unknown-unknown`.
+# It needs node (20 or later), npm, xz, and `rustup target add wasm32-unknown-unknown`.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 root=$PWD
+book=
+if [ "${1:-}" = --book ]; then
+    book=$2
+    [ -f "$book/index.html" ] || { printf '%s is no built book\n' "$book" >&2; exit 1; }
+fi
 
 bash plm-view/page/check.sh --install
 made=$root/target/plm/playground
@@ -22,6 +28,16 @@ mkdir -p "$made"
 # In a folder of its own: its features are not those of the workspace.
 (cd examples/playground && cargo build -q --release --lib --target wasm32-unknown-unknown --target-dir "$root/target/playground")
 machines=examples/gallery/machines
-cargo run -q -p plm-cli --example playground -- target/plm/playground.html \
-    target/playground/wasm32-unknown-unknown/release/plm_playground.wasm "$made/editor.js" examples/four_bar.rs \
-    $machines/{watt,peaucellier,lambda,klann,whitworth,pumpjack,scissor,andrews,walschaerts,wiper}.rs examples/double_pendulum.rs
+# What browsers inflate by themselves would be a third larger.
+xz --keep --force --format=lzma --lzma1=preset=9e,lc=4,pb=0 --stdout \
+    target/playground/wasm32-unknown-unknown/release/plm_playground.wasm > "$made/module.lzma"
+page() {
+    cargo run -q -p plm-cli --example playground -- "$@" \
+        "$made/module.lzma" "$made/editor.js" examples/four_bar.rs \
+        $machines/{watt,peaucellier,lambda,klann,whitworth,pumpjack,scissor,andrews,walschaerts,wiper}.rs examples/double_pendulum.rs
+}
+page target/plm/playground.html
+if [ -n "$book" ]; then
+    page --book ./ "$book/playground.html"
+    printf 'plmPlayground = "playground.html";\n' > "$book/playground-page.js"
+fi

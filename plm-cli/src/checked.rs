@@ -1,5 +1,7 @@
 //! A declaration with what the compiler says of it.
 
+use plm_compiler::diag::Diagnostics;
+use plm_compiler::syntax::parse;
 use plm_compiler::token::Sources;
 use plm_compiler::{Expansion, analyse, bug_message, compile, without_panic};
 
@@ -53,12 +55,45 @@ impl Declarations {
         self.expanded_by(compile)
     }
 
+    /// Text and analysis of the declaration with this name, or of the only one; nothing where the file has none.
+    ///
+    /// # Errors
+    /// The file has several, or none of this name: a message with their names. A bug of the compiler.
+    pub(crate) fn named(&self, name: Option<&str>) -> Result<Option<(String, Checked)>, String> {
+        let names: Vec<String> = self.found.iter().map(|excerpt| self.name_of(excerpt)).collect();
+        let wanted = |known: &String| name.is_none_or(|name| known == name);
+        let mut found = (0..names.len()).filter(|k| wanted(&names[*k]));
+        match (found.next(), found.next(), names.is_empty()) {
+            (Some(only), None, _) => {
+                let excerpt = &self.found[only];
+                Ok(Some((excerpt.own_text(&self.text), self.expanded(analyse, excerpt)?)))
+            }
+            (None, _, true) => Ok(None),
+            (None, ..) => {
+                let name = name.unwrap_or_default();
+                Err(format!("{}: there is no `{name}` in it: {}", self.name, names.join(", ")))
+            }
+            _ => Err(format!("{}: `--name` says which of these: {}", self.name, names.join(", "))),
+        }
+    }
+
+    /// The name of the mechanism of a declaration; empty where it has none.
+    fn name_of(&self, excerpt: &Excerpt) -> String {
+        let mut sources = Sources::new();
+        let at = sources.add_text(&self.name, &excerpt.own_text(&self.text));
+        let read = sources.get(at).map(|source| parse(source, &mut Diagnostics::new()));
+        let mechanism = read.and_then(|declaration| declaration.mechanism);
+        mechanism.map_or(String::new(), |mechanism| mechanism.name.text)
+    }
+
     fn expanded_by(&self, compile: Compile) -> impl Iterator<Item = Result<Checked, String>> {
-        self.found.iter().map(move |excerpt| {
-            let masked = excerpt.masked(&self.text);
-            let compiled = without_panic(|| expanded(compile, &self.name, &self.text, masked.as_deref()));
-            compiled.map_err(|what| format!("{}: {}", self.name, bug_message(&what)))
-        })
+        self.found.iter().map(move |excerpt| self.expanded(compile, excerpt))
+    }
+
+    fn expanded(&self, compile: Compile, excerpt: &Excerpt) -> Result<Checked, String> {
+        let masked = excerpt.masked(&self.text);
+        let compiled = without_panic(|| expanded(compile, &self.name, &self.text, masked.as_deref()));
+        compiled.map_err(|what| format!("{}: {}", self.name, bug_message(&what)))
     }
 }
 

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
 
+use crate::layout::formatted;
 use crate::lexer::{Kind, Token, tokens};
 
 /// One declaration of a file.
@@ -19,6 +20,19 @@ impl Excerpt {
     /// The file with a blank for each byte of what does not belong to the declaration; `None` where the file is the declaration.
     pub(crate) fn masked(&self, text: &str) -> Option<String> {
         self.kept.as_ref().map(|kept| masked(text, kept))
+    }
+
+    /// The text of the declaration by itself, from its margin on, with the parts that it uses in front.
+    pub(crate) fn own_text(&self, text: &str) -> String {
+        let Some([parts @ .., own]) = self.kept.as_deref() else { return from_margin(text) };
+        let of = |range: &Range<usize>| text.get(range.clone()).unwrap_or_default();
+        let own = from_margin(of(own));
+        if parts.is_empty() {
+            return own;
+        }
+        let parts: Vec<&str> = parts.iter().map(of).collect();
+        let parts = parts.join(" ") + "\n";
+        formatted("parts.plm", &parts).unwrap_or(parts) + &own
     }
 }
 
@@ -66,7 +80,7 @@ pub(crate) fn excerpts(name: &str, text: &str) -> Excerpts {
 /// The texts of the declarations of a file, by its name, each from its margin on.
 pub fn declarations(name: &str, text: &str) -> Vec<String> {
     let text = text.replace("\r\n", "\n");
-    excerpts(name, &text).found.iter().map(|excerpt| from_margin(&text[excerpt.range.clone()])).collect()
+    excerpts(name, &text).found.iter().map(|excerpt| excerpt.own_text(&text)).collect()
 }
 
 /// Lines without the blanks that all of them begin with.
@@ -245,6 +259,7 @@ mod tests {
     fn parts_of_the_same_file_stand_in_front() {
         let text = "plm::parts! { /// Doc.\n pub valves { part a() { } } }\nmechanism! { use valves; /// M.\n pub M { } }";
         assert_eq!(found(text), ["parts { part a() { } } /// M. pub M { }"]);
+        assert_eq!(declarations("a.rs", text), ["parts { part a() {} }\n/// M.\npub M { }\n"]);
         let left_out = excerpts("a.rs", "mechanism! { use other::valves; pub M { } }").left_out;
         assert_eq!(left_out, [(12, "the parts of `use other::valves;` stand in another file".to_owned())]);
         assert_eq!(excerpts("a.rs", &"mechanism!{}".repeat(600)).left_out.len(), 1);

@@ -5,12 +5,14 @@
 //! plm run FILE --until SECONDS  its outputs over time
 //! plm expand FILE              the Rust code that the macro would emit
 //! plm report FILE              bodies, rows, formulation, operations, assembly
+//! plm export FILE              a project that makes a program, C, an FMU or a wheel of it, its MJCF or URDF
 //! plm import FILE              a declaration from URDF, SDF or MJCF, a contour from DXF
 //! plm fmt [--check] FILE…      one layout, with comments kept
 //! plm lsp                      a language server on standard input and output
 //! ```
 //!
 //! A file is a declaration (`.plm`), or Rust with `mechanism! { … }` in it (`.rs`).
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod checked;
 mod command;
@@ -18,6 +20,7 @@ mod excerpt;
 mod json;
 mod layout;
 mod lexer;
+mod package;
 mod read;
 mod server;
 mod table;

@@ -1,188 +1,225 @@
-//! Straight-line functions that are evaluated step by step, on any scalar.
+//! Straight-line functions that are evaluated step by step on any scalar, or on `f64` as machine code.
 
-use plm_compiler::lowered::{OfRows, Operation, Routine, Step, Target};
-use plm_compiler::model::ContactMode;
-use plm_compiler::{OfScalar, Source};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use plm_compiler::lowered::{Operation, Register, Routine, Step, Target};
 use plm_runtime::Scalar;
 
+use crate::native::{Element, Function, Input, MachineCode, Translator};
+use crate::places::{Argument, List, Place, Room, in_state, of_scalar};
+
 /// A function: its steps, its arguments, and the places of its results.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct Code {
     steps: &'static [Step],
     registers: usize,
     arguments: Vec<Argument>,
-    results: Vec<(Place, u32)>,
+    /// Results that are elements of the outputs.
+    elements: Vec<(Element, Register)>,
+    /// Results that have other places.
+    others: Vec<(Place, Register)>,
+    returned: Option<Register>,
+    inputs: Inputs,
+    evaluations: AtomicU32,
+    translation: OnceLock<Option<Box<dyn MachineCode>>>,
 }
 
-/// An array that functions read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Array {
-    /// The state.
-    X,
-    /// The pose of all bodies.
-    Q,
-    /// Their velocities.
-    V,
-    /// Accelerations of all bodies.
-    A,
-    /// Multipliers.
-    Lambda,
-    /// Weights of coordinates.
-    Weights,
-    /// Residuals.
-    Residuals,
-    /// Rates of the state.
-    Rates,
-    /// Signs of the slips of rows of contact.
-    Slip,
-    /// Signs of reactions along a line.
-    Line,
-    /// Forces of rows of contact.
-    Force,
-    /// Accelerations of the coordinates.
-    Second,
-    /// Numbers that do not depend on forces of contact.
-    Known,
-}
-
-/// Where an argument comes from.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Argument {
-    /// The time.
-    Time,
-    /// A parameter.
-    Parameter(usize),
-    /// An input.
-    Input(usize),
-    /// The side of a condition.
-    Switch(usize),
-    /// The turns of a count.
-    Turns(usize),
-    /// A number of the scalar.
-    Scalar(OfScalar),
-    /// A number that is remembered of loops.
-    Remembered(usize),
-    /// An element of an array.
-    Element(Array, usize),
-    /// The multiplier of a row of contact.
-    Multiplier(usize),
-    /// 1 where a row of contact has this mode, else 0.
-    Mode(usize, ContactMode),
-    /// Nothing that a function of this crate has.
-    None,
-}
-
-/// Where a result goes.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Place {
-    /// To the value that the function returns.
-    Value,
-    /// To an element of the output with this number.
-    Element(usize, usize),
-    /// To an entry of a matrix over the state.
-    Entry(usize, usize),
-    /// To a number that is remembered of loops.
-    Remembered(usize),
-    /// To a number of the rows of contact.
-    Rows(OfRows),
-    /// To what a multiplier of one, of a row of contact, adds to a number of the rate.
-    Response(usize, usize),
-}
-
-/// Numbers of the state: how many coordinates it has, and how many there is room for.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Room {
-    pub(crate) coordinates: usize,
-    pub(crate) capacity: usize,
-}
-
-impl Room {
-    /// The place of a number of the state where coordinates and velocities have more room than they need.
-    pub(crate) fn place(self, index: usize) -> usize {
-        let Room { coordinates, capacity } = self;
-        match index {
-            _ if index < coordinates => index,
-            _ if index < 2 * coordinates => capacity + index - coordinates,
-            _ => 2 * capacity + index - 2 * coordinates,
-        }
-    }
+/// The arguments as elements of lists.
+#[derive(Debug, Default)]
+struct Inputs {
+    arguments: Vec<Input>,
+    lists: Vec<List>,
+    /// Arguments that stand in no list.
+    gathered: Vec<Argument>,
 }
 
 impl Code {
     /// A function whose outputs have these names, in order. The arrays `x` and `dx` have the room of the state.
     pub(crate) fn new(routine: &'static Routine, outputs: &[&str], room: Room) -> Code {
-        let in_state =
-            |name: &str, index: usize| if name == "x" || name == "dx" { room.place(index) } else { index };
-        let argument = |source: &Source| match *source {
-            Source::Time => Argument::Time,
-            Source::Parameter(k) => Argument::Parameter(k),
-            Source::Input(k) => Argument::Input(k),
-            Source::Switch(k) => Argument::Switch(k),
-            Source::Turns(k) => Argument::Turns(k),
-            Source::Scalar(number) => Argument::Scalar(number),
-            Source::Remembered(k) => Argument::Remembered(k),
-            Source::Element(name, k) => {
-                array(name).map_or(Argument::None, |array| Argument::Element(array, in_state(name, k)))
-            }
-            Source::Multiplier(k) => Argument::Multiplier(k),
-            Source::Mode(k, mode) => Argument::Mode(k, mode),
-            Source::Number(_) => Argument::None,
-        };
-        let place = |target: &Target| match *target {
-            Target::Value => Place::Value,
-            Target::Rows(place) => Place::Rows(place),
-            Target::Entry("response", row, column) => Place::Response(row, room.place(column)),
-            Target::Entry(_, row, column) => Place::Entry(room.place(row), room.place(column)),
-            Target::Remembered(k) => Place::Remembered(k),
-            Target::Element(name, k) => {
-                let output = outputs.iter().position(|known| *known == name).unwrap_or(usize::MAX);
-                Place::Element(output, in_state(name, k))
-            }
-        };
-        Code {
+        let arguments: Vec<Argument> =
+            routine.sources.iter().map(|source| Argument::of(source, room)).collect();
+        let mut code = Code {
             steps: &routine.steps,
             registers: routine.registers,
-            arguments: routine.sources.iter().map(argument).collect(),
-            results: routine.results.iter().map(|(target, register)| (place(target), *register)).collect(),
+            inputs: Inputs::new(&arguments),
+            arguments,
+            elements: Vec::new(),
+            others: Vec::new(),
+            returned: None,
+            evaluations: AtomicU32::new(0),
+            translation: OnceLock::new(),
+        };
+        for (target, register) in &routine.results {
+            let place = match *target {
+                Target::Value => {
+                    code.returned = Some(*register);
+                    continue;
+                }
+                Target::Element(name, k) => {
+                    let output = outputs.iter().position(|known| *known == name);
+                    let element = |list| Element { list, index: in_state(name, k, room) };
+                    code.elements.extend(output.map(|list| (element(list), *register)));
+                    continue;
+                }
+                Target::Rows(place) => Place::Rows(place),
+                Target::Entry("response", row, column) => Place::Response(row, room.place(column)),
+                Target::Entry(_, row, column) => Place::Entry(room.place(row), room.place(column)),
+                Target::Remembered(k) => Place::Remembered(k),
+            };
+            code.others.push((place, *register));
+        }
+        code
+    }
+
+    /// Evaluates step by step: `argument` gives what is read, results go to `outputs` and to `other`, and what is returned comes back.
+    pub(crate) fn interpret<S: Scalar>(
+        &self,
+        argument: impl Fn(Argument) -> S,
+        outputs: &mut [&mut [S]],
+        mut other: impl FnMut(Place, S),
+    ) -> Option<S> {
+        with_room(self.registers, |registers| {
+            for step in self.steps {
+                evaluate(step, registers, |k| {
+                    self.arguments.get(k).map_or(S::ZERO, |place| argument(*place))
+                });
+            }
+            for (Element { list, index }, register) in &self.elements {
+                if let Some(to) = outputs.get_mut(*list).and_then(|output| output.get_mut(*index)) {
+                    *to = registers[*register as usize];
+                }
+            }
+            for (place, register) in &self.others {
+                other(*place, registers[*register as usize]);
+            }
+            self.returned.map(|register| registers[register as usize])
+        })
+    }
+
+    /// Evaluates by machine code, which computes with `f64`: `list` gives what is read, `gathered` what stands in no list, and what is
+    /// returned comes back, or zero. Where a list is too short, nothing is evaluated.
+    #[inline]
+    pub(crate) fn compute<'a, S: Scalar>(
+        &self,
+        code: &dyn MachineCode,
+        (list, gathered): (impl Fn(List) -> &'a [S], impl Fn(Argument) -> S),
+        outputs: &mut [&mut [f64]],
+        mut other: impl FnMut(Place, S),
+    ) -> Option<S> {
+        let Inputs { lists, gathered: beside, .. } = &self.inputs;
+        with_room(beside.len(), |own| {
+            for (to, argument) in own.iter_mut().zip(beside) {
+                *to = gathered(*argument);
+            }
+            let (mut few, mut all): ([&[f64]; FEW_LISTS], [&[f64]; LISTS]);
+            let inputs = if lists.len() <= FEW_LISTS {
+                few = [&[]; FEW_LISTS];
+                &mut few[..]
+            } else {
+                all = [&[]; LISTS];
+                &mut all[..]
+            };
+            for (to, from) in inputs.iter_mut().zip(lists) {
+                *to = S::f64s(if *from == List::Gathered { own } else { list(*from) })?;
+            }
+            with_room(self.others.len(), |others: &mut [f64]| {
+                let value = code.run(&inputs[..lists.len()], outputs, others)?;
+                for ((place, _), value) in self.others.iter().zip(others) {
+                    other(*place, S::lit(*value));
+                }
+                Some(S::lit(value))
+            })
+        })
+    }
+
+    /// Does it return a value?
+    pub(crate) fn returns(&self) -> bool {
+        self.returned.is_some()
+    }
+
+    /// Its machine code; nothing until it is worth the translation.
+    #[inline]
+    pub(crate) fn machine_code(&self, translator: &dyn Translator) -> Option<&dyn MachineCode> {
+        match self.translation.get() {
+            Some(code) => code.as_deref(),
+            None => self.translated(translator),
         }
     }
 
-    /// Evaluates: `argument` gives what is read, `result` takes what comes out.
-    pub(crate) fn run<S: Scalar>(&self, argument: impl Fn(Argument) -> S, mut result: impl FnMut(Place, S)) {
-        const FEW: usize = 48;
-        let (mut few, mut many) = ([S::ZERO; FEW], Vec::new());
-        let registers = if self.registers <= FEW {
-            &mut few[..]
-        } else {
-            many.resize(self.registers, S::ZERO);
-            &mut many[..]
+    #[cold]
+    fn translated(&self, translator: &dyn Translator) -> Option<&dyn MachineCode> {
+        // A count that two threads have at once may be short by one: that is no harm.
+        let evaluations = self.evaluations.load(Ordering::Relaxed);
+        if evaluations < translator.evaluations_before() {
+            self.evaluations.store(evaluations + 1, Ordering::Relaxed);
+            return None;
+        }
+        let translate = || {
+            let others: Vec<Register> = self.others.iter().map(|(_, register)| *register).collect();
+            translator.translate(&Function {
+                steps: self.steps,
+                registers: self.registers,
+                arguments: &self.inputs.arguments,
+                outputs: &self.elements,
+                others: &others,
+                returned: self.returned,
+            })
         };
-        for step in self.steps {
-            evaluate(step, registers, |k| self.arguments.get(k).map_or(S::ZERO, |place| argument(*place)));
-        }
-        for (place, register) in &self.results {
-            result(*place, registers[*register as usize]);
-        }
+        self.translation.get_or_init(translate).as_deref()
     }
 }
 
-fn array(name: &str) -> Option<Array> {
-    Some(match name {
-        "x" => Array::X,
-        "q" => Array::Q,
-        "v" => Array::V,
-        "a" => Array::A,
-        "lambda" => Array::Lambda,
-        "w" => Array::Weights,
-        "r" => Array::Residuals,
-        "dx" => Array::Rates,
-        "slip" => Array::Slip,
-        "line" => Array::Line,
-        "force" => Array::Force,
-        "second" => Array::Second,
-        "known" => Array::Known,
-        _ => return None,
-    })
+/// The most lists that a function reads: every [`Array`] and every other [`List`].
+const LISTS: usize = 19;
+/// So many lists are enough for most functions.
+const FEW_LISTS: usize = 4;
+
+impl Inputs {
+    fn new(arguments: &[Argument]) -> Inputs {
+        let mut inputs = Inputs::default();
+        for argument in arguments {
+            let input = inputs.input(*argument);
+            inputs.arguments.push(input);
+        }
+        inputs
+    }
+
+    fn input(&mut self, argument: Argument) -> Input {
+        let (list, index) = match argument {
+            Argument::Time => (List::Time, 0),
+            Argument::Parameter(k) => (List::Parameters, k),
+            Argument::Input(k) => (List::Inputs, k),
+            Argument::Switch(k) => (List::Switches, k),
+            Argument::Multiplier(k) => (List::Multipliers, k),
+            Argument::Element(array, k) => (List::Array(array), k),
+            Argument::Scalar(number) => return Input::Number(of_scalar::<f64>(number)),
+            Argument::None => return Input::Number(f64::NAN),
+            Argument::Turns(_) | Argument::Remembered(_) | Argument::Mode(..) => {
+                self.gathered.push(argument);
+                (List::Gathered, self.gathered.len() - 1)
+            }
+        };
+        let known = self.lists.iter().position(|known| *known == list);
+        let list = known.unwrap_or_else(|| {
+            self.lists.push(list);
+            self.lists.len() - 1
+        });
+        Input::Element(Element { list, index })
+    }
+}
+
+/// Gives `work` a list of so many zeros.
+#[inline]
+fn with_room<S: Scalar, R>(count: usize, work: impl FnOnce(&mut [S]) -> R) -> R {
+    const FEW: usize = 48;
+    if count == 0 {
+        work(&mut [])
+    } else if count <= FEW {
+        work(&mut [S::ZERO; FEW][..count])
+    } else {
+        work(&mut vec![S::ZERO; count])
+    }
 }
 
 /// One step.

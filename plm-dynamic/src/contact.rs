@@ -3,8 +3,9 @@
 use plm_compiler::lowered::{self, ContactKind, Lowered, ReadByConditions};
 use plm_runtime::absolute::Layout;
 
-use crate::code::{Code, Room};
+use crate::code::Code;
 use crate::model::{kept, texts};
+use crate::places::Room;
 
 /// Rows of contact of a mechanism.
 #[derive(Debug)]

@@ -4,8 +4,9 @@ use plm_compiler::lowered::{self, Lowered, Varying};
 use plm_compiler::{Motion, Quantity, Reads};
 use plm_runtime::described;
 
-use crate::code::{Code, Room};
+use crate::code::Code;
 use crate::model::{kept, text, texts};
+use crate::places::Room;
 
 /// Names with their units.
 type Named = &'static [(&'static str, &'static str)];

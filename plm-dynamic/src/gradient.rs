@@ -5,12 +5,14 @@ use plm_runtime::sim::Seen;
 use plm_runtime::{Dop853, Dual, Fault, Method, Moment, Rk4, Sim};
 
 use crate::handle::Dynamic;
-use crate::run::{Error, Mechanism, Size, started};
+use crate::model::Model;
+use crate::run::{Error, Mechanism};
+use crate::sizes::{Models, with_inputs};
 
 /// A number with its derivative.
 type Lifted = Dual<f64, 1>;
 /// Mechanisms of at most 8 bodies on such numbers.
-type Small = Dynamic<Lifted, 24, 32, 64>;
+type Small = Dynamic<Lifted, 24, 32, 64, 24>;
 
 /// What a derivative is taken by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,19 +51,19 @@ impl Mechanism {
         quantities: &[usize],
         goes_on: &mut dyn FnMut() -> bool,
     ) -> Result<Derivative, Error> {
-        if matches!(self.size, Size::Large) {
+        let (Models::Tiny([_, model]) | Models::Small(model)) = self.models else {
             return Err(Error::NoDerivative);
-        }
+        };
         self.all_given()?;
-        let own = self.lifted(by);
+        let own = self.lifted(model, by);
         let mut inputs: Vec<Option<Lifted>> =
-            self.inputs.iter().map(|given| given.map(Dual::constant)).collect();
+            self.given.inputs.iter().map(|given| given.map(Dual::constant)).collect();
         if let By::Input(k) = by
             && let (Some(input), Some(declared)) = (inputs.get_mut(k), own.declared_input().get(k))
         {
             *input = Some(Dual::variable(input.unwrap_or(*declared).value, 0));
         }
-        let state = started(&own, &inputs, Dual::constant(self.time))?;
+        let state = with_inputs(&own, &inputs, Dual::constant(self.given.time))?;
         let times = [until, every].map(Dual::constant);
         Ok(match method {
             Integrator::Dop853(rtol) => {
@@ -75,15 +77,15 @@ impl Mechanism {
     }
 
     /// The mechanism on numbers with a derivative by one of its own.
-    fn lifted(&self, by: By) -> Small {
-        let mut own: Small = self.with_values::<24, 32, 64>().map(&Dual::constant);
+    fn lifted(&self, model: &'static Model, by: By) -> Small {
+        let mut own: Small = self.given.mechanism::<24, 32, 64, 24>(model).map(&Dual::constant);
         if let By::Parameter(k) = by
             && let Some(parameter) = own.parameters.get_mut(k)
         {
             *parameter = Dual::variable(parameter.value, 0);
         }
         own.starts = own.declared_starts();
-        for (start, given) in own.starts.values.iter_mut().zip(&self.starts) {
+        for (start, given) in own.starts.values.iter_mut().zip(&self.given.starts) {
             if let Some(value) = given {
                 *start = start.at(Dual::constant(*value));
             }

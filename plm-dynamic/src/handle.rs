@@ -1,22 +1,25 @@
 //! A mechanism with its numbers: a handle that is copied.
 
+use std::sync::Arc;
+
 use plm_runtime::charts::OfLoops;
 use plm_runtime::contact;
 use plm_runtime::held::Held as HeldOf;
 use plm_runtime::{Scalar, Start, StartValues};
 
 use crate::capacity::{INPUTS, PARAMETERS, ROWS, SWITCHES, WATCHED};
-use crate::code::{Argument, Array, Code, Place};
+use crate::code::Code;
 use crate::memory::Memory;
 use crate::model::Model;
-use plm_compiler::OfScalar;
+use crate::native::Translator;
+use crate::places::{Argument, Array, List, Place, of_scalar};
 use plm_compiler::lowered::Form;
 use plm_compiler::model::ContactMode;
 
 /// A mechanism of at most `NQ / 3` bodies and `NC` constraint rows, with `N` numbers in a state [q, v, first-order states]. Coordinates
-/// of its own stand in the places of the first ones of these.
+/// of its own stand in the places of the first ones of these. Loops remember at most `L` numbers of each kind.
 #[derive(Clone, Copy, Debug)]
-pub struct Dynamic<S, const NQ: usize, const NC: usize, const N: usize> {
+pub struct Dynamic<S, const NQ: usize, const NC: usize, const N: usize, const L: usize = NQ> {
     pub(crate) model: &'static Model,
     pub(crate) parameters: [S; PARAMETERS],
     pub(crate) starts: Starts<S, N>,
@@ -30,33 +33,33 @@ pub struct Starts<S, const N: usize> {
 }
 
 /// What is held over a step.
-pub(crate) type Held<S, const NQ: usize> = HeldOf<
+pub(crate) type Held<S, const NQ: usize, const L: usize> = HeldOf<
     [S; INPUTS],
     [S; SWITCHES],
     [<S as Scalar>::Turns; NQ],
-    OfLoops<Memory<S, NQ>, [S; NQ]>,
+    OfLoops<Memory<S, L>, [S; NQ]>,
     contact::Held<S, ROWS>,
 >;
 
 /// The numbers that a function reads, beside parameters.
 #[derive(Clone, Copy)]
-pub(crate) struct Frame<'a, S: Scalar, const NQ: usize> {
+pub(crate) struct Frame<'a, S: Scalar, const NQ: usize, const L: usize> {
     pub(crate) t: S,
-    pub(crate) held: Option<&'a Held<S, NQ>>,
+    pub(crate) held: Option<&'a Held<S, NQ, L>>,
     pub(crate) x: &'a [S],
     pub(crate) q: &'a [S],
     pub(crate) v: &'a [S],
+    pub(crate) beside: Option<&'a Beside<'a, S>>,
+}
+
+/// Numbers that few functions read: accelerations, multipliers, those of a correction, rates, those of rows of contact that all slip.
+#[derive(Clone, Copy)]
+pub(crate) struct Beside<'a, S> {
     pub(crate) a: &'a [S],
     pub(crate) lambda: &'a [S],
     pub(crate) weights: &'a [S],
     pub(crate) residuals: &'a [S],
     pub(crate) rates: &'a [S],
-    pub(crate) sliding: Sliding<'a, S>,
-}
-
-/// The numbers of rows of contact that all slip.
-#[derive(Clone, Copy)]
-pub(crate) struct Sliding<'a, S> {
     pub(crate) slip: &'a [S],
     pub(crate) line: &'a [S],
     pub(crate) force: &'a [S],
@@ -64,28 +67,27 @@ pub(crate) struct Sliding<'a, S> {
     pub(crate) known: &'a [S],
 }
 
-impl<S> Sliding<'_, S> {
+impl<S> Beside<'_, S> {
     /// No numbers.
-    pub(crate) const NONE: Self = Sliding { slip: &[], line: &[], force: &[], second: &[], known: &[] };
+    pub(crate) const NONE: Self = Beside {
+        a: &[],
+        lambda: &[],
+        weights: &[],
+        residuals: &[],
+        rates: &[],
+        slip: &[],
+        line: &[],
+        force: &[],
+        second: &[],
+        known: &[],
+    };
 }
 
-impl<'a, S: Scalar, const NQ: usize> Frame<'a, S, NQ> {
+impl<'a, S: Scalar, const NQ: usize, const L: usize> Frame<'a, S, NQ, L> {
     /// The time alone.
     pub(crate) fn at(t: S) -> Self {
         let none: &[S] = &[];
-        Frame {
-            t,
-            held: None,
-            x: none,
-            q: none,
-            v: none,
-            a: none,
-            lambda: none,
-            weights: none,
-            residuals: none,
-            rates: none,
-            sliding: Sliding::NONE,
-        }
+        Frame { t, held: None, x: none, q: none, v: none, beside: None }
     }
 
     /// A pose, and velocities.
@@ -94,65 +96,67 @@ impl<'a, S: Scalar, const NQ: usize> Frame<'a, S, NQ> {
     }
 
     /// A state with what is held.
-    pub(crate) fn of_state(t: S, held: &'a Held<S, NQ>, x: &'a [S]) -> Self {
+    pub(crate) fn of_state(t: S, held: &'a Held<S, NQ, L>, x: &'a [S]) -> Self {
         Frame { held: Some(held), x, ..Frame::at(t) }
     }
 }
 
-impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
-    /// Evaluates a function: its outputs go to arrays, what it returns comes back.
+impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
+    /// Evaluates a function: its outputs go to arrays, what it returns comes back, or zero.
     pub(crate) fn run<const K: usize>(
         &self,
         code: &Code,
-        frame: &Frame<S, NQ>,
-        mut outputs: [&mut [S]; K],
+        frame: &Frame<S, NQ, L>,
+        outputs: [&mut [S]; K],
     ) -> S {
-        let mut returned = S::ZERO;
-        code.run(
-            |argument| self.read(argument, frame),
-            |place, value| match place {
-                Place::Value => returned = value,
-                Place::Element(output, k) => {
-                    if let Some(to) = outputs.get_mut(output).and_then(|output| output.get_mut(k)) {
-                        *to = value;
-                    }
-                }
-                _ => {}
-            },
-        );
-        returned
+        self.evaluate(code, frame, outputs, |_, _| {}).unwrap_or(S::ZERO)
     }
 
     /// Evaluates a function of what is to be remembered.
-    pub(crate) fn remembered(&self, code: &Code, frame: &Frame<S, NQ>) -> (Memory<S, NQ>, S) {
-        let (mut memory, mut returned) = (Memory::new(self.model.counts), S::ZERO);
-        code.run(
-            |argument| self.read(argument, frame),
-            |place, value| match place {
-                Place::Value => returned = value,
-                Place::Remembered(k) => {
-                    if let Some(to) = memory.number_mut(k) {
-                        *to = value;
-                    }
-                }
-                _ => {}
-            },
-        );
-        (memory, returned)
+    pub(crate) fn remembered(&self, code: &Code, frame: &Frame<S, NQ, L>) -> (Memory<S, L>, S) {
+        let mut memory = Memory::new(self.model.counts);
+        let returned = self.evaluate(code, frame, [], |place, value| {
+            if let Place::Remembered(k) = place
+                && let Some(to) = memory.number_mut(k)
+            {
+                *to = value;
+            }
+        });
+        (memory, returned.unwrap_or(S::ZERO))
     }
 
     /// Evaluates a function of the entries of a matrix.
-    pub(crate) fn entries(&self, code: &Code, frame: &Frame<S, NQ>, matrix: &mut [[S; N]; N]) {
-        code.run(
-            |argument| self.read(argument, frame),
-            |place, value| {
-                if let Place::Entry(row, column) = place
-                    && let Some(entry) = matrix.get_mut(row).and_then(|row| row.get_mut(column))
-                {
-                    *entry = value;
-                }
-            },
-        );
+    pub(crate) fn entries(&self, code: &Code, frame: &Frame<S, NQ, L>, matrix: &mut [[S; N]; N]) {
+        self.evaluate(code, frame, [], |place, value| {
+            if let Place::Entry(row, column) = place
+                && let Some(entry) = matrix.get_mut(row).and_then(|row| row.get_mut(column))
+            {
+                *entry = value;
+            }
+        });
+    }
+
+    /// Evaluates a function, by machine code where it has some: its outputs go to arrays, other results to `other`.
+    pub(crate) fn evaluate<const K: usize>(
+        &self,
+        code: &Code,
+        frame: &Frame<S, NQ, L>,
+        mut outputs: [&mut [S]; K],
+        mut other: impl FnMut(Place, S),
+    ) -> Option<S> {
+        let gathered = |argument| self.read(argument, frame);
+        // No other scalar than f64 has machine code.
+        if S::f64s(&[]).is_some()
+            && let Some(translator) = self.model.translator.get()
+            && let Some(machine_code) = code.machine_code(translator.as_ref())
+        {
+            let mut own = outputs.each_mut().map(|list| S::f64s_mut(list).unwrap_or_default());
+            let inputs = (|list| self.list(list, frame), gathered);
+            if let Some(value) = code.compute(machine_code, inputs, &mut own, &mut other) {
+                return code.returns().then_some(value);
+            }
+        }
+        code.interpret(gathered, &mut outputs, other)
     }
 
     /// Values of parameters and the time.
@@ -162,35 +166,45 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
         values
     }
 
+    /// A list of what a function reads; those of the discrete state are empty where none is at hand.
     #[inline]
-    pub(crate) fn read(&self, argument: Argument, frame: &Frame<S, NQ>) -> S {
-        let of = |list: &[S], k: usize| list.get(k).copied().unwrap_or(S::ZERO);
+    fn list<'a>(&'a self, list: List, frame: &'a Frame<'a, S, NQ, L>) -> &'a [S] {
+        match list {
+            List::Time => std::slice::from_ref(&frame.t),
+            List::Parameters => &self.parameters,
+            List::Inputs => frame.held.map_or(&[], |held| &held.input),
+            List::Switches => frame.held.map_or(&[], |held| &held.switches),
+            List::Multipliers => frame.held.map_or(&[], |held| &held.contact.lambda),
+            List::Array(Array::X) => frame.x,
+            List::Array(Array::Q) => frame.q,
+            List::Array(Array::V) => frame.v,
+            List::Array(array) => frame.beside.map_or(&[], |beside| match array {
+                Array::A => beside.a,
+                Array::Lambda => beside.lambda,
+                Array::Weights => beside.weights,
+                Array::Residuals => beside.residuals,
+                Array::Rates => beside.rates,
+                Array::Slip => beside.slip,
+                Array::Line => beside.line,
+                Array::Force => beside.force,
+                Array::Second => beside.second,
+                Array::Known => beside.known,
+                Array::X | Array::Q | Array::V => &[],
+            }),
+            List::Gathered => &[],
+        }
+    }
+
+    #[inline]
+    fn read(&self, argument: Argument, frame: &Frame<S, NQ, L>) -> S {
+        let of = |list, k: usize| self.list(list, frame).get(k).copied().unwrap_or(S::ZERO);
         match argument {
             Argument::Time => frame.t,
-            Argument::Parameter(k) => of(&self.parameters, k),
-            Argument::Element(array, k) => {
-                let list = match array {
-                    Array::X => frame.x,
-                    Array::Q => frame.q,
-                    Array::V => frame.v,
-                    Array::A => frame.a,
-                    Array::Lambda => frame.lambda,
-                    Array::Weights => frame.weights,
-                    Array::Residuals => frame.residuals,
-                    Array::Rates => frame.rates,
-                    Array::Slip => frame.sliding.slip,
-                    Array::Line => frame.sliding.line,
-                    Array::Force => frame.sliding.force,
-                    Array::Second => frame.sliding.second,
-                    Array::Known => frame.sliding.known,
-                };
-                of(list, k)
-            }
-            Argument::Scalar(OfScalar::MostGrowth) => S::lit(S::MOST_GROWTH),
-            Argument::Scalar(OfScalar::Agreement) => S::lit(S::AGREEMENT),
-            Argument::Scalar(OfScalar::Precision) => S::lit(S::PRECISION),
-            Argument::Input(k) => frame.held.map_or(S::ZERO, |held| of(&held.input, k)),
-            Argument::Switch(k) => frame.held.map_or(S::ZERO, |held| of(&held.switches, k)),
+            Argument::Parameter(k) => of(List::Parameters, k),
+            Argument::Element(array, k) => of(List::Array(array), k),
+            Argument::Scalar(number) => of_scalar(number),
+            Argument::Input(k) => of(List::Inputs, k),
+            Argument::Switch(k) => of(List::Switches, k),
             Argument::Turns(k) => {
                 frame.held.and_then(|held| held.turns.get(k)).map_or(S::ZERO, |turns| S::of_turns(*turns))
             }
@@ -198,7 +212,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
                 Some(OfLoops::InChart { continuation, .. }) => continuation.number(k),
                 _ => S::ZERO,
             },
-            Argument::Multiplier(k) => frame.held.map_or(S::ZERO, |held| of(&held.contact.lambda, k)),
+            Argument::Multiplier(k) => of(List::Multipliers, k),
             Argument::Mode(k, mode) => {
                 let is_so = frame.held.is_some_and(|held| match mode {
                     ContactMode::Open => held.contact.modes.is_open(k),
@@ -211,7 +225,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     }
 
     /// The same mechanism in other numbers.
-    pub(crate) fn map<T: Scalar>(&self, number: &impl Fn(S) -> T) -> Dynamic<T, NQ, NC, N> {
+    pub(crate) fn map<T: Scalar>(&self, number: &impl Fn(S) -> T) -> Dynamic<T, NQ, NC, N, L> {
         Dynamic {
             model: self.model,
             parameters: self.parameters.map(number),
@@ -220,7 +234,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     }
 
     /// What is held, in other numbers.
-    pub(crate) fn map_held<T: Scalar>(held: &Held<S, NQ>, number: &impl Fn(S) -> T) -> Held<T, NQ> {
+    pub(crate) fn map_held<T: Scalar>(held: &Held<S, NQ, L>, number: &impl Fn(S) -> T) -> Held<T, NQ, L> {
         HeldOf {
             input: held.input.map(number),
             switches: held.switches.map(number),
@@ -235,6 +249,11 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
         }
     }
 
+    /// Has functions computed by machine code of a translator from now on, in all copies of this mechanism. The first translator stays.
+    pub fn translate_by(&self, translator: Arc<dyn Translator>) {
+        self.model.translate_by(translator);
+    }
+
     /// Is the state in absolute coordinates?
     pub(crate) fn is_absolute(&self) -> bool {
         self.model.lowered.form == Form::Absolute
@@ -246,7 +265,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     }
 
     /// Guards, then kinks, where they need no accelerations.
-    pub(crate) fn watched(&self, t: S, held: &Held<S, NQ>, x: &[S], out: &mut [S; WATCHED]) {
+    pub(crate) fn watched(&self, t: S, held: &Held<S, NQ, L>, x: &[S], out: &mut [S; WATCHED]) {
         let frame = Frame::of_state(t, held, x);
         let code = match held.of_loops {
             OfLoops::InChart { chart, .. } if !self.is_absolute() => {

@@ -1,5 +1,6 @@
 //! What is remembered of loops, of as many numbers as a mechanism has.
 
+use plm_compiler::lowered::Loops;
 use plm_runtime::Scalar;
 use plm_runtime::charts::{Angle, Continuation, ContinuationData, Iterated, Reach};
 
@@ -17,6 +18,23 @@ pub(crate) struct Counts {
     pub(crate) angles: usize,
     pub(crate) determinants: usize,
     pub(crate) iterated: usize,
+}
+
+impl Counts {
+    pub(crate) fn of(loops: &Loops) -> Counts {
+        Counts {
+            coordinates: loops.coordinates,
+            angles: loops.turning.len(),
+            determinants: loops.determinants,
+            iterated: loops.iterated.len(),
+        }
+    }
+
+    /// The largest of them.
+    pub(crate) fn largest(self) -> usize {
+        let Counts { coordinates, angles, determinants, iterated } = self;
+        coordinates.max(angles).max(determinants).max(iterated)
+    }
 }
 
 impl<S: Scalar, const N: usize> Memory<S, N> {

@@ -1,24 +1,31 @@
 //! The tables and functions of a mechanism, which live as long as the program: a run is a handle to them with its numbers.
 
+use std::sync::{Arc, OnceLock};
+
 use plm_compiler::lowered::{self, Form, Lowered};
 use plm_runtime::absolute::Layout;
 use plm_runtime::charts::{Charts, Revolutions};
 use plm_runtime::limits::{Least, Limit};
 
-use crate::code::{Code, Room};
+use crate::code::Code;
 use crate::contact::Contacts;
 use crate::description::Description;
 use crate::memory::Counts;
+use crate::native::Translator;
+use crate::places::Room;
 
 /// A mechanism without its numbers.
 #[derive(Debug)]
 pub(crate) struct Model {
     pub(crate) lowered: &'static Lowered,
+    pub(crate) translator: OnceLock<Arc<dyn Translator>>,
     pub(crate) layout: Layout,
     pub(crate) charts: Charts,
     pub(crate) counts: Counts,
     /// Number of coordinates of the state.
     pub(crate) coordinates: usize,
+    /// Typical sizes of the numbers of the state, by place.
+    pub(crate) typical: Vec<f64>,
     pub(crate) absolute: Absolute,
     pub(crate) in_charts: Vec<InChart>,
     pub(crate) switches: Switches,
@@ -126,12 +133,7 @@ impl Model {
         let coordinates = lowered.charts.first().map_or(nq, |chart| chart.names.len());
         let state = Room { coordinates, capacity };
         let absolute = Absolute::new(lowered, Room { coordinates: nq, capacity });
-        let counts = lowered.loops.as_ref().map_or_else(Counts::default, |loops| Counts {
-            coordinates: loops.coordinates,
-            angles: loops.turning.len(),
-            determinants: loops.determinants,
-            iterated: loops.iterated.len(),
-        });
+        let counts = lowered.loops.as_ref().map_or_else(Counts::default, Counts::of);
         let turns = |places: fn(&lowered::Turns) -> Vec<usize>| lists(lowered.turns.iter().map(places));
         let turns_in_state = match lowered.form {
             Form::Loops => Vec::new(),
@@ -159,6 +161,7 @@ impl Model {
             charts: charts(lowered),
             counts,
             coordinates,
+            typical: typical(lowered, state),
             absolute,
             in_charts: lowered.charts.iter().map(|chart| InChart::new(chart, state)).collect(),
             switches: Switches::new(lowered, state),
@@ -174,9 +177,32 @@ impl Model {
             turns_in_pose: turns(|turns| turns.in_pose.clone()),
             turns_in_state: lists(turns_in_state),
             lowered,
+            translator: OnceLock::new(),
         };
         Box::leak(Box::new(model))
     }
+}
+
+impl Model {
+    /// Has functions translated from now on, if they were not before.
+    pub(crate) fn translate_by(&self, translator: Arc<dyn Translator>) {
+        let _ = self.translator.set(translator);
+    }
+}
+
+/// Typical sizes of the numbers of the state, by place. What no coordinate has is zero: a size that some has changes no norm, and no largest
+/// one.
+fn typical(lowered: &Lowered, room: Room) -> Vec<f64> {
+    let (own, states) = (&lowered.typical, lowered.states.len());
+    let size = |number: usize| own.get(number).copied().unwrap_or(1.0);
+    let mut typical = vec![size(0); 2 * room.capacity + states];
+    typical.iter_mut().skip(room.capacity).take(room.capacity).for_each(|to| *to = size(room.coordinates));
+    for (k, size) in own.iter().enumerate() {
+        if let Some(to) = typical.get_mut(room.place(k)) {
+            *to = *size;
+        }
+    }
+    typical
 }
 
 /// The charts of a mechanism without loops.

@@ -3,23 +3,18 @@
 use std::fmt;
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::sync::Arc;
 
-use plm_compiler::lowered::Named;
+use plm_compiler::lowered::{Lowered, Named};
 use plm_run::Integrator;
-use plm_runtime::{BodyState, Dop853, Fault, Method, Moment, Real, Rk4, Sim, Stats};
+use plm_runtime::{BodyState, Fault, Stats};
 
 use crate::column::Column;
-use crate::handle::Dynamic;
-use crate::model::Model;
+use crate::native::Translator;
 use crate::record::Sample;
 use crate::running::{Counted, OnRun, Record, Running, SetInput, StepTo};
-use crate::system::State;
+use crate::sizes::{Given, Models};
 use crate::text::{Compiled, Refused};
-
-/// Mechanisms of at most 8 bodies, 32 constraint rows and 16 first-order states.
-pub type Small = Dynamic<f64, 24, 32, 64>;
-/// Mechanisms of at most 64 bodies, 224 constraint rows and 64 first-order states.
-pub type Large = Dynamic<f64, 192, 224, 448>;
 
 /// A mechanism from text, with the values of its parameters and inputs.
 ///
@@ -48,22 +43,8 @@ pub type Large = Dynamic<f64, 192, 224, 448>;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    pub(crate) model: &'static Model,
-    pub(crate) size: Size,
-    pub(crate) parameters: Vec<Option<f64>>,
-    pub(crate) inputs: Vec<Option<f64>>,
-    pub(crate) starts: Vec<Option<f64>>,
-    /// When its runs begin, s.
-    pub(crate) time: f64,
-}
-
-/// The smaller one of the sizes that have room for a mechanism.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Size {
-    /// That of [`Small`].
-    Small,
-    /// That of [`Large`].
-    Large,
+    pub(crate) models: Models,
+    pub(crate) given: Given,
 }
 
 /// Why a mechanism does not run.
@@ -159,36 +140,34 @@ impl Mechanism {
     /// # Errors
     /// As [`from_text`](Self::from_text).
     pub fn from_named_text(name: &str, text: &str) -> Result<Self, Error> {
-        let compiled = Compiled::new(name, text)?;
-        let (model, size) = match compiled.fits::<24, 32, 64>() {
-            Ok(()) => (compiled.mechanism::<24, 32, 64>()?.model, Size::Small),
-            Err(_) => (compiled.mechanism::<192, 224, 448>()?.model, Size::Large),
-        };
-        let (parameters, inputs) = (model.lowered.parameters.len(), model.lowered.inputs.len());
-        let starts = vec![None; model.names_of_starts.len()];
-        Ok(Self {
-            model,
-            size,
-            parameters: vec![None; parameters],
-            inputs: vec![None; inputs],
-            starts,
-            time: 0.0,
-        })
+        let models = Models::new(Compiled::new(name, text)?)?;
+        let given = Given::nothing(models.smallest());
+        Ok(Self { models, given })
+    }
+
+    pub(crate) fn lowered(&self) -> &'static Lowered {
+        self.models.smallest().lowered
     }
 
     /// Its name.
     pub fn name(&self) -> &str {
-        &self.model.lowered.name
+        &self.lowered().name
     }
 
     /// Name and SI unit of each parameter.
     pub fn parameters(&self) -> impl Iterator<Item = (&str, &str)> + Clone {
-        self.model.lowered.parameters.iter().map(|param| (param.name.as_str(), param.unit.as_str()))
+        self.lowered().parameters.iter().map(|param| (param.name.as_str(), param.unit.as_str()))
     }
 
     /// Name and SI unit of each input.
     pub fn inputs(&self) -> impl Iterator<Item = (&str, &str)> + Clone {
-        self.model.lowered.inputs.iter().map(|Named { name, unit }| (name.as_str(), unit.as_str()))
+        self.lowered().inputs.iter().map(|Named { name, unit }| (name.as_str(), unit.as_str()))
+    }
+
+    /// Has functions computed by machine code of a translator from now on, also in runs of it that have begun. The first translator
+    /// stays.
+    pub fn translate_by(&self, translator: Arc<dyn Translator>) {
+        self.models.translate_by(translator);
     }
 
     /// Gives a parameter a value, SI.
@@ -197,7 +176,7 @@ impl Mechanism {
     /// [`Error::Unknown`].
     pub fn set_parameter(&mut self, name: &str, value: f64) -> Result<(), Error> {
         let place = place("parameter", name, self.parameters().map(|(name, _)| name))?;
-        self.parameters[place] = Some(value);
+        self.given.parameters[place] = Some(value);
         Ok(())
     }
 
@@ -207,7 +186,7 @@ impl Mechanism {
     /// [`Error::Unknown`].
     pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), Error> {
         let place = place("input", name, self.inputs().map(|(name, _)| name))?;
-        self.inputs[place] = Some(value);
+        self.given.inputs[place] = Some(value);
         Ok(())
     }
 
@@ -225,16 +204,8 @@ impl Mechanism {
     /// [`Error::NotGiven`], [`Error::Fault`] of assembly, [`Error::Method`].
     pub fn start_with(&self, method: Integrator) -> Result<Run, Error> {
         self.all_given()?;
-        let lowered = &self.model.lowered;
-        let sim = match (self.size, method) {
-            (Size::Small, method) => {
-                let small: Small = self.with_values();
-                Running::Small(Box::new(method.of(started(&small, &self.inputs, self.time)?)))
-            }
-            (Size::Large, Integrator::Dop853(rtol)) => Running::LargeDop853(self.large(Dop853::new(rtol))?),
-            (Size::Large, Integrator::Rk4(h)) => Running::LargeRk4(self.large(Rk4::new(h))?),
-            (Size::Large, _) => return Err(Error::Method("Dop853 and Rk4")),
-        };
+        let lowered = self.lowered();
+        let sim = self.models.start(method, &self.given)?;
         Ok(Run {
             sim,
             stats: Stats::default(),
@@ -243,44 +214,6 @@ impl Mechanism {
             outputs: lowered.outputs.iter().map(Column::of).collect(),
         })
     }
-
-    /// A run of a large mechanism by a method.
-    fn large<I: Method<Large>>(&self, method: I) -> Result<Box<Sim<Large, I>>, Fault> {
-        let large: Large = self.with_values();
-        Ok(Box::new(Sim::new(started(&large, &self.inputs, self.time)?, method)))
-    }
-
-    /// The mechanism with the values of its parameters.
-    pub(crate) fn with_values<const NQ: usize, const NC: usize, const N: usize>(
-        &self,
-    ) -> Dynamic<f64, NQ, NC, N> {
-        let mut own = Dynamic::declared(self.model, &self.parameters);
-        for (place, value) in own.parameters.iter_mut().zip(&self.parameters) {
-            *place = value.unwrap_or(*place);
-        }
-        if self.starts.iter().any(Option::is_some) {
-            own.starts = own.declared_starts();
-            let given = own.starts.values.iter_mut().zip(&self.starts);
-            for (start, value) in given.filter_map(|(start, value)| value.map(|value| (start, value))) {
-                *start = start.at(value);
-            }
-        }
-        own
-    }
-}
-
-/// A start with the inputs that are given.
-pub(crate) fn started<S: Real, const NQ: usize, const NC: usize, const N: usize>(
-    mechanism: &Dynamic<S, NQ, NC, N>,
-    given: &[Option<S>],
-    time: S,
-) -> Result<State<S, NQ, NC, N>, Fault> {
-    let mut inputs = mechanism.declared_input();
-    for (input, given) in inputs.iter_mut().zip(given) {
-        *input = given.unwrap_or(*input);
-    }
-    let (held, x) = mechanism.start_holding(time, inputs)?;
-    Ok(State::new(*mechanism, held, time, x))
 }
 
 /// A running simulation. A copy goes on as the original does, to the bit.

@@ -6,7 +6,7 @@ use plm_runtime::held::Discrete;
 use plm_runtime::{BodyState, Described, Dop853, Fault, Linear, Method, Moment, Rk4, Sim, Statics, Stats};
 
 use crate::record::{See, record};
-use crate::run::{Large, Small};
+use crate::sizes::{Large, Small, Tiny};
 
 /// Work on a run of a mechanism from text, whatever room the mechanism takes, and whatever method it runs by.
 pub trait OnRun {
@@ -23,11 +23,15 @@ pub trait OnRun {
 /// A run of some size by some method.
 #[derive(Clone)]
 pub(crate) enum Running {
-    /// Of the smaller size, by a method of the catalogue.
+    /// Of the smallest size.
+    TinyDop853(Box<Sim<Tiny, Dop853<Tiny>>>),
+    /// Of the smallest size.
+    TinyRk4(Box<Sim<Tiny, Rk4<f64>>>),
+    /// Of the middle size, by a method of the catalogue.
     Small(Box<AnySim<Small>>),
-    /// Of the larger size.
+    /// Of the largest size.
     LargeDop853(Box<Sim<Large, Dop853<Large>>>),
-    /// Of the larger size.
+    /// Of the largest size.
     LargeRk4(Box<Sim<Large, Rk4<f64>>>),
 }
 
@@ -36,6 +40,14 @@ macro_rules! at_state {
     ($running:expr, $state:ident => $value:expr) => {
         match $running {
             Running::Small(sim) => {
+                let $state = sim.state();
+                $value
+            }
+            Running::TinyDop853(sim) => {
+                let $state = sim.state();
+                $value
+            }
+            Running::TinyRk4(sim) => {
                 let $state = sim.state();
                 $value
             }
@@ -51,7 +63,7 @@ macro_rules! at_state {
     };
 }
 
-/// Work on a run of the smaller size.
+/// Work on a run of the middle size.
 struct OfSmall<W>(W);
 
 impl<W: OnRun> OnSim<Small> for OfSmall<W> {
@@ -67,6 +79,8 @@ impl Running {
     pub(crate) fn then<W: OnRun>(&mut self, work: W) -> W::Output {
         match self {
             Self::Small(sim) => sim.then(OfSmall(work)),
+            Self::TinyDop853(sim) => work.on(sim),
+            Self::TinyRk4(sim) => work.on(sim),
             Self::LargeDop853(sim) => work.on(sim),
             Self::LargeRk4(sim) => work.on(sim),
         }

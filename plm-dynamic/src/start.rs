@@ -2,39 +2,40 @@
 
 use plm_runtime::described::Tables;
 
-use crate::run::{Error, Large, Mechanism, place};
+use crate::run::{Error, Mechanism, place};
+use crate::sizes::Large;
 
 impl Mechanism {
     /// Bodies, parts and quantities with their documentation, and the report of the compiler.
     pub fn tables(&self) -> &'static Tables {
-        self.model.description.tables
+        self.models.smallest().description.tables
     }
 
     /// The declaration, as it was written.
     pub fn declaration(&self) -> &'static str {
-        self.model.description.declaration
+        self.models.smallest().description.declaration
     }
 
     /// Name and SI unit of each number that can be read of a run: of declared outputs and of what is observed.
     pub fn observables(&self) -> &'static [(&'static str, &'static str)] {
-        self.model.description.observed
+        self.models.smallest().description.observed
     }
 
     /// Names of the rows of contact.
     pub fn contacts(&self) -> &'static [&'static str] {
-        self.model.contacts.as_ref().map_or(&[], |contacts| contacts.names)
+        self.models.smallest().contacts.as_ref().map_or(&[], |contacts| contacts.names)
     }
 
     /// Names of the start values: x, y, angle, vx, vy, omega of the origin of each body, then first-order states.
     pub fn starts(&self) -> &'static [&'static str] {
-        self.model.names_of_starts
+        self.models.smallest().names_of_starts
     }
 
     /// The start values of the declaration with the parameters as they are, SI.
     pub fn declared_starts(&self) -> Vec<f64> {
-        let own: Large = self.with_values();
+        let own: Large = self.given.mechanism(self.models.smallest());
         let starts = own.declared_starts();
-        starts.values.iter().take(self.starts.len()).map(|start| start.value).collect()
+        starts.values.iter().take(self.starts().len()).map(|start| start.value).collect()
     }
 
     /// Gives a start value, SI; assembly keeps it where the declaration locks it.
@@ -43,18 +44,18 @@ impl Mechanism {
     /// [`Error::Unknown`].
     pub fn set_start(&mut self, name: &str, value: f64) -> Result<(), Error> {
         let place = place("start value", name, self.starts().iter().copied())?;
-        self.starts[place] = Some(value);
+        self.given.starts[place] = Some(value);
         Ok(())
     }
 
     /// Sets the time, s, at which runs begin; without it they begin at 0.
     pub fn set_time(&mut self, time: f64) {
-        self.time = time;
+        self.given.time = time;
     }
 
     /// Has every parameter a value?
     pub(crate) fn all_given(&self) -> Result<(), Error> {
-        let mut all = self.model.lowered.parameters.iter().zip(&self.parameters);
+        let mut all = self.lowered().parameters.iter().zip(&self.given.parameters);
         match all.find(|(param, given)| param.default.is_none() && given.is_none()) {
             Some((param, _)) => Err(Error::NotGiven(param.name.clone())),
             None => Ok(()),

@@ -9,6 +9,7 @@ use plm_compiler::{analyse, without_panic};
 
 use crate::capacity::{EVENTS, INPUTS, KINKS, PARAMETERS, ROWS, SWITCHES};
 use crate::handle::Dynamic;
+use crate::memory::Counts;
 use crate::model::Model;
 
 /// A declaration that was compiled: tables and functions.
@@ -97,15 +98,24 @@ impl Compiled {
     ///
     /// # Errors
     /// [`Refused::TooLarge`].
-    pub fn mechanism<const NQ: usize, const NC: usize, const N: usize>(
+    pub fn mechanism<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
         self,
-    ) -> Result<Dynamic<f64, NQ, NC, N>, Refused> {
-        self.fits::<NQ, NC, N>()?;
-        Ok(Dynamic::declared(Model::new(self.lowered, &self.name, NQ), &[]))
+    ) -> Result<Dynamic<f64, NQ, NC, N, L>, Refused> {
+        self.fits::<NQ, NC, N, NQ>()?;
+        Ok(Dynamic::declared(self.model(NQ), &[]))
+    }
+
+    /// Its tables, with room for so many coordinates.
+    pub(crate) fn model(self, coordinates: usize) -> &'static Model {
+        Model::new(self.lowered, &self.name, coordinates)
     }
 
     /// Is there room for it?
-    pub(crate) fn fits<const NQ: usize, const NC: usize, const N: usize>(&self) -> Result<(), Refused> {
+    pub(crate) fn fits<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+        &self,
+    ) -> Result<(), Refused> {
+        let loops = self.lowered.loops.as_ref();
+        let remembered = loops.map_or(0, |loops| Counts::of(loops).largest());
         let states = N.saturating_sub(2 * NQ);
         let conditional = self.lowered.contacts.as_ref().and_then(|contacts| contacts.conditional.as_ref());
         let conditional = conditional.map_or(0, |conditional| conditional.rows.len());
@@ -113,6 +123,7 @@ impl Compiled {
             ("coordinates", self.lowered.coordinates.len(), NQ),
             ("constraint rows", self.lowered.rows.len() + conditional, NC),
             ("first-order states", self.lowered.states.len(), states),
+            ("numbers that loops remember of a kind", remembered, L),
         ])
     }
 }

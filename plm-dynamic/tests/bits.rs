@@ -1,4 +1,5 @@
-//! The bits of compiled code: the eight mechanisms of `tests/snapshots`, from their declarations and as they are emitted.
+//! The bits of compiled code: the eight mechanisms of `tests/snapshots`, from their declarations and as they are emitted; from the
+//! declarations both step by step and as machine code.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 #![allow(unused_qualifications, unreachable_pub, reason = "emitted code")]
 
@@ -20,6 +21,7 @@ mod plate_on_three_pins;
 mod slider_crank;
 
 use std::fmt::Debug;
+use std::sync::Arc;
 
 use plm::runtime::described::by_number;
 use plm::runtime::{Described, Linear, Mechanism, Ports, Statics};
@@ -27,8 +29,19 @@ use plm::{
     Adams, Dop853, Linearisable, Method, RadauIia5, Rk4, Ros34Pw2, Sim, Stabilise, linearise, stabilise,
 };
 use plm_dynamic::{Compiled, Dynamic};
+use plm_jit::Host;
 
 type Small = Dynamic<f64, 15, 16, 38>;
+
+/// A mechanism from the declaration of another one: evaluated step by step, and by machine code from the first evaluation on.
+fn from_text<M: Described<S = f64>>(_: &M) -> [Small; 2] {
+    let host = Host::new().unwrap().after(0);
+    [None, Some(host)].map(|host| {
+        let small: Small = Compiled::new("mechanism.plm", M::DECLARATION).unwrap().mechanism().unwrap();
+        host.into_iter().for_each(|host| small.translate_by(Arc::new(host)));
+        small
+    })
+}
 
 /// Everything that is compared at a moment: poses and velocities, declared outputs.
 fn of_compiled<M: Described<S = f64>>(state: &M::State) -> Vec<u64> {
@@ -98,8 +111,10 @@ fn moment<M: Described<S = f64>>(of: M) -> Vec<u64> {
 
 /// Static equilibria, and the linear systems around them and around the start.
 fn same_analysis<M: Stabilise + Described + Linearisable>(mechanism: M) {
-    let dynamic: Small = Compiled::new("mechanism.plm", M::DECLARATION).unwrap().mechanism().unwrap();
-    assert_eq!(analysed(mechanism), analysed(dynamic));
+    let own = analysed(mechanism);
+    for dynamic in from_text(&mechanism) {
+        assert_eq!(own, analysed(dynamic));
+    }
 }
 
 /// Equilibria and linear systems as text, which has every bit of every number.
@@ -116,38 +131,42 @@ fn analysed<M: Stabilise + Described + Linearisable>(of: M) -> Vec<String> {
 }
 
 fn same_bits<M: Described<S = f64> + Statics>(mechanism: M) {
-    let text = M::DECLARATION;
-    let dynamic: Small = Compiled::new("mechanism.plm", text).unwrap().mechanism().unwrap();
-    same_description(mechanism, &dynamic);
-    let by_steps =
-        (mechanism.start_with(Rk4::new(1e-3)).unwrap(), dynamic.start_with(Rk4::new(1e-3)).unwrap());
-    compared(by_steps, (5, 0.02));
-    let by_error =
-        (mechanism.start_with(Dop853::new(1e-9)).unwrap(), dynamic.start_with(Dop853::new(1e-9)).unwrap());
-    compared(by_error, (10, 0.13));
+    for dynamic in from_text(&mechanism) {
+        same_description(mechanism, &dynamic);
+        let by_steps =
+            (mechanism.start_with(Rk4::new(1e-3)).unwrap(), dynamic.start_with(Rk4::new(1e-3)).unwrap());
+        compared(by_steps, (5, 0.02));
+        let by_error = (
+            mechanism.start_with(Dop853::new(1e-9)).unwrap(),
+            dynamic.start_with(Dop853::new(1e-9)).unwrap(),
+        );
+        compared(by_error, (10, 0.13));
+    }
 }
 
 /// The same by a method with a history.
 fn same_bits_with_history<M: Described<S = f64>>(mechanism: M) {
-    let dynamic: Small = Compiled::new("mechanism.plm", M::DECLARATION).unwrap().mechanism().unwrap();
-    let adams =
-        (mechanism.start_with(Adams::new(1e-8)).unwrap(), dynamic.start_with(Adams::new(1e-8)).unwrap());
-    compared(adams, (5, 0.1));
+    for dynamic in from_text(&mechanism) {
+        let adams =
+            (mechanism.start_with(Adams::new(1e-8)).unwrap(), dynamic.start_with(Adams::new(1e-8)).unwrap());
+        compared(adams, (5, 0.1));
+    }
 }
 
 /// The same by methods that solve with the full matrix of derivatives. Of a tree compiled code solves another system, the augmented one.
 fn same_bits_of_implicit<M: Described<S = f64> + Linear>(mechanism: M) {
-    let dynamic: Small = Compiled::new("mechanism.plm", M::DECLARATION).unwrap().mechanism().unwrap();
-    let stiff = (
-        mechanism.start_with(RadauIia5::new(1e-7)).unwrap(),
-        dynamic.start_with(RadauIia5::new(1e-7)).unwrap(),
-    );
-    compared(stiff, (4, 0.1));
-    let linearly = (
-        mechanism.start_with(Ros34Pw2::new(1e-3)).unwrap(),
-        dynamic.start_with(Ros34Pw2::new(1e-3)).unwrap(),
-    );
-    compared(linearly, (3, 0.02));
+    for dynamic in from_text(&mechanism) {
+        let stiff = (
+            mechanism.start_with(RadauIia5::new(1e-7)).unwrap(),
+            dynamic.start_with(RadauIia5::new(1e-7)).unwrap(),
+        );
+        compared(stiff, (4, 0.1));
+        let linearly = (
+            mechanism.start_with(Ros34Pw2::new(1e-3)).unwrap(),
+            dynamic.start_with(Ros34Pw2::new(1e-3)).unwrap(),
+        );
+        compared(linearly, (3, 0.02));
+    }
 }
 
 #[test]

@@ -138,6 +138,8 @@ impl From<&Fault> for Status {
             | Cause::NotUnique { .. }
             | Cause::ImpactGains { .. }
             | Cause::Slips
+            | Cause::Grazes
+            | Cause::AtOnce { .. }
             | Cause::TooManyContacts { .. } => Self::Switching,
             Cause::StepTooSmall { .. }
             | Cause::TimeTooCoarse { .. }

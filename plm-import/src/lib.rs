@@ -1,11 +1,13 @@
-//! Declarations of plm from files of others.
+//! Declarations of plm from files of others, and back.
 //!
 //! URDF, SDF and MJCF describe mechanisms in space. Where all hinges of one are parallel and all slides stand across them, its motion is
 //! planar, and [`mechanism`] writes the declaration that has the same motion. Each element of the file that could not be taken is a
 //! [`Notice`] with its place: a warning where it is left out, an error where the motion would be another one without it.
+//! [`to_mjcf`] and [`to_urdf`] write a compiled mechanism as a file for other programs.
 //! [`outline`] turns a DXF drawing into the contour of a body.
 
 mod dxf;
+mod export;
 mod mimic;
 mod mjcf;
 mod names;
@@ -24,6 +26,7 @@ mod xml;
 use std::rc::Rc;
 
 pub use self::dxf::outline;
+pub use self::export::{Exported, PlaceOf, to_mjcf, to_urdf};
 pub use self::notice::{Level, Notice, Place};
 
 use self::names::Names;

@@ -8,6 +8,11 @@ pub(crate) fn short(number: f64) -> String {
     with_digits(number, DIGITS)
 }
 
+/// A number with as many digits as it has behind a few operations.
+pub(crate) fn exact(number: f64) -> String {
+    with_digits(if number.abs() < 1e-15 { 0.0 } else { number }, 15)
+}
+
 /// A number of a picture, with up to four digits of `size`.
 pub(crate) fn coarse(number: f64, size: f64) -> String {
     let step = 10_f64.powi(size.abs().max(1e-300).log10().floor() as i32 - 3);

@@ -12,7 +12,12 @@ with M, tau, J and dJ/dt of MuJoCo. With files as arguments,
 
     python3 plm-import/tests/reference.py --peers target/debug/plm cartpole.xml …
 
-compares `plm import` and `plm run` with MuJoCo for each of them.
+compares `plm import` and `plm run` with MuJoCo for each of them, and
+
+    python3 plm-import/tests/reference.py --exports target/debug/plm
+
+prints what MuJoCo makes of `plm export --mjcf` of tests/models/machine.plm, and the difference of `plm run`; both are in
+plm-cli/tests/cli/export.rs.
 """
 
 import csv
@@ -76,13 +81,12 @@ def closed_acceleration(model, data):
     return np.linalg.lstsq(system, np.concatenate([force, right]), rcond=1e-12)[0][: model.nv]
 
 
-def closed_run(model, data, until):
+def closed_run(model, data, until, h):
     def rate(q, v):
         data.qpos[:], data.qvel[:] = q, v
         return v, closed_acceleration(model, data)
 
     q, v = data.qpos.copy(), data.qvel.copy()
-    h = 100 * STEP
     for _ in range(round(until / h)):
         a = rate(q, v)
         b = rate(q + h / 2 * a[0], v + h / 2 * a[1])
@@ -93,13 +97,13 @@ def closed_run(model, data, until):
     data.qpos[:], data.qvel[:] = q, v
 
 
-def final(path, until, controls):
-    """Names and coordinates of the joints at the end."""
+def final(path, until, controls, h=100 * STEP):
+    """Names and coordinates of the joints at the end; of closed loops by steps of h."""
     run = model(path)
     data = mujoco.MjData(run)
     data.ctrl[:] = controls
     if run.neq:
-        closed_run(run, data, until)
+        closed_run(run, data, until, h)
     else:
         for _ in range(round(until / STEP)):
             mujoco.mj_step(run, data)
@@ -128,9 +132,26 @@ def peers(plm, paths):
         print(f"{path}: {len(known)} joints, {max(known.values()):.1e}")
 
 
+def exports(plm):
+    path, controls = os.path.join(MODELS, "machine.plm"), {"torque": 0.3, "pull": 0.5}
+    with tempfile.TemporaryDirectory() as folder:
+        made = os.path.join(folder, "machine.xml")
+        subprocess.run([plm, "export", path, "--mjcf", made], check=True, capture_output=True)
+        expected = final(made, 0.4, list(controls.values()), 10 * STEP)
+    words = [plm, "run", path, "--until", "0.4", "--every", "0.4", "--csv", "-", "--method", "Dop853:1e-12"]
+    words += [word for name, value in controls.items() for word in ("--input", f"{name}={value}")]
+    rows = list(csv.reader(io.StringIO(subprocess.run(words, capture_output=True, text=True, check=True).stdout)))
+    found = {head.split(" ")[0]: float(number) for head, number in zip(rows[0], rows[-1])}
+    for joint, number in expected.items():
+        ours = found.get(f"{joint}.angle", found.get(f"{joint}.displacement"))
+        print(f"{joint} {number:.15f}", "" if ours is None else f"{abs(ours - number):.1e}")
+
+
 if __name__ == "__main__":
     if sys.argv[1:2] == ["--peers"]:
         peers(sys.argv[2], sys.argv[3:])
+    elif sys.argv[1:2] == ["--exports"]:
+        exports(sys.argv[2])
     else:
         for name, controls in [("cart.xml", [0.6, 0.2]), ("oblique.xml", []), ("four_bar.xml", [0.5]), ("follow.xml", []), ("puck.xml", [0.7, 3.0]), ("arm.urdf", [])]:
             for joint, number in final(os.path.join(MODELS, name), 0.4, controls).items():

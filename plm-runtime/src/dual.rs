@@ -58,6 +58,14 @@ impl<S: Real, const K: usize> Dual<S, K> {
     }
 }
 
+/// A number that does not depend on anything.
+impl<S: Real, const K: usize> From<S> for Dual<S, K> {
+    #[inline]
+    fn from(value: S) -> Self {
+        Self::constant(value)
+    }
+}
+
 impl<S: Real, const K: usize> Add for Dual<S, K> {
     type Output = Self;
     #[inline]
@@ -143,6 +151,10 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
     #[inline]
     fn is_finite(self) -> bool {
         self.value.is_finite()
+    }
+    #[inline]
+    fn each_derivative(self, each: &mut impl FnMut(f64)) {
+        self.tangents.into_iter().for_each(|tangent| each(tangent.to_f64()));
     }
     #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {

@@ -193,6 +193,14 @@ pub enum Cause {
         /// Its length, s.
         length: f64,
     },
+    /// The run has no derivatives beyond this event: its condition touches its boundary and does not cross it. The part is the condition.
+    Grazes,
+    /// The run has no derivatives beyond this event, or other ones to either side: another one happens at the same time, and which of the
+    /// two is first depends on what the run is derived by. The part is the condition.
+    AtOnce {
+        /// The condition of the other.
+        other: &'static str,
+    },
     /// The projection onto the constraints did not converge.
     Drift {
         /// Largest residual of position, m or rad.

@@ -53,6 +53,7 @@ pub mod events;
 pub mod fault;
 #[doc(hidden)]
 pub mod generated;
+pub mod gradient;
 pub mod held;
 pub mod lanes;
 pub mod limits;
@@ -89,6 +90,7 @@ pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use enclosure::{Enclosed, Interval};
 pub use fault::{Cause, Fault, Names};
+pub use gradient::{By, Unknown, with_derivatives};
 pub use held::Held;
 pub use limits::{Least, Limit};
 pub use linear::Linear;

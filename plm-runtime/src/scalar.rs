@@ -10,34 +10,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use plm_math as math;
 use plm_math::exact::Split;
 
-/// How numbers use vector registers: what depends on them is whether two of them side by side take less time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Registers {
-    /// One number at a time.
-    Scalar,
-    /// Compilers join two numbers in one register.
-    Pairs,
-    /// A number fills its registers by itself: it has several lanes.
-    Filled,
-}
+mod registers;
 
-impl Registers {
-    /// Whether two rates in a row take less time side by side, of a rate for which that pays or not where registers are filled.
-    #[must_use]
-    pub const fn pays_in_pairs(self, in_lanes: bool) -> bool {
-        match self {
-            Self::Scalar => false,
-            Self::Pairs => true,
-            Self::Filled => in_lanes,
-        }
-    }
-
-    /// Whether a number has several lanes.
-    #[must_use]
-    pub const fn are_filled(self) -> bool {
-        matches!(self, Self::Filled)
-    }
-}
+pub use self::registers::Registers;
 
 /// A number, or several in lanes, with the operations of a right-hand side.
 pub trait Scalar:
@@ -85,6 +60,11 @@ pub trait Scalar:
     fn to_f64(self) -> f64;
     /// Neither infinite nor NaN, in every lane.
     fn is_finite(self) -> bool;
+    /// Gives `each` the derivatives of the number, where it has some.
+    #[inline]
+    fn each_derivative(self, each: &mut impl FnMut(f64)) {
+        let _ = (self, each);
+    }
 
     /// `self * a + b`: two roundings, or one with the feature `fma`.
     #[must_use]
@@ -161,6 +141,21 @@ pub trait Scalar:
     fn any(mask: Self::Mask) -> bool;
     /// Is the mask set in every lane?
     fn all(mask: Self::Mask) -> bool;
+
+    /// The same numbers as `f64`; nothing where they are of another type. What computes with `f64` alone takes them so.
+    #[inline]
+    #[must_use]
+    fn f64s(numbers: &[Self]) -> Option<&[f64]> {
+        let _ = numbers;
+        None
+    }
+    /// [`f64s`](Self::f64s), to be written.
+    #[inline]
+    #[must_use]
+    fn f64s_mut(numbers: &mut [Self]) -> Option<&mut [f64]> {
+        let _ = numbers;
+        None
+    }
 
     /// Sine of an angle in rad.
     #[inline]
@@ -245,8 +240,10 @@ fn padded<T: Copy, const N: usize, const L: usize>(
 }
 
 macro_rules! real {
-    ($real:ident, $healthy:literal, $agreement:literal, $rank_tolerance:literal) => {
+    ($real:ident, $healthy:literal, $agreement:literal, $rank_tolerance:literal, { $($own:item)* }) => {
         impl Scalar for $real {
+            $($own)*
+
             type Mask = bool;
             type Turns = i32;
 
@@ -386,8 +383,17 @@ macro_rules! real {
     };
 }
 
-real!(f64, 6e-6, 1e9, 1.490_116_119_384_765_6e-8);
-real!(f32, 5e-3, 1e5, 3.452_669_8e-4);
+real!(f64, 6e-6, 1e9, 1.490_116_119_384_765_6e-8, {
+    #[inline]
+    fn f64s(numbers: &[f64]) -> Option<&[f64]> {
+        Some(numbers)
+    }
+    #[inline]
+    fn f64s_mut(numbers: &mut [f64]) -> Option<&mut [f64]> {
+        Some(numbers)
+    }
+});
+real!(f32, 5e-3, 1e5, 3.452_669_8e-4, {});
 
 #[cfg(feature = "fma")]
 mod fused;

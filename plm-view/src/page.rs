@@ -1,6 +1,7 @@
 //! Results, and the mechanism itself, as one HTML file that moves: everything in it, nothing asked of a network.
 
 mod bundle;
+mod dense;
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -13,6 +14,7 @@ use flate2::write::DeflateEncoder;
 use crate::error::{Error, write_file};
 use crate::markup::escape;
 use bundle::Kind;
+use dense::dense;
 
 /// The page before anything is put into it.
 const TEMPLATE: &str = include_str!("../page/page.html");
@@ -38,6 +40,7 @@ pub struct Page {
     title: String,
     module: Vec<u8>,
     editor: Option<Editor>,
+    book: String,
 }
 
 /// The editor of a page in which declarations are typed.
@@ -45,6 +48,8 @@ pub struct Page {
 struct Editor {
     /// The script of the editor.
     script: String,
+    /// The module, compressed.
+    module: Vec<u8>,
     /// Names and texts to begin with, as JSON.
     gallery: String,
 }
@@ -55,7 +60,13 @@ impl Page {
     /// The bytes are not looked at: what is wrong with them the page tells whoever opens it. Without bytes it waits
     /// for a file to be opened or dropped.
     pub fn new(results: &[u8], title: impl Into<String>) -> Self {
-        Self { results: results.to_vec(), title: title.into(), module: Vec::new(), editor: None }
+        Self {
+            results: results.to_vec(),
+            title: title.into(),
+            module: Vec::new(),
+            editor: None,
+            book: String::new(),
+        }
     }
 
     /// The same page with a live mechanism: the bytes of a module of WebAssembly, as [`Module::build`] gives them.
@@ -73,14 +84,22 @@ impl Page {
     /// The same page with an editor in which declarations are typed; its module makes mechanisms of texts
     /// (`examples/playground`).
     ///
-    /// `script` defines `plmEditor`, made of the folder `page/editor`; `gallery` has names and texts to begin with,
-    /// and the page opens with the first.
+    /// `script` defines `plmEditor`, made of the folder `page/editor`; `module` is compressed by `xz --format=lzma`; `gallery` has
+    /// names and texts to begin with, and the page opens with the first.
     #[must_use]
-    pub fn with_editor(mut self, script: &str, gallery: &[(String, String)]) -> Self {
+    pub fn with_editor(mut self, script: &str, module: &[u8], gallery: &[(String, String)]) -> Self {
         let texts = gallery.iter().map(|(name, text)| serde_json::json!({ "name": name, "text": text }));
         // `</script` would end the element; in JSON a backslash may stand before any slash.
         let gallery = texts.collect::<serde_json::Value>().to_string().replace("</", "<\\/");
-        self.editor = Some(Editor { script: script.to_owned(), gallery });
+        self.editor = Some(Editor { script: script.to_owned(), module: module.to_vec(), gallery });
+        self
+    }
+
+    /// The same page with links from codes of diagnostics to their pages in the book, which stands at this address: `./` for the folder
+    /// of the page.
+    #[must_use]
+    pub fn with_book(mut self, address: &str) -> Self {
+        address.clone_into(&mut self.book);
         self
     }
 
@@ -99,9 +118,11 @@ impl Page {
         let mut packed = element("packed-style", style.as_bytes());
         packed += &element("packed", script.as_bytes());
         if let Some(editor) = &self.editor {
-            packed += "<script type=\"text/plain\" id=\"gallery-texts\">";
-            packed += &editor.gallery;
-            packed += "</script>\n";
+            packed += &held("gallery-texts", &editor.gallery);
+            packed += &held("packed-module", &dense(&editor.module));
+        }
+        if !self.book.is_empty() {
+            packed += &held("book", &escape(&self.book));
         }
         if !self.module.is_empty() {
             packed += &element("module", &self.module);
@@ -151,7 +172,12 @@ fn element(id: &str, bytes: &[u8]) -> String {
     let mut deflated = DeflateEncoder::new(Vec::new(), Compression::best());
     // Writing into memory does not fail.
     let packed = deflated.write_all(bytes).and_then(|()| deflated.finish()).unwrap_or_default();
-    format!("<script type=\"text/plain\" id=\"{id}\">{}</script>\n", STANDARD.encode(packed))
+    held(id, &STANDARD.encode(packed))
+}
+
+/// An element that holds a text, which has no `<` in front of a slash.
+fn held(id: &str, text: &str) -> String {
+    format!("<script type=\"text/plain\" id=\"{id}\">{text}</script>\n")
 }
 
 /// What stands before the next `{{name}}`, the name, and what stands behind it.
@@ -191,6 +217,14 @@ mod tests {
         assert!(read.is_ok() && found == bytes);
         // Without one, there is no element.
         assert!(!Page::new(&[], "x").to_html().contains("id=\"module\""));
+    }
+
+    #[test]
+    fn the_address_of_the_book_is_there_where_it_is_known() {
+        let page = Page::new(&[], "x");
+        assert!(!page.to_html().contains("id=\"book\""));
+        let html = page.with_book("./</script>").to_html();
+        assert_eq!(between(&html, "id=\"book\">", "</script>"), "./&lt;/script&gt;");
     }
 
     #[test]

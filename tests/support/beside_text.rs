@@ -1,4 +1,7 @@
-//! A mechanism from text beside the compiled one: the same bits of poses and outputs, the same steps, evaluations, events and faults.
+//! A mechanism from text beside the compiled one: the same bits of poses and outputs, the same steps, evaluations, events and faults; by
+//! steps, and by machine code that takes their place during a run.
+
+use std::sync::Arc;
 
 use plm::dynamic::{self, Integrator, Run};
 use plm::runtime::{Described, Moment};
@@ -28,26 +31,27 @@ pub(crate) fn same_bits<M: Described<S = f64>, I: Method<M>>(
     (method, integrator): (I, &str),
     (times, by): (u32, f64),
 ) {
-    let text = dynamic::Mechanism::from_text(M::DECLARATION).unwrap();
+    let [by_steps, translated] = [(), ()].map(|()| dynamic::Mechanism::from_text(M::DECLARATION).unwrap());
+    let name = by_steps.name().to_owned();
+    translated.translate_by(Arc::new(plm_jit::Host::new().unwrap().after(20)));
     let integrator: Integrator = integrator.parse().unwrap();
     let mut compiled: Sim<M, I> = mechanism.start_with(method).unwrap();
-    let mut run = text.start_with(integrator).unwrap();
+    let mut runs = [by_steps, translated].map(|text| text.start_with(integrator).unwrap());
     for k in 1..=times {
         let end = f64::from(k) * by;
         let ends = compiled.step_to(end).map_err(|fault| fault.to_string());
-        let (name, ends_of_text) = (text.name(), run.step_to(end).map_err(|error| error.to_string()));
-        assert_eq!(ends, ends_of_text, "{name} to {end}");
-        assert_eq!(
-            of_compiled::<M>(compiled.state()),
-            of_text(&run),
-            "{name} at {}",
-            compiled.state().time()
-        );
+        for run in &mut runs {
+            assert_eq!(ends, run.step_to(end).map_err(|error| error.to_string()), "{name} to {end}");
+            let time = compiled.state().time();
+            assert_eq!(of_compiled::<M>(compiled.state()), of_text(run), "{name} at {time}");
+        }
         if ends.is_err() {
             return;
         }
     }
-    assert_eq!(counted(compiled.stats()), counted(run.stats()), "{}", text.name());
+    for run in runs {
+        assert_eq!(counted(compiled.stats()), counted(run.stats()), "{name}");
+    }
 }
 
 /// Compares runs of mechanisms with their declared values by `Dop853` over an interval, s, in four parts. Each has the stack of a

@@ -2,6 +2,7 @@
 
 mod check;
 mod expand;
+mod export;
 mod fmt;
 mod import;
 mod lsp;
@@ -62,6 +63,7 @@ const COMMANDS: &[Command] = &[
     run::COMMAND,
     expand::EXPAND,
     expand::REPORT,
+    export::COMMAND,
     import::COMMAND,
     fmt::COMMAND,
     lsp::COMMAND,

@@ -116,6 +116,7 @@ fn csv_to<'a>(name: &str, output: &'a mut dyn Write) -> Result<Box<dyn Write + '
 /// A run with the values that are asked for.
 fn started(asked: &Asked, mechanism: Result<Mechanism, Error>) -> Result<Run, Failure> {
     let mut mechanism = mechanism?;
+    translate(&mechanism);
     for text in &asked.set {
         let (name, value) = setting("--set", text, mechanism.parameters())?;
         mechanism.set_parameter(name, value)?;
@@ -126,6 +127,18 @@ fn started(asked: &Asked, mechanism: Result<Mechanism, Error>) -> Result<Run, Fa
     }
     Ok(mechanism.start_with(asked.method)?)
 }
+
+/// Has a run computed by machine code, where there is some for this processor.
+#[cfg(feature = "jit")]
+fn translate(mechanism: &Mechanism) {
+    if let Some(host) = plm_jit::Host::new() {
+        mechanism.translate_by(std::sync::Arc::new(host));
+    }
+}
+
+/// Without machine code a run is interpreted.
+#[cfg(not(feature = "jit"))]
+fn translate(_: &Mechanism) {}
 
 /// Name and value, SI, of a setting of one of these quantities with their SI units. A name that is none of them has the value 0: to set
 /// it is the mistake.

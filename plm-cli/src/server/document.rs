@@ -27,7 +27,7 @@ pub(super) struct Declaration {
 pub(super) struct Document {
     pub(super) uri: String,
     /// Path of its file.
-    name: String,
+    pub(super) name: String,
     /// Its text; lines end as on Unix.
     pub(super) text: String,
     /// Its text as the editor has it.

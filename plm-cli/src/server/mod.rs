@@ -15,10 +15,12 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use lsp_server::{ErrorCode, Message, Notification, Request, Response};
+use plm_compiler::token::Sources;
 use plm_compiler::without_panic;
 use serde_json::{Value, json};
 
 use crate::layout::formatted;
+use crate::package::{Package, version};
 use document::Document;
 use meaning::{Meaning, hover, meaning};
 pub(crate) use streams::serve;
@@ -96,6 +98,7 @@ impl Server {
             "textDocument/completion" => Some(json!(at.map(|at| complete::completion(document, at)))),
             "textDocument/formatting" => Some(layout(document)),
             "textDocument/codeAction" => Some(fixes(document, &params["range"])),
+            "plm/package" => Some(package(document)),
             _ => None,
         });
         match result {
@@ -164,6 +167,19 @@ fn layout(document: &Document) -> Value {
     }
 }
 
+/// The package of the first declaration of a text: its name and its files, or why there is none. No message of the protocol asks for
+/// it; the playground does.
+fn package(document: &Document) -> Value {
+    let Some(declaration) = document.declarations.first() else { return Value::Null };
+    let own = declaration.excerpt.own_text(&document.text);
+    let mut sources = Sources::new();
+    sources.add_text(&document.name, &own);
+    match Package::new(&own, &sources, &version()) {
+        Ok(Package { name, files }) => json!({ "name": name, "files": files }),
+        Err(why) => json!({ "why": why }),
+    }
+}
+
 /// Replacements that diagnostics of a range suggest.
 fn fixes(document: &Document, range: &Value) -> Value {
     let [start, end] = ["start", "end"].map(|of| text::offset(&document.text, &range[of]));
@@ -218,6 +234,11 @@ mod tests {
         let labels =
             found["result"].as_array().map(|all| all.iter().map(|of| &of["label"]).collect::<Vec<_>>());
         assert!(labels.is_some_and(|labels| labels.contains(&&json!("mass"))), "{found}");
+
+        let asked = json!({ "id": 3, "method": "plm/package", "params": { "textDocument": document } });
+        let [found] = &said(&mut server, &asked)[..] else { unreachable!() };
+        let main = found["result"]["files"]["src/main.rs"].as_str().unwrap_or_default();
+        assert!(main.contains(text) && found["result"]["name"] == "p", "{found}");
 
         let closed = json!({ "method": "textDocument/didClose", "params": { "textDocument": document } });
         let [shown] = &said(&mut server, &closed)[..] else { unreachable!() };

@@ -3,10 +3,10 @@
 use plm_runtime::absolute::{Absolute, Branch, Layout};
 use plm_runtime::{BodyStart, Health, Real, Start, Vector, singular};
 
-use crate::handle::{Dynamic, Frame};
+use crate::handle::{Beside, Dynamic, Frame};
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Absolute<S, NQ, NC>
-    for Dynamic<S, NQ, NC, N>
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Absolute<S, NQ, NC>
+    for Dynamic<S, NQ, NC, N, L>
 {
     fn layout(&self) -> &'static Layout {
         &self.model.layout
@@ -34,7 +34,8 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Absolute<S, NQ, 
     }
 
     fn min_norm(&self, t: S, q: &[S; NQ], w: &[S; NQ], r: &[S; NC], dq: &mut [S; NQ]) -> Health<S> {
-        let frame = Frame { weights: w, residuals: r, ..Frame::of_pose(t, q, &[]) };
+        let beside = Beside { weights: w, residuals: r, ..Beside::NONE };
+        let frame = Frame { beside: Some(&beside), ..Frame::of_pose(t, q, &[]) };
         Health(self.run(&self.model.absolute.min_norm, &frame, [dq]))
     }
 
@@ -78,7 +79,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Absolute<S, NQ, 
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
     /// Start values of the centres of gravity, body by body.
     fn starts_of(&self, of: impl Fn(BodyStart<S>, [S; 2], usize) -> [Start<S>; 3]) -> [Start<S>; NQ] {
         let count = self.model.lowered.bodies.len();

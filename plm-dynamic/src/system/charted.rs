@@ -8,12 +8,14 @@ use crate::handle::{Dynamic, Frame, Held};
 use crate::memory::Memory;
 use crate::model::WITHOUT_LOOPS;
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Charted for Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Charted
+    for Dynamic<S, NQ, NC, N, L>
+{
     type Input = [S; INPUTS];
     type Switches = [S; SWITCHES];
     type Turns = [i32; NQ];
     type Contact = plm_runtime::contact::Held<S, ROWS>;
-    type Continuation = Memory<S, NQ>;
+    type Continuation = Memory<S, L>;
     type Q = [S; NQ];
     // Those of lanes alone, which no mechanism at run time has.
     const CHARTS: Charts = WITHOUT_LOOPS;
@@ -22,7 +24,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Charted for Dyna
         &self.model.charts
     }
 
-    fn pose(&self, t: S, held: &Held<S, NQ>, x: &[S; N]) -> ([S; NQ], [S; NQ], S) {
+    fn pose(&self, t: S, held: &Held<S, NQ, L>, x: &[S; N]) -> ([S; NQ], [S; NQ], S) {
         let (mut q, mut v) = ([S::ZERO; NQ], [S::ZERO; NQ]);
         let chart = match &held.of_loops {
             OfLoops::InChart { chart, .. } => self.model.in_charts.get(*chart),
@@ -33,7 +35,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Charted for Dyna
         (q, v, measure)
     }
 
-    fn continuation(&self, t: S, held: &Held<S, NQ>, x: &[S; N]) -> (Memory<S, NQ>, S) {
+    fn continuation(&self, t: S, held: &Held<S, NQ, L>, x: &[S; N]) -> (Memory<S, L>, S) {
         let remember = match held.of_loops {
             OfLoops::InChart { chart, .. } => {
                 self.model.in_charts.get(chart).and_then(|chart| chart.remember.as_ref())
@@ -44,7 +46,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Charted for Dyna
         remember.map_or_else(nothing, |remember| self.remembered(remember, &Frame::of_state(t, held, x)))
     }
 
-    fn continuation_at(&self, chart: usize, t: S, q: &[S; NQ], v: &[S; NQ]) -> (Memory<S, NQ>, S) {
+    fn continuation_at(&self, chart: usize, t: S, q: &[S; NQ], v: &[S; NQ]) -> (Memory<S, L>, S) {
         let remember = self.model.in_charts.get(chart).and_then(|chart| chart.remember_pose.as_ref());
         let nothing = || (Memory::new(self.model.counts), S::ZERO);
         remember.map_or_else(nothing, |remember| self.remembered(remember, &Frame::of_pose(t, q, v)))

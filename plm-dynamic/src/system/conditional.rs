@@ -10,15 +10,15 @@ use crate::handle::{Dynamic, Frame, Held};
 
 /// A mechanism whose rows are those of its joints, and behind them constraints with a condition: those of the marked ones, of the others
 /// zeros.
-struct Joined<'a, S, const NQ: usize, const NC: usize, const N: usize> {
-    mechanism: &'a Dynamic<S, NQ, NC, N>,
+struct Joined<'a, S, const NQ: usize, const NC: usize, const N: usize, const L: usize> {
+    mechanism: &'a Dynamic<S, NQ, NC, N, L>,
     conditional: &'static Conditional,
     holds: [bool; ROWS],
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
     /// The constraints with a condition, by their numbers among these, that hold.
-    pub(super) fn conditions_that_hold(&self, of: &Conditional, held: &Held<S, NQ>) -> [bool; ROWS] {
+    pub(super) fn conditions_that_hold(&self, of: &Conditional, held: &Held<S, NQ, L>) -> [bool; ROWS] {
         let mut holds = [false; ROWS];
         for (holds, row) in holds.iter_mut().zip(&of.rows) {
             *holds = self.exists(held, *row);
@@ -38,9 +38,9 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Joined<'_, S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Joined<'_, S, NQ, NC, N, L> {
     /// Writes residuals of the constraints behind those of the joints.
-    fn put(&self, code: &crate::code::Code, frame: &Frame<S, NQ>, residuals: &mut [S; NC]) {
+    fn put(&self, code: &crate::code::Code, frame: &Frame<S, NQ, L>, residuals: &mut [S; NC]) {
         let joints = self.mechanism.model.lowered.rows.len();
         let mut own = [S::ZERO; ROWS];
         self.mechanism.run(code, frame, [&mut own]);
@@ -51,8 +51,8 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Joined<'_, S, NQ
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Absolute<S, NQ, NC>
-    for Joined<'_, S, NQ, NC, N>
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Absolute<S, NQ, NC>
+    for Joined<'_, S, NQ, NC, N, L>
 {
     fn layout(&self) -> &'static Layout {
         &self.conditional.layout

@@ -8,9 +8,10 @@ use plm_runtime::contact::{
 use plm_runtime::{Drift, Fault, Health, Real, Scalar, absolute};
 
 use crate::capacity::ROWS;
-use crate::code::{Code, Place};
+use crate::code::Code;
 use crate::contact::InChart;
 use crate::handle::{Dynamic, Frame, Held};
+use crate::places::Place;
 
 /// The rate without contact forces, and what multipliers of one add to it.
 struct Free<S, const N: usize> {
@@ -19,7 +20,7 @@ struct Free<S, const N: usize> {
     health: Health<S>,
 }
 
-impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
     /// Has it rows of contact?
     pub(super) fn has_contacts(&self) -> bool {
         self.model.contacts.is_some()
@@ -32,7 +33,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     }
 
     /// Functions of the rows in the chart that is held.
-    pub(super) fn contact_functions(&self, u: &Held<S, NQ>) -> Option<&'static InChart> {
+    pub(super) fn contact_functions(&self, u: &Held<S, NQ, L>) -> Option<&'static InChart> {
         let chart = match u.of_loops {
             OfLoops::InChart { chart, .. } if self.is_charted() => chart,
             OfLoops::Free { .. } if self.is_charted() => return None,
@@ -42,7 +43,13 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     }
 
     /// The rate with the contact forces of the modes that are held.
-    pub(super) fn rate_with_contact(&self, t: S, u: &Held<S, NQ>, x: &[S; N], dx: &mut [S; N]) -> Health<S> {
+    pub(super) fn rate_with_contact(
+        &self,
+        t: S,
+        u: &Held<S, NQ, L>,
+        x: &[S; N],
+        dx: &mut [S; N],
+    ) -> Health<S> {
         let is_affine = self.model.contacts.as_ref().is_some_and(|contacts| contacts.lowered.is_affine);
         if !is_affine {
             let u = &self.loaded(t, u, x);
@@ -64,7 +71,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     }
 
     /// The discrete state with the multipliers of contact at a state.
-    pub(super) fn loaded(&self, t: S, u: &Held<S, NQ>, x: &[S; N]) -> Held<S, NQ> {
+    pub(super) fn loaded(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> Held<S, NQ, L> {
         let mut held = *u;
         if !self.has_contacts() || !u.contact.has_forces() {
             return held;
@@ -75,32 +82,29 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
         held
     }
 
-    fn contact_kinematics(&self, t: S, u: &Held<S, NQ>, x: &[S; N]) -> Kinematics<S, ROWS> {
+    fn contact_kinematics(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> Kinematics<S, ROWS> {
         let mut rows = Kinematics::none();
         if let Some(functions) = self.contact_functions(u) {
             let frame = Frame::of_state(t, u, x);
-            functions.kinematics.run(
-                |argument| self.read(argument, &frame),
-                |place, value| match place {
-                    Place::Rows(OfRows::Gap(row)) => store(&mut rows.gap, row, value),
-                    Place::Rows(OfRows::Rate(row)) => store(&mut rows.rate, row, value),
-                    _ => {}
-                },
-            );
+            self.evaluate(&functions.kinematics, &frame, [], |place, value| match place {
+                Place::Rows(OfRows::Gap(row)) => store(&mut rows.gap, row, value),
+                Place::Rows(OfRows::Rate(row)) => store(&mut rows.rate, row, value),
+                _ => {}
+            });
         }
         self.put_loads(u, &mut rows.load, &mut rows.read);
         rows
     }
 
     /// The rate without contact forces, and its responses; completes the rows.
-    fn contact_motion(&self, t: S, u: &Held<S, NQ>, x: &[S; N], rows: &mut Rows<S, ROWS>) -> Free<S, N> {
+    fn contact_motion(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N], rows: &mut Rows<S, ROWS>) -> Free<S, N> {
         self.contact_pass(self.contact_functions(u).map(|functions| &functions.motion), (t, u, x), rows)
     }
 
     fn contact_pass(
         &self,
         code: Option<&Code>,
-        (t, u, x): (S, &Held<S, NQ>, &[S; N]),
+        (t, u, x): (S, &Held<S, NQ, L>, &[S; N]),
         rows: &mut Rows<S, ROWS>,
     ) -> Free<S, N> {
         let (mut rate, mut responses) = ([S::ZERO; N], Box::new([[S::ZERO; N]; ROWS]));
@@ -108,38 +112,34 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
         let mut health = if is_tree { S::lit(1.0) } else { S::ZERO };
         if let Some(code) = code {
             let frame = Frame::of_state(t, u, x);
-            code.run(
-                |argument| self.read(argument, &frame),
-                |place, value| match place {
-                    Place::Value => health = value,
-                    Place::Element(0, k) => store(&mut rate, k, value),
-                    Place::Response(row, k) => {
-                        if let Some(response) = responses.get_mut(row) {
-                            store(response, k, value);
-                        }
+            let returned = self.evaluate(code, &frame, [&mut rate], |place, value| match place {
+                Place::Response(row, k) => {
+                    if let Some(response) = responses.get_mut(row) {
+                        store(response, k, value);
                     }
-                    Place::Rows(place) => put(rows, place, value),
-                    _ => {}
-                },
-            );
+                }
+                Place::Rows(place) => put(rows, place, value),
+                _ => {}
+            });
+            health = returned.unwrap_or(health);
         }
         self.put_loads(u, &mut rows.load, &mut rows.read);
         Free { rate, responses, health: Health(health) }
     }
 
-    fn contact_rows(&self, t: S, u: &Held<S, NQ>, x: &[S; N]) -> Rows<S, ROWS> {
+    fn contact_rows(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> Rows<S, ROWS> {
         let mut rows = self.contact_kinematics(t, u, x).rows();
         let _ = self.contact_motion(t, u, x, &mut rows);
         rows
     }
 
-    fn contact_response(&self, t: S, u: &Held<S, NQ>, x: &[S; N], lambda: &[S; ROWS]) -> [S; N] {
+    fn contact_response(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N], lambda: &[S; ROWS]) -> [S; N] {
         let free = self.contact_motion(t, u, x, &mut Rows::none());
         contact::sum_of(&free.responses, lambda)
     }
 
     /// Kinds of the reactions that bound frictions, and of which frictions; the sign of one along a line is held.
-    fn put_loads(&self, u: &Held<S, NQ>, loads: &mut [Load; ROWS], read: &mut [[bool; ROWS]; ROWS]) {
+    fn put_loads(&self, u: &Held<S, NQ, L>, loads: &mut [Load; ROWS], read: &mut [[bool; ROWS]; ROWS]) {
         let Some(contacts) = &self.model.contacts else { return };
         let negative = &u.contact.modes.negative;
         for (load, reaction) in contacts.lowered.reactions.iter().enumerate() {
@@ -201,7 +201,9 @@ fn put_limit<S>(limit: &mut Limit<S, ROWS>, term: RowTerm, value: S) {
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Contacts<ROWS> for Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Contacts<ROWS>
+    for Dynamic<S, NQ, NC, N, L>
+{
     fn law(&self, row: usize) -> Law<S> {
         let Some(contacts) = &self.model.contacts else { return Law::Friction };
         match contacts.kind(row) {
@@ -220,7 +222,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Contacts<ROWS> f
     fn rows<T: Scalar>(
         &self,
         t: T,
-        u: &Held<S, NQ>,
+        u: &Held<S, NQ, L>,
         x: &impl Fn(usize) -> T,
         constant: &impl Fn(S) -> T,
     ) -> Rows<T, ROWS> {
@@ -228,11 +230,11 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Contacts<ROWS> f
         mechanism.contact_rows(t, &held, &core::array::from_fn(x))
     }
 
-    fn rows_at(&self, t: S, u: &Held<S, NQ>, x: &[S; N]) -> Rows<S, ROWS> {
+    fn rows_at(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> Rows<S, ROWS> {
         self.contact_rows(t, u, x)
     }
 
-    fn exists(&self, u: &Held<S, NQ>, row: usize) -> bool {
+    fn exists(&self, u: &Held<S, NQ, L>, row: usize) -> bool {
         let Some(contacts) = &self.model.contacts else { return false };
         let Some(code) = &contacts.exist else { return row < contacts.lowered.rows.len() };
         let mut exist = [S::ZERO; ROWS];
@@ -253,7 +255,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Contacts<ROWS> f
     fn kinematics<T: Scalar>(
         &self,
         t: T,
-        u: &Held<S, NQ>,
+        u: &Held<S, NQ, L>,
         x: &impl Fn(usize) -> T,
         constant: &impl Fn(S) -> T,
     ) -> Kinematics<T, ROWS> {
@@ -261,26 +263,26 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Contacts<ROWS> f
         mechanism.contact_kinematics(t, &held, &core::array::from_fn(x))
     }
 
-    fn kinematics_at(&self, t: S, u: &Held<S, NQ>, x: &[S; N]) -> Kinematics<S, ROWS> {
+    fn kinematics_at(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> Kinematics<S, ROWS> {
         self.contact_kinematics(t, u, x)
     }
 
-    fn sliding(&self, t: S, u: &Held<S, NQ>, x: &[S; N]) -> Option<[S; ROWS]> {
+    fn sliding(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> Option<[S; ROWS]> {
         let (mut dx, mut sizes) = ([S::ZERO; N], [S::ZERO; ROWS]);
         self.contact_sliding(t, u, x, &mut dx, Some(&mut sizes)).map(|_| sizes)
     }
 
-    fn free_rate(&self, t: S, u: &Held<S, NQ>, x: &[S; N], dx: &mut [S; N]) -> Health<S> {
+    fn free_rate(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N], dx: &mut [S; N]) -> Health<S> {
         let mut held = *u;
         held.contact.lambda = [S::ZERO; ROWS];
         self.rate_holding(t, &held, x, dx)
     }
 
-    fn response(&self, t: S, u: &Held<S, NQ>, x: &[S; N], lambda: &[S; ROWS]) -> [S; N] {
+    fn response(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N], lambda: &[S; ROWS]) -> [S; N] {
         self.contact_response(t, u, x, lambda)
     }
 
-    fn motion_at(&self, t: S, u: &Held<S, NQ>, x: &[S; N]) -> Motion<S, [S; N], ROWS> {
+    fn motion_at(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> Motion<S, [S; N], ROWS> {
         let together = self.contact_functions(u).and_then(|functions| functions.together.as_ref());
         let (mut rows, free);
         if together.is_some() {
@@ -293,7 +295,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Contacts<ROWS> f
         Motion { rate: free.rate, responses: *free.responses, rows, health: free.health }
     }
 
-    fn rate_with_forces(&self, t: S, u: &Held<S, NQ>, x: &[S; N], lambda: &[S; ROWS]) -> Option<[S; N]> {
+    fn rate_with_forces(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N], lambda: &[S; ROWS]) -> Option<[S; N]> {
         if self.model.contacts.as_ref().is_none_or(|contacts| contacts.lowered.is_affine) {
             return None;
         }
@@ -319,11 +321,11 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Contacts<ROWS> f
         S::lit(self.model.lowered.length)
     }
 
-    fn project_joints(&self, t: S, _u: &Held<S, NQ>, x: &mut [S; N]) -> Result<(), Fault> {
+    fn project_joints(&self, t: S, _u: &Held<S, NQ, L>, x: &mut [S; N]) -> Result<(), Fault> {
         if self.projects() { absolute::project_state::<S, Self, NQ, NC, N>(self, t, x) } else { Ok(()) }
     }
 
-    fn drift_of_joints(&self, t: S, _u: &Held<S, NQ>, x: &[S; N]) -> Drift<S> {
+    fn drift_of_joints(&self, t: S, _u: &Held<S, NQ, L>, x: &[S; N]) -> Drift<S> {
         if self.projects() {
             return absolute::drift::<S, Self, NQ, NC, N>(self, t, x);
         }

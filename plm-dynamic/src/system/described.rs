@@ -17,7 +17,9 @@ pub(super) const fn of_the_value() -> ! {
 /// Names with their units.
 type Named = &'static [(&'static str, &'static str)];
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Described for Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Described
+    for Dynamic<S, NQ, NC, N, L>
+{
     const TABLES: &'static Tables = of_the_value();
     const OBSERVED: Named = of_the_value();
     const DECLARATION: &'static str = of_the_value();
@@ -77,7 +79,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Described for Dy
         state.output(index)
     }
 
-    fn instant_name(&self, t: S, held: &Held<S, NQ>) -> &'static str {
+    fn instant_name(&self, t: S, held: &Held<S, NQ, L>) -> &'static str {
         nearest(t, self.model.description.instants, &self.instants(held).0)
     }
 
@@ -87,7 +89,9 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Described for Dy
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Ports for Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Ports
+    for Dynamic<S, NQ, NC, N, L>
+{
     /// Room for inputs: behind the last one they are zero, and nothing reads them.
     type Input = [S; INPUTS];
     const INPUTS: Named = of_the_value();
@@ -101,7 +105,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Ports for Dynami
         self.model.description.outputs
     }
 
-    fn inputs(held: &mut Held<S, NQ>) -> &mut [S; INPUTS] {
+    fn inputs(held: &mut Held<S, NQ, L>) -> &mut [S; INPUTS] {
         &mut held.input
     }
 

@@ -8,12 +8,12 @@ use plm_runtime::{Cause, Enclosed, Events, Fault, Moment, Real, events};
 
 use super::State;
 use crate::capacity::{KINKS, ROWS, SWITCHES, WATCHED};
-use crate::handle::{Dynamic, Frame, Held};
+use crate::handle::{Beside, Dynamic, Frame, Held};
 use crate::system::contact::store;
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
     /// Guards, then kinks, at a state.
-    fn all_watched(&self, t: S, u: &Held<S, NQ>, x: &[S; N]) -> [S; WATCHED] {
+    fn all_watched(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> [S; WATCHED] {
         let mut all = [S::lit(1.0); WATCHED];
         let u = &if self.conditions_read_multipliers() { self.loaded(t, u, x) } else { *u };
         if self.model.lowered.switches.read_solution {
@@ -23,7 +23,8 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
             let in_chart = matches!(u.of_loops, OfLoops::InChart { .. });
             let code = self.model.in_charts.first().filter(|_| in_chart).map(|chart| &chart.guards);
             let x: &[S] = if code.is_some() { x } else { &full };
-            let frame = Frame { a: &a, lambda: &lambda, ..Frame::of_state(t, u, x) };
+            let beside = Beside { a: &a, lambda: &lambda, ..Beside::NONE };
+            let frame = Frame { beside: Some(&beside), ..Frame::of_state(t, u, x) };
             self.run(code.unwrap_or(&self.model.absolute.guards), &frame, [&mut all]);
         } else if matches!(u.of_loops, OfLoops::Free { .. }) {
             let full = State::new(*self, *u, t, *x).absolute();
@@ -35,7 +36,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     }
 
     /// Sets the sides of conditions on the time alone.
-    pub(super) fn take_sides_at_time(&self, t: S, u: &mut Held<S, NQ>) {
+    pub(super) fn take_sides_at_time(&self, t: S, u: &mut Held<S, NQ, L>) {
         let (at, slope) = self.instants(u);
         let guards = self.model.lowered.switches.guards;
         for ((side, at), slope) in u.switches.iter_mut().skip(guards).zip(at).zip(slope) {
@@ -66,7 +67,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     }
 
     /// Rows that exist, where that is a question.
-    fn existing(&self, u: &Held<S, NQ>) -> Option<[bool; ROWS]> {
+    fn existing(&self, u: &Held<S, NQ, L>) -> Option<[bool; ROWS]> {
         self.model.contacts.as_ref()?.exist.as_ref()?;
         Some(core::array::from_fn(|row| self.exists(u, row)))
     }
@@ -75,7 +76,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     fn look_at_appearance(
         &self,
         t: S,
-        u: &Held<S, NQ>,
+        u: &Held<S, NQ, L>,
         x: &[S; N],
         existed: Option<[bool; ROWS]>,
     ) -> Result<(), Fault> {
@@ -83,7 +84,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     }
 
     /// Times at which conditions change, s, and the slopes of what they compare.
-    pub(super) fn instants(&self, u: &Held<S, NQ>) -> (Vec<S>, Vec<S>) {
+    pub(super) fn instants(&self, u: &Held<S, NQ, L>) -> (Vec<S>, Vec<S>) {
         let switches = &self.model.lowered.switches;
         let count = switches.all.len() - switches.guards;
         let (mut at, mut slope) = (vec![S::ZERO; count], vec![S::ZERO; count]);
@@ -93,7 +94,9 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Events for Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Events
+    for Dynamic<S, NQ, NC, N, L>
+{
     type G = [S; SWITCHES];
     const KINKS: usize = KINKS;
     const SELECTIVE: bool = true;

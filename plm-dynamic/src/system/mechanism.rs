@@ -26,7 +26,7 @@ impl<S: Scalar, const N: usize> Starts<S, N> {
     }
 }
 
-impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
     /// The mechanism as declared; parameters without a default have the values of `given`, by number.
     pub(crate) fn declared(model: &'static Model, given: &[Option<S>]) -> Self {
         let free = Start::free(S::ZERO);
@@ -61,9 +61,9 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
     /// Discrete state with inputs, before anything is known of a state.
-    pub(crate) fn holding(&self, input: [S; INPUTS]) -> Held<S, NQ> {
+    pub(crate) fn holding(&self, input: [S; INPUTS]) -> Held<S, NQ, L> {
         HeldOf {
             input,
             switches: [S::lit(1.0); SWITCHES],
@@ -102,7 +102,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     }
 
     /// The assembled state with inputs.
-    pub(crate) fn start_holding(&self, t: S, input: [S; INPUTS]) -> Result<(Held<S, NQ>, [S; N]), Fault> {
+    pub(crate) fn start_holding(&self, t: S, input: [S; INPUTS]) -> Result<(Held<S, NQ, L>, [S; N]), Fault> {
         let own = self.following();
         own.check(t)?;
         let assembly = absolute::assemble::<S, Self, NQ, NC>(&own, t)?;
@@ -136,7 +136,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     }
 
     /// The sides of conditions that apply where a run begins. Events that set states do not happen there.
-    fn begin_sides(&self, t: S, held: &mut Held<S, NQ>, x: &mut [S; N]) -> Result<(), Fault> {
+    fn begin_sides(&self, t: S, held: &mut Held<S, NQ, L>, x: &mut [S; N]) -> Result<(), Fault> {
         let switches = &self.model.lowered.switches;
         let contacts = self.model.contacts.as_ref();
         // Contacts have their modes when all constraints that hold are closed.
@@ -156,14 +156,20 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     }
 
     /// Takes the sides of all conditions of the state; nothing becomes true by that.
-    fn take_sides(&self, t: S, held: &mut Held<S, NQ>, x: &[S; N]) {
+    fn take_sides(&self, t: S, held: &mut Held<S, NQ, L>, x: &[S; N]) {
         let guards = self.model.lowered.switches.guards;
-        events::take_sides(self, t, held, x, (guards, |u: &mut Held<S, NQ>| &mut u.switches[..]));
+        events::take_sides(self, t, held, x, (guards, |u: &mut Held<S, NQ, L>| &mut u.switches[..]));
     }
 
     /// Assembles anew with the constraints that hold where a run begins. Which hold may depend on the pose: it is asked again behind
     /// that, a few times.
-    fn close(&self, t: S, input: [S; INPUTS], held: &mut Held<S, NQ>, x: &mut [S; N]) -> Result<(), Fault> {
+    fn close(
+        &self,
+        t: S,
+        input: [S; INPUTS],
+        held: &mut Held<S, NQ, L>,
+        x: &mut [S; N],
+    ) -> Result<(), Fault> {
         let contacts = self.model.contacts.as_ref();
         let conditional = contacts.and_then(|contacts| contacts.conditional.as_ref());
         let Some(conditional) = conditional else { return Ok(()) };
@@ -188,7 +194,13 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     }
 
     /// From a pose and velocity to the state.
-    pub(super) fn enter(&self, t: S, held: &mut Held<S, NQ>, (q, v): (&[S; NQ], &[S; NQ]), x: &mut [S; N]) {
+    pub(super) fn enter(
+        &self,
+        t: S,
+        held: &mut Held<S, NQ, L>,
+        (q, v): (&[S; NQ], &[S; NQ]),
+        x: &mut [S; N],
+    ) {
         match self.model.lowered.form {
             Form::Loops => charts::enter(self, t, held, (q, v), x),
             Form::Tree => charts::Charted::to_chart(self, 0, t, q, v, x),
@@ -197,11 +209,13 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Mechanism for Dynamic<S, NQ, NC, N> {
-    type State = State<S, NQ, NC, N>;
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Mechanism
+    for Dynamic<S, NQ, NC, N, L>
+{
+    type State = State<S, NQ, NC, N, L>;
     type Rescue = NearSingular<Self, NQ, NC, N>;
 
-    fn start_state(&self, t: S) -> Result<(Held<S, NQ>, [S; N]), Fault> {
+    fn start_state(&self, t: S) -> Result<(Held<S, NQ, L>, [S; N]), Fault> {
         self.start_holding(t, self.declared_input())
     }
 
@@ -221,7 +235,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Mechanism for Dy
         limits::fingerprint::<S, PARAMETERS>(core::array::from_fn(of_shape))
     }
 
-    fn renew(&self, t: S, held: &mut Held<S, NQ>, x: &mut [S; N]) -> Result<(), Fault> {
+    fn renew(&self, t: S, held: &mut Held<S, NQ, L>, x: &mut [S; N]) -> Result<(), Fault> {
         if self.model.lowered.starts.shaping.is_empty() {
             return Ok(());
         }
@@ -231,7 +245,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Mechanism for Dy
         Ok(())
     }
 
-    fn opening(&self, t: S, held: &Held<S, NQ>, x: &[S; N]) -> Drift<S> {
+    fn opening(&self, t: S, held: &Held<S, NQ, L>, x: &[S; N]) -> Drift<S> {
         let (q, v) = State::new(*self, *held, t, *x).pose();
         absolute::opening::<S, Self, NQ, NC>(self, t, &q, &v)
     }

@@ -4,8 +4,7 @@ use plm_runtime::absolute;
 use plm_runtime::charts::{self, OfLoops};
 use plm_runtime::contact::{self, Contacts};
 use plm_runtime::{
-    Cause, Constraints, Drift, Energy, Fault, Health, Labels, Moment, Rate, Real, Scalar, Updated, Vector,
-    turns,
+    Cause, Constraints, Drift, Energy, Fault, Health, Labels, Moment, Rate, Real, Scalar, Updated, turns,
 };
 
 use super::State;
@@ -13,15 +12,17 @@ use crate::capacity::ROWS;
 use crate::handle::{Dynamic, Frame, Held};
 use plm_compiler::lowered::Form;
 
-impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Rate for Dynamic<S, NQ, NC, N> {
+impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize> Rate
+    for Dynamic<S, NQ, NC, N, L>
+{
     type S = S;
     type X = [S; N];
-    type U = Held<S, NQ>;
+    type U = Held<S, NQ, L>;
     const NQ: usize = NQ;
 
     fn rate(&self, t: S, u: &Self::U, x: &[S; N], dx: &mut [S; N]) -> Health<S> {
-        *dx = [S::ZERO; N];
         if self.has_contacts() {
+            *dx = [S::ZERO; N];
             return self.rate_with_contact(t, u, x, dx);
         }
         self.rate_holding(t, u, x, dx)
@@ -36,21 +37,24 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Rate for Dynam
     }
 
     fn typical(&self) -> [S; N] {
-        let (own, count) = (&self.model.lowered.typical, self.model.coordinates);
-        // What no coordinate has is zero: a size that some has changes no norm, and no largest one.
-        let filled = |number: usize| own.get(number).copied().unwrap_or(1.0);
-        let mut typical = [S::lit(filled(0)); N];
-        typical.iter_mut().skip(NQ).take(NQ).for_each(|size| *size = S::lit(filled(count)));
-        for (k, size) in own.iter().enumerate() {
-            typical.set(place::<NQ>(k, count), S::lit(*size));
+        let sizes = &self.model.typical;
+        let mut typical = [S::lit(sizes.first().copied().unwrap_or(1.0)); N];
+        for (to, size) in typical.iter_mut().zip(sizes) {
+            *to = S::lit(*size);
         }
         typical
     }
+
+    #[inline]
+    fn typical_at(&self, place: usize) -> S {
+        let sizes = &self.model.typical;
+        S::lit(sizes.get(place).or(sizes.first()).copied().unwrap_or(1.0))
+    }
 }
 
-impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
     /// The rate with the multipliers of contact that are held.
-    pub(super) fn rate_holding(&self, t: S, u: &Held<S, NQ>, x: &[S; N], dx: &mut [S; N]) -> Health<S> {
+    pub(super) fn rate_holding(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N], dx: &mut [S; N]) -> Health<S> {
         let frame = Frame::of_state(t, u, x);
         *dx = [S::ZERO; N];
         match self.model.lowered.form {
@@ -75,11 +79,6 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
     }
 }
 
-/// The place of a number of the state that has so many coordinates.
-pub(super) fn place<const NQ: usize>(index: usize, coordinates: usize) -> usize {
-    crate::code::Room { coordinates, capacity: NQ }.place(index)
-}
-
 /// The number of the state that stands at a place.
 fn index<const NQ: usize>(place: usize, coordinates: usize) -> Option<usize> {
     match place {
@@ -89,7 +88,9 @@ fn index<const NQ: usize>(place: usize, coordinates: usize) -> Option<usize> {
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Constraints for Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Constraints
+    for Dynamic<S, NQ, NC, N, L>
+{
     fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; N], dx: &mut [S; N]) -> Result<(), Fault> {
         match self.model.lowered.form {
             Form::Tree => {
@@ -158,7 +159,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Constraints for 
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
     /// Are states projected onto constraints?
     pub(super) fn projects(&self) -> bool {
         self.is_absolute() && self.model.start.baumgarte.is_none()
@@ -169,7 +170,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     pub(super) fn accelerate(
         &self,
         t: S,
-        u: &Held<S, NQ>,
+        u: &Held<S, NQ, L>,
         x: &[S; N],
     ) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {
         let rows = self.model.lowered.rows.len();
@@ -186,7 +187,9 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Labels for Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Labels
+    for Dynamic<S, NQ, NC, N, L>
+{
     fn part_of_state(&self, at: usize) -> &'static str {
         let own = index::<NQ>(at, self.model.coordinates);
         own.and_then(|index| self.model.parts.get(index)).copied().unwrap_or_default()
@@ -197,7 +200,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Labels for Dynam
         own.and_then(|index| self.model.names.get(index)).copied().unwrap_or_default()
     }
 
-    fn name_in_chart(&self, held: &Held<S, NQ>, at: usize) -> &'static str {
+    fn name_in_chart(&self, held: &Self::U, at: usize) -> &'static str {
         let count = self.model.coordinates;
         let chart = match held.of_loops {
             OfLoops::InChart { chart, .. } if self.is_charted() => self.model.lowered.charts.get(chart),

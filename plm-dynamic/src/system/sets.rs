@@ -9,7 +9,7 @@ use crate::capacity::{EVENTS, ROWS, SWITCHES};
 use crate::handle::{Dynamic, Frame, Held};
 use crate::system::contact::store;
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
     /// Do events set states?
     pub(super) fn sets_states(&self) -> bool {
         !self.model.lowered.sets.events.is_empty()
@@ -19,9 +19,9 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     pub(super) fn followed(
         &self,
         t: S,
-        u: &mut Held<S, NQ>,
+        u: &mut Held<S, NQ, L>,
         x: &mut [S; N],
-        changes: impl FnOnce(&mut Held<S, NQ>, &mut [S; N]) -> Result<(), Fault>,
+        changes: impl FnOnce(&mut Held<S, NQ, L>, &mut [S; N]) -> Result<(), Fault>,
     ) -> Result<(), Fault> {
         if self.sets_states() {
             events::change::<Self, EVENTS>(self, t, u, x, changes)
@@ -31,8 +31,8 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> events::Sets<EVENTS>
-    for Dynamic<S, NQ, NC, N>
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> events::Sets<EVENTS>
+    for Dynamic<S, NQ, NC, N, L>
 {
     const CONDITIONS: usize = SWITCHES;
 
@@ -40,17 +40,17 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> events::Sets<EVE
         self.model.lowered.switches.guards
     }
 
-    fn sides(u: &mut Held<S, NQ>) -> &mut [S] {
+    fn sides(u: &mut Held<S, NQ, L>) -> &mut [S] {
         &mut u.switches
     }
 
-    fn holds(&self, u: &Held<S, NQ>) -> [bool; EVENTS] {
+    fn holds(&self, u: &Held<S, NQ, L>) -> [bool; EVENTS] {
         let mut holds = [S::ZERO; EVENTS];
         self.run(&self.model.sets.holds, &Frame { held: Some(u), ..Frame::at(S::ZERO) }, [&mut holds]);
         holds.map(|holds| holds > S::lit(0.5))
     }
 
-    fn set(&self, t: S, u: &mut Held<S, NQ>, x: &mut [S; N], index: usize) -> Result<(), Fault> {
+    fn set(&self, t: S, u: &mut Held<S, NQ, L>, x: &mut [S; N], index: usize) -> Result<(), Fault> {
         let (q, v) = State::new(*self, *u, t, *x).pose();
         let sets = &self.model.lowered.sets;
         let mut values = vec![S::ZERO; sets.count()];
@@ -73,7 +73,13 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> events::Sets<EVE
         Ok(())
     }
 
-    fn settle(&self, t: S, before: &Held<S, NQ>, u: &mut Held<S, NQ>, x: &mut [S; N]) -> Result<(), Fault> {
+    fn settle(
+        &self,
+        t: S,
+        before: &Held<S, NQ, L>,
+        u: &mut Held<S, NQ, L>,
+        x: &mut [S; N],
+    ) -> Result<(), Fault> {
         let Some(contacts) = &self.model.contacts else { return Ok(()) };
         let rows = &contacts.lowered.rows;
         if contacts.exist.is_some() || rows.iter().any(|row| row.moved_by_states) {

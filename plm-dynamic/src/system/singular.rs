@@ -7,15 +7,15 @@ use plm_runtime::{
 };
 
 use crate::capacity::ROWS;
-use crate::handle::{Dynamic, Frame, Held};
+use crate::handle::{Beside, Dynamic, Frame, Held};
 
 type Wide<S> = DoubleDouble<S>;
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> ExtendedPrecision<NQ, NC, N>
-    for Dynamic<S, NQ, NC, N>
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> ExtendedPrecision<NQ, NC, N>
+    for Dynamic<S, NQ, NC, N, L>
 {
-    type Extended = Dynamic<Wide<S>, NQ, NC, N>;
-    type Inputs = Held<Wide<S>, NQ>;
+    type Extended = Dynamic<Wide<S>, NQ, NC, N, L>;
+    type Inputs = Held<Wide<S>, NQ, L>;
 
     fn extended(&self) -> Self::Extended {
         self.map(&|number| Wide::written(number))
@@ -72,10 +72,10 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> ExtendedPrecisio
 }
 
 /// The state in absolute coordinates, of one in joint coordinates.
-pub(super) fn full<S: Real, const NQ: usize, const NC: usize, const N: usize>(
-    mechanism: &Dynamic<S, NQ, NC, N>,
+pub(super) fn full<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    mechanism: &Dynamic<S, NQ, NC, N, L>,
     t: S,
-    held: &Held<S, NQ>,
+    held: &Held<S, NQ, L>,
     x: &[S; N],
 ) -> [S; N] {
     let (q, v, _) = Charted::pose(mechanism, t, held, x);
@@ -84,11 +84,13 @@ pub(super) fn full<S: Real, const NQ: usize, const NC: usize, const N: usize>(
     full
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Linear for Dynamic<S, NQ, NC, N> {
-    type Lifted<const K: usize> = Dynamic<Dual<S, K>, NQ, NC, N>;
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Linear
+    for Dynamic<S, NQ, NC, N, L>
+{
+    type Lifted<const K: usize> = Dynamic<Dual<S, K>, NQ, NC, N, L>;
     type Derivatives = [[S; N]; N];
 
-    fn lift<const K: usize>(&self, held: &Self::U) -> (Self::Lifted<K>, Held<Dual<S, K>, NQ>) {
+    fn lift<const K: usize>(&self, held: &Self::U) -> (Self::Lifted<K>, Held<Dual<S, K>, NQ, L>) {
         let constant = |number: S| Dual::constant(number);
         (self.map(&constant), Self::map_held(held, &constant))
     }
@@ -111,7 +113,8 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Linear for Dynam
         let mut dx = [S::ZERO; N];
         let health = self.rate(t, u, x, &mut dx);
         *by_x = [[S::ZERO; N]; N];
-        self.entries(entries, &Frame { rates: &dx, ..Frame::of_state(t, u, x) }, by_x);
+        let beside = Beside { rates: &dx, ..Beside::NONE };
+        self.entries(entries, &Frame { beside: Some(&beside), ..Frame::of_state(t, u, x) }, by_x);
         if let Some(by_t) = by_t {
             let _ = self.jvp(t, u, x, (S::lit(1.0), &[S::ZERO; N]), by_t);
         }

@@ -4,14 +4,14 @@ use plm_compiler::lowered::Form;
 use plm_runtime::{Health, Scalar, contact};
 
 use crate::capacity::ROWS;
-use crate::handle::{Dynamic, Frame, Held, Sliding};
+use crate::handle::{Beside, Dynamic, Frame, Held};
 
-impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
     /// The rate where all rows that have a force slip, and the sizes of reactions along a line; nothing where sweeps do not converge.
     pub(super) fn contact_sliding(
         &self,
         t: S,
-        u: &Held<S, NQ>,
+        u: &Held<S, NQ, L>,
         x: &[S; N],
         dx: &mut [S; N],
         sizes: Option<&mut [S; ROWS]>,
@@ -20,8 +20,8 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
         let [slip, line] = &contact::slipping(&u.contact.modes)?;
         let (mut free, mut slope) = ([S::ZERO; NQ], [S::lit(1.0); ROWS]);
         let mut known = vec![S::ZERO; functions.known];
-        let signs = Sliding { slip, line, ..Sliding::NONE };
-        let frame = Frame { sliding: signs, ..Frame::of_state(t, u, x) };
+        let signs = Beside { slip, line, ..Beside::NONE };
+        let frame = Frame { beside: Some(&signs), ..Frame::of_state(t, u, x) };
         let health = self.run(&functions.motion, &frame, [dx, &mut free, &mut known, &mut slope]);
         let health = if self.model.lowered.form == Form::Tree { S::lit(1.0) } else { health };
         let mut weights = [1.0; NQ];
@@ -29,9 +29,9 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ,
             *to = *weight;
         }
         let known = &known;
-        let at = |force: &[S; ROWS], second: &[S; NQ], run: &mut dyn FnMut(&Frame<S, NQ>)| {
-            let numbers = Sliding { slip: &[], line, force, second, known };
-            run(&Frame { sliding: numbers, ..Frame::at(t) });
+        let at = |force: &[S; ROWS], second: &[S; NQ], run: &mut dyn FnMut(&Frame<S, NQ, L>)| {
+            let numbers = Beside { line, force, second, known, ..Beside::NONE };
+            run(&Frame { beside: Some(&numbers), ..Frame::at(t) });
         };
         let sweep = |force: &[S; ROWS], second: &[S; NQ], next: &mut [S; ROWS], changed: &mut [S; NQ]| {
             at(force, second, &mut |frame| {

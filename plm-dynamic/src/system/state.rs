@@ -2,23 +2,25 @@
 
 use plm_runtime::{BodyState, Health, InPlace, Moment, Real, absolute, charts, turns};
 
-use crate::handle::{Dynamic, Frame, Held};
+use crate::handle::{Beside, Dynamic, Frame, Held};
 use crate::system::singular;
 use plm_compiler::lowered::Form;
 
 /// A mechanism with its numbers at one moment.
 #[derive(Clone, Copy, Debug)]
-pub struct State<S: Real, const NQ: usize, const NC: usize, const N: usize> {
-    mechanism: Dynamic<S, NQ, NC, N>,
-    held: Held<S, NQ>,
+pub struct State<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize = NQ> {
+    mechanism: Dynamic<S, NQ, NC, N, L>,
+    held: Held<S, NQ, L>,
     time: S,
     x: [S; N],
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Moment for State<S, NQ, NC, N> {
-    type M = Dynamic<S, NQ, NC, N>;
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Moment
+    for State<S, NQ, NC, N, L>
+{
+    type M = Dynamic<S, NQ, NC, N, L>;
 
-    fn new(mechanism: Self::M, held: Held<S, NQ>, time: S, x: [S; N]) -> Self {
+    fn new(mechanism: Self::M, held: Held<S, NQ, L>, time: S, x: [S; N]) -> Self {
         State { mechanism, held, time, x }
     }
 
@@ -26,7 +28,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Moment for State
         &self.mechanism
     }
 
-    fn held(&self) -> Held<S, NQ> {
+    fn held(&self) -> Held<S, NQ, L> {
         self.held
     }
 
@@ -38,7 +40,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Moment for State
         &self.x
     }
 
-    fn set(&mut self, time: S, held: &Held<S, NQ>, x: &[S; N]) {
+    fn set(&mut self, time: S, held: &Held<S, NQ, L>, x: &[S; N]) {
         (self.time, self.held, self.x) = (time, *held, *x);
     }
 
@@ -48,7 +50,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Moment for State
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> State<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> State<S, NQ, NC, N, L> {
     /// Pose and velocity of every body, without whole turns.
     pub(crate) fn pose(&self) -> ([S; NQ], [S; NQ]) {
         match self.mechanism.model.lowered.form {
@@ -104,9 +106,11 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> State<S, NQ, NC,
         let code = model.outputs.get(number)?;
         let held = self.loaded();
         let mut frame = Frame { held: Some(&held), x: &self.x, ..Frame::of_pose(self.time, q, v) };
+        let beside;
         if model.lowered.outputs.get(number)?.solves {
             let (a, lambda) = solution.get_or_insert_with(|| self.solved());
-            (frame.a, frame.lambda) = (a, lambda);
+            beside = Beside { a, lambda, ..Beside::NONE };
+            frame.beside = Some(&beside);
         }
         Some(self.mechanism.run(code, &frame, []))
     }
@@ -136,7 +140,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> State<S, NQ, NC,
     }
 
     /// What is held, with the multipliers of contact.
-    fn loaded(&self) -> Held<S, NQ> {
+    fn loaded(&self) -> Held<S, NQ, L> {
         self.mechanism.loaded(self.time, &self.held, &self.x)
     }
 

@@ -5,10 +5,10 @@ use plm_runtime::{Absolute, BodyStart, Fault, Real, Statics, absolute, turns};
 
 use super::State;
 use crate::capacity::ROWS;
-use crate::code::Room;
-use crate::handle::{Dynamic, Frame, Held, Starts};
+use crate::handle::{Beside, Dynamic, Frame, Held, Starts};
+use crate::places::Room;
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
     /// Coordinates of all bodies, and the room for them.
     fn absolute_room(&self) -> Room {
         Room { coordinates: self.model.lowered.coordinates.len(), capacity: NQ }
@@ -41,7 +41,9 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Dynamic<S, NQ, N
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Statics for Dynamic<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Statics
+    for Dynamic<S, NQ, NC, N, L>
+{
     type Full = [S; N];
     type Rows = [S; NC];
     type Starts = Starts<S, N>;
@@ -61,16 +63,17 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Statics for Dyna
         self.model.description.states
     }
 
-    fn full(state: &State<S, NQ, NC, N>) -> [S; N] {
+    fn full(state: &State<S, NQ, NC, N, L>) -> [S; N] {
         state.unwrapped()
     }
 
     #[cold]
-    fn equations(&self, t: S, u: &Held<S, NQ>, x: &[S; N], lambda: &[S; NC], each: &mut impl FnMut(S)) {
+    fn equations(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N], lambda: &[S; NC], each: &mut impl FnMut(S)) {
         let (x, lowered) = (self.spread(x), &self.model.lowered);
         let (mut force, mut x_dot) = ([S::ZERO; NQ], [S::ZERO; N]);
         let (mut gap, mut limit) = ([S::ZERO; ROWS], [S::ZERO; 2 * ROWS]);
-        let frame = Frame { lambda, ..Frame::of_state(t, u, &x) };
+        let beside = Beside { lambda, ..Beside::NONE };
+        let frame = Frame { beside: Some(&beside), ..Frame::of_state(t, u, &x) };
         self.run(&self.model.absolute.at_rest, &frame, [&mut force, &mut x_dot, &mut gap, &mut limit]);
         let (q, v): ([S; NQ], [S; NQ]) = absolute::split(&x);
         let (nq, nc) = (lowered.coordinates.len(), lowered.rows.len());
@@ -83,15 +86,15 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Statics for Dyna
         gap.into_iter().take(contacts).chain(limit.into_iter().take(2 * contacts)).for_each(each);
     }
 
-    fn multipliers(held: &mut Held<S, NQ>) -> &mut [S] {
+    fn multipliers(held: &mut Held<S, NQ, L>) -> &mut [S] {
         &mut held.contact.lambda
     }
 
-    fn start_with_inputs(&self, t: S, held: &Held<S, NQ>) -> Result<(Held<S, NQ>, [S; N]), Fault> {
+    fn start_with_inputs(&self, t: S, held: &Held<S, NQ, L>) -> Result<(Held<S, NQ, L>, [S; N]), Fault> {
         self.start_holding(t, held.input)
     }
 
-    fn unstarted(&self) -> Held<S, NQ> {
+    fn unstarted(&self) -> Held<S, NQ, L> {
         self.holding(self.declared_input())
     }
 
@@ -130,7 +133,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize> Statics for Dyna
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize> State<S, NQ, NC, N> {
+impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> State<S, NQ, NC, N, L> {
     /// The state in absolute coordinates with all turns, unused room at the end.
     fn unwrapped(&self) -> [S; N] {
         let (mechanism, mut x) = (plm_runtime::Moment::mechanism(self), self.absolute());

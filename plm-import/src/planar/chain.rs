@@ -1,6 +1,7 @@
 //! Chains of joints whose links between have no mass: slides and a hinge of one body.
 
 use super::hosts::{Hosts, Role};
+use super::pairs::wrapped;
 use super::{Host, Pair, PairKind, Planar};
 use crate::names::Names;
 use crate::notice::Notices;
@@ -82,7 +83,7 @@ pub(super) fn add(
         }
     };
     let name = names.give(&name, "joint");
-    let a = planar.add_port(parent, &name, at, along - planar.angle(parent));
+    let a = planar.add_port(parent, &name, at, wrapped(along - planar.angle(parent)));
     let b = planar.add_port(child, &name, at, 0.0);
     planar.pairs.push(Pair { name, kind, a, b, joint: chain[chain.len() - 1] });
 }

@@ -61,7 +61,7 @@ impl Planar {
     /// Adds a port with this name to a host.
     pub(super) fn add_port(&mut self, host: Host, name: &str, at: [f64; 2], angle: f64) -> End {
         let at = self.local(host, at);
-        let angle = wrapped(angle);
+        let angle = if angle.abs() < 1e-12 { 0.0 } else { angle };
         let (ports, names) = match host {
             Host::Ground => (&mut self.ground, &mut self.ground_names),
             Host::Body(body) => {
@@ -86,10 +86,9 @@ impl Planar {
     }
 }
 
-/// An angle between −π and π, without what rounding leaves.
-fn wrapped(angle: f64) -> f64 {
-    let angle = angle - std::f64::consts::TAU * (angle / std::f64::consts::TAU).round();
-    if angle.abs() < 1e-12 { 0.0 } else { angle }
+/// An angle between −π and π.
+pub(super) fn wrapped(angle: f64) -> f64 {
+    angle - std::f64::consts::TAU * (angle / std::f64::consts::TAU).round()
 }
 
 fn single(
@@ -118,8 +117,10 @@ fn single(
         }
         Kind::Prismatic => {
             let (zero, along) = planar.slide(joint, at);
-            let a = planar.add_port(parent, &name, zero, along - planar.angle(parent));
-            (PairKind::Prismatic, a, planar.add_port(child, &name, at, along - planar.angle(child)))
+            let along = wrapped(along - planar.angle(parent));
+            let a = planar.add_port(parent, &name, zero, along);
+            // Not wrapped: a whole turn between both axes would be an error of the start, as in a weld.
+            (PairKind::Prismatic, a, planar.add_port(child, &name, at, along - turn))
         }
         Kind::Fixed => {
             let a = planar.add_port(parent, &name, at, turn);

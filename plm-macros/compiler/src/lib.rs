@@ -1,6 +1,8 @@
 //! The compiler of plm: a declared mechanism in, Rust source and a report out.
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+#[cfg(feature = "lowered")]
+mod assembled;
 mod bug;
 mod check;
 mod collect;
@@ -36,6 +38,8 @@ mod topology;
 pub mod units;
 pub mod words;
 
+#[cfg(feature = "lowered")]
+pub use assembled::{Assembled, AssembledBody, AssembledInput, AssembledPart, FieldValue, InputTerm};
 pub use bug::{bug_message, without_panic};
 pub use compile::{Expansion, analyse, compile, names_only};
 pub use emit::Code;

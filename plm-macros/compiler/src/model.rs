@@ -26,7 +26,7 @@ pub(crate) use contact::bounding_reactions;
 pub use contact::{Contact, ContactLaw, ContactMode, Impacts, Reaction};
 pub use event::{Target, When};
 pub use held::{Comparison, Counted, Decisions, End, Jump, Steady, Switch};
-pub use instance::Instance;
+pub use instance::{Instance, SetField};
 pub use joint::{FrameRef, Pair, Part, Turn};
 pub use limit::{Limit, Range};
 pub use shape::{Look, Shape, Size};

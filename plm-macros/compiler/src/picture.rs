@@ -118,16 +118,16 @@ fn body(body: &Body, pose: &[f64], number: &impl Fn(Expr) -> f64) -> PictureBody
     }
 }
 
-fn points(of: &[Vec2], number: &impl Fn(Expr) -> f64) -> Vec<[f64; 2]> {
+pub(crate) fn points(of: &[Vec2], number: &impl Fn(Expr) -> f64) -> Vec<[f64; 2]> {
     of.iter().map(|point| point.components().map_each(number)).collect_vec()
 }
 
-fn port(port: &Port, number: &impl Fn(Expr) -> f64) -> PicturePort {
+pub(crate) fn port(port: &Port, number: &impl Fn(Expr) -> f64) -> PicturePort {
     PicturePort { name: port.name.text.clone(), place: [port.at.x, port.at.y, port.angle].map_each(number) }
 }
 
 fn part(instance: &Instance, number: &impl Fn(Expr) -> f64) -> PicturePart {
-    let Instance { name, kind, pair, frames, sizes, shapes } = instance.clone();
+    let Instance { name, kind, pair, frames, sizes, shapes, .. } = instance.clone();
     let sizes = sizes.into_iter().map(|size| (size.name, number(size.value))).collect_vec();
     let shapes = shapes.into_iter().map(|Shape { look, at, towards, is_symbol, points: of }| PictureShape {
         look: look.name(),

@@ -1,9 +1,10 @@
 //! A declaration as text, and its mechanism.
 
 use std::ffi::OsString;
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
 use plm_dynamic::{Error, Mechanism, Refused};
+use plm_jit::Host;
 use plm_python::run::method;
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -24,6 +25,9 @@ impl Text {
     #[new]
     fn new(py: Python<'_>, name: &str, text: &str) -> PyResult<Self> {
         let compiled = py.detach(|| Mechanism::from_named_text(name, text));
+        if let (Ok(mechanism), Some(translator)) = (&compiled, Host::new()) {
+            mechanism.translate_by(Arc::new(translator));
+        }
         compiled.map(|mechanism| Self { mechanism }).map_err(|why| match why {
             Error::Refused(Refused::Mistakes(said)) => refused(py, name, text, &said),
             Error::Refused(Refused::Bug(what)) => PyRuntimeError::new_err(plm_compiler::bug_message(&what)),

@@ -58,6 +58,8 @@ mod tests {
             Cause::TooManyContacts { touching: 9 },
             Cause::Sunk { by: 0.1 },
             Cause::Slips,
+            Cause::Grazes,
+            Cause::AtOnce { other: "landing" },
             Cause::Redundant { count, locks, joints },
             Cause::VelocityRedundant { count, locks, joints },
             Cause::Repeats { joints },

@@ -168,7 +168,7 @@ pub fn update<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
 pub fn is_calm<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
     let OfLoops::InChart { continuation, .. } = &held.of_loops else { return false };
     let quiet = |k: usize, at: &Reach<M::S>| {
-        let ample = M::S::lit(BOXES.get() * tight() / system.coordinates() as f64) * system.typical().at(k);
+        let ample = M::S::lit(BOXES.get() * tight() / system.coordinates() as f64) * system.typical_at(k);
         let reach = if at.reach < ample { at.reach } else { BOXES.of::<M::S>() * at.reach };
         Reach { reach, ..*at }.holds(x.at(k))
     };
@@ -186,7 +186,7 @@ pub fn is_calm<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
 #[inline]
 pub fn crossed<M: Charted>(system: &M, held: &M::U, before: &M::X, x: &M::X) -> M::S {
     let OfLoops::InChart { continuation, .. } = &held.of_loops else { return M::S::ZERO };
-    let tight = |k: usize| M::S::lit(tight() / system.coordinates() as f64) * system.typical().at(k);
+    let tight = |k: usize| M::S::lit(tight() / system.coordinates() as f64) * system.typical_at(k);
     continuation.coordinates().iter().enumerate().fold(M::S::ZERO, |most, (k, &Reach { reach, .. })| {
         if reach < tight(k) { most.max((x.at(k) - before.at(k)).abs() / reach) } else { most }
     })
@@ -326,7 +326,7 @@ fn change<M: Charted>(
 fn probe<M: Charted>(system: &M, continuation: &M::Continuation, x: &M::X) -> M::X {
     let mut probe = *x;
     for (k, at) in continuation.coordinates().iter().enumerate() {
-        let by = PROBE.of::<M::S>() * at.reach.min(system.typical().at(k));
+        let by = PROBE.of::<M::S>() * at.reach.min(system.typical_at(k));
         probe.set(k, x.at(k) + if x.at(M::NQ + k) < M::S::ZERO { -by } else { by });
     }
     probe

@@ -155,7 +155,7 @@ pub(super) fn rates<M: System<S: Real>>(context: &mut Context<'_, M>) -> Option<
 }
 
 /// How fast the state and each guard change.
-fn rates_of_both<M: System<S: Real>>(context: &mut Context<'_, M>) -> Option<(M::X, M::G)> {
+pub(super) fn rates_of_both<M: System<S: Real>>(context: &mut Context<'_, M>) -> Option<(M::X, M::G)> {
     let (time, x) = (context.time, context.x);
     let mut rate = x;
     context.rate(time, &x, &mut rate).ok()?;

@@ -88,7 +88,7 @@ impl<S: Real> GuardFree<S> {
     #[inline]
     fn reaches<M: System<S = S>>(&self, system: &M, centre: &Beginning<M>, (i, x): (usize, S)) -> bool {
         let middle = centre.x.at(i);
-        (x - middle).abs() <= self.reach * (system.typical().at(i) + middle.abs())
+        (x - middle).abs() <= self.reach * (system.typical_at(i) + middle.abs())
     }
 
     /// Do all guards stay on their sides within reach?

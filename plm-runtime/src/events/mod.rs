@@ -9,6 +9,7 @@
 
 mod boundary;
 mod chattering;
+mod derived;
 mod enclosure;
 mod fixed;
 mod guard_free;
@@ -26,6 +27,7 @@ mod words;
 
 use self::boundary::{Boundary, decide, meet, refine};
 use self::chattering::Chattering;
+use self::derived::{derive_time, restore_time};
 use self::enclosure::Enclosure;
 use self::guard_free::GuardFree;
 pub(crate) use self::history::{Beginning, History};
@@ -288,10 +290,15 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             return Ok(());
         }
         required(context, index)?;
+        let moved = derive_time(context, index, step)?;
         let (mut after, mut x) = (context.held, context.x);
         context.system.switch(context.time, &mut after, &mut x, index)?;
         hold(context, after)?;
         context.x = x;
+        // The end of an interval stays where it is.
+        if context.time >= context.end {
+            restore_time(context, moved)?;
+        }
         method.restart();
         let here = guards_here(context)?;
         self.residual.set(index, here.at(index).min(S::ZERO));

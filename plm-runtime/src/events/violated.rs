@@ -2,7 +2,7 @@
 
 use super::boundary::Boundary;
 use super::relevant::{bit, refresh};
-use super::{guards, guards_here, hold};
+use super::{derive_time, guards, guards_here, hold, restore_time};
 use crate::fault::{Cause, Fault};
 use crate::method::Context;
 use crate::scalar::{Real, Scalar};
@@ -85,21 +85,20 @@ pub(super) fn switch_violated<M: System<S: Real>>(
     let decided = boundary.map_or(0, |boundary| boundary.decided);
     let edge = |i: usize| if decided & bit(i) == 0 { residual.at(i) } else { -M::S::INFINITY };
     let edges = M::G::from_fn(edge);
-    let mut any = false;
+    let mut first = None;
     for index in 0..M::G::LEN {
         if !is_below(context.system, here, &edges, index) {
             continue;
         }
-        any = true;
+        first = first.or(Some(index));
         match boundary {
             None => required(context, index)?,
             Some(_) if context.system.must_hold(index) => return Err(not_met(context, index, here)),
             Some(_) => {}
         }
     }
-    if !any {
-        return Ok(None);
-    }
+    let Some(first) = first else { return Ok(None) };
+    let moved = if boundary.is_none() { derive_time(context, first, within)? } else { M::S::ZERO };
     let (mut after, mut x) = (context.held, context.x);
     let mut switched = Switched { conditions: 0, count: 0 };
     let moment = (context.time, &mut after, &mut x);
@@ -111,6 +110,9 @@ pub(super) fn switch_violated<M: System<S: Real>>(
         hold(context, after)?;
     }
     (context.held, context.x) = (after, x);
+    if boundary.is_none() {
+        restore_time(context, moved)?;
+    }
     Ok(Some(switched))
 }
 

@@ -90,6 +90,7 @@ impl fmt::Display for Cause {
             | Self::Sunk { .. }
             | Self::Slips => contact(f, self),
             Self::Interval { length } => interval(f, *length),
+            Self::Grazes | Self::AtOnce { .. } => underivable(f, self),
             Self::Drift { phi, phi_dot } => drift(f, *phi, *phi_dot),
             Self::Redundant { count, locks, joints } => redundant(f, *count, "position", locks, joints),
             Self::VelocityRedundant { count, locks, joints } => {
@@ -111,6 +112,18 @@ impl fmt::Display for Cause {
             }
         }
     }
+}
+
+/// Why a run has no derivatives beyond an event.
+fn underivable(f: &mut fmt::Formatter<'_>, cause: &Cause) -> fmt::Result {
+    f.write_str("no derivatives go beyond this event: ")?;
+    if let Cause::AtOnce { other } = cause {
+        return write!(
+            f,
+            "`{other}` happens at the same time, and what the run is derived by says which of the two is first"
+        );
+    }
+    f.write_str("the motion touches its boundary and does not cross it")
 }
 
 /// How long an interval is that is none.

@@ -70,6 +70,12 @@ pub trait Rate {
     fn typical(&self) -> Self::X {
         Self::X::fill(Self::S::lit(1.0))
     }
+
+    /// [`typical`](Self::typical) of one state.
+    #[inline]
+    fn typical_at(&self, index: usize) -> Self::S {
+        self.typical().at(index)
+    }
 }
 
 /// A rate out of line: states are copied, so that the caller's stay in registers.

@@ -5,6 +5,7 @@ import { existsSync, readFileSync, statSync } from "node:fs";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { packText, unpackText } from "../src/packedtext.js";
+import { readZip } from "../src/zip.js";
 import { open, openedIn, shot, skip as withoutBrowser, state, until } from "./support/browser.js";
 
 const file = process.env["PLM_PLAYGROUND"] ?? "";
@@ -39,7 +40,7 @@ const shows = (page, name) => page.waitForFunction((to) => window.plmPage.app.li
 test("it is one file, asks nothing of a network, and moves in a second", { skip }, async () => {
   const { size } = statSync(file);
   console.log(`playground of ${size} bytes`);
-  assert.ok(size < 1_700_000, `${size} bytes`);
+  assert.ok(size < 1_200_000, `${size} bytes`);
   assert.ok(!readFileSync(file, "utf8").includes("https://cdn"));
   assert.ok((await openedIn(address)) < 1000);
   const { page, requests, errors } = await playground();
@@ -73,6 +74,7 @@ test("a mistake is told where it is, with what mends it, and the last good text 
   await type(page, PENDULUM.replace("revolute", "revolut"));
   await until(page, async () => (await problems(page)).length > 0, "it is told");
   const [told] = await problems(page);
+  assert.equal(await page.locator("#problems li a").count(), 0);
   assert.match(told, /^6: .*revolut.*E0\d{3}/);
   assert.equal(await page.locator(".cm-lintRange-error").count() > 0, true);
   assert.match(await page.locator("#editor-state").textContent(), /1 error: the last text without an error moves/);
@@ -84,6 +86,30 @@ test("a mistake is told where it is, with what mends it, and the last good text 
   await fix.click();
   assert.equal(await typed(page), PENDULUM);
   await page.waitForFunction(() => document.querySelector("#editor-state").textContent === "Nothing is wrong.");
+});
+
+test("beside a book, codes lead to their pages", { skip }, async () => {
+  const { page } = await playground(PENDULUM);
+  await page.evaluate(() => document.body.insertAdjacentHTML("beforeend", '<script type="text/plain" id="book">./</script>'));
+  await type(page, PENDULUM.replace("revolute", "revolut"));
+  const link = page.locator("#problems li a");
+  await link.waitFor();
+  assert.match(await link.getAttribute("href"), /^\.\/diagnostics\/E0\d{3}\.html$/);
+});
+
+test("what is typed is taken home as a package, and the commands are told", { skip }, async () => {
+  const { page, errors } = await playground(PENDULUM);
+  await page.click("#editor-home");
+  const commands = await page.locator("dialog code").allTextContents();
+  for (const option of ["--c", "--fmu", "--python"]) assert.ok(commands.includes(`plm export pendulum.plm ${option} pendulum`), commands.join("\n"));
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#home-crate")]);
+  assert.equal(download.suggestedFilename(), "pendulum.zip");
+  const { entries } = await readZip(new Uint8Array(readFileSync(await download.path())));
+  const files = new Map(entries.map(({ name, bytes }) => [name, bytes]));
+  const main = new TextDecoder().decode(files.get("pendulum/src/main.rs"));
+  assert.ok(main.includes(PENDULUM.trim().replaceAll(/^/gm, "    ")) && main.includes("Program::new(Pendulum::new())"), main);
+  assert.ok(files.has("pendulum/Cargo.toml"));
+  assert.deepEqual(errors, []);
 });
 
 test("words are completed, values are shown, and the layout is one", { skip }, async () => {

@@ -20,6 +20,13 @@ const LARGEST_TEXT = 1 << 20;
 /** The editor, which stands in the page as a script of its own. @returns {typeof import("../editor/editor.js")} */
 const codeEditor = () => /** @type {any} */ (globalThis).plmEditor;
 
+/** A code, which leads to its page where the book is known. @param {string} code */
+function pageOf(code) {
+  const book = document.getElementById("book")?.textContent ?? "";
+  if (code === "" || book === "") return element("span", {}, code);
+  return element("a", { href: `${book}diagnostics/${code}.html`, target: "_blank", rel: "noopener" }, code);
+}
+
 export class EditorPane {
   /**
    * @param {App} app
@@ -75,7 +82,7 @@ export class EditorPane {
       button("editor-open", "Open…", () => this.open(), "A file from this computer; nothing leaves it"),
       button("editor-save", "Save", () => saveText(this.editor.text()), "The declaration as a file"),
       this.link,
-      button("editor-home", "Take it home…", () => openTakeHome(this.editor.text())),
+      button("editor-home", "Take it home…", () => openTakeHome(this.editor.text(), this.language)),
     );
   }
 
@@ -118,7 +125,7 @@ export class EditorPane {
         const go = () => this.editor.goTo(range.start);
         const words = `${range.start.line + 1}: ${message.split("\n")[0]}`;
         const button = element("button", { type: "button", class: "plain", onclick: go }, words);
-        const item = element("li", { class: severity === 1 ? "error" : "warning" }, button, element("span", {}, code ?? ""));
+        const item = element("li", { class: severity === 1 ? "error" : "warning" }, button, pageOf(code ?? ""));
         if (severity === 1) void this.offer(problem, item);
         return item;
       }),

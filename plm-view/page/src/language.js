@@ -13,6 +13,7 @@ import { writeText } from "./machine.js";
  * @typedef {{range: Range, severity: number, code?: string, message: string}} Problem
  * @typedef {{range: Range, newText: string}} Edit
  * @typedef {{label: string, kind: number, detail: string, documentation: string}} Choice
+ * @typedef {{name: string, files: Record<string, string>}} Package
  * @typedef {{id?: number, method?: string, params?: any, result?: any, error?: {message: string}}} Message
  */
 
@@ -109,30 +110,35 @@ export class Language {
     const id = this.asked;
     return new Promise((resolve) => {
       this.waiting.set(id, resolve);
-      this.send({ id, method: `textDocument/${method}`, params: { textDocument: { uri: DECLARATION_URI }, ...more } });
+      this.send({ id, method, params: { textDocument: { uri: DECLARATION_URI }, ...more } });
     });
   }
 
   /** @param {Place} position @returns {Promise<Choice[]>} */
   async complete(position) {
-    return (await this.ask("completion", { position })) ?? [];
+    return (await this.ask("textDocument/completion", { position })) ?? [];
   }
 
   /** @param {Place} position @returns {Promise<{text: string, range: Range} | null>} */
   async hover(position) {
-    const found = await this.ask("hover", { position });
+    const found = await this.ask("textDocument/hover", { position });
     return found === null ? null : { text: found.contents.value, range: found.range };
   }
 
   /** What mends what is wrong in a range. @param {Range} range @returns {Promise<{title: string, edits: Edit[]}[]>} */
   async fixes(range) {
-    const found = (await this.ask("codeAction", { range, context: { diagnostics: [] } })) ?? [];
+    const found = (await this.ask("textDocument/codeAction", { range, context: { diagnostics: [] } })) ?? [];
     return found.map((/** @type {any} */ fix) => ({ title: fix.title, edits: fix.edit.changes[DECLARATION_URI] ?? [] }));
+  }
+
+  /** The package of cargo that the text is, as `plm export` writes it, or why it is none. @returns {Promise<Package | {why: string}>} */
+  async package() {
+    return (await this.ask("plm/package")) ?? { why: "the compiler has given no answer" };
   }
 
   /** The edits that give the text its layout. @returns {Promise<Edit[]>} */
   async layout() {
-    return (await this.ask("formatting", { options: { tabSize: 4, insertSpaces: true } })) ?? [];
+    return (await this.ask("textDocument/formatting", { options: { tabSize: 4, insertSpaces: true } })) ?? [];
   }
 }
 

@@ -1,9 +1,10 @@
 // Playground entry: starts a page in which a mechanism is typed.
 
+import { undense } from "./dense.js";
 import { dragTool, listenToDragKeys } from "./drag.js";
 import { EditorPane } from "./editorpane.js";
 import { Exchange, LiveTab } from "./exchange.js";
-import { embeddedModule } from "./files.js";
+import { unlzma } from "./lzma.js";
 import { startPage } from "./main.js";
 import { unpackText } from "./packedtext.js";
 import { startWorker } from "./startworker.js";
@@ -11,6 +12,12 @@ import { startWorker } from "./startworker.js";
 /** @import {App} from "./app.js" */
 /** @import {Example} from "./editorpane.js" */
 /** @import {Panel} from "./panel.js" */
+
+/** The bytes of the compiler; null where there are none. */
+function packedModule() {
+  const text = document.getElementById("packed-module")?.textContent ?? "";
+  return text === "" ? null : unlzma(undense(text));
+}
 
 /** The declarations to begin with. @returns {Example[]} */
 function embeddedGallery() {
@@ -23,7 +30,7 @@ function embeddedGallery() {
  * @returns {Promise<(panel: Panel) => void>}
  */
 async function beginPlay(app) {
-  const [wasm, gallery] = [await embeddedModule(), embeddedGallery()];
+  const [wasm, gallery] = [packedModule(), embeddedGallery()];
   if (wasm === null || gallery.length === 0) {
     app.tell("error", "The page holds no compiler, or nothing to begin with.");
     return () => {};

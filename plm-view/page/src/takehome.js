@@ -1,8 +1,10 @@
 // What is typed, to take home: a file, a Rust crate, a link.
 
-import { element, saveBlob } from "./dom.js";
+import { element, saveBlob, setText } from "./dom.js";
 import { showDialog } from "./dialogs.js";
 import { zipFile } from "./write.js";
+
+/** @import {Language} from "./language.js" */
 
 /** The mechanism of a declaration, by the name that follows `pub`. @param {string} text */
 export function nameOf(text) {
@@ -10,62 +12,53 @@ export function nameOf(text) {
   return /^\s*(?:pub\s+)?([A-Za-z_]\w*)\s*\{/.exec(code)?.[1] ?? null;
 }
 
-/** `FourBar` as the name of a crate: `four_bar`. @param {string} name */
-const crateName = (name) => name.replaceAll(/(?<=[a-z0-9])(?=[A-Z])/g, "_").toLowerCase();
-
-/** @param {string} name @param {string} text */
-function crateOf(name, text) {
-  const declaration = text.trim().split("\n").map((line) => (line === "" ? "" : `    ${line}`)).join("\n");
-  const main =
-    `plm::mechanism! {\n${declaration}\n}\n\n` +
-    `fn main() -> Result<(), plm::Fault> {\n    let mut sim = ${name}::new().start()?;\n    for _ in 0..100 {\n        sim.step(0.01)?;\n` +
-    `    }\n    println!("{:?}", sim.stats());\n    Ok(())\n}\n`;
-  const manifest =
-    `[package]\nname = "${crateName(name)}"\nversion = "0.1.0"\nedition = "2024"\n\n[dependencies]\n` +
-    `plm = { package = "plm-planar", version = "0.1" }\n`;
-  return { manifest, main };
-}
+/** `FourBar` as the name of a file: `four_bar`. @param {string} text */
+const fileName = (text) => (nameOf(text) ?? "mechanism").replaceAll(/(?<=[a-z0-9])(?=[A-Z])/g, "_").toLowerCase();
 
 /** @param {string} text */
 export function saveText(text) {
-  saveBlob(new Blob([text], { type: "text/plain" }), `${crateName(nameOf(text) ?? "mechanism")}.plm`);
+  saveBlob(new Blob([text], { type: "text/plain" }), `${fileName(text)}.plm`);
 }
 
-/** @param {string} text */
-async function saveCrate(text) {
-  const name = nameOf(text) ?? "Mechanism";
-  const { manifest, main } = crateOf(name, text);
-  const [folder, encode] = [crateName(name), (/** @type {string} */ of) => new TextEncoder().encode(of)];
-  const bytes = await zipFile([[`${folder}/Cargo.toml`, encode(manifest)], [`${folder}/src/main.rs`, encode(main)]]);
-  saveBlob(new Blob([bytes], { type: "application/zip" }), `${folder}.zip`);
+/** Saves the package of the text as a zip; why there is none stands in `told`. @param {Language} language @param {HTMLElement} told */
+async function savePackage(language, told) {
+  const made = await language.package();
+  if ("why" in made) {
+    setText(told, `There is no crate: ${made.why}.`);
+    return;
+  }
+  const bytes = await zipFile(Object.entries(made.files).map(([path, text]) => [`${made.name}/${path}`, new TextEncoder().encode(text)]));
+  saveBlob(new Blob([bytes], { type: "application/zip" }), `${made.name}.zip`);
 }
 
-/** What can be done with a text elsewhere. @param {string} text */
-export function openTakeHome(text) {
-  const file = `${crateName(nameOf(text) ?? "mechanism")}.plm`;
+/** Commands for a file, and what they make of it. @param {string} name the file without its ending */
+const homeCommands = (name) => [
+  [`plm run ${name}.plm --until 5 --csv outputs.csv`, "its outputs as a table"],
+  [`plm check ${name}.plm`, "what is wrong with it"],
+  [`plm expand ${name}.plm`, "the Rust code that the macro makes of it"],
+  [`plm export ${name}.plm --c ${name}`, "a package that makes a library for C and C++, and the command for it"],
+  [`plm export ${name}.plm --fmu ${name}`, "a package that makes an FMU"],
+  [`plm export ${name}.plm --python ${name}`, "a package that makes a wheel for Python"],
+  [`plm export ${name}.plm --mjcf ${name}.xml`, "a model of MuJoCo"],
+  [`plm export ${name}.plm --urdf ${name}.urdf`, "a robot of ROS"],
+];
+
+/** What can be done with a text elsewhere. @param {string} text @param {Language} language */
+export function openTakeHome(text, language) {
   const button = (/** @type {string} */ id, /** @type {string} */ label, /** @type {() => void} */ onclick) => element("button", { type: "button", id, onclick }, label);
-  const command = (/** @type {string} */ line, /** @type {string} */ what) =>
-    element("tr", {}, element("td", {}, element("code", {}, line)), element("td", {}, what));
+  const told = element("p", { id: "home-told", role: "status" }, "The crate is the same mechanism in Rust, compiled by rustc: the same numbers, to the bit. It makes C, FMUs and wheels, too.");
+  const rows = homeCommands(fileName(text)).map(([line, what]) =>
+    element("tr", {}, element("td", {}, element("code", {}, line)), element("td", {}, what)),
+  );
   showDialog("Take it home", [
     element(
       "div",
       { class: "row" },
       button("home-text", "Declaration (.plm)", () => saveText(text)),
-      button("home-crate", "Rust crate (.zip)", () => void saveCrate(text)),
+      button("home-crate", "Rust crate (.zip)", () => void savePackage(language, told)),
     ),
-    element("p", {}, "The crate is the same mechanism in Rust, compiled by rustc: the same numbers, to the bit."),
+    told,
     element("h3", {}, "On the command line"),
-    element(
-      "table",
-      {},
-      element(
-        "tbody",
-        {},
-        command(`plm run ${file} --until 5 --csv outputs.csv`, "its outputs as a table"),
-        command(`plm check ${file}`, "what is wrong with it"),
-        command(`plm expand ${file}`, "the Rust code that the macro makes of it"),
-      ),
-    ),
-    element("p", {}, "From Rust it becomes C, an FMU, a Python wheel: the book says how, under \"From C\", \"As an FMU\", \"From Python\"."),
+    element("table", {}, element("tbody", {}, ...rows)),
   ]);
 }

@@ -39,7 +39,8 @@ test("a question is of the text as it is", async () => {
   language.change("a.");
   const found = language.complete({ line: 0, character: 2 });
   const [, , question] = workers[0].sent;
-  assert.deepEqual(workers[0].sent.map(({ method }) => method.split("/")[1]), ["didOpen", "didOpen", "completion"]);
+  const methods = ["didOpen", "didOpen", "completion"].map((name) => `textDocument/${name}`);
+  assert.deepEqual(workers[0].sent.map(({ method }) => method), methods);
   assert.equal(textOf(workers[0].sent[1]), "a.");
   answer({ id: question.id, result: [{ label: "angle" }] });
   assert.deepEqual(await found, [{ label: "angle" }]);
@@ -47,6 +48,16 @@ test("a question is of the text as it is", async () => {
   const nothing = language.hover({ line: 0, character: 0 });
   answer({ id: question.id + 1, result: null });
   assert.equal(await nothing, null);
+});
+
+test("the package of a text is that of the command", async () => {
+  const { language, workers, answer } = client();
+  language.change("pub A { }");
+  const made = language.package();
+  const question = workers[0].sent.at(-1);
+  assert.equal(question.method, "plm/package");
+  answer({ id: question.id, result: { name: "a", files: { "Cargo.toml": "" } } });
+  assert.deepEqual(await made, { name: "a", files: { "Cargo.toml": "" } });
 });
 
 test("a text that takes too long, or that stops the compiler, is given up", async () => {

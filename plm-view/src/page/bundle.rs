@@ -102,6 +102,8 @@ const PLAYGROUND: &[(&str, &str)] = &[
     ("exchange", include_str!("../../page/src/exchange.js")),
     ("language", include_str!("../../page/src/language.js")),
     ("editorpane", include_str!("../../page/src/editorpane.js")),
+    ("dense", include_str!("../../page/src/dense.js")),
+    ("lzma", include_str!("../../page/src/lzma.js")),
     ("playground", include_str!("../../page/src/playground.js")),
 ];
 

@@ -81,8 +81,14 @@ pub(super) fn book(place: &Place) -> Result {
             .say("NOT CHECKED: links, colours and widths of the book, for want of node (20 or later)");
     }
     place.command("npm ci --silent").in_folder("docs/check").run()?;
-    let tests = ["--test", "--test-reporter=spec", "book.test.js", "colours.test.js"];
-    place.command("node").args(tests).in_folder("docs/check").set("PLM_BOOK", built).run()
+    let tests = ["--test", "--test-reporter=spec", "book.test.js", "colours.test.js", "open.test.js"];
+    place
+        .command("node")
+        .args(tests)
+        .in_folder("docs/check")
+        .set("PLM_BOOK", built)
+        .set("PLM", place.target.join("debug/plm"))
+        .run()
 }
 
 /// The book shows the curves that the example draws.

@@ -17,19 +17,13 @@ const PLM: &str = "plm-planar";
 /// What the program of its README prints: the same bits on every machine.
 const PRINTED: &str = "0.761883 rad, [-45.60926972753451, -79.02384099541798] N";
 
-/// A whole program, which has options.
+/// A declaration of which `plm export` makes a whole program, which has options.
 const PENDULUM: &str = "\
-plm::mechanism! {
-    pub Pendulum {
-        gravity: 9.81 m/s^2;
-        ground { port o: (0, 0) m; }
-        body bob { mass: 1 kg; inertia: 0.01 kg*m^2; port pivot: (0, 1) m; start angle: 30 deg, locked; }
-        revolute hinge(ground.o, bob.pivot);
-    }
-}
-
-fn main() -> std::process::ExitCode {
-    plm::view::Program::new(Pendulum::new()).until(1.0).main()
+pub Pendulum {
+    gravity: 9.81 m/s^2;
+    ground { port o: (0, 0) m; }
+    body bob { mass: 1 kg; inertia: 0.01 kg*m^2; port pivot: (0, 1) m; start angle: 30 deg, locked; }
+    revolute hinge(ground.o, bob.pivot);
 }
 ";
 
@@ -74,14 +68,18 @@ pub(super) fn all(place: &Place) -> Result {
     place.say(&format!("{} packages; the program of the README runs in an empty folder", packages.len()))
 }
 
-/// Packages that a whole program builds beside itself, of what the registry would have: a library for C, and a page that is live.
+/// The program of `plm export`, and packages that it builds beside itself, of what the registry would have: a library for C, and a page
+/// that is live.
 pub(super) fn programs(place: &Place) -> Result {
     let empty = Empty::new()?;
-    let packages = packed(place, &empty.0)?;
-    let options: [&[&str]; 2] = [&["--c", "library"], &["--view", "live.html", "--live"]];
+    settings(&empty.0, &packed(place, &empty.0)?)?;
+    let (file, folder) = (empty.0.join("pendulum.plm"), empty.0.join("user"));
+    fs::write(&file, PENDULUM).map_err(|why| format!("{}: {why}", file.display()))?;
+    place.command("cargo run --quiet -p plm-cli -- export").arg(&file).arg("--rust").arg(&folder).run()?;
+    let options: [&[&str]; 3] = [&["--until", "1"], &["--c", "library"], &["--view", "live.html", "--live"]];
     for options in options {
-        let run = program(place, &empty.0, &packages, ", features = [\"view\"]", PENDULUM)?;
-        run.arg("--").args(options).run()?;
+        let run = place.command("cargo run --quiet --target-dir").arg(place.target.join("packages/user"));
+        run.in_folder(&folder.to_string_lossy()).arg("--").args(options).run()?;
     }
     Ok(())
 }
@@ -143,24 +141,15 @@ fn readme<'a>(place: &'a Place, empty: &Path, packages: &[Package]) -> Result<Ta
     let readme = read(&package.folder.join("src/README.md"))?;
     let code = readme.split_once("```rust\n").and_then(|(_, code)| code.split_once("```"));
     let (code, _) = code.ok_or("the README of plm-planar has no Rust code")?;
-    program(place, empty, packages, "", code)
+    program(place, empty, packages, code)
 }
 
 /// `cargo run` for a program in a folder of its own, whose manifest is a user's.
-fn program<'a>(
-    place: &'a Place,
-    empty: &Path,
-    packages: &[Package],
-    more: &str,
-    main: &str,
-) -> Result<Task<'a>> {
+fn program<'a>(place: &'a Place, empty: &Path, packages: &[Package], main: &str) -> Result<Task<'a>> {
     let folder = empty.join("user");
-    let dependency = match more {
-        "" => format!("{PLM} = \"{}\"", version(&place.root)?),
-        more => format!("{PLM} = {{ version = \"{}\"{more} }}", version(&place.root)?),
-    };
+    let version = version(&place.root)?;
     let manifest = format!(
-        "[package]\nname = \"user\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\n[dependencies]\n{dependency}\n"
+        "[package]\nname = \"user\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\n[dependencies]\n{PLM} = \"{version}\"\n"
     );
     let write = |file: &str, text: &str| {
         fs::write(folder.join(file), text).map_err(|why| format!("{file} in {}: {why}", folder.display()))

@@ -5,10 +5,12 @@ use plm_cas::Expr;
 use plm_cas::algebra::Vec2;
 
 use crate::diag::Code;
-use crate::model::{Body, FrameRef, Instance, Look, Pair, Shape, Size};
+use crate::model::{Body, FrameRef, Instance, Look, Pair, SetField, Shape, Size};
 use crate::outline;
 use crate::resolve::Resolver;
-use crate::resolve::names::{ScopeId, SlotId};
+use crate::resolve::declarations::part::PartInUse;
+use crate::resolve::names::{Optional, ScopeId, SlotId};
+use crate::resolve::values::lazy::Lazy;
 use crate::resolve::values::{Eval, Failed, Reads, Value, all};
 use crate::span::Span;
 use crate::syntax::ast::{self, Contour, IndexedName};
@@ -206,7 +208,27 @@ impl<'a> Resolver<'a> {
             ast::ItemKind::Pair(pair) => Pair::named(&pair.text),
             _ => None,
         });
-        Some(Instance { name, kind: definition.name.text.clone(), pair, frames, sizes, shapes })
+        let fields = self.set_fields(id);
+        Some(Instance { name, kind: definition.name.text.clone(), pair, frames, fields, sizes, shapes })
+    }
+
+    /// The fields that a use sets, with those values that have been worked out: what nothing reads changes nothing.
+    fn set_fields(&self, id: usize) -> Vec<SetField> {
+        let PartInUse { scope, ref fields, .. } = self.names.instances[id];
+        let scope = &self.names.scopes[scope];
+        let set = |(name, field): &(String, &ast::Field)| {
+            let slot = scope.names.get(name.as_str()).copied().or(match scope.optional.get(name.as_str()) {
+                Some(Optional::Set(slot)) => Some(*slot),
+                _ => None,
+            });
+            let is_number = field.arguments.is_empty() && field.others.is_empty();
+            let value = match slot.filter(|_| is_number).map(|slot| &self.names.slots[slot].value) {
+                Some(Lazy::Known(Value::Scalar(scalar))) => Some(scalar.value),
+                _ => None,
+            };
+            SetField { name: name.clone(), value }
+        };
+        fields.iter().map(set).collect_vec()
     }
 
     /// The arguments of a part that are frames, by name.

@@ -1,0 +1,211 @@
+//! `plm export`: a declaration as a project, from which cargo makes a program, C, an FMU or a wheel, or as a file of MuJoCo or ROS.
+
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::process::Command as Process;
+
+use plm_compiler::span::Span;
+use plm_compiler::token::Sources;
+use plm_compiler::{Assembled, Oracle};
+use plm_import::{Exported, Place, PlaceOf};
+
+use super::words::Words;
+use super::{Command, Failure, Outcome, Streams};
+use crate::checked::{Checked, Declarations};
+use crate::package::{Package, version};
+use crate::read;
+
+pub(super) const COMMAND: Command = Command {
+    name: "export",
+    usage: "FILE --rust FOLDER …",
+    title: "writes a project that makes a program, C, an FMU or a wheel of a declaration, or its MJCF or URDF",
+    options: &[
+        ("--rust FOLDER", "a Rust package whose program runs the mechanism"),
+        ("--c FOLDER", "the same package, and how it makes a library for C and C++"),
+        ("--fmu FOLDER", "the same package, and how it makes an FMU"),
+        ("--python FOLDER", "the same package, and how it makes a wheel"),
+        ("--mjcf FILE", "a model of MuJoCo; `-` is the standard output"),
+        ("--urdf FILE", "a robot of ROS; `-` is the standard output"),
+        ("--name NAME", "the declaration of a file that has several"),
+        ("--plm FOLDER", "a clone of plm, in place of the crate of the registry"),
+        ("--build", "runs the commands that it tells"),
+        ("--force", "writes over files that have other contents"),
+    ],
+    run,
+};
+
+/// A product of a package.
+struct Product {
+    option: &'static str,
+    /// Options of the program that makes it, in the folder of the package; `NAME` is the name of the package.
+    made_by: &'static str,
+    /// A command before, and one behind.
+    around: [Option<&'static str>; 2],
+}
+
+const PRODUCTS: [Product; 4] = [
+    Product { option: "--rust", made_by: "--until 5 --csv outputs.csv", around: [None, None] },
+    Product { option: "--c", made_by: "--c c", around: [None, None] },
+    Product { option: "--fmu", made_by: "--fmu NAME.fmu", around: [None, None] },
+    Product {
+        option: "--python",
+        made_by: "--python wheels",
+        around: [Some("pip install maturin numpy"), Some("pip install wheels/NAME-*.whl")],
+    },
+];
+
+/// A format of others.
+type Format = fn(&Assembled, &str, PlaceOf) -> Exported;
+
+const FORMATS: [(&str, Format); 2] = [("--mjcf", plm_import::to_mjcf), ("--urdf", plm_import::to_urdf)];
+
+/// A product, and where it is written.
+enum Wanted {
+    Package(&'static Product, PathBuf),
+    File(Format, String),
+}
+
+/// What is asked for.
+struct Asked {
+    wanted: Wanted,
+    name: Option<String>,
+    /// Where cargo finds plm, in TOML.
+    plm: String,
+    builds: bool,
+    overwrites: bool,
+}
+
+impl Asked {
+    fn new(words: &mut Words) -> Result<Asked, Failure> {
+        let mut wanted = Vec::new();
+        for product in &PRODUCTS {
+            wanted.extend(words.value(product.option).map(|folder| Wanted::Package(product, folder.into())));
+        }
+        for (option, format) in FORMATS {
+            wanted.extend(words.value(option).map(|file| Wanted::File(format, file)));
+        }
+        let (Some(wanted), true) = (wanted.pop(), wanted.is_empty()) else {
+            return Err("an export makes one of --rust, --c, --fmu, --python, --mjcf and --urdf".into());
+        };
+        let plm = match words.value("--plm") {
+            None => version(),
+            Some(folder) => path_of(&folder).map_err(|why| format!("--plm {folder}: {why}"))?,
+        };
+        let name = words.value("--name");
+        let (builds, overwrites) = (words.takes("--build"), words.takes("--force"));
+        Ok(Asked { wanted, name, plm, builds, overwrites })
+    }
+}
+
+/// A clone of plm, in TOML.
+fn path_of(folder: &str) -> std::io::Result<String> {
+    let path = std::path::absolute(folder)?;
+    if !path.join("Cargo.toml").is_file() {
+        return Err(std::io::Error::new(ErrorKind::NotFound, "there is no Cargo.toml in it"));
+    }
+    Ok(format!("path = {:?}", path.display().to_string()))
+}
+
+fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
+    let asked = Asked::new(&mut words)?;
+    let file = read::file(&words.file()?, streams.input)?;
+    let declarations = Declarations::new(&file.name, &file.text);
+    let Some((text, checked)) = declarations.named(asked.name.as_deref())? else {
+        return Err(format!("{}: there is no `mechanism!` in it", file.name).into());
+    };
+    let Checked { sources, expansion } = checked;
+    for diagnostic in expansion.diagnostics.sorted() {
+        writeln!(streams.errors, "{}", diagnostic.render(&sources))?;
+    }
+    if expansion.diagnostics.has_errors() {
+        return Ok(Outcome::Wrong);
+    }
+    match &asked.wanted {
+        Wanted::Package(product, folder) => {
+            let package = Package::new(&text, &sources, &asked.plm)?;
+            let files = package.files.iter().map(|(path, text)| (folder.join(path), text.as_str()));
+            write(&files.collect::<Vec<_>>(), asked.overwrites, streams)?;
+            let commands = product.commands(&package.name);
+            writeln!(streams.output, "\ncd {}", folder.display())?;
+            for (_, command) in &commands {
+                writeln!(streams.output, "{command}")?;
+            }
+            if asked.builds { build(folder, &commands, streams) } else { Ok(Outcome::Good) }
+        }
+        Wanted::File(format, path) => {
+            let assembled = expansion.oracle.as_ref().map(Oracle::assembled);
+            let mechanism = assembled.ok_or("there is no mechanism in it")?;
+            let exported = format(&mechanism, &file.name, &|span| place(&sources, span));
+            for notice in &exported.notices {
+                writeln!(streams.errors, "{notice}")?;
+            }
+            let Some(text) = exported.text else { return Ok(Outcome::Wrong) };
+            if path == "-" {
+                write!(streams.output, "{text}")?;
+            } else {
+                write(&[(path.into(), &text)], asked.overwrites, streams)?;
+            }
+            Ok(Outcome::Good)
+        }
+    }
+}
+
+/// The place of a span of the declaration.
+fn place(sources: &Sources, span: Span) -> Place {
+    let source = sources.get(span.source);
+    let at = source.and_then(|source| source.place(span)).map(|(at, _)| at);
+    let [line, column] =
+        at.map_or([1; 2], |at| [at.line, at.column].map(|count| u32::try_from(count).unwrap_or(u32::MAX)));
+    Place { file: source.map_or("", |source| source.name.as_str()).into(), line, column }
+}
+
+/// Writes files; none where one has other contents.
+fn write(files: &[(PathBuf, &str)], overwrites: bool, streams: &mut Streams) -> Result<(), Failure> {
+    let is_other = |(path, text): &&(PathBuf, &str)| {
+        path.exists() && fs::read(path).map_or(true, |present| present != text.as_bytes())
+    };
+    if let Some((path, _)) = files.iter().find(is_other).filter(|_| !overwrites) {
+        return Err(format!("{} has other contents: `--force` writes over it", path.display()).into());
+    }
+    for (path, text) in files {
+        let unwritten = |why: std::io::Error| format!("{}: {why}", path.display());
+        fs::create_dir_all(path.parent().unwrap_or(Path::new(""))).map_err(unwritten)?;
+        fs::write(path, text).map_err(unwritten)?;
+        writeln!(streams.output, "written: {}", path.display())?;
+    }
+    Ok(())
+}
+
+/// Does cargo run it? Else a person does.
+type ByCargo = bool;
+
+impl Product {
+    /// The commands that make it, in the folder of the package of this name.
+    fn commands(&self, name: &str) -> Vec<(ByCargo, String)> {
+        let [before, behind] = self.around;
+        let cargo = format!("cargo run --release -- {}", self.made_by);
+        let all = [
+            before.map(|line| (false, line.to_owned())),
+            Some((true, cargo)),
+            behind.map(|line| (false, line.to_owned())),
+        ];
+        all.into_iter().flatten().map(|(by, line)| (by, line.replace("NAME", name))).collect()
+    }
+}
+
+/// Runs the commands of cargo in the folder of the package.
+fn build(folder: &Path, commands: &[(ByCargo, String)], streams: &mut Streams) -> Result<Outcome, Failure> {
+    for (_, command) in commands.iter().filter(|(by_cargo, _)| *by_cargo) {
+        let mut words = command.split(' ').skip(1);
+        let mut cargo = Process::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+        let done = cargo.args(words.by_ref()).current_dir(folder).output();
+        let done = done.map_err(|why| format!("cargo cannot be run: {why}"))?;
+        streams.output.write_all(&done.stdout)?;
+        if !done.status.success() {
+            streams.errors.write_all(&done.stderr)?;
+            return Ok(Outcome::Wrong);
+        }
+    }
+    Ok(Outcome::Good)
+}

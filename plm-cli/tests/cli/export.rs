@@ -1,0 +1,137 @@
+//! `plm export`: what a project holds, which commands it tells, what is refused. `cargo xtask ci --only package-programs` builds one.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use super::{Said, folder, plm_in};
+
+const BAR: &str = "/// A bar.\npub TwoBars {\n    ground { port o: (0, 0) m; }\n    body bar {\n        density: 7850 kg/m^3;\n        thickness: 8 mm;\n        contour: \"bar.csv\";\n        port pin: (0, 0) m;\n    }\n    revolute pin(ground.o, bar.pin);\n}\n";
+
+/// A folder with a declaration and the file that it names.
+fn declared() -> PathBuf {
+    let folder = folder();
+    fs::write(folder.join("bar.plm"), BAR).unwrap();
+    fs::write(folder.join("bar.csv"), "0, 0\n1, 0\n1, 0.1\n0, 0.1\n").unwrap();
+    folder
+}
+
+fn export(folder: &Path, words: &[&str]) -> Said {
+    plm_in(folder, &[&["export"], words].concat(), b"")
+}
+
+#[test]
+fn a_package_has_the_declaration_its_files_and_a_program() {
+    let folder = declared();
+    for (option, commands) in [
+        ("--rust", "cargo run --release -- --until 5 --csv outputs.csv\n"),
+        ("--c", "cargo run --release -- --c c\n"),
+        ("--fmu", "cargo run --release -- --fmu two_bars.fmu\n"),
+        (
+            "--python",
+            "pip install maturin numpy\ncargo run --release -- --python wheels\npip install wheels/two_bars-*.whl\n",
+        ),
+    ] {
+        let to = option.trim_start_matches('-');
+        let written = format!(
+            "written: {to}/Cargo.toml\nwritten: {to}/bar.csv\nwritten: {to}/src/main.rs\n\ncd {to}\n"
+        );
+        let said = export(&folder, &["bar.plm", option, to]);
+        assert_eq!(said, Said { code: 0, output: written + commands, errors: String::new() });
+    }
+    let read = |file: &str| fs::read_to_string(folder.join("rust").join(file)).unwrap();
+    assert_eq!(read("bar.csv"), fs::read_to_string(folder.join("bar.csv")).unwrap());
+    let manifest = read("Cargo.toml");
+    assert!(
+        manifest.contains("name = \"two_bars\"")
+            && manifest.contains("version = \"0.1.0\", features = [\"view\"]")
+    );
+    let checked = plm_in(&folder.join("rust"), &["check", "src/main.rs"], b"");
+    assert_eq!((checked.code, checked.errors.as_str()), (0, ""));
+    assert!(read("src/main.rs").ends_with("plm::view::Program::new(TwoBars::new()).main()\n}\n"));
+    // A clone in place of the registry.
+    fs::create_dir(folder.join("clone")).unwrap();
+    fs::write(folder.join("clone/Cargo.toml"), "").unwrap();
+    assert_eq!(export(&folder, &["bar.plm", "--rust", "rust", "--plm", "clone", "--force"]).code, 0);
+    let path = std::path::absolute(folder.join("clone")).unwrap();
+    assert!(read("Cargo.toml").contains(&format!("path = {:?}", path.display().to_string())));
+}
+
+#[test]
+fn a_declaration_of_rust_source_is_named_and_has_its_parts() {
+    let folder = folder();
+    let bodies = "ground { port o: (0, 0) m; } body b { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }";
+    let text = format!(
+        "plm::parts! {{ pub own {{ part drag(a: frame) {{ force on a: -1 N*s/m*a.velocity; }} }} }}\n\
+         mechanism! {{ use own; pub One {{ {bodies} prismatic p(ground.o, b.o); drag d(b.o); }} }}\n\
+         mechanism! {{ pub Other {{ {bodies} revolute r(ground.o, b.o); }} }}\n"
+    );
+    fs::write(folder.join("two.rs"), text).unwrap();
+    let said = export(&folder, &["two.rs", "--rust", "made"]);
+    assert_eq!(said.errors, "plm: two.rs: `--name` says which of these: One, Other\n");
+    assert_eq!(said.code, 2);
+    let said = export(&folder, &["two.rs", "--rust", "made", "--name", "Third"]);
+    assert_eq!(said.errors, "plm: two.rs: there is no `Third` in it: One, Other\n");
+    let said = export(&folder, &["two.rs", "--rust", "made", "--name", "One"]);
+    assert_eq!((said.code, said.errors.as_str()), (0, ""));
+    let main = fs::read_to_string(folder.join("made/src/main.rs")).unwrap();
+    assert!(main.contains("    parts { part drag(a: frame)") && !main.contains("use own"), "{main}");
+    let checked = plm_in(&folder, &["check", "made/src/main.rs"], b"");
+    assert_eq!((checked.code, checked.errors.as_str()), (0, ""), "{main}");
+}
+
+#[test]
+fn what_cannot_be_exported_is_told_and_nothing_is_written() {
+    let folder = declared();
+    let refused = |text: &str, words: &[&str]| {
+        let said = plm_in(&folder, &[&["export", "-"], words].concat(), text.as_bytes());
+        assert!(!folder.join("made").exists(), "{said:?}");
+        (said.code, said.errors)
+    };
+    let (code, errors) = refused("pub A { body b { mass: 1; inertia: 1 kg*m^2; } }", &["--c", "made"]);
+    assert!(code == 1 && errors.starts_with("error[E0302]"), "{errors}");
+    let param =
+        BAR.replace("ground {", "param l: m; ground {").replace("\"bar.csv\"", "(0, 0), (1, 0), (1, 0.1) m");
+    let (code, errors) = refused(&param, &["--c", "made"]);
+    assert!(code == 2 && errors.contains("plm: the parameter `l` has no default"), "{errors}");
+    assert_eq!(refused(BAR, &[]).0, 2);
+    assert_eq!(refused(BAR, &["--c", "made", "--rust", "made"]).0, 2);
+    let (code, errors) = refused(BAR, &["--c", "made", "--plm", "none"]);
+    assert!(code == 2 && errors.starts_with("plm: --plm none: "), "{errors}");
+    // A file that a person has changed is kept.
+    assert_eq!(export(&folder, &["bar.plm", "--rust", "made"]).code, 0);
+    fs::write(folder.join("made/src/main.rs"), "fn main() {}\n").unwrap();
+    let said = export(&folder, &["bar.plm", "--rust", "made"]);
+    assert_eq!(
+        (said.code, said.errors.as_str()),
+        (2, "plm: made/src/main.rs has other contents: `--force` writes over it\n")
+    );
+    assert_eq!(export(&folder, &["bar.plm", "--rust", "made", "--force"]).code, 0);
+    assert!(fs::read_to_string(folder.join("made/src/main.rs")).unwrap().contains("TwoBars"));
+}
+
+/// Cargo is a program that tells how it was called.
+#[cfg(unix)]
+#[test]
+fn cargo_is_called_in_the_folder_of_the_package() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let folder = declared();
+    let cargo = folder.join("cargo");
+    fs::write(
+        &cargo,
+        "#!/bin/sh\n[ -f src/main.rs ] && echo \"$@\"\n[ \"$3\" = -- ] && [ \"$4\" != --fmu ]\n",
+    )
+    .unwrap();
+    fs::set_permissions(&cargo, fs::Permissions::from_mode(0o755)).unwrap();
+    let build = |option: &str| {
+        let mut plm = Command::new(env!("CARGO_BIN_EXE_plm"));
+        let words = ["export", "bar.plm", option, "made", "--build"];
+        let said = plm.args(words).current_dir(&folder).env("CARGO", &cargo).output().unwrap();
+        (said.status.code(), String::from_utf8(said.stdout).unwrap())
+    };
+    let (code, output) = build("--python");
+    assert!(code == Some(0) && output.ends_with("\nrun --release -- --python wheels\n"), "{output}");
+    // What cargo cannot build is no success.
+    assert_eq!(build("--fmu").0, Some(1));
+}

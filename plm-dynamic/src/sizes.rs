@@ -1,0 +1,160 @@
+//! Sizes of mechanisms from text: the smallest one that has room is taken.
+
+use std::sync::Arc;
+
+use plm_run::Integrator;
+use plm_runtime::{Dop853, Fault, Method, Moment, Real, Rk4, Sim};
+
+use crate::handle::Dynamic;
+use crate::model::Model;
+use crate::native::Translator;
+use crate::run::Error;
+use crate::running::Running;
+use crate::system::State;
+use crate::text::{Compiled, Refused};
+
+/// Mechanisms of at most 3 bodies, 8 constraint rows and 14 first-order states.
+pub(crate) type Tiny = Dynamic<f64, 9, 8, 32>;
+/// Mechanisms of at most 8 bodies, 32 constraint rows and 16 first-order states.
+pub type Small = Dynamic<f64, 24, 32, 64>;
+/// Mechanisms of at most 64 bodies, 224 constraint rows and 64 first-order states, whose loops remember at most 64 numbers of each kind.
+pub type Large = Dynamic<f64, 192, 224, 448, 64>;
+
+/// The tables of a mechanism, of the smallest size that has room.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Models {
+    /// Those of [`Tiny`], and those of [`Small`], which runs by every method.
+    Tiny([&'static Model; 2]),
+    /// Those of [`Small`].
+    Small(&'static Model),
+    /// Those of [`Large`].
+    Large(&'static Model),
+}
+
+/// Values that are given to parameters, inputs and start values, by number, and when runs begin.
+#[derive(Clone, Debug)]
+pub(crate) struct Given {
+    pub(crate) parameters: Vec<Option<f64>>,
+    pub(crate) inputs: Vec<Option<f64>>,
+    pub(crate) starts: Vec<Option<f64>>,
+    /// s.
+    pub(crate) time: f64,
+}
+
+impl Given {
+    /// Nothing is given of a mechanism, whose runs begin at 0 s.
+    pub(crate) fn nothing(of: &Model) -> Given {
+        let lowered = of.lowered;
+        let counts = [lowered.parameters.len(), lowered.inputs.len(), of.names_of_starts.len()];
+        let [parameters, inputs, starts] = counts.map(|count| vec![None; count]);
+        Given { parameters, inputs, starts, time: 0.0 }
+    }
+
+    /// A mechanism with the values of its parameters and starts.
+    pub(crate) fn mechanism<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+        &self,
+        model: &'static Model,
+    ) -> Dynamic<f64, NQ, NC, N, L> {
+        let mut own = Dynamic::declared(model, &self.parameters);
+        for (place, value) in own.parameters.iter_mut().zip(&self.parameters) {
+            *place = value.unwrap_or(*place);
+        }
+        if self.starts.iter().any(Option::is_some) {
+            own.starts = own.declared_starts();
+            let given = own.starts.values.iter_mut().zip(&self.starts);
+            for (start, value) in given.filter_map(|(start, value)| value.map(|value| (start, value))) {
+                *start = start.at(value);
+            }
+        }
+        own
+    }
+}
+
+impl Models {
+    pub(crate) fn new(compiled: Compiled) -> Result<Models, Refused> {
+        if compiled.fits::<9, 8, 32, 9>().is_ok() {
+            let small = compiled.clone().model(24);
+            return Ok(Self::Tiny([compiled.model(9), small]));
+        }
+        if compiled.fits::<24, 32, 64, 24>().is_ok() {
+            return Ok(Self::Small(compiled.model(24)));
+        }
+        compiled.fits::<192, 224, 448, 64>()?;
+        Ok(Self::Large(compiled.model(192)))
+    }
+
+    /// Those of the smallest size.
+    pub(crate) fn smallest(self) -> &'static Model {
+        match self {
+            Self::Tiny([model, _]) | Self::Small(model) | Self::Large(model) => model,
+        }
+    }
+
+    pub(crate) fn translate_by(self, translator: Arc<dyn Translator>) {
+        if let Self::Tiny([_, small]) = self {
+            small.translate_by(Arc::clone(&translator));
+        }
+        self.smallest().translate_by(translator);
+    }
+
+    /// A run by a method.
+    pub(crate) fn start(self, method: Integrator, given: &Given) -> Result<Running, Error> {
+        Ok(match (self, method) {
+            (Self::Tiny([tiny, _]), Integrator::Dop853(rtol)) => {
+                Running::TinyDop853(sim::<9, 8, 32, 9, _>((tiny, given), Dop853::new(rtol))?)
+            }
+            (Self::Tiny([tiny, _]), Integrator::Rk4(h)) => {
+                Running::TinyRk4(sim::<9, 8, 32, 9, _>((tiny, given), Rk4::new(h))?)
+            }
+            (Self::Tiny([_, small]) | Self::Small(small), method) => {
+                let start: State<f64, 24, 32, 64, 24> = started(small, given)?;
+                Running::Small(Box::new(method.of(start)))
+            }
+            (Self::Large(large), Integrator::Dop853(rtol)) => {
+                Running::LargeDop853(sim::<192, 224, 448, 64, _>((large, given), Dop853::new(rtol))?)
+            }
+            (Self::Large(large), Integrator::Rk4(h)) => {
+                Running::LargeRk4(sim::<192, 224, 448, 64, _>((large, given), Rk4::new(h))?)
+            }
+            (Self::Large(_), _) => return Err(Error::Method("Dop853 and Rk4")),
+        })
+    }
+}
+
+/// A simulation by a method.
+type Boxed<M, I> = Box<Sim<M, I>>;
+
+fn sim<
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    I: Method<Dynamic<f64, NQ, NC, N, L>>,
+>(
+    (model, given): (&'static Model, &Given),
+    method: I,
+) -> Result<Boxed<Dynamic<f64, NQ, NC, N, L>, I>, Fault> {
+    Ok(Box::new(Sim::new(started(model, given)?, method)))
+}
+
+/// A start with the values that are given.
+fn started<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    model: &'static Model,
+    given: &Given,
+) -> Result<State<f64, NQ, NC, N, L>, Fault> {
+    with_inputs(&given.mechanism(model), &given.inputs, given.time)
+}
+
+/// A start of a mechanism at a time with the inputs that are given.
+pub(crate) fn with_inputs<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    mechanism: &Dynamic<S, NQ, NC, N, L>,
+    given: &[Option<S>],
+    time: S,
+) -> Result<State<S, NQ, NC, N, L>, Fault> {
+    let mut inputs = mechanism.declared_input();
+    for (input, given) in inputs.iter_mut().zip(given) {
+        *input = given.unwrap_or(*input);
+    }
+    let (held, x) = mechanism.start_holding(time, inputs)?;
+    Ok(State::new(*mechanism, held, time, x))
+}

@@ -1,0 +1,113 @@
+//! Derivatives of the time of an event and of the state there.
+//!
+//! An event happens where its guard vanishes: t(p) with g(t(p), x(t(p), p), p) = 0, so that t' = -g' / (dg/dt), where g' are the derivatives
+//! at a fixed time. State and time go along the rate before the event by t'. What the event does to them and the rate behind it are
+//! derived by running them, and the two together make the jump of the derivatives (M. A. Aizerman, F. R. Gantmakher, Determination of
+//! stability by linear approximation of a periodic solution of a system of differential equations with discontinuous right-hand sides,
+//! Q. J. Mech. Appl. Math. 11, 1958).
+
+use super::boundary::rates_of_both;
+use super::guards_here;
+use super::search::rounding;
+use crate::fault::{Cause, Fault};
+use crate::method::Context;
+use crate::scalar::{Real, Scalar};
+use crate::system::System;
+use crate::vector::Vector;
+
+/// Where slopes of guards are differences they have half of all digits: what is left behind one correction is made good by another.
+const CORRECTIONS: usize = 2;
+/// What a guard is, or changes by, is nothing up to so many times its rounding.
+const MANY: f64 = 1e3;
+/// A guard that goes beyond its boundary by so many times its rounding at most touches it.
+const GRAZE: f64 = 8.0;
+/// The bend of a guard is told by its slope a fraction of the step before.
+const BACK: f64 = 1e-3;
+/// Times of two events whose derivatives differ by less than this fraction are one.
+const SAME: f64 = 1e-6;
+
+/// Gives the time reached, at which the event `index` ends a step of this length, and the state there the derivatives that they have
+/// because the event moves, and returns by how much its time does. Their values stay, to the bit. What happens at once behind another event has its time.
+///
+/// # Errors
+/// [`Cause::Grazes`] where the guard does not cross its boundary, and [`Cause::AtOnce`] where another event happens at this time whose time
+/// has other derivatives.
+pub(super) fn derive_time<M: System<S: Real>>(
+    context: &mut Context<'_, M>,
+    index: usize,
+    step: M::S,
+) -> Result<M::S, Fault> {
+    let mut moved = M::S::ZERO;
+    if !M::S::HAS_DERIVATIVES {
+        return Ok(moved);
+    }
+    for round in 0..CORRECTIONS {
+        let here = guards_here(context)?;
+        let (time, x) = (context.time, context.x);
+        let Some((rate, slopes)) = rates_of_both(context) else { return Ok(moved) };
+        let rounded = rounding((context.system, &context.held), (time, time), &x, &here);
+        let noise = rounded.map(|noise| M::S::lit(MANY) * noise);
+        let falls = |i: usize, within: M::S| -(within * slopes.at(i)) > noise.at(i);
+        let vanishes = |i: usize| here.at(i).abs() <= noise.at(i);
+        let name = |i: usize| context.system.guard_name(i);
+        let at_once = !falls(index, step);
+        if at_once && !(vanishes(index) && falls(index, M::S::lit(1.0))) {
+            return Ok(moved);
+        }
+        if round == 0
+            && !at_once
+            && grazes(context, (index, step), (&rate, &slopes), M::S::lit(GRAZE) * rounded.at(index))
+        {
+            return Err(Fault::of_part(time.to_f64(), name(index), Cause::Grazes));
+        }
+        let ahead = |i: usize| -here.at(i).as_zero() / slopes.at(i);
+        let meets = |i: &usize| *i != index && vanishes(*i) && falls(*i, step);
+        let other = (0..M::G::LEN).filter(meets).find(|i| !is_same(ahead(*i), ahead(index)));
+        if let Some(other) = other.filter(|_| round == 0) {
+            let cause = Cause::AtOnce { other: name(other) };
+            return Err(Fault::of_part(time.to_f64(), name(index), cause));
+        }
+        let ahead = ahead(index);
+        moved = moved + ahead;
+        (context.time, context.x) = (time + ahead, x.map2(&rate, |x, rate| x + ahead * rate));
+    }
+    Ok(moved)
+}
+
+/// Does a guard turn round before it is farther beyond its boundary than `noise`? A parabola goes as far as slope^2/(2 bend).
+fn grazes<M: System<S: Real>>(
+    context: &mut Context<'_, M>,
+    (index, step): (usize, M::S),
+    (rate, slopes): (&M::X, &M::G),
+    noise: M::S,
+) -> bool {
+    let (time, x, slope) = (context.time, context.x, slopes.at(index));
+    let back = M::S::lit(BACK) * step;
+    (context.time, context.x) = (time - back, x.map2(rate, |x, rate| x - back * rate));
+    let before = rates_of_both(context);
+    (context.time, context.x) = (time, x);
+    let bend = before.map_or(M::S::ZERO, |(_, before)| (slope - before.at(index)).abs() / back);
+    slope * slope <= M::S::lit(2.0) * bend * noise
+}
+
+/// Takes the state behind an event along the rate there back by what its time was `moved`, where a step ends at a time that stays.
+pub(super) fn restore_time<M: System<S: Real>>(
+    context: &mut Context<'_, M>,
+    moved: M::S,
+) -> Result<(), Fault> {
+    if M::S::HAS_DERIVATIVES {
+        let (time, x) = (context.time, context.x);
+        let mut rate = x;
+        context.rate(time, &x, &mut rate)?;
+        (context.time, context.x) = (time - moved, x.map2(&rate, |x, rate| x - moved * rate));
+    }
+    Ok(())
+}
+
+/// Do two numbers have the same derivatives, but for rounding?
+fn is_same<S: Real>(a: S, b: S) -> bool {
+    let (mut difference, mut size) = (0.0_f64, 0.0_f64);
+    (a - b).each_derivative(&mut |tangent| difference = difference.max(tangent.abs()));
+    a.each_derivative(&mut |tangent| size = size.max(tangent.abs()));
+    difference <= SAME * size
+}
