@@ -7,6 +7,18 @@ use plm_compiler::span::Span;
 use plm_compiler::token::Sources;
 use serde_json::{Value, json};
 
+use crate::checked::{Checked, Declarations};
+
+/// The diagnostics of a declaration, in the form of `plm check --json`; its name is that of a file, and files that it names are read
+/// beside that.
+pub fn diagnostics(name: &str, text: &str) -> Vec<Value> {
+    let found = Declarations::new(name, text).checked().filter_map(Result::ok).collect::<Vec<_>>();
+    let all = found.iter().flat_map(|Checked { sources, expansion }| {
+        expansion.diagnostics.sorted().into_iter().map(|diagnostic| message(diagnostic, sources, text))
+    });
+    all.collect()
+}
+
 /// One diagnostic. `declared` is the text as it stands in its file.
 pub(crate) fn message(diagnostic: &Diagnostic, sources: &Sources, declared: &str) -> Value {
     let texts = Texts { sources, declared };

@@ -28,4 +28,6 @@ mod value;
 
 pub use command::{Outcome, Streams, run};
 pub use excerpt::declarations;
+pub use json::diagnostics;
 pub use server::Server;
+pub use value::value;

@@ -11,7 +11,7 @@ use plm_compiler::units::Dimension;
 ///
 /// # Errors
 /// It is no finite number, its unit is unknown or that of another quantity: a message.
-pub(crate) fn value(text: &str, si: &str) -> Result<f64, String> {
+pub fn value(text: &str, si: &str) -> Result<f64, String> {
     let text = text.trim();
     let (number, unit) = split(text).ok_or_else(|| format!("`{text}` is no number with a unit"))?;
     let plain = number.parse::<f64>().ok().filter(|number| number.is_finite());

@@ -7,7 +7,7 @@ use plm_runtime::{Dop853, Dual, Fault, Method, Moment, Rk4, Sim};
 use crate::handle::Dynamic;
 use crate::model::Model;
 use crate::run::{Error, Mechanism};
-use crate::sizes::started;
+use crate::sizes::{Models, with_inputs};
 
 /// A number with its derivative.
 type Lifted = Dual<f64, 1>;
@@ -51,7 +51,9 @@ impl Mechanism {
         quantities: &[usize],
         goes_on: &mut dyn FnMut() -> bool,
     ) -> Result<Derivative, Error> {
-        let model = self.models.small().ok_or(Error::NoDerivative)?;
+        let (Models::Tiny([_, model]) | Models::Small(model)) = self.models else {
+            return Err(Error::NoDerivative);
+        };
         self.all_given()?;
         let own = self.lifted(model, by);
         let mut inputs: Vec<Option<Lifted>> =
@@ -61,7 +63,7 @@ impl Mechanism {
         {
             *input = Some(Dual::variable(input.unwrap_or(*declared).value, 0));
         }
-        let state = started(&own, &inputs, Dual::constant(self.given.time))?;
+        let state = with_inputs(&own, &inputs, Dual::constant(self.given.time))?;
         let times = [until, every].map(Dual::constant);
         Ok(match method {
             Integrator::Dop853(rtol) => {
@@ -76,7 +78,7 @@ impl Mechanism {
 
     /// The mechanism on numbers with a derivative by one of its own.
     fn lifted(&self, model: &'static Model, by: By) -> Small {
-        let mut own: Small = self.given.to::<24, 32, 64, 24>(model).map(&Dual::constant);
+        let mut own: Small = self.given.mechanism::<24, 32, 64, 24>(model).map(&Dual::constant);
         if let By::Parameter(k) = by
             && let Some(parameter) = own.parameters.get_mut(k)
         {

@@ -141,10 +141,11 @@ impl Mechanism {
     /// As [`from_text`](Self::from_text).
     pub fn from_named_text(name: &str, text: &str) -> Result<Self, Error> {
         let models = Models::new(Compiled::new(name, text)?)?;
-        Ok(Self { models, given: Given::nothing(models.smallest()) })
+        let given = Given::nothing(models.smallest());
+        Ok(Self { models, given })
     }
 
-    fn lowered(&self) -> &'static Lowered {
+    pub(crate) fn lowered(&self) -> &'static Lowered {
         self.models.smallest().lowered
     }
 

@@ -31,26 +31,27 @@ pub(crate) enum Models {
     Large(&'static Model),
 }
 
-/// Values that are given to parameters, inputs and starts, by number, and the time at which runs begin, s.
+/// Values that are given to parameters, inputs and start values, by number, and when runs begin.
 #[derive(Clone, Debug)]
 pub(crate) struct Given {
     pub(crate) parameters: Vec<Option<f64>>,
     pub(crate) inputs: Vec<Option<f64>>,
     pub(crate) starts: Vec<Option<f64>>,
+    /// s.
     pub(crate) time: f64,
 }
 
 impl Given {
-    /// All as declared.
-    pub(crate) fn nothing(model: &Model) -> Self {
-        let [parameters, inputs, starts] =
-            [model.lowered.parameters.len(), model.lowered.inputs.len(), model.names_of_starts.len()]
-                .map(|count| vec![None; count]);
-        Self { parameters, inputs, starts, time: 0.0 }
+    /// Nothing is given of a mechanism, whose runs begin at 0 s.
+    pub(crate) fn nothing(of: &Model) -> Given {
+        let lowered = of.lowered;
+        let counts = [lowered.parameters.len(), lowered.inputs.len(), of.names_of_starts.len()];
+        let [parameters, inputs, starts] = counts.map(|count| vec![None; count]);
+        Given { parameters, inputs, starts, time: 0.0 }
     }
 
-    /// A mechanism with the values of parameters and starts.
-    pub(crate) fn to<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    /// A mechanism with the values of its parameters and starts.
+    pub(crate) fn mechanism<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
         &self,
         model: &'static Model,
     ) -> Dynamic<f64, NQ, NC, N, L> {
@@ -89,14 +90,6 @@ impl Models {
         }
     }
 
-    /// Those of [`Small`], where it has room.
-    pub(crate) fn small(self) -> Option<&'static Model> {
-        match self {
-            Self::Tiny([_, small]) | Self::Small(small) => Some(small),
-            Self::Large(_) => None,
-        }
-    }
-
     pub(crate) fn translate_by(self, translator: Arc<dyn Translator>) {
         if let Self::Tiny([_, small]) = self {
             small.translate_by(Arc::clone(&translator));
@@ -114,8 +107,8 @@ impl Models {
                 Running::TinyRk4(sim::<9, 8, 32, 9, _>((tiny, given), Rk4::new(h))?)
             }
             (Self::Tiny([_, small]) | Self::Small(small), method) => {
-                let small: Small = given.to(small);
-                Running::Small(Box::new(method.of(started(&small, &given.inputs, given.time)?)))
+                let start: State<f64, 24, 32, 64, 24> = started(small, given)?;
+                Running::Small(Box::new(method.of(start)))
             }
             (Self::Large(large), Integrator::Dop853(rtol)) => {
                 Running::LargeDop853(sim::<192, 224, 448, 64, _>((large, given), Dop853::new(rtol))?)
@@ -141,12 +134,19 @@ fn sim<
     (model, given): (&'static Model, &Given),
     method: I,
 ) -> Result<Boxed<Dynamic<f64, NQ, NC, N, L>, I>, Fault> {
-    let mechanism: Dynamic<f64, NQ, NC, N, L> = given.to(model);
-    Ok(Box::new(Sim::new(started(&mechanism, &given.inputs, given.time)?, method)))
+    Ok(Box::new(Sim::new(started(model, given)?, method)))
 }
 
-/// A start with the inputs that are given.
-pub(crate) fn started<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+/// A start with the values that are given.
+fn started<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    model: &'static Model,
+    given: &Given,
+) -> Result<State<f64, NQ, NC, N, L>, Fault> {
+    with_inputs(&given.mechanism(model), &given.inputs, given.time)
+}
+
+/// A start of a mechanism at a time with the inputs that are given.
+pub(crate) fn with_inputs<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize>(
     mechanism: &Dynamic<S, NQ, NC, N, L>,
     given: &[Option<S>],
     time: S,

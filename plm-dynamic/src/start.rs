@@ -33,7 +33,7 @@ impl Mechanism {
 
     /// The start values of the declaration with the parameters as they are, SI.
     pub fn declared_starts(&self) -> Vec<f64> {
-        let own: Large = self.given.to(self.models.smallest());
+        let own: Large = self.given.mechanism(self.models.smallest());
         let starts = own.declared_starts();
         starts.values.iter().take(self.starts().len()).map(|start| start.value).collect()
     }
@@ -55,7 +55,7 @@ impl Mechanism {
 
     /// Has every parameter a value?
     pub(crate) fn all_given(&self) -> Result<(), Error> {
-        let mut all = self.models.smallest().lowered.parameters.iter().zip(&self.given.parameters);
+        let mut all = self.lowered().parameters.iter().zip(&self.given.parameters);
         match all.find(|(param, given)| param.default.is_none() && given.is_none()) {
             Some((param, _)) => Err(Error::NotGiven(param.name.clone())),
             None => Ok(()),

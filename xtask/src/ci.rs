@@ -98,6 +98,9 @@ const MORE: &[Step] = &[
         place.command("bash examples/playground/check.sh").run()
     })),
     Step::Here(part("fmu", "FMU", |place| place.command("bash tests/fmu.sh").run())),
+    Step::Here(plain("python-text", "Python without Rust", |place| {
+        place.command("bash tests/python_text.sh").run()
+    })),
     Step::Here(part("python", "Python", |place| place.command("bash tests/python.sh").run())),
     Step::Here(plain("seven-machines", "seven machines", |place| {
         place.command("bash tests/machines.sh").run()

@@ -200,7 +200,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         own.and_then(|index| self.model.names.get(index)).copied().unwrap_or_default()
     }
 
-    fn name_in_chart(&self, held: &Held<S, NQ, L>, at: usize) -> &'static str {
+    fn name_in_chart(&self, held: &Self::U, at: usize) -> &'static str {
         let count = self.model.coordinates;
         let chart = match held.of_loops {
             OfLoops::InChart { chart, .. } if self.is_charted() => self.model.lowered.charts.get(chart),

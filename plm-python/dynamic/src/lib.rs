@@ -1,0 +1,50 @@
+//! `plm._native`: mechanisms from text for Python.
+//!
+//! A run is that of packages of compiled mechanisms (`native.rs.txt`); a text gives its mechanism, tables, runs and rollouts.
+
+mod gradient;
+mod library;
+mod page;
+mod rollouts;
+mod run;
+mod tables;
+mod text;
+
+/// What a package of a compiled mechanism has of `plm-planar`.
+mod plm {
+    pub(crate) use plm_foreign as foreign;
+    pub(crate) use plm_python::run as python;
+    pub(crate) use plm_runtime::{Cause, Fault};
+}
+
+use crate::run::Own;
+
+/// What a run is called where it is told that it is busy.
+const TITLE: &str = "the simulation";
+/// Where Python has its values.
+const VALUES: &str = "plm._values";
+
+include!("../../src/wheel/native.rs.txt");
+
+#[pymodule]
+mod _native {
+    use pyo3::prelude::*;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+
+    #[pymodule_export]
+    use super::Native;
+    #[pymodule_export]
+    use super::gradient::gradient;
+    #[pymodule_export]
+    use super::library::parts;
+    #[pymodule_export]
+    use super::page::page;
+    #[pymodule_export]
+    use super::rollouts::rollouts;
+    #[pymodule_export]
+    use super::text::{Text, command, diagnostics, value};
+}
