@@ -1,6 +1,7 @@
 //! Derivatives across impacts, sticking, and events that reset.
 
-use plm::{By, Cause, Dop853, Dual, Rk4, mechanism, with_derivatives};
+use plm::runtime::Seen;
+use plm::{By, Cause, Dop853, Dual, Moment, Rk4, Sim, mechanism, with_derivatives};
 
 use super::are_slopes;
 
@@ -144,6 +145,23 @@ fn of_a_state_that_an_event_resets() {
     sim.step_to(0.9.into()).unwrap();
     let place = |[turns, v]: [f64; 2]| turns - 0.5 * v * (0.9 - turns / v);
     are_slopes(sim.a().x.tangents, place, [1.0, 2.0], 1e-10);
+}
+
+/// x = v t comes to the place where it is thrown back at t = turns/v.
+#[test]
+fn of_the_time_of_an_event() {
+    let thrown = Thrown { other: 5.0, ..Thrown::new() };
+    let by = [By::Parameter("turns"), By::Start("a.vx")];
+    let mut sim = with_derivatives(&thrown, by).unwrap().start_with(Dop853::new(1e-12.into())).unwrap();
+    let mut times = Vec::new();
+    let see = |seen: Seen<'_, _>| {
+        if let Seen::Switched(state) = seen {
+            times.push(Moment::time(state));
+        }
+    };
+    Sim::watch(&mut sim, 0.6.into(), 0.6.into(), see).unwrap();
+    assert!((times[0].value - 0.5).abs() < 1e-13);
+    are_slopes(times[0].tangents, |[turns, v]| turns / v, [1.0, 2.0], 1e-11);
 }
 
 /// Both are thrown at 0.5 s; only one by the parameter.

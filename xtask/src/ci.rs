@@ -97,6 +97,9 @@ const MORE: &[Step] = &[
     Step::Here(plain("playground", "playground", |place| {
         place.command("bash examples/playground/check.sh").run()
     })),
+    Step::Here(plain("gradients", "derivatives of random mechanisms", |place| {
+        place.command("cargo run --release --example gradients -- 300").run()
+    })),
     Step::Here(part("fmu", "FMU", |place| place.command("bash tests/fmu.sh").run())),
     Step::Here(plain("python-text", "Python without Rust", |place| {
         place.command("bash tests/python_text.sh").run()
