@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::index::{self, Package};
 
@@ -116,6 +116,52 @@ fn every_package_has_a_readme_and_the_licences() {
         }
     }
     fail_with("READMEs and licences", &wrong);
+}
+
+/// A package has what `include` names alone: a file that its sources read and that is not there breaks the build of every user.
+#[test]
+fn every_package_has_the_files_that_its_sources_read() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for krate in published() {
+        let folder = root().join(&krate.package.folder).canonicalize().unwrap();
+        let line = krate.manifest.lines().find_map(|line| line.strip_prefix("include = [")).unwrap();
+        let included: Vec<&str> = line.split('"').skip(1).step_by(2).collect();
+        let is_there =
+            |own: &Path| included.iter().any(|pattern| own.starts_with(pattern.trim_start_matches('/')));
+        let all: Vec<PathBuf> =
+            sources(&folder.join("src")).iter().flat_map(|source| files(source)).collect();
+        count += all.len();
+        let missing = all.iter().filter(|file| !file.strip_prefix(&folder).is_ok_and(is_there));
+        wrong.extend(missing.map(|file| format!("{}: {}", krate.package.name, file.display())));
+    }
+    assert!(count > 100, "{count} files are read");
+    fail_with("files that packages do not have", &wrong);
+}
+
+/// The files that a source reads when it is compiled, without those of folders of tests, which tests alone read.
+fn files(source: &Path) -> Vec<PathBuf> {
+    let text = fs::read_to_string(source).unwrap();
+    let paths =
+        ["include_str!(\"", "include_bytes!(\""].into_iter().flat_map(|read| text.split(read).skip(1));
+    paths
+        .filter_map(|rest| rest.split('"').next())
+        .filter(|path| !path.contains("tests/"))
+        .map(|path| source.with_file_name(path).canonicalize().unwrap())
+        .collect()
+}
+
+/// All Rust files of a folder.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            found.extend(sources(&path));
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+    found
 }
 
 /// What the macro emits names items of the runtime that are no promise to users: crates of two releases do not go together.
