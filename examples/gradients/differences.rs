@@ -7,7 +7,7 @@ use plm::{By, Cause, Dop853, Fault, Mechanism, with_derivatives};
 
 use super::cases::Case;
 
-/// What became of a case.
+/// Outcome of a case.
 pub enum Verdict {
     /// All derivatives are those of the differences, but for a part of their size.
     Right { apart: f64 },
@@ -36,7 +36,7 @@ const TOLERANCE: f64 = 1e-13;
 /// Derives the outputs of a case, and compares.
 ///
 /// # Errors
-/// Where the text is refused, or a run fails that should not.
+/// The text is refused, or a run fails for another reason than that it has no derivatives.
 pub fn judge(case: &Case) -> Result<Verdict, String> {
     let compiled = Compiled::new("case", &case.text).map_err(|error| error.to_string())?;
     let mechanism = compiled.mechanism::<24, 32, 64, 24>().map_err(|error| error.to_string())?;

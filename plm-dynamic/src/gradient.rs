@@ -2,7 +2,7 @@
 
 use plm_run::Integrator;
 use plm_runtime::sim::Seen;
-use plm_runtime::{Dop853, Dual, Fault, Method, Moment, Rk4, Sim};
+use plm_runtime::{Dop853, Dual, Fault, Method, Moment, Rk4, Sim, with_derivatives};
 
 use crate::handle::Dynamic;
 use crate::model::Model;
@@ -78,24 +78,14 @@ impl Mechanism {
 
     /// The mechanism on numbers with a derivative by one of its own.
     fn lifted(&self, model: &'static Model, by: By) -> Small {
-        let mut own: Small = self.given.mechanism::<24, 32, 64, 24>(model).map(&Dual::constant);
-        if let By::Parameter(k) = by
-            && let Some(parameter) = own.parameters.get_mut(k)
-        {
-            *parameter = Dual::variable(parameter.value, 0);
-        }
-        own.starts = own.declared_starts();
-        for (start, given) in own.starts.values.iter_mut().zip(&self.given.starts) {
-            if let Some(value) = given {
-                *start = start.at(Dual::constant(*value));
-            }
-        }
-        if let By::Start(k) = by
-            && let Some(start) = own.starts.values.get_mut(k)
-        {
-            *start = start.at(Dual::variable(start.value.value, 0));
-        }
-        own
+        let own = self.given.mechanism::<24, 32, 64, 24>(model);
+        let name = match by {
+            By::Parameter(k) => self.parameters().nth(k).map(|(name, _)| plm_runtime::By::Parameter(name)),
+            By::Start(k) => self.starts().get(k).map(|name| plm_runtime::By::Start(name)),
+            By::Input(_) => None,
+        };
+        let named = name.and_then(|name| with_derivatives(&own, [name]).ok());
+        named.unwrap_or_else(|| own.map(&Dual::constant))
     }
 }
 

@@ -66,11 +66,11 @@ enum Wanted {
     File(Format, String),
 }
 
-/// What is asked for.
+/// The words of the command.
 struct Asked {
     wanted: Wanted,
     name: Option<String>,
-    /// Where cargo finds plm, in TOML.
+    /// The dependency on plm, in TOML.
     plm: String,
     builds: bool,
     overwrites: bool,

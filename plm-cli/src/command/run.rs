@@ -39,7 +39,7 @@ const SAMPLES: [f64; 2] = [20.0, 1000.0];
 /// More rows than anybody reads.
 const MOST_ROWS: f64 = 1e5;
 
-/// What is asked for.
+/// The words of the command.
 struct Asked {
     until: f64,
     every: f64,

@@ -4,7 +4,7 @@ use crate::collect::{CollectVec, MapEach};
 use plm_cas::{Expr, Function, Node, algebra};
 
 use crate::model::{Body, FrameRef, Input, Model, Name, Part, SetField};
-use crate::numeric::{Reach, Scene, add_switches, assemble, value};
+use crate::numeric::{Scene, at_start, value};
 use crate::oracle::Oracle;
 use crate::picture::{PicturePort, points, port};
 use crate::span::Span;
@@ -128,9 +128,7 @@ impl Oracle {
         self.graph.borrow_mut().enter(|| {
             let model = &self.model;
             let scene = Scene::declared(model, &self.equations, &self.program.absolute);
-            let start = assemble(&scene, Reach::Full);
-            let mut known = scene.moving(&start.q, &start.v);
-            add_switches(model, &mut known);
+            let (start, known) = at_start(&scene);
             let known = Known(known);
             let number = |expr: Expr| known.number(expr);
             let moving = start.q.chunks_exact(3).zip(start.v.chunks_exact(3));

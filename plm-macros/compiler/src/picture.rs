@@ -7,7 +7,7 @@ use plm_cas::Expr;
 use plm_cas::algebra::Vec2;
 
 use crate::model::{Body, FrameRef, Instance, Pair, Port, Shape};
-use crate::numeric::{Reach, Scene, add_switches, assemble, value};
+use crate::numeric::{Scene, at_start, value};
 use crate::oracle::Oracle;
 
 /// Data of a picture, with parameters as declared, at the assembled start.
@@ -87,9 +87,7 @@ impl Oracle {
         self.graph.borrow_mut().enter(|| {
             let model = &self.model;
             let scene = Scene::declared(model, &self.equations, &self.program.absolute);
-            let start = assemble(&scene, Reach::Full);
-            let mut known = scene.at(&start.q);
-            add_switches(model, &mut known);
+            let (start, known) = at_start(&scene);
             let number = |expr: Expr| value(expr, &known);
             let poses = start.q.chunks_exact(3);
             Picture {

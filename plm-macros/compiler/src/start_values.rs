@@ -4,7 +4,7 @@ use crate::collect::{CollectVec, PushAll};
 use plm_cas::Expr;
 
 use crate::model::Model;
-use crate::numeric::{Reach, Scene, add_switches, assemble, values};
+use crate::numeric::{Scene, at_start, values};
 use crate::oracle::Oracle;
 use crate::units::DisplayUnit;
 
@@ -28,9 +28,7 @@ impl Oracle {
         self.graph.borrow_mut().enter(|| {
             let model = &self.model;
             let scene = Scene::declared(model, &self.equations, &self.program.absolute);
-            let start = assemble(&scene, Reach::Full);
-            let mut known = scene.moving(&start.q, &start.v);
-            add_switches(model, &mut known);
+            let (_, mut known) = at_start(&scene);
             let solved = self.solved(&known);
             known.retain(|(symbol, _)| !self.equations.a.contains(symbol) && !is_multiplier(model, *symbol));
             known.push_all(solved);

@@ -27,7 +27,8 @@ const BACK: f64 = 1e-3;
 const SAME: f64 = 1e-6;
 
 /// Gives the time reached, at which the event `index` ends a step of this length, and the state there the derivatives that they have
-/// because the event moves, and returns by how much its time does. Their values stay, to the bit. What happens at once behind another event has its time.
+/// because the event moves, and returns by how much its time does. Their values stay, to the bit. An event that another one causes at once
+/// has the time of that one.
 ///
 /// # Errors
 /// [`Cause::Grazes`] where the guard does not cross its boundary, and [`Cause::AtOnce`] where another event happens at this time whose time
@@ -38,40 +39,53 @@ pub(super) fn derive_time<M: System<S: Real>>(
     step: M::S,
 ) -> Result<M::S, Fault> {
     let mut moved = M::S::ZERO;
-    if !M::S::HAS_DERIVATIVES {
+    if !M::S::HAS_DERIVATIVES || !has_own_time(context, index, step)? {
         return Ok(moved);
     }
-    for round in 0..CORRECTIONS {
+    for _ in 0..CORRECTIONS {
         let here = guards_here(context)?;
-        let (time, x) = (context.time, context.x);
-        let Some((rate, slopes)) = rates_of_both(context) else { return Ok(moved) };
-        let rounded = rounding((context.system, &context.held), (time, time), &x, &here);
-        let noise = rounded.map(|noise| M::S::lit(MANY) * noise);
-        let falls = |i: usize, within: M::S| -(within * slopes.at(i)) > noise.at(i);
-        let vanishes = |i: usize| here.at(i).abs() <= noise.at(i);
-        let name = |i: usize| context.system.guard_name(i);
-        let at_once = !falls(index, step);
-        if at_once && !(vanishes(index) && falls(index, M::S::lit(1.0))) {
-            return Ok(moved);
-        }
-        if round == 0
-            && !at_once
-            && grazes(context, (index, step), (&rate, &slopes), M::S::lit(GRAZE) * rounded.at(index))
-        {
-            return Err(Fault::of_part(time.to_f64(), name(index), Cause::Grazes));
-        }
-        let ahead = |i: usize| -here.at(i).as_zero() / slopes.at(i);
-        let meets = |i: &usize| *i != index && vanishes(*i) && falls(*i, step);
-        let other = (0..M::G::LEN).filter(meets).find(|i| !is_same(ahead(*i), ahead(index)));
-        if let Some(other) = other.filter(|_| round == 0) {
-            let cause = Cause::AtOnce { other: name(other) };
-            return Err(Fault::of_part(time.to_f64(), name(index), cause));
-        }
-        let ahead = ahead(index);
+        let Some((rate, slopes)) = rates_of_both(context) else { break };
+        let ahead = time_to(&here, &slopes, index);
         moved = moved + ahead;
-        (context.time, context.x) = (time + ahead, x.map2(&rate, |x, rate| x + ahead * rate));
+        context.time = context.time + ahead;
+        context.x = context.x.map2(&rate, |x, rate| x + ahead * rate);
     }
     Ok(moved)
+}
+
+/// Does the event happen because its guard has come to its boundary, and not at once because another event moved it there?
+fn has_own_time<M: System<S: Real>>(
+    context: &mut Context<'_, M>,
+    index: usize,
+    step: M::S,
+) -> Result<bool, Fault> {
+    let here = guards_here(context)?;
+    let (time, x) = (context.time, context.x);
+    let Some((rate, slopes)) = rates_of_both(context) else { return Ok(false) };
+    let rounded = rounding((context.system, &context.held), (time, time), &x, &here);
+    let noise = |i: usize| M::S::lit(MANY) * rounded.at(i);
+    let falls = |i: usize, within: M::S| -(within * slopes.at(i)) > noise(i);
+    let vanishes = |i: usize| here.at(i).abs() <= noise(i);
+    let fault = |context: &Context<'_, M>, cause| {
+        Err(Fault::of_part(time.to_f64(), context.system.guard_name(index), cause))
+    };
+    if !falls(index, step) {
+        return Ok(vanishes(index) && falls(index, M::S::lit(1.0)));
+    }
+    let meets = |i: &usize| *i != index && vanishes(*i) && falls(*i, step);
+    let of_all = |i: usize| time_to(&here, &slopes, i);
+    if let Some(other) = (0..M::G::LEN).filter(meets).find(|i| !is_same(of_all(*i), of_all(index))) {
+        return fault(context, Cause::AtOnce { other: context.system.guard_name(other) });
+    }
+    if grazes(context, (index, step), (&rate, &slopes), M::S::lit(GRAZE) * rounded.at(index)) {
+        return fault(context, Cause::Grazes);
+    }
+    Ok(true)
+}
+
+/// The time to where a guard vanishes: its value is zero, its derivatives are those of the time of the event.
+fn time_to<S: Real, G: Vector<S>>(here: &G, slopes: &G, index: usize) -> S {
+    -here.at(index).as_zero() / slopes.at(index)
 }
 
 /// Does a guard turn round before it is farther beyond its boundary than `noise`? A parabola goes as far as slope^2/(2 bend).

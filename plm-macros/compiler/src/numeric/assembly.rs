@@ -13,7 +13,7 @@ use super::placed::{nearer, unwind};
 use super::rank::Rank;
 use super::scene::Scene;
 use super::search::{Search, Searched, search};
-use super::values::value;
+use super::values::{add_switches, value};
 use crate::model::{Body, Model};
 
 /// Largest `phi` of an assembled mechanism: of a row in m as a part of the size of the scene, of one in rad as it is.
@@ -77,6 +77,14 @@ pub(crate) enum Reach {
     Full,
     /// Newton's steps alone: one scene of several that are tried.
     Near,
+}
+
+/// The assembled start of a scene, with the values that all symbols have there; multipliers and accelerations are zero.
+pub(crate) fn at_start(scene: &Scene) -> (Assembly, Vec<(Expr, f64)>) {
+    let start = assemble(scene, Reach::Full);
+    let mut values = scene.moving(&start.q, &start.v);
+    add_switches(scene.model, &mut values);
+    (start, values)
 }
 
 /// Assembles the declared start of a scene.

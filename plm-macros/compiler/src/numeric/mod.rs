@@ -16,7 +16,7 @@ mod scene;
 mod search;
 mod values;
 
-pub(crate) use assembly::{Assembly, Reach, assemble};
+pub(crate) use assembly::{Assembly, Reach, assemble, at_start};
 pub(crate) use branch::asked;
 pub(crate) use freedom::{freedom, moves};
 pub(crate) use random::Random;
