@@ -51,6 +51,20 @@ test("a parameter is turned by slider, by key and by number, in its unit", { ski
   await page.waitForFunction(() => document.querySelector("#parameter-0").value === "400");
 });
 
+test("a value that changes in a field with the focus is selected, and what is typed replaces it", { skip }, async () => {
+  const { page } = await livePage({ isRunning: false });
+  const field = page.locator("#parameter-0");
+  await field.focus();
+  await field.selectText();
+  await page.evaluate(() => window.plmPage.app.live.set("parameter", 0, 0.42));
+  await page.waitForFunction(() => document.querySelector("#parameter-0").value === "420");
+  await page.keyboard.type("350");
+  await page.keyboard.press("Enter");
+  await answered(page, 0, "value === 0.35");
+  await settle(page);
+  assert.equal(await field.inputValue(), "350");
+});
+
 test("what cannot be assembled is told with its part, and mended", { skip }, async () => {
   for (const how of ["field", "key"]) {
     const { page, errors } = await livePage();

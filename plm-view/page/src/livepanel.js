@@ -157,13 +157,25 @@ export class LivePanel {
   turn({ kind, index, factor, slider, field }) {
     const shown = fromSi(this.live.settings[kind][index] ?? NaN, factor);
     if (!Number.isFinite(shown)) return;
-    // What is being typed is not overwritten.
-    if (document.activeElement !== field || field.dataset["typed"] === undefined) field.value = String(shown);
+    showIn(field, String(shown));
     if (document.activeElement === slider && Math.abs(Number(slider.value) - shown) <= 0.51 * Number(slider.step)) return;
     if (shown > Number(slider.max)) slider.max = String(shown);
     if (shown < Number(slider.min)) slider.min = String(shown);
     slider.value = String(shown);
   }
+}
+
+/**
+ * Shows a value in a field, but never over what is being typed. In a field with the focus it stands selected, so that typing
+ * replaces it: a field with another text loses its selection, and what is typed would be added.
+ * @param {HTMLInputElement} field
+ * @param {string} text
+ */
+function showIn(field, text) {
+  const hasFocus = document.activeElement === field;
+  if (field.value === text || (hasFocus && field.dataset["typed"] !== undefined)) return;
+  field.value = text;
+  if (hasFocus) field.select();
 }
 
 /** From 0 to twice the usual value, in a hundred steps to each side; around 0 by a span. @param {number} usual @param {number} span */
