@@ -101,6 +101,9 @@ const MORE: &[Step] = &[
         place.command("cargo run --release --example gradients -- 300").run()
     })),
     Step::Here(part("fmu", "FMU", |place| place.command("bash tests/fmu.sh").run())),
+    Step::Here(plain("exports", "programs, C, FMU and wheel that are exported", |place| {
+        place.command("bash tests/exports.sh").run()
+    })),
     Step::Here(plain("python-text", "Python without Rust", |place| {
         place.command("bash tests/python_text.sh").run()
     })),
