@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What `plm export` writes is built and run: the table of the program beside that of the interpreter, the wheel and the FMU beside the
-# library for C, all to the bit. What is missing is said, and not checked.
+# What `plm export` writes is built and run: the table of the program has the bytes of that of the interpreter, the wheel the bits of
+# the library for C, the FMU its numbers. What is missing is said, and not checked.
 #
 #   bash tests/exports.sh           # some minutes, most of which build plm once with optimisation
 #   PYTHON=python3.9 bash tests/exports.sh
