@@ -37,7 +37,7 @@ pub fn rotate<S: Real, const ROWS: usize, const COLUMNS: usize, const CARRIED: u
     if !total.is_finite() {
         return None;
     }
-    let precision = Precision::of::<ROWS, COLUMNS>(total);
+    let precision = Precision::of(rows, total);
     for _ in 0..SWEEPS {
         let mut orthogonal = true;
         for p in 0..ROWS {
@@ -115,10 +115,13 @@ struct Precision<S> {
 }
 
 impl<S: Real> Precision<S> {
-    /// Of a matrix with the sum of squares `total`.
-    fn of<const ROWS: usize, const COLUMNS: usize>(total: S) -> Self {
-        let cosine = S::lit(COLUMNS.max(4) as f64).sqrt() * S::EPSILON;
-        let noise = S::lit(ROWS.max(COLUMNS) as f64) * S::EPSILON;
+    /// Of a matrix with the sum of squares `total`. Rows and columns of zeros are room, and do not count.
+    fn of<const ROWS: usize, const COLUMNS: usize>(matrix: &[[S; COLUMNS]; ROWS], total: S) -> Self {
+        let is_filled = |number: &S| *number != S::lit(0.0);
+        let rows = matrix.iter().filter(|row| row.iter().any(is_filled)).count();
+        let columns = (0..COLUMNS).filter(|column| matrix.iter().any(|row| is_filled(&row[*column]))).count();
+        let cosine = S::lit(columns.max(4) as f64).sqrt() * S::EPSILON;
+        let noise = S::lit(rows.max(columns) as f64) * S::EPSILON;
         Self { cosine, square: noise * noise * total }
     }
 

@@ -100,6 +100,9 @@ const MORE: &[Step] = &[
     Step::Here(plain("gradients", "derivatives of random mechanisms", |place| {
         place.command("cargo run --release --example gradients -- 300").run()
     })),
+    Step::Here(plain("random-declarations", "bits of random declarations", |place| {
+        place.command("cargo run --example random_declarations -- 100").run()
+    })),
     Step::Here(part("fmu", "FMU", |place| place.command("bash tests/fmu.sh").run())),
     Step::Here(plain("exports", "programs, C, FMU and wheel that are exported", |place| {
         place.command("bash tests/exports.sh").run()
