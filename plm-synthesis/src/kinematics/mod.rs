@@ -2,12 +2,14 @@
 //! poses of a five-bar. Limits, dead points, transmission angle and mechanical advantage of a four-bar are functions of
 //! [`FourBar`](crate::FourBar).
 
+mod at_pose;
 mod five_bar;
 mod images;
 mod instant;
 mod mobility;
 mod slider_crank;
 
+pub use self::at_pose::{MobilityAt, mobility_at};
 pub use self::five_bar::{FiveBar, FiveBarPose, Singularity};
 pub use self::images::{Build, NoImages, images};
 pub use self::instant::{Centre, centrodes, instant_centre, kennedy};

@@ -2,10 +2,11 @@
 
 use std::f64::consts::{PI, TAU};
 
-use plm_dynamic::Mechanism;
+use plm_dynamic::{Mechanism, OnRun};
+use plm_runtime::{Described, Linear, Method, Sim, Statics};
 use plm_synthesis::kinematics::{
-    Build, Centre, FiveBar, Joint, Link, Singularity, SliderCrank, centrodes, gruebler, images,
-    instant_centre, kennedy, mobility,
+    Build, Centre, FiveBar, Joint, Link, Mobility, MobilityAt, Singularity, SliderCrank, centrodes, gruebler,
+    images, instant_centre, kennedy, mobility, mobility_at,
 };
 use plm_synthesis::{Class, Defect, Demands, FourBar, Image, Limits};
 
@@ -268,4 +269,61 @@ fn defects_are_named() {
             Defect::Crank { class: Some(Class::TripleRocker) }
         ]
     );
+}
+
+/// Mobility where a run is.
+struct AskMobility;
+
+impl OnRun for AskMobility {
+    type Output = MobilityAt;
+
+    fn on<M, I>(self, sim: &mut Sim<M, I>) -> MobilityAt
+    where
+        M: Described<S = f64> + Statics + Linear<Lifted<1>: Described + Statics>,
+        I: Method<M>,
+    {
+        mobility_at(sim)
+    }
+}
+
+#[test]
+fn mobility_of_texts() {
+    let body = "mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m;";
+    let crank = |name: &str, x: f64| {
+        format!(
+            "body {name} {{ {body} port b: (0.3, 0.4) m; start x: {x} m; }}
+            revolute low_{name}(ground.{name}, {name}.a);
+            revolute high_{name}({name}.b, plate.{name});"
+        )
+    };
+    let text = |third: &str, port: &str, drive: &str| {
+        format!(
+            "pub Parallel {{
+                ground {{ port one: (0, 0) m; port two: (1, 0) m; port three: (2, 0) m; }}
+                body plate {{
+                    {body} port one: (0, 0) m; port two: (1, 0) m; {port}
+                    start x: 0.3 m; start y: 0.4 m;
+                }}
+                {} {} {third} {drive}
+            }}",
+            crank("one", 0.0),
+            crank("two", 1.0)
+        )
+    };
+    let ask = |text: &str| Mechanism::from_text(text).unwrap().start().unwrap().then(AskMobility);
+    let three = crank("three", 2.0);
+    let third = "port three: (2, 0) m;";
+    let drive = "constraint drive: one.angle = 1 rad/s*t;";
+    // Count, freedoms of the velocities, redundant rows.
+    for (text, expected) in [
+        (text("", "", ""), (1, 1, 0)),
+        (text("", "", drive), (0, 0, 0)),
+        (text(&three, third, ""), (0, 1, 1)),
+        (text(&three, third, drive), (-1, 0, 1)),
+    ] {
+        let found = ask(&text);
+        let Mobility { counted, at_pose, redundant } = found.mobility;
+        assert_eq!((counted, at_pose, redundant), expected, "{text}");
+        assert_eq!(found.redundant.len(), redundant, "{:?}", found.redundant);
+    }
 }
