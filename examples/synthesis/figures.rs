@@ -55,7 +55,7 @@ fn ellipse() -> Path {
         lengths: [[5.0, 80.0]; 4],
         point: [around; 2],
     };
-    Path { points, timing: Timing::Free, bounds, crank: Crank::Turns }
+    Path { points, timing: Timing::Free, bounds, crank: Crank::Turns, transmission: 0.0 }
 }
 
 fn best(path: &Path) -> Result<Found, Box<dyn Error>> {

@@ -70,6 +70,9 @@ pub struct Path {
     pub bounds: Bounds,
     /// Motion that is demanded of the crank.
     pub crank: Crank,
+    /// Least transmission angle and what it lacks to half a turn at most, rad; 0 demands nothing. It bounds the lengths of a crank-rocker
+    /// over its whole turn. With [`Crank::Any`] it is no bound, and a linkage below it at a point has a defect.
+    pub transmission: f64,
 }
 
 /// Extent of a search.
@@ -118,7 +121,7 @@ pub enum NoPath {
         /// Angles that were given.
         angles: usize,
     },
-    /// A bound whose least value is above its greatest, or a length that is not bounded.
+    /// A bound whose least value is above its greatest, a length that is not bounded, or a transmission angle outside 0 to pi/2.
     Bounds,
 }
 
@@ -127,7 +130,7 @@ impl std::fmt::Display for NoPath {
         match self {
             Self::TooFewPoints => f.write_str("a path has two points at least"),
             Self::Angles { points, angles } => write!(f, "{points} points, but {angles} angles of the crank"),
-            Self::Bounds => f.write_str("a least value is above its greatest, or a length has no bound"),
+            Self::Bounds => f.write_str("a least value is above its greatest, a length has no bound, or the transmission angle is none"),
         }
     }
 }
@@ -159,6 +162,7 @@ impl Path {
         let all = pivot.iter().chain(lengths).chain(point).chain([ground_angle]);
         let holds = all.clone().all(|[least, most]| least <= most);
         let bounded = lengths.iter().all(|[least, most]| *least > 0.0 && most.is_finite());
-        if holds && bounded { Ok(()) } else { Err(NoPath::Bounds) }
+        let possible = (0.0..std::f64::consts::FRAC_PI_2).contains(&self.transmission);
+        if holds && bounded && possible { Ok(()) } else { Err(NoPath::Bounds) }
     }
 }

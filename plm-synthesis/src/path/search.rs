@@ -79,7 +79,12 @@ fn found(path: &Path, outcome: &Outcome) -> Option<Found> {
         greatest = greatest.max(distance);
     }
     let positions: Vec<(f64, Image)> = angles.iter().map(|&angle| (angle, *image)).collect();
-    let demands = Demands { turns: path.crank == Crank::Turns, order: true, transmission: 0.0 };
+    // The bound is exact up to the last weight of the polish.
+    let demands = Demands {
+        turns: path.crank == Crank::Turns,
+        order: true,
+        transmission: path.transmission * (1.0 - 1e-6),
+    };
     let defects = four_bar.defects(&positions, &demands);
     Some(Found { four_bar, angles, error, greatest, defects, start: outcome.number })
 }

@@ -38,6 +38,21 @@ struct Normal {
     gradient: SVector<f64, UNKNOWNS>,
 }
 
+impl Normal {
+    /// Adds a violation by its derivatives by the shape.
+    fn add(&mut self, violation: f64, by_shape: &[f64; 4], weight: f64) {
+        if violation == 0.0 {
+            return;
+        }
+        for i in 0..4 {
+            self.gradient[SHAPE + i] += weight * violation * by_shape[i];
+            for j in 0..=i {
+                self.matrix[(SHAPE + i, SHAPE + j)] += weight * by_shape[i] * by_shape[j];
+            }
+        }
+    }
+}
+
 /// Scalar product of vectors of the plane.
 fn dot(a: Vector, b: Vector) -> f64 {
     a.re * b.re + a.im * b.im
@@ -47,6 +62,8 @@ fn dot(a: Vector, b: Vector) -> f64 {
 pub(super) struct Solver<'a> {
     path: &'a Path,
     targets: Vec<Vector>,
+    /// Greatest distance of a point from the first one: the unit of violations of an angle.
+    extent: f64,
     least: Unknowns,
     most: Unknowns,
     angles_are_free: bool,
@@ -68,9 +85,12 @@ impl<'a> Solver<'a> {
         if !matches!(path.timing, Timing::Steps(_)) {
             bounds[FIRST_ANGLE] = [0.0, 0.0];
         }
+        let targets: Vec<Vector> = path.points.iter().copied().map(vector).collect();
+        let extent = targets.iter().map(|target| (target - targets[0]).norm()).fold(0.0, f64::max);
         Self {
             path,
-            targets: path.points.iter().copied().map(vector).collect(),
+            targets,
+            extent,
             least: bounds.map(|[least, _]| least),
             most: bounds.map(|[_, most]| most),
             angles_are_free: path.timing == Timing::Free,
@@ -100,6 +120,29 @@ impl<'a> Solver<'a> {
         })
     }
 
+    /// Violations of the least transmission angle where the crank is in line with the ground, as lengths, with their derivatives by the
+    /// lengths: the cosine between coupler and rocker, by the law of cosines in their triangle with the side r1 - r2 or r1 + r2, is
+    /// beyond that of the least angle.
+    fn transmission(&self, unknowns: &Unknowns) -> [(f64, [f64; 4]); 2] {
+        if self.path.crank == Crank::Any || self.path.transmission <= 0.0 {
+            return [(0.0, [0.0; 4]); 2];
+        }
+        let limit = self.path.transmission.cos();
+        let [r1, r2, r3, r4] = self.path.crank.lengths(unknowns);
+        [-1.0, 1.0].map(|sign| {
+            let side = r1 + sign * r2;
+            let cosine = (r3 * r3 + r4 * r4 - side * side) / (2.0 * r3 * r4);
+            // Near the pivot the cosine is largest, beyond it smallest.
+            let excess = (-sign * cosine - limit).max(0.0);
+            let by = -side / (r3 * r4);
+            let slopes = [by, sign * by, 1.0 / r4 - cosine / r3, 1.0 / r3 - cosine / r4];
+            (
+                excess * self.extent,
+                slopes.map(|slope| if excess > 0.0 { -sign * slope * self.extent } else { 0.0 }),
+            )
+        })
+    }
+
     /// Error with weighted violations; infinite where the loop does not close.
     pub(super) fn cost(&self, place: &Place, weight: f64) -> f64 {
         let linkage = Linkage::new(self.path.crank, &place.unknowns, place.image);
@@ -111,7 +154,9 @@ impl<'a> Solver<'a> {
             sum += (point - target).norm_sqr();
         }
         let violations = self.violations(&place.unknowns);
-        sum + weight * violations.iter().map(|v| v * v).sum::<f64>()
+        let angles = self.transmission(&place.unknowns);
+        let all = violations.into_iter().chain(angles.map(|(violation, _)| violation));
+        sum + weight * all.map(|v| v * v).sum::<f64>()
     }
 
     /// Iterates from a place; gives the cost that is reached.
@@ -162,18 +207,16 @@ impl<'a> Solver<'a> {
             }
             rows.push(Row { residual, derivatives });
         }
+        let mut normal = Normal { rows, matrix, gradient };
         let map = self.path.crank.lengths_by_shape();
         for (k, violation) in self.violations(&place.unknowns).into_iter().enumerate() {
-            if violation != 0.0 {
-                for i in 0..4 {
-                    gradient[SHAPE + i] += weight * violation * map[k][i];
-                    for j in 0..=i {
-                        matrix[(SHAPE + i, SHAPE + j)] += weight * map[k][i] * map[k][j];
-                    }
-                }
-            }
+            normal.add(violation, &map[k], weight);
         }
-        Some(Normal { rows, matrix, gradient })
+        for (violation, by_lengths) in self.transmission(&place.unknowns) {
+            let by_shape = std::array::from_fn(|n| (0..4).map(|k| by_lengths[k] * map[k][n]).sum());
+            normal.add(violation, &by_shape, weight);
+        }
+        Some(normal)
     }
 
     /// Place after a damped step inside the bounds. `None` where the equations have no solution.

@@ -18,14 +18,20 @@ fn bounds(length: [f64; 2], place: f64) -> Bounds {
 
 fn line() -> Path {
     let points = (0..6).map(|k| [20.0, 20.0 + 5.0 * f64::from(k)]).collect();
-    Path { points, timing: Timing::Free, bounds: bounds([5.0, 60.0], 60.0), crank: Crank::Turns }
+    Path {
+        points,
+        timing: Timing::Free,
+        bounds: bounds([5.0, 60.0], 60.0),
+        crank: Crank::Turns,
+        transmission: 0.0,
+    }
 }
 
 fn five_angles() -> Path {
     let points = vec![[3.0, 3.0], [2.759, 3.363], [2.372, 3.663], [1.890, 3.862], [1.355, 3.943]];
     let angles = [30.0_f64, 45.0, 60.0, 75.0, 90.0].map(f64::to_radians).to_vec();
     let bounds = Bounds { pivot: [[0.0; 2]; 2], ground_angle: [0.0; 2], ..bounds([0.001, 50.0], 50.0) };
-    Path { points, timing: Timing::Given(angles), bounds, crank: Crank::Turns }
+    Path { points, timing: Timing::Given(angles), bounds, crank: Crank::Turns, transmission: 0.0 }
 }
 
 fn eighteen(sixth: f64) -> Path {
@@ -50,7 +56,13 @@ fn eighteen(sixth: f64) -> Path {
         [0.6, 1.0],
     ];
     let steps = (0..18).map(|k| (20.0 * f64::from(k)).to_radians()).collect();
-    Path { points, timing: Timing::Steps(steps), bounds: bounds([0.001, 50.0], 50.0), crank: Crank::Turns }
+    Path {
+        points,
+        timing: Timing::Steps(steps),
+        bounds: bounds([0.001, 50.0], 50.0),
+        crank: Crank::Turns,
+        transmission: 0.0,
+    }
 }
 
 fn ellipse() -> Path {
@@ -66,7 +78,13 @@ fn ellipse() -> Path {
         [17.66, 4.8577],
         [20.0, 10.0],
     ];
-    Path { points, timing: Timing::Free, bounds: bounds([5.0, 80.0], 80.0), crank: Crank::Turns }
+    Path {
+        points,
+        timing: Timing::Free,
+        bounds: bounds([5.0, 80.0], 80.0),
+        crank: Crank::Turns,
+        transmission: 0.0,
+    }
 }
 
 fn best(path: &Path, starts: u64) -> Found {
@@ -122,6 +140,22 @@ fn eighteen_points_with_equal_steps() {
 #[test]
 fn ten_points_of_an_ellipse() {
     assert_error(&ellipse(), 300, 4.01992e-4);
+}
+
+#[test]
+fn a_least_transmission_angle_bounds_the_lengths() {
+    let free = best(&ellipse(), 300);
+    let least = |found: &Found| {
+        let [least, most] = found.four_bar.transmission_extremes().unwrap();
+        least.min(std::f64::consts::PI - most)
+    };
+    let demanded = 55_f64.to_radians();
+    assert!(least(&free) < demanded - 0.1, "{}", least(&free).to_degrees());
+    let bound = best(&Path { transmission: demanded, ..ellipse() }, 300);
+    assert_eq!(bound.defects, []);
+    assert!(least(&bound) >= demanded * (1.0 - 1e-6), "{}", least(&bound).to_degrees());
+    assert!(bound.error >= free.error && bound.error < 10.0 * free.error, "{}", bound.error);
+    assert!((error_of_run(&bound, &ellipse()) - bound.error).abs() <= 1e-7 * bound.error);
 }
 
 #[test]
