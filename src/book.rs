@@ -44,6 +44,17 @@ pages! {
     Linearise = "running/linearise.md";
 }
 
+#[cfg(feature = "synthesis")]
+pages! {
+    Linkages = "questions/linkages.md";
+}
+
+#[cfg(all(feature = "synthesis", feature = "dynamic"))]
+pages! {
+    Synthesis = "questions/synthesis.md";
+    BalanceAndTolerances = "questions/tolerances.md";
+}
+
 #[cfg(all(feature = "analysis", feature = "dynamic"))]
 pages! {
     AtRunTime = "running/at-run-time.md";

@@ -57,6 +57,7 @@
 //! | `foreign` | [`foreign`]: objects for C and C++; with `analysis` also [`python`] |
 //! | `fmi` | FMUs of FMI 2.0 and 3.0 in [`foreign`] |
 //! | `batch` | [`batch`] and [`study`]: runs over parameter values on all cores, studies on many machines |
+//! | `synthesis` | [`synthesis`]: dimensions from what a mechanism has to do, questions of kinematics, balancing, tolerances |
 //! | `lanes` | [`Batch`]: eight simulations side by side in vector registers |
 //! | `processor-sqrt-f32` | without std: square roots of `f32` by an instruction of the processor (unsafe code, in `plm-processor`) |
 //! | `processor-sqrt-f64` | the same for `f64` too |
@@ -81,6 +82,7 @@
         feature = "dynamic",
         feature = "foreign",
         feature = "lanes",
+        feature = "synthesis",
         feature = "view"
     )),
     allow(rustdoc::broken_intra_doc_links, reason = "the table of features")
@@ -125,6 +127,10 @@ pub use plm_analysis::{
 pub use plm_dynamic as dynamic;
 #[cfg(feature = "batch")]
 pub use plm_study::{batch, study};
+/// Dimensions of mechanisms from what they have to do, questions of kinematics, balancing, tolerances.
+#[cfg(feature = "synthesis")]
+#[doc(inline)]
+pub use plm_synthesis as synthesis;
 #[cfg(feature = "std")]
 pub use starts::{BadStarts, StartProblem, read_starts};
 

@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources that are looked at.
-const CRATES: [&str; 17] = [
+const CRATES: [&str; 18] = [
     "src",
     "plm-analysis/src",
     "plm-cli/src",
@@ -26,6 +26,7 @@ const CRATES: [&str; 17] = [
     "plm-runtime/src",
     "plm-sketch/src",
     "plm-study/src",
+    "plm-synthesis/src",
     "plm-view/src",
 ];
 const LARGEST: usize = 3;

@@ -7,6 +7,8 @@ mod blocks;
 mod draw;
 #[path = "support/readme.rs"]
 mod readme;
+#[path = "../examples/synthesis/figures.rs"]
+mod synthesis;
 
 use std::fs;
 use std::path::Path;
@@ -18,11 +20,11 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// `PLM_BLESS=1` or `cargo run --example figures` writes them.
+/// `PLM_BLESS=1` writes them, or `cargo run --example figures` and `--example synthesis`.
 #[test]
 fn figures_of_the_book_are_those_that_are_drawn() {
     let mut wrong = Vec::new();
-    for (path, svg) in draw::all(root()).unwrap() {
+    for (path, svg) in draw::all(root()).unwrap().into_iter().chain(synthesis::all().unwrap()) {
         let file = root().join(&path);
         if std::env::var_os("PLM_BLESS").is_some() {
             fs::write(&file, &svg).unwrap();
@@ -33,7 +35,7 @@ fn figures_of_the_book_are_those_that_are_drawn() {
     }
     assert!(
         wrong.is_empty(),
-        "figures that are missing or differ from what is drawn: {wrong:?}; `cargo run --example figures` writes them"
+        "figures that are missing or differ from what is drawn: {wrong:?}; `cargo run --example figures` and `--example synthesis` write them"
     );
 }
 

@@ -22,7 +22,7 @@ const fn place(name: &'static str, role: &'static str, x: i32, layer: i32) -> Pl
 }
 
 /// A crate depends on crates in layers below its own. Columns leave a way for every arrow.
-const PLACES: [Place; 19] = [
+const PLACES: [Place; 20] = [
     place("plm-planar", "plm, the users' crate", 480, 0),
     place("plm-cli", "the command line", 274, 0),
     place("plm-jit", "machine code", 334, 1),
@@ -35,6 +35,7 @@ const PLACES: [Place; 19] = [
     place("plm-sketch", "drawings", 876, 3),
     place("plm-cas", "symbolic algebra", 84, 4),
     place("plm-study", "many runs", 240, 4),
+    place("plm-synthesis", "dimensions", 234, 3),
     place("plm-run", "methods by name", 400, 4),
     place("plm-foreign", "C and FMUs", 560, 4),
     place("plm-analysis", "linear systems", 720, 4),

@@ -1,0 +1,15 @@
+//! Dimensions of planar mechanisms from what they have to do, and the questions of kinematics as calls.
+//!
+//! `plm` has all of it behind the feature `synthesis`, as `plm::synthesis`.
+
+pub mod balance;
+mod four_bar;
+pub mod function;
+pub mod kinematics;
+pub mod motion;
+pub mod path;
+mod random;
+mod roots;
+pub mod tolerance;
+
+pub use four_bar::{Class, Defect, Demands, FourBar, Image, Limits, LinkMass, Point, Pose};

@@ -1,0 +1,8 @@
+//! Synthesis and kinematics beside published figures, closed forms, other formulations, and mechanisms that are run.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+
+mod balance;
+mod function;
+mod kinematics;
+mod motion;
+mod path;

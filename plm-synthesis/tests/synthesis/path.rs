@@ -1,0 +1,182 @@
+//! Path generation: cases of the literature.
+//!
+//! Points, bounds and timing are those of Cabrera, Simon and Prado (Mech. Mach. Theory 37, 2002), Kunjur and Krishnamurty (J. Mech.
+//! Des. 119, 1997) and Acharyya and Mandal (Mech. Mach. Theory 44, 2009); the error is their sum of squared distances.
+
+use plm_dynamic::Mechanism;
+use plm_synthesis::path::{Bounds, Crank, Found, NoPath, Path, Search, Timing};
+
+fn bounds(length: [f64; 2], place: f64) -> Bounds {
+    let place = [-place, place];
+    Bounds {
+        pivot: [place; 2],
+        ground_angle: [0.0, std::f64::consts::TAU],
+        lengths: [length; 4],
+        point: [place; 2],
+    }
+}
+
+fn line() -> Path {
+    let points = (0..6).map(|k| [20.0, 20.0 + 5.0 * f64::from(k)]).collect();
+    Path {
+        points,
+        timing: Timing::Free,
+        bounds: bounds([5.0, 60.0], 60.0),
+        crank: Crank::Turns,
+        transmission: 0.0,
+    }
+}
+
+fn five_angles() -> Path {
+    let points = vec![[3.0, 3.0], [2.759, 3.363], [2.372, 3.663], [1.890, 3.862], [1.355, 3.943]];
+    let angles = [30.0_f64, 45.0, 60.0, 75.0, 90.0].map(f64::to_radians).to_vec();
+    let bounds = Bounds { pivot: [[0.0; 2]; 2], ground_angle: [0.0; 2], ..bounds([0.001, 50.0], 50.0) };
+    Path { points, timing: Timing::Given(angles), bounds, crank: Crank::Turns, transmission: 0.0 }
+}
+
+fn eighteen(sixth: f64) -> Path {
+    let points = vec![
+        [0.5, 1.1],
+        [0.4, 1.1],
+        [0.3, 1.1],
+        [0.2, 1.0],
+        [0.1, 0.9],
+        [sixth, 0.75],
+        [0.02, 0.6],
+        [0.0, 0.5],
+        [0.0, 0.4],
+        [0.03, 0.3],
+        [0.1, 0.25],
+        [0.15, 0.2],
+        [0.2, 0.3],
+        [0.3, 0.4],
+        [0.4, 0.5],
+        [0.5, 0.7],
+        [0.6, 0.9],
+        [0.6, 1.0],
+    ];
+    let steps = (0..18).map(|k| (20.0 * f64::from(k)).to_radians()).collect();
+    Path {
+        points,
+        timing: Timing::Steps(steps),
+        bounds: bounds([0.001, 50.0], 50.0),
+        crank: Crank::Turns,
+        transmission: 0.0,
+    }
+}
+
+fn ellipse() -> Path {
+    let points = vec![
+        [20.0, 10.0],
+        [17.66, 15.142],
+        [11.736, 17.878],
+        [5.0, 16.928],
+        [0.60307, 12.736],
+        [0.60307, 7.2638],
+        [5.0, 3.0718],
+        [11.736, 2.1215],
+        [17.66, 4.8577],
+        [20.0, 10.0],
+    ];
+    Path {
+        points,
+        timing: Timing::Free,
+        bounds: bounds([5.0, 80.0], 80.0),
+        crank: Crank::Turns,
+        transmission: 0.0,
+    }
+}
+
+fn best(path: &Path, starts: u64) -> Found {
+    path.search(&Search { starts, ..Search::default() }).unwrap().swap_remove(0)
+}
+
+/// Sum of squared distances of a run of the linkage's declaration to the points.
+fn error_of_run(found: &Found, path: &Path) -> f64 {
+    let first = found.angles[0];
+    let way = if found.angles[1] < first { -1.0 } else { 1.0 };
+    let text = found.four_bar.declaration("Drawer", first).unwrap();
+    let mut mechanism = Mechanism::from_text(&text).unwrap();
+    mechanism.set_parameter("speed", way).unwrap();
+    let mut run = mechanism.start().unwrap();
+    let mut error = 0.0;
+    for (angle, point) in found.angles.iter().zip(&path.points) {
+        // Linkages without a defect pass all points in one turn.
+        run.step_to(((angle - first) * way).max(run.time())).unwrap();
+        let [x, y] = ["x", "y"].map(|axis| run.output(&format!("coupler.tracer.position.{axis}")).unwrap());
+        error += (x - point[0]).powi(2) + (y - point[1]).powi(2);
+    }
+    error
+}
+
+/// The error that is found again by independent starts, and by a run. No tolerance but that of the iteration's end.
+fn assert_error(path: &Path, starts: u64, error: f64) {
+    let found = best(path, starts);
+    assert_eq!(found.defects, []);
+    let rounding = 1e-25;
+    assert!(found.error <= error * (1.0 + 1e-6) + rounding, "{:e}", found.error);
+    assert!((error_of_run(&found, path) - found.error).abs() <= 1e-7 * found.error + rounding);
+    let bounds = path.bounds.lengths.iter().zip(found.four_bar.lengths());
+    assert!(bounds.into_iter().all(|([least, most], length)| (*least..=*most).contains(&length)));
+}
+
+#[test]
+fn six_points_on_a_line_are_met() {
+    assert_error(&line(), 300, 0.0);
+}
+
+#[test]
+fn five_points_with_given_angles() {
+    assert_error(&five_angles(), 300, 7.41575e-7);
+}
+
+#[test]
+fn eighteen_points_with_equal_steps() {
+    assert_error(&eighteen(0.05), 300, 9.02888e-3);
+    // Some papers print this coordinate of the sixth point.
+    assert_error(&eighteen(0.005), 300, 9.91193e-3);
+}
+
+#[test]
+fn ten_points_of_an_ellipse() {
+    assert_error(&ellipse(), 300, 4.01992e-4);
+}
+
+#[test]
+fn a_least_transmission_angle_bounds_the_lengths() {
+    let free = best(&ellipse(), 300);
+    let least = |found: &Found| {
+        let [least, most] = found.four_bar.transmission_extremes().unwrap();
+        least.min(std::f64::consts::PI - most)
+    };
+    let demanded = 55_f64.to_radians();
+    assert!(least(&free) < demanded - 0.1, "{}", least(&free).to_degrees());
+    let bound = best(&Path { transmission: demanded, ..ellipse() }, 300);
+    assert_eq!(bound.defects, []);
+    assert!(least(&bound) >= demanded * (1.0 - 1e-6), "{}", least(&bound).to_degrees());
+    assert!(bound.error >= free.error && bound.error < 10.0 * free.error, "{}", bound.error);
+    assert!((error_of_run(&bound, &ellipse()) - bound.error).abs() <= 1e-7 * bound.error);
+}
+
+#[test]
+fn a_search_does_not_depend_on_threads() {
+    let search = Search { starts: 200, seed: 9, keep: 5 };
+    let on = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| ellipse().search(&search).unwrap())
+    };
+    let alone = on(1);
+    assert!(!alone.is_empty());
+    assert_eq!(alone, on(3));
+}
+
+#[test]
+fn what_is_asked_wrongly_has_a_name() {
+    let short = Path { points: vec![[0.0, 0.0]], ..line() };
+    assert_eq!(short.search(&Search::default()), Err(NoPath::TooFewPoints));
+    let angles = Path { timing: Timing::Given(vec![0.0; 3]), ..line() };
+    assert_eq!(angles.search(&Search::default()), Err(NoPath::Angles { points: 6, angles: 3 }));
+    let mut crossed = line();
+    crossed.bounds.lengths[1] = [2.0, 1.0];
+    assert_eq!(crossed.search(&Search::default()), Err(NoPath::Bounds));
+}
