@@ -44,6 +44,11 @@ pages! {
     Linearise = "running/linearise.md";
 }
 
+#[cfg(all(feature = "analysis", feature = "view"))]
+pages! {
+    FrequencyResponse = "questions/frequency-response.md";
+}
+
 #[cfg(all(feature = "analysis", feature = "dynamic"))]
 pages! {
     AtRunTime = "running/at-run-time.md";

@@ -78,6 +78,20 @@ impl fmt::Display for NoGain {
 
 impl Error for NoGain {}
 
+impl Regulator {
+    /// What is added to the inputs in a state, in the order of their names: -gains x. The state counts along the columns of `basis`, from where the
+    /// mechanism was linearised; with joint coordinates it is that of a simulation.
+    ///
+    /// Numbers of `x` that are missing are zero.
+    pub fn inputs_at(&self, x: &[f64]) -> Vec<f64> {
+        let sum = |row: usize| -> f64 {
+            let gains = (0..self.gains.ncols()).map(|column| self.gains[(row, column)]);
+            -gains.zip(x).map(|(gain, x)| gain * x).sum::<f64>()
+        };
+        (0..self.gains.nrows()).map(sum).collect()
+    }
+}
+
 macro_rules! has_gains {
     ($system:ident, $sum:literal) => {
         impl $system {
