@@ -110,6 +110,34 @@ fn of_a_four_bar_by_its_rocker_and_by_two_drives() {
     near(misses, 1.0, 1e-9);
 }
 
+/// A motion of measured points by a constraint: its reaction is the torque that inverse dynamics finds for place, speed and acceleration there.
+#[test]
+fn of_a_four_bar_that_follows_a_table() {
+    let told = FOUR_BAR
+        .replace("start angle: 0.7 rad, locked; start omega: 12 rad/s, locked;", "start angle: 0.7 rad;")
+        .replace(
+            "revolute pin(",
+            "constraint told: crank.angle = smooth_table(t, (0 s, 0.7 rad), (0.1 s, 1.3 rad), (0.25 s, 2.9 rad),
+                (0.3 s, 3.2 rad), (0.5 s, 2.1 rad));
+            output torque_told = -reaction(told), crank.alpha;
+            revolute pin(",
+        );
+    let (mut told, free) = (started(&told), started(FOUR_BAR));
+    let inverse = Inverse::new(free.state().mechanism(), ["crank.angle"], ["torque"]).unwrap();
+    let (mut state, mut largest) = (*free.state(), 0.0_f64);
+    for k in 1..50 {
+        told.step_to(0.01 * f64::from(k)).unwrap();
+        let [place, velocity] = angle(told.state(), "crank");
+        let [torque, alpha] = [0, 1].map(|output| told.state().output(output).unwrap());
+        let wanted = Wanted { place: [place], velocity: [velocity], acceleration: [alpha] };
+        state = inverse.place(&state, 0.01 * f64::from(k), &wanted).unwrap();
+        near(inverse.inputs(&state, [alpha]).unwrap()[0], torque, 1e-10);
+        near(four_bar([place, velocity, alpha], None).0[0], torque, 1e-10);
+        largest = largest.max(velocity.abs());
+    }
+    assert!(largest > 8.0, "{largest}");
+}
+
 #[test]
 fn of_a_slider_crank_that_cuts() {
     let mut sim = started(

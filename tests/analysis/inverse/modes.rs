@@ -62,6 +62,43 @@ fn a_wheel_that_rolls_on_a_floor() {
     assert_eq!(refused, Unsolved::Unmoved { time: 0.0, target: "wheel.y" });
 }
 
+/// Pins and guides rub by their own reactions, which the torque changes: the torque that is found gives the acceleration that was wanted.
+#[test]
+fn a_linkage_that_rubs() {
+    let mut sim = started(
+        "pub Press {
+            gravity: 9.81 m/s^2;
+            input torque: N*m = 2 N*m;
+            ground { port o: (0, 0) m; }
+            body crank {
+                mass: 2 kg; inertia: 0.01 kg*m^2; port o: (-0.03, 0) m; port pin: (0.07, 0) m;
+                start angle: 0.4 rad, locked; start omega: 20 rad/s, locked;
+            }
+            body rod { mass: 1.2 kg; inertia: 0.01 kg*m^2; port pin: (-0.15, 0) m; port end: (0.25, 0) m; }
+            body slider { mass: 3 kg; inertia: 0.01 kg*m^2; port end: (0, 0) m; start x: 0.5 m; }
+            revolute main(ground.o, crank.o) { drive: torque; friction: 0.15; pin_diameter: 40 mm; }
+            revolute pin(crank.pin, rod.pin) { friction: 0.1; pin_diameter: 30 mm; }
+            revolute end(rod.end, slider.end);
+            prismatic guide(ground.o, slider.end) { friction: 0.2; }
+            output crank.alpha;
+        }",
+    );
+    let inverse = Inverse::new(sim.state().mechanism(), ["crank.angle"], ["torque"]).unwrap();
+    let mut rubbed = 0;
+    for _ in 0..20 {
+        sim.step(2e-3).unwrap();
+        let alpha = |torque: f64| inverse.with_inputs(sim.state(), &[torque]).output(0).unwrap();
+        // A friction that depends on the size of a reaction bends: no straight line.
+        rubbed += u32::from((alpha(-30.0) - 2.0 * alpha(0.0) + alpha(30.0)).abs() > 1e-3);
+        for wanted in [-300.0, 0.0, 150.0] {
+            let [torque] = inverse.inputs(&sim, [wanted]).unwrap();
+            near(alpha(torque), wanted, 1e-10);
+        }
+        near(inverse.inputs(&sim, [alpha(2.0)]).unwrap()[0], 2.0, 1e-9);
+    }
+    assert!(rubbed > 10, "{rubbed}");
+}
+
 #[test]
 fn inputs_that_are_no_forces() {
     let mut sim = started(
