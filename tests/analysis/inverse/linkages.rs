@@ -57,7 +57,7 @@ fn four_bar(crank: [f64; 3], second: Option<f64>) -> (Vec<f64>, [f64; 3]) {
 
 #[test]
 fn of_a_four_bar_over_a_turn() {
-    for formulation in ["", "formulation: absolute;"] {
+    for (formulation, steps) in [("", 90), ("formulation: absolute;", 15)] {
         let declaration = FOUR_BAR.replace("gravity", &format!("{formulation} gravity"));
         let sim = started(&declaration);
         let inverse = Inverse::new(sim.state().mechanism(), ["crank.angle"], ["torque"]).unwrap();
@@ -69,14 +69,14 @@ fn of_a_four_bar_over_a_turn() {
         };
         let (mut count, mut largest) = (0, 0.0_f64);
         inverse
-            .over(sim.state(), (0..=90).map(|k| f64::from(k) * 5e-3), wanted, |state, [torque]| {
+            .over(sim.state(), (0..=steps).map(|k| f64::from(k) * 5e-3), wanted, |state, [torque]| {
                 let (known, _) = four_bar(motion(f64::from(count) * 5e-3), None);
                 near(torque, known[0], 1e-10);
                 near(angle(state, "crank")[1], motion(f64::from(count) * 5e-3)[1], 1e-12);
                 (count, largest) = (count + 1, largest.max(torque.abs()));
             })
             .unwrap();
-        assert!(count == 91 && largest > 5.0, "{count} {largest}");
+        assert!(count == steps + 1 && largest > 2.0, "{count} {largest}");
     }
 }
 

@@ -102,8 +102,8 @@ fn deviations_decay_by_computed_torque() {
         wanted.place[0] += 0.2;
         wanted
     };
-    let h = 2e-4;
-    for k in 0..1000 {
+    let h = 4e-4;
+    for k in 0..500 {
         let t = f64::from(k) * h;
         let inputs = inverse.track(&sim, &off(t), gains).unwrap();
         for (name, input) in DRIVES.into_iter().zip(inputs) {
