@@ -55,6 +55,11 @@ pages! {
     BalanceAndTolerances = "questions/tolerances.md";
 }
 
+#[cfg(all(feature = "analysis", feature = "view"))]
+pages! {
+    FrequencyResponse = "questions/frequency-response.md";
+}
+
 #[cfg(all(feature = "analysis", feature = "dynamic"))]
 pages! {
     AtRunTime = "running/at-run-time.md";

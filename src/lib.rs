@@ -98,6 +98,9 @@ extern crate std;
 pub use plm_macros::{mechanism, parts};
 #[doc(no_inline)]
 pub use plm_runtime as runtime;
+/// Inverse dynamics: the inputs that a motion needs.
+#[doc(inline)]
+pub use plm_runtime::inverse;
 pub use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
 pub use plm_runtime::{
     Adams, BodyMotion, BodyStart, BodyState, By, Cause, Constraints, Described, Dop853, Dopri5, Dual, Events,
@@ -119,7 +122,7 @@ pub use lanes::{Batch, F64x8};
 #[cfg(feature = "analysis")]
 pub use plm_analysis::{
     Auto, Change, Choice, Equilibrium, Freedom, Linearisable, Linearisation, Mode, Pace, Residual, Stabilise,
-    StartAuto, Support, Unbalanced, What, linearise, stabilise,
+    StartAuto, Support, Unbalanced, What, control, linearise, stabilise,
 };
 /// Mechanisms at run time: a declaration from text runs without rustc.
 #[cfg(feature = "dynamic")]

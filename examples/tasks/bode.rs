@@ -2,9 +2,6 @@
 use std::error::Error;
 use std::f64::consts::TAU;
 
-use nalgebra::{Complex, DMatrix};
-use plm::Linearisation;
-
 use super::{Answer, Answers};
 
 plm::mechanism! {
@@ -18,27 +15,18 @@ plm::mechanism! {
     }
 }
 
-/// The frequency response C (i w - A)^-1 B + D of the first output to the first input, at a frequency in Hz.
-fn response(system: &Linearisation, frequency: f64) -> Result<Complex<f64>, Box<dyn Error>> {
-    let complex = |matrix: &DMatrix<f64>| matrix.map(|number| Complex::new(number, 0.0));
-    let n = system.a.nrows();
-    let shifted = DMatrix::identity(n, n) * Complex::new(0.0, TAU * frequency) - complex(&system.a);
-    let states = shifted.lu().solve(&complex(&system.b)).ok_or("an undamped mode")?;
-    Ok((complex(&system.c) * states + complex(&system.d))[(0, 0)])
-}
-
 pub fn run() -> Result<Answers, Box<dyn Error>> {
     let system = plm::linearise(&Drive::new().start()?)?;
-    // 1 to 100 Hz in steps of 0.1 %: gain and phase of all of them are the two curves of a Bode plot.
+    // 1 to 100 Hz in steps of 0.1 %: gain and phase of all of them are the curves that `bode` gives.
     let (mut peak, mut notch) = ((0.0, 0.0), (0.0, f64::INFINITY));
     let mut frequency = 1.0;
     while frequency < 100.0 {
-        let gain = response(&system, frequency)?.norm();
+        let gain = system.response("torque", "motor.speed", TAU * frequency)?.norm();
         peak = if gain > peak.1 { (frequency, gain) } else { peak };
         notch = if gain < notch.1 { (frequency, gain) } else { notch };
         frequency *= 1.001;
     }
-    let slow = response(&system, 1.0)?;
+    let slow = system.response("torque", "motor.speed", TAU)?;
     Ok(vec![
         Answer::new("gain at 1 Hz", slow.norm(), "rad/s/(N*m)"),
         Answer::new("phase at 1 Hz", slow.arg().to_degrees(), "deg"),

@@ -18,6 +18,7 @@ mod clearance;
 mod crane;
 mod door_stop;
 mod engine;
+mod extended_filter;
 mod filter;
 mod fit;
 mod five_bar;
@@ -65,6 +66,19 @@ impl Answer {
 
 pub type Answers = Vec<Answer>;
 
+/// Normal numbers of variance 1, the same for the same seed: G. Marsaglia's xorshift (J. Statistical Software 8, 2003), by G. E. P. Box and M. E. Muller
+/// (Ann. Math. Statist. 29, 1958).
+pub fn noise(seed: u64) -> impl FnMut() -> f64 {
+    let mut word = seed ^ 0x9E37_79B9_7F4A_7C15;
+    let mut uniform = move || {
+        word ^= word << 13;
+        word ^= word >> 7;
+        word ^= word << 17;
+        ((word >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
+    };
+    move || (-2.0 * uniform().ln()).sqrt() * (std::f64::consts::TAU * uniform()).cos()
+}
+
 /// A task: its name, its source, and what computes its answers.
 pub struct Task {
     pub name: &'static str,
@@ -94,6 +108,7 @@ pub const TASKS: &[Task] = tasks![
     crane,
     door_stop,
     engine,
+    extended_filter,
     filter,
     fit,
     five_bar,

@@ -1,9 +1,10 @@
-//! A mechanism near a state: linearised ([`linearise()`]), at an equilibrium ([`stabilise()`]), run by a method that is chosen by
+//! A mechanism near a state: linearised ([`linearise()`]), controlled ([`control`]), at an equilibrium ([`stabilise()`]), run by a method that is chosen by
 //! eigenvalues ([`Auto`]).
 //!
 //! `plm` has all of it behind the feature `analysis`.
 
 mod auto;
+pub mod control;
 mod linearise;
 mod stabilise;
 

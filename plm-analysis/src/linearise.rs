@@ -5,7 +5,7 @@ use std::fmt;
 use nalgebra::{Complex, DMatrix};
 use plm_runtime::linalg::Dense;
 use plm_runtime::{
-    AsMoment, Cause, Constraints, Dual, Fault, Linear, Mechanism, Moment, Ports, Rate, System,
+    AsMoment, Cause, Constraints, Dual, Fault, Labels, Linear, Mechanism, Moment, Ports, Rate, System,
 };
 
 /// A mechanism that can be linearised: generated ones can.
@@ -29,6 +29,8 @@ pub struct Linearisation {
     pub d: DMatrix<f64>,
     /// The directions of the state in columns, in coordinates, velocities and first-order states.
     pub basis: DMatrix<f64>,
+    /// Names of the coordinates, velocities and first-order states, the rows of `basis`.
+    pub states: Vec<&'static str>,
     /// Names and units of the inputs, the columns of B and D.
     pub inputs: &'static [(&'static str, &'static str)],
     /// Names and units of the outputs, the rows of C and D.
@@ -98,7 +100,7 @@ impl fmt::Display for Mode {
 }
 
 impl Mode {
-    fn new(eigenvalue: Complex<f64>) -> Self {
+    pub(crate) fn new(eigenvalue: Complex<f64>) -> Self {
         let frequency = eigenvalue.re.hypot(eigenvalue.im);
         let damping = if frequency > 0.0 { -eigenvalue.re / frequency } else { 1.0 };
         Self { eigenvalue, frequency, damping }
@@ -122,12 +124,15 @@ where
     let Derivatives { a, b, c, d, constraints } = derivatives(of.as_moment())?;
     let basis = free_directions(&constraints);
     let transposed = basis.transpose();
+    let (mechanism, held) = (of.as_moment().mechanism(), of.as_moment().held());
+    let states = own(mechanism).into_iter().map(|place| mechanism.name_in_chart(&held, place)).collect();
     Ok(Linearisation {
         a: &transposed * a * &basis,
         b: &transposed * b,
         c: c * &basis,
         d,
         basis,
+        states,
         inputs: of.as_moment().mechanism().input_names(),
         outputs: of.as_moment().mechanism().output_names(),
     })

@@ -24,6 +24,7 @@
 //! | [`described`] | bodies, parts, parameters and all that is observed, by number |
 //! | [`lanes`] | several trajectories side by side |
 //! | [`dual`], [`linear`] | derivatives by dual numbers |
+//! | [`inverse`] | inverse dynamics: the inputs that a motion needs |
 //! | [`linearised`] | a mechanism near a moment as a linear system |
 //! | [`enclosure`] | values and slopes enclosed over an interval of time |
 //! | [`double_double`] | double-double numbers: twice the precision |
@@ -55,6 +56,7 @@ pub mod fault;
 pub mod generated;
 pub mod gradient;
 pub mod held;
+pub mod inverse;
 pub mod lanes;
 pub mod limits;
 pub mod linalg;

@@ -4,6 +4,8 @@
 
 mod auto;
 mod contact;
+mod control;
+mod inverse;
 mod linearise;
 mod linkages;
 mod pressures;

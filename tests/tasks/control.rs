@@ -139,6 +139,60 @@ fn a_filter_of_a_stage_in_gusts() {
     );
 }
 
+/// The equation of a pendulum and its variation by hand, in double precision, under the same gusts and readings. A filter that knows its own
+/// errors has two of them over their covariance, one for each number of the state.
+#[test]
+fn an_extended_filter_of_a_swing() {
+    let (inertia, torque, damping, period) = (0.1 + 2.0 * 0.64, 2.0 * 9.81 * 0.8, 0.1, f64::from(0.01_f32));
+    let rate = |[a, w]: [f64; 2], gust: f64| [w, (gust - torque * a.sin() - damping * w) / inertia];
+    let vary = |[a, _]: [f64; 2], [da, dw]: [f64; 2], dg: f64| {
+        [dw, (dg - torque * a.cos() * da - damping * dw) / inertia]
+    };
+    let along = |x: [f64; 2], y: [f64; 2], h: f64| [x[0] + h * y[0], x[1] + h * y[1]];
+    // A step of Runge and Kutta of a state and of one of its variations.
+    let step = |x: [f64; 2], d: [f64; 2], gust: f64, dg: f64, h: f64| {
+        let (mut k, mut l, mut sums) = ([0.0; 2], [0.0; 2], [[0.0; 2]; 2]);
+        for (part, weight) in [(0.0, 1.0), (0.5, 2.0), (0.5, 2.0), (1.0, 1.0)] {
+            let (at, varied) = (along(x, k, part * h), along(d, l, part * h));
+            (k, l) = (rate(at, gust), vary(at, varied, dg));
+            sums = [along(sums[0], k, weight / 6.0), along(sums[1], l, weight / 6.0)];
+        }
+        [along(x, sums[0], h), along(d, sums[1], h)]
+    };
+    let (mut truth, mut x, mut p) =
+        ([70_f64.to_radians(), 0.0], [0.9, 0.0], Matrix2::new(0.1, 0.0, 0.0, 1.0));
+    let (mut noise, mut errors, mut consistency) = (crate::noise(1), [0.0; 2], 0.0);
+    for _ in 0..6000 {
+        let gust = 2.0 * noise();
+        for _ in 0..4 {
+            [truth, _] = step(truth, [0.0; 2], gust, 0.0, 0.25 * period);
+        }
+        let measured = 0.8 * truth[0].sin() + 5e-3 * noise();
+        let [next, a] = step(x, [1.0, 0.0], 0.0, 0.0, period);
+        let [[_, b], [_, g]] = [step(x, [0.0, 1.0], 0.0, 0.0, period), step(x, [0.0; 2], 0.0, 1.0, period)];
+        let (f, g) = (Matrix2::new(a[0], b[0], a[1], b[1]), Vector2::new(g[0], g[1]));
+        p = f * p * f.transpose() + g * g.transpose() * 4.0;
+        let h = RowVector2::new(0.8 * next[0].cos(), 0.0);
+        let gain = p * h.transpose() / ((h * p * h.transpose())[0] + 25e-6);
+        let moved = gain * (measured - 0.8 * next[0].sin());
+        x = along(next, [moved[0], moved[1]], 1.0);
+        p -= gain * h * p;
+        let e = Vector2::new(truth[0] - x[0], truth[1] - x[1]);
+        errors = along(errors, [e[0] * e[0], e[1] * e[1]], 1.0 / 6000.0);
+        consistency += (e.transpose() * p.try_inverse().unwrap() * e)[0] / 6000.0;
+    }
+    let [angle, speed] = errors.map(|square| square.sqrt().to_degrees());
+    assert!((consistency - 2.0).abs() < 0.3, "{consistency}");
+    check(
+        "extended_filter",
+        &[
+            ("error of the angle", angle, 1e-3 * angle),
+            ("error of the speed", speed, 1e-3 * speed),
+            ("errors over their covariance", consistency, 1e-2),
+        ],
+    );
+}
+
 /// Speed over torque of two inertias on a spring: (J2 s^2 + d s + k)/(s (J1 J2 s^2 + (J1 + J2) (d s + k))).
 #[test]
 fn a_drive_with_an_elastic_coupling() {

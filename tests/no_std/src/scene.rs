@@ -1,8 +1,9 @@
 //! What both programs run: assembly, each method of integration, conditions, an iteration, and the solution by rank.
 
+use plm::inverse::{Gains, Inverse, Wanted};
 use plm::runtime::Vector;
 use plm::{
-    Adams, Dop853, Dopri5, Fault, Gauss, Mechanism, Method, Moment, MoreauJean, RadauIia5, Real, Rk4,
+    Adams, Cause, Dop853, Dopri5, Fault, Gauss, Mechanism, Method, Moment, MoreauJean, RadauIia5, Real, Rk4,
     Ros34Pw2, Scalar, SemiImplicitEuler, Vern9,
 };
 
@@ -118,11 +119,12 @@ plm::mechanism! {
 plm::mechanism! {
     /// A crank that passes a dead point, where another angle becomes the independent coordinate, under a push that ends.
     pub Rocker {
+        input turn: N*m = 0;
         ground { port o: (0, 0) m; port p: (0.8, 0) m; }
         body crank { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 40 deg, locked; start omega: 3 rad/s, locked; }
         body coupler { mass: 1 kg; inertia: 0.02 kg*m^2; port b: (-0.2, 0) m; port c: (0.2, 0) m; }
         body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port c: (0.45, 0) m; port p: (-0.45, 0) m; start angle: 120 deg; }
-        revolute o(ground.o, crank.a);
+        revolute o(ground.o, crank.a) { drive: turn; }
         revolute b(crank.b, coupler.b);
         revolute c(coupler.c, rocker.c);
         revolute p(ground.p, rocker.p);
@@ -165,6 +167,7 @@ pub fn run(mut emit: impl FnMut(u64)) -> Result<(), Fault> {
     moments(Shuttle::new(), Dop853::default(), &mut emit)?;
     moments(Shuttle::new(), Rk4::new(1e-2), &mut emit)?;
     moments(Rocker::new(), Dop853::default(), &mut emit)?;
+    torques(&mut emit)?;
     moments(Plate::new(), Rk4::new(1e-2), &mut emit)?;
     moments(Rope::new(), Rk4::new(1e-2), &mut emit)?;
     moments(Rope::new(), Ros34Pw2::new(1e-2), &mut emit)?;
@@ -184,6 +187,21 @@ fn implicit(emit: &mut impl FnMut(u64)) -> Result<(), Fault> {
     moments(pendulum, Vern9::new(1e-9), emit)?;
     moments(pendulum, Adams::new(1e-9), emit)?;
     moments(pendulum, Ros34Pw2::new(1e-3), emit)
+}
+
+/// Torques for a turn of the crank, and with feedback, in the precision of boards.
+fn torques(emit: &mut impl FnMut(u64)) -> Result<(), Fault> {
+    let not_found = || Fault::new(0.0, Cause::NotFinite);
+    let rocker = Rocker::<f32>::of();
+    let sim = rocker.start()?;
+    let inverse = Inverse::new(&rocker, ["crank.angle"], ["turn"]).map_err(|_| not_found())?;
+    let wanted = |t: f32| Wanted { place: [0.7 + 3.0 * t], velocity: [3.0], acceleration: [0.0] };
+    let times = (0..8u8).map(|k| 0.02 * f32::from(k));
+    let along = inverse.over(&sim, times, wanted, |_, [torque]| emit(torque.to_f64().to_bits()));
+    along.map_err(|_| not_found())?;
+    let [torque] = inverse.track(&sim, &wanted(0.0), Gains::critical(20.0)).map_err(|_| not_found())?;
+    emit(torque.to_f64().to_bits());
+    Ok(())
 }
 
 fn explicit<S: Real>(emit: &mut impl FnMut(u64)) -> Result<(), Fault> {
