@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources that are looked at.
-const CRATES: [&str; 17] = [
+const CRATES: [&str; 18] = [
     "src",
     "plm-analysis/src",
     "plm-cli/src",
@@ -18,6 +18,7 @@ const CRATES: [&str; 17] = [
     "plm-jit/src",
     "plm-macros/cas/src",
     "plm-macros/compiler/src",
+    "plm-optimise/src",
     "plm-program/src",
     "plm-python/src",
     "plm-dynamic/src",

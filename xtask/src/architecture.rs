@@ -22,13 +22,14 @@ const fn place(name: &'static str, role: &'static str, x: i32, layer: i32) -> Pl
 }
 
 /// A crate depends on crates in layers below its own. Columns leave a way for every arrow.
-const PLACES: [Place; 19] = [
+const PLACES: [Place; 20] = [
     place("plm-planar", "plm, the users' crate", 480, 0),
     place("plm-cli", "the command line", 274, 0),
     place("plm-jit", "machine code", 334, 1),
     place("plm-macros", "the macros", 84, 2),
     place("plm-dynamic", "mechanisms from text", 384, 2),
     place("plm-import", "files of others", 234, 2),
+    place("plm-optimise", "fits and controls", 734, 2),
     place("plm-program", "whole programs", 584, 2),
     place("plm-compiler", "declaration to code", 84, 3),
     place("plm-python", "runs for Python", 664, 3),

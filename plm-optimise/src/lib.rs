@@ -1,0 +1,23 @@
+//! Numbers of a mechanism from measurements, or for the least cost: identification of parameters and start values
+//! ([`Identification`]), and inputs of least cost ([`Control`]).
+//!
+//! `plm` has all of it as `plm::optimise`, behind the feature `optimise`. All derivatives are those of runs on dual numbers, exact
+//! through assembly, loops, events and impacts.
+
+mod control;
+mod error;
+mod identify;
+mod least_squares;
+mod mechanism;
+mod node;
+mod rows;
+mod shot;
+mod signal;
+mod unknown;
+
+pub use control::{Control, Optimum};
+pub use error::{Error, NotConverged};
+pub use identify::{Combination, Estimate, Experiment, Fit, Identification, Residuals};
+pub use mechanism::{ByDop853, ByRadau, Integration, Optimisable};
+pub use nalgebra::DMatrix;
+pub use unknown::Unknown;
