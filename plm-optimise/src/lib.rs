@@ -1,9 +1,10 @@
 //! Numbers of a mechanism from measurements, or for the least cost: identification of parameters and start values
-//! ([`Identification`]), and inputs of least cost ([`Control`]).
+//! ([`Identification`]), combinations of inertias that can be identified ([`base_parameters`]), and inputs of least cost ([`Control`]).
 //!
 //! `plm` has all of it as `plm::optimise`, behind the feature `optimise`. All derivatives are those of runs on dual numbers, exact
 //! through assembly, loops, events and impacts.
 
+mod base;
 mod control;
 mod error;
 mod identify;
@@ -15,6 +16,7 @@ mod shot;
 mod signal;
 mod unknown;
 
+pub use base::{BaseParameters, base_parameters};
 pub use control::{Control, Optimum};
 pub use error::{Error, NotConverged};
 pub use identify::{Combination, Estimate, Experiment, Fit, Identification, Residuals};

@@ -21,7 +21,7 @@ pub(super) struct Found {
 /// Violations below this count as none, in the units of the demands and the typical sizes of states.
 const FEASIBLE: f64 = 1e-8;
 /// A model that predicts less than this fraction of the cost is at its minimum.
-const FLAT: f64 = 1e-11;
+const FLAT: f64 = 1e-9;
 /// A trust region below this is rounding.
 const SMALLEST: f64 = 1e-13;
 /// Weight of violations beyond which they cannot be made less.

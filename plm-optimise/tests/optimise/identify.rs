@@ -245,7 +245,7 @@ fn times_of(fit: &plm::optimise::Fit<Few>) -> Vec<f64> {
     fit.residuals[0].times.clone()
 }
 
-const FOUR_BAR: &str = "pub FourBar {
+pub const FOUR_BAR: &str = "pub FourBar {
     param drag: N*m = 0.4 N*m;
     param load: kg = 2 kg;
     gravity: 9.81 m/s^2;

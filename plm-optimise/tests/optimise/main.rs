@@ -1,6 +1,7 @@
 //! Identification and optimal control against what is known otherwise. Mechanisms are texts, which cost no rustc.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
+mod base;
 mod control;
 mod identify;
 
