@@ -36,6 +36,12 @@ pages! {
     Motion = "parts/motion.md";
 }
 
+#[cfg(feature = "optimise")]
+pages! {
+    Identification = "questions/identification.md";
+    OptimalControl = "questions/optimal-control.md";
+}
+
 #[cfg(feature = "analysis")]
 pages! {
     Modes = "running/modes.md";

@@ -53,6 +53,7 @@
 //! | `std` | on unless switched off: square roots by the processor, [`read_starts`], [`live`]; the bits of results are the same without |
 //! | `analysis` | [`linearise`], [`stabilise`], and [`StartAuto`], which chooses a method by eigenvalues |
 //! | `dynamic` | [`dynamic`]: mechanisms from text, run without rustc |
+//! | `optimise` | [`optimise`]: parameters and start values from measurements, inputs of least cost |
 //! | `view` | [`view`]: results files, charts, drawings, whole programs with options, and a page that moves |
 //! | `foreign` | [`foreign`]: objects for C and C++; with `analysis` also [`python`] |
 //! | `fmi` | FMUs of FMI 2.0 and 3.0 in [`foreign`] |
@@ -83,6 +84,7 @@
         feature = "foreign",
         feature = "lanes",
         feature = "synthesis",
+        feature = "optimise",
         feature = "view"
     )),
     allow(rustdoc::broken_intra_doc_links, reason = "the table of features")
@@ -128,6 +130,10 @@ pub use plm_analysis::{
 #[cfg(feature = "dynamic")]
 #[doc(inline)]
 pub use plm_dynamic as dynamic;
+/// Parameters, starts and inputs from measurements, or for the least cost.
+#[cfg(feature = "optimise")]
+#[doc(inline)]
+pub use plm_optimise as optimise;
 #[cfg(feature = "batch")]
 pub use plm_study::{batch, study};
 /// Dimensions of mechanisms from what they have to do, questions of kinematics, balancing, tolerances.

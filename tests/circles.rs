@@ -18,6 +18,7 @@ const CRATES: [&str; 18] = [
     "plm-jit/src",
     "plm-macros/cas/src",
     "plm-macros/compiler/src",
+    "plm-optimise/src",
     "plm-program/src",
     "plm-python/src",
     "plm-dynamic/src",

@@ -29,6 +29,7 @@ const PLACES: [Place; 20] = [
     place("plm-macros", "the macros", 84, 2),
     place("plm-dynamic", "mechanisms from text", 384, 2),
     place("plm-import", "files of others", 234, 2),
+    place("plm-optimise", "fits and controls", 734, 2),
     place("plm-program", "whole programs", 584, 2),
     place("plm-compiler", "declaration to code", 84, 3),
     place("plm-python", "runs for Python", 664, 3),

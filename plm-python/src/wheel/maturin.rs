@@ -18,18 +18,19 @@ const FOLDERS: [&str; 7] =
     ["src", "plm-macros", "plm-runtime", "plm-analysis", "plm-foreign", "plm-python", "plm-run"];
 const FILES: [&str; 4] = ["Cargo.toml", "README.md", "LICENSE-APACHE", "LICENSE-MIT"];
 /// Packages of plm that no mechanism needs in Python, and the features that want them.
-const PACKAGES_LEFT_OUT: [&str; 9] = [
+const PACKAGES_LEFT_OUT: [&str; 10] = [
     "plm-cli",
     "plm-dynamic",
     "plm-import",
     "plm-jit",
+    "plm-optimise",
     "plm-program",
     "plm-sketch",
     "plm-study",
     "plm-synthesis",
     "plm-view",
 ];
-const FEATURES_LEFT_OUT: [&str; 5] = ["batch", "dynamic", "synthesis", "view", "wheel"];
+const FEATURES_LEFT_OUT: [&str; 6] = ["batch", "dynamic", "optimise", "synthesis", "view", "wheel"];
 /// Folders in it that are not.
 const LEFT_OUT: [&str; 6] = ["tests", "benches", "examples", "target", "python", "dynamic"];
 

@@ -1,0 +1,223 @@
+//! Sequential quadratic programming with a trust region and the exact penalty of what is violated (R. Fletcher, Practical Methods of
+//! Optimization, 2nd ed., 1987, 14.4); the Hessian is that of Gauss and Newton.
+
+use nalgebra::DVector;
+use plm_runtime::Fault;
+
+use super::problem::{Transcription, Values};
+use super::quadratic;
+use crate::error::{Error, NotConverged};
+use crate::mechanism::{Integration, Optimisable};
+
+/// Where the search has ended.
+pub(super) struct Found {
+    pub(super) z: DVector<f64>,
+    pub(super) values: Values,
+    /// The largest violation of what is demanded.
+    pub(super) violation: f64,
+    pub(super) iterations: usize,
+}
+
+/// Violations below this count as none, in the units of the demands and the typical sizes of states.
+const FEASIBLE: f64 = 1e-8;
+/// A model that predicts less than this fraction of the cost is at its minimum.
+const FLAT: f64 = 1e-9;
+/// A trust region below this is rounding.
+const SMALLEST: f64 = 1e-13;
+/// Weight of violations beyond which they cannot be made less.
+const LARGEST_WEIGHT: f64 = 1e10;
+
+/// State of the search.
+struct Search {
+    z: DVector<f64>,
+    values: Values,
+    sizes: Vec<f64>,
+    /// Of the trust region, in sizes of the variables.
+    radius: f64,
+    /// Of violations in the merit function.
+    weight: f64,
+    fault: Option<Fault>,
+}
+
+/// What one iteration has come to.
+enum Outcome {
+    /// It goes on.
+    GoesOn,
+    /// The model is at its minimum.
+    Converged,
+    /// No step makes what is violated less.
+    Stuck,
+}
+
+/// What becomes of a step.
+enum Attempt {
+    /// It is better: what it gains over what was predicted.
+    Taken(f64),
+    /// It is not, and this is behind it.
+    Refused(Box<Values>),
+    /// A run ends with a fault there.
+    Faulted,
+}
+
+/// Finds the minimum of a program from a point within its bounds.
+///
+/// # Errors
+/// The fault at that point; a search that does not end at a minimum that keeps what is demanded.
+pub(super) fn minimise<M: Optimisable, D: Integration<M>>(
+    program: &mut Transcription<M, D>,
+    start: DVector<f64>,
+    most: usize,
+) -> Result<Found, Error> {
+    let sizes: Vec<f64> = (0..start.len()).map(|k| program.scale(k)).collect();
+    let values =
+        program.evaluate(&start).map_err(|fault| Error::AtGuess { experiment: 0, fault: Box::new(fault) })?;
+    let weight = first_weight(&values, &sizes);
+    let mut search = Search { z: start, values, sizes, radius: 1.0, weight, fault: None };
+    for iterations in 1..=most {
+        match search.iterate(program)? {
+            Outcome::GoesOn => {}
+            Outcome::Converged => {
+                let violation = violations(&search.values, None).largest;
+                return Ok(Found { z: search.z, values: search.values, violation, iterations });
+            }
+            Outcome::Stuck => return Err(search.ended(NotConverged::NoDescent)),
+        }
+    }
+    Err(search.ended(NotConverged::Iterations(most)))
+}
+
+impl Search {
+    fn iterate<M: Optimisable, D: Integration<M>>(
+        &mut self,
+        program: &mut Transcription<M, D>,
+    ) -> Result<Outcome, Error> {
+        let boxes: Vec<[f64; 2]> = (0..self.z.len())
+            .map(|k| {
+                let ([least, most], reach) = (program.bounds(k), self.radius * self.sizes[k]);
+                [(least - self.z[k]).max(-reach).min(0.0), (most - self.z[k]).min(reach).max(0.0)]
+            })
+            .collect();
+        let quadratic::Step { d, multiplier } =
+            quadratic::step(&self.values, &boxes, &self.sizes, self.weight)?;
+        let (before, model) = (violations(&self.values, None), violations(&self.values, Some(&d)));
+        let reached =
+            d.iter().zip(&self.sizes).fold(0.0, |reached: f64, (d, size)| reached.max(d.abs() / size));
+        let is_inside = reached < 0.99 * self.radius;
+        let predicted =
+            self.values.cost() - modelled(&self.values, &d) + self.weight * (before.sum - model.sum);
+        let size = self.values.cost().abs() + self.weight * before.sum;
+        if self.radius < SMALLEST {
+            return Ok(Outcome::Stuck);
+        }
+        if is_inside && (reached < 1e-12 || predicted <= FLAT * size.max(f64::MIN_POSITIVE)) {
+            return Ok(self.at_rest(&before));
+        }
+        if is_inside
+            && model.largest > FEASIBLE
+            && multiplier > 0.99 * self.weight
+            && self.weight < LARGEST_WEIGHT
+        {
+            // Within the region, and violated all the same: the cost holds against the demands.
+            self.weight *= 10.0;
+            return Ok(Outcome::GoesOn);
+        }
+        let mut ratio = self.attempt(program, &d, predicted);
+        if let Attempt::Refused(next) = &ratio {
+            // Curved demands refuse good steps: a second one from where they are behind the first (Fletcher, 14.4).
+            let mut corrected = self.values.clone();
+            corrected.equal = &next.equal - &corrected.equal_by * &d;
+            corrected.within = &next.within - &corrected.within_by * &d;
+            let second = quadratic::step(&corrected, &boxes, &self.sizes, self.weight)?;
+            ratio = self.attempt(program, &second.d, predicted);
+        }
+        match ratio {
+            Attempt::Taken(ratio) if ratio > 0.75 && !is_inside => self.radius *= 2.0,
+            Attempt::Taken(ratio) if ratio < 0.25 => self.radius = 0.5 * reached,
+            Attempt::Taken(_) => {}
+            Attempt::Refused(_) | Attempt::Faulted => self.radius = 0.25 * reached,
+        }
+        Ok(Outcome::GoesOn)
+    }
+
+    /// The end of a search whose model finds nothing better.
+    fn at_rest(&mut self, violations: &Violations) -> Outcome {
+        if violations.largest <= FEASIBLE && self.fault.is_none() {
+            Outcome::Converged
+        } else if violations.largest > FEASIBLE && self.weight < LARGEST_WEIGHT {
+            self.weight *= 10.0;
+            Outcome::GoesOn
+        } else {
+            Outcome::Stuck
+        }
+    }
+
+    /// Takes a step if it is better.
+    fn attempt<M: Optimisable, D: Integration<M>>(
+        &mut self,
+        program: &mut Transcription<M, D>,
+        d: &DVector<f64>,
+        predicted: f64,
+    ) -> Attempt {
+        let trial = &self.z + d;
+        let next = match program.evaluate(&trial) {
+            Ok(next) => next,
+            Err(fault) => {
+                self.fault = Some(fault);
+                return Attempt::Faulted;
+            }
+        };
+        self.fault = None;
+        let (before, after) = (violations(&self.values, None), violations(&next, None));
+        let gain = self.values.cost() - next.cost() + self.weight * (before.sum - after.sum);
+        if gain > 1e-4 * predicted {
+            (self.z, self.values) = (trial, next);
+            return Attempt::Taken(gain / predicted);
+        }
+        Attempt::Refused(Box::new(next))
+    }
+
+    fn ended(&self, otherwise: NotConverged) -> Error {
+        let violation = violations(&self.values, None).largest;
+        let why = match self.fault {
+            Some(fault) => NotConverged::Faults(Box::new(fault)),
+            None if violation > FEASIBLE => NotConverged::Demands { violation },
+            None => otherwise,
+        };
+        Error::NotConverged { why, best: Vec::new(), rms: violation }
+    }
+}
+
+/// The first weight of violations: the largest slope of the cost.
+fn first_weight(values: &Values, sizes: &[f64]) -> f64 {
+    let gradient = 2.0 * values.squares_by.tr_mul(&values.squares) + &values.linear_by;
+    let largest =
+        gradient.iter().zip(sizes).fold(0.0, |largest: f64, (slope, size)| largest.max(slope.abs() * size));
+    largest.max(1.0)
+}
+
+/// What is violated.
+struct Violations {
+    sum: f64,
+    largest: f64,
+}
+
+/// Violations at a point, or those of the linear model after a step.
+fn violations(values: &Values, step: Option<&DVector<f64>>) -> Violations {
+    let moved =
+        |own: &DVector<f64>, by: &nalgebra::DMatrix<f64>| step.map_or_else(|| own.clone(), |d| own + by * d);
+    let equal = moved(&values.equal, &values.equal_by);
+    let within = moved(&values.within, &values.within_by);
+    let outside = within
+        .iter()
+        .zip(&values.limits)
+        .map(|(value, [least, most])| (least - value).max(value - most).max(0.0));
+    let all = equal.iter().map(|open| open.abs()).chain(outside);
+    let (sum, largest) =
+        all.fold((0.0, 0.0), |(sum, largest): (f64, f64), own| (sum + own, largest.max(own)));
+    Violations { sum, largest }
+}
+
+/// The cost by the model after a step.
+fn modelled(values: &Values, d: &DVector<f64>) -> f64 {
+    (&values.squares + &values.squares_by * d).norm_squared() + values.linear + values.linear_by.dot(d)
+}

@@ -1,0 +1,148 @@
+//! Identification: parameters and start values of a mechanism from measurements.
+
+mod chart;
+mod experiment;
+mod fit;
+mod problem;
+mod segments;
+mod statistics;
+
+pub use experiment::Experiment;
+pub use fit::{Combination, Estimate, Fit, Residuals};
+
+use nalgebra::DVector;
+
+use self::experiment::Prepared;
+use self::problem::Readings;
+use crate::error::{Error, NotConverged};
+use crate::least_squares::{End, FIRST_DAMPING, FIRST_DAMPING_NEAR, Found, Limits, approach, minimise};
+use crate::mechanism::{ByDop853, Integration, Optimisable};
+use crate::unknown::{Place, Unknown};
+
+/// A mechanism, experiments with it, and the unknowns that they have in common.
+///
+/// The weighted squares of the residuals are minimised by the method of Levenberg and Marquardt on exact derivatives. A trial whose run
+/// ends with a fault is a step that is too long: a shorter one is tried.
+#[derive(Clone, Debug)]
+pub struct Identification<M> {
+    mechanism: M,
+    unknowns: Vec<Unknown>,
+    experiments: Vec<Experiment>,
+    iterations: usize,
+}
+
+impl<M: Optimisable> Identification<M> {
+    /// Nothing is known yet but the mechanism, with its parameters as they are.
+    pub fn new(mechanism: M) -> Self {
+        Self { mechanism, unknowns: Vec::new(), experiments: Vec::new(), iterations: 200 }
+    }
+
+    /// Adds an unknown that all experiments have in common, but for those that set it.
+    #[must_use]
+    pub fn find(mut self, unknown: Unknown) -> Self {
+        self.unknowns.push(unknown);
+        self
+    }
+
+    /// Adds an experiment.
+    #[must_use]
+    pub fn experiment(mut self, experiment: Experiment) -> Self {
+        self.experiments.push(experiment);
+        self
+    }
+
+    /// Ends the search after so many iterations; 200 without.
+    #[must_use]
+    pub fn iterations(self, most: usize) -> Self {
+        Self { iterations: most, ..self }
+    }
+
+    /// Finds the unknowns with runs by Dormand and Prince of order 8 and the tolerance 1e-10.
+    ///
+    /// # Errors
+    /// As [`run_by`](Self::run_by).
+    pub fn run(&self) -> Result<Fit<M>, Error> {
+        self.run_by(ByDop853::default())
+    }
+
+    /// Finds the unknowns with runs by a method.
+    ///
+    /// # Errors
+    /// Names and units that are not there; readings that do not fit; a run with the guesses that ends with a fault; a search that does not
+    /// end at a minimum, with the cause.
+    pub fn run_by(&self, integration: impl Integration<M>) -> Result<Fit<M>, Error> {
+        let mut problem = self.prepared(integration)?;
+        let start = problem
+            .start()
+            .map_err(|fault| Error::AtGuess { experiment: problem.failed, fault: Box::new(fault) })?;
+        let at_guess = |experiment, fault| Error::AtGuess { experiment, fault: Box::new(fault) };
+        let mut limits = Limits {
+            iterations: self.iterations,
+            step: 1e-13,
+            cosine: 1e-11,
+            constraint: 1e-10,
+            damping: FIRST_DAMPING,
+        };
+        let mut first = start;
+        if !problem.nodes.iter().all(Vec::is_empty) {
+            first = approach(&mut problem, &first).map_err(|fault| at_guess(problem.failed, fault))?;
+            limits.damping = FIRST_DAMPING_NEAR;
+        }
+        let found =
+            minimise(&mut problem, &first, &limits).map_err(|fault| at_guess(problem.failed, fault))?;
+        check(&problem.places, &found)?;
+        Ok(statistics::fit(&problem, &found))
+    }
+
+    fn prepared<D: Integration<M>>(&self, integration: D) -> Result<Readings<M, D>, Error> {
+        let shared: Vec<Place> = self
+            .unknowns
+            .iter()
+            .map(|unknown| Place::of(unknown, &self.mechanism))
+            .collect::<Result<_, _>>()?;
+        let experiments: Vec<Prepared<M>> = self
+            .experiments
+            .iter()
+            .enumerate()
+            .map(|(number, experiment)| Prepared::new(experiment, &self.mechanism, number))
+            .collect::<Result<_, _>>()?;
+        if experiments.is_empty() {
+            return Err(Error::Nothing("experiment"));
+        }
+        let problem = Readings::new(self.mechanism, shared, experiments, integration);
+        let (readings, unknowns) = (problem.rows(), problem.places.len());
+        if unknowns == 0 {
+            return Err(Error::Nothing("unknown to be found"));
+        }
+        if readings < unknowns {
+            return Err(Error::TooFew { readings, unknowns });
+        }
+        Ok(problem)
+    }
+}
+
+/// Has the search ended at a minimum? Where no step descends, it has if what is left of the slope is rounding of the runs.
+fn check(places: &[Place], found: &Found) -> Result<(), Error> {
+    let why = match found.end {
+        End::Converged => return Ok(()),
+        End::Iterations => NotConverged::Iterations(found.iterations),
+        End::Faults(fault) => NotConverged::Faults(Box::new(fault)),
+        End::NoDescent if is_flat(found) => return Ok(()),
+        End::NoDescent => NotConverged::NoDescent,
+    };
+    let best = places.iter().zip(found.z.iter()).map(|(place, value)| (place.name.clone(), *value)).collect();
+    let residuals = &found.at.residuals;
+    let rms = residuals.norm() / (residuals.len().max(1) as f64).sqrt();
+    Err(Error::NotConverged { why, best, rms })
+}
+
+/// Are the residuals at right angles to the columns of the free unknowns, as well as runs of this tolerance tell?
+fn is_flat(found: &Found) -> bool {
+    let (residuals, jacobian) = (&found.at.residuals, &found.at.jacobian);
+    let gradient: DVector<f64> = jacobian.tr_mul(residuals);
+    let is_open = found.at.constraints.iter().any(|open| open.abs() > 1e-7);
+    let flat = |i: usize| gradient[i].abs() <= 1e-5 * jacobian.column(i).norm() * residuals.norm();
+    // With residuals of this size, relative to the readings, the angles are those of rounding.
+    let are_small = residuals.amax() < 1e-8;
+    !is_open && (are_small || !found.at.constraints.is_empty() || (0..gradient.len()).all(flat))
+}

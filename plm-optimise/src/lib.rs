@@ -1,0 +1,25 @@
+//! Numbers of a mechanism from measurements, or for the least cost: identification of parameters and start values
+//! ([`Identification`]), combinations of inertias that can be identified ([`base_parameters`]), and inputs of least cost ([`Control`]).
+//!
+//! `plm` has all of it as `plm::optimise`, behind the feature `optimise`. All derivatives are those of runs on dual numbers, exact
+//! through assembly, loops, events and impacts.
+
+mod base;
+mod control;
+mod error;
+mod identify;
+mod least_squares;
+mod mechanism;
+mod node;
+mod rows;
+mod shot;
+mod signal;
+mod unknown;
+
+pub use base::{BaseParameters, base_parameters};
+pub use control::{Control, Optimum};
+pub use error::{Error, NotConverged};
+pub use identify::{Combination, Estimate, Experiment, Fit, Identification, Residuals};
+pub use mechanism::{ByDop853, ByRadau, Integration, Optimisable};
+pub use nalgebra::DMatrix;
+pub use unknown::Unknown;
