@@ -1,5 +1,12 @@
 //! Identification and optimal control against what is known otherwise. Mechanisms are texts, which cost no rustc.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::missing_panics_doc,
+    missing_docs,
+    unreachable_pub,
+    reason = "tests"
+)]
 
 mod base;
 mod control;
