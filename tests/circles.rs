@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources that are looked at.
-const CRATES: [&str; 18] = [
+const CRATES: [&str; 19] = [
     "src",
     "plm-analysis/src",
     "plm-cli/src",
