@@ -11,6 +11,8 @@ use super::cases::Case;
 const MOST: usize = 4;
 /// Terms of the trace: less than those of a run, so that states are saved and segments made again.
 const TERMS: usize = 1_000_000;
+/// The part of its size by which a derivative may differ from that forward.
+const MOST_APART: f64 = 1e-11;
 /// Saved states.
 const SAVED: usize = 24;
 
@@ -50,8 +52,7 @@ pub fn backward(
             let backward = found[direction][k];
             let size = forward.abs().max(value.abs()).max(1.0);
             let error = (backward - forward).abs() / size;
-            // False for what is not a number.
-            if !(error <= 1e-11) {
+            if error > MOST_APART || !error.is_finite() {
                 return Err(format!(
                     "output {k} by {}: backward {backward:e}, forward {forward:e}",
                     case.by[direction].0

@@ -23,7 +23,8 @@ pub(super) struct Adjoints<'m, S, const R: usize> {
 
 impl<'m, S: Real, const R: usize> Adjoints<'m, S, R> {
     pub(super) fn new(
-        (variables, dense, carried): (&'m mut [[S; R]], &'m mut [[S; R]], &'m mut [Carried<S, R>]),
+        [variables, dense]: [&'m mut [[S; R]]; 2],
+        carried: &'m mut [Carried<S, R>],
         (count, prefix): (u64, u64),
     ) -> Self {
         variables.fill([S::ZERO; R]);
@@ -45,8 +46,9 @@ impl<'m, S: Real, const R: usize> Adjoints<'m, S, R> {
     pub(super) fn go_back(&mut self, trace: &Trace<'_, S>, first: u64, end: u64) -> Result<(), NoGradient> {
         let Self { dense, prefix, earlier, .. } = self;
         earlier.take_from(first, |place, adjoint| {
-            let own = dense.get_mut((*prefix + place - first) as usize);
-            own.into_iter().for_each(|own| *own = adjoint);
+            if let Some(own) = dense.get_mut((*prefix + place - first) as usize) {
+                *own = adjoint;
+            }
         });
         self.segment = first;
         self.sweep(trace, self.prefix..self.prefix + end - first);

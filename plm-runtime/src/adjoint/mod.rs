@@ -61,21 +61,21 @@ pub fn adjoint<'t, P: Copy, S: Real, const R: usize>(
     let Memory { adjoints, carried, saved } = memory;
     let before = trace.next();
     let prefix = before - trace.variables() as u64;
-    let course = Course { trace, prefix, advance, results };
+    let replay = Replay { trace, prefix, advance, results };
     let least = Lack { terms: 0, adjoints: trace.room(), carried: self::carried::<P, S>(), saved: 0 };
     let has =
         Lack { terms: trace.room(), adjoints: adjoints.len(), carried: carried.len(), saved: saved.len() };
     least.met_by(has)?;
     let mut slots = Slots::new(saved);
-    let forward = course.forward(start, &mut slots);
+    let forward = replay.forward(start, &mut slots);
     let outcome = forward.and_then(|forward| {
         let terms = (prefix + forward.longest) as usize;
         Lack { terms, adjoints: terms.max(trace.room()), saved: slots.needed(), ..least }.met_by(has)?;
-        let mut adjoints = Adjoints::new((gradient, adjoints, carried), (trace.variables() as u64, prefix));
+        let mut adjoints = Adjoints::new([gradient, adjoints], carried, (trace.variables() as u64, prefix));
         for (k, result) in forward.results.into_iter().enumerate() {
             adjoints.seed(result.place(), k, forward.segment);
         }
-        course.back(&forward, &mut slots, &mut adjoints)?;
+        replay.back(&forward, &mut slots, &mut adjoints)?;
         adjoints.go_back_start(trace);
         Ok(forward.results.map(|result| result.value))
     });
@@ -85,7 +85,7 @@ pub fn adjoint<'t, P: Copy, S: Real, const R: usize>(
 }
 
 /// What is made again and again.
-struct Course<'t, S, F, G> {
+struct Replay<'t, S, F, G> {
     trace: &'t Trace<'t, S>,
     /// Terms of what was computed before the run.
     prefix: u64,
@@ -104,7 +104,7 @@ struct Forward<'t, S, const R: usize> {
     longest: u64,
 }
 
-impl<'t, S, F, G> Course<'t, S, F, G> {
+impl<'t, S, F, G> Replay<'t, S, F, G> {
     /// One step, and the results where it is the last one.
     fn step<P, const R: usize>(&self, state: &mut P) -> Result<Option<[Traced<'t, S>; R]>, Fault>
     where
@@ -118,7 +118,7 @@ impl<'t, S, F, G> Course<'t, S, F, G> {
     }
 }
 
-impl<'t, S: Real, F, G> Course<'t, S, F, G> {
+impl<'t, S: Real, F, G> Replay<'t, S, F, G> {
     /// Terms for which there is room in a segment.
     fn room(&self) -> u64 {
         (self.trace.room() as u64).saturating_sub(self.prefix)

@@ -129,11 +129,7 @@ impl<S: Real> Div for Traced<'_, S> {
     #[inline]
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
-        let by = || {
-            let reciprocal = S::lit(1.0) / other.value;
-            [reciprocal, -(value * reciprocal)]
-        };
-        self.join(other, value, by)
+        self.join(other, value, || [S::lit(1.0) / other.value, -value / other.value])
     }
 }
 
