@@ -17,7 +17,8 @@ use std::time::Instant;
 
 use declared::{s1, s2, s6};
 use plm::adjoint::{self, Carried, Memory};
-use plm::{By, Described, Dop853, Mechanism, Method, Sim, Term, Trace, Traced, with_derivatives, with_trace};
+use plm::runtime::Vector;
+use plm::{By, Dop853, Mechanism, Method, Moment, Sim, Term, Trace, Traced, with_derivatives, with_trace};
 
 chain::chain!(Chain16, 16);
 
@@ -75,7 +76,7 @@ macro_rules! runs {
     }};
 }
 
-/// The gradient of the first output by eight start values.
+/// The gradient of the first number of the state by eight start values.
 macro_rules! backward {
     ($mechanism:expr, $by:expr, $store:expr, $until:expr) => {{
         let Store { terms, adjoints } = $store;
@@ -94,10 +95,10 @@ macro_rules! backward {
 
 fn first<'t, M, I>(sim: &Sim<M, I>) -> [Traced<'t>; 1]
 where
-    M: Mechanism<S = Traced<'t>> + Described,
+    M: Mechanism<S = Traced<'t>>,
     I: Method<M>,
 {
-    [M::observed(sim.state(), 0).expect("it has one")]
+    [sim.state().x().at(0)]
 }
 
 fn memory<P: Copy>(_start: &P) -> (Vec<Carried<f64, 1>>, Vec<Option<adjoint::Saved<P>>>) {

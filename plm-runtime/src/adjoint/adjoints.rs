@@ -28,29 +28,38 @@ impl<'m, S: Real, const R: usize> Adjoints<'m, S, R> {
         (count, prefix): (u64, u64),
     ) -> Self {
         variables.fill([S::ZERO; R]);
-        dense.fill([S::ZERO; R]);
+        let (start, _) = dense.split_at_mut(dense.len().min(prefix as usize));
+        start.fill([S::ZERO; R]);
         let segment = u64::MAX;
         Self { variables, dense, count, prefix, segment, earlier: Table::new(carried), is_full: false }
     }
 
-    /// Adds 1 to the adjoint of a result, which is in the last segment, from this place on, or was there before.
-    pub(super) fn seed(&mut self, place: Option<u64>, result: usize, segment: u64) {
-        self.segment = segment;
+    /// Adds 1 to the adjoint of a result.
+    pub(super) fn seed(&mut self, place: Option<u64>, result: usize) {
         let one = core::array::from_fn(|k| if k == result { S::lit(1.0) } else { S::ZERO });
         if let Some(place) = place {
             self.add(place, &one, S::lit(1.0));
         }
     }
 
-    /// Goes back through a segment, which is recorded.
-    pub(super) fn go_back(&mut self, trace: &Trace<'_, S>, first: u64, end: u64) -> Result<(), NoGradient> {
+    /// Makes a segment between these places the present one: its adjoints are those that later segments have carried to it.
+    pub(super) fn enter(&mut self, first: u64, end: u64) {
         let Self { dense, prefix, earlier, .. } = self;
+        let own = *prefix as usize..(*prefix + end - first) as usize;
+        if let Some(own) = dense.get_mut(own) {
+            own.fill([S::ZERO; R]);
+        }
         earlier.take_from(first, |place, adjoint| {
             if let Some(own) = dense.get_mut((*prefix + place - first) as usize) {
                 *own = adjoint;
             }
         });
         self.segment = first;
+    }
+
+    /// Goes back through the present segment, which is recorded up to this place.
+    pub(super) fn go_back(&mut self, trace: &Trace<'_, S>, end: u64) -> Result<(), NoGradient> {
+        let first = self.segment;
         self.sweep(trace, self.prefix..self.prefix + end - first);
         if self.is_full {
             return Err(NoGradient::Short(Lack {
@@ -73,8 +82,8 @@ impl<'m, S: Real, const R: usize> Adjoints<'m, S, R> {
         let (mut adjoint, mut counts) = ([S::ZERO; R], false);
         let indices = indices.start as usize..indices.end as usize;
         trace.backward(indices, &mut |index, is_last, operand, slope| {
-            if is_last && let Some(own) = self.dense.get_mut(index) {
-                adjoint = core::mem::replace(own, [S::ZERO; R]);
+            if is_last && let Some(own) = self.dense.get(index) {
+                adjoint = *own;
                 counts = adjoint.iter().any(|adjoint| *adjoint != S::ZERO);
             }
             if counts {

@@ -72,8 +72,9 @@ pub fn adjoint<'t, P: Copy, S: Real, const R: usize>(
         let terms = (prefix + forward.longest) as usize;
         Lack { terms, adjoints: terms.max(trace.room()), saved: slots.needed(), ..least }.met_by(has)?;
         let mut adjoints = Adjoints::new([gradient, adjoints], carried, (trace.variables() as u64, prefix));
+        adjoints.enter(forward.segment, forward.end);
         for (k, result) in forward.results.into_iter().enumerate() {
-            adjoints.seed(result.place(), k, forward.segment);
+            adjoints.seed(result.place(), k);
         }
         replay.back(&forward, &mut slots, &mut adjoints)?;
         adjoints.go_back_start(trace);
@@ -168,7 +169,7 @@ impl<'t, S: Real, F, G> Replay<'t, S, F, G> {
     {
         let mut until = forward.end;
         if slots.segments() == 1 {
-            return adjoints.go_back(self.trace, forward.segment, until);
+            return adjoints.go_back(self.trace, until);
         }
         for block in (0..slots.blocks()).rev() {
             self.save_within(block, slots)?;
@@ -177,7 +178,10 @@ impl<'t, S: Real, F, G> Replay<'t, S, F, G> {
                 self.trace.go_to(place);
                 self.trace.record(place, self.prefix);
                 while self.trace.next() < until && self.step(&mut state)?.is_none() {}
-                adjoints.go_back(self.trace, place, until)?;
+                if until < forward.end {
+                    adjoints.enter(place, until);
+                }
+                adjoints.go_back(self.trace, until)?;
                 until = place;
             }
         }
