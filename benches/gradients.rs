@@ -1,4 +1,5 @@
-//! Runs with derivatives beside runs without: time of each, and what one and eight directions cost.
+//! Runs with derivatives beside runs without: time of each, and what one and eight directions cost; backward, by eight variables, with a
+//! trace that holds the whole run, and with one that holds a few steps.
 //!
 //! ```text
 //! cargo bench --bench gradients
@@ -15,19 +16,34 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use declared::{s1, s2, s6};
-use plm::{By, Dop853, with_derivatives};
+use plm::adjoint::{self, Carried, Memory};
+use plm::runtime::Vector;
+use plm::{By, Dop853, Mechanism, Method, Moment, Sim, Term, Trace, Traced, with_derivatives, with_trace};
 
 chain::chain!(Chain16, 16);
 
 /// Times that every run is made, in turn, so that all see the same machine.
 const ROUNDS: u32 = 30;
 
-/// Times of runs of a mechanism by Dop853 at 1e-9 to a time: without derivatives, in one direction, in eight.
+/// Terms of traces: of a whole run, and of a few steps, which stay in a processor's memory of the second level.
+const TERMS: [usize; 2] = [20_000_000, 40_000];
+/// Saved states.
+const SAVED: usize = 200;
+
+/// Memory for the way back.
+struct Store {
+    terms: Vec<Term>,
+    adjoints: Vec<[f64; 1]>,
+}
+
+/// Times of runs of a mechanism by Dop853 at 1e-9 to a time: without derivatives, in one direction, in eight; backward, twice.
 macro_rules! runs {
     ($name:literal, $mechanism:expr, $until:literal, $by:expr) => {{
         let mechanism = $mechanism;
         let by: [By<'_>; 8] = $by.map(By::Start);
-        let mut best = [f64::INFINITY; 3];
+        let mut best = [f64::INFINITY; 5];
+        let mut stores =
+            TERMS.map(|count| Store { terms: vec![Term::EMPTY; count], adjoints: vec![[0.0]; count] });
         for _ in 0..ROUNDS {
             let times = [
                 time(|| {
@@ -47,14 +63,46 @@ macro_rules! runs {
                     sim.step_to($until.into()).expect("it runs");
                     black_box(&sim);
                 }),
+                time(|| backward!(mechanism, by, &mut stores[0], $until)),
+                time(|| backward!(mechanism, by, &mut stores[1], $until)),
             ];
             for (best, time) in best.iter_mut().zip(times) {
                 *best = best.min(time);
             }
         }
-        let [alone, one, eight] = best;
-        println!("{:<10} {:>9.1} {:>6.2} {:>6.2}", $name, 1e6 * alone, one / alone, eight / alone);
+        let [alone, rest @ ..] = best;
+        let [one, eight, whole, parts] = rest.map(|time| time / alone);
+        println!("{:<10} {:>9.1} {one:>6.2} {eight:>6.2} {whole:>6.2} {parts:>6.2}", $name, 1e6 * alone);
     }};
+}
+
+/// The gradient of the first number of the state by eight start values.
+macro_rules! backward {
+    ($mechanism:expr, $by:expr, $store:expr, $until:expr) => {{
+        let Store { terms, adjoints } = $store;
+        let trace = Trace::new(terms, 8);
+        let own = with_trace(black_box(&$mechanism), &$by, &trace).expect("they are known");
+        let sim = own.start_with(Dop853::new(1e-9.into())).expect("it starts");
+        let (mut carried, mut saved) = memory(&sim);
+        let memory = Memory { adjoints, carried: &mut carried, saved: &mut saved };
+        let mut gradient = [[0.0]; 8];
+        let until = $until.into();
+        adjoint::adjoint(&trace, sim, |sim| Sim::step_towards(sim, until), first, memory, &mut gradient)
+            .expect("it runs");
+        black_box(gradient);
+    }};
+}
+
+fn first<'t, M, I>(sim: &Sim<M, I>) -> [Traced<'t>; 1]
+where
+    M: Mechanism<S = Traced<'t>>,
+    I: Method<M>,
+{
+    [sim.state().x().at(0)]
+}
+
+fn memory<P: Copy>(_start: &P) -> (Vec<Carried<f64, 1>>, Vec<Option<adjoint::Saved<P>>>) {
+    (vec![Carried::EMPTY; adjoint::carried::<P, f64>()], vec![None; SAVED])
 }
 
 fn time(run: impl FnOnce()) -> f64 {
@@ -64,7 +112,7 @@ fn time(run: impl FnOnce()) -> f64 {
 }
 
 fn main() {
-    println!("{:<10} {:>9} {:>6} {:>6}", "scene", "run, us", "one", "eight");
+    println!("{:<10} {:>9} {:>6} {:>6} {:>6} {:>6}", "scene", "run, us", "one", "eight", "whole", "parts");
     let of_two = |a, b| [a, b, a, b, a, b, a, b];
     runs!("S1", s1::DoublePendulum::new(), 2.0, of_two("arm.angle", "arm.omega"));
     runs!("S2", s2::FourBar::new(), 2.0, of_two("crank.angle", "crank.omega"));

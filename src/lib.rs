@@ -100,6 +100,8 @@ extern crate std;
 pub use plm_macros::{mechanism, parts};
 #[doc(no_inline)]
 pub use plm_runtime as runtime;
+#[doc(inline)]
+pub use plm_runtime::adjoint;
 /// Inverse dynamics: the inputs that a motion needs.
 #[doc(inline)]
 pub use plm_runtime::inverse;
@@ -107,8 +109,8 @@ pub use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
 pub use plm_runtime::{
     Adams, BodyMotion, BodyStart, BodyState, By, Cause, Constraints, Described, Dop853, Dopri5, Dual, Events,
     Fault, Found, Labels, Mechanism, Method, Moment, MoreauJean, Names, Notice, Observed, Operations, Rate,
-    Real, Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats, System, Vern9, to_absolute,
-    to_relative, with_derivatives,
+    Reached, Real, Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats, System, Term, Trace, Traced,
+    Vern9, to_absolute, to_relative, with_derivatives, with_trace,
 };
 #[cfg(doctest)]
 mod book;

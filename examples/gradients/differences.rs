@@ -5,6 +5,7 @@ use plm::runtime::described::by_number::set_parameter;
 use plm::runtime::{Described, Dual, Moment, Real, Scalar};
 use plm::{By, Cause, Dop853, Fault, Mechanism, with_derivatives};
 
+use super::backward::{Backward, backward};
 use super::cases::Case;
 
 /// Outcome of a case.
@@ -36,8 +37,8 @@ const TOLERANCE: f64 = 1e-13;
 /// Derives the outputs of a case, and compares.
 ///
 /// # Errors
-/// The text is refused, or a run fails for another reason than that it has no derivatives.
-pub fn judge(case: &Case) -> Result<Verdict, String> {
+/// The text is refused, a run fails for another reason than that it has no derivatives, or those backward are not those forward.
+pub fn judge(case: &Case) -> Result<(Verdict, Option<Backward>), String> {
     let compiled = Compiled::new("case", &case.text).map_err(|error| error.to_string())?;
     let mechanism = compiled.mechanism::<24, 32, 64, 24>().map_err(|error| error.to_string())?;
     let lifted = with_derivatives(&mechanism, case.by.map(|(name, _)| By::Parameter(name)))
@@ -45,17 +46,23 @@ pub fn judge(case: &Case) -> Result<Verdict, String> {
     let derived = match outputs(lifted, case.time) {
         Ok(derived) => derived,
         Err(fault @ Fault { cause: Cause::Grazes | Cause::AtOnce { .. }, .. }) => {
-            return Ok(Verdict::NoDerivative(fault));
+            return Ok((Verdict::NoDerivative(fault), None));
         }
         Err(fault) => return Err(fault.to_string()),
     };
+    let backward = backward(&mechanism, case, TOLERANCE, &derived)?;
+    Ok((beside_differences(&mechanism, case, &derived), Some(backward)))
+}
+
+/// Compares derivatives with differences.
+fn beside_differences(mechanism: &Small, case: &Case, derived: &[Dual<f64, 3>]) -> Verdict {
     let mut largest = 0.0_f64;
     let mut decided = false;
     for (direction, (name, value)) in case.by.into_iter().enumerate() {
         let step = REACH * value.abs().max(0.1);
         let (Ok(near), Ok(far)) = (
-            difference(&mechanism, case, (name, value), step),
-            difference(&mechanism, case, (name, value), 2.0 * step),
+            difference(mechanism, case, (name, value), step),
+            difference(mechanism, case, (name, value), 2.0 * step),
         ) else {
             continue;
         };
@@ -74,12 +81,12 @@ pub fn judge(case: &Case) -> Result<Verdict, String> {
                     "output {k} by {name} at {} s: {found:e}, by differences {near:e} and {far:e}",
                     case.time
                 );
-                return Ok(Verdict::Wrong { why });
+                return Verdict::Wrong { why };
             }
             largest = largest.max(error);
         }
     }
-    Ok(if decided { Verdict::Right { apart: largest } } else { Verdict::NoDifference })
+    if decided { Verdict::Right { apart: largest } } else { Verdict::NoDifference }
 }
 
 /// The derivatives of all outputs by a parameter, by runs about its value.

@@ -12,6 +12,7 @@
 #![allow(missing_docs, reason = "the modules are private to an example")]
 #![allow(unreachable_pub, reason = "the modules are private to an example")]
 
+mod backward;
 mod cases;
 mod differences;
 
@@ -21,6 +22,7 @@ use std::process::ExitCode;
 
 use plm::view::{Arguments, Known};
 
+use backward::Backward;
 use cases::{Case, FAMILIES};
 use differences::{Verdict, judge};
 
@@ -46,9 +48,19 @@ fn run() -> Result<ExitCode, Box<dyn Error>> {
         (given.number("seed")?.unwrap_or(1), given.number("COUNT")?.unwrap_or(100));
     let mut table: BTreeMap<&str, [u64; 4]> = BTreeMap::new();
     let (mut largest, mut holds) = (0.0_f64, true);
+    let (mut same, mut at_once, mut farthest) = (0_u64, 0_u64, 0.0_f64);
     for number in 0..count {
         let case = Case::new(seed, number);
-        let verdict = judge(&case).map_err(|error| format!("number {number}: {error}\n{}", case.text))?;
+        let (verdict, backward) =
+            judge(&case).map_err(|error| format!("number {number}: {error}\n{}", case.text))?;
+        match backward {
+            Some(Backward::Same { apart }) => {
+                same += 1;
+                farthest = farthest.max(apart);
+            }
+            Some(Backward::AtOnce) => at_once += 1,
+            None => {}
+        }
         let column = match verdict {
             Verdict::Right { apart } => {
                 largest = largest.max(apart);
@@ -68,6 +80,9 @@ fn run() -> Result<ExitCode, Box<dyn Error>> {
         table.entry(FAMILIES[case.family].name).or_default()[column] += 1;
     }
     println!("seed {seed}, the largest relative difference of those that are right: {largest:.1e}");
+    println!(
+        "backward as forward: {same}, to {farthest:.1e}; none backward, since two events meet: {at_once}"
+    );
     println!("{:<12}{:>8}{:>8}{:>16}{:>16}", "family", "right", "wrong", "no difference", "no derivative");
     for (name, [right, wrong, undecided, none]) in table {
         println!("{name:<12}{right:>8}{wrong:>8}{undecided:>16}{none:>16}");

@@ -100,7 +100,7 @@ impl Code {
     /// Evaluates by machine code, which computes with `f64`: `list` gives what is read, `gathered` what stands in no list, and what is
     /// returned comes back, or zero. Where a list is too short, nothing is evaluated.
     #[inline]
-    pub(crate) fn compute<'a, S: Scalar>(
+    pub(crate) fn compute<'a, S: Scalar + 'a>(
         &self,
         code: &dyn MachineCode,
         (list, gathered): (impl Fn(List) -> &'a [S], impl Fn(Argument) -> S),

@@ -153,8 +153,13 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
         self.value.is_finite()
     }
     #[inline]
-    fn each_derivative(self, each: &mut impl FnMut(f64)) {
-        self.tangents.into_iter().for_each(|tangent| each(tangent.to_f64()));
+    fn has_derivatives_of(self, other: Self, within: f64) -> bool {
+        let (mut difference, mut size) = (0.0_f64, 0.0_f64);
+        for (a, b) in self.tangents.into_iter().zip(other.tangents) {
+            difference = difference.max((a - b).to_f64().abs());
+            size = size.max(a.to_f64().abs());
+        }
+        difference <= within * size
     }
     #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {

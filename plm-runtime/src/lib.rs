@@ -39,6 +39,7 @@
 #![no_std]
 
 pub mod absolute;
+pub mod adjoint;
 mod axes;
 mod body;
 mod catalogue;
@@ -79,6 +80,7 @@ pub mod system;
 pub mod tolerances;
 #[cfg(not(feature = "vary-tolerances"))]
 mod tolerances;
+pub mod trace;
 pub mod turns;
 pub mod vector;
 pub mod words;
@@ -92,7 +94,7 @@ pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use enclosure::{Enclosed, Interval};
 pub use fault::{Cause, Fault, Names};
-pub use gradient::{By, Unknown, with_derivatives};
+pub use gradient::{By, Jacobian, Unknown, with_derivatives, with_trace};
 pub use held::Held;
 pub use limits::{Least, Limit};
 pub use linear::Linear;
@@ -104,9 +106,10 @@ pub use observed::Observed;
 pub use plm_math::Operations;
 pub use ports::Ports;
 pub use scalar::{Real, Scalar};
-pub use sim::{Notice, Seen, Sim, Snapshot};
+pub use sim::{Notice, Reached, Seen, Sim, Snapshot};
 pub use start::{BodyStart, Start, StartValues};
 pub use statics::Statics;
 pub use stats::Stats;
 pub use system::{Constraints, Drift, Energy, Events, Health, Labels, Rate, Step, System, Updated};
+pub use trace::{Term, Trace, Traced};
 pub use vector::Vector;

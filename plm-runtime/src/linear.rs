@@ -21,12 +21,21 @@ pub fn finite<S: Real, const N: usize>(health: Health<S>, by_x: &[[S; N]; N]) ->
 pub trait Linear: System<S: Real, X: Dense<<Self as Rate>::S>> {
     /// The same system of dual numbers.
     type Lifted<const K: usize>: Linear<S = Dual<Self::S, K>>;
+    /// The same system in other numbers.
+    type In<T: Real>: Linear<S = T>;
     /// The form in which implicit methods keep the derivatives of the rate: a matrix, where states are few, or the
     /// coefficients of an augmented system.
     type Derivatives: Derivatives<Self::S, Self::X>;
 
     /// The system with what is held over a step, all numbers constant.
     fn lift<const K: usize>(&self, held: &Self::U) -> (Self::Lifted<K>, <Self::Lifted<K> as Rate>::U);
+
+    /// The system with what is held over a step in other numbers, each made by `number`.
+    fn in_numbers<T: Real>(
+        &self,
+        held: &Self::U,
+        number: impl Fn(Self::S) -> T,
+    ) -> (Self::In<T>, <Self::In<T> as Rate>::U);
 
     /// Gives `row` the residual of every equation that a state has to keep: phi and phi_q v - nu.
     fn constraints(&self, t: Self::S, x: &Self::X, row: &mut impl FnMut(Self::S)) {

@@ -24,7 +24,6 @@ pub trait Scalar:
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
-    + 'static
 {
     /// The outcome of a comparison, lane by lane.
     type Mask: Copy;
@@ -60,10 +59,11 @@ pub trait Scalar:
     fn to_f64(self) -> f64;
     /// Neither infinite nor NaN, in every lane.
     fn is_finite(self) -> bool;
-    /// Gives `each` the derivatives of the number, where it has some.
+    /// Does the number have the derivatives of another one, but for this part of their size? False where they are not known.
     #[inline]
-    fn each_derivative(self, each: &mut impl FnMut(f64)) {
-        let _ = (self, each);
+    fn has_derivatives_of(self, other: Self, within: f64) -> bool {
+        let _ = (self, other, within);
+        true
     }
 
     /// `self * a + b`: two roundings, or one with the feature `fma`.

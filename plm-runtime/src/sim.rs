@@ -6,12 +6,14 @@ mod contacts;
 mod count;
 mod fast;
 mod notice;
+mod reached;
 mod samples;
 mod times;
 mod watched;
 
 pub(crate) use self::clock::Clock;
 pub use self::notice::Notice;
+pub use self::reached::Reached;
 pub use self::samples::Seen;
 use self::samples::{Sampler, Samples, Times};
 use crate::events::{Detector, History};

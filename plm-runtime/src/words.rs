@@ -19,7 +19,7 @@ pub trait Words {
     }
 
     /// Several numbers.
-    fn numbers<'a, S: Real>(&mut self, numbers: impl IntoIterator<Item = &'a mut S>) {
+    fn numbers<'a, S: Real + 'a>(&mut self, numbers: impl IntoIterator<Item = &'a mut S>) {
         numbers.into_iter().for_each(|number| self.number(number));
     }
 

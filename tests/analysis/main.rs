@@ -51,11 +51,14 @@ macro_rules! mechanism {
 
         impl<S: Real> Linear for $name<S> {
             type Lifted<const K: usize> = $name<Dual<S, K>>;
+            type In<T: Real> = $name<T>;
             type Derivatives = [[S; $n]; $n];
 
             fn lift<const K: usize>(&self, held: &S) -> ($name<Dual<S, K>>, Dual<S, K>) {
-                let lift = Dual::constant;
-                ($name { $param: lift(self.$param) }, lift(*held))
+                self.in_numbers(held, Dual::constant)
+            }
+            fn in_numbers<T: Real>(&self, held: &S, number: impl Fn(S) -> T) -> ($name<T>, T) {
+                ($name { $param: number(self.$param) }, number(*held))
             }
             fn constraints(&self, _t: S, $cx: &[S; $n], row: &mut impl FnMut(S)) {
                 $constraints.into_iter().for_each(row);

@@ -34,7 +34,7 @@ mechanism! {
 }
 
 /// Height of a ball that has fallen from `h` and bounced: flights of 2 e^n sqrt(2 h/g).
-fn bounced([h, e, g]: [f64; 3], t: f64) -> f64 {
+pub fn bounced([h, e, g]: [f64; 3], t: f64) -> f64 {
     let fall = (2.0 * h / g).sqrt();
     if t < fall {
         return h - 0.5 * g * t * t;
@@ -84,7 +84,7 @@ fn of_a_stopping_way_by_friction_and_speed() {
 }
 
 /// Place of a mass on a belt that sticks for the n-th time since it broke away first.
-fn stuck([kinetic, adhesion, belt]: [f64; 3], t: f64, n: i32) -> f64 {
+pub fn stuck([kinetic, adhesion, belt]: [f64; 3], t: f64, n: i32) -> f64 {
     let (k, w) = (100.0, 10.0);
     let lead = (adhesion - kinetic) / k;
     // From adhesion/k with the speed of the belt around kinetic/k, until it has that speed again.

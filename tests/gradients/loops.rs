@@ -31,7 +31,7 @@ mechanism! {
 }
 
 /// The angle of the rocker by the law of cosines.
-fn rocker([base, short, long, swing, crank]: [f64; 5]) -> f64 {
+pub fn rocker([base, short, long, swing, crank]: [f64; 5]) -> f64 {
     let (x, y) = (short * crank.cos() - base, short * crank.sin());
     let d = x.hypot(y);
     y.atan2(x) - ((swing * swing + d * d - long * long) / (2.0 * swing * d)).acos()

@@ -1,9 +1,11 @@
 //! Derivatives of runs by parameters and start values, against closed forms.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
+mod adjoint;
 mod closed;
 mod events;
 mod loops;
+mod step;
 
 /// The derivative of a function of one number, by five points: good to 1e-11 of what is of size 1.
 fn slope(f: impl Fn(f64) -> f64, at: f64) -> f64 {

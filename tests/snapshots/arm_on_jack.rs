@@ -866,15 +866,24 @@ mod plm_arm_on_jack_ {
 
         impl<S: Real> rt::Linear for ArmOnJack<S> {
             type Lifted<const K: usize> = ArmOnJack<rt::Dual<S, K>>;
+            type In<T: Real> = ArmOnJack<T>;
             type Derivatives = rt::linalg::Sparse<S, Augmented<S>, 26, 34, 9>;
 
             fn lift<const K: usize>(
                 &self,
                 held: &Held<S>,
             ) -> (ArmOnJack<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
+                self.in_numbers(held, rt::Dual::constant)
+            }
+
+            fn in_numbers<T: Real>(
+                &self,
+                held: &Held<S>,
+                number: impl Fn(S) -> T,
+            ) -> (ArmOnJack<T>, Held<T>) {
                 use rt::lanes::Pack;
-                let constant = |[s]: [S; 1]| rt::Dual::constant(s);
-                (self.pack([self], constant), Self::pack_held(held, [held], constant))
+                let of_one = |[s]: [S; 1]| number(s);
+                (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
             }
 
             fn differentiate(

@@ -725,15 +725,20 @@ mod plm_bouncer_ {
 
         impl<S: Real> rt::Linear for Bouncer<S> {
             type Lifted<const K: usize> = Bouncer<rt::Dual<S, K>>;
+            type In<T: Real> = Bouncer<T>;
             type Derivatives = rt::linalg::Sparse<S, Augmented<S>, 3, 2, 2>;
 
             fn lift<const K: usize>(
                 &self,
                 held: &Held<S>,
             ) -> (Bouncer<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
+                self.in_numbers(held, rt::Dual::constant)
+            }
+
+            fn in_numbers<T: Real>(&self, held: &Held<S>, number: impl Fn(S) -> T) -> (Bouncer<T>, Held<T>) {
                 use rt::lanes::Pack;
-                let constant = |[s]: [S; 1]| rt::Dual::constant(s);
-                (self.pack([self], constant), Self::pack_held(held, [held], constant))
+                let of_one = |[s]: [S; 1]| number(s);
+                (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
             }
 
             fn differentiate(

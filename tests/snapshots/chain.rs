@@ -1197,12 +1197,17 @@ mod plm_chain_ {
 
         impl<S: Real> rt::Linear for Chain<S> {
             type Lifted<const K: usize> = Chain<rt::Dual<S, K>>;
+            type In<T: Real> = Chain<T>;
             type Derivatives = rt::linalg::Sparse<S, Augmented<S>, 61, 25, 5>;
 
             fn lift<const K: usize>(&self, held: &Held<S>) -> (Chain<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
+                self.in_numbers(held, rt::Dual::constant)
+            }
+
+            fn in_numbers<T: Real>(&self, held: &Held<S>, number: impl Fn(S) -> T) -> (Chain<T>, Held<T>) {
                 use rt::lanes::Pack;
-                let constant = |[s]: [S; 1]| rt::Dual::constant(s);
-                (self.pack([self], constant), Self::pack_held(held, [held], constant))
+                let of_one = |[s]: [S; 1]| number(s);
+                (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
             }
 
             fn differentiate(

@@ -786,15 +786,24 @@ mod plm_double_pendulum_ {
 
         impl<S: Real> rt::Linear for DoublePendulum<S> {
             type Lifted<const K: usize> = DoublePendulum<rt::Dual<S, K>>;
+            type In<T: Real> = DoublePendulum<T>;
             type Derivatives = rt::linalg::Sparse<S, Augmented<S>, 11, 4, 2>;
 
             fn lift<const K: usize>(
                 &self,
                 held: &Held<S>,
             ) -> (DoublePendulum<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
+                self.in_numbers(held, rt::Dual::constant)
+            }
+
+            fn in_numbers<T: Real>(
+                &self,
+                held: &Held<S>,
+                number: impl Fn(S) -> T,
+            ) -> (DoublePendulum<T>, Held<T>) {
                 use rt::lanes::Pack;
-                let constant = |[s]: [S; 1]| rt::Dual::constant(s);
-                (self.pack([self], constant), Self::pack_held(held, [held], constant))
+                let of_one = |[s]: [S; 1]| number(s);
+                (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
             }
 
             fn differentiate(

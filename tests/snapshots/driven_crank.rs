@@ -1158,15 +1158,24 @@ mod plm_driven_crank_ {
 
         impl<S: Real> rt::Linear for DrivenCrank<S> {
             type Lifted<const K: usize> = DrivenCrank<rt::Dual<S, K>>;
+            type In<T: Real> = DrivenCrank<T>;
             type Derivatives = [[S; 0]; 0];
 
             fn lift<const K: usize>(
                 &self,
                 held: &Held<S>,
             ) -> (DrivenCrank<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
+                self.in_numbers(held, rt::Dual::constant)
+            }
+
+            fn in_numbers<T: Real>(
+                &self,
+                held: &Held<S>,
+                number: impl Fn(S) -> T,
+            ) -> (DrivenCrank<T>, Held<T>) {
                 use rt::lanes::Pack;
-                let constant = |[s]: [S; 1]| rt::Dual::constant(s);
-                (self.pack([self], constant), Self::pack_held(held, [held], constant))
+                let of_one = |[s]: [S; 1]| number(s);
+                (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
             }
         }
 

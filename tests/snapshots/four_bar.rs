@@ -1334,15 +1334,20 @@ mod plm_four_bar_ {
 
         impl<S: Real> rt::Linear for FourBar<S> {
             type Lifted<const K: usize> = FourBar<rt::Dual<S, K>>;
+            type In<T: Real> = FourBar<T>;
             type Derivatives = [[S; 2]; 2];
 
             fn lift<const K: usize>(
                 &self,
                 held: &Held<S>,
             ) -> (FourBar<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
+                self.in_numbers(held, rt::Dual::constant)
+            }
+
+            fn in_numbers<T: Real>(&self, held: &Held<S>, number: impl Fn(S) -> T) -> (FourBar<T>, Held<T>) {
                 use rt::lanes::Pack;
-                let constant = |[s]: [S; 1]| rt::Dual::constant(s);
-                (self.pack([self], constant), Self::pack_held(held, [held], constant))
+                let of_one = |[s]: [S; 1]| number(s);
+                (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
             }
 
             fn jacobian(

@@ -1831,15 +1831,24 @@ mod plm_plate_on_three_pins_ {
 
         impl<S: Real> rt::Linear for PlateOnThreePins<S> {
             type Lifted<const K: usize> = PlateOnThreePins<rt::Dual<S, K>>;
+            type In<T: Real> = PlateOnThreePins<T>;
             type Derivatives = [[S; 0]; 0];
 
             fn lift<const K: usize>(
                 &self,
                 held: &Held<S>,
             ) -> (PlateOnThreePins<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
+                self.in_numbers(held, rt::Dual::constant)
+            }
+
+            fn in_numbers<T: Real>(
+                &self,
+                held: &Held<S>,
+                number: impl Fn(S) -> T,
+            ) -> (PlateOnThreePins<T>, Held<T>) {
                 use rt::lanes::Pack;
-                let constant = |[s]: [S; 1]| rt::Dual::constant(s);
-                (self.pack([self], constant), Self::pack_held(held, [held], constant))
+                let of_one = |[s]: [S; 1]| number(s);
+                (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
             }
         }
 

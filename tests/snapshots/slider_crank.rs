@@ -1017,15 +1017,24 @@ mod plm_slider_crank_ {
 
         impl<S: Real> rt::Linear for SliderCrank<S> {
             type Lifted<const K: usize> = SliderCrank<rt::Dual<S, K>>;
+            type In<T: Real> = SliderCrank<T>;
             type Derivatives = [[S; 18]; 18];
 
             fn lift<const K: usize>(
                 &self,
                 held: &Held<S>,
             ) -> (SliderCrank<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
+                self.in_numbers(held, rt::Dual::constant)
+            }
+
+            fn in_numbers<T: Real>(
+                &self,
+                held: &Held<S>,
+                number: impl Fn(S) -> T,
+            ) -> (SliderCrank<T>, Held<T>) {
                 use rt::lanes::Pack;
-                let constant = |[s]: [S; 1]| rt::Dual::constant(s);
-                (self.pack([self], constant), Self::pack_held(held, [held], constant))
+                let of_one = |[s]: [S; 1]| number(s);
+                (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
             }
 
             fn constraints(&self, t: S, x: &[S; 18], row: &mut impl FnMut(S)) {

@@ -88,11 +88,15 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     for Dynamic<S, NQ, NC, N, L>
 {
     type Lifted<const K: usize> = Dynamic<Dual<S, K>, NQ, NC, N, L>;
+    type In<T: Real> = Dynamic<T, NQ, NC, N, L>;
     type Derivatives = [[S; N]; N];
 
     fn lift<const K: usize>(&self, held: &Self::U) -> (Self::Lifted<K>, Held<Dual<S, K>, NQ, L>) {
-        let constant = |number: S| Dual::constant(number);
-        (self.map(&constant), Self::map_held(held, &constant))
+        self.in_numbers(held, Dual::constant)
+    }
+
+    fn in_numbers<T: Real>(&self, held: &Self::U, number: impl Fn(S) -> T) -> (Self::In<T>, Held<T, NQ, L>) {
+        (self.map(&number), Self::map_held(held, &number))
     }
 
     fn jacobian(

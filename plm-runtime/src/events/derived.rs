@@ -74,7 +74,9 @@ fn has_own_time<M: System<S: Real>>(
     }
     let meets = |i: &usize| *i != index && vanishes(*i) && falls(*i, step);
     let of_all = |i: usize| time_to(&here, &slopes, i);
-    if let Some(other) = (0..M::G::LEN).filter(meets).find(|i| !is_same(of_all(*i), of_all(index))) {
+    if let Some(other) =
+        (0..M::G::LEN).filter(meets).find(|i| !of_all(index).has_derivatives_of(of_all(*i), SAME))
+    {
         return fault(context, Cause::AtOnce { other: context.system.guard_name(other) });
     }
     if grazes(context, (index, step), (&rate, &slopes), M::S::lit(GRAZE) * rounded.at(index)) {
@@ -116,12 +118,4 @@ pub(super) fn restore_time<M: System<S: Real>>(
         (context.time, context.x) = (time - moved, x.map2(&rate, |x, rate| x - moved * rate));
     }
     Ok(())
-}
-
-/// Do two numbers have the same derivatives, but for rounding?
-fn is_same<S: Real>(a: S, b: S) -> bool {
-    let (mut difference, mut size) = (0.0_f64, 0.0_f64);
-    (a - b).each_derivative(&mut |tangent| difference = difference.max(tangent.abs()));
-    a.each_derivative(&mut |tangent| size = size.max(tangent.abs()));
-    difference <= SAME * size
 }

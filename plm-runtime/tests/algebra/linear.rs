@@ -170,10 +170,15 @@ impl<S: Real> Labels for Root<S> {}
 
 impl<S: Real> Linear for Root<S> {
     type Lifted<const K: usize> = Root<plm_runtime::Dual<S, K>>;
+    type In<T: Real> = Root<T>;
     type Derivatives = [[S; 1]; 1];
 
     fn lift<const K: usize>(&self, (): &()) -> (Self::Lifted<K>, ()) {
-        (Root(plm_runtime::Dual::constant(self.0)), ())
+        self.in_numbers(&(), plm_runtime::Dual::constant)
+    }
+
+    fn in_numbers<T: Real>(&self, (): &(), number: impl Fn(S) -> T) -> (Root<T>, ()) {
+        (Root(number(self.0)), ())
     }
 }
 
@@ -231,10 +236,15 @@ impl<S: Real> Labels for Apart<S> {}
 
 impl<S: Real> Linear for Apart<S> {
     type Lifted<const K: usize> = Apart<plm_runtime::Dual<S, K>>;
+    type In<T: Real> = Apart<T>;
     type Derivatives = [[S; 6]; 6];
 
     fn lift<const K: usize>(&self, (): &()) -> (Self::Lifted<K>, ()) {
-        (Apart(plm_runtime::Dual::constant(self.0)), ())
+        self.in_numbers(&(), plm_runtime::Dual::constant)
+    }
+
+    fn in_numbers<T: Real>(&self, (): &(), number: impl Fn(S) -> T) -> (Apart<T>, ()) {
+        (Apart(number(self.0)), ())
     }
 }
 

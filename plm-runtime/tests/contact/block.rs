@@ -296,12 +296,17 @@ impl<S: Real> rt::lanes::Pack for Block<S> {
 
 impl<S: Real> rt::Linear for Block<S> {
     type Lifted<const K: usize> = Block<rt::Dual<S, K>>;
+    type In<T: Real> = Block<T>;
     type Derivatives = [[S; LENGTH]; LENGTH];
 
     fn lift<const K: usize>(&self, held: &Held<S>) -> (Block<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
+        self.in_numbers(held, rt::Dual::constant)
+    }
+
+    fn in_numbers<T: Real>(&self, held: &Held<S>, number: impl Fn(S) -> T) -> (Block<T>, Held<T>) {
         use rt::lanes::Pack;
-        let constant = |[s]: [S; 1]| rt::Dual::constant(s);
-        (self.pack([self], constant), Self::pack_held(held, [held], constant))
+        let of_one = |[s]: [S; 1]| number(s);
+        (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
     }
 
     fn held_rows(&self, t: S, u: &Held<S>, x: &[S; LENGTH], row: &mut impl FnMut(S)) {

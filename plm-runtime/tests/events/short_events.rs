@@ -126,18 +126,22 @@ impl<S: Real> Labels for Gate<S> {
 
 impl<S: Real> Linear for Gate<S> {
     type Lifted<const K: usize> = Gate<Dual<S, K>>;
+    type In<T: Real> = Gate<T>;
     type Derivatives = [[S; 3]; 3];
 
     fn lift<const K: usize>(&self, side: &S) -> (Gate<Dual<S, K>>, Dual<S, K>) {
-        let constant = Dual::constant;
+        self.in_numbers(side, Dual::constant)
+    }
+
+    fn in_numbers<T: Real>(&self, side: &S, number: impl Fn(S) -> T) -> (Gate<T>, T) {
         let gate = Gate {
             guard: self.guard,
-            rate: constant(self.rate),
-            at: constant(self.at),
-            wide: constant(self.wide),
+            rate: number(self.rate),
+            at: number(self.at),
+            wide: number(self.wide),
             must_hold: self.must_hold,
         };
-        (gate, constant(*side))
+        (gate, number(*side))
     }
 }
 

@@ -48,10 +48,18 @@ impl Labels for Wrong {}
 
 impl Linear for Wrong {
     type Lifted<const K: usize> = Oscillator<Dual<f64, K>>;
+    type In<T: plm_runtime::Real> = Oscillator<T>;
     type Derivatives = [[f64; 3]; 3];
 
     fn lift<const K: usize>(&self, held: &f64) -> (Self::Lifted<K>, f64) {
         self.0.lift(held)
+    }
+    fn in_numbers<T: plm_runtime::Real>(
+        &self,
+        held: &f64,
+        number: impl Fn(f64) -> T,
+    ) -> (Oscillator<T>, f64) {
+        self.0.in_numbers(held, number)
     }
     fn jacobian(
         &self,

@@ -314,10 +314,14 @@ macro_rules! linkage {
 
         impl<S: plm_runtime::Real> plm_runtime::Linear for $name<S> {
             type Lifted<const K: usize> = $name<plm_runtime::Dual<S, K>>;
+            type In<T: plm_runtime::Real> = $name<T>;
             type Derivatives = [[S; 2 * $nq]; 2 * $nq];
 
             fn lift<const K: usize>(&self, (): &()) -> (Self::Lifted<K>, ()) {
-                ($name(self.0.map(plm_runtime::Dual::constant)), ())
+                self.in_numbers(&(), plm_runtime::Dual::constant)
+            }
+            fn in_numbers<T: plm_runtime::Real>(&self, (): &(), number: impl Fn(S) -> T) -> ($name<T>, ()) {
+                ($name(self.0.map(number)), ())
             }
             fn constraints(&self, t: S, x: &Self::X, row: &mut impl FnMut(S)) {
                 plm_runtime::absolute::residuals(self, t, x, row);

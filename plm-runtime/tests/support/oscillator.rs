@@ -36,9 +36,14 @@ impl<S: Real> Labels for Oscillator<S> {
 
 impl<S: Real> Linear for Oscillator<S> {
     type Lifted<const K: usize> = Oscillator<Dual<S, K>>;
+    type In<T: Real> = Oscillator<T>;
     type Derivatives = [[S; 3]; 3];
 
     fn lift<const K: usize>(&self, held: &f64) -> (Self::Lifted<K>, f64) {
+        (oscillator(), *held)
+    }
+
+    fn in_numbers<T: Real>(&self, held: &f64, _number: impl Fn(S) -> T) -> (Oscillator<T>, f64) {
         (oscillator(), *held)
     }
 }

@@ -42,10 +42,16 @@ macro_rules! system {
 
         impl<S: Real> Linear for $name<S> {
             type Lifted<const K: usize> = $name<Dual<S, K>>;
+            type In<T: Real> = $name<T>;
             type Derivatives = [[S; $n]; $n];
 
             fn lift<const K: usize>(&self, (): &()) -> ($name<Dual<S, K>>, ()) {
-                ($name { $($field: Dual::constant(self.$field)),* }, ())
+                self.in_numbers(&(), Dual::constant)
+            }
+
+            fn in_numbers<T: Real>(&self, (): &(), number: impl Fn(S) -> T) -> ($name<T>, ()) {
+                let _ = &number;
+                ($name { $($field: number(self.$field)),* }, ())
             }
         }
 

@@ -32,12 +32,17 @@ pub(crate) fn linear(emission: &Emission) -> TokenStream {
     quote! {
         impl<S: Real> rt::Linear for #name<S> {
             type Lifted<const K: usize> = #name<rt::Dual<S, K>>;
+            type In<T: Real> = #name<T>;
             type Derivatives = #derivatives;
 
             fn lift<const K: usize>(&self, held: &Held<S>) -> (#name<rt::Dual<S, K>>, Held<rt::Dual<S, K>>) {
+                self.in_numbers(held, rt::Dual::constant)
+            }
+
+            fn in_numbers<T: Real>(&self, held: &Held<S>, number: impl Fn(S) -> T) -> (#name<T>, Held<T>) {
                 use rt::lanes::Pack;
-                let constant = |[s]: [S; 1]| rt::Dual::constant(s);
-                (self.pack([self], constant), Self::pack_held(held, [held], constant))
+                let of_one = |[s]: [S; 1]| number(s);
+                (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
             }
             #constraints
             #held_rows

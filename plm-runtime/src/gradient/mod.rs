@@ -1,0 +1,152 @@
+//! Mechanisms and runs that are derived by parameters, start values, states and inputs, which are given by their names.
+
+mod moment;
+mod step;
+
+pub use moment::{NoDerivatives, from_moment, set_input};
+pub use step::Jacobian;
+
+use core::fmt;
+
+use crate::described::Described;
+use crate::dual::Dual;
+use crate::linear::Linear;
+use crate::start::{StartValues, follow};
+use crate::statics::Statics;
+use crate::trace::{Trace, Traced};
+
+/// A number of a mechanism or of its run by which it is derived, by its name in the declaration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By<'a> {
+    /// A parameter, in SI units. Start values that are declared by it follow.
+    Parameter(&'a str),
+    /// A start value: `wheel.angle`, `wheel.omega`, or a first-order state; in SI units. It belongs to a mechanism.
+    Start(&'a str),
+    /// A number of the state, by its [name](crate::Labels::name_in_chart), in SI units. It belongs to a moment of a run.
+    State(&'a str),
+    /// An input, in SI units, which is constant until it is set. It belongs to a run, where [`set_input`] sets it; a mechanism keeps
+    /// this direction free for it, or several for the intervals of a control grid.
+    Input(&'a str),
+}
+
+impl<'a> By<'a> {
+    /// The name.
+    pub const fn name(self) -> &'a str {
+        match self {
+            Self::Parameter(name) | Self::Start(name) | Self::State(name) | Self::Input(name) => name,
+        }
+    }
+}
+
+/// The mechanism, or the moment of its run, has no number of this name.
+///
+/// Its `Debug` reads like its `Display`, since a `main` that returns it, and `unwrap`, show that one.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Unknown<'a>(pub By<'a>);
+
+impl fmt::Display for Unknown<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            By::Parameter(name) => write!(f, "there is no parameter `{name}`"),
+            By::Start(name) => write!(f, "there is no start value `{name}`"),
+            By::State(name) => write!(f, "there is no state `{name}`; only a moment of a run has states"),
+            By::Input(name) => write!(f, "there is no input `{name}`"),
+        }
+    }
+}
+
+impl fmt::Debug for Unknown<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl core::error::Error for Unknown<'_> {}
+
+/// The same mechanism in numbers with derivatives: in direction k by what `by` has there, per SI unit.
+///
+/// Its run makes the same steps to the same bits, and every quantity has its derivatives, exact for the steps that were made; of times of
+/// events, impacts and changes of modes as well. A run ends with [`Cause::Grazes`](crate::Cause::Grazes) or
+/// [`Cause::AtOnce`](crate::Cause::AtOnce) where there are none.
+///
+/// # Errors
+/// The first name that the mechanism does not have.
+pub fn with_derivatives<'a, M, const K: usize>(
+    mechanism: &M,
+    by: [By<'a>; K],
+) -> Result<M::Lifted<K>, Unknown<'a>>
+where
+    M: Linear + Statics,
+    M::Lifted<K>: Described<S = Dual<M::S, K>> + Statics,
+{
+    let (mut lifted, _) = mechanism.lift::<K>(&mechanism.unstarted());
+    vary(&mut lifted, &by, |number, direction| Dual::variable(number.value, direction))?;
+    Ok(lifted)
+}
+
+/// The same mechanism in numbers that are recorded: variable k of the trace is what `by` has there, in SI units.
+///
+/// Its run makes the same steps to the same bits, and ends as that of [`with_derivatives`] where there are none.
+/// [`adjoint`](crate::adjoint::adjoint) derives it. Two events at one time end it, since whether they stay together is not known on the way.
+///
+/// # Errors
+/// The first name that the mechanism does not have.
+pub fn with_trace<'a, 't, M>(
+    mechanism: &M,
+    by: &[By<'a>],
+    trace: &'t Trace<'t, M::S>,
+) -> Result<M::In<Traced<'t, M::S>>, Unknown<'a>>
+where
+    M: Linear + Statics,
+    M::In<Traced<'t, M::S>>: Described + Statics,
+{
+    let (mut own, _) = mechanism.in_numbers(&mechanism.unstarted(), Traced::constant);
+    vary(&mut own, by, |number, index| trace.variable(number.value, index))?;
+    Ok(own)
+}
+
+/// Makes variables of what `by` has, with their indices.
+fn vary<'a, M: Described + Statics>(
+    own: &mut M,
+    by: &[By<'a>],
+    variable: impl Fn(M::S, usize) -> M::S,
+) -> Result<(), Unknown<'a>> {
+    let before = own.declared_starts();
+    vary_parameters(own, by, &variable)?;
+    let after = own.declared_starts();
+    follow(own.starts_mut(), before, after);
+    for (index, by) in by.iter().enumerate() {
+        let name = match *by {
+            By::Parameter(_) => continue,
+            By::Start(name) => name,
+            By::Input(name) if own.input_names().iter().any(|(input, _)| *input == name) => continue,
+            By::State(_) | By::Input(_) => return Err(Unknown(*by)),
+        };
+        let mut found = false;
+        own.starts_mut().each(&mut |known, start| {
+            if known == name {
+                start.value = variable(start.value, index);
+                found = true;
+            }
+        });
+        if !found {
+            return Err(Unknown(*by));
+        }
+    }
+    Ok(())
+}
+
+/// The same of parameters alone.
+fn vary_parameters<'a, M: Described>(
+    own: &mut M,
+    by: &[By<'a>],
+    variable: impl Fn(M::S, usize) -> M::S,
+) -> Result<(), Unknown<'a>> {
+    for (index, by) in by.iter().enumerate() {
+        let By::Parameter(name) = *by else { continue };
+        let number = own.tables().parameters.iter().position(|parameter| parameter.name == name);
+        let place = number.and_then(|number| own.parameter_mut(number)).ok_or(Unknown(*by))?;
+        *place = variable(*place, index);
+    }
+    Ok(())
+}
