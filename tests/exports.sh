@@ -10,7 +10,7 @@ export CARGO_TERM_COLOR=never
 
 plm=$PWD
 target=$(mkdir -p "${CARGO_TARGET_DIR:-target}" && cd "${CARGO_TARGET_DIR:-target}" && pwd)
-tools=$target/exports-tools made=$target/tmp/exports declaration=$plm/tests/snapshots/bouncer.plm
+tools=$target/exports-tools made=$target/exports-made declaration=$plm/tests/snapshots/bouncer.plm
 if ! "${PYTHON:-python3}" -m venv --clear "$tools" ||
     ! "$tools/bin/pip" install --quiet --disable-pip-version-check maturin numpy fmpy; then
     printf 'NOT CHECKED: Python with maturin, NumPy and FMPy cannot be had on this machine\n'
