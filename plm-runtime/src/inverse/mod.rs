@@ -21,6 +21,7 @@ use self::least::{Dependence, least_norm};
 use self::names::Found;
 use crate::described::Described;
 use crate::linear::Linear;
+use crate::linearised::Linearisable;
 use crate::mechanism::{AsMoment, Moment};
 use crate::ports::Ports;
 use crate::scalar::{Real, Scalar};
@@ -30,15 +31,10 @@ use crate::system::Rate;
 const ROUNDS: usize = 30;
 
 /// A mechanism whose inputs can be found: generated ones can.
-pub trait Invertible<const DRIVES: usize>:
-    Described + Linear<Lifted<1>: Described, Lifted<DRIVES>: Described>
-{
-}
+pub trait Invertible<const DRIVES: usize>: Linearisable + Linear<Lifted<DRIVES>: Described> {}
 
-impl<M, const DRIVES: usize> Invertible<DRIVES> for M where
-    M: Described + Linear<Lifted<1>: Described, Lifted<DRIVES>: Described>
-{
-}
+impl<M, const DRIVES: usize> Invertible<DRIVES> for M where M: Linearisable + Linear<Lifted<DRIVES>: Described>
+{}
 
 /// Inverse dynamics of a mechanism: which quantities are to move as wanted, and which inputs are to move them.
 ///
