@@ -72,13 +72,9 @@ impl<'a> Found<'a> {
 }
 
 fn coordinate<M: Described>(mechanism: &M, name: &str) -> Option<Quantity> {
-    let (body, axis) = name.rsplit_once('.')?;
-    let axis = match axis {
-        "x" => Axis::X,
-        "y" => Axis::Y,
-        "angle" => Axis::Angle,
-        _ => return None,
-    };
+    let axes = [(".x", Axis::X), (".y", Axis::Y), (".angle", Axis::Angle)];
+    let (body, axis) =
+        axes.into_iter().find_map(|(end, axis)| name.strip_suffix(end).map(|body| (body, axis)))?;
     let body = mechanism.tables().bodies.iter().position(|own| own.name == body)?;
     Some(Quantity::Coordinate(body, axis))
 }
