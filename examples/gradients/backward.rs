@@ -19,7 +19,7 @@ const SAVED: usize = 24;
 /// The mechanism of a case in recorded numbers.
 type Recorded<'t> = Dynamic<Traced<'t>, 24, 32, 64, 24>;
 
-/// What derivatives backward are beside those forward.
+/// Comparison of derivatives backward with those forward.
 pub enum Backward {
     /// The same, but for a part of their size.
     Same { apart: f64 },

@@ -116,7 +116,7 @@ impl Draft<'_> {
         }
     }
 
-    /// What acts in a joint.
+    /// Spring, damper, drive and friction of a joint.
     fn of_joint(&mut self, kind: &str) -> String {
         let (length, force) = if kind == "revolute" { ("rad", "N*m") } else { ("m", "N") };
         let mut inside = String::new();

@@ -14,7 +14,7 @@ type Figure = (String, String);
 /// All pictures.
 ///
 /// # Errors
-/// Where a synthesis finds nothing.
+/// A synthesis without a result.
 pub fn all() -> Result<Vec<Figure>, Box<dyn Error>> {
     let figure =
         |name: &str, chart: &Chart| (format!("docs/src/images/synthesis/{name}.svg"), chart.to_svg());
@@ -66,7 +66,7 @@ fn best(path: &Path) -> Result<Found, Box<dyn Error>> {
 /// Declaration of the linkage that draws the ellipse.
 ///
 /// # Errors
-/// Where none is found.
+/// A search without a result.
 #[allow(dead_code, reason = "the test draws pictures alone")]
 pub fn declaration() -> Result<String, Box<dyn Error>> {
     let found = best(&ellipse())?;

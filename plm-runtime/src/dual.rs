@@ -10,6 +10,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use plm_math::exact::Split;
 
+use crate::scalar::chain_rule::by_chain_rule;
 use crate::scalar::{Real, Scalar};
 
 /// A number and its derivatives in `K` directions.
@@ -132,26 +133,8 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
     const PRECISION: f64 = S::PRECISION;
     const HAS_DERIVATIVES: bool = true;
 
-    #[inline]
-    fn lit(x: f64) -> Self {
-        Self::constant(S::lit(x))
-    }
-    #[inline]
-    fn of_turns(turns: i32) -> Self {
-        Self::constant(S::of_turns(turns))
-    }
-    #[inline]
-    fn to_turns(self) -> i32 {
-        self.value.to_turns()
-    }
-    #[inline]
-    fn to_f64(self) -> f64 {
-        self.value.to_f64()
-    }
-    #[inline]
-    fn is_finite(self) -> bool {
-        self.value.is_finite()
-    }
+    by_chain_rule!(chain_steep);
+
     #[inline]
     fn has_derivatives_of(self, other: Self, within: f64) -> bool {
         let (mut difference, mut size) = (0.0_f64, 0.0_f64);
@@ -168,40 +151,6 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
         let tangent = |k: usize| x.mul_add(a.tangents[k], self.tangents[k].mul_add(y, b.tangents[k]));
         Self { value, tangents: core::array::from_fn(tangent) }
     }
-    #[inline]
-    fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = self.value.sin_cos();
-        (self.chain(sin, cos), self.chain(cos, -sin))
-    }
-    #[inline]
-    fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
-        let (sin, cos) = S::sin_cos_all(angles.map(|angle| angle.value));
-        (
-            core::array::from_fn(|i| angles[i].chain(sin[i], cos[i])),
-            core::array::from_fn(|i| angles[i].chain(cos[i], -sin[i])),
-        )
-    }
-    /// The derivative at zero is infinite, or zero in directions in which the number does not move.
-    #[inline]
-    fn sqrt(self) -> Self {
-        let root = self.value.sqrt();
-        self.chain_steep(root, S::lit(0.5) / root)
-    }
-    #[inline]
-    fn tan(self) -> Self {
-        let tan = self.value.tan();
-        self.chain(tan, tan.mul_add(tan, S::lit(1.0)))
-    }
-    /// The derivative at -1 and 1 is infinite, or zero in directions in which the number does not move.
-    #[inline]
-    fn asin(self) -> Self {
-        self.chain_steep(self.value.asin(), S::lit(1.0) / half_chord(self.value))
-    }
-    /// As [`asin`](Self::asin).
-    #[inline]
-    fn acos(self) -> Self {
-        self.chain_steep(self.value.acos(), S::lit(-1.0) / half_chord(self.value))
-    }
     /// The derivative at the origin is not a number, or zero in directions in which the point does not move.
     #[inline]
     fn atan2(self, x: Self) -> Self {
@@ -214,50 +163,8 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
         self.join(x, b.atan2(a), turn)
     }
     #[inline]
-    fn exp(self) -> Self {
-        let exp = self.value.exp();
-        self.chain(exp, exp)
-    }
-    /// The derivative at zero is infinite, or zero in directions in which the number does not move.
-    #[inline]
-    fn ln(self) -> Self {
-        self.chain_steep(self.value.ln(), S::lit(1.0) / self.value)
-    }
-    /// The derivative at zero is zero, the middle of its two sides.
-    #[inline]
-    fn abs(self) -> Self {
-        self.chain(self.value.abs(), self.value.signum0())
-    }
-    #[inline]
-    fn floor(self) -> Self {
-        Self::constant(self.value.floor())
-    }
-    #[inline]
     fn as_zero(self) -> Self {
         Self { value: self.value.as_zero(), ..self }
-    }
-    #[inline]
-    fn lt(self, other: Self) -> bool {
-        self.value < other.value
-    }
-    #[inline]
-    fn select(mask: bool, a: Self, b: Self) -> Self {
-        if mask { a } else { b }
-    }
-    #[inline]
-    fn any(mask: bool) -> bool {
-        mask
-    }
-    #[inline]
-    fn all(mask: bool) -> bool {
-        mask
-    }
-    #[inline]
-    fn powi(self, n: i32) -> Self {
-        // x^0 is constant; everywhere else x^(n-1) exists where x^n does.
-        let slope =
-            if n == 0 { S::ZERO } else { S::lit(f64::from(n)) * self.value.powi(n.saturating_sub(1)) };
-        self.chain_steep(self.value.powi(n), slope)
     }
 }
 
@@ -277,11 +184,4 @@ impl<S: Real, const K: usize> Real for Dual<S, K> {
     const RANK_TOLERANCE: Self = Self { value: S::RANK_TOLERANCE, tangents: [S::ZERO; K] };
     const DOUBLE_DOUBLE_EPSILON: Self = Self { value: S::DOUBLE_DOUBLE_EPSILON, tangents: [S::ZERO; K] };
     const INFINITY: Self = Self { value: S::INFINITY, tangents: [S::ZERO; K] };
-}
-
-/// sqrt(1 - x^2) without cancellation.
-#[inline]
-fn half_chord<S: Real>(x: S) -> S {
-    let one = S::lit(1.0);
-    ((one - x) * (one + x)).sqrt()
 }

@@ -10,6 +10,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use plm_math as math;
 use plm_math::exact::Split;
 
+pub(crate) mod chain_rule;
 mod registers;
 
 pub use self::registers::Registers;

@@ -79,7 +79,7 @@ impl fmt::Display for NoGain {
 impl Error for NoGain {}
 
 impl Regulator {
-    /// What is added to the inputs in a state, in the order of their names: -gains x. The state counts along the columns of `basis`, from where the
+    /// Corrections of the inputs in a state, in the order of their names: -gains x. The state counts along the columns of `basis`, from where the
     /// mechanism was linearised; with joint coordinates it is that of a simulation.
     ///
     /// Numbers of `x` that are missing are zero.
