@@ -204,6 +204,17 @@ test("it follows its window", { skip }, async () => {
   }
 });
 
+test("a tab is shown as its key is pressed, before the next frame", { skip }, async () => {
+  const { page } = await open(addresses.workshop);
+  const shown = await page.evaluate(() => {
+    const key = new KeyboardEvent("keydown", { key: "ArrowRight", bubbles: true, cancelable: true });
+    document.querySelector("#tab-curves").dispatchEvent(key);
+    const focused = document.activeElement;
+    return { focused: focused.id, tabIndex: focused.tabIndex, sheets: [...document.querySelectorAll("[role=tabpanel]")].filter((each) => !each.hidden).map(({ id }) => id) };
+  });
+  assert.deepEqual(shown, { focused: "tab-objects", tabIndex: 0, sheets: ["sheet-objects"] });
+});
+
 test("everything has a role and a name, and Tab reaches it", { skip }, async () => {
   const { page } = await open(addresses.workshop, { hash: "#select=body:1&tab=objects" });
   const nameless = await page.evaluate(() =>

@@ -47,9 +47,10 @@ export class Panel {
     this.tabs.set(id, { button, sheet, tab: make(sheet) });
   }
 
-  /** @param {string} id */
+  /** Shows a tab at once: the next key may come before the next frame. @param {string} id */
   open(id) {
     this.app.tab = id;
+    this.update();
     this.app.touch();
   }
 
