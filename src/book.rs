@@ -66,7 +66,7 @@ pages! {
     FrequencyResponse = "questions/frequency-response.md";
 }
 
-#[cfg(all(feature = "analysis", feature = "dynamic"))]
+#[cfg(all(feature = "analysis", feature = "jit"))]
 pages! {
     AtRunTime = "running/at-run-time.md";
 }

@@ -53,6 +53,7 @@
 //! | `std` | on unless switched off: square roots by the processor, [`read_starts`], [`live`]; the bits of results are the same without |
 //! | `analysis` | [`linearise`], [`stabilise`], and [`StartAuto`], which chooses a method by eigenvalues |
 //! | `dynamic` | [`dynamic`]: mechanisms from text, run without rustc |
+//! | `jit` | [`jit`]: machine code of the host for them (unsafe code, in `plm-jit`) |
 //! | `optimise` | [`optimise`]: parameters and start values from measurements, inputs of least cost |
 //! | `view` | [`view`]: results files, charts, drawings, whole programs with options, and a page that moves |
 //! | `foreign` | [`foreign`]: objects for C and C++; with `analysis` also [`python`] |
@@ -82,6 +83,7 @@
         feature = "batch",
         feature = "dynamic",
         feature = "foreign",
+        feature = "jit",
         feature = "lanes",
         feature = "synthesis",
         feature = "optimise",
@@ -132,6 +134,10 @@ pub use plm_analysis::{
 #[cfg(feature = "dynamic")]
 #[doc(inline)]
 pub use plm_dynamic as dynamic;
+/// Machine code of the host for mechanisms from text.
+#[cfg(feature = "jit")]
+#[doc(inline)]
+pub use plm_jit as jit;
 /// Parameters, starts and inputs from measurements, or for the least cost.
 #[cfg(feature = "optimise")]
 #[doc(inline)]

@@ -1,9 +1,10 @@
 // Runs texts in the module under node, and prints the bits of every moment: `node run.mjs MODULE FILE…`.
 import { readFileSync } from "node:fs";
+import { instanceOf } from "../../plm-view/page/src/machine.js";
 
 const module = new WebAssembly.Module(readFileSync(process.argv[2]));
 for (const file of process.argv.slice(3)) {
-    const { exports: plm } = new WebAssembly.Instance(module, {});
+    const plm = instanceOf(module);
     const text = (at) => new TextDecoder().decode(new Uint8Array(plm.memory.buffer, at, plm.plm_text_length()));
     // The memory may grow while it is read.
     const line = (at, length) =>

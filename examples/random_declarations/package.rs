@@ -55,8 +55,8 @@ fn manifest() -> String {
     .concat();
     format!(
         "[package]\nname = \"random-declarations\"\nversion = \"0.0.0\"\nedition = \"2024\"\npublish = false\n\n\
-         [dependencies]\nplm = {{ package = \"plm-planar\", path = {PLM:?}, features = [\"dynamic\"] }}\n\
-         plm-jit = {{ path = \"{PLM}/plm-jit\" }}\n\n[profile.dev]\ndebug = false\n\n{optimised}\
+         [dependencies]\nplm = {{ package = \"plm-planar\", path = {PLM:?}, features = [\"jit\"] }}\n\n\
+         [features]\njit = []\ndefault = [\"jit\"]\n\n[profile.dev]\ndebug = false\n\n{optimised}\
          # It stands by itself.\n[workspace]\n"
     )
 }

@@ -2,18 +2,20 @@
 
 use std::mem;
 
+#[cfg(not(target_arch = "wasm32"))]
 use cranelift_jit::JITModule;
+#[cfg(not(target_arch = "wasm32"))]
 use cranelift_module::FuncId;
-use plm_dynamic::MachineCode;
+use plm_dynamic::{Element, Function, Input, MachineCode};
 use plm_runtime::Scalar;
 
 /// Lists that are read, lists that are written, and one that is written beside them; gives the value that the function returns.
 type Entry = unsafe extern "C" fn(*const *const f64, *const *mut f64, *mut f64) -> f64;
 
 /// The most lists that are read.
-pub(crate) const LISTS: usize = 24;
+const LISTS: usize = 24;
 /// The most lists that are written; most functions read no more either.
-pub(crate) const FEW: usize = 6;
+const FEW: usize = 6;
 
 /// The lengths that a function needs of its lists.
 #[derive(Debug, Default)]
@@ -23,22 +25,70 @@ pub(crate) struct Lengths {
     pub(crate) others: usize,
 }
 
+impl Lengths {
+    /// What a function reads and writes.
+    pub(crate) fn of(function: &Function<'_>) -> Lengths {
+        let mut lengths = Lengths { others: function.others.len(), ..Lengths::default() };
+        for input in function.arguments {
+            if let Input::Element(element) = input {
+                note(&mut lengths.inputs, *element);
+            }
+        }
+        function.outputs.iter().for_each(|(element, _)| note(&mut lengths.outputs, *element));
+        lengths
+    }
+
+    /// Are there no more lists than a call takes?
+    pub(crate) fn fit(&self) -> bool {
+        self.inputs.len() <= LISTS && self.outputs.len() <= FEW
+    }
+}
+
+/// Notes that a list is long enough for an element.
+fn note(lengths: &mut Vec<usize>, Element { list, index }: Element) {
+    if lengths.len() <= list {
+        lengths.resize(list + 1, 0);
+    }
+    lengths[list] = lengths[list].max(index + 1);
+}
+
 /// A function as machine code.
 #[derive(Debug)]
 pub(crate) struct Loaded {
     entry: Entry,
     lengths: Lengths,
-    /// Numbers that the code reads where they are.
-    _constants: Box<[f64]>,
+    /// Numbers that the code reads where they are, or writes.
+    _numbers: Box<[f64]>,
 }
 
+#[cfg(target_arch = "wasm32")]
+#[link(wasm_import_module = "plm")]
+unsafe extern "C" {
+    /// Makes a module of bytes, and gives the place of its function `run` in the table; 0 where it cannot.
+    fn plm_translated(bytes: *const u8, length: usize) -> usize;
+}
+
+#[cfg(target_arch = "wasm32")]
+impl Loaded {
+    /// The function of a module of WebAssembly, which was made for lists of these lengths and for these numbers where they are; nothing
+    /// where the page cannot make it.
+    pub(crate) fn of_page(module: &[u8], lengths: Lengths, numbers: Box<[f64]>) -> Option<Loaded> {
+        // SAFETY: the page reads these bytes alone.
+        let place = unsafe { plm_translated(module.as_ptr(), module.len()) };
+        // SAFETY: a function is its place in the table; the page has put one of this type there, which stays.
+        let entry = (place != 0).then(|| unsafe { mem::transmute::<usize, Entry>(place) })?;
+        Some(Loaded { entry, lengths, _numbers: numbers })
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
 impl Loaded {
     /// A function of a module, which was made for lists of these lengths and for these constants where they are.
     pub(crate) fn new(module: &JITModule, id: FuncId, lengths: Lengths, constants: Box<[f64]>) -> Loaded {
         let code = module.get_finalized_function(id);
         // SAFETY: the module has a function of this type; what modules have finalised stays in memory when they are dropped.
         let entry = unsafe { mem::transmute::<*const u8, Entry>(code) };
-        Loaded { entry, lengths, _constants: constants }
+        Loaded { entry, lengths, _numbers: constants }
     }
 }
 

@@ -8,9 +8,9 @@ use cranelift_codegen::settings::{self, Configurable, Flags, SetResult};
 use cranelift_frontend::FunctionBuilderContext;
 use cranelift_jit::{JITBuilder, JITModule};
 use cranelift_module::{Module, default_libcall_names};
-use plm_dynamic::{Element, Function, Input, MachineCode, Translator};
+use plm_dynamic::{Function, MachineCode, Translator};
 
-use crate::call::{FEW, LISTS, Loaded};
+use crate::call::{Lengths, Loaded};
 use crate::functions::is_fused;
 use crate::translate::translate;
 
@@ -69,13 +69,8 @@ const MOST_NUMBERS: usize = 1 << 27;
 
 /// Has a function no more lists, and no longer ones, than a call takes?
 fn fits(function: &Function<'_>) -> bool {
-    let arguments = function.arguments.iter().filter_map(|input| match input {
-        Input::Element(element) => Some(*element),
-        Input::Number(_) => None,
-    });
-    let outputs = function.outputs.iter().map(|(element, _)| *element);
-    let fit = |most: usize| move |Element { list, index }| list < most && index < MOST_NUMBERS;
-    arguments.into_iter().all(fit(LISTS)) && outputs.into_iter().all(fit(FEW))
+    let lengths = Lengths::of(function);
+    lengths.fit() && lengths.inputs.iter().chain(&lengths.outputs).all(|length| *length <= MOST_NUMBERS)
 }
 
 impl Translator for Host {

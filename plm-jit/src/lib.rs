@@ -1,4 +1,4 @@
-//! Machine code of the host for mechanisms that come from text, by Cranelift.
+//! Machine code of the host for mechanisms that come from text: by Cranelift, and in a browser as WebAssembly.
 //!
 //! [`plm_dynamic`] evaluates the functions of a mechanism step by step. A [`Translator`](plm_dynamic::Translator) of this crate makes
 //! machine code of those that are evaluated often. It does the operations of the steps in their order, sines and their kin are calls of
@@ -31,8 +31,18 @@
 #[allow(unsafe_code, reason = "calls of machine code, and what machine code calls")]
 mod call;
 mod functions;
+#[cfg(not(target_arch = "wasm32"))]
 mod host;
+#[cfg(target_arch = "wasm32")]
+mod page;
+#[cfg(not(target_arch = "wasm32"))]
 mod schedule;
+#[cfg(not(target_arch = "wasm32"))]
 mod translate;
+#[cfg(target_arch = "wasm32")]
+mod webassembly;
 
+#[cfg(not(target_arch = "wasm32"))]
 pub use self::host::Host;
+#[cfg(target_arch = "wasm32")]
+pub use self::page::Host;

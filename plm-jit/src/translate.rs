@@ -126,13 +126,7 @@ impl Translation<'_> {
     /// Loads where lists begin.
     fn begin(&mut self, block: ir::Block) -> Lengths {
         let [inputs, outputs, others] = [0, 1, 2].map(|k| self.builder.block_params(block)[k]);
-        let mut lengths = Lengths { others: self.function.others.len(), ..Lengths::default() };
-        let arguments = self.function.arguments.iter().filter_map(|input| match input {
-            Input::Element(element) => Some(*element),
-            Input::Number(_) => None,
-        });
-        arguments.for_each(|element| put(&mut lengths.inputs, element));
-        self.function.outputs.iter().for_each(|(element, _)| put(&mut lengths.outputs, *element));
+        let lengths = Lengths::of(self.function);
         let lists = self.pointers(inputs, lengths.inputs.len());
         let written = self.pointers(outputs, lengths.outputs.len());
         self.lists = lists;
@@ -364,12 +358,4 @@ fn unchanging() -> MemFlags {
 /// The offset of an element.
 fn offset(index: usize) -> i32 {
     (index * SIZE) as i32
-}
-
-/// Notes that a list is long enough for an element.
-fn put(lengths: &mut Vec<usize>, Element { list, index }: Element) {
-    if lengths.len() <= list {
-        lengths.resize(list + 1, 0);
-    }
-    lengths[list] = lengths[list].max(index + 1);
 }

@@ -1,7 +1,5 @@
 //! A mechanism from text beside the compiled one: the same bits of poses and outputs, the same steps, evaluations, events and faults; by
-//! steps, and by machine code that takes their place during a run.
-
-use std::sync::Arc;
+//! steps, and with the feature `jit`, which `cargo test --workspace` has, by machine code that takes their place during a run.
 
 use plm::dynamic::{self, Integrator, Run};
 use plm::runtime::{Described, Moment};
@@ -24,6 +22,13 @@ fn counted(stats: Stats) -> [u64; 5] {
     [stats.steps, stats.rejected, stats.evaluations, stats.switches, stats.projected]
 }
 
+/// By steps at first, then by machine code.
+#[cfg(feature = "jit")]
+fn translated(text: dynamic::Mechanism) -> dynamic::Mechanism {
+    text.translate_by(std::sync::Arc::new(plm::jit::Host::new().unwrap().after(20)));
+    text
+}
+
 /// Compares a run of so many intervals of some length, s, by a method, which `integrator` names as text does.
 #[track_caller]
 pub(crate) fn same_bits<M: Described<S = f64>, I: Method<M>>(
@@ -31,12 +36,16 @@ pub(crate) fn same_bits<M: Described<S = f64>, I: Method<M>>(
     (method, integrator): (I, &str),
     (times, by): (u32, f64),
 ) {
-    let [by_steps, translated] = [(), ()].map(|()| dynamic::Mechanism::from_text(M::DECLARATION).unwrap());
-    let name = by_steps.name().to_owned();
-    translated.translate_by(Arc::new(plm_jit::Host::new().unwrap().after(20)));
+    let from_text = || dynamic::Mechanism::from_text(M::DECLARATION).unwrap();
+    let texts = [
+        from_text(),
+        #[cfg(feature = "jit")]
+        translated(from_text()),
+    ];
+    let name = texts[0].name().to_owned();
     let integrator: Integrator = integrator.parse().unwrap();
     let mut compiled: Sim<M, I> = mechanism.start_with(method).unwrap();
-    let mut runs = [by_steps, translated].map(|text| text.start_with(integrator).unwrap());
+    let mut runs = texts.map(|text| text.start_with(integrator).unwrap());
     for k in 1..=times {
         let end = f64::from(k) * by;
         let ends = compiled.step_to(end).map_err(|fault| fault.to_string());

@@ -140,13 +140,27 @@ fn compiled(text: &str) -> Result<(OfSize, Vec<u8>), Refused> {
             let bodies: Vec<&str> = small.tables().bodies.iter().map(|body| body.name).collect();
             let pulled = Compiled::new("text", &with_pulls(text, &bodies)).and_then(Compiled::mechanism);
             let own: Small = pulled.unwrap_or(small);
+            #[cfg(target_arch = "wasm32")]
+            translate(own);
             Ok((OfSize::Small(Box::new(Live::new(own))), results(own)))
         }
         Err(Refused::TooLarge { .. }) => {
             let own: Large = declared.mechanism()?;
+            #[cfg(target_arch = "wasm32")]
+            translate(own);
             Ok((OfSize::Large(Box::new(Live::new(own))), results(own)))
         }
         Err(refused) => Err(refused),
+    }
+}
+
+/// The page makes code of what is evaluated often.
+#[cfg(target_arch = "wasm32")]
+fn translate<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    own: Dynamic<f64, NQ, NC, N, L>,
+) {
+    if let Some(host) = plm_jit::Host::new() {
+        own.translate_by(std::sync::Arc::new(host));
     }
 }
 

@@ -1,4 +1,5 @@
-//! The steps of `run.mjs` in an ordinary program: what it prints is what node must print.
+//! The steps of `run.mjs` in an ordinary program: what it prints is what node must print. `twin --declaration FILE.rs` prints the first
+//! declaration of a file of Rust, for both.
 
 use plm_playground::Session;
 
@@ -8,7 +9,14 @@ fn line(numbers: &[f64]) -> String {
 }
 
 fn main() {
-    for file in std::env::args().skip(1) {
+    let mut files: Vec<String> = std::env::args().skip(1).collect();
+    if files.first().is_some_and(|first| first == "--declaration") {
+        for file in files.drain(..).skip(1) {
+            let text = std::fs::read_to_string(&file).unwrap_or_default();
+            print!("{}", plm_cli::declarations(&file, &text).first().map_or("", |first| first));
+        }
+    }
+    for file in files {
         let text = std::fs::read_to_string(&file).unwrap_or_default();
         let mut session = Session::default();
         if !session.compile(&text) {

@@ -2,7 +2,7 @@
 //
 // `languageWorker` goes into the worker as text, so that it uses nothing from outside of itself but what goes with it.
 
-import { writeText } from "./machine.js";
+import { instanceOf, writeText } from "./machine.js";
 
 /** @import {Carrier} from "./exchange.js" */
 
@@ -147,15 +147,14 @@ export class Language {
  * @param {{onmessage: ((event: MessageEvent<any>) => void) | null, postMessage: (message: unknown) => void}} scope
  */
 export function languageWorker(scope) {
-  /** @type {Promise<any> | null} */
-  let loading = null;
-  scope.onmessage = async ({ data }) => {
+  /** @type {any} */
+  let exports = null;
+  scope.onmessage = ({ data }) => {
     try {
       if (data.kind === "module") {
-        loading = WebAssembly.instantiate(data.module, {});
+        exports = instanceOf(data.module);
         return;
       }
-      const { exports } = await loading;
       writeText(exports, data.text);
       const [place, length] = [exports.plm_answer(), exports.plm_text_length()];
       const text = new TextDecoder().decode(new Uint8Array(exports.memory.buffer, place, length));
@@ -168,5 +167,5 @@ export function languageWorker(scope) {
 
 /** The text of the worker. */
 export function languageText() {
-  return `${writeText}\n${languageWorker}\nlanguageWorker(self);\n`;
+  return `${writeText}\n${instanceOf}\n${languageWorker}\nlanguageWorker(self);\n`;
 }

@@ -1,6 +1,6 @@
 // The mechanism of a module of WebAssembly: steps, settings, pulls, and states that are kept.
 //
-// `LiveMachine` and `writeText` go into workers as text, so that they use nothing from outside of themselves.
+// `LiveMachine`, `instanceOf` and `writeText` go into workers as text, so that they use nothing from outside of themselves.
 
 /** @import {FromWorker, Pull, Trouble} from "./worker.js" */
 
@@ -17,6 +17,32 @@
  * @typedef {LiveExports & {plm_room: (length: number) => number, plm_compile: () => number, plm_message: () => number,
  *   plm_results: () => number, plm_results_length: () => number}} CompilerExports
  */
+
+/**
+ * What an instance of a module exports. A module may have functions of its own made while it runs: it writes a module of WebAssembly,
+ * whose function `run` gets a place in its table (`plm-jit/src/page.rs`).
+ * @param {WebAssembly.Module} module
+ * @returns {any}
+ */
+export function instanceOf(module) {
+  /** @type {any} */
+  let own = null;
+  const translated = (/** @type {number} */ begin, /** @type {number} */ length) => {
+    const { memory, __indirect_function_table: table } = own;
+    try {
+      const made = new WebAssembly.Module(new Uint8Array(memory.buffer, begin, length));
+      const { run } = new WebAssembly.Instance(made, { plm: { memory, table } }).exports;
+      const place = table.grow(1);
+      table.set(place, run);
+      return place;
+    } catch {
+      // It goes by steps, as before.
+      return 0;
+    }
+  };
+  own = new WebAssembly.Instance(module, { plm: { plm_translated: translated } }).exports;
+  return own;
+}
 
 /**
  * Puts a text into the room of a module.

@@ -2,7 +2,7 @@
 //
 // `liveWorker` goes into the worker as text, so that it uses nothing from outside of itself but what goes with it.
 
-import { LiveMachine, writeText } from "./machine.js";
+import { LiveMachine, instanceOf, writeText } from "./machine.js";
 
 /** @import {CompilerExports} from "./machine.js" */
 
@@ -98,7 +98,7 @@ export function liveWorker(scope) {
     else if (message.kind === "return") on.comeBack(message.id);
     else if (message.kind === "place") on.place(message.body, message.point, message.target, message.turn);
     else if (message.kind === "ahead" && module !== null) {
-      const other = /** @type {any} */ (new WebAssembly.Instance(module, {}).exports);
+      const other = instanceOf(module);
       if (declaration !== null) compile(other, declaration);
       on.tellAhead(other, message.duration, 2 * longestTurn);
     } else if (message.kind === "step") {
@@ -134,13 +134,12 @@ export function liveWorker(scope) {
   };
   /** Its instance, then what is to be done with it. @param {BufferSource | WebAssembly.Module} source @param {(of: any) => void} then */
   const load = (source, then) => {
-    const isLoaded = WebAssembly.instantiate(/** @type {any} */ (source), {});
-    isLoaded.then(
-      (/** @type {any} */ loaded) =>
+    const compiled = source instanceof WebAssembly.Module ? Promise.resolve(source) : WebAssembly.compile(source);
+    compiled.then(
+      (found) =>
         guarded(() => {
-          // Of a module that is compiled already the instance alone comes.
-          module = loaded.module ?? source;
-          then((loaded.instance ?? loaded).exports);
+          module = found;
+          then(instanceOf(found));
         }),
       (/** @type {unknown} */ error) => guarded(() => { throw error; }),
     );
@@ -161,5 +160,5 @@ export function liveWorker(scope) {
 
 /** The text of the worker. */
 export function workerText() {
-  return `${writeText}\n${LiveMachine}\n${liveWorker}\nliveWorker(self);\n`;
+  return `${writeText}\n${instanceOf}\n${LiveMachine}\n${liveWorker}\nliveWorker(self);\n`;
 }
