@@ -1,7 +1,7 @@
 //! The README's four-bar linkage: what turns its crank, and the page of which `docs/hero.sh` makes the README's moving pictures.
 //!
 //! ```sh
-//! cargo run --release --example four_bar    # prints the README's figures and writes target/plm/four_bar.html
+//! cargo run --release -p plm-program --example four_bar    # prints the README's figures and writes target/plm/four_bar.html
 //! ```
 #![allow(missing_docs, reason = "the macro declares a public module")]
 

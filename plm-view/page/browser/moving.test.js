@@ -104,7 +104,7 @@ test("a page that computes is run as far as it is shown", { skip: skip || withou
 
 const program = process.env["PLM_FOUR_BAR"];
 const withoutFourBar =
-  program !== undefined && existsSync(program) ? false : "skipped: PLM_FOUR_BAR names no program; `cargo build --example four_bar` builds it";
+  program !== undefined && existsSync(program) ? false : "skipped: PLM_FOUR_BAR names no program; `cargo build -p plm-program --example four_bar` builds it";
 
 /** Share of the pixels that differ clearly. */
 const MOST_DIFFERENT = 0.01;
