@@ -3,6 +3,7 @@
 //! `plm` has all of it behind the feature `synthesis`, as `plm::synthesis`.
 
 pub mod balance;
+mod descent;
 mod four_bar;
 pub mod function;
 pub mod kinematics;

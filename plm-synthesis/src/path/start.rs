@@ -10,6 +10,7 @@ use nalgebra::{SMatrix, SVector};
 use super::kernel::{COUPLER_POINT, FIRST_ANGLE, GROUND_ANGLE, Linkage, SHAPE, Unknowns};
 use super::solve::{Place, Solver};
 use super::{Crank, Path, Timing};
+use crate::descent::{self, Problem};
 use crate::four_bar::{Image, Vector, unit, vector};
 use crate::random::Random;
 
@@ -20,7 +21,7 @@ const SHAPES: usize = 8;
 pub(super) fn start(path: &Path, solver: &Solver<'_>, mut random: Random) -> Option<Place> {
     let drawn = (0..SHAPES).filter_map(|_| {
         let place = draw(path, solver, &mut random)?;
-        let cost = solver.cost(&place, 1.0);
+        let cost = descent::cost(solver, &place, 1.0);
         cost.is_finite().then_some((cost, place))
     });
     drawn.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place)| place)
@@ -45,7 +46,7 @@ fn draw(path: &Path, solver: &Solver<'_>, random: &mut Random) -> Option<Place> 
     let directions =
         angles.iter().map(|angle| linkage.directions(angle + first)).collect::<Option<Vec<_>>>()?;
     fit(path, solver, &directions, &mut unknowns)?;
-    solver.clamp(&mut unknowns);
+    descent::clamp(&mut unknowns, solver.bounds());
     Some(Place { unknowns, angles, image })
 }
 
