@@ -64,6 +64,12 @@ pub(crate) trait Problem<const N: usize>: Sync {
 
     /// True if the angles are unknowns.
     fn angles_are_free(&self) -> bool;
+
+    /// False for a place with a defect that the errors do not show: it comes behind all others.
+    fn is_sound(&self, place: &Place<N, Self::Image>) -> bool {
+        let _ = place;
+        true
+    }
 }
 
 /// Normal equations of a place.
@@ -97,7 +103,11 @@ pub(crate) fn clamp<const N: usize>(unknowns: &mut [f64; N], bounds: &[[f64; 2];
 }
 
 /// Error with weighted violations; infinite where a residual has no value.
-pub(crate) fn cost<const N: usize, P: Problem<N>>(problem: &P, place: &Place<N, P::Image>, weight: f64) -> f64 {
+pub(crate) fn cost<const N: usize, P: Problem<N>>(
+    problem: &P,
+    place: &Place<N, P::Image>,
+    weight: f64,
+) -> f64 {
     let error = problem.error(place);
     if error.is_infinite() {
         return error;
@@ -216,8 +226,9 @@ fn step<const N: usize, P: Problem<N>>(
     Some(next)
 }
 
-/// Outcome of a start: its cost and its number decide the order.
+/// Outcome of a start: its defect, its cost and its number decide the order.
 pub(crate) struct Outcome<const N: usize, I> {
+    has_defect: bool,
     cost: f64,
     pub(crate) number: u64,
     pub(crate) place: Place<N, I>,
@@ -230,7 +241,9 @@ fn best_of<const N: usize, I>(
     count: usize,
 ) -> Vec<Outcome<N, I>> {
     one.extend(other);
-    one.sort_by(|a, b| a.cost.total_cmp(&b.cost).then(a.number.cmp(&b.number)));
+    one.sort_by(|a, b| {
+        a.has_defect.cmp(&b.has_defect).then(a.cost.total_cmp(&b.cost)).then(a.number.cmp(&b.number))
+    });
     one.truncate(count);
     one
 }
@@ -246,7 +259,8 @@ pub(crate) fn search<const N: usize, P: Problem<N>, R: Send>(
     let outcome = |number: u64| {
         let mut place = start(number)?;
         let cost = descend(problem, &mut place, &SEARCH);
-        cost.is_finite().then_some(Outcome { cost, number, place })
+        let has_defect = !problem.is_sound(&place);
+        cost.is_finite().then_some(Outcome { has_defect, cost, number, place })
     };
     let best = (0..starts)
         .into_par_iter()

@@ -11,6 +11,7 @@ pub mod motion;
 pub mod path;
 mod random;
 mod roots;
+pub mod six_bar;
 pub mod tolerance;
 
 pub use four_bar::{Class, Defect, Demands, FourBar, Image, Limits, LinkMass, Point, Pose};

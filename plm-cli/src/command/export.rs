@@ -90,7 +90,9 @@ impl Asked {
         }
         wanted.extend(words.value("--link").map(Wanted::Link));
         let (Some(wanted), true) = (wanted.pop(), wanted.is_empty()) else {
-            return Err("an export makes one of --rust, --c, --fmu, --python, --mjcf, --urdf and --link".into());
+            return Err(
+                "an export makes one of --rust, --c, --fmu, --python, --mjcf, --urdf and --link".into()
+            );
         };
         let plm = match words.value("--plm") {
             None => version(),
@@ -164,7 +166,8 @@ fn link(address: &str, text: &str, sources: &Sources) -> Result<String, String> 
     if let Some((file, _)) = sources.files().into_iter().next() {
         return Err(format!("the declaration names the file {file}, which a link does not hold"));
     }
-    plm_view::playground_link(address, text).ok_or_else(|| "the declaration is too long for a link".to_owned())
+    plm_view::playground_link(address, text)
+        .ok_or_else(|| "the declaration is too long for a link".to_owned())
 }
 
 /// The place of a span of the declaration.

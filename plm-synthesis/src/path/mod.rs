@@ -10,6 +10,8 @@ mod search;
 mod solve;
 mod start;
 
+pub(crate) use self::search::CANDIDATES;
+pub(crate) use self::start::spread;
 use crate::four_bar::{Defect, FourBar, Point};
 
 /// What is known of the crank at the points.

@@ -11,7 +11,7 @@ use super::kernel::{COUPLER_POINT, FIRST_ANGLE, GROUND_ANGLE, Linkage, SHAPE, Un
 use super::solve::{Place, Solver};
 use super::{Crank, Path, Timing};
 use crate::descent::{self, Problem};
-use crate::four_bar::{Image, Vector, unit, vector};
+use crate::four_bar::{Image, Point, Vector, unit, vector};
 use crate::random::Random;
 
 /// Shapes that are drawn for a start.
@@ -40,7 +40,7 @@ fn draw(path: &Path, solver: &Solver<'_>, random: &mut Random) -> Option<Place> 
     unknowns[FIRST_ANGLE] = first;
     let angles = match &path.timing {
         Timing::Given(angles) | Timing::Steps(angles) => angles.clone(),
-        Timing::Free => spread(path, random),
+        Timing::Free => spread(&path.points, random),
     };
     let linkage = Linkage::new(path.crank, &unknowns, image);
     let directions =
@@ -51,8 +51,7 @@ fn draw(path: &Path, solver: &Solver<'_>, random: &mut Random) -> Option<Place> 
 }
 
 /// Angles of the crank by chance in the order of the points: between equal steps and steps in proportion to the distances.
-fn spread(path: &Path, random: &mut Random) -> Vec<f64> {
-    let points = &path.points;
+pub(crate) fn spread(points: &[Point], random: &mut Random) -> Vec<f64> {
     let mut ways = vec![0.0];
     for pair in points.windows(2) {
         ways.push(ways[ways.len() - 1] + (vector(pair[1]) - vector(pair[0])).norm());

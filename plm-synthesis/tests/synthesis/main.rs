@@ -6,3 +6,4 @@ mod function;
 mod kinematics;
 mod motion;
 mod path;
+mod six_bar;
