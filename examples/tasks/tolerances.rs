@@ -39,12 +39,8 @@ impl Quantity<4> for Place {
 
 pub fn run() -> Result<Answers, Box<dyn Error>> {
     // In m and rad; a tolerance is three standard deviations.
-    let dimension = |name, nominal, tolerance| Dimension {
-        name,
-        nominal,
-        tolerance,
-        distribution: Distribution::Normal,
-    };
+    let dimension =
+        |name, nominal, tolerance| Dimension { name, nominal, tolerance, distribution: Distribution::Normal };
     let dimensions = [
         dimension("radius", 40e-3, 0.02e-3),
         dimension("length", 120e-3, 0.05e-3),
