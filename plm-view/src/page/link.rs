@@ -28,6 +28,7 @@ pub fn playground_link(address: &str, text: &str) -> Option<String> {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use std::path::Path;
     use std::process::{Command, Stdio};
