@@ -1,7 +1,7 @@
 //! Which four-bar turns the dial of a pressure into that of a flow, its square root, and how far is it off?
 use std::error::Error;
 
-use nalgebra::{Matrix3, Vector3};
+use plm::synthesis::function::{Pair, Scales, chebyshev, generators};
 
 use super::{Answer, Answers};
 
@@ -25,23 +25,22 @@ plm::mechanism! {
 }
 
 /// Angles of both dials, rad, for a pressure between 1/4 and 1 of its greatest: 60 deg each.
-fn dials(pressure: f64) -> [f64; 2] {
-    [70.0 + 80.0 * (pressure - 0.25), 20.0 + 120.0 * (pressure.sqrt() - 0.5)].map(f64::to_radians)
+fn dials(pressure: f64) -> Pair {
+    Pair {
+        crank: (70.0 + 80.0 * (pressure - 0.25)).to_radians(),
+        rocker: (20.0 + 120.0 * (pressure.sqrt() - 0.5)).to_radians(),
+    }
 }
 
 pub fn run() -> Result<Answers, Box<dyn Error>> {
-    // Chebyshev's spacing, and Freudenstein's equation k1 cos b - k2 cos a + k3 = cos(a - b) at the three points.
-    let points = [-0.75_f64, 0.0, 0.75].map(|at| 0.625 + 0.375 * at / 0.75_f64.sqrt());
-    let [first, second, third] = points.map(dials);
-    let row = |[a, b]: [f64; 2]| [b.cos(), -a.cos(), 1.0];
-    let known = Vector3::from([first, second, third].map(|[a, b]| (a - b).cos()));
-    let ratios = Matrix3::from([row(first), row(second), row(third)]).transpose();
-    let k = ratios.try_inverse().ok_or("no such linkage")? * known;
-    let (base, crank, rocker) = (0.1, 0.1 / k[0], 0.1 / k[1]);
-    let coupler = (base * base + crank * crank + rocker * rocker - 2.0 * crank * rocker * k[2]).sqrt();
+    // Exact at three points in Chebyshev's spacing (Freudenstein).
+    let points = chebyshev(3, 0.25, 1.0);
+    let pairs: Vec<Pair> = points.iter().copied().map(dials).collect();
+    let found = generators(&pairs, 0.1, Scales::Given)?.swap_remove(0);
+    let [_, crank, coupler, rocker] = found.four_bar.lengths();
 
     let error = |pressure: f64| -> Result<f64, plm::Fault> {
-        let [angle, pointer] = dials(pressure);
+        let Pair { crank: angle, rocker: pointer } = dials(pressure);
         let sim = Dials { crank, coupler, rocker, angle, ..Dials::new() }.start()?;
         Ok((sim.pointer().angle - pointer).abs().to_degrees())
     };

@@ -5,7 +5,7 @@
 //! plm run FILE --until SECONDS  its outputs over time
 //! plm expand FILE              the Rust code that the macro would emit
 //! plm report FILE              bodies, rows, formulation, operations, assembly
-//! plm export FILE              a project that makes a program, C, an FMU or a wheel of it, its MJCF or URDF
+//! plm export FILE              a project that makes a program, C, an FMU or a wheel of it, its MJCF or URDF, a link
 //! plm import FILE              a declaration from URDF, SDF or MJCF, a contour from DXF
 //! plm fmt [--check] FILE…      one layout, with comments kept
 //! plm lsp                      a language server on standard input and output

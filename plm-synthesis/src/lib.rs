@@ -3,6 +3,7 @@
 //! `plm` has all of it behind the feature `synthesis`, as `plm::synthesis`.
 
 pub mod balance;
+mod descent;
 mod four_bar;
 pub mod function;
 pub mod kinematics;
@@ -10,6 +11,7 @@ pub mod motion;
 pub mod path;
 mod random;
 mod roots;
+pub mod six_bar;
 pub mod tolerance;
 
 pub use four_bar::{Class, Defect, Demands, FourBar, Image, Limits, LinkMass, Point, Pose};

@@ -43,7 +43,7 @@ pub use chart::{Axis, Chart, Rule, Series};
 pub use described::mechanism;
 pub use error::{Error, Unread};
 pub use figures::{Figure, Figures};
-pub use page::Page;
+pub use page::{Page, playground_link};
 pub use plm_runtime::Operations;
 pub use recorder::Recorder;
 pub use recording::{About, Column, Event, Fault, Recording, Row};

@@ -2,6 +2,7 @@
 
 mod bundle;
 mod dense;
+mod link;
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -15,6 +16,7 @@ use crate::error::{Error, write_file};
 use crate::markup::escape;
 use bundle::Kind;
 use dense::dense;
+pub use link::playground_link;
 
 /// The page before anything is put into it.
 const TEMPLATE: &str = include_str!("../page/page.html");

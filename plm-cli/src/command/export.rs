@@ -1,4 +1,5 @@
-//! `plm export`: a declaration as a project, from which cargo makes a program, C, an FMU or a wheel, or as a file of MuJoCo or ROS.
+//! `plm export`: a declaration as a project, from which cargo makes a program, C, an FMU or a wheel, as a file of MuJoCo or ROS, or
+//! as a link to the playground.
 
 use std::fs;
 use std::io::ErrorKind;
@@ -19,7 +20,7 @@ use crate::read;
 pub(super) const COMMAND: Command = Command {
     name: "export",
     usage: "FILE --rust FOLDER …",
-    title: "writes a project that makes a program, C, an FMU or a wheel of a declaration, or its MJCF or URDF",
+    title: "writes a project that makes a program, C, an FMU or a wheel of a declaration, its MJCF or URDF, or a link",
     options: &[
         ("--rust FOLDER", "a Rust package whose program runs the mechanism"),
         ("--c FOLDER", "the same package, and how it makes a library for C and C++"),
@@ -27,6 +28,7 @@ pub(super) const COMMAND: Command = Command {
         ("--python FOLDER", "the same package, and how it makes a wheel"),
         ("--mjcf FILE", "a model of MuJoCo; `-` is the standard output"),
         ("--urdf FILE", "a robot of ROS; `-` is the standard output"),
+        ("--link ADDRESS", "a link that opens it in the playground at this address, on the standard output"),
         ("--name NAME", "the declaration of a file that has several"),
         ("--plm FOLDER", "a clone of plm, in place of the crate of the registry"),
         ("--build", "runs the commands that it tells"),
@@ -64,6 +66,7 @@ const FORMATS: [(&str, Format); 2] = [("--mjcf", plm_import::to_mjcf), ("--urdf"
 enum Wanted {
     Package(&'static Product, PathBuf),
     File(Format, String),
+    Link(String),
 }
 
 /// The words of the command.
@@ -85,8 +88,11 @@ impl Asked {
         for (option, format) in FORMATS {
             wanted.extend(words.value(option).map(|file| Wanted::File(format, file)));
         }
+        wanted.extend(words.value("--link").map(Wanted::Link));
         let (Some(wanted), true) = (wanted.pop(), wanted.is_empty()) else {
-            return Err("an export makes one of --rust, --c, --fmu, --python, --mjcf and --urdf".into());
+            return Err(
+                "an export makes one of --rust, --c, --fmu, --python, --mjcf, --urdf and --link".into()
+            );
         };
         let plm = match words.value("--plm") {
             None => version(),
@@ -148,7 +154,20 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
             }
             Ok(Outcome::Good)
         }
+        Wanted::Link(address) => {
+            writeln!(streams.output, "{}", link(address, &text, &sources)?)?;
+            Ok(Outcome::Good)
+        }
     }
+}
+
+/// A link to the playground at an address, which has the text and no file beside it.
+fn link(address: &str, text: &str, sources: &Sources) -> Result<String, String> {
+    if let Some((file, _)) = sources.files().into_iter().next() {
+        return Err(format!("the declaration names the file {file}, which a link does not hold"));
+    }
+    plm_view::playground_link(address, text)
+        .ok_or_else(|| "the declaration is too long for a link".to_owned())
 }
 
 /// The place of a span of the declaration.

@@ -135,3 +135,18 @@ fn cargo_is_called_in_the_folder_of_the_package() {
     // What cargo cannot build is no success.
     assert_eq!(build("--fmu").0, Some(1));
 }
+
+#[test]
+fn a_link_holds_the_declaration_as_it_was_written() {
+    let folder = folder();
+    let bar = "/// A bar.\npub Bar {\n    ground { port o: (0, 0) m; }\n    body bar { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }\n    revolute pin(ground.o, bar.o);\n}\n";
+    fs::write(folder.join("bar.plm"), bar).unwrap();
+    let page = "https://example.org/playground.html";
+    let link = plm::view::playground_link(page, bar).unwrap();
+    let said = export(&folder, &["bar.plm", "--link", page]);
+    assert_eq!(said, Said { code: 0, output: link + "\n", errors: String::new() });
+    // What it names a link does not hold.
+    let said = export(&declared(), &["bar.plm", "--link", page]);
+    assert_eq!((said.code, said.output.as_str()), (2, ""));
+    assert_eq!(said.errors, "plm: the declaration names the file bar.csv, which a link does not hold\n");
+}

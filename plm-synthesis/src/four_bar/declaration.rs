@@ -15,13 +15,24 @@ pub struct LinkMass {
 }
 
 /// A link on its way into the text.
-struct Body {
-    name: &'static str,
-    ports: Vec<(&'static str, Point)>,
+pub(crate) struct Body {
+    pub(crate) name: &'static str,
+    pub(crate) ports: Vec<(&'static str, Point)>,
     /// Where the frame begins, and its angle.
-    place: Point,
-    angle: f64,
-    mass: Option<LinkMass>,
+    pub(crate) place: Point,
+    pub(crate) angle: f64,
+    pub(crate) mass: Option<LinkMass>,
+}
+
+/// What a linkage has beside its four-bar.
+#[derive(Default)]
+pub(crate) struct Beside {
+    /// Ports of ground, crank, coupler and rocker.
+    pub(crate) ports: [Vec<(&'static str, Point)>; 4],
+    /// Links.
+    pub(crate) bodies: Vec<Body>,
+    /// Lines behind the joints of the four-bar, and outputs.
+    pub(crate) lines: String,
 }
 
 impl Body {
@@ -55,21 +66,27 @@ impl FourBar {
     /// point, whose position is an output. `None` where the loop does not close at that angle.
     pub fn declaration(&self, name: &str, angle: f64) -> Option<String> {
         let pose = self.pose(angle)?;
-        Some(self.text(name, &pose, None))
+        Some(self.text(name, &pose, None, Beside::default()))
     }
 
     /// The same with masses of crank, coupler and rocker, and the forces at the pivots as outputs.
     pub fn declaration_with_masses(&self, name: &str, angle: f64, masses: &[LinkMass; 3]) -> Option<String> {
         let pose = self.pose(angle)?;
-        Some(self.text(name, &pose, Some(masses)))
+        Some(self.text(name, &pose, Some(masses), Beside::default()))
     }
 
-    fn text(&self, name: &str, pose: &Pose, masses: Option<&[LinkMass; 3]>) -> String {
+    pub(crate) fn text(
+        &self,
+        name: &str,
+        pose: &Pose,
+        masses: Option<&[LinkMass; 3]>,
+        beside: Beside,
+    ) -> String {
         let [[x0, y0], [x1, y1]] = self.pivots;
         let [crank, coupler, rocker] = pose.angles;
         let mass = |link: usize| masses.map(|masses| masses[link]);
         let start = [0.0, 0.0];
-        let bodies = [
+        let mut bodies = vec![
             Body {
                 name: "crank",
                 ports: vec![("motor", start), ("pin", [self.crank, 0.0])],
@@ -92,19 +109,28 @@ impl FourBar {
                 mass: mass(2),
             },
         ];
+        let [ground, of_bodies @ ..] = beside.ports;
+        for (body, ports) in bodies.iter_mut().zip(of_bodies) {
+            body.ports.extend(ports);
+        }
+        bodies.extend(beside.bodies);
+        let ground = ground.into_iter().map(|(name, [x, y])| format!(" port {name}: ({x:?}, {y:?}) m;"));
+        let ground: String = ground.collect();
+        let lines = beside.lines;
+        let kind = if lines.is_empty() { "four" } else { "six" };
         let forces = if masses.is_some() { "    output motor.force, pivot.force;\n" } else { "" };
         format!(
-            "/// A four-bar whose crank turns.
+            "/// A {kind}-bar whose crank turns.
 pub {name} {{
     param speed = 1 rad/s;
-    ground {{ port motor: ({x0:?}, {y0:?}) m; port pivot: ({x1:?}, {y1:?}) m; }}
+    ground {{ port motor: ({x0:?}, {y0:?}) m; port pivot: ({x1:?}, {y1:?}) m;{ground} }}
 {}    revolute motor(ground.motor, crank.motor);
     revolute pin(crank.pin, coupler.pin);
     revolute wrist(coupler.wrist, rocker.wrist);
     revolute pivot(ground.pivot, rocker.pivot);
     constraint drive: crank.angle = {crank:?} rad + speed*t;
     output coupler.tracer.position, coupler.angle, rocker.angle;
-{forces}}}
+{lines}{forces}}}
 ",
             bodies.iter().map(Body::text).collect::<String>()
         )

@@ -23,6 +23,13 @@ pub enum Defect {
         /// The position.
         position: usize,
     },
+    /// A loop opens at this angle of the crank, before the position is reached from the one before it. Of a six-bar.
+    Stop {
+        /// The position.
+        position: usize,
+        /// The angle of the crank from the x-axis, rad.
+        angle: f64,
+    },
     /// The crank, which turns one way, meets this position before one that should come earlier.
     Order {
         /// The position.

@@ -8,6 +8,7 @@ use nalgebra::Complex;
 
 pub use self::class::{Class, Limits};
 pub use self::declaration::LinkMass;
+pub(crate) use self::declaration::{Beside, Body};
 pub use self::defect::{Defect, Demands};
 
 /// A point of the plane, m.

@@ -16,7 +16,7 @@ pub(super) type Unknowns = [f64; UNKNOWNS];
 /// Lengths by the numbers of the shape, and the reverse: a linear map for each motion of the crank.
 impl Crank {
     /// Derivatives of ground, crank, coupler and rocker by the shape.
-    pub(super) fn lengths_by_shape(self) -> [[f64; 4]; 4] {
+    pub(crate) fn lengths_by_shape(self) -> [[f64; 4]; 4] {
         match self {
             Self::Turns => {
                 [[1.0, 0.5, 0.5, 0.0], [1.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.5, 0.5], [1.0, 0.5, 0.0, 0.5]]
@@ -28,7 +28,11 @@ impl Crank {
     }
 
     pub(super) fn lengths(self, unknowns: &Unknowns) -> [f64; 4] {
-        let shape = &unknowns[SHAPE..COUPLER_POINT];
+        self.lengths_of(&unknowns[SHAPE..COUPLER_POINT])
+    }
+
+    /// Ground, crank, coupler and rocker of the four numbers of a shape.
+    pub(crate) fn lengths_of(self, shape: &[f64]) -> [f64; 4] {
         self.lengths_by_shape().map(|row| row.iter().zip(shape).map(|(a, b)| a * b).sum())
     }
 }

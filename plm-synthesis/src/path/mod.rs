@@ -1,8 +1,7 @@
 //! Path generation: four-bars whose coupler point passes through given points.
 //!
 //! The sum of squared distances is minimised from many random starts, by the method of Levenberg and Marquardt with exact derivatives and
-//! bounds. Angles of the crank that are free belong to the unknowns; each appears in the residuals of one point alone and is eliminated
-//! from the normal equations (Schur complement). A crank that has to turn and to be the shortest link is a choice of unknowns: with the
+//! bounds. A crank that has to turn and to be the shortest link is a choice of unknowns: with the
 //! crank r2 and three excesses s, t, w >= 0, the lengths r1 = r2 + (s + t)/2, r3 = r2 + (t + w)/2, r4 = r2 + (s + w)/2 are all those
 //! of Grashof's crank-rockers, and no others.
 
@@ -11,6 +10,8 @@ mod search;
 mod solve;
 mod start;
 
+pub(crate) use self::search::CANDIDATES;
+pub(crate) use self::start::spread;
 use crate::four_bar::{Defect, FourBar, Point};
 
 /// What is known of the crank at the points.

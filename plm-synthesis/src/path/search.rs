@@ -1,73 +1,26 @@
-//! Search from many starts, on all threads, with a result that does not depend on them.
+//! Search from many starts: the linkages of its outcomes.
 
-use rayon::prelude::*;
-
-use super::kernel::{FIRST_ANGLE, GROUND_ANGLE, four_bar};
-use super::solve::{Effort, Place, Solver};
+use super::kernel::{FIRST_ANGLE, GROUND_ANGLE, UNKNOWNS, four_bar};
+use super::solve::{Place, Solver};
 use super::start::start;
 use super::{Crank, Found, Path, Search};
+use crate::descent::{self, Outcome};
 use crate::four_bar::{Demands, Image, vector};
 use crate::random::Random;
 
-/// Effort of each start.
-const SEARCH: Effort = Effort { iterations: 40, decrease: 1e-3, weight: 1.0 };
-
-/// Efforts of each start that is kept: the bounds of sums become exact by a growing weight.
-const POLISH: [Effort; 4] = [
-    Effort { iterations: 500, decrease: 1e-9, weight: 1.0 },
-    Effort { iterations: 300, decrease: 1e-9, weight: 1e2 },
-    Effort { iterations: 300, decrease: 1e-10, weight: 1e5 },
-    Effort { iterations: 300, decrease: 1e-12, weight: 1e8 },
-];
-
 /// Starts that are polished for each linkage that is kept: many lead to one linkage.
-const CANDIDATES: usize = 8;
-
-/// Outcome of a start: its cost and its number decide the order.
-struct Outcome {
-    cost: f64,
-    number: u64,
-    place: Place,
-}
-
-/// Outcomes in order, as many as are of use. The best of two lists are the best of both, in whatever order lists are joined.
-fn best_of(mut one: Vec<Outcome>, other: Vec<Outcome>, count: usize) -> Vec<Outcome> {
-    one.extend(other);
-    one.sort_by(|a, b| a.cost.total_cmp(&b.cost).then(a.number.cmp(&b.number)));
-    one.truncate(count);
-    one
-}
+pub(crate) const CANDIDATES: usize = 8;
 
 pub(super) fn search(path: &Path, search: &Search) -> Vec<Found> {
     let solver = Solver::new(path);
+    let from = |number| start(path, &solver, Random::new(search.seed, number));
     let count = CANDIDATES * search.keep.max(1);
-    let outcome = |number: u64| {
-        let mut place = start(path, &solver, Random::new(search.seed, number))?;
-        let cost = solver.descend(&mut place, &SEARCH);
-        cost.is_finite().then_some(Outcome { cost, number, place })
-    };
-    let best = (0..search.starts)
-        .into_par_iter()
-        .filter_map(outcome)
-        .fold(Vec::new, |mut list, outcome| {
-            list.push(outcome);
-            if list.len() < 4 * count { list } else { best_of(list, Vec::new(), count) }
-        })
-        .reduce(Vec::new, |one, other| best_of(one, other, count));
-    let polished: Vec<Found> = best_of(best, Vec::new(), count)
-        .into_par_iter()
-        .filter_map(|mut outcome| {
-            for effort in &POLISH {
-                solver.descend(&mut outcome.place, effort);
-            }
-            found(path, &outcome)
-        })
-        .collect();
+    let polished = descent::search(&solver, search.starts, count, from, |outcome| found(path, outcome));
     distinct(polished, search.keep)
 }
 
 /// The linkage of an outcome.
-fn found(path: &Path, outcome: &Outcome) -> Option<Found> {
+fn found(path: &Path, outcome: &Outcome<UNKNOWNS, Image>) -> Option<Found> {
     let Place { unknowns, angles, image } = &outcome.place;
     let four_bar = four_bar(path, unknowns, *image);
     let first = unknowns[GROUND_ANGLE] + unknowns[FIRST_ANGLE];

@@ -10,7 +10,8 @@ use nalgebra::{SMatrix, SVector};
 use super::kernel::{COUPLER_POINT, FIRST_ANGLE, GROUND_ANGLE, Linkage, SHAPE, Unknowns};
 use super::solve::{Place, Solver};
 use super::{Crank, Path, Timing};
-use crate::four_bar::{Image, Vector, unit, vector};
+use crate::descent::{self, Problem};
+use crate::four_bar::{Image, Point, Vector, unit, vector};
 use crate::random::Random;
 
 /// Shapes that are drawn for a start.
@@ -20,7 +21,7 @@ const SHAPES: usize = 8;
 pub(super) fn start(path: &Path, solver: &Solver<'_>, mut random: Random) -> Option<Place> {
     let drawn = (0..SHAPES).filter_map(|_| {
         let place = draw(path, solver, &mut random)?;
-        let cost = solver.cost(&place, 1.0);
+        let cost = descent::cost(solver, &place, 1.0);
         cost.is_finite().then_some((cost, place))
     });
     drawn.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place)| place)
@@ -39,19 +40,18 @@ fn draw(path: &Path, solver: &Solver<'_>, random: &mut Random) -> Option<Place> 
     unknowns[FIRST_ANGLE] = first;
     let angles = match &path.timing {
         Timing::Given(angles) | Timing::Steps(angles) => angles.clone(),
-        Timing::Free => spread(path, random),
+        Timing::Free => spread(&path.points, random),
     };
     let linkage = Linkage::new(path.crank, &unknowns, image);
     let directions =
         angles.iter().map(|angle| linkage.directions(angle + first)).collect::<Option<Vec<_>>>()?;
     fit(path, solver, &directions, &mut unknowns)?;
-    solver.clamp(&mut unknowns);
+    descent::clamp(&mut unknowns, solver.bounds());
     Some(Place { unknowns, angles, image })
 }
 
 /// Angles of the crank by chance in the order of the points: between equal steps and steps in proportion to the distances.
-fn spread(path: &Path, random: &mut Random) -> Vec<f64> {
-    let points = &path.points;
+pub(crate) fn spread(points: &[Point], random: &mut Random) -> Vec<f64> {
     let mut ways = vec![0.0];
     for pair in points.windows(2) {
         ways.push(ways[ways.len() - 1] + (vector(pair[1]) - vector(pair[0])).norm());

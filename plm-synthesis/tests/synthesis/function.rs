@@ -45,6 +45,18 @@ fn three_pairs_are_met() {
 }
 
 #[test]
+fn freudensteins_three_pairs_have_the_lengths_of_exact_arithmetic() {
+    // The equations of Freudenstein (Trans. ASME 77, 1955) for three pairs, by Cramer's rule in 40 digits: lengths over that of the ground.
+    let pairs = pairs(&[[45.0, 60.0], [90.0, 80.0], [135.0, 100.0]]);
+    let [ground, crank, coupler, rocker] =
+        generators(&pairs, 1.0, Scales::Given).unwrap()[0].four_bar.lengths();
+    assert!((ground - 1.0).abs() < 1e-14);
+    assert!((crank - 0.113_497_352_180_388).abs() < 1e-13, "{crank}");
+    assert!((coupler - 1.050_144_155_532_31).abs() < 1e-13, "{coupler}");
+    assert!((rocker - 0.244_310_503_613_715).abs() < 1e-13, "{rocker}");
+}
+
+#[test]
 fn free_scales_meet_four_and_five_pairs() {
     // y = x^1.5 of 1 <= x <= 4: the crank turns by 90 degrees, the rocker by 60.
     let pair = |x: f64| Pair {

@@ -4,5 +4,8 @@
 mod balance;
 mod function;
 mod kinematics;
+mod loops;
 mod motion;
 mod path;
+mod reach;
+mod six_bar;

@@ -1,0 +1,149 @@
+//! Problems of the synthesis of six-bars, and the linkages that solve them.
+
+use super::{Chain, SixBar, search};
+use crate::four_bar::{Defect, Point};
+use crate::function::{Pair, Scales};
+use crate::path::{Crank, Search, Timing};
+
+/// What a six-bar has to do.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Task {
+    /// The second bar of the dyad turns by a function of the crank; [`Pair::rocker`] is its angle. With given scales angles count from
+    /// the line of the pivots.
+    Function {
+        /// Pairs of angles.
+        pairs: Vec<Pair>,
+        /// Which scales begin anywhere.
+        scales: Scales,
+    },
+    /// The point of the first bar passes through points.
+    Path {
+        /// Points, m, in the order in which they are passed.
+        points: Vec<Point>,
+        /// What is known of the crank at the points.
+        timing: Timing,
+    },
+}
+
+/// Least and greatest values; equal ones fix a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Coordinates of the crank's pivot, m.
+    pub pivot: [[f64; 2]; 2],
+    /// Lengths of ground, crank, coupler, rocker and of the bars of the dyad, m.
+    pub lengths: [[f64; 2]; 6],
+    /// Coordinates of the ends of the dyad and of the point in the frames of their links, m.
+    pub points: [f64; 2],
+}
+
+impl Bounds {
+    /// Lengths up to a greatest one, m, and places and points as far from their origins.
+    pub fn up_to(length: f64) -> Self {
+        let around = [-length, length];
+        Self { pivot: [around; 2], lengths: [[1e-3 * length, length]; 6], points: around }
+    }
+}
+
+/// Problem of the synthesis of a six-bar.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Problem {
+    /// Chain.
+    pub chain: Chain,
+    /// What it has to do.
+    pub task: Task,
+    /// Bounds of the dimensions.
+    pub bounds: Bounds,
+    /// Motion that is demanded of the crank of the four-bar.
+    pub crank: Crank,
+    /// Least transmission angle of both dyads, rad: a linkage below it has a defect.
+    pub transmission: f64,
+}
+
+/// Six-bar that was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// The linkage.
+    pub six_bar: SixBar,
+    /// Angle of the crank from the x-axis at each position, rad.
+    pub angles: Vec<f64>,
+    /// Angle of the second bar from the x-axis where the scale of the output is zero, rad; 0 of a path.
+    pub output_zero: f64,
+    /// Sum of the squared distances to the points, m^2; of a function, of the squared chords of the angles, `2 - 2 cos(error)`.
+    pub error: f64,
+    /// Greatest distance to a point, m, or greatest error of an angle, rad.
+    pub greatest: f64,
+    /// Defects.
+    pub defects: Vec<Defect>,
+    /// Number of the start that led to it.
+    pub start: u64,
+}
+
+/// Why a problem has no search.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoSixBar {
+    /// Fewer than two positions.
+    TooFewPositions,
+    /// Another number of angles than of points.
+    Angles {
+        /// Points that were given.
+        points: usize,
+        /// Angles that were given.
+        angles: usize,
+    },
+    /// A bound whose least value is above its greatest, or a length that is not bounded.
+    Bounds,
+}
+
+impl std::fmt::Display for NoSixBar {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::TooFewPositions => f.write_str("a six-bar has two positions at least"),
+            Self::Angles { points, angles } => write!(f, "{points} points, but {angles} angles of the crank"),
+            Self::Bounds => f.write_str("a least value is above its greatest, or a length has no bound"),
+        }
+    }
+}
+
+impl std::error::Error for NoSixBar {}
+
+impl Problem {
+    /// Best linkages of a search from random starts, those without a defect first, then by their errors. The result depends on the seed
+    /// and on the number of starts alone.
+    ///
+    /// # Errors
+    /// [`NoSixBar`].
+    pub fn search(&self, search: &Search) -> Result<Vec<Found>, NoSixBar> {
+        self.check()?;
+        Ok(distinct(search::search(self, search), search.keep))
+    }
+
+    fn check(&self) -> Result<(), NoSixBar> {
+        let positions = match &self.task {
+            Task::Function { pairs, .. } => pairs.len(),
+            Task::Path { points, timing: Timing::Given(angles) | Timing::Steps(angles) }
+                if angles.len() != points.len() =>
+            {
+                return Err(NoSixBar::Angles { points: points.len(), angles: angles.len() });
+            }
+            Task::Path { points, .. } => points.len(),
+        };
+        if positions < 2 {
+            return Err(NoSixBar::TooFewPositions);
+        }
+        let Bounds { pivot, lengths, points } = &self.bounds;
+        let holds = pivot.iter().chain(lengths).chain([points]).all(|[least, most]| least <= most);
+        let bounded = lengths.iter().all(|[least, most]| *least > 0.0 && most.is_finite());
+        if holds && bounded { Ok(()) } else { Err(NoSixBar::Bounds) }
+    }
+}
+
+/// Linkages in order, each error once: those without a defect first.
+fn distinct(mut all: Vec<Found>, keep: usize) -> Vec<Found> {
+    let has_defect = |found: &Found| !found.defects.is_empty();
+    all.sort_by(|a, b| {
+        has_defect(a).cmp(&has_defect(b)).then(a.error.total_cmp(&b.error)).then(a.start.cmp(&b.start))
+    });
+    all.dedup_by(|b, a| has_defect(a) == has_defect(b) && (a.error - b.error).abs() <= 1e-6 * a.error);
+    all.truncate(keep);
+    all
+}
