@@ -66,6 +66,15 @@ impl<
         self.model.states()
     }
 
+    fn is_finite(&self, x: &[S; N]) -> bool {
+        let coordinates = self.model.coordinates;
+        let all =
+            |numbers: Option<&[S]>| numbers.is_some_and(|all| all.iter().all(|number| number.is_finite()));
+        all(x.get(..coordinates))
+            && all(x.get(NQ..NQ + coordinates))
+            && all(x.get(2 * NQ..2 * NQ + self.model.lowered.states.len()))
+    }
+
     fn typical(&self) -> [S; N] {
         let sizes = &self.model.typical;
         let mut typical = [S::lit(sizes.first().copied().unwrap_or(1.0)); N];

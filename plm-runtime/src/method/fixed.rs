@@ -228,7 +228,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         context: &mut Context<'_, M>,
         next: M::X,
     ) -> Result<(), Fault> {
-        if !next.is_finite() {
+        if !context.system.is_finite(&next) {
             return Err(not_finite(context.system, self.partition.next_time, &next));
         }
         context.stats.steps += 1;

@@ -72,6 +72,12 @@ pub trait Rate {
         Self::X::LEN
     }
 
+    /// Are the numbers of a state neither infinite nor NaN?
+    #[inline]
+    fn is_finite(&self, x: &Self::X) -> bool {
+        x.is_finite()
+    }
+
     /// Does the state have a number at this place? Else it is one of the zeros behind the last coordinate or the last velocity.
     #[inline]
     fn has_number(&self, place: usize) -> bool {
