@@ -26,9 +26,12 @@ pub(crate) struct Code {
     evaluations: AtomicU32,
     is_being_translated: AtomicBool,
     translation: OnceLock<Option<Box<dyn MachineCode>>>,
-    /// Of a rate: the steps of formulas by it, each with the name of the formula.
-    whole: [OnceLock<(&'static str, Option<Box<Code>>)>; FORMULAS],
+    /// Of a rate: the steps of formulas by it.
+    whole: [OnceLock<Whole>; FORMULAS],
 }
+
+/// The name of a formula, and its step; none where that would be too long.
+type Whole = (&'static str, Option<Box<Code>>);
 
 /// Formulas whose steps are computed as a whole.
 const FORMULAS: usize = 2;

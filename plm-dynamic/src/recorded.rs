@@ -44,14 +44,14 @@ impl Record {
     fn of(&mut self, number: Recorded) -> Register {
         match number {
             Recorded::Result(register) => register,
-            Recorded::Number(number) => match self.constants.get(&number.to_bits()) {
-                Some(register) => *register,
-                None => {
-                    let register = self.push(Operation::Number(number));
-                    self.constants.insert(number.to_bits(), register);
-                    register
+            Recorded::Number(number) => {
+                if let Some(register) = self.constants.get(&number.to_bits()) {
+                    return *register;
                 }
-            },
+                let register = self.push(Operation::Number(number));
+                self.constants.insert(number.to_bits(), register);
+                register
+            }
         }
     }
 }
@@ -193,9 +193,9 @@ impl Scalar for Recorded {
     fn sqrt(self) -> Self {
         of_one(self, Operation::Sqrt)
     }
+    /// Not a number: steps have no tangent, and formulas need none.
     fn tan(self) -> Self {
-        let (sin, cos) = self.sin_cos();
-        sin / cos
+        Self::Number(f64::NAN)
     }
     fn asin(self) -> Self {
         of_one(self, Operation::Asin)

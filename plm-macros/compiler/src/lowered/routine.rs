@@ -148,7 +148,7 @@ impl Operation {
         }
     }
 
-    /// The same with other registers that it reads.
+    /// Operation with other registers that it reads.
     #[must_use]
     pub fn with_operands(mut self, name: impl Fn(Register) -> Register) -> Operation {
         self.operands_mut().into_iter().for_each(|operand| *operand = name(*operand));
