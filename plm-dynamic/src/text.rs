@@ -97,17 +97,10 @@ impl Compiled {
     ///
     /// # Errors
     /// [`Refused::TooLarge`].
-    pub fn mechanism<
-        const NQ: usize,
-        const NC: usize,
-        const N: usize,
-        const L: usize,
-        const H: usize,
-        const R: usize,
-    >(
+    pub fn mechanism<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
         self,
-    ) -> Result<Dynamic<f64, NQ, NC, N, L, H, R>, Refused> {
-        self.fits::<NQ, NC, N, L, H, R>()?;
+    ) -> Result<Dynamic<f64, NQ, NC, N, L>, Refused> {
+        self.fits::<NQ, NC, N, L, SWITCHES, ROWS>()?;
         Ok(Dynamic::declared(self.model(NQ), &[]))
     }
 
