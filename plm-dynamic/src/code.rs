@@ -1,13 +1,15 @@
 //! Straight-line functions that are evaluated step by step on any scalar, or on `f64` as machine code.
 
-use std::sync::OnceLock;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::{Arc, OnceLock};
+use std::thread;
 
 use plm_compiler::lowered::{Operation, Register, Routine, Step, Target};
 use plm_runtime::Scalar;
 
-use crate::native::{Element, Function, Input, MachineCode, Translator};
+use crate::native::{Element, Function, Input, MachineCode, Tier, Translator};
 use crate::places::{Argument, List, Place, Room, in_state, of_scalar};
+use crate::recorded::{Recorded, repeat};
 
 /// A function: its steps, its arguments, and the places of its results.
 #[derive(Debug)]
@@ -22,8 +24,17 @@ pub(crate) struct Code {
     returned: Option<Register>,
     inputs: Inputs,
     evaluations: AtomicU32,
+    is_being_translated: AtomicBool,
     translation: OnceLock<Option<Box<dyn MachineCode>>>,
+    /// Of a rate: the steps of formulas by it.
+    whole: [OnceLock<Whole>; FORMULAS],
 }
+
+/// The name of a formula, and its step; none where that would be too long.
+type Whole = (&'static str, Option<Box<Code>>);
+
+/// Formulas whose steps are computed as a whole.
+const FORMULAS: usize = 2;
 
 /// The arguments as elements of lists.
 #[derive(Debug, Default)]
@@ -48,7 +59,9 @@ impl Code {
             others: Vec::new(),
             returned: None,
             evaluations: AtomicU32::new(0),
+            is_being_translated: AtomicBool::new(false),
             translation: OnceLock::new(),
+            whole: Default::default(),
         };
         for (target, register) in &routine.results {
             let place = match *target {
@@ -70,6 +83,64 @@ impl Code {
             code.others.push((place, *register));
         }
         code
+    }
+
+    /// A function of steps, whose results are elements of outputs but for the one that it returns.
+    pub(crate) fn of_steps(
+        (steps, registers): (Vec<Step>, usize),
+        arguments: Vec<Argument>,
+        elements: Vec<(Element, Register)>,
+        returned: Register,
+    ) -> Code {
+        Code {
+            steps: Vec::leak(steps),
+            registers,
+            inputs: Inputs::new(&arguments),
+            arguments,
+            elements,
+            others: Vec::new(),
+            returned: Some(returned),
+            evaluations: AtomicU32::new(0),
+            is_being_translated: AtomicBool::new(false),
+            translation: OnceLock::new(),
+            whole: Default::default(),
+        }
+    }
+
+    /// Its steps.
+    pub(crate) fn steps(&self) -> &'static [Step] {
+        self.steps
+    }
+
+    /// What it reads.
+    pub(crate) fn arguments(&self) -> &[Argument] {
+        &self.arguments
+    }
+
+    /// Its steps recorded with other arguments: elements of the first output and their numbers, and what is returned.
+    pub(crate) fn repeated(
+        &self,
+        argument: impl Fn(usize) -> Recorded,
+    ) -> (impl Iterator<Item = (usize, Recorded)>, Option<Recorded>) {
+        let own = repeat(self.steps, self.registers, argument);
+        let returned = self.returned.map(|register| own[register as usize]);
+        let first = self.elements.iter().filter(|(element, _)| element.list == 0);
+        (first.map(move |(element, register)| (element.index, own[*register as usize])), returned)
+    }
+
+    /// The step of a formula by this rate, which `make` makes once.
+    #[inline]
+    pub(crate) fn whole(
+        &'static self,
+        formula: &'static str,
+        make: impl FnOnce() -> Option<Code>,
+    ) -> Option<&'static Code> {
+        let mut make = Some(make);
+        self.whole.iter().find_map(|place| {
+            let (own, code) =
+                place.get_or_init(|| (formula, make.take().and_then(|make| make().map(Box::new))));
+            (*own == formula).then_some(code.as_deref())
+        })?
     }
 
     /// Evaluates step by step: `argument` gives what is read, results go to `outputs` and to `other`, and what is returned comes back.
@@ -140,7 +211,10 @@ impl Code {
 
     /// Its machine code; nothing until it is worth the translation.
     #[inline]
-    pub(crate) fn machine_code(&self, translator: &dyn Translator) -> Option<&dyn MachineCode> {
+    pub(crate) fn machine_code(
+        &'static self,
+        translator: &Arc<dyn Translator>,
+    ) -> Option<&'static dyn MachineCode> {
         match self.translation.get() {
             Some(code) => code.as_deref(),
             None => self.translated(translator),
@@ -148,32 +222,46 @@ impl Code {
     }
 
     #[cold]
-    fn translated(&self, translator: &dyn Translator) -> Option<&dyn MachineCode> {
+    fn translated(&'static self, translator: &Arc<dyn Translator>) -> Option<&'static dyn MachineCode> {
         // A count that two threads have at once may be short by one: that is no harm.
         let evaluations = self.evaluations.load(Ordering::Relaxed);
         if evaluations < translator.evaluations_before() {
             self.evaluations.store(evaluations + 1, Ordering::Relaxed);
             return None;
         }
-        let translate = || {
-            let others: Vec<Register> = self.others.iter().map(|(_, register)| *register).collect();
-            translator.translate(&Function {
-                steps: self.steps,
-                registers: self.registers,
-                arguments: &self.inputs.arguments,
-                outputs: &self.elements,
-                others: &others,
-                returned: self.returned,
-            })
-        };
-        self.translation.get_or_init(translate).as_deref()
+        if translator.tier() == Tier::InBackground {
+            if self.is_being_translated.swap(true, Ordering::Relaxed) {
+                return None;
+            }
+            let own = Arc::clone(translator);
+            let name = "translation of a function".to_owned();
+            let thread = thread::Builder::new().name(name).spawn(move || {
+                self.translation.get_or_init(|| self.translate(own.as_ref()));
+            });
+            if thread.is_ok() {
+                return None;
+            }
+        }
+        self.translation.get_or_init(|| self.translate(translator.as_ref())).as_deref()
+    }
+
+    fn translate(&self, translator: &dyn Translator) -> Option<Box<dyn MachineCode>> {
+        let others: Vec<Register> = self.others.iter().map(|(_, register)| *register).collect();
+        translator.translate(&Function {
+            steps: self.steps,
+            registers: self.registers,
+            arguments: &self.inputs.arguments,
+            outputs: &self.elements,
+            others: &others,
+            returned: self.returned,
+        })
     }
 }
 
 /// The most lists that a function reads: every [`Array`] and every other [`List`].
-const LISTS: usize = 19;
+const LISTS: usize = 20;
 /// So many lists are enough for most functions.
-const FEW_LISTS: usize = 4;
+const FEW_LISTS: usize = 6;
 
 impl Inputs {
     fn new(arguments: &[Argument]) -> Inputs {
@@ -213,8 +301,11 @@ impl Inputs {
 #[inline]
 fn with_room<S: Scalar, R>(count: usize, work: impl FnOnce(&mut [S]) -> R) -> R {
     const FEW: usize = 48;
+    const VERY_FEW: usize = 8;
     if count == 0 {
         work(&mut [])
+    } else if count <= VERY_FEW {
+        work(&mut [S::ZERO; VERY_FEW][..count])
     } else if count <= FEW {
         work(&mut [S::ZERO; FEW][..count])
     } else {

@@ -7,19 +7,28 @@ use plm_runtime::contact;
 use plm_runtime::held::Held as HeldOf;
 use plm_runtime::{Scalar, Start, StartValues};
 
-use crate::capacity::{INPUTS, PARAMETERS, ROWS, SWITCHES, WATCHED};
+use crate::capacity::{PARAMETERS, ROWS, SWITCHES, WATCHED};
 use crate::code::Code;
 use crate::memory::Memory;
 use crate::model::Model;
-use crate::native::Translator;
+use crate::native::{MachineCode, Translator};
 use crate::places::{Argument, Array, List, Place, of_scalar};
 use plm_compiler::lowered::Form;
 use plm_compiler::model::ContactMode;
 
 /// A mechanism of at most `NQ / 3` bodies and `NC` constraint rows, with `N` numbers in a state [q, v, first-order states]. Coordinates
-/// of its own stand in the places of the first ones of these. Loops remember at most `L` numbers of each kind.
+/// of its own stand in the places of the first ones of these. Loops remember at most `L` numbers of each kind; there are at most `H` inputs,
+/// and as many conditions with guards of contact, and `R` rows of contact.
 #[derive(Clone, Copy, Debug)]
-pub struct Dynamic<S, const NQ: usize, const NC: usize, const N: usize, const L: usize = NQ> {
+pub struct Dynamic<
+    S,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize = NQ,
+    const H: usize = SWITCHES,
+    const R: usize = ROWS,
+> {
     pub(crate) model: &'static Model,
     pub(crate) parameters: [S; PARAMETERS],
     pub(crate) starts: Starts<S, N>,
@@ -33,19 +42,14 @@ pub struct Starts<S, const N: usize> {
 }
 
 /// What is held over a step.
-pub(crate) type Held<S, const NQ: usize, const L: usize> = HeldOf<
-    [S; INPUTS],
-    [S; SWITCHES],
-    [<S as Scalar>::Turns; NQ],
-    OfLoops<Memory<S, L>, [S; NQ]>,
-    contact::Held<S, ROWS>,
->;
+pub(crate) type Held<S, const NQ: usize, const L: usize, const H: usize, const R: usize> =
+    HeldOf<[S; H], [S; H], [<S as Scalar>::Turns; NQ], OfLoops<Memory<S, L>, [S; NQ]>, contact::Held<S, R>>;
 
 /// The numbers that a function reads, beside parameters.
 #[derive(Clone, Copy)]
-pub(crate) struct Frame<'a, S: Scalar, const NQ: usize, const L: usize> {
+pub(crate) struct Frame<'a, S: Scalar, const NQ: usize, const L: usize, const H: usize, const R: usize> {
     pub(crate) t: S,
-    pub(crate) held: Option<&'a Held<S, NQ, L>>,
+    pub(crate) held: Option<&'a Held<S, NQ, L, H, R>>,
     pub(crate) x: &'a [S],
     pub(crate) q: &'a [S],
     pub(crate) v: &'a [S],
@@ -65,6 +69,7 @@ pub(crate) struct Beside<'a, S> {
     pub(crate) force: &'a [S],
     pub(crate) second: &'a [S],
     pub(crate) known: &'a [S],
+    pub(crate) step: &'a [S],
 }
 
 impl<S> Beside<'_, S> {
@@ -80,10 +85,13 @@ impl<S> Beside<'_, S> {
         force: &[],
         second: &[],
         known: &[],
+        step: &[],
     };
 }
 
-impl<'a, S: Scalar, const NQ: usize, const L: usize> Frame<'a, S, NQ, L> {
+impl<'a, S: Scalar, const NQ: usize, const L: usize, const H: usize, const R: usize>
+    Frame<'a, S, NQ, L, H, R>
+{
     /// The time alone.
     pub(crate) fn at(t: S) -> Self {
         let none: &[S] = &[];
@@ -96,24 +104,33 @@ impl<'a, S: Scalar, const NQ: usize, const L: usize> Frame<'a, S, NQ, L> {
     }
 
     /// A state with what is held.
-    pub(crate) fn of_state(t: S, held: &'a Held<S, NQ, L>, x: &'a [S]) -> Self {
+    pub(crate) fn of_state(t: S, held: &'a Held<S, NQ, L, H, R>, x: &'a [S]) -> Self {
         Frame { held: Some(held), x, ..Frame::at(t) }
     }
 }
 
-impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
+impl<
+    S: Scalar,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Dynamic<S, NQ, NC, N, L, H, R>
+{
     /// Evaluates a function: its outputs go to arrays, what it returns comes back, or zero.
     pub(crate) fn run<const K: usize>(
         &self,
-        code: &Code,
-        frame: &Frame<S, NQ, L>,
+        code: &'static Code,
+        frame: &Frame<S, NQ, L, H, R>,
         outputs: [&mut [S]; K],
     ) -> S {
         self.evaluate(code, frame, outputs, |_, _| {}).unwrap_or(S::ZERO)
     }
 
     /// Evaluates a function of what is to be remembered.
-    pub(crate) fn remembered(&self, code: &Code, frame: &Frame<S, NQ, L>) -> (Memory<S, L>, S) {
+    pub(crate) fn remembered(&self, code: &'static Code, frame: &Frame<S, NQ, L, H, R>) -> (Memory<S, L>, S) {
         let mut memory = Memory::new(self.model.counts);
         let returned = self.evaluate(code, frame, [], |place, value| {
             if let Place::Remembered(k) = place
@@ -126,7 +143,12 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
     }
 
     /// Evaluates a function of the entries of a matrix.
-    pub(crate) fn entries(&self, code: &Code, frame: &Frame<S, NQ, L>, matrix: &mut [[S; N]; N]) {
+    pub(crate) fn entries(
+        &self,
+        code: &'static Code,
+        frame: &Frame<S, NQ, L, H, R>,
+        matrix: &mut [[S; N]; N],
+    ) {
         self.evaluate(code, frame, [], |place, value| {
             if let Place::Entry(row, column) = place
                 && let Some(entry) = matrix.get_mut(row).and_then(|row| row.get_mut(column))
@@ -139,28 +161,41 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
     /// Evaluates a function, by machine code where it has some: its outputs go to arrays, other results to `other`.
     pub(crate) fn evaluate<const K: usize>(
         &self,
-        code: &Code,
-        frame: &Frame<S, NQ, L>,
+        code: &'static Code,
+        frame: &Frame<S, NQ, L, H, R>,
         mut outputs: [&mut [S]; K],
         mut other: impl FnMut(Place, S),
     ) -> Option<S> {
-        let gathered = |argument| self.read(argument, frame);
-        // No other scalar than f64 has machine code.
-        if S::f64s(&[]).is_some()
-            && let Some(translator) = self.model.translator.get()
-            && let Some(machine_code) = code.machine_code(translator.as_ref())
-        {
-            let mut own = outputs.each_mut().map(|list| S::f64s_mut(list).unwrap_or_default());
-            let inputs = (|list| self.list(list, frame), gathered);
-            if let Some(value) = code.compute(machine_code, inputs, &mut own, &mut other) {
-                return code.returns().then_some(value);
-            }
+        if let Some(value) = self.compute(code, frame, &mut outputs, &mut other) {
+            return code.returns().then_some(value);
         }
-        code.interpret(gathered, &mut outputs, other)
+        code.interpret(|argument| self.read(argument, frame), &mut outputs, other)
+    }
+
+    /// Evaluates a function by machine code, and gives what it returns, or zero; nothing where it has none.
+    #[inline]
+    pub(crate) fn compute<const K: usize>(
+        &self,
+        code: &'static Code,
+        frame: &Frame<S, NQ, L, H, R>,
+        outputs: &mut [&mut [S]; K],
+        other: impl FnMut(Place, S),
+    ) -> Option<S> {
+        let machine_code = self.machine_code(code)?;
+        let mut own = outputs.each_mut().map(|list| S::f64s_mut(list).unwrap_or_default());
+        let inputs = (|list| self.list(list, frame), |argument| self.read(argument, frame));
+        code.compute(machine_code, inputs, &mut own, other)
+    }
+
+    /// Machine code of a function; no other scalar than f64 has some.
+    #[inline]
+    pub(crate) fn machine_code(&self, code: &'static Code) -> Option<&'static dyn MachineCode> {
+        S::f64s(&[])?;
+        code.machine_code(self.model.translator.get()?)
     }
 
     /// Values of parameters and the time.
-    pub(crate) fn values(&self, t: S, code: &Code, count: usize) -> Vec<S> {
+    pub(crate) fn values(&self, t: S, code: &'static Code, count: usize) -> Vec<S> {
         let mut values = vec![S::ZERO; count];
         self.run(code, &Frame::at(t), [&mut values]);
         values
@@ -168,7 +203,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
 
     /// A list of what a function reads; those of the discrete state are empty where none is at hand.
     #[inline]
-    fn list<'a>(&'a self, list: List, frame: &'a Frame<'a, S, NQ, L>) -> &'a [S] {
+    fn list<'a>(&'a self, list: List, frame: &'a Frame<'a, S, NQ, L, H, R>) -> &'a [S] {
         match list {
             List::Time => std::slice::from_ref(&frame.t),
             List::Parameters => &self.parameters,
@@ -189,6 +224,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
                 Array::Force => beside.force,
                 Array::Second => beside.second,
                 Array::Known => beside.known,
+                Array::Step => beside.step,
                 Array::X | Array::Q | Array::V => &[],
             }),
             List::Gathered => &[],
@@ -196,7 +232,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
     }
 
     #[inline]
-    fn read(&self, argument: Argument, frame: &Frame<S, NQ, L>) -> S {
+    fn read(&self, argument: Argument, frame: &Frame<S, NQ, L, H, R>) -> S {
         let of = |list, k: usize| self.list(list, frame).get(k).copied().unwrap_or(S::ZERO);
         match argument {
             Argument::Time => frame.t,
@@ -225,7 +261,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
     }
 
     /// The same mechanism in other numbers.
-    pub(crate) fn map<T: Scalar>(&self, number: &impl Fn(S) -> T) -> Dynamic<T, NQ, NC, N, L> {
+    pub(crate) fn map<T: Scalar>(&self, number: &impl Fn(S) -> T) -> Dynamic<T, NQ, NC, N, L, H, R> {
         Dynamic {
             model: self.model,
             parameters: self.parameters.map(number),
@@ -234,7 +270,10 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
     }
 
     /// What is held, in other numbers.
-    pub(crate) fn map_held<T: Scalar>(held: &Held<S, NQ, L>, number: &impl Fn(S) -> T) -> Held<T, NQ, L> {
+    pub(crate) fn map_held<T: Scalar>(
+        held: &Held<S, NQ, L, H, R>,
+        number: &impl Fn(S) -> T,
+    ) -> Held<T, NQ, L, H, R> {
         HeldOf {
             input: held.input.map(number),
             switches: held.switches.map(number),
@@ -265,7 +304,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
     }
 
     /// Guards, then kinks, where they need no accelerations.
-    pub(crate) fn watched(&self, t: S, held: &Held<S, NQ, L>, x: &[S], out: &mut [S; WATCHED]) {
+    pub(crate) fn watched(&self, t: S, held: &Held<S, NQ, L, H, R>, x: &[S], out: &mut [S; WATCHED]) {
         let frame = Frame::of_state(t, held, x);
         let code = match held.of_loops {
             OfLoops::InChart { chart, .. } if !self.is_absolute() => {

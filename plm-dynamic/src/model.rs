@@ -184,6 +184,17 @@ impl Model {
 }
 
 impl Model {
+    /// Number of coordinates, velocities and first-order states.
+    pub(crate) fn states(&self) -> usize {
+        2 * self.coordinates + self.lowered.states.len()
+    }
+
+    /// Typical size of the number of the state at a place.
+    #[inline]
+    pub(crate) fn typical_at(&self, place: usize) -> f64 {
+        self.typical.get(place).or(self.typical.first()).copied().unwrap_or(1.0)
+    }
+
     /// Has functions translated from now on, if they were not before.
     pub(crate) fn translate_by(&self, translator: Arc<dyn Translator>) {
         let _ = self.translator.set(translator);

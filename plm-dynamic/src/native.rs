@@ -39,6 +39,16 @@ pub struct Element {
     pub index: usize,
 }
 
+/// When machine code takes the place of steps. The bits are the same in both, so that results do not depend on it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tier {
+    /// The evaluation that asks for it waits until it is made.
+    #[default]
+    AtOnce,
+    /// It is made on a thread of its own, while evaluations go on by steps; where no thread is to be had, at once.
+    InBackground,
+}
+
 /// A maker of machine code.
 pub trait Translator: Debug + Send + Sync {
     /// Machine code with the bits of the steps; nothing where it makes none.
@@ -47,6 +57,11 @@ pub trait Translator: Debug + Send + Sync {
     /// Number of evaluations by steps after which a function is worth its translation.
     fn evaluations_before(&self) -> u32 {
         0
+    }
+
+    /// Who waits for a translation.
+    fn tier(&self) -> Tier {
+        Tier::AtOnce
     }
 }
 

@@ -53,6 +53,8 @@ pub(crate) enum Array {
     Second,
     /// Numbers that do not depend on forces of contact.
     Known,
+    /// The length of a step alone.
+    Step,
 }
 
 /// Where an argument comes from.

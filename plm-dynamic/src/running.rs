@@ -6,7 +6,7 @@ use plm_runtime::held::Discrete;
 use plm_runtime::{BodyState, Described, Dop853, Fault, Linear, Method, Moment, Rk4, Sim, Statics, Stats};
 
 use crate::record::{See, record};
-use crate::sizes::{Large, Small, Tiny};
+use crate::sizes::{Large, PlainSmall, PlainTiny, Small, Tiny};
 
 /// Work on a run of a mechanism from text, whatever room the mechanism takes, and whatever method it runs by.
 pub trait OnRun {
@@ -27,6 +27,14 @@ pub(crate) enum Running {
     TinyDop853(Box<Sim<Tiny, Dop853<Tiny>>>),
     /// Of the smallest size.
     TinyRk4(Box<Sim<Tiny, Rk4<f64>>>),
+    /// Of the smallest size, without contact.
+    PlainTinyDop853(Box<Sim<PlainTiny, Dop853<PlainTiny>>>),
+    /// Of the smallest size, without contact.
+    PlainTinyRk4(Box<Sim<PlainTiny, Rk4<f64>>>),
+    /// Of the middle size, without contact.
+    PlainSmallDop853(Box<Sim<PlainSmall, Dop853<PlainSmall>>>),
+    /// Of the middle size, without contact.
+    PlainSmallRk4(Box<Sim<PlainSmall, Rk4<f64>>>),
     /// Of the middle size, by a method of the catalogue.
     Small(Box<AnySim<Small>>),
     /// Of the largest size.
@@ -40,6 +48,22 @@ macro_rules! at_state {
     ($running:expr, $state:ident => $value:expr) => {
         match $running {
             Running::Small(sim) => {
+                let $state = sim.state();
+                $value
+            }
+            Running::PlainTinyDop853(sim) => {
+                let $state = sim.state();
+                $value
+            }
+            Running::PlainTinyRk4(sim) => {
+                let $state = sim.state();
+                $value
+            }
+            Running::PlainSmallDop853(sim) => {
+                let $state = sim.state();
+                $value
+            }
+            Running::PlainSmallRk4(sim) => {
                 let $state = sim.state();
                 $value
             }
@@ -79,6 +103,10 @@ impl Running {
     pub(crate) fn then<W: OnRun>(&mut self, work: W) -> W::Output {
         match self {
             Self::Small(sim) => sim.then(OfSmall(work)),
+            Self::PlainTinyDop853(sim) => work.on(sim),
+            Self::PlainTinyRk4(sim) => work.on(sim),
+            Self::PlainSmallDop853(sim) => work.on(sim),
+            Self::PlainSmallRk4(sim) => work.on(sim),
             Self::TinyDop853(sim) => work.on(sim),
             Self::TinyRk4(sim) => work.on(sim),
             Self::LargeDop853(sim) => work.on(sim),

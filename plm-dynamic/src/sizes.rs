@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use plm_run::Integrator;
-use plm_runtime::{Dop853, Fault, Method, Moment, Real, Rk4, Sim};
+use plm_runtime::{Dop853, Fault, Mechanism, Method, Moment, Real, Rk4, Sim};
 
 use crate::handle::Dynamic;
 use crate::model::Model;
@@ -15,8 +15,12 @@ use crate::text::{Compiled, Refused};
 
 /// Mechanisms of at most 3 bodies, 8 constraint rows and 14 first-order states.
 pub(crate) type Tiny = Dynamic<f64, 9, 8, 32>;
+/// Those without contact, of at most 2 first-order states, 8 inputs and 8 conditions, whose loops remember at most 6 numbers of each kind.
+pub(crate) type PlainTiny = Dynamic<f64, 9, 8, 20, 6, 8, 0>;
 /// Mechanisms of at most 8 bodies, 32 constraint rows and 16 first-order states.
 pub type Small = Dynamic<f64, 24, 32, 64>;
+/// Those without contact, of at most 8 inputs and 8 conditions, whose loops remember at most 12 numbers of each kind.
+pub(crate) type PlainSmall = Dynamic<f64, 24, 32, 64, 12, 8, 0>;
 /// Mechanisms of at most 64 bodies, 224 constraint rows and 64 first-order states, whose loops remember at most 64 numbers of each kind.
 pub type Large = Dynamic<f64, 192, 224, 448, 64>;
 
@@ -24,11 +28,35 @@ pub type Large = Dynamic<f64, 192, 224, 448, 64>;
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Models {
     /// Those of [`Tiny`], and those of [`Small`], which runs by every method.
-    Tiny([&'static Model; 2]),
+    Tiny([&'static Model; 2], Contents),
     /// Those of [`Small`].
-    Small(&'static Model),
+    Small(&'static Model, Contents),
     /// Those of [`Large`].
     Large(&'static Model),
+}
+
+/// What a discrete state needs room for: it is copied in each step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Contents {
+    /// Few inputs and conditions, small loops and no contact: [`PlainTiny`] or [`PlainSmall`] is enough.
+    Plain,
+    /// More.
+    Full,
+}
+
+impl<const NQ: usize, const NC: usize, const N: usize, const L: usize, const H: usize, const R: usize>
+    Dynamic<f64, NQ, NC, N, L, H, R>
+{
+    /// Is there room for a mechanism?
+    fn has_room(of: &Compiled) -> Result<(), Refused> {
+        of.fits::<NQ, NC, N, L, H, R>()
+    }
+}
+
+impl Contents {
+    fn of(fits_plain: Result<(), Refused>) -> Contents {
+        fits_plain.map_or(Contents::Full, |()| Contents::Plain)
+    }
 }
 
 /// Values that are given to parameters, inputs and start values, by number, and when runs begin.
@@ -51,10 +79,17 @@ impl Given {
     }
 
     /// A mechanism with the values of its parameters and starts.
-    pub(crate) fn mechanism<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    pub(crate) fn mechanism<
+        const NQ: usize,
+        const NC: usize,
+        const N: usize,
+        const L: usize,
+        const H: usize,
+        const R: usize,
+    >(
         &self,
         model: &'static Model,
-    ) -> Dynamic<f64, NQ, NC, N, L> {
+    ) -> Dynamic<f64, NQ, NC, N, L, H, R> {
         let mut own = Dynamic::declared(model, &self.parameters);
         for (place, value) in own.parameters.iter_mut().zip(&self.parameters) {
             *place = value.unwrap_or(*place);
@@ -72,26 +107,28 @@ impl Given {
 
 impl Models {
     pub(crate) fn new(compiled: Compiled) -> Result<Models, Refused> {
-        if compiled.fits::<9, 8, 32, 9>().is_ok() {
+        if Tiny::has_room(&compiled).is_ok() {
+            let contents = Contents::of(PlainTiny::has_room(&compiled));
             let small = compiled.clone().model(24);
-            return Ok(Self::Tiny([compiled.model(9), small]));
+            return Ok(Self::Tiny([compiled.model(9), small], contents));
         }
-        if compiled.fits::<24, 32, 64, 24>().is_ok() {
-            return Ok(Self::Small(compiled.model(24)));
+        if Small::has_room(&compiled).is_ok() {
+            let contents = Contents::of(PlainSmall::has_room(&compiled));
+            return Ok(Self::Small(compiled.model(24), contents));
         }
-        compiled.fits::<192, 224, 448, 64>()?;
+        Large::has_room(&compiled)?;
         Ok(Self::Large(compiled.model(192)))
     }
 
     /// Those of the smallest size.
     pub(crate) fn smallest(self) -> &'static Model {
         match self {
-            Self::Tiny([model, _]) | Self::Small(model) | Self::Large(model) => model,
+            Self::Tiny([model, _], _) | Self::Small(model, _) | Self::Large(model) => model,
         }
     }
 
     pub(crate) fn translate_by(self, translator: Arc<dyn Translator>) {
-        if let Self::Tiny([_, small]) = self {
+        if let Self::Tiny([_, small], _) = self {
             small.translate_by(Arc::clone(&translator));
         }
         self.smallest().translate_by(translator);
@@ -100,22 +137,32 @@ impl Models {
     /// A run by a method.
     pub(crate) fn start(self, method: Integrator, given: &Given) -> Result<Running, Error> {
         Ok(match (self, method) {
-            (Self::Tiny([tiny, _]), Integrator::Dop853(rtol)) => {
-                Running::TinyDop853(sim::<9, 8, 32, 9, _>((tiny, given), Dop853::new(rtol))?)
+            (Self::Tiny([tiny, _], Contents::Plain), Integrator::Dop853(rtol)) => {
+                Running::PlainTinyDop853(sim((tiny, given), Dop853::new(rtol))?)
             }
-            (Self::Tiny([tiny, _]), Integrator::Rk4(h)) => {
-                Running::TinyRk4(sim::<9, 8, 32, 9, _>((tiny, given), Rk4::new(h))?)
+            (Self::Tiny([tiny, _], Contents::Plain), Integrator::Rk4(h)) => {
+                Running::PlainTinyRk4(sim((tiny, given), Rk4::new(h))?)
             }
-            (Self::Tiny([_, small]) | Self::Small(small), method) => {
-                let start: State<f64, 24, 32, 64, 24> = started(small, given)?;
+            (Self::Tiny([tiny, _], Contents::Full), Integrator::Dop853(rtol)) => {
+                Running::TinyDop853(sim((tiny, given), Dop853::new(rtol))?)
+            }
+            (Self::Tiny([tiny, _], Contents::Full), Integrator::Rk4(h)) => {
+                Running::TinyRk4(sim((tiny, given), Rk4::new(h))?)
+            }
+            (Self::Small(small, Contents::Plain), Integrator::Dop853(rtol)) => {
+                Running::PlainSmallDop853(sim((small, given), Dop853::new(rtol))?)
+            }
+            (Self::Small(small, Contents::Plain), Integrator::Rk4(h)) => {
+                Running::PlainSmallRk4(sim((small, given), Rk4::new(h))?)
+            }
+            (Self::Tiny([_, small], _) | Self::Small(small, _), method) => {
+                let start: <Small as Mechanism>::State = started(small, given)?;
                 Running::Small(Box::new(method.of(start)))
             }
             (Self::Large(large), Integrator::Dop853(rtol)) => {
-                Running::LargeDop853(sim::<192, 224, 448, 64, _>((large, given), Dop853::new(rtol))?)
+                Running::LargeDop853(sim((large, given), Dop853::new(rtol))?)
             }
-            (Self::Large(large), Integrator::Rk4(h)) => {
-                Running::LargeRk4(sim::<192, 224, 448, 64, _>((large, given), Rk4::new(h))?)
-            }
+            (Self::Large(large), Integrator::Rk4(h)) => Running::LargeRk4(sim((large, given), Rk4::new(h))?),
             (Self::Large(_), _) => return Err(Error::Method("Dop853 and Rk4")),
         })
     }
@@ -129,28 +176,45 @@ fn sim<
     const NC: usize,
     const N: usize,
     const L: usize,
-    I: Method<Dynamic<f64, NQ, NC, N, L>>,
+    const H: usize,
+    const R: usize,
+    I: Method<Dynamic<f64, NQ, NC, N, L, H, R>>,
 >(
     (model, given): (&'static Model, &Given),
     method: I,
-) -> Result<Boxed<Dynamic<f64, NQ, NC, N, L>, I>, Fault> {
+) -> Result<Boxed<Dynamic<f64, NQ, NC, N, L, H, R>, I>, Fault> {
     Ok(Box::new(Sim::new(started(model, given)?, method)))
 }
 
 /// A start with the values that are given.
-fn started<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+fn started<
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+>(
     model: &'static Model,
     given: &Given,
-) -> Result<State<f64, NQ, NC, N, L>, Fault> {
+) -> Result<State<f64, NQ, NC, N, L, H, R>, Fault> {
     with_inputs(&given.mechanism(model), &given.inputs, given.time)
 }
 
 /// A start of a mechanism at a time with the inputs that are given.
-pub(crate) fn with_inputs<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize>(
-    mechanism: &Dynamic<S, NQ, NC, N, L>,
+pub(crate) fn with_inputs<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+>(
+    mechanism: &Dynamic<S, NQ, NC, N, L, H, R>,
     given: &[Option<S>],
     time: S,
-) -> Result<State<S, NQ, NC, N, L>, Fault> {
+) -> Result<State<S, NQ, NC, N, L, H, R>, Fault> {
     let mut inputs = mechanism.declared_input();
     for (input, given) in inputs.iter_mut().zip(given) {
         *input = given.unwrap_or(*input);

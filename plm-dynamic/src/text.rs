@@ -80,11 +80,10 @@ impl Compiled {
     /// Checks the capacities that all sizes have in common.
     fn with_room(name: &str, lowered: Lowered) -> Result<Compiled, Refused> {
         let contacts = lowered.contacts.as_ref();
-        let guards = contacts.map_or(0, |contacts| contacts.guard_names.len());
         within([
             ("rows of contact", contacts.map_or(0, |contacts| contacts.places), ROWS),
             ("conditions", lowered.switches.all.len(), SWITCHES),
-            ("guards of conditions and contact", lowered.switches.guards + guards, SWITCHES),
+            ("guards of conditions and contact", guards(&lowered), SWITCHES),
             ("events that set states", lowered.sets.events.len(), EVENTS),
             ("parameters", lowered.parameters.len(), PARAMETERS),
             ("inputs", lowered.inputs.len(), INPUTS),
@@ -101,7 +100,7 @@ impl Compiled {
     pub fn mechanism<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
         self,
     ) -> Result<Dynamic<f64, NQ, NC, N, L>, Refused> {
-        self.fits::<NQ, NC, N, NQ>()?;
+        self.fits::<NQ, NC, N, L, SWITCHES, ROWS>()?;
         Ok(Dynamic::declared(self.model(NQ), &[]))
     }
 
@@ -111,21 +110,38 @@ impl Compiled {
     }
 
     /// Is there room for it?
-    pub(crate) fn fits<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    pub(crate) fn fits<
+        const NQ: usize,
+        const NC: usize,
+        const N: usize,
+        const L: usize,
+        const H: usize,
+        const R: usize,
+    >(
         &self,
     ) -> Result<(), Refused> {
         let loops = self.lowered.loops.as_ref();
         let remembered = loops.map_or(0, |loops| Counts::of(loops).largest());
         let states = N.saturating_sub(2 * NQ);
-        let conditional = self.lowered.contacts.as_ref().and_then(|contacts| contacts.conditional.as_ref());
+        let contacts = self.lowered.contacts.as_ref();
+        let conditional = contacts.and_then(|contacts| contacts.conditional.as_ref());
         let conditional = conditional.map_or(0, |conditional| conditional.rows.len());
         within([
             ("coordinates", self.lowered.coordinates.len(), NQ),
             ("constraint rows", self.lowered.rows.len() + conditional, NC),
             ("first-order states", self.lowered.states.len(), states),
             ("numbers that loops remember of a kind", remembered, L),
+            ("inputs", self.lowered.inputs.len(), H),
+            ("conditions", self.lowered.switches.all.len(), H),
+            ("guards of conditions and contact", guards(&self.lowered), H),
+            ("rows of contact", contacts.map_or(0, |contacts| contacts.places), R),
         ])
     }
+}
+
+/// Guards of conditions and of rows of contact.
+fn guards(lowered: &Lowered) -> usize {
+    lowered.switches.guards + lowered.contacts.as_ref().map_or(0, |contacts| contacts.guard_names.len())
 }
 
 /// Is nothing larger than the most that there is room for: what, how much, and the most?

@@ -8,7 +8,7 @@ use cranelift_codegen::settings::{self, Configurable, Flags, SetResult};
 use cranelift_frontend::FunctionBuilderContext;
 use cranelift_jit::{JITBuilder, JITModule};
 use cranelift_module::{Module, default_libcall_names};
-use plm_dynamic::{Function, MachineCode, Translator};
+use plm_dynamic::{Function, MachineCode, Tier, Translator};
 
 use crate::call::{Lengths, Loaded};
 use crate::functions::is_fused;
@@ -20,6 +20,7 @@ pub struct Host {
     isa: Arc<dyn TargetIsa>,
     is_fused: bool,
     evaluations_before: u32,
+    tier: Tier,
 }
 
 impl std::fmt::Debug for Host {
@@ -34,7 +35,7 @@ impl Host {
     pub fn new() -> Option<Host> {
         let isa = cranelift_native::builder().ok()?.finish(flags().ok()?).ok()?;
         // A step of a function takes as long to translate as to interpret some thousand times.
-        Some(Host { isa, is_fused: is_fused(), evaluations_before: 2000 })
+        Some(Host { isa, is_fused: is_fused(), evaluations_before: 2000, tier: Tier::AtOnce })
     }
 
     /// Functions are translated after so many evaluations by steps.
@@ -42,6 +43,13 @@ impl Host {
     pub fn after(mut self, evaluations: u32) -> Host {
         self.evaluations_before = evaluations;
         self
+    }
+
+    /// Functions are translated on threads of their own while runs go on by steps; machine code takes their place between two evaluations.
+    /// No run waits, so that functions are translated after fewer evaluations. The results are the same to the bit, whenever that is.
+    #[must_use]
+    pub fn in_background(self) -> Host {
+        Host { tier: Tier::InBackground, evaluations_before: self.evaluations_before.min(200), ..self }
     }
 }
 
@@ -91,5 +99,9 @@ impl Translator for Host {
 
     fn evaluations_before(&self) -> u32 {
         self.evaluations_before
+    }
+
+    fn tier(&self) -> Tier {
+        self.tier
     }
 }

@@ -27,6 +27,12 @@ impl Host {
         self.evaluations_before = evaluations;
         self
     }
+
+    /// As on other hosts; a page has no threads for it, so that functions are translated at once.
+    #[must_use]
+    pub fn in_background(self) -> Host {
+        self
+    }
 }
 
 /// The most steps of a function that is translated: browsers take bodies of 7 MB.

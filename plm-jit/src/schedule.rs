@@ -116,7 +116,7 @@ fn with_values(steps: &[Step], registers: usize) -> (Vec<Operation>, Vec<Value>)
     let mut current: Vec<Value> = vec![0; registers];
     let mut operations = Vec::with_capacity(steps.len());
     for (number, step) in steps.iter().enumerate() {
-        let operation = renamed(step.operation, |register| current[register as usize] as Register);
+        let operation = step.operation.with_operands(|register| current[register as usize] as Register);
         operations.push(operation);
         current[step.to as usize] = value(number);
         if let Operation::SinCos(_, register) = step.operation {
@@ -126,43 +126,8 @@ fn with_values(steps: &[Step], registers: usize) -> (Vec<Operation>, Vec<Value>)
     (operations, current)
 }
 
-/// The operation with other operands; the second register of sine and cosine stays.
-fn renamed(operation: Operation, name: impl Fn(Register) -> Register) -> Operation {
-    use Operation as O;
-    match operation {
-        O::Number(_) | O::Argument(_) => operation,
-        O::Add(a, b) => O::Add(name(a), name(b)),
-        O::Sub(a, b) => O::Sub(name(a), name(b)),
-        O::Mul(a, b) => O::Mul(name(a), name(b)),
-        O::Div(a, b) => O::Div(name(a), name(b)),
-        O::Neg(a) => O::Neg(name(a)),
-        O::MulAdd(a, b, c) => O::MulAdd(name(a), name(b), name(c)),
-        O::NegMulAdd(a, b, c) => O::NegMulAdd(name(a), name(b), name(c)),
-        O::MulSub(a, b, c) => O::MulSub(name(a), name(b), name(c)),
-        O::Sqrt(a) => O::Sqrt(name(a)),
-        O::SinCos(a, register) => O::SinCos(name(a), register),
-        O::Sin(a) => O::Sin(name(a)),
-        O::Cos(a) => O::Cos(name(a)),
-        O::Asin(a) => O::Asin(name(a)),
-        O::Acos(a) => O::Acos(name(a)),
-        O::Atan2(a, b) => O::Atan2(name(a), name(b)),
-        O::Exp(a) => O::Exp(name(a)),
-        O::Ln(a) => O::Ln(name(a)),
-        O::Abs(a) => O::Abs(name(a)),
-        O::Sign(a) => O::Sign(name(a)),
-        O::Floor(a) => O::Floor(name(a)),
-        O::Min(a, b) => O::Min(name(a), name(b)),
-        O::Max(a, b) => O::Max(name(a), name(b)),
-        O::Select(a, b, c, d) => O::Select(name(a), name(b), name(c), name(d)),
-    }
-}
-
 /// The values that an operation reads.
-fn operands(operation: Operation) -> impl Iterator<Item = Value> {
-    let read = std::cell::RefCell::new(Vec::with_capacity(4));
-    renamed(operation, |value| {
-        read.borrow_mut().push(value as Value);
-        value
-    });
-    read.into_inner().into_iter()
+fn operands(mut operation: Operation) -> impl Iterator<Item = Value> {
+    let read: Vec<Value> = operation.operands_mut().into_iter().map(|value| *value as Value).collect();
+    read.into_iter()
 }

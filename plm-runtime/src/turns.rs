@@ -48,6 +48,12 @@ pub(crate) fn due<S: Real>(angle: S) -> i32 {
     if S::of_turns(whole) > turns { whole - 1 } else { whole }
 }
 
+/// Is an angle near enough that it is not brought back?
+#[inline]
+pub fn is_near<S: Real>(angle: S) -> bool {
+    due(angle) == 0
+}
+
 /// An angle less whole turns: the difference is exact for one turn (Sterbenz), its rest is rounded once.
 #[inline]
 pub(crate) fn less<S: Real>(angle: S, turns: i32) -> S {

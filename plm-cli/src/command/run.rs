@@ -132,7 +132,7 @@ fn started(asked: &Asked, mechanism: Result<Mechanism, Error>) -> Result<Run, Fa
 #[cfg(feature = "jit")]
 fn translate(mechanism: &Mechanism) {
     if let Some(host) = plm_jit::Host::new() {
-        mechanism.translate_by(std::sync::Arc::new(host));
+        mechanism.translate_by(std::sync::Arc::new(host.in_background()));
     }
 }
 

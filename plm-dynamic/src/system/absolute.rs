@@ -5,8 +5,15 @@ use plm_runtime::{BodyStart, Health, Real, Start, Vector, singular};
 
 use crate::handle::{Beside, Dynamic, Frame};
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Absolute<S, NQ, NC>
-    for Dynamic<S, NQ, NC, N, L>
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Absolute<S, NQ, NC> for Dynamic<S, NQ, NC, N, L, H, R>
 {
     fn layout(&self) -> &'static Layout {
         &self.model.layout
@@ -79,7 +86,16 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Dynamic<S, NQ, NC, N, L, H, R>
+{
     /// Start values of the centres of gravity, body by body.
     fn starts_of(&self, of: impl Fn(BodyStart<S>, [S; 2], usize) -> [Start<S>; 3]) -> [Start<S>; NQ] {
         let count = self.model.lowered.bodies.len();

@@ -3,18 +3,24 @@
 use plm_runtime::Real;
 use plm_runtime::charts::{Charted, Charts, OfLoops};
 
-use crate::capacity::{INPUTS, ROWS, SWITCHES};
 use crate::handle::{Dynamic, Frame, Held};
 use crate::memory::Memory;
 use crate::model::WITHOUT_LOOPS;
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Charted
-    for Dynamic<S, NQ, NC, N, L>
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Charted for Dynamic<S, NQ, NC, N, L, H, R>
 {
-    type Input = [S; INPUTS];
-    type Switches = [S; SWITCHES];
+    type Input = [S; H];
+    type Switches = [S; H];
     type Turns = [i32; NQ];
-    type Contact = plm_runtime::contact::Held<S, ROWS>;
+    type Contact = plm_runtime::contact::Held<S, R>;
     type Continuation = Memory<S, L>;
     type Q = [S; NQ];
     // Those of lanes alone, which no mechanism at run time has.
@@ -24,7 +30,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         &self.model.charts
     }
 
-    fn pose(&self, t: S, held: &Held<S, NQ, L>, x: &[S; N]) -> ([S; NQ], [S; NQ], S) {
+    fn pose(&self, t: S, held: &Held<S, NQ, L, H, R>, x: &[S; N]) -> ([S; NQ], [S; NQ], S) {
         let (mut q, mut v) = ([S::ZERO; NQ], [S::ZERO; NQ]);
         let chart = match &held.of_loops {
             OfLoops::InChart { chart, .. } => self.model.in_charts.get(*chart),
@@ -35,7 +41,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         (q, v, measure)
     }
 
-    fn continuation(&self, t: S, held: &Held<S, NQ, L>, x: &[S; N]) -> (Memory<S, L>, S) {
+    fn continuation(&self, t: S, held: &Held<S, NQ, L, H, R>, x: &[S; N]) -> (Memory<S, L>, S) {
         let remember = match held.of_loops {
             OfLoops::InChart { chart, .. } => {
                 self.model.in_charts.get(chart).and_then(|chart| chart.remember.as_ref())

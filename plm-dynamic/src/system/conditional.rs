@@ -4,22 +4,39 @@ use plm_runtime::absolute::{self, Absolute, Branch, Layout};
 use plm_runtime::contact::Contacts;
 use plm_runtime::{Fault, Health, Real, Start};
 
-use crate::capacity::ROWS;
 use crate::contact::Conditional;
 use crate::handle::{Dynamic, Frame, Held};
 
 /// A mechanism whose rows are those of its joints, and behind them constraints with a condition: those of the marked ones, of the others
 /// zeros.
-struct Joined<'a, S, const NQ: usize, const NC: usize, const N: usize, const L: usize> {
-    mechanism: &'a Dynamic<S, NQ, NC, N, L>,
+struct Joined<
+    'a,
+    S,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> {
+    mechanism: &'a Dynamic<S, NQ, NC, N, L, H, R>,
     conditional: &'static Conditional,
-    holds: [bool; ROWS],
+    holds: [bool; R],
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Dynamic<S, NQ, NC, N, L, H, R>
+{
     /// The constraints with a condition, by their numbers among these, that hold.
-    pub(super) fn conditions_that_hold(&self, of: &Conditional, held: &Held<S, NQ, L>) -> [bool; ROWS] {
-        let mut holds = [false; ROWS];
+    pub(super) fn conditions_that_hold(&self, of: &Conditional, held: &Held<S, NQ, L, H, R>) -> [bool; R] {
+        let mut holds = [false; R];
         for (holds, row) in holds.iter_mut().zip(&of.rows) {
             *holds = self.exists(held, *row);
         }
@@ -30,7 +47,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     pub(super) fn assembled_with(
         &self,
         t: S,
-        (conditional, holds): (&'static Conditional, [bool; ROWS]),
+        (conditional, holds): (&'static Conditional, [bool; R]),
     ) -> Result<([S; NQ], [S; NQ]), Fault> {
         let joined = Joined { mechanism: self, conditional, holds };
         let assembly = absolute::assemble::<S, _, NQ, NC>(&joined, t)?;
@@ -38,11 +55,20 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Joined<'_, S, NQ, NC, N, L> {
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Joined<'_, S, NQ, NC, N, L, H, R>
+{
     /// Writes residuals of the constraints behind those of the joints.
-    fn put(&self, code: &crate::code::Code, frame: &Frame<S, NQ, L>, residuals: &mut [S; NC]) {
+    fn put(&self, code: &'static crate::code::Code, frame: &Frame<S, NQ, L, H, R>, residuals: &mut [S; NC]) {
         let joints = self.mechanism.model.lowered.rows.len();
-        let mut own = [S::ZERO; ROWS];
+        let mut own = [S::ZERO; R];
         self.mechanism.run(code, frame, [&mut own]);
         let held = own.into_iter().zip(self.holds).map(|(value, holds)| if holds { value } else { S::ZERO });
         for (residual, value) in residuals.iter_mut().skip(joints).zip(held) {
@@ -51,8 +77,15 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Absolute<S, NQ, NC>
-    for Joined<'_, S, NQ, NC, N, L>
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Absolute<S, NQ, NC> for Joined<'_, S, NQ, NC, N, L, H, R>
 {
     fn layout(&self) -> &'static Layout {
         &self.conditional.layout

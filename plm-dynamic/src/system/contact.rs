@@ -7,20 +7,28 @@ use plm_runtime::contact::{
 };
 use plm_runtime::{Drift, Fault, Health, Real, Scalar, absolute};
 
-use crate::capacity::ROWS;
 use crate::code::Code;
 use crate::contact::InChart;
 use crate::handle::{Dynamic, Frame, Held};
 use crate::places::Place;
 
 /// The rate without contact forces, and what multipliers of one add to it.
-struct Free<S, const N: usize> {
+struct Free<S, const N: usize, const R: usize> {
     rate: [S; N],
-    responses: Box<[[S; N]; ROWS]>,
+    responses: Box<[[S; N]; R]>,
     health: Health<S>,
 }
 
-impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
+impl<
+    S: Scalar,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Dynamic<S, NQ, NC, N, L, H, R>
+{
     /// Has it rows of contact?
     pub(super) fn has_contacts(&self) -> bool {
         self.model.contacts.is_some()
@@ -33,7 +41,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
     }
 
     /// Functions of the rows in the chart that is held.
-    pub(super) fn contact_functions(&self, u: &Held<S, NQ, L>) -> Option<&'static InChart> {
+    pub(super) fn contact_functions(&self, u: &Held<S, NQ, L, H, R>) -> Option<&'static InChart> {
         let chart = match u.of_loops {
             OfLoops::InChart { chart, .. } if self.is_charted() => chart,
             OfLoops::Free { .. } if self.is_charted() => return None,
@@ -46,7 +54,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
     pub(super) fn rate_with_contact(
         &self,
         t: S,
-        u: &Held<S, NQ, L>,
+        u: &Held<S, NQ, L, H, R>,
         x: &[S; N],
         dx: &mut [S; N],
     ) -> Health<S> {
@@ -71,7 +79,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
     }
 
     /// The discrete state with the multipliers of contact at a state.
-    pub(super) fn loaded(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> Held<S, NQ, L> {
+    pub(super) fn loaded(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N]) -> Held<S, NQ, L, H, R> {
         let mut held = *u;
         if !self.has_contacts() || !u.contact.has_forces() {
             return held;
@@ -82,7 +90,7 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
         held
     }
 
-    fn contact_kinematics(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> Kinematics<S, ROWS> {
+    fn contact_kinematics(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N]) -> Kinematics<S, R> {
         let mut rows = Kinematics::none();
         if let Some(functions) = self.contact_functions(u) {
             let frame = Frame::of_state(t, u, x);
@@ -97,17 +105,23 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
     }
 
     /// The rate without contact forces, and its responses; completes the rows.
-    fn contact_motion(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N], rows: &mut Rows<S, ROWS>) -> Free<S, N> {
+    fn contact_motion(
+        &self,
+        t: S,
+        u: &Held<S, NQ, L, H, R>,
+        x: &[S; N],
+        rows: &mut Rows<S, R>,
+    ) -> Free<S, N, R> {
         self.contact_pass(self.contact_functions(u).map(|functions| &functions.motion), (t, u, x), rows)
     }
 
     fn contact_pass(
         &self,
-        code: Option<&Code>,
-        (t, u, x): (S, &Held<S, NQ, L>, &[S; N]),
-        rows: &mut Rows<S, ROWS>,
-    ) -> Free<S, N> {
-        let (mut rate, mut responses) = ([S::ZERO; N], Box::new([[S::ZERO; N]; ROWS]));
+        code: Option<&'static Code>,
+        (t, u, x): (S, &Held<S, NQ, L, H, R>, &[S; N]),
+        rows: &mut Rows<S, R>,
+    ) -> Free<S, N, R> {
+        let (mut rate, mut responses) = ([S::ZERO; N], Box::new([[S::ZERO; N]; R]));
         let is_tree = self.model.lowered.form == Form::Tree;
         let mut health = if is_tree { S::lit(1.0) } else { S::ZERO };
         if let Some(code) = code {
@@ -127,19 +141,19 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
         Free { rate, responses, health: Health(health) }
     }
 
-    fn contact_rows(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> Rows<S, ROWS> {
+    fn contact_rows(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N]) -> Rows<S, R> {
         let mut rows = self.contact_kinematics(t, u, x).rows();
         let _ = self.contact_motion(t, u, x, &mut rows);
         rows
     }
 
-    fn contact_response(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N], lambda: &[S; ROWS]) -> [S; N] {
+    fn contact_response(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N], lambda: &[S; R]) -> [S; N] {
         let free = self.contact_motion(t, u, x, &mut Rows::none());
         contact::sum_of(&free.responses, lambda)
     }
 
     /// Kinds of the reactions that bound frictions, and of which frictions; the sign of one along a line is held.
-    fn put_loads(&self, u: &Held<S, NQ, L>, loads: &mut [Load; ROWS], read: &mut [[bool; ROWS]; ROWS]) {
+    fn put_loads(&self, u: &Held<S, NQ, L, H, R>, loads: &mut [Load; R], read: &mut [[bool; R]; R]) {
         let Some(contacts) = &self.model.contacts else { return };
         let negative = &u.contact.modes.negative;
         for (load, reaction) in contacts.lowered.reactions.iter().enumerate() {
@@ -162,7 +176,7 @@ pub(super) fn store<T>(list: &mut [T], index: usize, value: T) {
 }
 
 /// Puts a number of rows of contact into its place.
-fn put<S>(rows: &mut Rows<S, ROWS>, place: OfRows, value: S) {
+fn put<S, const R: usize>(rows: &mut Rows<S, R>, place: OfRows, value: S) {
     match place {
         OfRows::Gap(row) => store(&mut rows.gap, row, value),
         OfRows::Rate(row) => store(&mut rows.rate, row, value),
@@ -193,7 +207,7 @@ fn put<S>(rows: &mut Rows<S, ROWS>, place: OfRows, value: S) {
     }
 }
 
-fn put_limit<S>(limit: &mut Limit<S, ROWS>, term: RowTerm, value: S) {
+fn put_limit<S, const R: usize>(limit: &mut Limit<S, R>, term: RowTerm, value: S) {
     match term {
         RowTerm::Own => limit.own = value,
         RowTerm::By(row) => store(&mut limit.by, row, value),
@@ -201,8 +215,15 @@ fn put_limit<S>(limit: &mut Limit<S, ROWS>, term: RowTerm, value: S) {
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Contacts<ROWS>
-    for Dynamic<S, NQ, NC, N, L>
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Contacts<R> for Dynamic<S, NQ, NC, N, L, H, R>
 {
     fn law(&self, row: usize) -> Law<S> {
         let Some(contacts) = &self.model.contacts else { return Law::Friction };
@@ -222,22 +243,22 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     fn rows<T: Scalar>(
         &self,
         t: T,
-        u: &Held<S, NQ, L>,
+        u: &Held<S, NQ, L, H, R>,
         x: &impl Fn(usize) -> T,
         constant: &impl Fn(S) -> T,
-    ) -> Rows<T, ROWS> {
+    ) -> Rows<T, R> {
         let (mechanism, held) = (self.map(constant), Self::map_held(u, constant));
         mechanism.contact_rows(t, &held, &core::array::from_fn(x))
     }
 
-    fn rows_at(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> Rows<S, ROWS> {
+    fn rows_at(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N]) -> Rows<S, R> {
         self.contact_rows(t, u, x)
     }
 
-    fn exists(&self, u: &Held<S, NQ, L>, row: usize) -> bool {
+    fn exists(&self, u: &Held<S, NQ, L, H, R>, row: usize) -> bool {
         let Some(contacts) = &self.model.contacts else { return false };
         let Some(code) = &contacts.exist else { return row < contacts.lowered.rows.len() };
-        let mut exist = [S::ZERO; ROWS];
+        let mut exist = [S::ZERO; R];
         self.run(code, &Frame { held: Some(u), ..Frame::at(S::ZERO) }, [&mut exist]);
         exist.get(row).is_some_and(|exists| *exists > S::lit(0.5))
     }
@@ -255,34 +276,34 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     fn kinematics<T: Scalar>(
         &self,
         t: T,
-        u: &Held<S, NQ, L>,
+        u: &Held<S, NQ, L, H, R>,
         x: &impl Fn(usize) -> T,
         constant: &impl Fn(S) -> T,
-    ) -> Kinematics<T, ROWS> {
+    ) -> Kinematics<T, R> {
         let (mechanism, held) = (self.map(constant), Self::map_held(u, constant));
         mechanism.contact_kinematics(t, &held, &core::array::from_fn(x))
     }
 
-    fn kinematics_at(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> Kinematics<S, ROWS> {
+    fn kinematics_at(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N]) -> Kinematics<S, R> {
         self.contact_kinematics(t, u, x)
     }
 
-    fn sliding(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> Option<[S; ROWS]> {
-        let (mut dx, mut sizes) = ([S::ZERO; N], [S::ZERO; ROWS]);
+    fn sliding(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N]) -> Option<[S; R]> {
+        let (mut dx, mut sizes) = ([S::ZERO; N], [S::ZERO; R]);
         self.contact_sliding(t, u, x, &mut dx, Some(&mut sizes)).map(|_| sizes)
     }
 
-    fn free_rate(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N], dx: &mut [S; N]) -> Health<S> {
+    fn free_rate(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N], dx: &mut [S; N]) -> Health<S> {
         let mut held = *u;
-        held.contact.lambda = [S::ZERO; ROWS];
+        held.contact.lambda = [S::ZERO; R];
         self.rate_holding(t, &held, x, dx)
     }
 
-    fn response(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N], lambda: &[S; ROWS]) -> [S; N] {
+    fn response(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N], lambda: &[S; R]) -> [S; N] {
         self.contact_response(t, u, x, lambda)
     }
 
-    fn motion_at(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> Motion<S, [S; N], ROWS> {
+    fn motion_at(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N]) -> Motion<S, [S; N], R> {
         let together = self.contact_functions(u).and_then(|functions| functions.together.as_ref());
         let (mut rows, free);
         if together.is_some() {
@@ -295,7 +316,13 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         Motion { rate: free.rate, responses: *free.responses, rows, health: free.health }
     }
 
-    fn rate_with_forces(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N], lambda: &[S; ROWS]) -> Option<[S; N]> {
+    fn rate_with_forces(
+        &self,
+        t: S,
+        u: &Held<S, NQ, L, H, R>,
+        x: &[S; N],
+        lambda: &[S; R],
+    ) -> Option<[S; N]> {
         if self.model.contacts.as_ref().is_none_or(|contacts| contacts.lowered.is_affine) {
             return None;
         }
@@ -321,11 +348,11 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         S::lit(self.model.lowered.length)
     }
 
-    fn project_joints(&self, t: S, _u: &Held<S, NQ, L>, x: &mut [S; N]) -> Result<(), Fault> {
+    fn project_joints(&self, t: S, _u: &Held<S, NQ, L, H, R>, x: &mut [S; N]) -> Result<(), Fault> {
         if self.projects() { absolute::project_state::<S, Self, NQ, NC, N>(self, t, x) } else { Ok(()) }
     }
 
-    fn drift_of_joints(&self, t: S, _u: &Held<S, NQ, L>, x: &[S; N]) -> Drift<S> {
+    fn drift_of_joints(&self, t: S, _u: &Held<S, NQ, L, H, R>, x: &[S; N]) -> Drift<S> {
         if self.projects() {
             return absolute::drift::<S, Self, NQ, NC, N>(self, t, x);
         }

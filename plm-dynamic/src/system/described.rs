@@ -3,7 +3,6 @@
 use plm_runtime::described::{Described, Hole, Shape, Tables, nearest};
 use plm_runtime::{BodyState, Moment, Ports, Real};
 
-use crate::capacity::INPUTS;
 use crate::handle::{Dynamic, Frame, Held};
 
 /// A constant of types that the compiler writes: a mechanism from text has it in its value. Code that asks its type is not built.
@@ -17,8 +16,15 @@ pub(super) const fn of_the_value() -> ! {
 /// Names with their units.
 type Named = &'static [(&'static str, &'static str)];
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Described
-    for Dynamic<S, NQ, NC, N, L>
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Described for Dynamic<S, NQ, NC, N, L, H, R>
 {
     const TABLES: &'static Tables = of_the_value();
     const OBSERVED: Named = of_the_value();
@@ -79,7 +85,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         state.output(index)
     }
 
-    fn instant_name(&self, t: S, held: &Held<S, NQ, L>) -> &'static str {
+    fn instant_name(&self, t: S, held: &Held<S, NQ, L, H, R>) -> &'static str {
         nearest(t, self.model.description.instants, &self.instants(held).0)
     }
 
@@ -89,11 +95,18 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Ports
-    for Dynamic<S, NQ, NC, N, L>
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Ports for Dynamic<S, NQ, NC, N, L, H, R>
 {
     /// Room for inputs: behind the last one they are zero, and nothing reads them.
-    type Input = [S; INPUTS];
+    type Input = [S; H];
     const INPUTS: Named = of_the_value();
     const OUTPUTS: Named = of_the_value();
 
@@ -105,11 +118,11 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         self.model.description.outputs
     }
 
-    fn inputs(held: &mut Held<S, NQ, L>) -> &mut [S; INPUTS] {
+    fn inputs(held: &mut Held<S, NQ, L, H, R>) -> &mut [S; H] {
         &mut held.input
     }
 
-    fn input(input: &mut [S; INPUTS], index: usize) -> Option<&mut S> {
+    fn input(input: &mut [S; H], index: usize) -> Option<&mut S> {
         input.get_mut(index)
     }
 

@@ -7,13 +7,22 @@ use plm_runtime::contact::{self, Contacts};
 use plm_runtime::{Cause, Enclosed, Events, Fault, Moment, Real, events};
 
 use super::State;
-use crate::capacity::{KINKS, ROWS, SWITCHES, WATCHED};
+use crate::capacity::{KINKS, WATCHED};
 use crate::handle::{Beside, Dynamic, Frame, Held};
 use crate::system::contact::store;
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Dynamic<S, NQ, NC, N, L, H, R>
+{
     /// Guards, then kinks, at a state.
-    fn all_watched(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N]) -> [S; WATCHED] {
+    fn all_watched(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N]) -> [S; WATCHED] {
         let mut all = [S::lit(1.0); WATCHED];
         let u = &if self.conditions_read_multipliers() { self.loaded(t, u, x) } else { *u };
         if self.model.lowered.switches.read_solution {
@@ -36,7 +45,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 
     /// Sets the sides of conditions on the time alone.
-    pub(super) fn take_sides_at_time(&self, t: S, u: &mut Held<S, NQ, L>) {
+    pub(super) fn take_sides_at_time(&self, t: S, u: &mut Held<S, NQ, L, H, R>) {
         let (at, slope) = self.instants(u);
         let guards = self.model.lowered.switches.guards;
         for ((side, at), slope) in u.switches.iter_mut().skip(guards).zip(at).zip(slope) {
@@ -53,7 +62,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     fn place_of_guard(&self, number: usize) -> Option<usize> {
         let (own, count) = (self.model.lowered.switches.guards, self.contact_guards());
         match number {
-            _ if number == contact::PER_ROW * ROWS => Some(own + count - 1),
+            _ if number == contact::PER_ROW * R => Some(own + count - 1),
             _ if number + 1 < count => Some(own + number),
             _ => None,
         }
@@ -62,12 +71,12 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     /// The number of the guard of contact that stands in this place behind those of the conditions.
     fn number_of_guard(&self, place: usize) -> Option<usize> {
         let count = self.contact_guards();
-        let last = (place + 1 == count).then_some(contact::PER_ROW * ROWS);
+        let last = (place + 1 == count).then_some(contact::PER_ROW * R);
         last.or_else(|| (place + 1 < count).then_some(place))
     }
 
     /// Rows that exist, where that is a question.
-    fn existing(&self, u: &Held<S, NQ, L>) -> Option<[bool; ROWS]> {
+    fn existing(&self, u: &Held<S, NQ, L, H, R>) -> Option<[bool; R]> {
         self.model.contacts.as_ref()?.exist.as_ref()?;
         Some(core::array::from_fn(|row| self.exists(u, row)))
     }
@@ -76,15 +85,15 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     fn look_at_appearance(
         &self,
         t: S,
-        u: &Held<S, NQ, L>,
+        u: &Held<S, NQ, L, H, R>,
         x: &[S; N],
-        existed: Option<[bool; ROWS]>,
+        existed: Option<[bool; R]>,
     ) -> Result<(), Fault> {
-        existed.map_or(Ok(()), |existed| contact::appear::<Self, ROWS>(self, t, (u, x), existed))
+        existed.map_or(Ok(()), |existed| contact::appear::<Self, R>(self, t, (u, x), existed))
     }
 
     /// Times at which conditions change, s, and the slopes of what they compare.
-    pub(super) fn instants(&self, u: &Held<S, NQ, L>) -> (Vec<S>, Vec<S>) {
+    pub(super) fn instants(&self, u: &Held<S, NQ, L, H, R>) -> (Vec<S>, Vec<S>) {
         let switches = &self.model.lowered.switches;
         let count = switches.all.len() - switches.guards;
         let (mut at, mut slope) = (vec![S::ZERO; count], vec![S::ZERO; count]);
@@ -94,14 +103,21 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Events
-    for Dynamic<S, NQ, NC, N, L>
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Events for Dynamic<S, NQ, NC, N, L, H, R>
 {
-    type G = [S; SWITCHES];
+    type G = [S; H];
     const KINKS: usize = KINKS;
     const SELECTIVE: bool = true;
 
-    const CONTACTS: usize = ROWS;
+    const CONTACTS: usize = R;
     const BENDS: bool = true;
 
     fn guard_count(&self) -> usize {
@@ -117,15 +133,15 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         reactions.into_iter().any(|reaction| reaction.in_plane)
     }
 
-    fn guards(&self, t: S, u: &Self::U, x: &[S; N], g: &mut [S; SWITCHES]) {
+    fn guards(&self, t: S, u: &Self::U, x: &[S; N], g: &mut [S; H]) {
         let all = self.all_watched(t, u, x);
         let own = self.model.lowered.switches.guards;
-        *g = [S::lit(1.0); SWITCHES];
+        *g = [S::lit(1.0); H];
         for (guard, value) in g.iter_mut().zip(all).take(own) {
             *guard = value;
         }
         if self.has_contacts() {
-            contact::guards::<Self, ROWS>(self, t, u, x, &mut |index, guard| {
+            contact::guards::<Self, R>(self, t, u, x, &mut |index, guard| {
                 if let Some(place) = self.place_of_guard(index) {
                     store(g, place, guard);
                 }
@@ -165,11 +181,11 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
             mechanism.watched(t, &held, &x, &mut all);
             for (index, value) in all.into_iter().take(watched).enumerate() {
                 let kink = index.checked_sub(switches.guards);
-                each(kink.map_or(index, |kink| SWITCHES + kink), value);
+                each(kink.map_or(index, |kink| H + kink), value);
             }
         }
         !self.has_contacts()
-            || contact::guards_within::<Self, ROWS>(self, t, u, x, &mut |index, guard| {
+            || contact::guards_within::<Self, R>(self, t, u, x, &mut |index, guard| {
                 if let Some(place) = self.place_of_guard(index) {
                     each(place, guard);
                 }
@@ -181,7 +197,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         u: &Self::U,
         places: [(S, &[S; N]); 2],
         within: (Enclosed<S>, &impl Fn(usize) -> Enclosed<S>),
-        end: &[S; SWITCHES],
+        end: &[S; H],
     ) -> bool {
         let switches = &self.model.lowered.switches;
         let end = |index: usize| {
@@ -189,7 +205,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
             place.copied().unwrap_or(S::lit(1.0))
         };
         let are_alone = self.has_contacts() && switches.guards + switches.kinks == 0;
-        are_alone && contact::stay::<Self, ROWS>(self, u, places, within, end)
+        are_alone && contact::stay::<Self, R>(self, u, places, within, end)
     }
 
     fn switch(&self, t: S, u: &mut Self::U, x: &mut [S; N], index: usize) -> Result<(), Fault> {
@@ -216,10 +232,10 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
             match of_contact.and_then(|index| self.number_of_guard(index)) {
                 _ if !self.has_contacts() => {}
                 Some(index) => {
-                    contact::switch_behind::<Self, ROWS>(self, t, u, x, (index, step))?;
+                    contact::switch_behind::<Self, R>(self, t, u, x, (index, step))?;
                 }
                 None => {
-                    contact::update::<Self, ROWS>(self, t, u, x)?;
+                    contact::update::<Self, R>(self, t, u, x)?;
                 }
             }
             Ok(())
@@ -253,14 +269,14 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
             self.take_sides_at_time(t, u);
             self.look_at_appearance(t, u, x, existed)?;
             if self.has_contacts() {
-                contact::update::<Self, ROWS>(self, t, u, x)?;
+                contact::update::<Self, R>(self, t, u, x)?;
             }
             Ok(())
         })
     }
 
     fn state_was_set(&self, t: S, u: &mut Self::U, x: &mut [S; N]) -> Result<(), Fault> {
-        if self.has_contacts() { contact::state_was_set::<Self, ROWS>(self, t, u, x) } else { Ok(()) }
+        if self.has_contacts() { contact::state_was_set::<Self, R>(self, t, u, x) } else { Ok(()) }
     }
 
     fn contacts(u: &Self::U) -> contact::Status<'_> {
@@ -278,12 +294,12 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         x: &mut [S; N],
         behind: impl FnOnce(&mut Self::U, &mut [S; N], &contact::Solution<S>) -> Result<(), Fault>,
     ) -> Result<contact::Solution<S>, Fault> {
-        contact::step::<Self, ROWS, EVALUATIONS>(self, stride, u, x, behind)
+        contact::step::<Self, R, EVALUATIONS>(self, stride, u, x, behind)
     }
 
     fn matters(&self, u: &Self::U, index: usize, unknown: u64) -> bool {
         let switches = &self.model.lowered.switches;
-        let number = match index.checked_sub(SWITCHES) {
+        let number = match index.checked_sub(H) {
             Some(kink) if kink < switches.kinks => switches.guards + kink,
             None if index < switches.guards => index,
             None if index < self.guard_count() => return true,

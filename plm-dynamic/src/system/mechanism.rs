@@ -11,7 +11,7 @@ use plm_runtime::{
 };
 
 use super::State;
-use crate::capacity::{INPUTS, PARAMETERS, ROWS, SWITCHES};
+use crate::capacity::PARAMETERS;
 use crate::handle::{Dynamic, Held, Starts};
 use crate::memory::Memory;
 use crate::model::Model;
@@ -26,7 +26,16 @@ impl<S: Scalar, const N: usize> Starts<S, N> {
     }
 }
 
-impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
+impl<
+    S: Scalar,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Dynamic<S, NQ, NC, N, L, H, R>
+{
     /// The mechanism as declared; parameters without a default have the values of `given`, by number.
     pub(crate) fn declared(model: &'static Model, given: &[Option<S>]) -> Self {
         let free = Start::free(S::ZERO);
@@ -61,12 +70,21 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Dynamic<S, NQ, NC, N, L, H, R>
+{
     /// Discrete state with inputs, before anything is known of a state.
-    pub(crate) fn holding(&self, input: [S; INPUTS]) -> Held<S, NQ, L> {
+    pub(crate) fn holding(&self, input: [S; H]) -> Held<S, NQ, L, H, R> {
         HeldOf {
             input,
-            switches: [S::lit(1.0); SWITCHES],
+            switches: [S::lit(1.0); H],
             turns: [0; NQ],
             of_loops: OfLoops::InChart { chart: 0, continuation: Memory::new(self.model.counts) },
             contact: contact::Held::open(),
@@ -79,9 +97,9 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 
     /// The inputs as declared.
-    pub(crate) fn declared_input(&self) -> [S; INPUTS] {
+    pub(crate) fn declared_input(&self) -> [S; H] {
         let values = self.values(S::ZERO, &self.model.start.inputs, self.model.lowered.inputs.len());
-        let mut inputs = [S::ZERO; INPUTS];
+        let mut inputs = [S::ZERO; H];
         for (input, value) in inputs.iter_mut().zip(values) {
             *input = value;
         }
@@ -102,7 +120,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 
     /// The assembled state with inputs.
-    pub(crate) fn start_holding(&self, t: S, input: [S; INPUTS]) -> Result<(Held<S, NQ, L>, [S; N]), Fault> {
+    pub(crate) fn start_holding(&self, t: S, input: [S; H]) -> Result<(Held<S, NQ, L, H, R>, [S; N]), Fault> {
         let own = self.following();
         own.check(t)?;
         let assembly = absolute::assemble::<S, Self, NQ, NC>(&own, t)?;
@@ -124,7 +142,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         own.begin_sides(t, &mut held, &mut x)?;
         if let Some(contacts) = &self.model.contacts {
             own.close(t, input, &mut held, &mut x)?;
-            contact::begin::<Self, ROWS>(&own, t, &mut held, &mut x)?;
+            contact::begin::<Self, R>(&own, t, &mut held, &mut x)?;
             if self.sets_states() || contacts.decide_sides() {
                 own.take_sides(t, &mut held, &x);
             }
@@ -136,7 +154,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 
     /// The sides of conditions that apply where a run begins. Events that set states do not happen there.
-    fn begin_sides(&self, t: S, held: &mut Held<S, NQ, L>, x: &mut [S; N]) -> Result<(), Fault> {
+    fn begin_sides(&self, t: S, held: &mut Held<S, NQ, L, H, R>, x: &mut [S; N]) -> Result<(), Fault> {
         let switches = &self.model.lowered.switches;
         let contacts = self.model.contacts.as_ref();
         // Contacts have their modes when all constraints that hold are closed.
@@ -156,9 +174,9 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 
     /// Takes the sides of all conditions of the state; nothing becomes true by that.
-    fn take_sides(&self, t: S, held: &mut Held<S, NQ, L>, x: &[S; N]) {
+    fn take_sides(&self, t: S, held: &mut Held<S, NQ, L, H, R>, x: &[S; N]) {
         let guards = self.model.lowered.switches.guards;
-        events::take_sides(self, t, held, x, (guards, |u: &mut Held<S, NQ, L>| &mut u.switches[..]));
+        events::take_sides(self, t, held, x, (guards, |u: &mut Held<S, NQ, L, H, R>| &mut u.switches[..]));
     }
 
     /// Assembles anew with the constraints that hold where a run begins. Which hold may depend on the pose: it is asked again behind
@@ -166,14 +184,14 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     fn close(
         &self,
         t: S,
-        input: [S; INPUTS],
-        held: &mut Held<S, NQ, L>,
+        input: [S; H],
+        held: &mut Held<S, NQ, L, H, R>,
         x: &mut [S; N],
     ) -> Result<(), Fault> {
         let contacts = self.model.contacts.as_ref();
         let conditional = contacts.and_then(|contacts| contacts.conditional.as_ref());
         let Some(conditional) = conditional else { return Ok(()) };
-        let mut closed = [false; ROWS];
+        let mut closed = [false; R];
         for _ in 0..4 {
             let holds = self.conditions_that_hold(conditional, held);
             if holds == closed {
@@ -197,7 +215,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     pub(super) fn enter(
         &self,
         t: S,
-        held: &mut Held<S, NQ, L>,
+        held: &mut Held<S, NQ, L, H, R>,
         (q, v): (&[S; NQ], &[S; NQ]),
         x: &mut [S; N],
     ) {
@@ -209,13 +227,20 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Mechanism
-    for Dynamic<S, NQ, NC, N, L>
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Mechanism for Dynamic<S, NQ, NC, N, L, H, R>
 {
-    type State = State<S, NQ, NC, N, L>;
+    type State = State<S, NQ, NC, N, L, H, R>;
     type Rescue = NearSingular<Self, NQ, NC, N>;
 
-    fn start_state(&self, t: S) -> Result<(Held<S, NQ, L>, [S; N]), Fault> {
+    fn start_state(&self, t: S) -> Result<(Held<S, NQ, L, H, R>, [S; N]), Fault> {
         self.start_holding(t, self.declared_input())
     }
 
@@ -235,7 +260,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         limits::fingerprint::<S, PARAMETERS>(core::array::from_fn(of_shape))
     }
 
-    fn renew(&self, t: S, held: &mut Held<S, NQ, L>, x: &mut [S; N]) -> Result<(), Fault> {
+    fn renew(&self, t: S, held: &mut Held<S, NQ, L, H, R>, x: &mut [S; N]) -> Result<(), Fault> {
         if self.model.lowered.starts.shaping.is_empty() {
             return Ok(());
         }
@@ -245,7 +270,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         Ok(())
     }
 
-    fn opening(&self, t: S, held: &Held<S, NQ, L>, x: &[S; N]) -> Drift<S> {
+    fn opening(&self, t: S, held: &Held<S, NQ, L, H, R>, x: &[S; N]) -> Drift<S> {
         let (q, v) = State::new(*self, *held, t, *x).pose();
         absolute::opening::<S, Self, NQ, NC>(self, t, &q, &v)
     }

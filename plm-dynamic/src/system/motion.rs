@@ -3,22 +3,32 @@
 use plm_runtime::absolute;
 use plm_runtime::charts::{self, OfLoops};
 use plm_runtime::contact::{self, Contacts};
+use plm_runtime::system::{OneStep, WholeStep};
 use plm_runtime::{
     Cause, Constraints, Drift, Energy, Fault, Health, Labels, Moment, Rate, Real, Scalar, Updated, turns,
 };
 
 use super::State;
-use crate::capacity::ROWS;
-use crate::handle::{Dynamic, Frame, Held};
+use crate::code::Code;
+use crate::handle::{Beside, Dynamic, Frame, Held};
+use crate::whole::whole_step;
 use plm_compiler::lowered::Form;
 
-impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize> Rate
-    for Dynamic<S, NQ, NC, N, L>
+impl<
+    S: Scalar,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Rate for Dynamic<S, NQ, NC, N, L, H, R>
 {
     type S = S;
     type X = [S; N];
-    type U = Held<S, NQ, L>;
+    type U = Held<S, NQ, L, H, R>;
     const NQ: usize = NQ;
+    const WHOLE: bool = true;
 
     fn rate(&self, t: S, u: &Self::U, x: &[S; N], dx: &mut [S; N]) -> Health<S> {
         if self.has_contacts() {
@@ -28,12 +38,41 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
         self.rate_holding(t, u, x, dx)
     }
 
+    #[inline]
+    fn whole_step<F: OneStep>(
+        &self,
+        (t, h): (S, S),
+        u: &Self::U,
+        from: &[S; N],
+        to: &mut [S; N],
+    ) -> Option<WholeStep<S>> {
+        let rate = self.rate_code(u).filter(|_| !self.has_contacts())?;
+        // Who steps seldom does not wait for a longer function than the rate.
+        self.machine_code(rate)?;
+        let code = rate.whole(F::NAME, || whole_step::<F, NQ, N>(self.model, rate))?;
+        let mut health = [S::ZERO];
+        let beside = Beside { step: &[h], ..Beside::NONE };
+        let frame = Frame { beside: Some(&beside), ..Frame::of_state(t, u, from) };
+        let spread = self.compute(code, &frame, &mut [to, &mut health], |_, _| {})?;
+        let [health] = health;
+        Some(WholeStep { health: Health(health), spread })
+    }
+
     fn coordinates(&self) -> usize {
         self.model.coordinates
     }
 
     fn states(&self) -> usize {
-        2 * self.model.coordinates + self.model.lowered.states.len()
+        self.model.states()
+    }
+
+    fn is_finite(&self, x: &[S; N]) -> bool {
+        let coordinates = self.model.coordinates;
+        let all =
+            |numbers: Option<&[S]>| numbers.is_some_and(|all| all.iter().all(|number| number.is_finite()));
+        all(x.get(..coordinates))
+            && all(x.get(NQ..NQ + coordinates))
+            && all(x.get(2 * NQ..2 * NQ + self.model.lowered.states.len()))
     }
 
     fn typical(&self) -> [S; N] {
@@ -47,35 +86,56 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
 
     #[inline]
     fn typical_at(&self, place: usize) -> S {
-        let sizes = &self.model.typical;
-        S::lit(sizes.get(place).or(sizes.first()).copied().unwrap_or(1.0))
+        S::lit(self.model.typical_at(place))
     }
 }
 
-impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
+impl<
+    S: Scalar,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Dynamic<S, NQ, NC, N, L, H, R>
+{
     /// The rate with the multipliers of contact that are held.
-    pub(super) fn rate_holding(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N], dx: &mut [S; N]) -> Health<S> {
+    pub(super) fn rate_holding(
+        &self,
+        t: S,
+        u: &Held<S, NQ, L, H, R>,
+        x: &[S; N],
+        dx: &mut [S; N],
+    ) -> Health<S> {
         let frame = Frame::of_state(t, u, x);
         *dx = [S::ZERO; N];
+        let Some(rate) = self.rate_code(u) else { return Health(S::ZERO) };
         match self.model.lowered.form {
             Form::Absolute => {
                 let mut lambda = [S::ZERO; NC];
-                Health(self.run(&self.model.absolute.dynamics, &frame, [dx, &mut lambda]))
+                Health(self.run(rate, &frame, [dx, &mut lambda]))
             }
             Form::Tree => {
-                if let Some(chart) = self.model.in_charts.first() {
-                    self.run(&chart.rate, &frame, [dx]);
-                }
+                self.run(rate, &frame, [dx]);
                 Health::perfect()
             }
-            Form::Loops => match u.of_loops {
-                OfLoops::InChart { chart, .. } => {
-                    let chart = self.model.in_charts.get(chart);
-                    Health(chart.map_or(S::ZERO, |chart| self.run(&chart.rate, &frame, [dx])))
-                }
-                OfLoops::Free { .. } => Health(S::ZERO),
-            },
+            Form::Loops => Health(self.run(rate, &frame, [dx])),
         }
+    }
+
+    /// The function of the rate in the coordinates that are held; none of loops without a chart.
+    #[inline]
+    fn rate_code(&self, u: &Held<S, NQ, L, H, R>) -> Option<&'static Code> {
+        let chart = match self.model.lowered.form {
+            Form::Absolute => return Some(&self.model.absolute.dynamics),
+            Form::Tree => 0,
+            Form::Loops => match u.of_loops {
+                OfLoops::InChart { chart, .. } => chart,
+                OfLoops::Free { .. } => return None,
+            },
+        };
+        self.model.in_charts.get(chart).map(|chart| &chart.rate)
     }
 }
 
@@ -88,8 +148,15 @@ fn index<const NQ: usize>(place: usize, coordinates: usize) -> Option<usize> {
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Constraints
-    for Dynamic<S, NQ, NC, N, L>
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Constraints for Dynamic<S, NQ, NC, N, L, H, R>
 {
     fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; N], dx: &mut [S; N]) -> Result<(), Fault> {
         match self.model.lowered.form {
@@ -115,14 +182,14 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
 
     fn project(&self, t: S, u: &Self::U, x: &mut [S; N]) -> Result<(), Fault> {
         if self.has_contacts() {
-            return contact::project::<Self, ROWS>(self, t, u, x);
+            return contact::project::<Self, R>(self, t, u, x);
         }
         self.project_joints(t, u, x)
     }
 
     fn drift(&self, t: S, u: &Self::U, x: &[S; N]) -> Drift<S> {
         if self.has_contacts() {
-            return contact::drift::<Self, ROWS>(self, t, u, x);
+            return contact::drift::<Self, R>(self, t, u, x);
         }
         self.drift_of_joints(t, u, x)
     }
@@ -149,6 +216,16 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         Ok(Updated { turned, ..Updated::default() })
     }
 
+    const SETTLES: bool = true;
+
+    fn is_settled(&self, t: S, u: &Self::U, x: &[S; N]) -> bool {
+        if self.is_charted() {
+            return charts::is_calm(self, t, u, x);
+        }
+        let mut first = self.model.turns_in_state.iter().filter_map(|places| places.first());
+        first.all(|place| x.get(*place).is_none_or(|angle| turns::is_near(*angle)))
+    }
+
     fn energy(&self, t: S, u: &Self::U, x: &[S; N]) -> Option<Energy<S>> {
         if !self.model.lowered.has_energy {
             return None;
@@ -159,7 +236,16 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Dynamic<S, NQ, NC, N, L, H, R>
+{
     /// Are states projected onto constraints?
     pub(super) fn projects(&self) -> bool {
         self.is_absolute() && self.model.start.baumgarte.is_none()
@@ -170,7 +256,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     pub(super) fn accelerate(
         &self,
         t: S,
-        u: &Held<S, NQ, L>,
+        u: &Held<S, NQ, L, H, R>,
         x: &[S; N],
     ) -> Result<absolute::Acceleration<S, NQ, NC>, Fault> {
         let rows = self.model.lowered.rows.len();
@@ -187,8 +273,15 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Labels
-    for Dynamic<S, NQ, NC, N, L>
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Labels for Dynamic<S, NQ, NC, N, L, H, R>
 {
     fn part_of_state(&self, at: usize) -> &'static str {
         let own = index::<NQ>(at, self.model.coordinates);

@@ -5,11 +5,20 @@ use plm_runtime::contact::{self, Contacts};
 use plm_runtime::{Fault, Moment, Real, events};
 
 use super::State;
-use crate::capacity::{EVENTS, ROWS, SWITCHES};
+use crate::capacity::EVENTS;
 use crate::handle::{Dynamic, Frame, Held};
 use crate::system::contact::store;
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Dynamic<S, NQ, NC, N, L, H, R>
+{
     /// Do events set states?
     pub(super) fn sets_states(&self) -> bool {
         !self.model.lowered.sets.events.is_empty()
@@ -19,9 +28,9 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     pub(super) fn followed(
         &self,
         t: S,
-        u: &mut Held<S, NQ, L>,
+        u: &mut Held<S, NQ, L, H, R>,
         x: &mut [S; N],
-        changes: impl FnOnce(&mut Held<S, NQ, L>, &mut [S; N]) -> Result<(), Fault>,
+        changes: impl FnOnce(&mut Held<S, NQ, L, H, R>, &mut [S; N]) -> Result<(), Fault>,
     ) -> Result<(), Fault> {
         if self.sets_states() {
             events::change::<Self, EVENTS>(self, t, u, x, changes)
@@ -31,26 +40,33 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> events::Sets<EVENTS>
-    for Dynamic<S, NQ, NC, N, L>
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> events::Sets<EVENTS> for Dynamic<S, NQ, NC, N, L, H, R>
 {
-    const CONDITIONS: usize = SWITCHES;
+    const CONDITIONS: usize = H;
 
     fn condition_count(&self) -> usize {
         self.model.lowered.switches.guards
     }
 
-    fn sides(u: &mut Held<S, NQ, L>) -> &mut [S] {
+    fn sides(u: &mut Held<S, NQ, L, H, R>) -> &mut [S] {
         &mut u.switches
     }
 
-    fn holds(&self, u: &Held<S, NQ, L>) -> [bool; EVENTS] {
+    fn holds(&self, u: &Held<S, NQ, L, H, R>) -> [bool; EVENTS] {
         let mut holds = [S::ZERO; EVENTS];
         self.run(&self.model.sets.holds, &Frame { held: Some(u), ..Frame::at(S::ZERO) }, [&mut holds]);
         holds.map(|holds| holds > S::lit(0.5))
     }
 
-    fn set(&self, t: S, u: &mut Held<S, NQ, L>, x: &mut [S; N], index: usize) -> Result<(), Fault> {
+    fn set(&self, t: S, u: &mut Held<S, NQ, L, H, R>, x: &mut [S; N], index: usize) -> Result<(), Fault> {
         let (q, v) = State::new(*self, *u, t, *x).pose();
         let sets = &self.model.lowered.sets;
         let mut values = vec![S::ZERO; sets.count()];
@@ -76,8 +92,8 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     fn settle(
         &self,
         t: S,
-        before: &Held<S, NQ, L>,
-        u: &mut Held<S, NQ, L>,
+        before: &Held<S, NQ, L, H, R>,
+        u: &mut Held<S, NQ, L, H, R>,
         x: &mut [S; N],
     ) -> Result<(), Fault> {
         let Some(contacts) = &self.model.contacts else { return Ok(()) };
@@ -85,9 +101,9 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         if contacts.exist.is_some() || rows.iter().any(|row| row.moved_by_states) {
             let stays = |row: usize| rows.get(row).is_none_or(|row| !row.moved_by_states);
             let existed = core::array::from_fn(|row| stays(row) && self.exists(before, row));
-            contact::appear::<Self, ROWS>(self, t, (u, x), existed)?;
+            contact::appear::<Self, R>(self, t, (u, x), existed)?;
         }
-        contact::update::<Self, ROWS>(self, t, u, x)?;
+        contact::update::<Self, R>(self, t, u, x)?;
         Ok(())
     }
 }

@@ -6,16 +6,22 @@ use plm_runtime::{
     DoubleDouble, Dual, Health, Linear, Rate, Real, Scalar, Vector, absolute, contact, linear,
 };
 
-use crate::capacity::ROWS;
 use crate::handle::{Beside, Dynamic, Frame, Held};
 
 type Wide<S> = DoubleDouble<S>;
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> ExtendedPrecision<NQ, NC, N>
-    for Dynamic<S, NQ, NC, N, L>
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> ExtendedPrecision<NQ, NC, N> for Dynamic<S, NQ, NC, N, L, H, R>
 {
-    type Extended = Dynamic<Wide<S>, NQ, NC, N, L>;
-    type Inputs = Held<Wide<S>, NQ, L>;
+    type Extended = Dynamic<Wide<S>, NQ, NC, N, L, H, R>;
+    type Inputs = Held<Wide<S>, NQ, L, H, R>;
 
     fn extended(&self) -> Self::Extended {
         self.map(&|number| Wide::written(number))
@@ -72,10 +78,18 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
 }
 
 /// The state in absolute coordinates, of one in joint coordinates.
-pub(super) fn full<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize>(
-    mechanism: &Dynamic<S, NQ, NC, N, L>,
+pub(super) fn full<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+>(
+    mechanism: &Dynamic<S, NQ, NC, N, L, H, R>,
     t: S,
-    held: &Held<S, NQ, L>,
+    held: &Held<S, NQ, L, H, R>,
     x: &[S; N],
 ) -> [S; N] {
     let (q, v, _) = Charted::pose(mechanism, t, held, x);
@@ -84,18 +98,29 @@ pub(super) fn full<S: Real, const NQ: usize, const NC: usize, const N: usize, co
     full
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Linear
-    for Dynamic<S, NQ, NC, N, L>
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Linear for Dynamic<S, NQ, NC, N, L, H, R>
 {
-    type Lifted<const K: usize> = Dynamic<Dual<S, K>, NQ, NC, N, L>;
-    type In<T: Real> = Dynamic<T, NQ, NC, N, L>;
+    type Lifted<const K: usize> = Dynamic<Dual<S, K>, NQ, NC, N, L, H, R>;
+    type In<T: Real> = Dynamic<T, NQ, NC, N, L, H, R>;
     type Derivatives = [[S; N]; N];
 
-    fn lift<const K: usize>(&self, held: &Self::U) -> (Self::Lifted<K>, Held<Dual<S, K>, NQ, L>) {
+    fn lift<const K: usize>(&self, held: &Self::U) -> (Self::Lifted<K>, Held<Dual<S, K>, NQ, L, H, R>) {
         self.in_numbers(held, Dual::constant)
     }
 
-    fn in_numbers<T: Real>(&self, held: &Self::U, number: impl Fn(S) -> T) -> (Self::In<T>, Held<T, NQ, L>) {
+    fn in_numbers<T: Real>(
+        &self,
+        held: &Self::U,
+        number: impl Fn(S) -> T,
+    ) -> (Self::In<T>, Held<T, NQ, L, H, R>) {
         (self.map(&number), Self::map_held(held, &number))
     }
 
@@ -127,7 +152,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
 
     fn held_rows(&self, t: S, u: &Self::U, x: &[S; N], row: &mut impl FnMut(S)) {
         if self.has_contacts() {
-            contact::held_rows::<Self, ROWS>(self, t, u, x, row);
+            contact::held_rows::<Self, R>(self, t, u, x, row);
         }
         for state in &self.model.lowered.discrete {
             row(x.at(2 * NQ + state));

@@ -3,22 +3,30 @@
 use plm_compiler::lowered::Form;
 use plm_runtime::{Health, Scalar, contact};
 
-use crate::capacity::ROWS;
 use crate::handle::{Beside, Dynamic, Frame, Held};
 
-impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
+impl<
+    S: Scalar,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Dynamic<S, NQ, NC, N, L, H, R>
+{
     /// The rate where all rows that have a force slip, and the sizes of reactions along a line; nothing where sweeps do not converge.
     pub(super) fn contact_sliding(
         &self,
         t: S,
-        u: &Held<S, NQ, L>,
+        u: &Held<S, NQ, L, H, R>,
         x: &[S; N],
         dx: &mut [S; N],
-        sizes: Option<&mut [S; ROWS]>,
+        sizes: Option<&mut [S; R]>,
     ) -> Option<Health<S>> {
         let functions = self.contact_functions(u)?.sliding.as_ref()?;
         let [slip, line] = &contact::slipping(&u.contact.modes)?;
-        let (mut free, mut slope) = ([S::ZERO; NQ], [S::lit(1.0); ROWS]);
+        let (mut free, mut slope) = ([S::ZERO; NQ], [S::lit(1.0); R]);
         let mut known = vec![S::ZERO; functions.known];
         let signs = Beside { slip, line, ..Beside::NONE };
         let frame = Frame { beside: Some(&signs), ..Frame::of_state(t, u, x) };
@@ -29,11 +37,11 @@ impl<S: Scalar, const NQ: usize, const NC: usize, const N: usize, const L: usize
             *to = *weight;
         }
         let known = &known;
-        let at = |force: &[S; ROWS], second: &[S; NQ], run: &mut dyn FnMut(&Frame<S, NQ, L>)| {
+        let at = |force: &[S; R], second: &[S; NQ], run: &mut dyn FnMut(&Frame<S, NQ, L, H, R>)| {
             let numbers = Beside { line, force, second, known, ..Beside::NONE };
             run(&Frame { beside: Some(&numbers), ..Frame::at(t) });
         };
-        let sweep = |force: &[S; ROWS], second: &[S; NQ], next: &mut [S; ROWS], changed: &mut [S; NQ]| {
+        let sweep = |force: &[S; R], second: &[S; NQ], next: &mut [S; R], changed: &mut [S; NQ]| {
             at(force, second, &mut |frame| {
                 self.run(&functions.sweep, frame, [next, changed]);
             });

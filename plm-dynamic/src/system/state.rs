@@ -2,25 +2,41 @@
 
 use plm_runtime::{BodyState, Health, InPlace, Moment, Real, absolute, charts, turns};
 
+use crate::capacity::{ROWS, SWITCHES};
 use crate::handle::{Beside, Dynamic, Frame, Held};
 use crate::system::singular;
 use plm_compiler::lowered::Form;
 
 /// A mechanism with its numbers at one moment.
 #[derive(Clone, Copy, Debug)]
-pub struct State<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize = NQ> {
-    mechanism: Dynamic<S, NQ, NC, N, L>,
-    held: Held<S, NQ, L>,
+pub struct State<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize = NQ,
+    const H: usize = SWITCHES,
+    const R: usize = ROWS,
+> {
+    mechanism: Dynamic<S, NQ, NC, N, L, H, R>,
+    held: Held<S, NQ, L, H, R>,
     time: S,
     x: [S; N],
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Moment
-    for State<S, NQ, NC, N, L>
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Moment for State<S, NQ, NC, N, L, H, R>
 {
-    type M = Dynamic<S, NQ, NC, N, L>;
+    type M = Dynamic<S, NQ, NC, N, L, H, R>;
 
-    fn new(mechanism: Self::M, held: Held<S, NQ, L>, time: S, x: [S; N]) -> Self {
+    fn new(mechanism: Self::M, held: Held<S, NQ, L, H, R>, time: S, x: [S; N]) -> Self {
         State { mechanism, held, time, x }
     }
 
@@ -28,7 +44,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         &self.mechanism
     }
 
-    fn held(&self) -> Held<S, NQ, L> {
+    fn held(&self) -> Held<S, NQ, L, H, R> {
         self.held
     }
 
@@ -40,7 +56,7 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         &self.x
     }
 
-    fn set(&mut self, time: S, held: &Held<S, NQ, L>, x: &[S; N]) {
+    fn set(&mut self, time: S, held: &Held<S, NQ, L, H, R>, x: &[S; N]) {
         (self.time, self.held, self.x) = (time, *held, *x);
     }
 
@@ -50,7 +66,16 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> State<S, NQ, NC, N, L> {
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> State<S, NQ, NC, N, L, H, R>
+{
     /// Pose and velocity of every body, without whole turns.
     pub(crate) fn pose(&self) -> ([S; NQ], [S; NQ]) {
         match self.mechanism.model.lowered.form {
@@ -140,12 +165,12 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 
     /// What is held, with the multipliers of contact.
-    fn loaded(&self) -> Held<S, NQ, L> {
+    fn loaded(&self) -> Held<S, NQ, L, H, R> {
         self.mechanism.loaded(self.time, &self.held, &self.x)
     }
 
     /// A scalar of the state.
-    fn value(&self, code: &crate::code::Code) -> S {
+    fn value(&self, code: &'static crate::code::Code) -> S {
         let (q, v) = self.pose();
         let held = self.loaded();
         let frame = Frame { held: Some(&held), x: &self.x, ..Frame::of_pose(self.time, &q, &v) };

@@ -8,7 +8,16 @@ use crate::capacity::ROWS;
 use crate::handle::{Beside, Dynamic, Frame, Held, Starts};
 use crate::places::Room;
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Dynamic<S, NQ, NC, N, L> {
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Dynamic<S, NQ, NC, N, L, H, R>
+{
     /// Coordinates of all bodies, and the room for them.
     fn absolute_room(&self) -> Room {
         Room { coordinates: self.model.lowered.coordinates.len(), capacity: NQ }
@@ -41,8 +50,15 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> Statics
-    for Dynamic<S, NQ, NC, N, L>
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> Statics for Dynamic<S, NQ, NC, N, L, H, R>
 {
     type Full = [S; N];
     type Rows = [S; NC];
@@ -63,15 +79,22 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         self.model.description.states
     }
 
-    fn full(state: &State<S, NQ, NC, N, L>) -> [S; N] {
+    fn full(state: &State<S, NQ, NC, N, L, H, R>) -> [S; N] {
         state.unwrapped()
     }
 
     #[cold]
-    fn equations(&self, t: S, u: &Held<S, NQ, L>, x: &[S; N], lambda: &[S; NC], each: &mut impl FnMut(S)) {
+    fn equations(
+        &self,
+        t: S,
+        u: &Held<S, NQ, L, H, R>,
+        x: &[S; N],
+        lambda: &[S; NC],
+        each: &mut impl FnMut(S),
+    ) {
         let (x, lowered) = (self.spread(x), &self.model.lowered);
         let (mut force, mut x_dot) = ([S::ZERO; NQ], [S::ZERO; N]);
-        let (mut gap, mut limit) = ([S::ZERO; ROWS], [S::ZERO; 2 * ROWS]);
+        let (mut gap, mut limit) = ([S::ZERO; R], [S::ZERO; 2 * ROWS]);
         let beside = Beside { lambda, ..Beside::NONE };
         let frame = Frame { beside: Some(&beside), ..Frame::of_state(t, u, &x) };
         self.run(&self.model.absolute.at_rest, &frame, [&mut force, &mut x_dot, &mut gap, &mut limit]);
@@ -86,15 +109,19 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         gap.into_iter().take(contacts).chain(limit.into_iter().take(2 * contacts)).for_each(each);
     }
 
-    fn multipliers(held: &mut Held<S, NQ, L>) -> &mut [S] {
+    fn multipliers(held: &mut Held<S, NQ, L, H, R>) -> &mut [S] {
         &mut held.contact.lambda
     }
 
-    fn start_with_inputs(&self, t: S, held: &Held<S, NQ, L>) -> Result<(Held<S, NQ, L>, [S; N]), Fault> {
+    fn start_with_inputs(
+        &self,
+        t: S,
+        held: &Held<S, NQ, L, H, R>,
+    ) -> Result<(Held<S, NQ, L, H, R>, [S; N]), Fault> {
         self.start_holding(t, held.input)
     }
 
-    fn unstarted(&self) -> Held<S, NQ, L> {
+    fn unstarted(&self) -> Held<S, NQ, L, H, R> {
         self.holding(self.declared_input())
     }
 
@@ -133,7 +160,16 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
     }
 }
 
-impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> State<S, NQ, NC, N, L> {
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+> State<S, NQ, NC, N, L, H, R>
+{
     /// The state in absolute coordinates with all turns, unused room at the end.
     fn unwrapped(&self) -> [S; N] {
         let (mechanism, mut x) = (plm_runtime::Moment::mechanism(self), self.absolute());

@@ -26,7 +26,7 @@ impl Text {
     fn new(py: Python<'_>, name: &str, text: &str) -> PyResult<Self> {
         let compiled = py.detach(|| Mechanism::from_named_text(name, text));
         if let (Ok(mechanism), Some(translator)) = (&compiled, Host::new()) {
-            mechanism.translate_by(Arc::new(translator));
+            mechanism.translate_by(Arc::new(translator.in_background()));
         }
         compiled.map(|mechanism| Self { mechanism }).map_err(|why| match why {
             Error::Refused(Refused::Mistakes(said)) => refused(py, name, text, &said),

@@ -81,7 +81,15 @@ impl<S: Real> GuardFree<S> {
     /// Is the path of a step within reach, that begins there?
     #[inline]
     fn encloses<M: System<S = S>>(&self, centre: &Beginning<M>, step: &Step<'_, M>) -> bool {
-        Path::between_stays(step.from, step.to, M::NQ, |i, x| self.reaches(step.system, centre, (i, x)))
+        let within = |i, x| self.reaches(step.system, centre, (i, x));
+        let (coordinates, states) = (step.system.coordinates(), step.system.states());
+        if states < M::X::LEN {
+            // What there is only room for is zero, at the centre too.
+            let first_order = 2 * M::NQ..2 * M::NQ + states - 2 * coordinates;
+            let all = (0..coordinates).chain(M::NQ..M::NQ + coordinates).chain(first_order);
+            return Path::between_stays(step.from, step.to, (M::NQ, coordinates, all), within);
+        }
+        Path::between_stays(step.from, step.to, (M::NQ, M::NQ, 0..M::X::LEN), within)
     }
 
     /// Is a value of a component within reach? False for what is not a number.

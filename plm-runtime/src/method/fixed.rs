@@ -3,16 +3,16 @@
 use core::marker::PhantomData;
 
 use super::estimate::Estimate;
-use super::length::{are_near, are_straight, is_due};
+use super::length::{are_near, are_straight, is_due, spread};
 use super::partition::Partition;
 use super::{
     Context, DenseOutput, DriftCheck, ErrorControl, FastStep, FixedLength, Method, Rates, Watched,
     drift_of_size, not_finite, rate,
 };
 use crate::fault::Fault;
-use crate::scalar::Real;
+use crate::scalar::{Real, Scalar};
 use crate::stats::Stats;
-use crate::system::{Drift, Health, Rate, System};
+use crate::system::{Drift, Health, OneStep, Rate, System};
 use crate::vector::Vector;
 
 /// The formula of a fixed-step method.
@@ -73,6 +73,36 @@ pub(crate) fn looked_at<F: Formula, M: Rate, T>(
     let mut rates = Watched::new(system, u);
     let seen = F::step::<M, T>(times, x, &mut rates, look);
     (rates.worst, seen)
+}
+
+/// One step with the worst health of its stages, and whether its rates are little apart: as a whole, where the system computes it so.
+#[allow(clippy::inline_always, reason = "as the formula, which it is")]
+#[inline(always)]
+fn formula<F: Formula, M: Rate<S: Real>>(
+    (system, u): (&M, &M::U),
+    (t, h): (M::S, M::S),
+    (from, x): (&M::X, &mut M::X),
+) -> (Health<M::S>, bool) {
+    if M::WHOLE
+        && let Some(whole) = system.whole_step::<F>((t, h), u, from, x)
+    {
+        return (whole.health, whole.spread <= M::S::ZERO);
+    }
+    looked_at::<F, M, _>((system, u), (t, h), x, |x, stages| are_near::<F, M>(system, h, x, stages))
+}
+
+impl<F: Formula> OneStep for F {
+    const NAME: &'static str = F::NAME;
+    const STAGES: u64 = F::STAGES;
+
+    fn one_step<M: Rate>(
+        system: &M,
+        (t, h): (M::S, M::S),
+        x: &mut M::X,
+        rates: impl FnMut(M::S, &M::X, &mut M::X),
+    ) -> M::S {
+        F::step::<M, _>((t, h), x, rates, |x, stages| spread::<F, M>(system, h, x, stages))
+    }
 }
 
 /// A step that was made.
@@ -146,9 +176,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         let (t, h) = (context.time, self.partition.h);
         if !self.was_unhealthy {
             let all = (context.system, &context.held);
-            let (health, are_near) = looked_at::<F, M, _>(all, (t, h), x, |x, stages| {
-                are_near::<F, M>(context.system, h, x, stages)
-            });
+            let (health, are_near) = formula::<F, M>(all, (t, h), (&context.x, x));
             let is_bent = || {
                 is_due(context.system, context.stats)
                     && !are_straight::<F, M>(context.system, h, [&context.x, x])
@@ -200,7 +228,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         context: &mut Context<'_, M>,
         next: M::X,
     ) -> Result<(), Fault> {
-        if !next.is_finite() {
+        if !context.system.is_finite(&next) {
             return Err(not_finite(context.system, self.partition.next_time, &next));
         }
         context.stats.steps += 1;
@@ -311,9 +339,14 @@ impl<M: System<S: Real>, F: Formula> FixedLength<M> for FixedStep<M::S, F> {
         to: &mut M::X,
     ) -> Option<FastStep<M::S>> {
         let h = Partition::one_step(t, end, self.longest_step).filter(|_| !self.was_unhealthy)?;
-        let (health, are_near) = looked_at::<F, M, _>((system, held), (t, h), to, |to, stages| {
-            are_near::<F, M>(system, h, to, stages)
-        });
+        let (health, are_near) = if M::WHOLE {
+            let from = *to;
+            formula::<F, M>((system, held), (t, h), (&from, to))
+        } else {
+            looked_at::<F, M, _>((system, held), (t, h), to, |to, stages| {
+                are_near::<F, M>(system, h, to, stages)
+            })
+        };
         let healthy = to.is_finite() && health.is_good();
         healthy.then_some(FastStep { h, health: health.0, evaluations: F::STAGES, are_near })
     }

@@ -64,6 +64,17 @@ pub(super) fn are_near<F: Formula, M: Rate<S: Real>>(
     })
 }
 
+/// The same in any numbers, of which none decides: above zero where they are not. A state that is not a number is found by itself.
+pub(super) fn spread<F: Formula, M: Rate>(system: &M, h: M::S, x: &M::X, stages: &F::Stages<M::X>) -> M::S {
+    let typical = system.typical();
+    let apart = F::apart::<M>(h, stages, |i| x.at(i).abs() + typical.at(i));
+    let own = (first::<F, M>(has_few(moving(system)))..M::X::LEN).filter(|i| system.has_number(*i));
+    own.fold(M::S::ZERO, |spread, i| {
+        let [apart, most] = apart(i);
+        spread.max(apart - most)
+    })
+}
+
 /// Are the positions of a step of `h` between two states near to those by the trapezoidal rule? A call: what few steps do does not
 /// take the registers of all.
 #[allow(clippy::needless_bitwise_bool, reason = "a branch for each state would keep compilers from vectors")]

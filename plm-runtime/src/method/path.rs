@@ -59,24 +59,24 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
         })
     }
 
-    /// Is all of that path `within` bounds? The hull of its control points encloses it (S. Bernstein's form of a polynomial;
+    /// Is all of that path `within` bounds, of so many coordinates whose velocities stand behind a place, and of `all` numbers there are? The hull of its control points encloses it (S. Bernstein's form of a polynomial;
     /// G. Farin, Curves and Surfaces for CAGD, 5th edition, 4.3); it begins within them.
     #[inline]
     pub(crate) fn between_stays(
         from: (S, &X),
         to: (S, &X),
-        coordinates: usize,
+        (velocity, coordinates, all): (usize, usize, impl IntoIterator<Item = usize>),
         within: impl Fn(usize, S) -> bool,
     ) -> bool {
         let ((start, from), (end, to)) = (from, to);
         let (h, three) = (end - start, S::lit(3.0));
         let third = h * S::lit(1.0 / 3.0);
         let moves = |i: usize| {
-            let (q, v) = ((from.at(i), to.at(i)), (from.at(coordinates + i), to.at(coordinates + i)));
+            let (q, v) = ((from.at(i), to.at(i)), (from.at(velocity + i), to.at(velocity + i)));
             let between = three * (q.1 - q.0) / h - (v.0 + v.1);
-            within(i, q.0 + third * v.0) && within(i, q.1 - third * v.1) && within(coordinates + i, between)
+            within(i, q.0 + third * v.0) && within(i, q.1 - third * v.1) && within(velocity + i, between)
         };
-        (0..coordinates).all(moves) && (0..X::LEN).all(|i| within(i, to.at(i)))
+        (0..coordinates).all(moves) && all.into_iter().all(|i| within(i, to.at(i)))
     }
 
     /// The time at a fraction of the step, s.
@@ -222,7 +222,7 @@ mod tests {
                 hull.borrow_mut()[i] = (low.min(s), high.max(s));
                 true
             };
-            assert!(Path::between_stays(ends.0, ends.1, 1, grow));
+            assert!(Path::between_stays(ends.0, ends.1, (1, 1, 0..3), grow));
             let path = Path::between(ends.0, ends.1, 1);
             for part in 0..=100 {
                 let x: [f64; 3] = path.at(0.01 * f64::from(part));
@@ -236,7 +236,7 @@ mod tests {
                 let high = hull.borrow()[bound].1;
                 let inside = |i: usize, s: f64| i != bound || s < high;
                 assert!(
-                    from[bound] == high || !Path::between_stays(ends.0, ends.1, 1, inside),
+                    from[bound] == high || !Path::between_stays(ends.0, ends.1, (1, 1, 0..3), inside),
                     "{k}, {bound}"
                 );
             }

@@ -129,6 +129,9 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     /// Proposes a step, and does what the judge says of it.
     #[inline]
     fn step(&mut self) -> Made<M::S> {
+        if const { Self::COASTS } {
+            return self.coast();
+        }
         let Self { method, context, guarded, .. } = self;
         let from = Beginning { time: context.time, held: context.held, x: context.x };
         context.health = M::S::lit(1.0);

@@ -51,6 +51,16 @@ pub trait Constraints: Rate {
         Ok(Updated::default())
     }
 
+    /// Is [`is_settled`](Self::is_settled) of use: is the discrete state so large that copies of it take a part of a step?
+    const SETTLES: bool = false;
+
+    /// Would [`update`](Self::update) find and change nothing behind a step? False where that is not known.
+    #[inline]
+    fn is_settled(&self, t: Self::S, u: &Self::U, x: &Self::X) -> bool {
+        let _ = (t, u, x);
+        false
+    }
+
     /// Energy at a state, where it can be accounted for: no motion is prescribed, whose drive would do work.
     fn energy(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Option<Energy<Self::S>> {
         let _ = (t, u, x);

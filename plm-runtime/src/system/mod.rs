@@ -4,11 +4,13 @@ mod constraints;
 mod events;
 mod labels;
 mod rate;
+mod whole;
 
 pub use constraints::Constraints;
 pub use events::Events;
 pub use labels::Labels;
 pub use rate::{Rate, rate_aside};
+pub use whole::{OneStep, WholeStep};
 
 use crate::scalar::Scalar;
 

@@ -1,7 +1,7 @@
 //! Equations of motion: the rate of the state.
 
 use crate::scalar::Scalar;
-use crate::system::Health;
+use crate::system::{Health, OneStep, WholeStep};
 use crate::vector::Vector;
 
 /// Equations of motion x' = f(t, u, x), for any numbers: `f32`, `f64`, dual numbers, lanes.
@@ -42,6 +42,23 @@ pub trait Rate {
         health.worst(self.rate(later, u, &second(first), last))
     }
 
+    /// One step of a formula from the time `t` by `h`, computed as a whole: `to`, which is the state `from`, becomes that behind the step,
+    /// with the bits that the formula has by rates one by one. Nothing, and `to` stays, where the system computes rates alone.
+    #[inline]
+    fn whole_step<F: OneStep>(
+        &self,
+        times: (Self::S, Self::S),
+        u: &Self::U,
+        from: &Self::X,
+        to: &mut Self::X,
+    ) -> Option<WholeStep<Self::S>> {
+        let _ = (times, u, from, to);
+        None
+    }
+
+    /// Is [`whole_step`](Self::whole_step) of use?
+    const WHOLE: bool = false;
+
     /// Number of coordinates: `NQ`, or fewer of a system that has its size from a program. Then the numbers of the state behind the last
     /// coordinate, and those behind the last velocity, are zero and stay so.
     #[inline]
@@ -53,6 +70,12 @@ pub trait Rate {
     #[inline]
     fn states(&self) -> usize {
         Self::X::LEN
+    }
+
+    /// Are the numbers of a state neither infinite nor NaN?
+    #[inline]
+    fn is_finite(&self, x: &Self::X) -> bool {
+        x.is_finite()
     }
 
     /// Does the state have a number at this place? Else it is one of the zeros behind the last coordinate or the last velocity.

@@ -11,7 +11,7 @@ pub(super) fn share(routine: &mut Routine) {
         if let Operation::SinCos(_, cosine) = step.operation {
             last_use[cosine as usize] = at;
         }
-        for operand in operands(&mut step.operation) {
+        for operand in step.operation.operands_mut() {
             last_use[*operand as usize] = at;
         }
     }
@@ -22,7 +22,7 @@ pub(super) fn share(routine: &mut Routine) {
     let (mut free, mut count): (Vec<Register>, Register) = (Vec::new(), 0);
     for (at, step) in routine.steps.iter_mut().enumerate() {
         let mut ended = Vec::new();
-        for operand in operands(&mut step.operation) {
+        for operand in step.operation.operands_mut() {
             let value = *operand as usize;
             *operand = place[value];
             if last_use[value] == at && !ended.contains(&place[value]) {
@@ -60,33 +60,4 @@ pub(super) fn share(routine: &mut Routine) {
         *result = place[*result as usize];
     }
     routine.registers = count as usize;
-}
-
-/// The registers that an operation reads.
-fn operands(operation: &mut Operation) -> Vec<&mut Register> {
-    use Operation as O;
-    match operation {
-        O::Number(_) | O::Argument(_) => Vec::new(),
-        O::SinCos(a, _)
-        | O::Neg(a)
-        | O::Sqrt(a)
-        | O::Sin(a)
-        | O::Cos(a)
-        | O::Asin(a)
-        | O::Acos(a)
-        | O::Exp(a)
-        | O::Ln(a)
-        | O::Abs(a)
-        | O::Sign(a)
-        | O::Floor(a) => vec![a],
-        O::Add(a, b)
-        | O::Sub(a, b)
-        | O::Mul(a, b)
-        | O::Div(a, b)
-        | O::Atan2(a, b)
-        | O::Min(a, b)
-        | O::Max(a, b) => vec![a, b],
-        O::MulAdd(a, b, c) | O::NegMulAdd(a, b, c) | O::MulSub(a, b, c) => vec![a, b, c],
-        O::Select(a, b, c, d) => vec![a, b, c, d],
-    }
 }

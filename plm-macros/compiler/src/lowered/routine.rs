@@ -107,6 +107,55 @@ pub enum Operation {
     Select(Register, Register, Register, Register),
 }
 
+impl Step {
+    /// The registers that it writes: one, or two.
+    pub fn results(&self) -> impl Iterator<Item = Register> + use<> {
+        let cosine = match self.operation {
+            Operation::SinCos(_, cosine) => Some(cosine),
+            _ => None,
+        };
+        [self.to].into_iter().chain(cosine)
+    }
+}
+
+impl Operation {
+    /// The registers that it reads.
+    pub fn operands_mut(&mut self) -> Vec<&mut Register> {
+        use Operation as O;
+        match self {
+            O::Number(_) | O::Argument(_) => Vec::new(),
+            O::SinCos(a, _)
+            | O::Neg(a)
+            | O::Sqrt(a)
+            | O::Sin(a)
+            | O::Cos(a)
+            | O::Asin(a)
+            | O::Acos(a)
+            | O::Exp(a)
+            | O::Ln(a)
+            | O::Abs(a)
+            | O::Sign(a)
+            | O::Floor(a) => vec![a],
+            O::Add(a, b)
+            | O::Sub(a, b)
+            | O::Mul(a, b)
+            | O::Div(a, b)
+            | O::Atan2(a, b)
+            | O::Min(a, b)
+            | O::Max(a, b) => vec![a, b],
+            O::MulAdd(a, b, c) | O::NegMulAdd(a, b, c) | O::MulSub(a, b, c) => vec![a, b, c],
+            O::Select(a, b, c, d) => vec![a, b, c, d],
+        }
+    }
+
+    /// Operation with other registers that it reads.
+    #[must_use]
+    pub fn with_operands(mut self, name: impl Fn(Register) -> Register) -> Operation {
+        self.operands_mut().into_iter().for_each(|operand| *operand = name(*operand));
+        self
+    }
+}
+
 /// The places of the symbols that a function may read.
 pub(crate) type Places = SortedMap<Expr, Source>;
 
