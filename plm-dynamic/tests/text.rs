@@ -222,3 +222,17 @@ fn many_bodies_run() {
         "more than 8 bodies run by Dop853 and Rk4"
     );
 }
+
+/// A disc that touches the corner of a table while both fall freely: the guards of two neighbouring parts of the edge rest at zero, which
+/// cuts no step.
+#[test]
+fn what_touches_a_corner_falls_freely_in_few_steps() {
+    let edge =
+        Mechanism::from_text(include_str!("../../examples/figures/parts/circle_on_polyline.plm")).unwrap();
+    let mut run = edge.start().unwrap();
+    run.step_to(1.0).unwrap();
+    let [table, disc] = ["table", "disc"].map(|name| run.body(name).unwrap());
+    let fallen = [table.y, disc.y - 0.2 * 25_f64.to_radians().cos()];
+    assert!(fallen.iter().all(|y| (y + 9.81 / 2.0).abs() < 1e-12), "{fallen:?}");
+    assert!(run.stats().steps < 20, "{:?}", run.stats());
+}
