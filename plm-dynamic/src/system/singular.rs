@@ -99,6 +99,15 @@ impl<S: Real, const NQ: usize, const NC: usize, const N: usize, const L: usize> 
         (self.map(&number), Self::map_held(held, &number))
     }
 
+    fn rate_in_numbers<T: Real>(
+        &self,
+        held: &Self::U,
+        number: impl Fn(S) -> T,
+    ) -> (Self::In<T>, Held<T, NQ, L>) {
+        let (own, held) = self.without_derivatives(held);
+        own.in_numbers(&held, number)
+    }
+
     fn jacobian(
         &self,
         t: S,

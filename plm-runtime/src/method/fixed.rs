@@ -6,7 +6,7 @@ use super::estimate::Estimate;
 use super::length::{are_near, are_straight, is_due};
 use super::partition::Partition;
 use super::{
-    Context, DenseOutput, DriftCheck, ErrorControl, FastStep, FixedLength, Method, Rates, Watched,
+    Context, DenseOutput, DriftCheck, ErrorControl, Evaluated, FastStep, FixedLength, Method, Rates, Watched,
     drift_of_size, not_finite, rate,
 };
 use crate::fault::Fault;
@@ -71,6 +71,20 @@ pub(crate) fn looked_at<F: Formula, M: Rate, T>(
     look: impl FnOnce(&M::X, &F::Stages<M::X>) -> T,
 ) -> (Health<M::S>, T) {
     let mut rates = Watched::new(system, u);
+    let seen = F::step::<M, T>(times, x, &mut rates, look);
+    (rates.worst, seen)
+}
+
+/// The same of a system whose rate is evaluated as by methods.
+#[allow(clippy::inline_always, reason = "as the formula, which it is")]
+#[inline(always)]
+fn evaluated<F: Formula, M: System, T>(
+    (system, u): (&M, &M::U),
+    times: (M::S, M::S),
+    x: &mut M::X,
+    look: impl FnOnce(&M::X, &F::Stages<M::X>) -> T,
+) -> (Health<M::S>, T) {
+    let mut rates = Evaluated::new(system, u);
     let seen = F::step::<M, T>(times, x, &mut rates, look);
     (rates.worst, seen)
 }
@@ -146,7 +160,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         let (t, h) = (context.time, self.partition.h);
         if !self.was_unhealthy {
             let all = (context.system, &context.held);
-            let (health, are_near) = looked_at::<F, M, _>(all, (t, h), x, |x, stages| {
+            let (health, are_near) = evaluated::<F, M, _>(all, (t, h), x, |x, stages| {
                 are_near::<F, M>(context.system, h, x, stages)
             });
             let is_bent = || {
@@ -254,7 +268,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
 /// apart would pay for keeping these to their ends.
 #[cold]
 #[inline(never)]
-fn estimate<F: Formula, M: Rate<S: Real>>(
+fn estimate<F: Formula, M: System<S: Real>>(
     (system, held): (&M, &M::U),
     (t, h): (M::S, M::S),
     [from, to]: [&M::X; 2],
@@ -311,7 +325,7 @@ impl<M: System<S: Real>, F: Formula> FixedLength<M> for FixedStep<M::S, F> {
         to: &mut M::X,
     ) -> Option<FastStep<M::S>> {
         let h = Partition::one_step(t, end, self.longest_step).filter(|_| !self.was_unhealthy)?;
-        let (health, are_near) = looked_at::<F, M, _>((system, held), (t, h), to, |to, stages| {
+        let (health, are_near) = evaluated::<F, M, _>((system, held), (t, h), to, |to, stages| {
             are_near::<F, M>(system, h, to, stages)
         });
         let healthy = to.is_finite() && health.is_good();
