@@ -5,7 +5,7 @@ use std::sync::Arc;
 use plm_runtime::charts::OfLoops;
 use plm_runtime::contact;
 use plm_runtime::held::Held as HeldOf;
-use plm_runtime::{Scalar, Start, StartValues};
+use plm_runtime::{Real, Scalar, Start, StartValues};
 
 use crate::capacity::{PARAMETERS, ROWS, SWITCHES, WATCHED};
 use crate::code::Code;
@@ -286,6 +286,17 @@ impl<
             },
             contact: contact::Held::packed(&held.contact, [&held.contact], &|[value]: [S; 1]| number(value)),
         }
+    }
+
+    /// The mechanism and what it holds, without derivatives of what the rate does not depend on: start values and continuation data.
+    pub(crate) fn without_derivatives(&self, held: &Held<S, NQ, L>) -> (Self, Held<S, NQ, L>)
+    where
+        S: Real,
+    {
+        let plain = |number: S| S::of_plain(number.plain());
+        let own = self.map(&plain);
+        let of_loops = Self::map_held(held, &plain).of_loops;
+        (Dynamic { starts: own.starts, ..*self }, HeldOf { of_loops, ..*held })
     }
 
     /// Has functions computed by machine code of a translator from now on, in all copies of this mechanism. The first translator stays.

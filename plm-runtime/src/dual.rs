@@ -11,7 +11,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use plm_math::exact::Split;
 
 use crate::scalar::chain_rule::by_chain_rule;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Registers, Scalar};
 
 /// A number and its derivatives in `K` directions.
 ///
@@ -132,6 +132,7 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
     const AGREEMENT: f64 = S::AGREEMENT;
     const PRECISION: f64 = S::PRECISION;
     const HAS_DERIVATIVES: bool = true;
+    const REGISTERS: Registers = if K > 1 { Registers::Filled } else { Registers::Scalar };
 
     by_chain_rule!(chain_steep);
 
@@ -180,6 +181,20 @@ impl<S: Real, const K: usize> Split for Dual<S, K> {
 }
 
 impl<S: Real, const K: usize> Real for Dual<S, K> {
+    type Plain = S::Plain;
+
+    #[inline]
+    fn plain(self) -> S::Plain {
+        self.value.plain()
+    }
+    #[inline]
+    fn of_plain(plain: S::Plain) -> Self {
+        Self::constant(S::of_plain(plain))
+    }
+    #[inline]
+    fn with_plain(self, plain: S::Plain) -> Self {
+        Self { value: self.value.with_plain(plain), ..self }
+    }
     const EPSILON: Self = Self { value: S::EPSILON, tangents: [S::ZERO; K] };
     const RANK_TOLERANCE: Self = Self { value: S::RANK_TOLERANCE, tangents: [S::ZERO; K] };
     const DOUBLE_DOUBLE_EPSILON: Self = Self { value: S::DOUBLE_DOUBLE_EPSILON, tangents: [S::ZERO; K] };

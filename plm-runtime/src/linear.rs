@@ -1,9 +1,11 @@
 //! Exact derivatives of the rate, for implicit methods and for linearisation.
 
+use core::marker::PhantomData;
+
 use crate::dual::Dual;
 use crate::linalg::{Dense, Derivatives};
-use crate::scalar::{Real, Scalar};
-use crate::system::{Health, Rate, System};
+use crate::scalar::{Operation, Real, Scalar};
+use crate::system::{Computation, Health, Rate, System};
 use crate::vector::Vector;
 
 /// Directions in which one evaluation on dual numbers differentiates.
@@ -36,6 +38,20 @@ pub trait Linear: System<S: Real, X: Dense<<Self as Rate>::S>> {
         held: &Self::U,
         number: impl Fn(Self::S) -> T,
     ) -> (Self::In<T>, <Self::In<T> as Rate>::U);
+
+    /// The same for the rate alone, which reads no start values: they are constants.
+    fn rate_in_numbers<T: Real>(
+        &self,
+        held: &Self::U,
+        number: impl Fn(Self::S) -> T,
+    ) -> (Self::In<T>, <Self::In<T> as Rate>::U) {
+        self.in_numbers(held, number)
+    }
+
+    /// Does the rate read the time? True if it is not sure.
+    fn rate_reads_time(&self) -> bool {
+        true
+    }
 
     /// Gives `row` the residual of every equation that a state has to keep: phi and phi_q v - nu.
     fn constraints(&self, t: Self::S, x: &Self::X, row: &mut impl FnMut(Self::S)) {
@@ -98,6 +114,89 @@ pub trait Linear: System<S: Real, X: Dense<<Self as Rate>::S>> {
         by_t: Option<&mut Self::X>,
     ) -> Health<Self::S> {
         by_columns(self, (t, u, x), by_x, by_t)
+    }
+}
+
+/// [`Constraints::compute`](crate::Constraints::compute) of a system that can be differentiated.
+#[allow(clippy::inline_always, reason = "it is the formula")]
+#[inline(always)]
+pub fn compute<M: Linear, C: Computation>(
+    system: &M,
+    (t, h): (M::S, M::S),
+    u: &M::U,
+    from: (&M::X, &M::X),
+) -> (C::Made<M::X>, Health<M::S>) {
+    M::S::make(Computed::<M, C> { system, times: (t, h), u, from, computation: PhantomData })
+}
+
+/// A computation as an operation of the numbers that the rate depends on.
+struct Computed<'a, M: Linear, C> {
+    system: &'a M,
+    times: (M::S, M::S),
+    u: &'a M::U,
+    from: (&'a M::X, &'a M::X),
+    computation: PhantomData<C>,
+}
+
+/// States of more numbers depend on variables in more of them than there are directions, but for the first steps.
+const WIDE: usize = 24;
+
+impl<M: Linear, C: Computation> Operation<M::S> for Computed<'_, M, C> {
+    type Output = (C::Made<M::X>, Health<M::S>);
+    const IS_WIDE: bool = M::X::LEN > WIDE;
+
+    #[allow(clippy::inline_always, reason = "it is the formula")]
+    #[inline(always)]
+    fn make(self) -> Self::Output {
+        C::of(self.system, self.times, self.u, self.from)
+    }
+
+    #[inline]
+    fn arguments(&self, each: impl Fn(M::S)) {
+        if self.system.rate_reads_time() {
+            each(self.times.0);
+        }
+        each(self.times.1);
+        for i in 0..M::X::LEN {
+            each(self.from.0.at(i));
+        }
+        self.system.rate_in_numbers(self.u, |number| {
+            each(number);
+            number
+        });
+    }
+
+    fn results(&self) -> usize {
+        C::VECTORS * (0..M::X::LEN).filter(|i| self.system.has_number(*i)).count()
+    }
+
+    #[inline]
+    fn in_numbers<T: Real<Plain = <M::S as Real>::Plain>>(
+        self,
+        number: impl Fn(M::S) -> T,
+        result: impl Fn(T) -> M::S,
+    ) -> Self::Output {
+        let Self { system, times: (t, h), u, from: (x, rate), .. } = self;
+        let reads_time = system.rate_reads_time();
+        let t = number(if reads_time { t } else { M::S::of_plain(t.plain()) });
+        let h = number(h);
+        let state: <M::In<T> as Rate>::X = Vector::from_fn(|i| number(x.at(i)));
+        let (own, held) = system.rate_in_numbers(u, &number);
+        // The rate is known, but not its derivatives by these arguments.
+        let mut first = state;
+        if C::FROM_RATE {
+            if T::HAS_DERIVATIVES {
+                own.rate(t, &held, &state, &mut first);
+            }
+            first = Vector::from_fn(|i| first.at(i).with_plain(rate.at(i).plain()));
+        }
+        let (made, health) = C::of(&own, (t, h), &held, (&state, &first));
+        let vector = |all: &<M::In<T> as Rate>::X| {
+            M::X::from_fn(|i| {
+                if system.has_number(i) { result(all.at(i)) } else { M::S::of_plain(all.at(i).plain()) }
+            })
+        };
+        (C::map(&made, vector), Health(M::S::of_plain(health.0.plain())))
     }
 }
 

@@ -7,12 +7,16 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use plm_math as math;
-use plm_math::exact::Split;
-
 pub(crate) mod chain_rule;
+mod floats;
+#[cfg(feature = "fma")]
+mod fused;
+mod operation;
+mod real;
 mod registers;
 
+pub use self::operation::Operation;
+pub use self::real::Real;
 pub use self::registers::Registers;
 
 /// A number, or several in lanes, with the operations of a right-hand side.
@@ -70,6 +74,23 @@ pub trait Scalar:
     /// `self * a + b`: two roundings, or one with the feature `fma`.
     #[must_use]
     fn mul_add(self, a: Self, b: Self) -> Self;
+    /// The sum of weight times number, in the order of the weights.
+    #[inline]
+    #[must_use]
+    fn weighted<const K: usize>(weights: [f64; K], number: impl Fn(usize) -> Self) -> Self {
+        let mut sum = Self::lit(0.0);
+        for k in 0..K {
+            let (weight, s) = (Self::lit(weights[k]), number(k));
+            sum = if k == 0 { weight * s } else { weight.mul_add(s, sum) };
+        }
+        sum
+    }
+    /// `h * weighted(...) + self`.
+    #[inline]
+    #[must_use]
+    fn moved<const K: usize>(self, h: Self, weights: [f64; K], number: impl Fn(usize) -> Self) -> Self {
+        h.mul_add(Self::weighted(weights, number), self)
+    }
     /// Sine and cosine of an angle in rad.
     fn sin_cos(self) -> (Self, Self);
     /// Sines and cosines of several angles, the same bits as one by one, in vector instructions where there are some.
@@ -207,194 +228,3 @@ pub trait Scalar:
         if n < 0 { Self::lit(1.0) / power } else { power }
     }
 }
-
-/// One real number: `f32` or `f64`, two of them in one ([`DoubleDouble`](crate::DoubleDouble)), or one with its derivatives
-/// ([`Dual`](crate::Dual)).
-pub trait Real: Scalar<Mask = bool, Turns = i32> + PartialOrd + Split {
-    /// Distance from 1 to the next larger number; of [`DoubleDouble`](crate::DoubleDouble) the unit of its errors.
-    const EPSILON: Self;
-    /// Singular values below this fraction of the largest count as zero: the square root of [`EPSILON`](Self::EPSILON).
-    ///
-    /// To keep a direction with the relative singular value s amplifies rounding to eps / s; to drop it leaves an
-    /// error of order s. The two are equal at s = sqrt(eps).
-    const RANK_TOLERANCE: Self;
-    /// Precision of two such numbers in one ([`DoubleDouble`](crate::DoubleDouble)): the square of [`EPSILON`](Self::EPSILON).
-    const DOUBLE_DOUBLE_EPSILON: Self;
-    /// Larger than every finite number.
-    const INFINITY: Self;
-    /// Can sine and cosine of these angles be computed without a branch, by [`Scalar::sin_cos_by`]? False if it is not sure.
-    #[inline]
-    fn are_direct<const N: usize>(angles: [Self; N]) -> bool {
-        let _ = angles;
-        true
-    }
-}
-
-/// `lanes` of N values in L >= N lanes; the last value fills up.
-#[inline]
-fn padded<T: Copy, const N: usize, const L: usize>(
-    x: [T; N],
-    lanes: impl FnOnce([T; L]) -> ([T; L], [T; L]),
-) -> ([T; N], [T; N]) {
-    let (a, b) = lanes(core::array::from_fn(|i| x[i.min(N - 1)]));
-    (core::array::from_fn(|i| a[i]), core::array::from_fn(|i| b[i]))
-}
-
-macro_rules! real {
-    ($real:ident, $healthy:literal, $agreement:literal, $rank_tolerance:literal, { $($own:item)* }) => {
-        impl Scalar for $real {
-            $($own)*
-
-            type Mask = bool;
-            type Turns = i32;
-
-            const ZERO: Self = 0.0;
-            const HEALTHY: f64 = $healthy;
-            const AGREEMENT: f64 = $agreement;
-            const PRECISION: f64 = $real::EPSILON as f64;
-            const REGISTERS: Registers = if cfg!(any(target_feature = "sse2", target_arch = "aarch64")) {
-                Registers::Pairs
-            } else {
-                Registers::Scalar
-            };
-
-            #[inline]
-            fn lit(x: f64) -> Self {
-                x as $real
-            }
-            #[allow(clippy::cast_lossless, reason = "lossless in f64 alone")]
-            #[inline]
-            fn of_turns(turns: i32) -> Self {
-                turns as $real
-            }
-            #[inline]
-            fn to_turns(self) -> i32 {
-                self as i32
-            }
-            #[inline]
-            fn to_f64(self) -> f64 {
-                self.into()
-            }
-            #[inline]
-            fn is_finite(self) -> bool {
-                $real::is_finite(self)
-            }
-            #[inline]
-            fn mul_add(self, a: Self, b: Self) -> Self {
-                #[cfg(feature = "fma")]
-                return fused::$real(self, a, b);
-                #[cfg(not(feature = "fma"))]
-                return self * a + b;
-            }
-            #[inline]
-            fn sin_cos(self) -> (Self, Self) {
-                math::$real::sin_cos(self)
-            }
-            #[allow(clippy::inline_always, reason = "as `sin_cos_lanes`")]
-            #[inline(always)]
-            fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
-                // Vectors have two, four or eight lanes: what lies between is filled up.
-                match N {
-                    3 => padded::<_, N, 4>(angles, math::$real::sin_cos_lanes),
-                    5..=7 => padded::<_, N, 8>(angles, math::$real::sin_cos_lanes),
-                    _ => math::$real::sin_cos_lanes(angles),
-                }
-            }
-            #[inline]
-            fn sin_cos_by<const DIRECT: bool>(self) -> (Self, Self) {
-                // By its path: numbers have a method of that name in std, with other bits.
-                if DIRECT { math::$real::sin_cos_direct(self) } else { math::$real::sin_cos(self) }
-            }
-            #[allow(clippy::inline_always, reason = "as `sin_cos_lanes`")]
-            #[inline(always)]
-            fn sin_cos_all_by<const DIRECT: bool, const N: usize>(
-                angles: [Self; N],
-            ) -> ([Self; N], [Self; N]) {
-                if DIRECT { math::$real::sin_cos_lanes_direct(angles) } else { Self::sin_cos_all(angles) }
-            }
-            #[inline]
-            fn sqrt(self) -> Self {
-                math::$real::sqrt(self)
-            }
-            #[inline]
-            fn tan(self) -> Self {
-                math::$real::tan(self)
-            }
-            #[inline]
-            fn asin(self) -> Self {
-                math::$real::asin(self)
-            }
-            #[inline]
-            fn acos(self) -> Self {
-                math::$real::acos(self)
-            }
-            #[inline]
-            fn atan2(self, x: Self) -> Self {
-                math::$real::atan2(self, x)
-            }
-            #[inline]
-            fn atan2_all<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
-                math::$real::atan2_lanes(y, x)
-            }
-            #[inline]
-            fn exp(self) -> Self {
-                math::$real::exp(self)
-            }
-            #[inline]
-            fn ln(self) -> Self {
-                math::$real::ln(self)
-            }
-            #[inline]
-            fn abs(self) -> Self {
-                $real::abs(self)
-            }
-            #[inline]
-            fn floor(self) -> Self {
-                // Zero has one sign: numbers of two words, which are sums, keep none.
-                math::$real::floor(self) + 0.0
-            }
-            #[inline]
-            fn lt(self, other: Self) -> bool {
-                self < other
-            }
-            #[inline]
-            fn select(mask: bool, a: Self, b: Self) -> Self {
-                if mask { a } else { b }
-            }
-            #[inline]
-            fn any(mask: bool) -> bool {
-                mask
-            }
-            #[inline]
-            fn all(mask: bool) -> bool {
-                mask
-            }
-        }
-
-        impl Real for $real {
-            const EPSILON: Self = $real::EPSILON;
-            const RANK_TOLERANCE: Self = $rank_tolerance;
-            const DOUBLE_DOUBLE_EPSILON: Self = $real::EPSILON * $real::EPSILON;
-            const INFINITY: Self = $real::INFINITY;
-            #[inline]
-            fn are_direct<const N: usize>(angles: [Self; N]) -> bool {
-                math::$real::are_direct(angles)
-            }
-        }
-    };
-}
-
-real!(f64, 6e-6, 1e9, 1.490_116_119_384_765_6e-8, {
-    #[inline]
-    fn f64s(numbers: &[f64]) -> Option<&[f64]> {
-        Some(numbers)
-    }
-    #[inline]
-    fn f64s_mut(numbers: &mut [f64]) -> Option<&mut [f64]> {
-        Some(numbers)
-    }
-});
-real!(f32, 5e-3, 1e5, 3.452_669_8e-4, {});
-
-#[cfg(feature = "fma")]
-mod fused;

@@ -91,7 +91,9 @@ pub fn unwind<S: Real, X: Vector<S>, const K: usize>(
     places: &[&[usize]; K],
 ) -> bool {
     // In almost all steps all are near: a comparison for each, without what a turn takes.
-    let near = |places: &&[usize]| places.first().is_none_or(|&at| numbers.at(at).abs() <= S::lit(FARTHEST));
+    let near = |places: &&[usize]| {
+        places.first().is_none_or(|&at| numbers.at(at).plain().abs() <= S::Plain::lit(FARTHEST))
+    };
     if places.iter().fold(true, |all, places| all & near(places)) {
         return false;
     }

@@ -112,12 +112,12 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
 
     #[inline]
     fn weighted<const K: usize>(weights: [f64; K], vectors: [&Self; K]) -> Self {
-        Self::from_fn(|i| weighted(weights, vectors, i))
+        Self::from_fn(|i| S::weighted(weights, |k| vectors[k][i]))
     }
 
     #[inline]
     fn moved<const K: usize>(&self, h: S, weights: [f64; K], vectors: [&Self; K]) -> Self {
-        Self::from_fn(|i| h.mul_add(weighted(weights, vectors, i), self[i]))
+        Self::from_fn(|i| self[i].moved(h, weights, |k| vectors[k][i]))
     }
 
     #[inline]
@@ -130,7 +130,7 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
     ) {
         for i in 0..N {
             if part.contains(&i) {
-                self[i] = h.mul_add(weighted(weights, vectors, i), x[i]);
+                self[i] = x[i].moved(h, weights, |k| vectors[k][i]);
             }
         }
     }
@@ -146,6 +146,9 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
 
     #[inline]
     fn is_finite(&self) -> bool {
+        if S::HAS_DERIVATIVES {
+            return self.iter().all(|s| s.is_finite());
+        }
         // Zero times NaN or infinity is NaN; four sums, so that the additions do not wait for each other. They begin with what
         // is neutral: the first addition is none.
         let zero = S::lit(0.0);
@@ -161,19 +164,4 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
         }
         ((probe[0] + probe[2]) + (probe[1] + probe[3])).is_finite()
     }
-}
-
-/// Component `i` of `sum of weight * vector`.
-#[inline]
-fn weighted<S: Scalar, const N: usize, const K: usize>(
-    weights: [f64; K],
-    vectors: [&[S; N]; K],
-    i: usize,
-) -> S {
-    let mut sum = S::lit(0.0);
-    for k in 0..K {
-        let (weight, s) = (S::lit(weights[k]), vectors[k][i]);
-        sum = if k == 0 { weight * s } else { weight.mul_add(s, sum) };
-    }
-    sum
 }

@@ -372,6 +372,16 @@ mod plm_arm_on_jack_ {
         }
 
         impl<S: Real> rt::Constraints for ArmOnJack<S> {
+            #[inline(always)]
+            fn compute<C: rt::Computation>(
+                &self,
+                times: (Self::S, Self::S),
+                u: &Self::U,
+                from: (&Self::X, &Self::X),
+            ) -> (C::Made<Self::X>, rt::Health<Self::S>) {
+                rt::linear::compute::<Self, C>(self, times, u, from)
+            }
+
             #[inline]
             fn update(&self, _t: S, u: &mut Self::U, x: &mut [S; 10]) -> Result<rt::Updated, Fault> {
                 let turned = rt::turns::unwind(&mut u.turns, x, &[&[0]]);
@@ -884,6 +894,34 @@ mod plm_arm_on_jack_ {
                 use rt::lanes::Pack;
                 let of_one = |[s]: [S; 1]| number(s);
                 (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
+            }
+
+            #[inline]
+            fn rate_in_numbers<T: Real>(
+                &self,
+                held: &Held<S>,
+                number: impl Fn(S) -> T,
+            ) -> (ArmOnJack<T>, Held<T>) {
+                let value = Start::free(T::ZERO);
+                let zero = BodyStart { x: value, y: value, angle: value, vx: value, vy: value, omega: value };
+                let start = Starts {
+                    arm: zero,
+                    press_chamber1_pressure: value,
+                    press_chamber2_pressure: value,
+                    line1_flow: value,
+                    line1_inlet_pressure: value,
+                    line2_flow: value,
+                    line2_inlet_pressure: value,
+                    valve_servo_value: value,
+                    valve_servo_swing: value,
+                };
+                let own = ArmOnJack {
+                    start,
+                    g: number(self.g),
+                    rated_drop: number(self.rated_drop),
+                    gas: number(self.gas),
+                };
+                (own, <Self as rt::lanes::Pack>::pack_held(held, [held], |[s]: [S; 1]| number(s)))
             }
 
             fn differentiate(

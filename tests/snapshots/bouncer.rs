@@ -309,6 +309,16 @@ mod plm_bouncer_ {
         }
 
         impl<S: Real> rt::Constraints for Bouncer<S> {
+            #[inline(always)]
+            fn compute<C: rt::Computation>(
+                &self,
+                times: (Self::S, Self::S),
+                u: &Self::U,
+                from: (&Self::X, &Self::X),
+            ) -> (C::Made<Self::X>, rt::Health<Self::S>) {
+                rt::linear::compute::<Self, C>(self, times, u, from)
+            }
+
             fn energy(&self, t: S, u: &Self::U, x: &[S; 4]) -> Option<rt::Energy<S>> {
                 let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
                 let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
@@ -739,6 +749,23 @@ mod plm_bouncer_ {
                 use rt::lanes::Pack;
                 let of_one = |[s]: [S; 1]| number(s);
                 (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
+            }
+
+            #[inline]
+            fn rate_in_numbers<T: Real>(
+                &self,
+                held: &Held<S>,
+                number: impl Fn(S) -> T,
+            ) -> (Bouncer<T>, Held<T>) {
+                let value = Start::free(T::ZERO);
+                let zero = BodyStart { x: value, y: value, angle: value, vx: value, vy: value, omega: value };
+                let start = Starts { block: zero, clock: zero };
+                let own = Bouncer { start, until: number(self.until) };
+                (own, <Self as rt::lanes::Pack>::pack_held(held, [held], |[s]: [S; 1]| number(s)))
+            }
+
+            fn rate_reads_time(&self) -> bool {
+                false
             }
 
             fn differentiate(

@@ -362,6 +362,16 @@ mod plm_double_pendulum_ {
         }
 
         impl<S: Real> rt::Constraints for DoublePendulum<S> {
+            #[inline(always)]
+            fn compute<C: rt::Computation>(
+                &self,
+                times: (Self::S, Self::S),
+                u: &Self::U,
+                from: (&Self::X, &Self::X),
+            ) -> (C::Made<Self::X>, rt::Health<Self::S>) {
+                rt::linear::compute::<Self, C>(self, times, u, from)
+            }
+
             #[inline]
             fn update(&self, _t: S, u: &mut Self::U, x: &mut [S; 4]) -> Result<rt::Updated, Fault> {
                 let turned = rt::turns::unwind(&mut u.turns, x, &[&[0], &[1]]);
@@ -804,6 +814,23 @@ mod plm_double_pendulum_ {
                 use rt::lanes::Pack;
                 let of_one = |[s]: [S; 1]| number(s);
                 (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
+            }
+
+            #[inline]
+            fn rate_in_numbers<T: Real>(
+                &self,
+                held: &Held<S>,
+                number: impl Fn(S) -> T,
+            ) -> (DoublePendulum<T>, Held<T>) {
+                let value = Start::free(T::ZERO);
+                let zero = BodyStart { x: value, y: value, angle: value, vx: value, vy: value, omega: value };
+                let start = Starts { arm: zero, forearm: zero };
+                let own = DoublePendulum { start };
+                (own, <Self as rt::lanes::Pack>::pack_held(held, [held], |[s]: [S; 1]| number(s)))
+            }
+
+            fn rate_reads_time(&self) -> bool {
+                false
             }
 
             fn differentiate(

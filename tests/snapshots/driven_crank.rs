@@ -433,6 +433,16 @@ mod plm_driven_crank_ {
         }
 
         impl<S: Real> rt::Constraints for DrivenCrank<S> {
+            #[inline(always)]
+            fn compute<C: rt::Computation>(
+                &self,
+                times: (Self::S, Self::S),
+                u: &Self::U,
+                from: (&Self::X, &Self::X),
+            ) -> (C::Made<Self::X>, rt::Health<Self::S>) {
+                rt::linear::compute::<Self, C>(self, times, u, from)
+            }
+
             #[cold]
             fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> Result<(), Fault> {
                 if rt::Rate::rate(self, t, u, x, dx).is_good() {
@@ -1176,6 +1186,22 @@ mod plm_driven_crank_ {
                 use rt::lanes::Pack;
                 let of_one = |[s]: [S; 1]| number(s);
                 (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
+            }
+
+            #[inline]
+            fn rate_in_numbers<T: Real>(
+                &self,
+                held: &Held<S>,
+                number: impl Fn(S) -> T,
+            ) -> (DrivenCrank<T>, Held<T>) {
+                let value = Start::free(T::ZERO);
+                let zero = BodyStart { x: value, y: value, angle: value, vx: value, vy: value, omega: value };
+                let start = Starts { crank: zero, rod: zero, slider: zero };
+                let own = DrivenCrank { start, amplitude: number(self.amplitude) };
+                let same = |[s]: [S; 1]| S::of_plain(s.plain());
+                let of_loops = rt::held::Loops::<S>::packed(&held.of_loops, [&held.of_loops], &same);
+                let held = &rt::Held { of_loops, ..*held };
+                (own, <Self as rt::lanes::Pack>::pack_held(held, [held], |[s]: [S; 1]| number(s)))
             }
         }
 

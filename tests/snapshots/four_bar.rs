@@ -586,6 +586,16 @@ mod plm_four_bar_ {
         }
 
         impl<S: Real> rt::Constraints for FourBar<S> {
+            #[inline(always)]
+            fn compute<C: rt::Computation>(
+                &self,
+                times: (Self::S, Self::S),
+                u: &Self::U,
+                from: (&Self::X, &Self::X),
+            ) -> (C::Made<Self::X>, rt::Health<Self::S>) {
+                rt::linear::compute::<Self, C>(self, times, u, from)
+            }
+
             #[cold]
             fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> Result<(), Fault> {
                 if rt::Rate::rate(self, t, u, x, dx).is_good() {
@@ -1348,6 +1358,26 @@ mod plm_four_bar_ {
                 use rt::lanes::Pack;
                 let of_one = |[s]: [S; 1]| number(s);
                 (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
+            }
+
+            #[inline]
+            fn rate_in_numbers<T: Real>(
+                &self,
+                held: &Held<S>,
+                number: impl Fn(S) -> T,
+            ) -> (FourBar<T>, Held<T>) {
+                let value = Start::free(T::ZERO);
+                let zero = BodyStart { x: value, y: value, angle: value, vx: value, vy: value, omega: value };
+                let start = Starts { crank: zero, coupler: zero, rocker: zero };
+                let own = FourBar { start };
+                let same = |[s]: [S; 1]| S::of_plain(s.plain());
+                let of_loops = rt::held::Loops::<S>::packed(&held.of_loops, [&held.of_loops], &same);
+                let held = &rt::Held { of_loops, ..*held };
+                (own, <Self as rt::lanes::Pack>::pack_held(held, [held], |[s]: [S; 1]| number(s)))
+            }
+
+            fn rate_reads_time(&self) -> bool {
+                false
             }
 
             fn jacobian(

@@ -345,6 +345,16 @@ mod plm_slider_crank_ {
         }
 
         impl<S: Real> rt::Constraints for SliderCrank<S> {
+            #[inline(always)]
+            fn compute<C: rt::Computation>(
+                &self,
+                times: (Self::S, Self::S),
+                u: &Self::U,
+                from: (&Self::X, &Self::X),
+            ) -> (C::Made<Self::X>, rt::Health<Self::S>) {
+                rt::linear::compute::<Self, C>(self, times, u, from)
+            }
+
             fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 18], dx: &mut [S; 18]) -> Result<(), Fault> {
                 let solution = self.accelerate(t, u, x)?;
                 let (_, v): ([S; 9], [S; 9]) = absolute::split(x);
@@ -1035,6 +1045,23 @@ mod plm_slider_crank_ {
                 use rt::lanes::Pack;
                 let of_one = |[s]: [S; 1]| number(s);
                 (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
+            }
+
+            #[inline]
+            fn rate_in_numbers<T: Real>(
+                &self,
+                held: &Held<S>,
+                number: impl Fn(S) -> T,
+            ) -> (SliderCrank<T>, Held<T>) {
+                let value = Start::free(T::ZERO);
+                let zero = BodyStart { x: value, y: value, angle: value, vx: value, vy: value, omega: value };
+                let start = Starts { crank: zero, rod: zero, slider: zero };
+                let own = SliderCrank { start };
+                (own, <Self as rt::lanes::Pack>::pack_held(held, [held], |[s]: [S; 1]| number(s)))
+            }
+
+            fn rate_reads_time(&self) -> bool {
+                false
             }
 
             fn constraints(&self, t: S, x: &[S; 18], row: &mut impl FnMut(S)) {

@@ -3,9 +3,10 @@
 use plm_runtime::absolute;
 use plm_runtime::charts::{self, OfLoops};
 use plm_runtime::contact::{self, Contacts};
-use plm_runtime::system::{OneStep, WholeStep};
+use plm_runtime::system::{Computation, OneStep, WholeStep};
 use plm_runtime::{
-    Cause, Constraints, Drift, Energy, Fault, Health, Labels, Moment, Rate, Real, Scalar, Updated, turns,
+    Cause, Constraints, Drift, Energy, Fault, Health, Labels, Moment, Rate, Real, Scalar, Updated, linear,
+    turns,
 };
 
 use super::State;
@@ -158,6 +159,16 @@ impl<
     const R: usize,
 > Constraints for Dynamic<S, NQ, NC, N, L, H, R>
 {
+    #[inline]
+    fn compute<C: Computation>(
+        &self,
+        times: (Self::S, Self::S),
+        u: &Self::U,
+        from: (&Self::X, &Self::X),
+    ) -> (C::Made<Self::X>, Health<Self::S>) {
+        linear::compute::<Self, C>(self, times, u, from)
+    }
+
     fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; N], dx: &mut [S; N]) -> Result<(), Fault> {
         match self.model.lowered.form {
             Form::Tree => {

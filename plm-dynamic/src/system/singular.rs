@@ -124,6 +124,15 @@ impl<
         (self.map(&number), Self::map_held(held, &number))
     }
 
+    fn rate_in_numbers<T: Real>(
+        &self,
+        held: &Self::U,
+        number: impl Fn(S) -> T,
+    ) -> (Self::In<T>, Held<T, NQ, L>) {
+        let (own, held) = self.without_derivatives(held);
+        own.in_numbers(&held, number)
+    }
+
     fn jacobian(
         &self,
         t: S,

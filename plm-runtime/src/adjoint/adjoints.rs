@@ -81,7 +81,7 @@ impl<'m, S: Real, const R: usize> Adjoints<'m, S, R> {
     fn sweep(&mut self, trace: &Trace<'_, S>, indices: core::ops::Range<u64>) {
         let (mut adjoint, mut counts) = ([S::ZERO; R], false);
         let indices = indices.start as usize..indices.end as usize;
-        trace.backward(indices, &mut |index, is_last, operand, slope| {
+        trace.backward(indices, |index, is_last, operand, slope| {
             if is_last && let Some(own) = self.dense.get(index) {
                 adjoint = *own;
                 counts = adjoint.iter().any(|adjoint| *adjoint != S::ZERO);

@@ -69,7 +69,7 @@ pub fn adjoint<'t, P: Copy, S: Real, const R: usize>(
     let mut slots = Slots::new(saved);
     let forward = replay.forward(start, &mut slots);
     let outcome = forward.and_then(|forward| {
-        let terms = (prefix + forward.longest) as usize;
+        let terms = (prefix + forward.longest + forward.longest.div_ceil(FAR - 1)) as usize;
         Lack { terms, adjoints: terms.max(trace.room()), saved: slots.needed(), ..least }.met_by(has)?;
         let mut adjoints = Adjoints::new([gradient, adjoints], carried, (trace.variables() as u64, prefix));
         adjoints.enter(forward.segment, forward.end);
@@ -84,6 +84,9 @@ pub fn adjoint<'t, P: Copy, S: Real, const R: usize>(
     trace.record(before, prefix);
     outcome
 }
+
+/// Segments end at a step's end that is at most this part of their length before the last one for which there is room.
+const FAR: u64 = 16;
 
 /// What is made again and again.
 struct Replay<'t, S, F, G> {
@@ -125,6 +128,15 @@ impl<'t, S: Real, F, G> Replay<'t, S, F, G> {
         (self.trace.room() as u64).saturating_sub(self.prefix)
     }
 
+    /// Keeps a state as the end of a segment, unless the last one that was kept is not far behind: a copy of a state takes as long as a
+    /// part of a step.
+    fn keep<P: Copy>(&self, before: &mut Saved<P>, state: &P) {
+        let place = self.trace.next();
+        if place - before.place >= self.room() / FAR {
+            *before = Saved { state: *state, place };
+        }
+    }
+
     /// The run, recorded as long as there is room for all of it.
     fn forward<P: Copy, const R: usize>(
         &self,
@@ -139,10 +151,12 @@ impl<'t, S: Real, F, G> Replay<'t, S, F, G> {
         let (mut segment, mut longest) = (trace.next(), 0);
         slots.put(Saved { state, place: segment });
         trace.record(segment, self.prefix);
+        let mut before = Saved { state, place: segment };
         loop {
-            let before = Saved { state, place: trace.next() };
+            let place = trace.next();
+            self.keep(&mut before, &state);
             let ended = self.step(&mut state)?;
-            longest = longest.max(trace.next() - before.place);
+            longest = longest.max(trace.next() - place);
             if trace.next() - segment > self.room() {
                 trace.pause();
                 if before.place > segment {
@@ -202,8 +216,9 @@ impl<'t, S: Real, F, G> Replay<'t, S, F, G> {
         let mut count = 1;
         self.trace.go_to(segment);
         self.trace.pause();
+        let mut before = Saved { state, place: segment };
         while count < slots.segments_of(block) {
-            let before = Saved { state, place: self.trace.next() };
+            self.keep(&mut before, &state);
             let ended = self.step(&mut state)?;
             if self.trace.next() - segment > self.room() {
                 slots.put_within(count, before);

@@ -194,6 +194,8 @@ impl<S: Scalar, const Y: usize, const T: usize, const A: usize, const F: usize, 
 {
     type Packed<P: Scalar> = OfLoops<Continuation<P, Y, T, A, F>, [P; NQ]>;
 
+    #[allow(clippy::inline_always, reason = "a rate reads few of these numbers")]
+    #[inline(always)]
     fn packed<P: Scalar, const N: usize>(
         &self,
         all: [&Self; N],
@@ -278,6 +280,8 @@ fn put_continuation<S: Copy, P, const Y: usize, const T: usize, const A: usize, 
 }
 
 /// The data of several states as one.
+#[allow(clippy::inline_always, reason = "a rate reads few of these numbers")]
+#[inline(always)]
 fn packed<
     S: Scalar,
     P: Scalar,

@@ -125,6 +125,20 @@ impl<S: Real> Scalar for DoubleDouble<S> {
 }
 
 impl<S: Real> Real for DoubleDouble<S> {
+    type Plain = DoubleDouble<S::Plain>;
+
+    #[inline]
+    fn plain(self) -> Self::Plain {
+        DoubleDouble { high: self.high.plain(), low: self.low.plain() }
+    }
+    #[inline]
+    fn of_plain(plain: Self::Plain) -> Self {
+        Self { high: S::of_plain(plain.high), low: S::of_plain(plain.low) }
+    }
+    #[inline]
+    fn with_plain(self, plain: Self::Plain) -> Self {
+        Self { high: self.high.with_plain(plain.high), low: self.low.with_plain(plain.low) }
+    }
     /// A unit of errors, not the distance to the next number: next to 1 that is far smaller.
     const EPSILON: Self = Self::of(S::DOUBLE_DOUBLE_EPSILON);
     /// Lengths are known as exactly as in `S`.

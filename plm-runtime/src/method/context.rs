@@ -1,10 +1,11 @@
 //! Integration context: what methods read and write on their way through an interval.
 
 use super::not_finite;
+use super::rates::evaluate;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::stats::Stats;
-use crate::system::{Health, Rate, Step, System};
+use crate::system::{Health, Step, System};
 use crate::vector::Vector;
 
 /// Integration context: a state on its way through an interval.
@@ -108,6 +109,6 @@ impl<'a, M: System> Context<'a, M> {
 
 /// The rate where many places ask for it and none waits for it: one copy of its code for all of them.
 #[inline(never)]
-pub(super) fn rate<M: Rate>((system, held): (&M, &M::U), t: M::S, x: &M::X, dx: &mut M::X) -> Health<M::S> {
-    system.rate(t, held, x, dx)
+pub(super) fn rate<M: System>((system, held): (&M, &M::U), t: M::S, x: &M::X, dx: &mut M::X) -> Health<M::S> {
+    evaluate((system, held), t, x, dx)
 }

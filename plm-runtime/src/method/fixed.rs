@@ -6,7 +6,7 @@ use super::estimate::Estimate;
 use super::length::{are_near, are_straight, is_due, spread};
 use super::partition::Partition;
 use super::{
-    Context, DenseOutput, DriftCheck, ErrorControl, FastStep, FixedLength, Method, Rates, Watched,
+    Context, DenseOutput, DriftCheck, ErrorControl, Evaluated, FastStep, FixedLength, Method, Rates, Watched,
     drift_of_size, not_finite, rate,
 };
 use crate::fault::Fault;
@@ -75,10 +75,24 @@ pub(crate) fn looked_at<F: Formula, M: Rate, T>(
     (rates.worst, seen)
 }
 
+/// The same of a system whose rate is evaluated as by methods.
+#[allow(clippy::inline_always, reason = "as the formula, which it is")]
+#[inline(always)]
+fn evaluated<F: Formula, M: System, T>(
+    (system, u): (&M, &M::U),
+    times: (M::S, M::S),
+    x: &mut M::X,
+    look: impl FnOnce(&M::X, &F::Stages<M::X>) -> T,
+) -> (Health<M::S>, T) {
+    let mut rates = Evaluated::new(system, u);
+    let seen = F::step::<M, T>(times, x, &mut rates, look);
+    (rates.worst, seen)
+}
+
 /// One step with the worst health of its stages, and whether its rates are little apart: as a whole, where the system computes it so.
 #[allow(clippy::inline_always, reason = "as the formula, which it is")]
 #[inline(always)]
-fn formula<F: Formula, M: Rate<S: Real>>(
+fn formula<F: Formula, M: System<S: Real>>(
     (system, u): (&M, &M::U),
     (t, h): (M::S, M::S),
     (from, x): (&M::X, &mut M::X),
@@ -88,7 +102,7 @@ fn formula<F: Formula, M: Rate<S: Real>>(
     {
         return (whole.health, whole.spread <= M::S::ZERO);
     }
-    looked_at::<F, M, _>((system, u), (t, h), x, |x, stages| are_near::<F, M>(system, h, x, stages))
+    evaluated::<F, M, _>((system, u), (t, h), x, |x, stages| are_near::<F, M>(system, h, x, stages))
 }
 
 impl<F: Formula> OneStep for F {
@@ -282,7 +296,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
 /// apart would pay for keeping these to their ends.
 #[cold]
 #[inline(never)]
-fn estimate<F: Formula, M: Rate<S: Real>>(
+fn estimate<F: Formula, M: System<S: Real>>(
     (system, held): (&M, &M::U),
     (t, h): (M::S, M::S),
     [from, to]: [&M::X; 2],
@@ -343,7 +357,7 @@ impl<M: System<S: Real>, F: Formula> FixedLength<M> for FixedStep<M::S, F> {
             let from = *to;
             formula::<F, M>((system, held), (t, h), (&from, to))
         } else {
-            looked_at::<F, M, _>((system, held), (t, h), to, |to, stages| {
+            evaluated::<F, M, _>((system, held), (t, h), to, |to, stages| {
                 are_near::<F, M>(system, h, to, stages)
             })
         };

@@ -57,6 +57,7 @@ pub use moreau_jean::MoreauJean;
 pub(crate) use partition::Partition;
 pub use path::Path;
 pub use radau::RadauIia5;
+use rates::Evaluated;
 pub use rates::Rates;
 pub(crate) use rates::Watched;
 pub use rk4::{Rk4, Rk4Formula};

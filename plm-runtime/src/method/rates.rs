@@ -1,6 +1,9 @@
 //! Who computes the rates that a formula asks for.
 
-use crate::system::{Health, Rate};
+use core::fmt::Debug;
+
+use crate::scalar::Scalar as _;
+use crate::system::{Computation, Health, Rate, System};
 
 /// The rates at the stages of a formula.
 ///
@@ -84,6 +87,84 @@ impl<M: Rate> Rates<M> for &mut Watched<'_, M> {
     #[allow(clippy::inline_always, reason = "as above")]
     #[inline(always)]
     fn pair(&mut self, t: [M::S; 2], x: [&M::X; 2], dx: &mut [M::X; 2], second: impl FnOnce(&M::X) -> M::X) {
+        self.worst = self.worst.worst(self.system.rate_pair(t, self.held, x, dx, second));
+    }
+}
+
+/// The rate at a state.
+struct OfState;
+
+impl Computation for OfState {
+    type Made<X: Copy + Debug> = X;
+    const VECTORS: usize = 1;
+    const FROM_RATE: bool = false;
+
+    #[inline]
+    fn map<X: Copy + Debug, Y: Copy + Debug>(made: &X, mut each: impl FnMut(&X) -> Y) -> Y {
+        each(made)
+    }
+
+    #[allow(clippy::inline_always, reason = "it is the rate")]
+    #[inline(always)]
+    fn of<M: System>(
+        system: &M,
+        (t, _): (M::S, M::S),
+        u: &M::U,
+        (x, _): (&M::X, &M::X),
+    ) -> (M::X, Health<M::S>) {
+        let mut rate = *x;
+        let health = system.rate(t, u, x, &mut rate);
+        (rate, health)
+    }
+}
+
+/// The rate of a system at a state; recorded numbers take its derivatives at once.
+#[allow(clippy::inline_always, reason = "it is the rate")]
+#[inline(always)]
+pub(super) fn evaluate<M: System>(
+    (system, held): (&M, &M::U),
+    t: M::S,
+    x: &M::X,
+    dx: &mut M::X,
+) -> Health<M::S> {
+    if M::S::HAS_DERIVATIVES {
+        let (rate, health) = system.compute::<OfState>((t, M::S::ZERO), held, (x, x));
+        *dx = rate;
+        return health;
+    }
+    system.rate(t, held, x, dx)
+}
+
+/// The same as [`evaluate`] does it.
+pub(crate) struct Evaluated<'a, M: System> {
+    system: &'a M,
+    held: &'a M::U,
+    /// The worst health so far.
+    pub(crate) worst: Health<M::S>,
+}
+
+impl<'a, M: System> Evaluated<'a, M> {
+    pub(crate) fn new(system: &'a M, held: &'a M::U) -> Self {
+        Self { system, held, worst: Health::perfect() }
+    }
+}
+
+impl<M: System> Rates<M> for &mut Evaluated<'_, M> {
+    #[allow(clippy::inline_always, reason = "as `Watched`")]
+    #[inline(always)]
+    fn at(&mut self, t: M::S, x: &M::X, dx: &mut M::X) {
+        self.worst = self.worst.worst(evaluate((self.system, self.held), t, x, dx));
+    }
+
+    #[allow(clippy::inline_always, reason = "as `Watched`")]
+    #[inline(always)]
+    fn pair(&mut self, t: [M::S; 2], x: [&M::X; 2], dx: &mut [M::X; 2], second: impl FnOnce(&M::X) -> M::X) {
+        if M::S::HAS_DERIVATIVES {
+            let ([t, later], [x, _], [first, last]) = (t, x, dx);
+            self.at(t, x, first);
+            self.at(later, &second(first), last);
+            return;
+        }
         self.worst = self.worst.worst(self.system.rate_pair(t, self.held, x, dx, second));
     }
 }

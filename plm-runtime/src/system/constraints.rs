@@ -2,10 +2,26 @@
 
 use crate::fault::Fault;
 use crate::scalar::Scalar;
-use crate::system::{Drift, Energy, Rate, Updated};
+use crate::system::{Computation, Drift, Energy, Health, Rate, System, Updated};
 
 /// Constraints phi(t, q) = 0 that the motion keeps, and how. Without any, all of it stays as it is here.
 pub trait Constraints: Rate {
+    /// Computes what a method asks for. A system that can be differentiated does so by [`linear::compute`](crate::linear::compute), which takes all
+    /// derivatives of recorded numbers at once.
+    #[allow(clippy::inline_always, reason = "it is the formula")]
+    #[inline(always)]
+    fn compute<C: Computation>(
+        &self,
+        times: (Self::S, Self::S),
+        u: &Self::U,
+        from: (&Self::X, &Self::X),
+    ) -> (C::Made<Self::X>, Health<Self::S>)
+    where
+        Self: System + Sized,
+    {
+        C::of(self, times, u, from)
+    }
+
     /// The rate where [`rate`](Rate::rate) is unhealthy: by a rank-revealing decomposition.
     ///
     /// # Errors

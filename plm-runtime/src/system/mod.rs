@@ -1,11 +1,13 @@
 //! The contract between generated equations of motion and the methods that integrate them, in four parts.
 
+mod computation;
 mod constraints;
 mod events;
 mod labels;
 mod rate;
 mod whole;
 
+pub use computation::Computation;
 pub use constraints::Constraints;
 pub use events::Events;
 pub use labels::Labels;

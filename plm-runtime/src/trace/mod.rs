@@ -4,7 +4,9 @@
 //! in memory that the caller gives. An operation takes one [`Term`] of it for each operand that depends on a variable; what depends on none is
 //! a constant, and takes nothing.
 
+mod operation;
 mod scalar;
+mod sum;
 mod traced;
 
 pub use traced::Traced;
@@ -110,33 +112,49 @@ impl<'t, S: Real> Trace<'t, S> {
     /// Records an operation with partial derivatives by operands in these places, and gives its place.
     #[inline]
     fn push<const N: usize>(&self, operands: [(u64, S); N]) -> u64 {
-        let next = self.next.get();
-        let end = next + N as u64;
-        self.next.set(end);
-        let window = self.window.get();
-        if end <= window.end {
-            let index = (next - window.base) as usize;
-            if let Some(terms) = self.terms.get(index..index + N) {
-                for (k, (term, (operand, slope))) in terms.iter().zip(operands).enumerate() {
-                    let mark = if k + 1 == N { LAST } else { 0 };
-                    term.set(Term { operand: operand | mark, slope });
-                }
-            }
+        let (end, terms) = self.take(N);
+        for (k, (term, (operand, slope))) in terms.iter().zip(operands).enumerate() {
+            let mark = if k + 1 == N { LAST } else { 0 };
+            term.set(Term { operand: operand | mark, slope });
         }
         end - 1
     }
 
-    /// Gives `each` the operations in a range of the memory, the last one first: the index of its last term, its place and its
-    /// operands with their partial derivatives.
+    /// The place behind the next operation of so many terms, and their memory; none where nothing is recorded.
+    #[inline]
+    fn take(&self, count: usize) -> (u64, &'t [Cell<Term<S>>]) {
+        let next = self.next.get();
+        let end = next + count as u64;
+        self.next.set(end);
+        let window = self.window.get();
+        if end <= window.end {
+            let index = (next - window.base) as usize;
+            if let Some(terms) = self.terms.get(index..index + count) {
+                return (end, terms);
+            }
+        }
+        (end, &[])
+    }
+
+    /// Is an operation of so many terms recorded?
+    #[inline]
+    fn records(&self, count: usize) -> bool {
+        self.next.get() + count as u64 <= self.window.get().end
+    }
+
+    /// Gives `each` the terms in a range of the memory, the last one first: its index, whether it is the last one of its operation, the place of
+    /// its operand and its partial derivative.
+    #[inline]
     pub(crate) fn backward(
         &self,
         indices: core::ops::Range<usize>,
-        each: &mut impl FnMut(usize, bool, u64, S),
+        mut each: impl FnMut(usize, bool, u64, S),
     ) {
-        let Some(terms) = self.terms.get(indices.clone()) else { return };
-        for (index, term) in indices.zip(terms).rev() {
+        let Some(mut terms) = self.terms.get(indices.clone()) else { return };
+        while let Some((term, before)) = terms.split_last() {
+            terms = before;
             let Term { operand, slope } = term.get();
-            each(index, operand & LAST != 0, operand & !LAST, slope);
+            each(indices.start + terms.len(), operand & LAST != 0, operand & !LAST, slope);
         }
     }
 }

@@ -3,8 +3,9 @@
 use plm_math::exact::Split;
 
 use super::Traced;
+use super::operation::make;
 use crate::scalar::chain_rule::by_chain_rule;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Operation, Real, Scalar};
 
 impl<S: Real> Scalar for Traced<'_, S> {
     type Mask = bool;
@@ -38,6 +39,18 @@ impl<S: Real> Scalar for Traced<'_, S> {
         self.join(x, b.atan2(a), by)
     }
     #[inline]
+    fn weighted<const K: usize>(weights: [f64; K], number: impl Fn(usize) -> Self) -> Self {
+        let value = S::weighted(weights, |k| number(k).value);
+        Self::constant(S::ZERO).moved_by(S::lit(1.0), weights, number).with_value(value)
+    }
+    #[inline]
+    fn moved<const K: usize>(self, h: Self, weights: [f64; K], number: impl Fn(usize) -> Self) -> Self {
+        match h.place() {
+            None => self.moved_by(h.value, weights, number),
+            Some(_) => h.mul_add(Self::weighted(weights, number), self),
+        }
+    }
+    #[inline]
     fn as_zero(self) -> Self {
         self.with_value(self.value.as_zero())
     }
@@ -55,6 +68,24 @@ impl<S: Real> Split for Traced<'_, S> {
 }
 
 impl<S: Real> Real for Traced<'_, S> {
+    type Plain = S::Plain;
+
+    #[inline]
+    fn plain(self) -> S::Plain {
+        self.value.plain()
+    }
+    #[inline]
+    fn of_plain(plain: S::Plain) -> Self {
+        Self::constant(S::of_plain(plain))
+    }
+    #[inline]
+    fn with_plain(self, plain: S::Plain) -> Self {
+        self.with_value(self.value.with_plain(plain))
+    }
+    #[inline]
+    fn make<O: Operation<Self>>(operation: O) -> O::Output {
+        make(operation)
+    }
     const EPSILON: Self = Self::constant(S::EPSILON);
     const RANK_TOLERANCE: Self = Self::constant(S::RANK_TOLERANCE);
     const DOUBLE_DOUBLE_EPSILON: Self = Self::constant(S::DOUBLE_DOUBLE_EPSILON);

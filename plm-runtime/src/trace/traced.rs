@@ -38,6 +38,12 @@ impl<'t, S: Real> Traced<'t, S> {
         self.trace.map(|_| self.place)
     }
 
+    /// Its trace; none for a constant.
+    #[inline]
+    pub(super) fn trace(self) -> Option<&'t Trace<'t, S>> {
+        self.trace
+    }
+
     /// The same dependence with another value.
     #[inline]
     pub(super) fn with_value(self, value: S) -> Self {

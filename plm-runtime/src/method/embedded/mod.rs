@@ -8,6 +8,9 @@ mod start;
 pub(super) mod tableau;
 mod words;
 
+use core::fmt::Debug;
+use core::marker::PhantomData;
+
 pub use self::pair::{Limits, Pair};
 pub(super) use self::stages::{Rows, stages};
 
@@ -17,10 +20,12 @@ pub(super) use self::start::first_step;
 pub(super) use self::tableau::pair;
 use super::adaptive::{Steady, builders, ensure_moves, next_step, rate_here};
 use super::projection::{PROJECTED_ABOVE, Projection};
-use super::{Context, DenseOutput, ErrorControl, FixedLength, Method, Path, Watched, drift_of_size, larger};
+use super::{
+    Context, DenseOutput, ErrorControl, Evaluated, FixedLength, Method, Path, drift_of_size, larger,
+};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
-use crate::system::{Drift, System};
+use crate::system::{Computation, Drift, Health, System};
 use crate::vector::Vector;
 
 /// A pair of Runge-Kutta formulas: steps chosen by the error, dense output.
@@ -52,6 +57,36 @@ pub struct Embedded<M: System, P: Pair> {
     projection: Projection<M::S>,
     /// The error decided how long the last step was.
     by_error: bool,
+}
+
+/// A step of a pair without a decision and a second try: its end and its stages.
+struct OfPair<P>(PhantomData<P>);
+
+impl<P: Pair> Computation for OfPair<P> {
+    type Made<X: Copy + Debug> = (X, P::Stages<X>);
+    const VECTORS: usize = 1 + P::KEPT;
+    const FROM_RATE: bool = true;
+
+    #[inline]
+    fn map<X: Copy + Debug, Y: Copy + Debug>(
+        (end, stages): &(X, P::Stages<X>),
+        mut each: impl FnMut(&X) -> Y,
+    ) -> (Y, P::Stages<Y>) {
+        (each(end), P::map(stages, each))
+    }
+
+    #[allow(clippy::inline_always, reason = "as the stages")]
+    #[inline(always)]
+    fn of<M: System>(
+        system: &M,
+        (t, h): (M::S, M::S),
+        u: &M::U,
+        (x, first): (&M::X, &M::X),
+    ) -> ((M::X, P::Stages<M::X>), Health<M::S>) {
+        let (mut rates, mut stages) = (Evaluated::new(system, u), P::blank(*first));
+        let end = P::step::<M>(t, h, x, first, &mut stages, &mut rates);
+        ((end, stages), rates.worst)
+    }
 }
 
 /// A step that may be accepted.
@@ -100,9 +135,8 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
     ) -> Result<Trial<M::X>, Fault> {
         let (t, x) = (context.time, context.x);
         if !self.was_unhealthy {
-            let mut rates = Watched::new(context.system, &context.held);
-            let end = P::step::<M>(t, h, &x, rate, k, &mut rates);
-            let worst = rates.worst;
+            let (end, worst);
+            ((end, *k), worst) = context.system.compute::<OfPair<P>>((t, h), &context.held, (&x, rate));
             context.stats.evaluations += P::EVALUATIONS;
             context.health = context.health.min(worst.0);
             if worst.is_good() {
@@ -139,10 +173,10 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         k: &P::Stages<M::X>,
         end: &M::X,
     ) -> (M::S, M::S, M::S) {
-        let (rtol, typical, from) = (self.tolerance(), context.system.typical(), context.x);
+        let (rtol, typical, from) = (self.tolerance().plain(), context.system.typical(), context.x);
         let weight = M::X::from_fn(|i| {
-            let size = from.at(i).abs().max(end.at(i).abs());
-            M::S::lit(1.0) / (rtol * (typical.at(i) + size))
+            let size = from.at(i).plain().abs().max(end.at(i).plain().abs());
+            M::S::of_plain(<M::S as Real>::Plain::lit(1.0) / (rtol * (typical.at(i).plain() + size)))
         });
         let by = (&weight, context.system.states());
         let error = P::error(h, k, by);

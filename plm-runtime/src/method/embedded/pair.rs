@@ -25,6 +25,15 @@ pub trait Pair: Copy + Debug {
     /// Coefficients of the dense output beyond those that the ends of a step determine, the lowest first.
     type Bends<X: Copy + Debug>: Copy + Debug + AsRef<[X]>;
 
+    /// How many stages are kept.
+    const KEPT: usize;
+
+    /// Stages in other states.
+    fn map<X: Copy + Debug, Y: Copy + Debug>(
+        k: &Self::Stages<X>,
+        each: impl FnMut(&X) -> Y,
+    ) -> Self::Stages<Y>;
+
     /// Stages to write to.
     fn blank<X: Copy + Debug>(x: X) -> Self::Stages<X>;
 

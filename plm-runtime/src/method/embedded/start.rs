@@ -41,8 +41,9 @@ pub(in crate::method) fn first_step<M: System<S: Real>>(
     } else {
         ((lit(0.01) / steepest).ln() / lit(f64::from(order))).exp()
     };
-    // A guess where everything rests may be too short to move the time.
-    Ok(positive((lit(100.0) * first).min(second), first).max(lit(2.0) * shortest(context)))
+    // A guess where everything rests may be too short to move the time. The length of a step only decides.
+    let step = positive((lit(100.0) * first).min(second), first).max(lit(2.0) * shortest(context));
+    Ok(M::S::of_plain(step.plain()))
 }
 
 /// The first step, or the second where the first is zero or not a number.

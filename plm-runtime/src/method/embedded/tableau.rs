@@ -1,6 +1,6 @@
 //! A pair of formulas from its tableau.
 
-use crate::scalar::{Real, Scalar as _};
+use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
@@ -64,8 +64,17 @@ macro_rules! pair {
             $(#[$because])*
             const LIMITS: $crate::method::Limits = $limits;
 
+            const KEPT: usize = $kept_count;
             type Stages<X: Copy + core::fmt::Debug> = [X; $kept_count];
             type Bends<X: Copy + core::fmt::Debug> = [X; $bends];
+
+            #[inline]
+            fn map<X: Copy + core::fmt::Debug, Y: Copy + core::fmt::Debug>(
+                k: &[X; $kept_count],
+                each: impl FnMut(&X) -> Y,
+            ) -> [Y; $kept_count] {
+                k.each_ref().map(each)
+            }
 
             fn blank<X: Copy + core::fmt::Debug>(x: X) -> [X; $kept_count] {
                 [x; $kept_count]
@@ -146,7 +155,8 @@ impl<const K: usize, const N: usize> Weights<K, N> {
         k: &[X; K],
         (weight, count): (&X, usize),
     ) -> S {
-        h.abs() * (square(self.0[0], k, weight) / S::lit(count.max(1) as f64)).sqrt()
+        let mean = square(self.0[0], k, weight).plain() / S::Plain::lit(count.max(1) as f64);
+        S::of_plain(h.plain().abs() * mean.sqrt())
     }
 }
 
@@ -167,18 +177,26 @@ impl<const K: usize> Weights<K, 2> {
         k: &[X; K],
         (weight, count): (&X, usize),
     ) -> S {
-        let [fifth, third] = self.0.map(|weights| square(weights, k, weight));
-        let both = S::lit(0.01).mul_add(third, fifth);
-        if both == S::ZERO {
-            return both;
+        let [fifth, third] = self.0.map(|weights| square(weights, k, weight).plain());
+        let both = S::Plain::lit(0.01).mul_add(third, fifth);
+        if both == S::Plain::ZERO {
+            return S::ZERO;
         }
-        h.abs() * fifth / (S::lit(count as f64) * both).sqrt()
+        S::of_plain(h.plain().abs() * fifth / (S::Plain::lit(count as f64) * both).sqrt())
     }
 }
 
-/// The sum of the squares of an error, each component by its `weight`.
+/// The sum of the squares of an error, each component by its `weight`. It has no derivatives, since it only decides.
 #[inline]
 fn square<S: Real, X: Vector<S>, const K: usize>(weights: [f64; K], k: &[X; K], weight: &X) -> S {
+    if S::HAS_DERIVATIVES {
+        let mut sum = S::Plain::ZERO;
+        for i in 0..X::LEN {
+            let e = S::Plain::weighted(weights, |j| k[j].at(i).plain()) * weight.at(i).plain();
+            sum = e.mul_add(e, sum);
+        }
+        return S::of_plain(sum);
+    }
     let error = X::weighted(weights, k.each_ref()).map2(weight, |error, weight| error * weight);
     error.fold(S::ZERO, |sum, e| e.mul_add(e, sum))
 }

@@ -9,8 +9,8 @@ use super::super::bindings::Origin;
 use super::super::function::function;
 use super::super::{Emission, Form, Sizes, number, table_compression};
 use super::charted::call;
-use super::contact;
 use super::directions::directions;
+use super::{contact, pack};
 use crate::formulate::{Augmented, Chart, Linearised, Part, Term};
 
 /// `Linear`.
@@ -29,6 +29,14 @@ pub(crate) fn linear(emission: &Emission) -> TokenStream {
         }
     });
     let held_rows = held_rows(emission);
+    let without_time = (!emission.rate_knows_time() && !contact::are_there(emission)).then(|| {
+        quote! {
+            fn rate_reads_time(&self) -> bool {
+                false
+            }
+        }
+    });
+    let of_rate = pack::of_rate(emission);
     quote! {
         impl<S: Real> rt::Linear for #name<S> {
             type Lifted<const K: usize> = #name<rt::Dual<S, K>>;
@@ -44,6 +52,12 @@ pub(crate) fn linear(emission: &Emission) -> TokenStream {
                 let of_one = |[s]: [S; 1]| number(s);
                 (self.pack([self], of_one), Self::pack_held(held, [held], of_one))
             }
+
+            #[inline]
+            fn rate_in_numbers<T: Real>(&self, held: &Held<S>, number: impl Fn(S) -> T) -> (#name<T>, Held<T>) {
+                #of_rate
+            }
+            #without_time
             #constraints
             #held_rows
             #differentiate

@@ -105,6 +105,39 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
     }
 }
 
+/// The mechanism and what it holds in numbers for the rate. It does not depend on start values, which are zero, and has no derivatives
+/// by continuation data of loops, which decide for a solution and lead to it.
+pub(super) fn of_rate(emission: &Emission) -> TokenStream {
+    let Emission { name, fields, .. } = emission;
+    let start = if emission.rerolled {
+        quote!(let start = Starts::<T>::ZERO_;)
+    } else {
+        let bodies = fields.bodies.iter().map(|field| format!("{field}: zero"));
+        let states = fields.states.iter().map(|field| format!("{field}: value"));
+        let starts = emission.lines(bodies.chain(states));
+        quote! {
+            let value = Start::free(T::ZERO);
+            let zero = BodyStart { x: value, y: value, angle: value, vx: value, vy: value, omega: value };
+            let start = Starts { #starts };
+        }
+    };
+    let params = fields.params.iter().map(|field| format!("{field}: number(self.{field})"));
+    let params = emission.lines(params);
+    let held = emission.loops().is_some().then(|| {
+        quote! {
+            let same = |[s]: [S; 1]| S::of_plain(s.plain());
+            let of_loops = rt::held::Loops::<S>::packed(&held.of_loops, [&held.of_loops], &same);
+            let held = &rt::Held { of_loops, ..*held };
+        }
+    });
+    quote! {
+        #start
+        let own = #name { start, #params };
+        #held
+        (own, <Self as rt::lanes::Pack>::pack_held(held, [held], |[s]: [S; 1]| number(s)))
+    }
+}
+
 /// Switches, continuation data and turns, as `let` statements. Not by `core::array`'s `map` and `from_fn`, of which a compiler
 /// translates ten functions for every closure.
 fn discrete(emission: &Emission) -> [TokenStream; 3] {

@@ -44,6 +44,15 @@ fn constraints(emission: &Emission) -> TokenStream {
     });
     quote! {
         impl<S: Real> rt::Constraints for #name<S> {
+            #[inline(always)]
+            fn compute<C: rt::Computation>(
+                &self,
+                times: (Self::S, Self::S),
+                u: &Self::U,
+                from: (&Self::X, &Self::X),
+            ) -> (C::Made<Self::X>, rt::Health<Self::S>) {
+                rt::linear::compute::<Self, C>(self, times, u, from)
+            }
             #solution
             #update
             #stabilisation
