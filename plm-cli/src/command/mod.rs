@@ -4,6 +4,8 @@ mod check;
 mod expand;
 mod export;
 mod fmt;
+#[cfg(feature = "identify")]
+mod identify;
 mod import;
 mod lsp;
 mod run;
@@ -61,6 +63,8 @@ struct Command {
 const COMMANDS: &[Command] = &[
     check::COMMAND,
     run::COMMAND,
+    #[cfg(feature = "identify")]
+    identify::COMMAND,
     expand::EXPAND,
     expand::REPORT,
     export::COMMAND,

@@ -6,6 +6,7 @@ mod export;
 mod export_models;
 mod extension;
 mod fmt;
+mod identify;
 mod import;
 mod json;
 mod lsp;
