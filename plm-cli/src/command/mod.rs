@@ -8,6 +8,8 @@ mod fmt;
 mod identify;
 mod import;
 mod lsp;
+#[cfg(feature = "identify")]
+mod modes;
 mod run;
 mod words;
 
@@ -65,6 +67,8 @@ const COMMANDS: &[Command] = &[
     run::COMMAND,
     #[cfg(feature = "identify")]
     identify::COMMAND,
+    #[cfg(feature = "identify")]
+    modes::COMMAND,
     expand::EXPAND,
     expand::REPORT,
     export::COMMAND,

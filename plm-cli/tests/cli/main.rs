@@ -10,6 +10,7 @@ mod identify;
 mod import;
 mod json;
 mod lsp;
+mod modes;
 mod run;
 
 use std::fs;
