@@ -3,6 +3,7 @@
 //!
 //! `plm` has all of it as `plm::optimise`, behind the feature `optimise`. All derivatives are those of runs on dual numbers, exact
 //! through assembly, loops, events and impacts.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod base;
 #[cfg(feature = "control")]
