@@ -3,6 +3,7 @@
 //! ```console
 //! cargo run --release -p plm-optimise --example pictures          # the answers
 //! cargo run --release -p plm-optimise --example pictures -- --draw # the pictures of the book too
+//! cargo run --release -p plm-optimise --example pictures -- --time # error and time beside SciPy's
 //! cargo run --release -p plm-optimise --example pictures -- --scatter 20000 # stated deviations beside those of so many fits
 //! ```
 #![allow(missing_docs, unreachable_pub, reason = "modules of a program with public mechanisms")]
@@ -10,6 +11,7 @@
 mod scatter;
 mod swing;
 mod swing_up;
+mod time;
 
 use std::error::Error;
 use std::path::Path;
@@ -25,6 +27,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let words: Vec<String> = std::env::args().collect();
     if let Some(count) = words.iter().skip_while(|word| *word != "--scatter").nth(1) {
         print!("{}", scatter::report(count.parse()?)?);
+        return Ok(());
+    }
+    if words.iter().any(|word| word == "--time") {
+        print!("{}", time::report()?);
         return Ok(());
     }
     print!("{}", swing::identified()?);

@@ -55,11 +55,11 @@ struct Case {
 const READINGS: usize = 12;
 
 impl Case {
-    fn fit(&self, own: Few, readings: Vec<f64>) -> Result<Fit<Few>, Box<dyn Error>> {
+    fn fit(&self, own: &Few, readings: Vec<f64>) -> Result<Fit<Few>, Box<dyn Error>> {
         let (name, unit) = self.output;
         let times: Vec<f64> = (0..READINGS).map(|k| k as f64 * self.every).collect();
         let experiment = Experiment::new(times).measured(name, unit, readings).deviation(name, self.sigma);
-        let of = self.unknowns.iter().fold(Identification::new(own), |of, name| {
+        let of = self.unknowns.iter().fold(Identification::new(*own), |of, name| {
             of.find(if name.contains('.') { Unknown::start(*name) } else { Unknown::parameter(*name) })
         });
         Ok(of.experiment(experiment).run_by(ByDop853(1e-9))?)
@@ -74,12 +74,12 @@ impl Case {
             sim.step_to(k as f64 * self.every)?;
             truth.push(sim.output(0).ok_or("there is no output")?);
         }
-        let exact = self.fit(own, truth.clone())?;
+        let exact = self.fit(&own, truth.clone())?;
         let mut draw = normal(0x2545_f491_4f6c_dd1d);
         let mut squares = vec![0.0; self.unknowns.len()];
         for _ in 0..count {
             let noisy = truth.iter().map(|own| own + self.sigma * draw()).collect();
-            let fit = self.fit(own, noisy)?;
+            let fit = self.fit(&own, noisy)?;
             for (square, (found, exact)) in squares.iter_mut().zip(fit.estimates.iter().zip(&exact.estimates))
             {
                 *square += (found.value - exact.value).powi(2);
