@@ -61,14 +61,12 @@ fn of_value(
     if value.name.ident.text != found.name || !value.name.indices.is_empty() {
         return None;
     }
-    match &value.value {
-        Some(own) => Some((source.range(own.span)?, shown(found))),
-        None => {
-            let range = source.range(item.span)?;
-            let end = range.start + text.get(range)?.rfind(';')?;
-            Some((end..end, format!(" = {}", shown(found))))
-        }
+    if let Some(own) = &value.value {
+        return Some((source.range(own.span)?, shown(found)));
     }
+    let range = source.range(item.span)?;
+    let end = range.start + text.get(range)?.rfind(';')?;
+    Some((end..end, format!(" = {}", shown(found))))
 }
 
 fn of_body(

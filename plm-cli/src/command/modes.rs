@@ -84,27 +84,23 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
 
 /// A line for each mode: eigenvalue, frequency and damping, and what swings most.
 fn table(system: &Linearisation) -> String {
-    let mut text =
-        String::from("mode  frequency (rad/s)  frequency (Hz)  damping   eigenvalue (1/s)           shape\n");
-    for (number, shape) in system.shapes().iter().enumerate() {
+    let head = "mode  frequency (rad/s)  frequency (Hz)  damping   eigenvalue (1/s)           shape\n";
+    let line = |(number, shape): (usize, &Shape)| {
         let mode = shape.mode;
         let lambda = mode.eigenvalue;
-        let eigenvalue = if lambda.im == 0.0 {
-            format!("{:.5e}", lambda.re)
-        } else {
-            format!("{:.5e} +- {:.5e}i", lambda.re, lambda.im)
-        };
-        text += &format!(
-            "{:>4}  {:>17.6e}  {:>14.6e}  {:>7.4}   {eigenvalue:<25}  {}\n",
+        let imaginary = if lambda.im > 0.0 { format!(" +- {:.5e}i", lambda.im) } else { String::new() };
+        let eigenvalue = format!("{:.5e}{imaginary}", lambda.re);
+        // What is rounded to zero has no sign.
+        let damping = if mode.damping.abs() < 5e-5 { 0.0 } else { mode.damping };
+        format!(
+            "{:>4}  {:>17.6e}  {:>14.6e}  {damping:>7.4}   {eigenvalue:<25}  {}\n",
             number + 1,
             mode.frequency,
             mode.frequency / TAU,
-            // What is rounded to zero has no sign.
-            if mode.damping.abs() < 5e-5 { 0.0 } else { mode.damping },
             parts(system, shape)
-        );
-    }
-    text
+        )
+    };
+    std::iter::once(head.to_owned()).chain(system.shapes().iter().enumerate().map(line)).collect()
 }
 
 /// Coordinates that take part, with amplitude and phase over the largest.
