@@ -127,8 +127,8 @@ mod starts;
 pub use lanes::{Batch, F64x8};
 #[cfg(feature = "analysis")]
 pub use plm_analysis::{
-    Auto, Change, Choice, Equilibrium, Freedom, Linearisable, Linearisation, Mode, Pace, Residual, Stabilise,
-    StartAuto, Support, Unbalanced, What, control, linearise, stabilise,
+    Auto, Change, Choice, Equilibrium, Freedom, Linearisable, Linearisation, Mode, Pace, Residual, Shape,
+    Stabilise, StartAuto, Support, Unbalanced, What, control, linearise, stabilise,
 };
 /// Mechanisms at run time: a declaration from text runs without rustc.
 #[cfg(feature = "dynamic")]

@@ -6,6 +6,7 @@
 mod auto;
 pub mod control;
 mod linearise;
+mod shapes;
 mod stabilise;
 
 pub use auto::{Auto, Choice, Pace, StartAuto};
@@ -14,6 +15,7 @@ pub use linearise::{Derivatives, derivatives};
 pub use linearise::{Linearisable, Linearisation, Mode, linearise};
 #[doc(hidden)]
 pub use nalgebra::DMatrix;
+pub use shapes::Shape;
 pub use stabilise::{
     Change, Equilibrium, Freedom, Residual, Stabilise, Support, Unbalanced, What, stabilise,
 };

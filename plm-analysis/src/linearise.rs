@@ -31,6 +31,10 @@ pub struct Linearisation {
     pub basis: DMatrix<f64>,
     /// Names of the coordinates, velocities and first-order states, the rows of `basis`.
     pub states: Vec<&'static str>,
+    /// Number of coordinates, the first ones of `states`.
+    pub coordinates: usize,
+    /// The state from which its changes count: a number for each row of `basis`.
+    pub point: Vec<f64>,
     /// Names and units of the inputs, the columns of B and D.
     pub inputs: &'static [(&'static str, &'static str)],
     /// Names and units of the outputs, the rows of C and D.
@@ -126,6 +130,8 @@ where
     let transposed = basis.transpose();
     let (mechanism, held) = (of.as_moment().mechanism(), of.as_moment().held());
     let states = own(mechanism).into_iter().map(|place| mechanism.name_in_chart(&held, place)).collect();
+    let x = of.as_moment().x();
+    let point = own(mechanism).into_iter().map(|place| plm_runtime::Vector::at(x, place)).collect();
     Ok(Linearisation {
         a: &transposed * a * &basis,
         b: &transposed * b,
@@ -133,6 +139,8 @@ where
         d,
         basis,
         states,
+        coordinates: own(mechanism).into_iter().filter(|place| *place < <T::M as Rate>::NQ).count(),
+        point,
         inputs: of.as_moment().mechanism().input_names(),
         outputs: of.as_moment().mechanism().output_names(),
     })

@@ -3,6 +3,8 @@
 //! ```text
 //! plm check FILE… [--json]     what is wrong, where, and what to do about it
 //! plm run FILE --until SECONDS  its outputs over time
+//! plm identify FILE --csv F …  its parameters from measurements
+//! plm modes FILE               frequencies, dampings and shapes of its modes
 //! plm expand FILE              the Rust code that the macro would emit
 //! plm report FILE              bodies, rows, formulation, operations, assembly
 //! plm export FILE              a project that makes a program, C, an FMU or a wheel of it, its MJCF or URDF, a link
@@ -17,6 +19,8 @@
 mod checked;
 mod command;
 mod excerpt;
+#[cfg(feature = "identify")]
+mod fitted;
 mod json;
 mod layout;
 mod lexer;

@@ -10,6 +10,7 @@ use plm_run::Integrator;
 use plm_runtime::{BodyState, Fault, Stats};
 
 use crate::column::Column;
+use crate::handle::Dynamic;
 use crate::native::Translator;
 use crate::record::Sample;
 use crate::running::{Counted, OnRun, Record, Running, SetInput, StepTo};
@@ -188,6 +189,19 @@ impl Mechanism {
         let place = place("input", name, self.inputs().map(|(name, _)| name))?;
         self.given.inputs[place] = Some(value);
         Ok(())
+    }
+
+    /// The mechanism by the contracts of the runtime, with its parameters and start values, for work on dual numbers; of at most 8
+    /// bodies.
+    ///
+    /// # Errors
+    /// [`Error::NotGiven`]; [`Error::NoDerivative`], where it is larger.
+    pub fn small(&self) -> Result<Dynamic<f64, 24, 32, 64, 24>, Error> {
+        let (Models::Tiny([_, model]) | Models::Small(model)) = self.models else {
+            return Err(Error::NoDerivative);
+        };
+        self.all_given()?;
+        Ok(self.given.mechanism(model))
     }
 
     /// Assembles it, and gives a run by the method of Dormand and Prince of order 8.

@@ -1,10 +1,12 @@
 //! Numbers of a mechanism from measurements, or for the least cost: identification of parameters and start values
-//! ([`Identification`]), combinations of inertias that can be identified ([`base_parameters`]), and inputs of least cost ([`Control`]).
+//! ([`Identification`]), combinations of inertias that can be identified ([`base_parameters`]), and inputs of least cost (`Control`, by the feature `control`).
 //!
 //! `plm` has all of it as `plm::optimise`, behind the feature `optimise`. All derivatives are those of runs on dual numbers, exact
 //! through assembly, loops, events and impacts.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod base;
+#[cfg(feature = "control")]
 mod control;
 mod error;
 mod identify;
@@ -17,6 +19,7 @@ mod signal;
 mod unknown;
 
 pub use base::{BaseParameters, base_parameters};
+#[cfg(feature = "control")]
 pub use control::{Control, Optimum};
 pub use error::{Error, NotConverged};
 pub use identify::{Combination, Estimate, Experiment, Fit, Identification, Residuals};

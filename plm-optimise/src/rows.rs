@@ -15,6 +15,11 @@ impl Rows {
         self.entries.push(by.collect());
     }
 
+    #[cfg(feature = "control")]
+    pub(crate) fn len(&self) -> usize {
+        self.values.len()
+    }
+
     pub(crate) fn matrices(self, columns: usize) -> (DVector<f64>, DMatrix<f64>) {
         let mut matrix = DMatrix::zeros(self.values.len(), columns);
         for (row, entries) in self.entries.iter().enumerate() {

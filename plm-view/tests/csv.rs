@@ -120,10 +120,10 @@ fn what_is_whole_of_a_table_is_read() {
     for (text, rows, problem) in [
         ("time (s),x (m)\n0,1\n0.1,2\n0.2", 2, "line 4: the file is cut off there"),
         ("time (s),x (m)\n0,1\n0.1,2\n0.2,0.30", 2, "line 4: the file is cut off there"),
-        ("time (s),x (m)\n0,1\n0.1,2\n0.2\n", 2, "CSV error: record 3 "),
+        ("time (s),x (m)\n0,1\n0.1,2\n0.2\n", 2, "line 4: 1 numbers where the first line names 2 columns"),
         ("time (s),x (m)\r\n0,1\r\n0.1,2", 1, "line 3: the file is cut off there"),
         ("time (s),arm.ang", 0, "line 1: the file is cut off there"),
-        ("time (s),x (m)\n0,1\n0.1,abc\n", 1, "line 3: `abc` is no number"),
+        ("time (s),x (m)\n0,1\n0.1,abc\n", 1, "line 3, column `x (m)`: `abc` is no number"),
         ("PK\u{3}\u{4}", 0, "its first column is not `time (s)`"),
         ("", 0, "its first column is not `time (s)`"),
     ] {

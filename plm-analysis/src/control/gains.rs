@@ -21,6 +21,10 @@ pub struct Regulator {
     pub inputs: Vec<&'static str>,
     /// Eigenvalues of the controlled system, small ones first.
     pub poles: Vec<Complex<f64>>,
+    /// The directions of the state in columns, in coordinates, velocities and first-order states.
+    pub basis: DMatrix<f64>,
+    /// The state at which the mechanism was linearised: a number for each row of `basis`.
+    pub point: Vec<f64>,
 }
 
 /// A stationary Kalman filter: gains (y - C x) corrects the state x.
@@ -79,16 +83,14 @@ impl fmt::Display for NoGain {
 impl Error for NoGain {}
 
 impl Regulator {
-    /// Corrections of the inputs in a state, in the order of their names: -gains x. The state counts along the columns of `basis`, from where the
-    /// mechanism was linearised; with joint coordinates it is that of a simulation.
+    /// Corrections of the inputs in a state of a simulation, in the order of their names, to be added to the inputs at which the
+    /// mechanism was linearised: -gains times the change of the state from `point` along `basis`.
     ///
-    /// Numbers of `x` that are missing are zero.
+    /// `x` has the numbers of the state as `states` of the linearisation names them; those that are missing are those of `point`.
     pub fn inputs_at(&self, x: &[f64]) -> Vec<f64> {
-        let sum = |row: usize| -> f64 {
-            let gains = (0..self.gains.ncols()).map(|column| self.gains[(row, column)]);
-            -gains.zip(x).map(|(gain, x)| gain * x).sum::<f64>()
-        };
-        (0..self.gains.nrows()).map(sum).collect()
+        let change = |k: usize| x.get(k).map_or(0.0, |x| x - self.point[k]);
+        let along = self.basis.tr_mul(&DVector::from_fn(self.point.len(), |k, _| change(k)));
+        (-(&self.gains * along)).iter().copied().collect()
     }
 }
 
@@ -178,7 +180,7 @@ impl System<'_> {
         let gains = gains.ok_or(NoGain::NotSolved)?;
         let poles = eigenvalues(&(self.a - &b * &gains));
         let inputs = inputs.numbers.iter().map(|k| self.inputs[*k].0).collect();
-        Ok(Regulator { gains, cost: x, inputs, poles })
+        Ok(Regulator { gains, cost: x, inputs, poles, basis: self.basis.clone(), point: self.point.to_vec() })
     }
 
     /// The same equation, transposed.

@@ -63,6 +63,7 @@ struct System<'a> {
     d: &'a DMatrix<f64>,
     basis: &'a DMatrix<f64>,
     states: &'a [&'static str],
+    point: &'a [f64],
     inputs: &'static [(&'static str, &'static str)],
     outputs: &'static [(&'static str, &'static str)],
 }

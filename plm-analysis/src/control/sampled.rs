@@ -22,6 +22,8 @@ pub struct Sampled {
     pub basis: DMatrix<f64>,
     /// Names of the rows of `basis`.
     pub states: Vec<&'static str>,
+    /// The state from which its changes count: a number for each row of `basis`.
+    pub point: Vec<f64>,
     /// Names and units of the inputs.
     pub inputs: &'static [(&'static str, &'static str)],
     /// Names and units of the outputs.
@@ -45,6 +47,7 @@ impl Linearisation {
             d: self.d.clone(),
             basis: self.basis.clone(),
             states: self.states.clone(),
+            point: self.point.clone(),
             inputs: self.inputs,
             outputs: self.outputs,
         }
@@ -56,8 +59,8 @@ impl Linearisation {
     }
 
     pub(super) fn system(&self) -> System<'_> {
-        let Self { a, b, c, d, basis, states, inputs, outputs } = self;
-        System { time: Time::Continuous, a, b, c, d, basis, states, inputs, outputs }
+        let Self { a, b, c, d, basis, states, point, inputs, outputs, .. } = self;
+        System { time: Time::Continuous, a, b, c, d, basis, states, point, inputs, outputs }
     }
 }
 
@@ -76,7 +79,7 @@ impl Sampled {
     }
 
     pub(super) fn system(&self) -> System<'_> {
-        let Self { period, a, b, c, d, basis, states, inputs, outputs } = self;
-        System { time: Time::Sampled(*period), a, b, c, d, basis, states, inputs, outputs }
+        let Self { period, a, b, c, d, basis, states, point, inputs, outputs } = self;
+        System { time: Time::Sampled(*period), a, b, c, d, basis, states, point, inputs, outputs }
     }
 }

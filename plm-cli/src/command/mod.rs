@@ -4,8 +4,12 @@ mod check;
 mod expand;
 mod export;
 mod fmt;
+#[cfg(feature = "identify")]
+mod identify;
 mod import;
 mod lsp;
+#[cfg(feature = "identify")]
+mod modes;
 mod run;
 mod words;
 
@@ -61,6 +65,10 @@ struct Command {
 const COMMANDS: &[Command] = &[
     check::COMMAND,
     run::COMMAND,
+    #[cfg(feature = "identify")]
+    identify::COMMAND,
+    #[cfg(feature = "identify")]
+    modes::COMMAND,
     expand::EXPAND,
     expand::REPORT,
     export::COMMAND,

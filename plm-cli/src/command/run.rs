@@ -94,7 +94,7 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
     let outcome = if asked.view.is_some() || asked.out.is_some() {
         recording::write(&asked, &mut run, streams.output)?
     } else if let Some(name) = &asked.csv {
-        as_csv(&asked, &mut run, &mut *csv_to(name, streams.output)?)?
+        as_csv(&asked, &mut run, &mut *file_to(name, streams.output)?)?
     } else {
         as_table(&asked, &mut run, streams.output)?
     };
@@ -102,7 +102,7 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
 }
 
 /// The file of this name, with the folders above it; `-` is the standard output.
-fn csv_to<'a>(name: &str, output: &'a mut dyn Write) -> Result<Box<dyn Write + 'a>, Failure> {
+pub(super) fn file_to<'a>(name: &str, output: &'a mut dyn Write) -> Result<Box<dyn Write + 'a>, Failure> {
     if name == "-" {
         return Ok(Box::new(output));
     }
@@ -142,7 +142,7 @@ fn translate(_: &Mechanism) {}
 
 /// Name and value, SI, of a setting of one of these quantities with their SI units. A name that is none of them has the value 0: to set
 /// it is the mistake.
-fn setting<'a, 'b>(
+pub(super) fn setting<'a, 'b>(
     option: &str,
     text: &'a str,
     mut quantities: impl Iterator<Item = (&'b str, &'b str)>,
@@ -155,7 +155,7 @@ fn setting<'a, 'b>(
 }
 
 /// Tells why there is no run, or why it has ended.
-fn refused(failure: Failure, streams: &mut Streams) -> Result<Outcome, Failure> {
+pub(super) fn refused(failure: Failure, streams: &mut Streams) -> Result<Outcome, Failure> {
     match failure.downcast_ref::<Error>() {
         Some(Error::Refused(Refused::Bug(what))) => return Err(bug_message(what).into()),
         Some(Error::Refused(Refused::Mistakes(text))) => writeln!(streams.errors, "{}", text.trim_end())?,

@@ -6,9 +6,11 @@ mod export;
 mod export_models;
 mod extension;
 mod fmt;
+mod identify;
 mod import;
 mod json;
 mod lsp;
+mod modes;
 mod run;
 
 use std::fs;

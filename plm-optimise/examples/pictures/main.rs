@@ -3,11 +3,15 @@
 //! ```console
 //! cargo run --release -p plm-optimise --example pictures          # the answers
 //! cargo run --release -p plm-optimise --example pictures -- --draw # the pictures of the book too
+//! cargo run --release -p plm-optimise --example pictures -- --time # error and time beside SciPy's
+//! cargo run --release -p plm-optimise --example pictures -- --scatter 20000 # stated deviations beside those of so many fits
 //! ```
 #![allow(missing_docs, unreachable_pub, reason = "modules of a program with public mechanisms")]
 
+mod scatter;
 mod swing;
 mod swing_up;
+mod time;
 
 use std::error::Error;
 use std::path::Path;
@@ -20,11 +24,20 @@ const PICTURES: [(&str, Picture); 2] = [
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
+    let words: Vec<String> = std::env::args().collect();
+    if let Some(count) = words.iter().skip_while(|word| *word != "--scatter").nth(1) {
+        print!("{}", scatter::report(count.parse()?)?);
+        return Ok(());
+    }
+    if words.iter().any(|word| word == "--time") {
+        print!("{}", time::report()?);
+        return Ok(());
+    }
     print!("{}", swing::identified()?);
     let found = swing_up::best()?;
     println!("swing-up: {:.4} N^2 s after {} iterations", found.cost, found.iterations);
     println!("{:.4?}", found.inputs[0]);
-    if std::env::args().any(|argument| argument == "--draw") {
+    if words.iter().any(|word| word == "--draw") {
         for (path, picture) in PICTURES {
             std::fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path), picture()?)?;
         }

@@ -1,9 +1,11 @@
 //! Optimal control: inputs of a mechanism that are constant in intervals, for the least cost.
 
+mod curvature;
 mod optimum;
 mod problem;
 mod quadratic;
 mod sequential;
+mod values;
 
 pub use optimum::Optimum;
 

@@ -3,41 +3,16 @@
 
 use std::cmp::Ordering;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use plm_runtime::{Fault, Moment, Vector};
 
+use super::values::{Parts, Values};
 use super::{Control, Cost, Optimum};
 use crate::error::{Error, place};
 use crate::mechanism::{Integration, Optimisable};
 use crate::node::{Node, own_numbers};
-use crate::rows::Rows;
 use crate::shot::{Begin, Direction, Flow, Shot};
 use crate::signal::{Schedule, Signal};
-
-/// Values of the program at a point, with their derivatives by rows.
-#[derive(Clone, Debug)]
-pub(crate) struct Values {
-    /// The cost is the sum of their squares, ...
-    pub(crate) squares: DVector<f64>,
-    pub(crate) squares_by: DMatrix<f64>,
-    /// ... and this.
-    pub(crate) linear: f64,
-    pub(crate) linear_by: DVector<f64>,
-    /// What must vanish.
-    pub(crate) equal: DVector<f64>,
-    pub(crate) equal_by: DMatrix<f64>,
-    /// What must stay within bounds.
-    pub(crate) within: DVector<f64>,
-    pub(crate) within_by: DMatrix<f64>,
-    pub(crate) limits: Vec<[f64; 2]>,
-}
-
-impl Values {
-    /// The cost.
-    pub(crate) fn cost(&self) -> f64 {
-        self.squares.norm_squared() + self.linear
-    }
-}
 
 /// A part of the cost of outputs: number among the outputs that are seen, value, weight.
 type OfOutput = (usize, f64, f64);
@@ -249,6 +224,7 @@ impl<M: Optimisable, D: Integration<M>> Transcription<M, D> {
             let (flow, columns) = self.flow(first, z, &signals)?;
             self.of_outputs(first, z, (&flow, &columns), &mut parts);
             let node = first / self.segment;
+            parts.columns.push(columns.clone());
             if let Some(next) = self.nodes.get(node) {
                 let variable = self.of_node(node);
                 let numbers = &z[variable..variable + self.own.len()];
@@ -259,12 +235,9 @@ impl<M: Optimisable, D: Integration<M>> Transcription<M, D> {
                     &mut parts.equal,
                 )?;
             }
+            parts.own_up_to(node);
         }
-        let (squares, squares_by) = parts.squares.matrices(z.len());
-        let (equal, equal_by) = parts.equal.matrices(z.len());
-        let (within, within_by) = parts.within.matrices(z.len());
-        let Parts { linear, linear_by, limits, .. } = parts;
-        Ok(Values { squares, squares_by, linear, linear_by, equal, equal_by, within, within_by, limits })
+        Ok(parts.values())
     }
 
     /// Costs of inputs and of the duration.
@@ -280,6 +253,7 @@ impl<M: Optimisable, D: Integration<M>> Transcription<M, D> {
                 parts
                     .squares
                     .push(root * z[variable], [(variable, root), (duration, by_duration)].into_iter());
+                parts.owners[0].push(k / self.segment);
             }
         }
     }
@@ -366,15 +340,4 @@ impl<M: Optimisable, D: Integration<M>> Transcription<M, D> {
             runs: self.runs,
         }
     }
-}
-
-/// Parts of the program that grow.
-#[derive(Default)]
-struct Parts {
-    squares: Rows,
-    linear: f64,
-    linear_by: DVector<f64>,
-    equal: Rows,
-    within: Rows,
-    limits: Vec<[f64; 2]>,
 }

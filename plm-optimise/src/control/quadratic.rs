@@ -5,13 +5,14 @@ use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use nalgebra::{DMatrix, DVector};
 
-use super::problem::Values;
+use super::curvature::{Model, Multipliers};
+use super::values::Values;
 use crate::error::Error;
 
-/// A step, and the largest multiplier of what is demanded.
+/// A step, and the multipliers of what is demanded.
 pub(super) struct Step {
     pub(super) d: DVector<f64>,
-    pub(super) multiplier: f64,
+    pub(super) multipliers: Multipliers,
 }
 
 /// Rows of a sparse matrix by columns, and its right-hand side.
@@ -36,7 +37,12 @@ impl Inequalities {
 ///
 /// # Errors
 /// [`Error::Quadratic`].
-pub(super) fn step(values: &Values, boxes: &[[f64; 2]], sizes: &[f64], weight: f64) -> Result<Step, Error> {
+pub(super) fn step(
+    (values, model): (&Values, &Model),
+    boxes: &[[f64; 2]],
+    sizes: &[f64],
+    weight: f64,
+) -> Result<Step, Error> {
     let Values { squares, squares_by, linear_by, equal, equal_by, within, within_by, limits, .. } = values;
     let n = boxes.len();
     let slacks = equal.len() + within.len();
@@ -49,35 +55,43 @@ pub(super) fn step(values: &Values, boxes: &[[f64; 2]], sizes: &[f64], weight: f
         rows.push(entries(equal_by, row, 1.0, row), -equal[row]);
         rows.push(entries(equal_by, row, -1.0, row), equal[row]);
     }
+    // Rows of each bound, with the sign of its multiplier.
+    let mut bounds: Vec<Vec<(usize, f64)>> = vec![Vec::new(); within.len()];
     for row in 0..within.len() {
         let slack = equal.len() + row;
         let [least, most] = limits[row];
         if most.is_finite() {
+            bounds[row].push((rows.right.len(), 1.0));
             rows.push(entries(within_by, row, 1.0, slack), most - within[row]);
         }
         if least.is_finite() {
+            bounds[row].push((rows.right.len(), -1.0));
             rows.push(entries(within_by, row, -1.0, slack), within[row] - least);
         }
         rows.push([(n + slack, -1.0)].into_iter(), 0.0);
     }
-    let demands = rows.right.len();
     for (k, [least, most]) in boxes.iter().enumerate() {
         rows.push([(k, 1.0)].into_iter(), most / sizes[k]);
         rows.push([(k, -1.0)].into_iter(), -least / sizes[k]);
     }
-    let scaled = DMatrix::from_fn(squares_by.nrows(), n, |i, k| squares_by[(i, k)] * sizes[k]);
-    let gradient = 2.0 * scaled.tr_mul(squares);
-    let mut cost: Vec<f64> = (0..n).map(|k| gradient[k] + linear_by[k] * sizes[k]).collect();
+    let gradient = 2.0 * squares_by.tr_mul(squares) + linear_by + model.weight * equal_by.tr_mul(equal);
+    let mut cost: Vec<f64> = (0..n).map(|k| gradient[k] * sizes[k]).collect();
     cost.resize(n + slacks, weight);
-    let hessian = hessian(&(2.0 * scaled.tr_mul(&scaled)), n + slacks);
-    let (x, duals) = solve(&hessian, &cost, rows)?;
-    let multiplier = duals.iter().take(demands).fold(0.0, |largest: f64, own| largest.max(own.abs()));
+    let (x, duals) =
+        solve(&upper(&(&model.hessian + model.weight * &model.squares), n + slacks), &cost, rows)?;
+    let multipliers = Multipliers {
+        equal: DVector::from_fn(equal.len(), |row, _| duals[2 * row] - duals[2 * row + 1]),
+        within: DVector::from_iterator(
+            within.len(),
+            bounds.iter().map(|rows| rows.iter().map(|(row, sign)| sign * duals[*row]).sum()),
+        ),
+    };
     let d = DVector::from_fn(n, |k, _| (x[k] * sizes[k]).max(boxes[k][0]).min(boxes[k][1]));
-    Ok(Step { d, multiplier })
+    Ok(Step { d, multipliers })
 }
 
 /// The upper triangle of the Hessian.
-fn hessian(of: &DMatrix<f64>, size: usize) -> CscMatrix<f64> {
+fn upper(of: &DMatrix<f64>, size: usize) -> CscMatrix<f64> {
     let column = |k: usize| {
         (0..=k).filter(move |i| k < of.ncols() && of[(*i, k)] != 0.0).map(move |i| (i, of[(i, k)]))
     };

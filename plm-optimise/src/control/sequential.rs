@@ -1,11 +1,14 @@
 //! Sequential quadratic programming with a trust region and the exact penalty of what is violated (R. Fletcher, Practical Methods of
-//! Optimization, 2nd ed., 1987, 14.4); the Hessian is that of Gauss and Newton.
+//! Optimization, 2nd ed., 1987, 14.4); the Hessian is that of Gauss and Newton with
+//! what the steps tell of its second derivatives.
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use plm_runtime::Fault;
 
-use super::problem::{Transcription, Values};
+use super::curvature::{Curvature, Model};
+use super::problem::Transcription;
 use super::quadratic;
+use super::values::Values;
 use crate::error::{Error, NotConverged};
 use crate::mechanism::{Integration, Optimisable};
 
@@ -27,15 +30,23 @@ const SMALLEST: f64 = 1e-13;
 /// Weight of violations beyond which they cannot be made less.
 const LARGEST_WEIGHT: f64 = 1e10;
 
+/// Violations with a sum below this are nearly none.
+const NEAR: f64 = 1e-2;
+/// So often the weight is lowered: the search ends.
+const MOST_LOWERED: usize = 5;
+
 /// State of the search.
 struct Search {
     z: DVector<f64>,
     values: Values,
+    curvature: Curvature,
     sizes: Vec<f64>,
     /// Of the trust region, in sizes of the variables.
     radius: f64,
     /// Of violations in the merit function.
     weight: f64,
+    /// How often the weight was lowered.
+    lowered: usize,
     fault: Option<Fault>,
 }
 
@@ -72,7 +83,9 @@ pub(super) fn minimise<M: Optimisable, D: Integration<M>>(
     let values =
         program.evaluate(&start).map_err(|fault| Error::AtGuess { experiment: 0, fault: Box::new(fault) })?;
     let weight = first_weight(&values, &sizes);
-    let mut search = Search { z: start, values, sizes, radius: 1.0, weight, fault: None };
+    let curvature = Curvature::new(&values, &sizes);
+    let mut search =
+        Search { z: start, values, curvature, sizes, radius: 1.0, weight, lowered: 0, fault: None };
     for iterations in 1..=most {
         match search.iterate(program)? {
             Outcome::GoesOn => {}
@@ -91,20 +104,15 @@ impl Search {
         &mut self,
         program: &mut Transcription<M, D>,
     ) -> Result<Outcome, Error> {
-        let boxes: Vec<[f64; 2]> = (0..self.z.len())
-            .map(|k| {
-                let ([least, most], reach) = (program.bounds(k), self.radius * self.sizes[k]);
-                [(least - self.z[k]).max(-reach).min(0.0), (most - self.z[k]).min(reach).max(0.0)]
-            })
-            .collect();
-        let quadratic::Step { d, multiplier } =
-            quadratic::step(&self.values, &boxes, &self.sizes, self.weight)?;
+        let boxes = self.boxes(program);
+        let model_of_cost = self.curvature.model(&self.values);
+        let quadratic::Step { d, multipliers } =
+            quadratic::step((&self.values, &model_of_cost), &boxes, &self.sizes, self.weight)?;
         let (before, model) = (violations(&self.values, None), violations(&self.values, Some(&d)));
         let reached =
             d.iter().zip(&self.sizes).fold(0.0, |reached: f64, (d, size)| reached.max(d.abs() / size));
         let is_inside = reached < 0.99 * self.radius;
-        let predicted =
-            self.values.cost() - modelled(&self.values, &d) + self.weight * (before.sum - model.sum);
+        let predicted = self.gain(&model_of_cost, &d) + self.weight * (before.sum - model.sum);
         let size = self.values.cost().abs() + self.weight * before.sum;
         if self.radius < SMALLEST {
             return Ok(Outcome::Stuck);
@@ -114,22 +122,16 @@ impl Search {
         }
         if is_inside
             && model.largest > FEASIBLE
-            && multiplier > 0.99 * self.weight
+            && multipliers.largest() > 0.99 * self.weight
             && self.weight < LARGEST_WEIGHT
         {
             // Within the region, and violated all the same: the cost holds against the demands.
             self.weight *= 10.0;
             return Ok(Outcome::GoesOn);
         }
-        let mut ratio = self.attempt(program, &d, predicted);
-        if let Attempt::Refused(next) = &ratio {
-            // Curved demands refuse good steps: a second one from where they are behind the first (Fletcher, 14.4).
-            let mut corrected = self.values.clone();
-            corrected.equal = &next.equal - &corrected.equal_by * &d;
-            corrected.within = &next.within - &corrected.within_by * &d;
-            let second = quadratic::step(&corrected, &boxes, &self.sizes, self.weight)?;
-            ratio = self.attempt(program, &second.d, predicted);
-        }
+        let ratio = self.moved(program, (&d, predicted), (&model_of_cost, &boxes))?;
+        self.curvature.learn(&self.values, &multipliers);
+        self.lower_weight(&before, multipliers.largest());
         match ratio {
             Attempt::Taken(ratio) if ratio > 0.75 && !is_inside => self.radius *= 2.0,
             Attempt::Taken(ratio) if ratio < 0.25 => self.radius = 0.5 * reached,
@@ -137,6 +139,57 @@ impl Search {
             Attempt::Refused(_) | Attempt::Faulted => self.radius = 0.25 * reached,
         }
         Ok(Outcome::GoesOn)
+    }
+
+    /// The trust region within the bounds.
+    fn boxes<M: Optimisable, D: Integration<M>>(&self, program: &Transcription<M, D>) -> Vec<[f64; 2]> {
+        let own = |k: usize| {
+            let ([least, most], reach) = (program.bounds(k), self.radius * self.sizes[k]);
+            [(least - self.z[k]).max(-reach).min(0.0), (most - self.z[k]).min(reach).max(0.0)]
+        };
+        (0..self.z.len()).map(own).collect()
+    }
+
+    /// Tries a step, remembers what it tells of the curvature, and corrects it where it is refused.
+    fn moved<M: Optimisable, D: Integration<M>>(
+        &mut self,
+        program: &mut Transcription<M, D>,
+        (d, predicted): (&DVector<f64>, f64),
+        (model, boxes): (&Model, &[[f64; 2]]),
+    ) -> Result<Attempt, Error> {
+        let from = self.values.clone();
+        let first = self.attempt(program, d, (predicted, model.weight));
+        match &first {
+            Attempt::Taken(_) => self.curvature.remember(&from, &self.values, d),
+            Attempt::Refused(next) => self.curvature.remember(&from, next, d),
+            Attempt::Faulted => {}
+        }
+        let Attempt::Refused(next) = &first else { return Ok(first) };
+        // Curved demands refuse good steps: a second one from where they are behind the first (Fletcher, 14.4).
+        let mut corrected = from;
+        corrected.equal = &next.equal - &corrected.equal_by * d;
+        corrected.within = &next.within - &corrected.within_by * d;
+        let second = quadratic::step((&corrected, model), boxes, &self.sizes, self.weight)?;
+        Ok(self.attempt(program, &second.d, (predicted, model.weight)))
+    }
+
+    /// Lowers the weight of violations near to none: one far above the multipliers makes steps along curved demands short.
+    fn lower_weight(&mut self, violations: &Violations, multiplier: f64) {
+        let enough = 2.0 * multiplier.max(1.0);
+        if violations.sum < NEAR && self.weight > 2.0 * enough && self.lowered < MOST_LOWERED {
+            self.weight = enough;
+            self.lowered += 1;
+        }
+    }
+
+    /// By how much the model of the cost falls with a step.
+    fn gain(&self, model: &Model, d: &DVector<f64>) -> f64 {
+        let Values { squares, squares_by, linear_by, equal, equal_by, .. } = &self.values;
+        let slope = 2.0 * squares.dot(&(squares_by * d)) + linear_by.dot(d);
+        let scaled = DVector::from_fn(d.len(), |k, _| d[k] / self.sizes[k]);
+        let opens = equal + equal_by * d;
+        let squares = equal.norm_squared() - opens.norm_squared();
+        -slope - 0.5 * scaled.dot(&(&model.hessian * &scaled)) + 0.5 * model.weight * squares
     }
 
     /// The end of a search whose model finds nothing better.
@@ -156,7 +209,7 @@ impl Search {
         &mut self,
         program: &mut Transcription<M, D>,
         d: &DVector<f64>,
-        predicted: f64,
+        (predicted, weight): (f64, f64),
     ) -> Attempt {
         let trial = &self.z + d;
         let next = match program.evaluate(&trial) {
@@ -168,7 +221,9 @@ impl Search {
         };
         self.fault = None;
         let (before, after) = (violations(&self.values, None), violations(&next, None));
-        let gain = self.values.cost() - next.cost() + self.weight * (before.sum - after.sum);
+        let gain = self.values.cost() - next.cost()
+            + self.weight * (before.sum - after.sum)
+            + 0.5 * weight * (self.values.equal.norm_squared() - next.equal.norm_squared());
         if gain > 1e-4 * predicted {
             (self.z, self.values) = (trial, next);
             return Attempt::Taken(gain / predicted);
@@ -203,8 +258,7 @@ struct Violations {
 
 /// Violations at a point, or those of the linear model after a step.
 fn violations(values: &Values, step: Option<&DVector<f64>>) -> Violations {
-    let moved =
-        |own: &DVector<f64>, by: &nalgebra::DMatrix<f64>| step.map_or_else(|| own.clone(), |d| own + by * d);
+    let moved = |own: &DVector<f64>, by: &DMatrix<f64>| step.map_or_else(|| own.clone(), |d| own + by * d);
     let equal = moved(&values.equal, &values.equal_by);
     let within = moved(&values.within, &values.within_by);
     let outside = within
@@ -215,9 +269,4 @@ fn violations(values: &Values, step: Option<&DVector<f64>>) -> Violations {
     let (sum, largest) =
         all.fold((0.0, 0.0), |(sum, largest): (f64, f64), own| (sum + own, largest.max(own)));
     Violations { sum, largest }
-}
-
-/// The cost by the model after a step.
-fn modelled(values: &Values, d: &DVector<f64>) -> f64 {
-    (&values.squares + &values.squares_by * d).norm_squared() + values.linear + values.linear_by.dot(d)
 }

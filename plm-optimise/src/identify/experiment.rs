@@ -15,6 +15,8 @@ use crate::unknown::{Place, Unknown};
 #[derive(Clone, Debug, Default)]
 pub struct Experiment {
     pub(crate) times: Vec<f64>,
+    /// At which times outputs jump; none where that is not known.
+    pub(crate) jumps: Vec<bool>,
     pub(crate) outputs: Vec<Readings>,
     /// Name, unit, times and values of each input.
     pub(crate) inputs: Vec<(String, String, Vec<f64>, Vec<f64>)>,
@@ -42,12 +44,20 @@ impl Experiment {
     }
 
     /// The readings of a table: times in its first column, then outputs and inputs by their names with units, as
-    /// [`Recording::write_csv`] writes them.
+    /// [`Recording::write_csv`] writes them. Of rows at the same time, before and after an event, inputs have the last one, and outputs
+    /// have no reading.
     pub fn from_recording(recording: &Recording) -> Self {
-        let mut experiment = Self::new(recording.times());
+        let times = recording.times();
+        let rows: Vec<usize> = (0..times.len())
+            .filter(|row| times.get(row + 1).is_none_or(|next| *next != times[*row]))
+            .collect();
+        let mut experiment = Self::new(rows.iter().map(|row| times[*row]).collect::<Vec<_>>());
+        let is_second = |row: &usize| row.checked_sub(1).is_some_and(|before| times[before] == times[*row]);
+        experiment.jumps = rows.iter().map(is_second).collect();
+        let table: Vec<&[f64]> = recording.rows().collect();
         for (k, column) in recording.columns().iter().enumerate() {
             let values: Vec<f64> =
-                recording.rows().map(|row| row.get(k).copied().unwrap_or(f64::NAN)).collect();
+                rows.iter().map(|row| table[*row].get(k).copied().unwrap_or(f64::NAN)).collect();
             experiment = experiment.measured(&column.name, &column.unit, values);
         }
         experiment
@@ -198,7 +208,7 @@ impl<M: Optimisable> Prepared<M> {
             if known.tables().inputs.iter().any(|input| input.name == name) {
                 prepared.add_input(name, unit, (&of.times, values)).map_err(|why| why.of(number))?;
             } else {
-                prepared.add_output(readings)?;
+                prepared.add_output(readings, &of.jumps)?;
             }
         }
         if prepared.outputs.is_empty() {
@@ -207,7 +217,7 @@ impl<M: Optimisable> Prepared<M> {
         Ok(prepared)
     }
 
-    fn add_output(&mut self, readings: &Readings) -> Result<(), Error> {
+    fn add_output(&mut self, readings: &Readings, jumps: &[bool]) -> Result<(), Error> {
         let Readings { name, unit, values, deviation } = readings;
         let all = self.mechanism.observables();
         let index = place("output", name, all.iter().map(|(name, _)| *name))?;
@@ -215,7 +225,9 @@ impl<M: Optimisable> Prepared<M> {
         let declared =
             shown(&self.mechanism).nth(index).flatten().map_or((si, 1.0), |(_, own)| (own.unit, own.factor));
         let factor = factor(name, unit, declared, si)?;
-        let values: Vec<f64> = values.iter().map(|value| value * factor).collect();
+        let is_jump = |k: usize| jumps.get(k).is_some_and(|jump| *jump);
+        let reading = |(k, value): (usize, &f64)| if is_jump(k) { f64::NAN } else { value * factor };
+        let values: Vec<f64> = values.iter().enumerate().map(reading).collect();
         let spread = spread(&values);
         self.outputs.push(Output {
             name: name.clone(),

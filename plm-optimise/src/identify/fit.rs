@@ -4,12 +4,13 @@ use std::fmt;
 
 use nalgebra::DMatrix;
 
+use super::recording::Motion;
 use crate::mechanism::Optimisable;
 use crate::unknown::Place;
 
 /// Estimates of the unknowns, how well the readings tell them, and the residuals.
 #[derive(Clone, Debug)]
-pub struct Fit<M> {
+pub struct Fit<M: Optimisable> {
     /// The estimates: those that experiments have in common, then those of each.
     pub estimates: Vec<Estimate>,
     /// Covariance of the estimates, SI: of the linearised model at the estimates. Infinite on the diagonal where
@@ -29,6 +30,7 @@ pub struct Fit<M> {
     pub runs: usize,
     pub(crate) mechanism: M,
     pub(crate) places: Vec<Place>,
+    pub(crate) motions: Vec<Motion<M>>,
 }
 
 /// Estimate of one unknown.
@@ -143,7 +145,7 @@ impl fmt::Display for Estimate {
 }
 
 /// A number with so many digits, with an exponent where it is large or small.
-struct Figure(f64);
+pub(super) struct Figure(pub(super) f64);
 
 impl fmt::Display for Figure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -155,6 +157,14 @@ impl fmt::Display for Figure {
         } else {
             write!(f, "{:.*e}", digits - 1, self.0)
         }
+    }
+}
+
+/// `residuals of arm.angle in experiment 0: 0.264 deg (rms)`.
+impl fmt::Display for Residuals {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { experiment, output, unit, .. } = self;
+        write!(f, "residuals of {output} in experiment {experiment}: {:.3} {unit} (rms)", Figure(self.rms()))
     }
 }
 
@@ -189,12 +199,7 @@ impl<M: Optimisable> fmt::Display for Fit<M> {
             }
         }
         for residuals in &self.residuals {
-            let Residuals { experiment, output, unit, .. } = residuals;
-            writeln!(
-                f,
-                "residuals of {output} in experiment {experiment}: {:.3} {unit} (rms)",
-                Figure(residuals.rms())
-            )?;
+            writeln!(f, "{residuals}")?;
         }
         Ok(())
     }

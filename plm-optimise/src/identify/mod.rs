@@ -4,8 +4,10 @@ mod chart;
 mod experiment;
 mod fit;
 mod problem;
+mod recording;
 mod segments;
 mod statistics;
+mod table;
 
 pub use experiment::Experiment;
 pub use fit::{Combination, Estimate, Fit, Residuals};

@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::fit::{Combination, Estimate, Fit, Residuals};
 use super::problem::Readings;
+use super::recording::Motion;
 use super::segments::Segment;
 use crate::least_squares::{Evaluation, Found, Problem};
 use crate::mechanism::{Integration, Optimisable};
@@ -47,6 +48,9 @@ pub(super) fn fit<M: Optimisable, D: Integration<M>>(problem: &Readings<M, D>, f
         runs: problem.runs,
         mechanism: problem.mechanism(0, &found.z),
         places: places.clone(),
+        motions: (0..problem.experiments.len())
+            .map(|number| Motion::new(problem, number, &found.z))
+            .collect(),
         covariance,
     }
 }

@@ -7,7 +7,7 @@ use plm::{Described, Dop853, Mechanism};
 use super::{Few, mechanism, set_start};
 
 /// Readings of observables at times of a run with a finer tolerance, SI.
-fn readings(of: &Few, names: &[&str], times: &[f64]) -> Vec<Vec<f64>> {
+pub fn readings(of: &Few, names: &[&str], times: &[f64]) -> Vec<Vec<f64>> {
     let mut sim = of.start_with(Dop853::new(1e-13)).unwrap();
     let all = of.observables();
     let places: Vec<usize> =
@@ -22,17 +22,17 @@ fn readings(of: &Few, names: &[&str], times: &[f64]) -> Vec<Vec<f64>> {
     columns
 }
 
-fn set(of: &mut Few, name: &str, value: f64) {
+pub fn set(of: &mut Few, name: &str, value: f64) {
     let index = of.tables().parameters.iter().position(|own| own.name == name).unwrap();
     by_number::set_parameter(of, index, value);
 }
 
 /// Times from 0 on.
-fn times(count: usize, every: f64) -> Vec<f64> {
+pub fn times(count: usize, every: f64) -> Vec<f64> {
     (0..count).map(|k| k as f64 * every).collect()
 }
 
-const PENDULUM: &str = "pub Pendulum {
+pub const PENDULUM: &str = "pub Pendulum {
     param length: m = 1 m;
     param damping: N*m*s/rad = 0.2 N*m*s/rad;
     param g: m/s^2 = 9.81 m/s^2;
@@ -66,7 +66,7 @@ fn pendulum_by_readings_without_noise() {
 }
 
 /// A ball that bounces, a mass on a spring, and a cart: side by side.
-const YARD: &str = "pub Yard {
+pub const YARD: &str = "pub Yard {
     param e: 1 = 0.8;
     param g: m/s^2 = 9.81 m/s^2;
     param mass: kg = 2 kg;

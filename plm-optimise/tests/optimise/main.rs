@@ -10,6 +10,8 @@
 
 mod base;
 mod control;
+mod covariance;
+mod files;
 mod identify;
 
 use plm::dynamic::Compiled;

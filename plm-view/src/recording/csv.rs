@@ -69,7 +69,7 @@ impl Recording {
             format!("line {line}: the file is cut off there, before the line break")
         };
         let mut csv = ReaderBuilder::new().from_reader(if lines.is_empty() { rest } else { lines });
-        let headings = csv.headers().map_err(|error| error.to_string())?;
+        let headings = csv.headers().map_err(|error| told(&error))?.clone();
         if headings.get(0) != Some(TIME) {
             return Err(format!("its first column is not `{TIME}`"));
         }
@@ -78,17 +78,29 @@ impl Recording {
         }
         *self = Self::new(headings.iter().skip(1).map(column));
         for record in csv.records() {
-            let record = record.map_err(|error| error.to_string())?;
+            let record = record.map_err(|error| told(&error))?;
             let line = record.position().map_or(0, csv::Position::line);
-            let number = |field: &str| {
-                field.trim().parse::<f64>().map_err(|_| format!("line {line}: `{field}` is no number"))
+            let number = |(heading, field): (&str, &str)| {
+                let number = field.trim().parse::<f64>();
+                number.map_err(|_| format!("line {line}, column `{heading}`: `{field}` is no number"))
             };
-            let numbers = record.iter().map(number).collect::<Result<Vec<f64>, String>>()?;
+            let numbers = headings.iter().zip(&record).map(number).collect::<Result<Vec<f64>, String>>()?;
             if let Some((time, row)) = numbers.split_first() {
                 self.push(*time, row);
             }
         }
         if rest.is_empty() { Ok(()) } else { Err(cut_off()) }
+    }
+}
+
+/// A mistake of a table in words, with its line.
+fn told(error: &csv::Error) -> String {
+    match error.kind() {
+        csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
+            let line = pos.as_ref().map_or(0, csv::Position::line);
+            format!("line {line}: {len} numbers where the first line names {expected_len} columns")
+        }
+        _ => error.to_string(),
     }
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::{Complex, DMatrix};
 use plm::control::{NoGain, NoResponse, frequencies, root_locus};
 use plm::dynamic::{Compiled, Small};
-use plm::{Linearisation, Mechanism, linearise};
+use plm::{Linearisation, Mechanism, Moment, linearise};
 
 use super::{near, same_set, system};
 
@@ -24,7 +24,7 @@ fn carriage(formulation: &str, damping: f64) -> Linearisation {
             input push: N = 0 N;
             input gust: N = 0 N;
             ground {{ port rail: (0, 0) m; port other: (0, 1) m; }}
-            body cart {{ mass: 2 kg; inertia: 1 kg*m^2; port rail: (0, 0) m; }}
+            body cart {{ mass: 2 kg; inertia: 1 kg*m^2; port rail: (0, 0) m; start x: 3 m, locked; }}
             body block {{ mass: 1 kg; inertia: 1 kg*m^2; port other: (0, 0) m; start y: 1 m; }}
             prismatic rail(ground.rail, cart.rail) {{ drive: push; }}
             prismatic other(ground.other, block.other) {{ stiffness: 9 N/m; damping: {damping} N*s/m; drive: gust; }}
@@ -53,6 +53,12 @@ fn a_double_integrator_has_a_known_regulator_and_filter() {
         let [x, v] = names.map(|name| place(name).unwrap_or_else(|| panic!("{:?}", carriage.states)));
         near(gains[(0, x)], k1, 1e-9);
         near(gains[(0, v)], (2.0 * m * k1).sqrt(), 1e-9);
+        // At 3 m, where it was linearised, there is nothing to correct; 0.1 m beyond there is.
+        near(regulator.point[x], 3.0, 1e-12);
+        let mut state = regulator.point.clone();
+        near(regulator.inputs_at(&state)[0], 0.0, 1e-12);
+        state[x] += 0.1;
+        near(regulator.inputs_at(&state)[0], -0.1 * k1, 1e-9);
 
         // White noise of the force, intensity w, and of the place, v: L = (sqrt(2 s), s), s = sqrt(w/v)/m.
         let filter = carriage.estimator(&[("push", 0.8)], &[("cart.x", 1e-3)]).unwrap();
@@ -215,4 +221,50 @@ fn no_gain_without_reach_and_sight() {
     assert_eq!(refused.to_string(), "the weight of `push` must be positive, found 0");
     let refused = carriage.bode("gust", "block.x", &[1.0, 3.0]).unwrap_err();
     assert!(matches!(refused, NoResponse::Undamped(w) if w == 3.0), "{refused}");
+}
+
+/// A v = lambda v for each shape, also for both of two equal pendulums, and a state along a shape is that far from where it was.
+#[test]
+fn shapes_are_eigenvectors() {
+    for formulation in ["", "formulation: absolute;"] {
+        let text = format!(
+            "pub Two {{
+                {formulation}
+                gravity: 9.81 m/s^2;
+                ground {{ port a: (0, 0) m; port b: (1, 0) m; }}
+                body a {{ mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 1) m; }}
+                body b {{ mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 1) m; start x: 1 m; }}
+                revolute hinge_a(ground.a, a.o);
+                revolute hinge_b(ground.b, b.o) {{ damping: 1e-12 N*m*s; }}
+            }}"
+        );
+        let mechanism: Small = Compiled::new("two.plm", &text).unwrap().mechanism().unwrap();
+        let sim = mechanism.start().unwrap();
+        let system = linearise(&sim).unwrap();
+        let shapes = system.shapes();
+        assert_eq!(shapes.len(), 2);
+        let vectors: Vec<_> = shapes
+            .iter()
+            .map(|shape| {
+                let whole = nalgebra::DVector::from_column_slice(&shape.vector);
+                let own = system.basis.map(|entry| Complex::new(entry, 0.0)).tr_mul(&whole);
+                let miss =
+                    system.a.map(|entry| Complex::new(entry, 0.0)) * &own - &own * shape.mode.eigenvalue;
+                assert!(miss.norm() < 1e-7 * own.norm() * shape.mode.frequency, "{formulation} {shape:?}");
+                near(shape.mode.frequency, (9.81_f64 / 1.1).sqrt(), 1e-6);
+                own.normalize()
+            })
+            .collect();
+        assert!(vectors[0].dotc(&vectors[1]).norm() < 0.99, "{vectors:?}");
+        let moved = shapes[0].moved(sim.state(), (1e-3, 0.0));
+        let change = shapes[0].change(1e-3, 0.0);
+        near(
+            change.iter().take(system.coordinates).fold(0.0, |most: f64, own| most.max(own.abs())),
+            1e-3,
+            1e-9,
+        );
+        let most =
+            moved.x().iter().zip(sim.state().x()).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+        assert!((1e-3..1e-2).contains(&most), "{most}");
+    }
 }

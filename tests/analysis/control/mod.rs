@@ -12,7 +12,18 @@ fn system(a: DMatrix<f64>, b: DMatrix<f64>, c: DMatrix<f64>) -> Linearisation {
     const OUTPUTS: &[(&str, &str)] = &[("y0", "m"), ("y1", "m"), ("y2", "m")];
     let (n, inputs, outputs) = (a.nrows(), &INPUTS[..b.ncols()], &OUTPUTS[..c.nrows()]);
     let d = DMatrix::zeros(c.nrows(), b.ncols());
-    Linearisation { a, b, c, d, basis: DMatrix::identity(n, n), states: vec!["x"; n], inputs, outputs }
+    Linearisation {
+        a,
+        b,
+        c,
+        d,
+        basis: DMatrix::identity(n, n),
+        states: vec!["x"; n],
+        coordinates: 0,
+        point: vec![0.0; n],
+        inputs,
+        outputs,
+    }
 }
 
 #[track_caller]

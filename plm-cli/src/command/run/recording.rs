@@ -6,7 +6,7 @@ use plm_dynamic::{Error, OnRun, Run, Sample};
 use plm_runtime::{BodyState, Described, Fault, Method, Moment, Sim};
 use plm_view::{Page, Recorder, Recording, Results};
 
-use super::{Asked, Failure, columns, csv_to, row};
+use super::{Asked, Failure, columns, file_to, row};
 use crate::table::{csv_headings, csv_row};
 
 /// Records until a time, s, so often, s, as compiled programs do.
@@ -38,7 +38,7 @@ pub(super) fn write(asked: &Asked, run: &mut Run, to: &mut dyn Write) -> Result<
     }
     if let Some(path) = &asked.csv {
         let (columns, headings) = columns(run, true);
-        let mut to = BufWriter::new(csv_to(path, to)?);
+        let mut to = BufWriter::new(file_to(path, to)?);
         csv_headings(&headings, &mut to)?;
         for sample in samples(&recording) {
             csv_row(&row(&columns, &sample), &mut to)?;
