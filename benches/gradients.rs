@@ -101,8 +101,15 @@ macro_rules! backward {
         time(|| {
             let memory = Memory { adjoints, carried: &mut carried, saved: &mut saved };
             let until = $until.into();
-            adjoint::adjoint(&trace, begin(), |sim| Sim::step_towards(sim, until), first, memory, &mut gradient)
-                .expect("it runs");
+            adjoint::adjoint(
+                &trace,
+                begin(),
+                |sim| Sim::step_towards(sim, until),
+                first,
+                memory,
+                &mut gradient,
+            )
+            .expect("it runs");
             black_box(gradient);
         })
     }};

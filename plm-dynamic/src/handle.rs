@@ -289,7 +289,7 @@ impl<
     }
 
     /// The mechanism and what it holds, without derivatives of what the rate does not depend on: start values and continuation data.
-    pub(crate) fn without_derivatives(&self, held: &Held<S, NQ, L>) -> (Self, Held<S, NQ, L>)
+    pub(crate) fn without_derivatives(&self, held: &Held<S, NQ, L, H, R>) -> (Self, Held<S, NQ, L, H, R>)
     where
         S: Real,
     {

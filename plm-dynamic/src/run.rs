@@ -197,7 +197,7 @@ impl Mechanism {
     /// # Errors
     /// [`Error::NotGiven`]; [`Error::NoDerivative`], where it is larger.
     pub fn small(&self) -> Result<Dynamic<f64, 24, 32, 64, 24>, Error> {
-        let (Models::Tiny([_, model]) | Models::Small(model)) = self.models else {
+        let (Models::Tiny([_, model], _) | Models::Small(model, _)) = self.models else {
             return Err(Error::NoDerivative);
         };
         self.all_given()?;

@@ -128,7 +128,7 @@ impl<
         &self,
         held: &Self::U,
         number: impl Fn(S) -> T,
-    ) -> (Self::In<T>, Held<T, NQ, L>) {
+    ) -> (Self::In<T>, Held<T, NQ, L, H, R>) {
         let (own, held) = self.without_derivatives(held);
         own.in_numbers(&held, number)
     }
