@@ -144,7 +144,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         let half = M::S::lit(0.5);
         let (mut level, mut index, mut width, mut spent) = (0_u32, 0_u32, M::S::lit(1.0), 0_u32);
         let (mut from, mut left, mut noise) = (M::S::ZERO, self.first, self.noise);
-        let mut still = 0;
+        let mut resting = 0;
         // By halvings, the last end and its guards.
         let mut ends: [(M::S, M::G); REMEMBERED] = [(M::S::ZERO, self.first); REMEMBERED];
         loop {
@@ -157,13 +157,13 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
             let piece = Piece { from, to, left, right, is_local, noise };
             spent += 1;
             if level <= ROUGHEST {
-                still = 0;
+                resting = 0;
             }
-            let mut verdict = self.judge(&piece, level, still);
+            let mut verdict = self.judge(&piece, level, resting);
             if level == ROUGHEST && matches!(verdict, Verdict::Open) {
-                still = self.still(&piece);
-                if still != 0 {
-                    verdict = self.judge(&piece, level, still);
+                resting = self.resting(&piece);
+                if resting != 0 {
+                    verdict = self.judge(&piece, level, resting);
                 }
             }
             if let Verdict::Crossing(i, theta) = verdict {
@@ -198,9 +198,9 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         }
     }
 
-    /// Does every guard stay on its side over an interval, or leave it once? Those that are `still` stay as long as they are not violated at
+    /// Does every guard stay on its side over an interval, or leave it once? Those that are `resting` stay as long as they are not violated at
     /// its end.
-    fn judge(&self, piece: &Piece<M::S, M::G>, level: u32, still: u64) -> Verdict<M::S> {
+    fn judge(&self, piece: &Piece<M::S, M::G>, level: u32, resting: u64) -> Verdict<M::S> {
         let (mut open, mut crossed) = (false, false);
         let ranges = self.ranges(piece, level, |i, range, slope| {
             if !self.searches(i) || self.from.at(i) >= piece.to {
@@ -215,7 +215,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
             let violated = edge - piece.noise.at(i);
             let stay = if piece.is_local { violated } else { edge };
             let (left, right) = (piece.left.at(i), piece.right.at(i));
-            if still & bit(i) != 0 && right >= violated {
+            if resting & bit(i) != 0 && right >= violated {
                 return;
             }
             let monotone = slope.low >= M::S::ZERO || slope.high <= M::S::ZERO;
@@ -235,9 +235,9 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
 
     /// Guards that rest on their edges over an interval: at its ends and in its middle they are there, and do not move, both but for
     /// rounding. The guards of a motion are nearly polynomials: with six such conditions a quarter of a step leaves nothing between.
-    fn still(&self, piece: &Piece<M::S, M::G>) -> u64 {
+    fn resting(&self, piece: &Piece<M::S, M::G>) -> u64 {
         let middle = M::S::lit(0.5) * (piece.from + piece.to);
-        [piece.from, middle, piece.to].into_iter().fold(u64::MAX, |still, theta| {
+        [piece.from, middle, piece.to].into_iter().fold(u64::MAX, |resting, theta| {
             let mut here = 0;
             let (time, x) = self.path.around(theta, M::S::ZERO);
             self.system.guards_within(time, &self.held, &x, &mut |i, guard: Enclosed<M::S>| {
@@ -248,7 +248,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
                     }
                 }
             });
-            still & here
+            resting & here
         })
     }
 
