@@ -1,5 +1,6 @@
 //! Numbers of a mechanism from measurements, or for the least cost: identification of parameters and start values
-//! ([`Identification`]), combinations of inertias that can be identified ([`base_parameters`]), and inputs of least cost (`Control`, by the feature `control`).
+//! ([`Identification`]), combinations of inertias that can be identified ([`base_parameters`]), and inputs of least cost (`Control`, by the
+//! feature `control`).
 //!
 //! `plm` has all of it as `plm::optimise`, behind the feature `optimise`. All derivatives are those of runs on dual numbers, exact
 //! through assembly, loops, events and impacts.

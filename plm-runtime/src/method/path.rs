@@ -59,8 +59,9 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
         })
     }
 
-    /// Is all of that path `within` bounds, of so many coordinates whose velocities stand behind a place, and of `all` numbers there are? The hull of its control points encloses it (S. Bernstein's form of a polynomial;
-    /// G. Farin, Curves and Surfaces for CAGD, 5th edition, 4.3); it begins within them.
+    /// Is all of that path `within` bounds? Of so many coordinates, whose velocities stand behind a place, and of `all` numbers there are. The
+    /// hull of its control points encloses it (S. Bernstein's form of a polynomial; G. Farin, Curves and Surfaces for CAGD, 5th edition,
+    /// 4.3); it begins within them.
     #[inline]
     pub(crate) fn between_stays(
         from: (S, &X),

@@ -6,8 +6,8 @@ use crate::system::{Computation, Drift, Energy, Health, Rate, System, Updated};
 
 /// Constraints phi(t, q) = 0 that the motion keeps, and how. Without any, all of it stays as it is here.
 pub trait Constraints: Rate {
-    /// Computes what a method asks for. A system that can be differentiated does so by [`linear::compute`](crate::linear::compute), which takes all
-    /// derivatives of recorded numbers at once.
+    /// Computes what a method asks for. A system that can be differentiated does so by [`linear::compute`](crate::linear::compute), which
+    /// takes all derivatives of recorded numbers at once.
     #[allow(clippy::inline_always, reason = "it is the formula")]
     #[inline(always)]
     fn compute<C: Computation>(
