@@ -5,7 +5,7 @@
 #     bash tests/machines.sh --quick      # what CI can afford: Cortex-M4F in f32, Cortex-M7 in f64, WebAssembly
 #     PLM_BLESS=1 bash tests/machines.sh  # writes the book's table anew
 #
-# Programs: tests/no_std (all methods) and examples/firmware (10 000 steps of eight mechanisms). Targets come by rustup, QEMU
+# Programs: tests/no_std (all methods) and examples/firmware (10 000 steps of eight mechanisms and a filter). Targets come by rustup, QEMU
 # by apt into the target folder, the disassembler by rustup; what cannot be had is named and left out.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -169,7 +169,8 @@ make_table() {
             $3 == "Sim" { fewest = $4; most = $5; stack = $6; size = $7 }
             $3 == "step" { printf "| %s, %s | %d | %d | %s | %s | %d | %d | %d | %d | %d |\n",
                 $1, place, $4, $5, found(all), found(few), fewest, most, stack, $7, size }
-            $1 == "program" { printf "| all eight, %s: code %d bytes, variables %d bytes | | | | | | | | | |\n", place, $2, $3 }
+            $3 == "filter" { printf "| %s, %s | %d | %d | | | | | %d | %d | |\n", $1, place, $4, $5, $6, $7 }
+            $1 == "program" { printf "| all, %s: code %d bytes, variables %d bytes | | | | | | | | | |\n", place, $2, $3 }
         ' <(sed 's/^/worst,/' "$results/firmware-cortex-$machine.worst" 2>/dev/null) <(grep '^#' "$results/firmware-cortex-$machine.txt")
     done
 }

@@ -6,6 +6,7 @@
 
 mod arm;
 mod contact;
+mod filter;
 mod steps;
 
 use steps::Run;

@@ -1,11 +1,12 @@
 //! Runge-Kutta 4 steps of fixed length of five mechanisms, and steps of Moreau and Jean of three with contact, by [`Sim`] and by the
-//! step that their code holds.
+//! step that their code holds; and steps of a filter.
 
 use plm::runtime::Vector;
 use plm::{Fault, Moment, MoreauJean, Real, Rk4, Sim};
 
 use crate::arm::Arm;
 use crate::contact::{Limits, Rack, Ratchet};
+use crate::filter::Filter;
 use scenes::{andrews, double_pendulum, four_bar, slider_crank};
 
 #[path = "../../../tests/support/scenes.rs"]
@@ -83,6 +84,8 @@ fn precision<S: Real>(
     mechanism!("four-bar with limits", Limits::<S>);
     mechanism!("rack with backlash", Rack::<S>);
     mechanism!("ratchet", Ratchet::<S>);
+    let name = ["extended Kalman filter", scalar, "filter"];
+    done(&steps(name, Filter::<S>::new, Filter::all, &mut Filter::step, emit)?);
     emit(roots::<S>());
     Ok(())
 }

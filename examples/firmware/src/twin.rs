@@ -2,6 +2,7 @@
 
 mod arm;
 mod contact;
+mod filter;
 mod steps;
 
 fn main() {
