@@ -104,10 +104,7 @@ impl<S: Real> Filter<S> {
         let gain = [ph[0] / size, ph[1] / size];
         let gap = reading - value;
         self.x = [self.x[0] + gain[0] * gap, self.x[1] + gain[1] * gap];
-        self.p = [
-            [aa - gain[0] * ph[0], ab - gain[0] * ph[1]],
-            [ba - gain[1] * ph[0], bb - gain[1] * ph[1]],
-        ];
+        self.p = [[aa - gain[0] * ph[0], ab - gain[0] * ph[1]], [ba - gain[1] * ph[0], bb - gain[1] * ph[1]]];
     }
 
     /// Has the model stand at the estimate.
