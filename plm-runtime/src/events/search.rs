@@ -235,6 +235,8 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
 
     /// Guards that rest on their edges over an interval: at its ends and in its middle they are there, and do not move, both but for
     /// rounding. The guards of a motion are nearly polynomials: with six such conditions a quarter of a step leaves nothing between.
+    #[cold]
+    #[inline(never)]
     fn resting(&self, piece: &Piece<M::S, M::G>) -> u64 {
         let middle = M::S::lit(0.5) * (piece.from + piece.to);
         [piece.from, middle, piece.to].into_iter().fold(u64::MAX, |resting, theta| {

@@ -135,8 +135,13 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
     ) -> Result<Trial<M::X>, Fault> {
         let (t, x) = (context.time, context.x);
         if !self.was_unhealthy {
-            let (end, worst);
-            ((end, *k), worst) = context.system.compute::<OfPair<P>>((t, h), &context.held, (&x, rate));
+            let (end, worst) = if M::S::HAS_DERIVATIVES {
+                Self::computed(context, rate, h, k)
+            } else {
+                let mut rates = Evaluated::new(context.system, &context.held);
+                let end = P::step::<M>(t, h, &x, rate, k, &mut rates);
+                (end, rates.worst)
+            };
             context.stats.evaluations += P::EVALUATIONS;
             context.health = context.health.min(worst.0);
             if worst.is_good() {
@@ -144,6 +149,20 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
             }
         }
         self.trial_by_rank(context, rate, h, k)
+    }
+
+    /// The step as one computation, for numbers that are recorded. By itself: its copies of the stages would take room on every stack.
+    #[inline(never)]
+    fn computed(
+        context: &Context<'_, M>,
+        rate: &M::X,
+        h: M::S,
+        k: &mut P::Stages<M::X>,
+    ) -> (M::X, Health<M::S>) {
+        let (times, from) = ((context.time, h), (&context.x, rate));
+        let ((end, stages), worst) = context.system.compute::<OfPair<P>>(times, &context.held, from);
+        *k = stages;
+        (end, worst)
     }
 
     #[cold]
