@@ -112,7 +112,7 @@ impl Code {
         self.steps
     }
 
-    /// What it reads.
+    /// Its arguments.
     pub(crate) fn arguments(&self) -> &[Argument] {
         &self.arguments
     }

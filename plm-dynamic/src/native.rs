@@ -59,7 +59,7 @@ pub trait Translator: Debug + Send + Sync {
         0
     }
 
-    /// Who waits for a translation.
+    /// When code takes the place of steps.
     fn tier(&self) -> Tier {
         Tier::AtOnce
     }

@@ -146,7 +146,7 @@ impl Neg for Recorded {
     }
 }
 
-/// What explicit formulas need. A value is not known before the steps are evaluated: nothing can be decided by it.
+/// The operations of explicit formulas. A value is not known before the steps are evaluated: nothing can be decided by it.
 impl Scalar for Recorded {
     /// Two numbers that are compared: is the first one less?
     type Mask = [Self; 2];

@@ -51,6 +51,8 @@ pub trait Scalar:
     const PRECISION: f64;
     /// Such a number carries derivatives: an iteration goes on until they have converged too.
     const HAS_DERIVATIVES: bool = false;
+    /// Operations of such a number are recorded: those that are made at once ([`Real::make`]) take a shorter record.
+    const IS_RECORDED: bool = false;
     /// How such numbers use vector registers.
     const REGISTERS: Registers = Registers::Scalar;
 

@@ -27,7 +27,7 @@ const READINGS: usize = 100;
 /// A number with its derivatives by angle, speed and gust.
 type Number<S> = Dual<S, 3>;
 
-/// What is known of the load.
+/// Estimate of the swing, with the model that predicts it and the readings that correct it.
 pub struct Filter<S: Real> {
     model: <Swing<Number<S>> as Mechanism>::State,
     /// Angle, rad, and speed, rad/s, with their covariance.

@@ -127,7 +127,7 @@ pub(super) fn evaluate<M: System>(
     x: &M::X,
     dx: &mut M::X,
 ) -> Health<M::S> {
-    if M::S::HAS_DERIVATIVES {
+    if M::S::IS_RECORDED {
         let (rate, health) = system.compute::<OfState>((t, M::S::ZERO), held, (x, x));
         *dx = rate;
         return health;
@@ -159,7 +159,7 @@ impl<M: System> Rates<M> for &mut Evaluated<'_, M> {
     #[allow(clippy::inline_always, reason = "as `Watched`")]
     #[inline(always)]
     fn pair(&mut self, t: [M::S; 2], x: [&M::X; 2], dx: &mut [M::X; 2], second: impl FnOnce(&M::X) -> M::X) {
-        if M::S::HAS_DERIVATIVES {
+        if M::S::IS_RECORDED {
             let ([t, later], [x, _], [first, last]) = (t, x, dx);
             self.at(t, x, first);
             self.at(later, &second(first), last);

@@ -16,6 +16,7 @@ impl<S: Real> Scalar for Traced<'_, S> {
     const AGREEMENT: f64 = S::AGREEMENT;
     const PRECISION: f64 = S::PRECISION;
     const HAS_DERIVATIVES: bool = true;
+    const IS_RECORDED: bool = true;
 
     by_chain_rule!(chain);
 

@@ -104,7 +104,7 @@ impl Asked {
     }
 }
 
-/// What is to be found.
+/// Unknowns that all experiments have in common, and those that each has by itself.
 pub(super) struct Unknowns {
     pub(super) shared: Vec<Unknown>,
     pub(super) each: Vec<Unknown>,

@@ -135,7 +135,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
     ) -> Result<Trial<M::X>, Fault> {
         let (t, x) = (context.time, context.x);
         if !self.was_unhealthy {
-            let (end, worst) = if M::S::HAS_DERIVATIVES {
+            let (end, worst) = if M::S::IS_RECORDED {
                 Self::computed(context, rate, h, k)
             } else {
                 let mut rates = Evaluated::new(context.system, &context.held);
