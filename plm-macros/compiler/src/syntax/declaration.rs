@@ -89,6 +89,8 @@ impl Declaration {
             let message = "`use` must be the first word of the declaration";
             input.error(Code::MisplacedItem, input.here(), message);
             return Err(Reported);
+        } else if input.begins_item_without_name() {
+            return Err(input.items_without_name());
         } else if !self.shared.add(input, &docs)? {
             self.mechanism = Some(Mechanism::parse(input, docs)?);
         }

@@ -5,6 +5,7 @@ use syn::{Token, token};
 
 use super::expr::{Expr, ExprKind, Link};
 use super::input::{Input, Reported, Result};
+use super::item::Context;
 use super::keyword as kw;
 use super::name::IndexedName;
 use super::operator::Operator;
@@ -161,6 +162,22 @@ impl Input<'_> {
             (format!("the part `{kind}` has no name here"), "name")
         };
         self.error(Code::UnknownItem, self.here(), message).help(format!("write `{kind} {name}(…);`"));
+        Reported
+    }
+
+    /// `force push(arm.a): 5 N;`: the parameters of a part stand in braces. Skips them.
+    pub(super) fn parameters_without_braces(self, kind: &str, name: &str) {
+        let help = format!("its parameters stand in braces: `{kind} {name}(…) {{ parameter: …; }}`");
+        self.expected_but("`;` or `{`", &help);
+        self.advance_to(|input| input.peek(Token![;]));
+        self.eat(Token![;]);
+    }
+
+    /// `gravity: 9.81 m/s^2; …` with no mechanism around it. Reads the items, for their own mistakes.
+    pub(super) fn items_without_name(self) -> Reported {
+        let message = format!("`{}` begins an item, and a mechanism has a name before its items", self.next());
+        self.error(Code::NoMechanism, self.here(), message).help("write `Name { … }` around all items");
+        self.items(Context::Mechanism);
         Reported
     }
 

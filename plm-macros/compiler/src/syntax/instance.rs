@@ -50,6 +50,8 @@ impl Instance {
         if input.peek(token::Brace) {
             fields = input.group(Delimiter::Brace, "`{`", |input| Ok(input.all(Field::parse)))?;
             input.eat(Token![;]);
+        } else if input.peek(Token![:]) {
+            input.parameters_without_braces(&kind.text, &name.ident.text);
         } else {
             input.semicolon()?;
         }

@@ -188,8 +188,7 @@ const RENAMED: [(&str, &str); 1] = [("rung", "formulation")];
 impl Item {
     /// `{ items }`
     pub(super) fn block(input: Input, context: Context) -> Result<Vec<Item>> {
-        let items = |input: Input| Ok(input.all(|input| Item::parse(input, context)));
-        input.nested(|input| input.group(Delimiter::Brace, "`{`", items))
+        input.nested(|input| input.group(Delimiter::Brace, "`{`", |input| Ok(input.items(context))))
     }
 
     fn parse(input: Input, context: Context) -> Result<Item> {
@@ -267,6 +266,21 @@ fn instance_or_unknown(input: Input) -> Result<ItemKind> {
 
 /// Rules that many items have in common.
 impl Input<'_> {
+    /// Items, as far as they go.
+    pub(super) fn items(self, context: Context) -> Vec<Item> {
+        self.all(|input| Item::parse(input, context))
+    }
+
+    /// Does an item of a mechanism begin here, where the name of the mechanism is wanted? Parts and domains may stand before it.
+    pub(super) fn begins_item_without_name(self) -> bool {
+        let is = |word: &str| self.next() == word;
+        let is_item = WORDS.iter().any(|(word, place, _)| is(word) && *place != Some(Part));
+        let is_part = PARTS.iter().any(|(part, _)| is(part)) && self.peek3(token::Paren);
+        let is_definition = is("part") || is("joint") || is("domain");
+        let is_name = self.peek2(token::Brace) && !is("ground");
+        (is_item || is_part) && !is_definition && !is_name
+    }
+
     /// The end of an item. If it is missing but the next item begins here, that is said and nothing is skipped.
     pub(super) fn semicolon(self) -> Result<()> {
         if self.eat(Token![;]) {

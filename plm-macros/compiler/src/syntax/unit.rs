@@ -177,9 +177,42 @@ fn units_in(mut cursor: Cursor) -> Option<usize> {
     Some(count)
 }
 
+/// Quantities whose names stand where a unit is wanted, and their units.
+const QUANTITIES: &[(&str, &str)] = &[
+    ("length", "m"),
+    ("distance", "m"),
+    ("position", "m"),
+    ("displacement", "m"),
+    ("angle", "rad"),
+    ("time", "s"),
+    ("mass", "kg"),
+    ("inertia", "kg*m^2"),
+    ("force", "N"),
+    ("torque", "N*m"),
+    ("moment", "N*m"),
+    ("velocity", "m/s"),
+    ("speed", "m/s"),
+    ("acceleration", "m/s^2"),
+    ("frequency", "Hz"),
+    ("energy", "J"),
+    ("power", "W"),
+    ("stiffness", "N/m"),
+    ("damping", "N/(m/s)"),
+    ("area", "m^2"),
+    ("volume", "m^3"),
+    ("density", "kg/m^3"),
+    ("pressure", "Pa"),
+    ("temperature", "K"),
+    ("current", "ampere"),
+    ("voltage", "volt"),
+];
+
 /// Spelling of a unit that goes by another name elsewhere.
 pub(crate) fn unit_help(name: &str) -> Option<String> {
     let word = if name.len() > 2 { name.to_lowercase() } else { name.to_string() };
+    if let Some((quantity, unit)) = QUANTITIES.iter().find(|(quantity, _)| *quantity == word) {
+        return Some(format!("`{quantity}` is a quantity: write its unit, `{unit}`"));
+    }
     let known = match word.as_str() {
         "Nm" => "N*m",
         "meter" | "meters" | "metre" | "metres" => "m",

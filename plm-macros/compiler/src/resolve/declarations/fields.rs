@@ -89,8 +89,7 @@ impl<'a> Resolver<'a> {
             let name = format!("{}.{path}", self.names.instances[id].name);
             self.switch_requirement(outer, name, field);
         }
-        known.extend(required);
-        if !known.contains(&text) {
+        if !known.contains(&text) && !required.contains(&text) {
             let message = format!("the part `{}` has no `{text}` to set", definition.name.text);
             let diagnostic = self.error(outer, Code::UnknownField, last.ident.span, message);
             let meant = ELSEWHERE.iter().find(|(word, here)| *word == text && known.contains(here));
