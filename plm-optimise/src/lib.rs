@@ -17,6 +17,7 @@ mod node;
 mod rows;
 mod shot;
 mod signal;
+mod stack;
 mod unknown;
 
 pub use base::{BaseParameters, base_parameters};

@@ -14,17 +14,25 @@ pub(crate) type Lifted<M> = <M as Linear>::Lifted<LANES>;
 
 /// A mechanism whose runs can be derived: generated ones are, and those from text.
 pub trait Optimisable:
-    Described<S = f64> + Statics + Linear<S = f64, Lifted<LANES>: Described + Statics>
+    Described<S = f64, U: Send + Sync, X: Send + Sync>
+    + Statics
+    + Linear<S = f64, Lifted<LANES>: Described + Statics>
+    + Send
+    + Sync
 {
 }
 
 impl<M> Optimisable for M where
-    M: Described<S = f64> + Statics + Linear<S = f64, Lifted<LANES>: Described + Statics>
+    M: Described<S = f64, U: Send + Sync, X: Send + Sync>
+        + Statics
+        + Linear<S = f64, Lifted<LANES>: Described + Statics>
+        + Send
+        + Sync
 {
 }
 
 /// A method of integration for runs in numbers and in numbers with derivatives.
-pub trait Integration<M: Optimisable>: Copy {
+pub trait Integration<M: Optimisable>: Copy + Send + Sync {
     /// The method on numbers.
     type Plain: Method<M>;
     /// The method on numbers with derivatives.

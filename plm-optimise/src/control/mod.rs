@@ -12,6 +12,7 @@ pub use optimum::Optimum;
 use self::problem::Transcription;
 use crate::error::{Error, place};
 use crate::mechanism::{ByDop853, Integration, Optimisable};
+use crate::stack::on_large_stack;
 
 /// A mechanism, a grid of intervals, and what is asked of its motion.
 ///
@@ -191,6 +192,10 @@ impl<M: Optimisable> Control<M> {
     /// Names that are not there; a run with the guesses that ends with a fault; a search that does not end at a minimum that keeps all
     /// that is demanded.
     pub fn run_by(&self, integration: impl Integration<M>) -> Result<Optimum, Error> {
+        on_large_stack(|| self.found_by(integration))
+    }
+
+    fn found_by(&self, integration: impl Integration<M>) -> Result<Optimum, Error> {
         self.check()?;
         let mut transcription = Transcription::new(self, integration)?;
         let start = transcription

@@ -19,6 +19,7 @@ use self::problem::Readings;
 use crate::error::{Error, NotConverged};
 use crate::least_squares::{End, FIRST_DAMPING, FIRST_DAMPING_NEAR, Found, Limits, approach, minimise};
 use crate::mechanism::{ByDop853, Integration, Optimisable};
+use crate::stack::on_large_stack;
 use crate::unknown::{Place, Unknown};
 
 /// A mechanism, experiments with it, and the unknowns that they have in common.
@@ -73,6 +74,10 @@ impl<M: Optimisable> Identification<M> {
     /// Names and units that are not there; readings that do not fit; a run with the guesses that ends with a fault; a search that does not
     /// end at a minimum, with the cause.
     pub fn run_by(&self, integration: impl Integration<M>) -> Result<Fit<M>, Error> {
+        on_large_stack(|| self.found_by(integration))
+    }
+
+    fn found_by(&self, integration: impl Integration<M>) -> Result<Fit<M>, Error> {
         let mut problem = self.prepared(integration)?;
         let start = problem
             .start()

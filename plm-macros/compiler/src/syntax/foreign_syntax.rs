@@ -175,7 +175,8 @@ impl Input<'_> {
 
     /// `gravity: 9.81 m/s^2; …` with no mechanism around it. Reads the items, for their own mistakes.
     pub(super) fn items_without_name(self) -> Reported {
-        let message = format!("`{}` begins an item, and a mechanism has a name before its items", self.next());
+        let message =
+            format!("`{}` begins an item, and a mechanism has a name before its items", self.next());
         self.error(Code::NoMechanism, self.here(), message).help("write `Name { … }` around all items");
         self.items(Context::Mechanism);
         Reported
