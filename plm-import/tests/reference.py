@@ -16,8 +16,8 @@ compares `plm import` and `plm run` with MuJoCo for each of them, and
 
     python3 plm-import/tests/reference.py --exports target/debug/plm
 
-prints what MuJoCo makes of `plm export --mjcf` of tests/models/machine.plm, and the difference of `plm run`; both are in
-plm-cli/tests/cli/export.rs.
+prints what MuJoCo makes of `plm export --mjcf` of machine.plm and servo.plm in tests/models, and the difference of `plm run`; both are
+in plm-cli/tests/cli/export_models.rs.
 """
 
 import csv
@@ -59,7 +59,9 @@ def closed_acceleration(model, data):
             x, v = data.qpos[model.jnt_qposadr[other]], data.qvel[model.jnt_dofadr[other]]
             row = np.zeros((1, model.nv))
             row[0, model.jnt_dofadr[own]] = 1
-            row[0, model.jnt_dofadr[other]] = -polynomial.deriv()(x)
+            # A joint without another one is held.
+            if other >= 0:
+                row[0, model.jnt_dofadr[other]] = -polynomial.deriv()(x)
             rows.append(row)
             right.append([polynomial.deriv(2)(x) * v**2])
             continue
@@ -132,10 +134,10 @@ def peers(plm, paths):
         print(f"{path}: {len(known)} joints, {max(known.values()):.1e}")
 
 
-def exports(plm):
-    path, controls = os.path.join(MODELS, "machine.plm"), {"torque": 0.3, "pull": 0.5}
+def exports(plm, name, controls):
+    path = os.path.join(MODELS, f"{name}.plm")
     with tempfile.TemporaryDirectory() as folder:
-        made = os.path.join(folder, "machine.xml")
+        made = os.path.join(folder, f"{name}.xml")
         subprocess.run([plm, "export", path, "--mjcf", made], check=True, capture_output=True)
         expected = final(made, 0.4, list(controls.values()), 10 * STEP)
     words = [plm, "run", path, "--until", "0.4", "--every", "0.4", "--csv", "-", "--method", "Dop853:1e-12"]
@@ -144,14 +146,15 @@ def exports(plm):
     found = {head.split(" ")[0]: float(number) for head, number in zip(rows[0], rows[-1])}
     for joint, number in expected.items():
         ours = found.get(f"{joint}.angle", found.get(f"{joint}.displacement"))
-        print(f"{joint} {number:.15f}", "" if ours is None else f"{abs(ours - number):.1e}")
+        print(f"{name} {joint} {number:.15f}", "" if ours is None else f"{abs(ours - number):.1e}")
 
 
 if __name__ == "__main__":
     if sys.argv[1:2] == ["--peers"]:
         peers(sys.argv[2], sys.argv[3:])
     elif sys.argv[1:2] == ["--exports"]:
-        exports(sys.argv[2])
+        exports(sys.argv[2], "machine", {"torque": 0.3, "pull": 0.5})
+        exports(sys.argv[2], "servo", {"aim": 0.9, "push": 0.5})
     else:
         for name, controls in [("cart.xml", [0.6, 0.2]), ("oblique.xml", []), ("four_bar.xml", [0.5]), ("follow.xml", []), ("puck.xml", [0.7, 3.0]), ("arm.urdf", [])]:
             for joint, number in final(os.path.join(MODELS, name), 0.4, controls).items():

@@ -16,6 +16,14 @@ const MACHINE: [(&str, f64); 6] = [
     ("groove.angle", -3.132_308_436_681_981),
 ];
 
+/// Coordinates of servo.plm after 0.4 s, as above.
+const SERVO: [(&str, f64); 4] = [
+    ("shoulder.angle", 0.962_494_453_743_560),
+    ("elbow.angle", 1.135_745_696_369_659),
+    ("wrist.angle", 0.661_980_478_119_136),
+    ("pivot.angle", 0.174_532_925_199_433),
+];
+
 fn model(name: &str) -> String {
     fs::read_to_string(root().join("plm-import/tests/models").join(name)).unwrap()
 }
@@ -39,11 +47,16 @@ fn export(folder: &Path, text: &str, format: &str) -> Said {
 
 #[test]
 fn an_exported_model_moves_as_in_mujoco() {
-    let found = run(&folder(), &model("machine.plm"), &["torque=0.3", "pull=0.5"]);
-    for (name, wanted) in MACHINE {
-        let (_, [_, got]) = found.iter().find(|(known, _)| known == name).unwrap();
-        // Measured: 3.3e-13.
-        assert!((got - wanted).abs() < 2e-12, "{name}: {got} for {wanted}");
+    for (file, inputs, expected) in [
+        ("machine.plm", ["torque=0.3", "pull=0.5"], &MACHINE[..]),
+        ("servo.plm", ["aim=0.9", "push=0.5"], &SERVO),
+    ] {
+        let found = run(&folder(), &model(file), &inputs);
+        for (name, wanted) in expected {
+            let (_, [_, got]) = found.iter().find(|(known, _)| known == name).unwrap();
+            // Measured: 3.3e-13.
+            assert!((got - wanted).abs() < 2e-12, "{name}: {got} for {wanted}");
+        }
     }
 }
 
@@ -63,6 +76,7 @@ fn what_is_read_back_moves_as_before() {
         (imported("four_bar.xml"), "--mjcf", &["torque=0.5"]),
         (imported("arm.urdf"), "--mjcf", &[]),
         (machine, "--mjcf", &["torque=0.3", "pull=0.5"]),
+        (model("servo.plm"), "--mjcf", &["aim=0.9", "push=0.5"]),
         (model("robot.plm"), "--mjcf", &["motor=0.5"]),
         (model("robot.plm"), "--urdf", &["motor=0.5"]),
     ] {
@@ -117,30 +131,59 @@ fn urdf_has_the_joints_at_zero_wherever_they_start() {
 #[test]
 fn what_a_format_does_not_have_is_told_and_nothing_is_written() {
     let bodies = "ground { port o: (0, 0) m; port p: (1, 0) m; }\n\
-                  body a { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; port p: (1, 0) m; }\n";
+                  body a { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; port p: (1, 0) m; }\n\
+                  body b { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }\n";
     let pin = "revolute pin(ground.o, a.o)";
     let folder = folder();
     for (items, format, wanted) in [
         (
             format!("{pin};\nspring s(ground.p, a.p) {{ stiffness: 1 N/m; }}"),
             "--mjcf",
-            "error: the spring `s` is not written: what it does would be missing\n --> <stdin>:5:8",
+            "error: the spring `s` is not written: what it does would be missing\n --> <stdin>:6:8",
         ),
         (
             format!("input u: N*m = 0;\n{pin} {{ drive: u^2/(1 N*m); }}"),
             "--mjcf",
-            "error: `drive` of revolute `pin` is not a multiple of one input, clamped or not, which a motor is\n --> <stdin>:5:10",
+            "error: `drive` of revolute `pin` is not a multiple of one input, clamped or not, which a motor is; of a revolute it may be affine \
+             in one input, the angle and the speed, which a servo is\n --> <stdin>:6:10",
+        ),
+        (
+            format!(
+                "input u: N*m = 0;\nrevolute swing(ground.p, b.o);\n{pin} {{ drive: u - 1 N*m/rad*b.angle; }}"
+            ),
+            "--mjcf",
+            "error: `drive` of revolute `pin` is not a multiple of one input",
+        ),
+        (
+            format!("input u: N*m = 0;\n{pin} {{ drive: u - 1 N*m/rad*pin.angle; }}"),
+            "--urdf",
+            "error: the drive of `pin` is a servo, and URDF has motors alone",
+        ),
+        (
+            format!("{pin};\nattached_rotor r(pin.shaft) {{ }}"),
+            "--urdf",
+            "error: the rotor of `pin` is not written: URDF has none",
+        ),
+        (
+            format!("{pin};\nconstraint c: a.angle = 0;"),
+            "--urdf",
+            "error: `c` holds `pin`, which URDF does not have",
         ),
         (
             format!("{pin} {{ friction: 0.1; pin_diameter: 1 cm; }}"),
             "--mjcf",
             "error: `friction` of revolute `pin` has no counterpart in the format",
         ),
-        (format!("{pin};\nconstraint c: a.angle = 0;"), "--mjcf", "error: the constraint `c` is not written"),
+        (format!("{pin};\nconstraint c: a.x = 0;"), "--mjcf", "error: the constraint `c` is not written"),
+        (
+            format!("{pin};\nconstraint c: a.angle = 1 rad/s*t;"),
+            "--mjcf",
+            "error: the constraint `c` is not written",
+        ),
         (
             format!("{pin};\nwhen a.omega > 1 rad/s {{ a.omega = 0; }}"),
             "--mjcf",
-            "error: an event that sets states is not written\n --> <stdin>:5:6",
+            "error: an event that sets states is not written\n --> <stdin>:6:6",
         ),
         (
             format!("{pin} {{ stiffness: 1 N*m/rad; }}"),
@@ -150,7 +193,7 @@ fn what_a_format_does_not_have_is_told_and_nothing_is_written() {
         (
             format!("{pin};\nrevolute other(ground.p, a.p);"),
             "--urdf",
-            "error: `other` closes a loop, which URDF does not have\n --> <stdin>:5:10",
+            "error: `other` closes a loop, which URDF does not have\n --> <stdin>:6:10",
         ),
         (
             format!(
@@ -179,7 +222,7 @@ fn what_a_format_does_not_have_is_told_and_nothing_is_written() {
         said.code == 0
             && said
                 .errors
-                .contains("warning: the input `u` drives no joint: it is left out\n --> <stdin>:6:7"),
+                .contains("warning: the input `u` drives no joint: it is left out\n --> <stdin>:7:7"),
         "{said:?}"
     );
 }

@@ -1,13 +1,14 @@
 //! MJCF, the format of MuJoCo (mujoco.readthedocs.io, "XML reference").
 
 use super::frames::{Posed, in_file, sub, turned};
-use super::pairs::{Kind, Pair};
+use super::pairs::{Kind, Law, Pair, Servo};
 use super::pictures::bars;
 use super::tags::{Tags, numbers, unless_zero, unless_zeros};
 use super::tree::{Joint, Motion};
 use super::{Drive, Export, drives};
 use crate::notice::Notices;
 use crate::number::exact;
+use plm_compiler::InputTerm;
 
 /// A limit that is none.
 const UNBOUNDED: f64 = 1e9;
@@ -32,22 +33,42 @@ pub(super) fn text(export: &Export, file: &str, notices: &mut Notices) -> String
     writer.sites(None, &mut tags);
     writer.children(None, &mut tags);
     tags.close("worldbody");
-    writer.loops(&mut tags, notices);
+    if !export.tree.loops.is_empty() || !export.couplings.is_empty() {
+        tags.open("equality", &[]);
+        writer.loops(&mut tags, notices);
+        writer.couplings(&mut tags);
+        tags.close("equality");
+    }
     let drives = drives(export, notices);
     if !drives.is_empty() {
         tags.open("actuator", &[]);
-        for Drive { name, joint, factor, range, .. } in drives {
-            let range = range.map_or(String::new(), |range| numbers(&range));
-            let gear = exact(factor);
-            tags.empty(
-                "motor",
-                &[("name", name), ("joint", joint.to_owned()), ("gear", gear), ("ctrlrange", range)],
-            );
-        }
+        drives.iter().for_each(|drive| actuator(drive, &mut tags));
         tags.close("actuator");
     }
     tags.close("mujoco");
     tags.text
+}
+
+/// A motor; a servo is one whose force is affine, `position` where it is that of a spring to the input.
+fn actuator(drive: &Drive, tags: &mut Tags) {
+    let named = [("name", drive.name.clone()), ("joint", drive.joint.to_owned())];
+    let (word, numbers) = match drive.law {
+        Law::Motor(InputTerm { factor, range, .. }) => {
+            let range = range.map_or(String::new(), |range| numbers(&range));
+            ("motor", vec![("gear", exact(*factor)), ("ctrlrange", range)])
+        }
+        Law::Servo(Servo { gain, constant: 0.0, by_angle, by_speed, .. })
+            if *by_angle == -gain && *by_speed <= 0.0 =>
+        {
+            ("position", vec![("kp", exact(*gain)), ("kv", unless_zero(-by_speed))])
+        }
+        Law::Servo(Servo { gain, constant, by_angle, by_speed, .. }) => {
+            let bias = numbers(&[*constant, *by_angle, *by_speed]);
+            let kind = ("biastype", "affine".to_owned());
+            ("general", vec![("gainprm", exact(*gain)), kind, ("biasprm", bias)])
+        }
+    };
+    tags.empty(word, &[&named[..], &numbers].concat());
 }
 
 struct Writer<'a> {
@@ -139,6 +160,7 @@ impl Writer<'_> {
                 ("springref", if acting.stiffness == 0.0 { String::new() } else { unless_zero(acting.rest) }),
                 ("damping", unless_zero(acting.damping)),
                 ("frictionloss", unless_zero(acting.friction)),
+                ("armature", unless_zero(acting.armature)),
                 ("range", range),
             ],
         );
@@ -210,10 +232,6 @@ impl Writer<'_> {
     /// The points that close loops.
     fn loops(&self, tags: &mut Tags, notices: &mut Notices) {
         let export = self.export;
-        if export.tree.loops.is_empty() {
-            return;
-        }
-        tags.open("equality", &[]);
         for pair in export.tree.loops.iter().map(|k| &export.pairs[*k]) {
             if pair.kind != Kind::Revolute || !pair.is_plain() {
                 let why = "MJCF closes loops by points that coincide, in which nothing acts";
@@ -236,6 +254,25 @@ impl Writer<'_> {
                 ],
             );
         }
-        tags.close("equality");
+    }
+
+    /// Hinges that follow others, as polynomials of what the others have turned from the start.
+    fn couplings(&self, tags: &mut Tags) {
+        let export = self.export;
+        for coupling in &export.couplings {
+            let (other, ratio) = match coupling.of {
+                Some((pair, ratio)) => (export.pairs[pair].name.clone(), ratio),
+                None => (String::new(), 0.0),
+            };
+            tags.empty(
+                "joint",
+                &[
+                    ("name", export.mechanism.parts[coupling.part].name.clone()),
+                    ("joint1", export.pairs[coupling.pair].name.clone()),
+                    ("joint2", other),
+                    ("polycoef", numbers(&[0.0, ratio, 0.0, 0.0, 0.0])),
+                ],
+            );
+        }
     }
 }

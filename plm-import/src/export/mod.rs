@@ -4,6 +4,7 @@
 //! keep their names, and joints their coordinates. [`to_mjcf`] draws the assembled start; [`to_urdf`] draws all joints at zero, because URDF
 //! has no other pose.
 
+mod couplings;
 mod frames;
 mod mjcf;
 mod pairs;
@@ -13,11 +14,13 @@ mod tree;
 mod urdf;
 
 use plm_compiler::span::Span;
-use plm_compiler::{Assembled, AssembledPart, FieldValue, InputTerm};
+use plm_compiler::{Assembled, AssembledPart, FieldValue};
 
 use crate::notice::{Notice, Notices, Place};
 use crate::number;
-use pairs::{Kind, Pair};
+use couplings::{Coupling, Rotor, couplings, is_inside, rotors};
+use frames::Posed;
+use pairs::{Kind, Law, Pair};
 use tree::Tree;
 
 /// Result of an export.
@@ -48,6 +51,8 @@ struct Export<'a> {
     place: PlaceOf<'a>,
     pairs: Vec<Pair>,
     tree: Tree,
+    rotors: Vec<Rotor>,
+    couplings: Vec<Coupling>,
 }
 
 fn exported(
@@ -56,9 +61,16 @@ fn exported(
     text: impl FnOnce(&Export, &mut Notices) -> String,
 ) -> Exported {
     let mut notices = Notices::default();
-    let pairs = pairs(mechanism, place, &mut notices);
-    let tree = Tree::new(mechanism, &pairs);
-    for body in &mechanism.bodies {
+    let mut pairs = pairs(mechanism);
+    let rotors = rotors(mechanism, &mut pairs);
+    pairs.retain(|pair| !rotors.iter().any(|rotor| rotor.has(&pair.name, mechanism)));
+    let carried: Vec<usize> = rotors.iter().map(|rotor| rotor.body).collect();
+    let tree = Tree::new(mechanism, &pairs, &carried);
+    let couplings = couplings(mechanism, &pairs, &tree);
+    let export = Export { mechanism, place, pairs, tree, rotors, couplings };
+    export.tell_of_parts(&mut notices);
+    let bodies = mechanism.bodies.iter().enumerate().filter(|(k, _)| !carried.contains(k));
+    for (_, body) in bodies {
         if body.mass.is_none() {
             notices.error(&place(body.span), format!("`{}` has no mass", body.name));
         }
@@ -70,37 +82,24 @@ fn exported(
     for event in &mechanism.events {
         notices.error(&place(*event), "an event that sets states is not written");
     }
-    let text = text(&Export { mechanism, place, pairs, tree }, &mut notices);
+    let text = text(&export, &mut notices);
     Exported { text: (!notices.has_errors()).then_some(text), notices: notices.0 }
 }
 
-/// The joints that both formats have; tells of all other parts.
-fn pairs(mechanism: &Assembled, place: PlaceOf, notices: &mut Notices) -> Vec<Pair> {
-    let mut pairs = Vec::new();
-    for part in &mechanism.parts {
-        let at = place(part.span);
-        let AssembledPart { name, kind, frames, .. } = part;
-        match (Kind::named(kind).filter(|_| part.of_library), &frames[..]) {
-            (Some(kind), &[a, b]) => {
-                let mut pair = Pair::new(name, part.span, kind, [a, b]);
-                for (field, value) in &part.fields {
-                    if let Err(why) = pair.set(field, value) {
-                        notices.error(&at, format!("`{field}` of {} `{name}` {why}", part.kind));
-                    }
-                }
-                pairs.push(pair);
-            }
-            _ if part.acts => notices
-                .error(&at, format!("the {kind} `{name}` is not written: what it does would be missing")),
-            // Of a part that is made of others these are written.
-            _ if mechanism
-                .parts
-                .iter()
-                .any(|other| other.name.strip_prefix(name).is_some_and(|rest| rest.starts_with('.'))) => {}
-            _ => notices.warn(&at, format!("the {kind} `{name}` is not written")),
+/// The joints that both formats have.
+fn pairs(mechanism: &Assembled) -> Vec<Pair> {
+    let posed = Posed { mechanism, poses: &[] };
+    let of = |(number, part): (usize, &AssembledPart)| {
+        let kind = Kind::named(&part.kind).filter(|_| part.of_library)?;
+        let [a, b] = part.frames[..] else { return None };
+        let offset = posed.port(b)[2] - posed.port(a)[2];
+        let mut pair = Pair::new(&part.name, (number, part.span), kind, [a, b], offset);
+        for (field, value) in &part.fields {
+            pair.set(field, value);
         }
-    }
-    pairs
+        Some(pair)
+    };
+    mechanism.parts.iter().enumerate().filter_map(of).collect()
 }
 
 /// A drive of a joint, by an input.
@@ -108,25 +107,24 @@ struct Drive<'a> {
     name: String,
     joint: &'a str,
     span: Span,
-    factor: f64,
-    /// The values of the input beyond which nothing changes.
-    range: Option<[f64; 2]>,
+    law: &'a Law,
 }
 
 /// The drives in the order of the joints.
 fn drives<'a>(export: &'a Export, notices: &mut Notices) -> Vec<Drive<'a>> {
     let mut drives: Vec<Drive> = Vec::new();
     for joint in export.tree.joints(export) {
-        let Some(InputTerm { input, factor, range }) = &joint.acting.drive else { continue };
-        let is_shared = drives.iter().any(|known| known.name == *input);
-        let name = if is_shared { format!("{input}_of_{}", joint.name) } else { input.clone() };
+        let Some(law) = &joint.acting.drive else { continue };
+        let input = law.input();
+        let is_shared = drives.iter().any(|known| known.name == input);
+        let name = if is_shared { format!("{input}_of_{}", joint.name) } else { input.to_owned() };
         if is_shared {
             notices.warn(
                 &(export.place)(joint.span),
                 format!("the input `{input}` drives several joints: for `{}` it is `{name}`", joint.name),
             );
         }
-        drives.push(Drive { name, joint: joint.label, span: joint.span, factor: *factor, range: *range });
+        drives.push(Drive { name, joint: joint.label, span: joint.span, law });
     }
     for input in &export.mechanism.inputs {
         let (at, name) = ((export.place)(input.span), &input.name);
@@ -143,6 +141,31 @@ fn drives<'a>(export: &'a Export, notices: &mut Notices) -> Vec<Drive<'a>> {
 }
 
 impl Export<'_> {
+    /// Tells what is missing of the parts, in their order.
+    fn tell_of_parts(&self, notices: &mut Notices) {
+        let parts = &self.mechanism.parts;
+        for (number, AssembledPart { name, kind, span, acts, .. }) in parts.iter().enumerate() {
+            let at = (self.place)(*span);
+            let is_rotor =
+                self.rotors.iter().any(|rotor| rotor.part == number || rotor.has(name, self.mechanism));
+            let is_coupling = self.couplings.iter().any(|coupling| coupling.part == number);
+            // Of a part that is made of others these are written.
+            let has_parts = || parts.iter().any(|other| is_inside(&other.name, name));
+            if let Some(pair) = self.pairs.iter().find(|pair| pair.part == number) {
+                for (field, why) in &pair.missing {
+                    notices.error(&at, format!("`{field}` of {kind} `{name}` {why}"));
+                }
+            } else if is_rotor || is_coupling {
+                continue;
+            } else if *acts {
+                notices
+                    .error(&at, format!("the {kind} `{name}` is not written: what it does would be missing"));
+            } else if !has_parts() {
+                notices.warn(&at, format!("the {kind} `{name}` is not written"));
+            }
+        }
+    }
+
     /// A comment at the head of a file.
     fn comment(file: &str, more: &str) -> String {
         // Two hyphens would end it.

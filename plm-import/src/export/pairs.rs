@@ -2,9 +2,13 @@
 
 use plm_compiler::model::FrameRef;
 use plm_compiler::span::Span;
-use plm_compiler::{FieldValue, InputTerm};
+use plm_compiler::{Affine, FieldValue, InputTerm};
 
 use super::counts;
+
+/// What is said of a drive that no actuator makes.
+const NO_LAW: &str = "is not a multiple of one input, clamped or not, which a motor is; of a revolute it may be affine in one input, the angle and \
+                      the speed, which a servo is";
 
 /// Kinds of pairs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,26 +44,89 @@ pub(super) struct Acting {
     pub(super) friction: f64,
     pub(super) lower: Option<f64>,
     pub(super) upper: Option<f64>,
+    /// Inertia that turns with the coordinate, kg m^2.
+    pub(super) armature: f64,
     /// A force or torque that an input sets.
-    pub(super) drive: Option<InputTerm>,
+    pub(super) drive: Option<Law>,
+}
+
+/// The force or torque of a drive, by its input.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Law {
+    /// A multiple of the input.
+    Motor(InputTerm),
+    /// Affine in the input, the coordinate and its rate.
+    Servo(Servo),
+}
+
+/// `gain * input + constant + by_angle * angle + by_speed * speed`, SI.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Servo {
+    pub(super) input: String,
+    pub(super) gain: f64,
+    pub(super) constant: f64,
+    pub(super) by_angle: f64,
+    pub(super) by_speed: f64,
+}
+
+impl Law {
+    pub(super) fn input(&self) -> &str {
+        match self {
+            Law::Motor(InputTerm { input, .. }) | Law::Servo(Servo { input, .. }) => input,
+        }
+    }
 }
 
 /// A pair of two frames.
 #[derive(Clone, Debug)]
 pub(super) struct Pair {
     pub(super) name: String,
+    /// The part that it is.
+    pub(super) part: usize,
     pub(super) span: Span,
     pub(super) kind: Kind,
     pub(super) frames: [FrameRef; 2],
+    /// The angle of the hinge where both bodies have the same, rad.
+    pub(super) offset: f64,
     pub(super) slide: Acting,
     pub(super) hinge: Acting,
+    /// Fields that the formats do not have, and why.
+    pub(super) missing: Vec<(String, &'static str)>,
 }
 
 impl Pair {
     /// A pair in which nothing acts.
-    pub(super) fn new(name: &str, span: Span, kind: Kind, frames: [FrameRef; 2]) -> Pair {
+    pub(super) fn new(
+        name: &str,
+        (part, span): (usize, Span),
+        kind: Kind,
+        frames: [FrameRef; 2],
+        offset: f64,
+    ) -> Pair {
         let (slide, hinge) = Default::default();
-        Pair { name: name.to_owned(), span, kind, frames, slide, hinge }
+        Pair { name: name.to_owned(), part, span, kind, frames, offset, slide, hinge, missing: Vec::new() }
+    }
+
+    /// The factor of the angle of its hinge in a sum of angles of bodies; none where the sum reads others.
+    pub(super) fn factor_in(&self, angles: &[(usize, f64)]) -> Option<f64> {
+        let of = |body: Option<usize>| {
+            let own = angles.iter().find(|(other, _)| Some(*other) == body);
+            own.map_or(0.0, |(_, factor)| *factor)
+        };
+        let [first, second] = self.frames.map(|frame| frame.body);
+        let factor = if second.is_some() { of(second) } else { -of(first) };
+        let is_opposite = first.is_none() || second.is_none() || is_close(of(first), -factor);
+        let are_own = angles.iter().all(|(body, _)| [first, second].contains(&Some(*body)));
+        (is_opposite && are_own).then_some(factor)
+    }
+
+    /// A servo of its hinge.
+    fn servo(&self, law: &Affine) -> Option<Law> {
+        let (input, gain) = law.input.clone()?;
+        let by_angle = self.factor_in(&law.angles)?;
+        let by_speed = self.factor_in(&law.speeds)?;
+        let constant = law.constant - by_angle * self.offset;
+        Some(Law::Servo(Servo { input, gain, constant, by_angle, by_speed }))
     }
 
     /// Does nothing act in it?
@@ -68,26 +135,33 @@ impl Pair {
     }
 
     /// Sets a field of the declaration.
+    pub(super) fn set(&mut self, field: &str, value: &FieldValue) {
+        if let Err(why) = self.try_to_set(field, value) {
+            self.missing.push((field.to_owned(), why));
+        }
+    }
+
+    /// Sets a field.
     ///
     /// # Errors
     /// The formats have nothing of the kind: why, behind the name of the field.
-    pub(super) fn set(&mut self, field: &str, value: &FieldValue) -> Result<(), String> {
+    fn try_to_set(&mut self, field: &str, value: &FieldValue) -> Result<(), &'static str> {
+        let law = match value {
+            FieldValue::Input(term) => Some(Law::Motor(term.clone())),
+            FieldValue::Affine(law) if self.kind == Kind::Revolute => self.servo(law),
+            _ => None,
+        };
         let Some((acting, field)) = self.place_of(field) else {
             // Sizes of pictures, and the mirror image, which the start shows.
             let is_drawn = ["pin_diameter", "branch"].contains(&field);
-            return if is_drawn || !counts(value) {
-                Ok(())
-            } else {
-                Err("has no counterpart in the format".to_owned())
-            };
+            return if is_drawn || !counts(value) { Ok(()) } else { Err("has no counterpart in the format") };
         };
         match (field, value) {
-            ("drive", FieldValue::Input(term)) => acting.drive = Some(term.clone()),
-            ("drive", value) if counts(value) => {
-                return Err("is not a multiple of one input, clamped or not, which a motor is".to_owned());
-            }
+            ("drive", value) if counts(value) => acting.drive = Some(law.ok_or(NO_LAW)?),
             ("drive", _) => {}
-            (_, FieldValue::Input(..) | FieldValue::Other) => return Err("is no number".to_owned()),
+            (_, FieldValue::Input(..) | FieldValue::Affine(..) | FieldValue::Other) => {
+                return Err("is no number");
+            }
             ("stiffness", FieldValue::Number(number)) => acting.stiffness = *number,
             ("rest", FieldValue::Number(number)) => acting.rest = *number,
             ("damping", FieldValue::Number(number)) => acting.damping = *number,
@@ -119,4 +193,9 @@ impl Pair {
             _ => None,
         }
     }
+}
+
+/// Are two factors the same but for rounding?
+fn is_close(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-12 * a.abs().max(b.abs())
 }

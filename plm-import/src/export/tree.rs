@@ -49,8 +49,8 @@ pub(super) struct Joint<'a> {
 }
 
 impl Tree {
-    /// A tree of all bodies. A loop is closed by a revolute in which nothing acts, where it has one.
-    pub(super) fn new(mechanism: &Assembled, pairs: &[Pair]) -> Tree {
+    /// A tree of all bodies but those that joints carry. A loop is closed by a revolute in which nothing acts, where it has one.
+    pub(super) fn new(mechanism: &Assembled, pairs: &[Pair], carried: &[usize]) -> Tree {
         let mut order: Vec<usize> = (0..pairs.len()).collect();
         order.sort_by_key(|&k| match pairs[k].kind {
             Kind::Weld => 0,
@@ -76,7 +76,7 @@ impl Tree {
         let mut tree = Tree { links: Vec::new(), loops };
         tree.grow(None, pairs, &branches);
         for body in 0..ground {
-            if tree.links.iter().all(|link| link.body != body) {
+            if tree.links.iter().all(|link| link.body != body) && !carried.contains(&body) {
                 tree.links.push(Link { body, parent: None, pair: None });
                 tree.grow(Some(body), pairs, &branches);
             }
@@ -118,6 +118,26 @@ impl Tree {
             poses[link.body] = [x, y, angle];
         }
         poses
+    }
+
+    /// A sum of angles of bodies as a sum of angles of hinges, by the numbers of their pairs; none where a free body is in it.
+    pub(super) fn in_hinges(&self, angles: &[(usize, f64)], pairs: &[Pair]) -> Option<Vec<(usize, f64)>> {
+        let mut factors = angles.to_vec();
+        let mut hinges = Vec::new();
+        // Children come first: the angle of a body is that of its parent, and of its hinge.
+        for link in self.links.iter().rev() {
+            let factor: f64 =
+                factors.iter().filter(|(body, _)| *body == link.body).map(|(_, factor)| factor).sum();
+            if factor == 0.0 {
+                continue;
+            }
+            let (pair, is_second) = link.pair?;
+            if matches!(pairs[pair].kind, Kind::Revolute | Kind::PinSlot) {
+                hinges.push((pair, if is_second { factor } else { -factor }));
+            }
+            factors.extend(link.parent.map(|parent| (parent, factor)));
+        }
+        Some(hinges)
     }
 
     /// All joints with a coordinate, at the start.

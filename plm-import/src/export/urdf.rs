@@ -1,12 +1,14 @@
 //! URDF, the format of ROS (wiki.ros.org/urdf/XML).
 
 use super::frames::{Posed, in_file, sub, turned};
+use super::pairs::Law;
 use super::pictures::bars;
 use super::tags::{Tags, numbers, unless_zeros};
 use super::tree::{Joint, Link, Motion};
 use super::{Drive, Export, drives};
 use crate::notice::Notices;
 use crate::number::exact;
+use plm_compiler::InputTerm;
 
 /// An effort, speed or place that bounds nothing.
 const UNBOUNDED: f64 = 1e9;
@@ -31,7 +33,8 @@ pub(super) fn text(export: &Export, file: &str, notices: &mut Notices) -> String
     for link in &export.tree.links {
         writer.joints(link, &drives, &mut tags);
     }
-    for Drive { name, joint, factor, .. } in &drives {
+    for Drive { name, joint, law, .. } in &drives {
+        let Law::Motor(InputTerm { factor, .. }) = law else { continue };
         tags.element("transmission", &[("name", format!("{name}_transmission"))], |tags| {
             tags.with_text("type", "transmission_interface/SimpleTransmission");
             tags.empty("joint", &[("name", (*joint).to_owned())]);
@@ -48,17 +51,30 @@ pub(super) fn text(export: &Export, file: &str, notices: &mut Notices) -> String
 /// The greatest force or torque of the drive of a joint; none of a joint without.
 fn effort(joint: &Joint, drives: &[Drive]) -> Option<f64> {
     let drive = drives.iter().find(|drive| drive.joint == joint.name)?;
-    Some(drive.range.map_or(UNBOUNDED, |[_, high]| (drive.factor * high).abs()))
+    let Law::Motor(InputTerm { factor, range, .. }) = drive.law else { return None };
+    Some(range.map_or(UNBOUNDED, |[_, high]| (factor * high).abs()))
 }
 
 /// Tells what URDF does not have.
 fn tell(export: &Export, drives: &[Drive], notices: &mut Notices) {
     let mechanism = export.mechanism;
     for drive in drives {
-        if drive.range.is_some_and(|[low, high]| (low + high).abs() > 1e-12 * high) {
-            let why = "has other bounds on both sides, where URDF has one effort";
-            notices.error(&(export.place)(drive.span), format!("the drive of `{}` {why}", drive.joint));
-        }
+        let why = match drive.law {
+            Law::Servo(_) => "is a servo, and URDF has motors alone",
+            Law::Motor(InputTerm { range: Some([low, high]), .. }) if (low + high).abs() > 1e-12 * high => {
+                "has other bounds on both sides, where URDF has one effort"
+            }
+            Law::Motor(_) => continue,
+        };
+        notices.error(&(export.place)(drive.span), format!("the drive of `{}` {why}", drive.joint));
+    }
+    for coupling in export.couplings.iter().filter(|coupling| coupling.of.is_none()) {
+        let row = &mechanism.parts[coupling.part];
+        let joint = &export.pairs[coupling.pair].name;
+        notices.error(
+            &(export.place)(row.span),
+            format!("`{}` holds `{joint}`, which URDF does not have", row.name),
+        );
     }
     for pair in export.tree.loops.iter().map(|k| &export.pairs[*k]) {
         notices.error(
@@ -70,6 +86,9 @@ fn tell(export: &Export, drives: &[Drive], notices: &mut Notices) {
         let at = (export.place)(joint.span);
         if joint.acting.stiffness != 0.0 {
             notices.error(&at, format!("the spring of `{}` is not written: URDF has none", joint.name));
+        }
+        if joint.acting.armature != 0.0 {
+            notices.error(&at, format!("the rotor of `{}` is not written: URDF has none", joint.name));
         }
         if joint.coordinate.abs() > 1e-9 {
             let start = crate::number::short(joint.coordinate);
@@ -181,6 +200,22 @@ impl Writer<'_> {
         }
     }
 
+    /// What a joint follows: `q = multiplier q_of + offset`.
+    fn mimic(&self, joint: &Joint, tags: &mut Tags) {
+        let Export { pairs, couplings, .. } = self.export;
+        let followed = couplings.iter().find(|coupling| pairs[coupling.pair].name == joint.name);
+        let Some((of, ratio)) = followed.and_then(|coupling| coupling.of) else { return };
+        let at_start = |name: &str| {
+            let joints = self.export.tree.joints(self.export);
+            joints.iter().find(|own| own.name == name).map_or(0.0, |own| own.coordinate)
+        };
+        let offset = at_start(&joint.name) - ratio * at_start(&pairs[of].name);
+        tags.empty(
+            "mimic",
+            &[("joint", pairs[of].name.clone()), ("multiplier", exact(ratio)), ("offset", exact(offset))],
+        );
+    }
+
     fn joint(
         &self,
         joint: &Joint,
@@ -218,6 +253,7 @@ impl Writer<'_> {
                 let dynamics = [("damping", exact(acting.damping)), ("friction", exact(acting.friction))];
                 tags.empty("dynamics", &dynamics);
             }
+            self.mimic(joint, tags);
         });
     }
 }

@@ -94,6 +94,7 @@ impl Reader<'_> {
         self.spatial.joints.push(Joint::fixed(&name, &element.place, [parent, child], at));
     }
 
+    /// `<joint>`: a joint follows another one, or is held.
     fn follow(&mut self, element: &Element) {
         let mut numbers = [None; 2];
         for (number, attribute) in numbers.iter_mut().zip(["joint1", "joint2"]) {
@@ -113,15 +114,35 @@ impl Reader<'_> {
             *coefficient = given;
         }
         // The polynomial is in what the joints have moved from their references.
-        let reference = self.spatial.joints[joint].drawn;
-        if of.is_some_and(|of| self.spatial.joints[of].drawn != 0.0) {
-            self.notices.error(
-                &element.place,
-                format!("{}: the second joint has a ref, which is not taken", element.shown()),
-            );
-        }
-        coefficients[0] += reference;
+        let drawn = |joint: usize| self.spatial.joints[joint].drawn;
+        let mut coefficients = of.map_or(coefficients, |of| shifted(coefficients, drawn(of)));
+        coefficients[0] += drawn(joint);
         let name = self.name(element);
         self.spatial.couplings.push(Coupling { name, place: element.place.clone(), joint, of, coefficients });
+    }
+}
+
+/// The polynomial in x that another one is in x − x0 (D. E. Knuth, The Art of Computer Programming 2, 3rd ed., 4.6.4: the scheme of Horner
+/// and Shaw).
+fn shifted(mut coefficients: [f64; 5], x0: f64) -> [f64; 5] {
+    for first in 0..4 {
+        for k in (first..4).rev() {
+            coefficients[k] -= x0 * coefficients[k + 1];
+        }
+    }
+    coefficients
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shifted;
+
+    #[test]
+    fn a_shifted_polynomial_has_the_same_values() {
+        let (of_difference, x0) = ([0.5, -2.0, 0.25, 3.0, -1.5], 0.75);
+        let at = |coefficients: [f64; 5], x: f64| coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c);
+        for x in [-1.0, 0.0, 0.5, 2.0] {
+            assert_eq!(at(shifted(of_difference, x0), x), at(of_difference, x - x0));
+        }
     }
 }

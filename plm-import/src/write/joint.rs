@@ -45,6 +45,13 @@ pub(super) const SLIDING: Units = Units {
     rotor: ["attached_mass", "mass", "kg"],
 };
 
+impl Units {
+    /// A coordinate as it is written.
+    fn value(&self, coordinate: f64) -> String {
+        if self.unit == "rad" { angle(coordinate) } else { format!("{} m", length(coordinate)) }
+    }
+}
+
 /// The units of a pair that has a coordinate with forces.
 pub(super) fn units(kind: PairKind) -> Option<Units> {
     match kind {
@@ -95,8 +102,13 @@ pub(super) fn pairs(
                 if joint.armature > 0.0 {
                     let rotor = names.give(&format!("{name}_rotor"), "part");
                     let [part, field, unit] = units.rotor;
+                    // It starts where the joint does: else assembly would move both.
+                    let start = match joint.start {
+                        0.0 => String::new(),
+                        start => format!("carried.start: {}; ", units.value(start)),
+                    };
                     lines.line(&format!(
-                        "{part} {rotor}({name}.{}) {{ {field}: {} {unit}; }}",
+                        "{part} {rotor}({name}.{}) {{ {field}: {} {unit}; {start}}}",
                         units.node,
                         short(joint.armature)
                     ));
@@ -111,9 +123,7 @@ pub(super) fn pairs(
 
 /// Parameters of a joint.
 fn fields(joint: &Joint, units: &Units) -> Vec<String> {
-    let value = |coordinate: f64| {
-        if units.unit == "rad" { angle(coordinate) } else { format!("{} m", length(coordinate)) }
-    };
+    let value = |coordinate: f64| units.value(coordinate);
     let mut fields = Vec::new();
     if joint.stiffness != 0.0 {
         fields.push(format!("stiffness: {} {};", short(joint.stiffness), units.stiffness));

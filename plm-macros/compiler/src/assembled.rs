@@ -81,6 +81,8 @@ pub struct AssembledPart {
     pub fields: Vec<(String, FieldValue)>,
     /// Is it a joint whose definition is that of the library?
     pub of_library: bool,
+    /// The residuals of its rows; nothing for a row that is not affine.
+    pub rows: Vec<Option<Affine>>,
     /// Has it rows, contacts or loads?
     pub acts: bool,
 }
@@ -96,6 +98,19 @@ pub struct InputTerm {
     pub range: Option<[f64; 2]>,
 }
 
+/// A value that is affine in one input at most, and in angles and angular velocities of bodies, SI.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Affine {
+    /// The value where all of them are zero.
+    pub constant: f64,
+    /// The input and its factor.
+    pub input: Option<(String, f64)>,
+    /// Bodies by number, and the factors of their angles.
+    pub angles: Vec<(usize, f64)>,
+    /// Bodies by number, and the factors of their angular velocities.
+    pub speeds: Vec<(usize, f64)>,
+}
+
 /// A value that the use of a part sets.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FieldValue {
@@ -103,7 +118,9 @@ pub enum FieldValue {
     Number(f64),
     /// A multiple of one input.
     Input(InputTerm),
-    /// A value that depends on the state, the time or several inputs, or that nothing reads.
+    /// An affine function of an input and of the motion.
+    Affine(Affine),
+    /// A value that depends otherwise on the state, on the time or on several inputs, or that nothing reads.
     Other,
 }
 
@@ -174,6 +191,7 @@ fn part(model: &Model, at: usize, part: &Part, known: &Known) -> AssembledPart {
     let rows = model.rows.iter().chain(&model.compliant).map(|row| row.part);
     let contacts = model.contacts.iter().map(|contact| contact.part);
     let loads = model.loads.iter().map(|load| load.part);
+    let own = model.rows.iter().filter(|row| row.part == at);
     AssembledPart {
         name: part.name.text.clone(),
         kind: part.kind.clone(),
@@ -182,25 +200,58 @@ fn part(model: &Model, at: usize, part: &Part, known: &Known) -> AssembledPart {
         fields: fields.iter().map(field).collect_vec(),
         // The declaration is source 0.
         of_library: part.declared.as_ref().is_some_and(|declared| declared.span.source != 0),
+        rows: own.map(|row| affine(model, row.phi, known)).collect_vec(),
         acts: rows.chain(contacts).chain(loads).any(|part| part == at),
     }
 }
 
-/// The value of a field: a number, a multiple of an input, or neither.
-fn field_value(model: &Model, value: Option<Expr>, known: &Known) -> FieldValue {
-    let Some(value) = value else { return FieldValue::Other };
+/// The symbols of an expression that are no parameters.
+fn variables(model: &Model, value: Expr) -> Vec<Expr> {
     let mut symbols = algebra::symbols(&[value]);
     symbols.retain(|symbol| !model.params.iter().any(|param| param.symbol == *symbol));
+    symbols
+}
+
+/// The value of a field: a number, a multiple of an input, an affine function, or none of them.
+fn field_value(model: &Model, value: Option<Expr>, known: &Known) -> FieldValue {
+    let Some(value) = value else { return FieldValue::Other };
     let term = |symbol: Expr| {
         let input = model.inputs.iter().find(|input| input.symbol == symbol)?;
         let (factor, range) = clamped(value, symbol, known)?;
         Some(FieldValue::Input(InputTerm { input: input.name.text.clone(), factor, range }))
     };
-    match symbols[..] {
-        [] => FieldValue::Number(known.number(value)),
-        [symbol] => term(symbol).unwrap_or(FieldValue::Other),
-        _ => FieldValue::Other,
+    let term = match variables(model, value)[..] {
+        [] => Some(FieldValue::Number(known.number(value))),
+        [symbol] => term(symbol),
+        _ => None,
+    };
+    let or_affine = term.or_else(|| affine(model, value, known).map(FieldValue::Affine));
+    or_affine.unwrap_or(FieldValue::Other)
+}
+
+/// An expression as an affine function; nothing of another one.
+fn affine(model: &Model, value: Expr, known: &Known) -> Option<Affine> {
+    let symbols = variables(model, value);
+    let at_zero = symbols.iter().fold(Known(known.0.clone()), |known, symbol| known.with(*symbol, 0.0));
+    let mut found = Affine { constant: at_zero.number(value), ..Affine::default() };
+    for symbol in symbols {
+        let slope = value.diff(symbol);
+        if !variables(model, slope).is_empty() {
+            return None;
+        }
+        let factor = known.number(slope);
+        let body_of = |own: fn(&Body) -> Expr| model.bodies.iter().position(|body| own(body) == symbol);
+        if let Some(input) = model.inputs.iter().find(|input| input.symbol == symbol) {
+            if found.input.replace((input.name.text.clone(), factor)).is_some() {
+                return None;
+            }
+        } else if let Some(body) = body_of(|body| body.q[2]) {
+            found.angles.push((body, factor));
+        } else {
+            found.speeds.push((body_of(|body| body.v[2])?, factor));
+        }
     }
+    Some(found)
 }
 
 /// Values of an input at which a clamped multiple of it has reached its bounds.

@@ -39,7 +39,7 @@ pub mod units;
 pub mod words;
 
 #[cfg(feature = "lowered")]
-pub use assembled::{Assembled, AssembledBody, AssembledInput, AssembledPart, FieldValue, InputTerm};
+pub use assembled::{Affine, Assembled, AssembledBody, AssembledInput, AssembledPart, FieldValue, InputTerm};
 pub use bug::{bug_message, without_panic};
 pub use compile::{Expansion, analyse, compile, names_only};
 pub use emit::Code;
