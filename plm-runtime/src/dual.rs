@@ -136,6 +136,33 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
 
     by_chain_rule!(chain_steep);
 
+    /// The zeros of its derivatives are negative: to add one changes nothing whatever the sign, so that compilers leave it out.
+    #[inline]
+    fn lit(x: f64) -> Self {
+        Self { value: S::lit(x), tangents: [S::lit(-0.0); K] }
+    }
+    /// Weights are numbers: they take one product of each derivative.
+    #[inline]
+    fn weighted<const N: usize>(weights: [f64; N], number: impl Fn(usize) -> Self) -> Self {
+        if K == 1 {
+            let tangent = |k: usize| S::weighted(weights, |n| number(n).tangents[k]);
+            let value = S::weighted(weights, |n| number(n).value);
+            return Self { value, tangents: core::array::from_fn(tangent) };
+        }
+        let mut sum = Self::ZERO;
+        for (n, weight) in weights.into_iter().enumerate() {
+            let (weight, Self { value, tangents }) = (S::lit(weight), number(n));
+            let is_first = n == 0;
+            sum.value = if is_first { weight * value } else { weight.mul_add(value, sum.value) };
+            for k in 0..K {
+                let tangent = tangents[k];
+                sum.tangents[k] =
+                    if is_first { weight * tangent } else { weight.mul_add(tangent, sum.tangents[k]) };
+            }
+        }
+        sum
+    }
+
     #[inline]
     fn has_derivatives_of(self, other: Self, within: f64) -> bool {
         let (mut difference, mut size) = (0.0_f64, 0.0_f64);

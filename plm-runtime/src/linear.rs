@@ -144,11 +144,19 @@ const WIDE: usize = 24;
 impl<M: Linear, C: Computation> Operation<M::S> for Computed<'_, M, C> {
     type Output = (C::Made<M::X>, Health<M::S>);
     const IS_WIDE: bool = M::X::LEN > WIDE;
+    const HAS_DERIVATIVES: bool = C::VECTORS > 0;
 
     #[allow(clippy::inline_always, reason = "it is the formula")]
     #[inline(always)]
     fn make(self) -> Self::Output {
-        C::of(self.system, self.times, self.u, self.from)
+        let Self { system, times, u, from: (x, rate), .. } = self;
+        if C::FROM_RATE && M::S::IS_RECORDED {
+            let mut first = *x;
+            system.rate(times.0, u, x, &mut first);
+            let first = first.map2(rate, |own, rate| own.with_plain(rate.plain()));
+            return C::of(system, times, u, (x, &first));
+        }
+        C::of(system, times, u, (x, rate))
     }
 
     #[inline]
@@ -191,9 +199,12 @@ impl<M: Linear, C: Computation> Operation<M::S> for Computed<'_, M, C> {
             first = Vector::from_fn(|i| first.at(i).with_plain(rate.at(i).plain()));
         }
         let (made, health) = C::of(&own, (t, h), &held, (&state, &first));
+        let mut vectors = 0;
         let vector = |all: &<M::In<T> as Rate>::X| {
-            M::X::from_fn(|i| {
-                if system.has_number(i) { result(all.at(i)) } else { M::S::of_plain(all.at(i).plain()) }
+            vectors += 1;
+            M::X::from_fn(|i| match all.at(i) {
+                number if vectors <= C::VECTORS && system.has_number(i) => result(number),
+                number => M::S::of_plain(number.plain()),
             })
         };
         (C::map(&made, vector), Health(M::S::of_plain(health.0.plain())))

@@ -7,10 +7,6 @@ use super::Real;
 macro_rules! by_chain_rule {
     ($steep:ident) => {
         #[inline]
-        fn lit(x: f64) -> Self {
-            Self::constant(S::lit(x))
-        }
-        #[inline]
         fn of_turns(turns: i32) -> Self {
             Self::constant(S::of_turns(turns))
         }
