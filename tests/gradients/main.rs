@@ -3,6 +3,7 @@
 
 mod adjoint;
 mod closed;
+mod cycle;
 mod events;
 mod loops;
 mod step;
