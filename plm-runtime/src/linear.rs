@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use crate::dual::Dual;
 use crate::linalg::{Dense, Derivatives};
 use crate::scalar::{Operation, Real, Scalar};
-use crate::system::{Computation, Health, Rate, System};
+use crate::system::{Computation, Health, Question, Rate, System};
 use crate::vector::Vector;
 
 /// Directions in which one evaluation on dual numbers differentiates.
@@ -127,6 +127,17 @@ pub fn compute<M: Linear, C: Computation>(
     from: (&M::X, &M::X),
 ) -> (C::Made<M::X>, Health<M::S>) {
     M::S::make(Computed::<M, C> { system, times: (t, h), u, from, computation: PhantomData })
+}
+
+/// [`Constraints::ask`](crate::Constraints::ask) of a system that can be differentiated.
+#[allow(clippy::inline_always, reason = "it is the question")]
+#[inline(always)]
+pub fn ask<M: Linear, Q: Question<M::S>>(system: &M, u: &M::U, question: Q) -> Q::Answer {
+    if const { !M::S::HAS_DERIVATIVES } {
+        return question.of(system, u);
+    }
+    let (own, held) = system.rate_in_numbers(u, Real::plain);
+    question.of(&own, &held)
 }
 
 /// A computation as an operation of the numbers that the rate depends on.

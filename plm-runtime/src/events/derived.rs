@@ -7,7 +7,7 @@
 //! Q. J. Mech. Appl. Math. 11, 1958).
 
 use super::boundary::rates_of_both;
-use super::guards_here;
+use super::guards;
 use super::search::rounding;
 use crate::fault::{Cause, Fault};
 use crate::method::Context;
@@ -43,7 +43,7 @@ pub(super) fn derive_time<M: System<S: Real>>(
         return Ok(moved);
     }
     for _ in 0..CORRECTIONS {
-        let here = guards_here(context)?;
+        let here = guards(context.system, context.time, &context.held, &context.x);
         let Some((rate, slopes)) = rates_of_both(context) else { break };
         let ahead = time_to(&here, &slopes, index);
         moved = moved + ahead;
@@ -59,8 +59,8 @@ fn has_own_time<M: System<S: Real>>(
     index: usize,
     step: M::S,
 ) -> Result<bool, Fault> {
-    let here = guards_here(context)?;
     let (time, x) = (context.time, context.x);
+    let here = guards(context.system, time, &context.held, &x);
     let Some((rate, slopes)) = rates_of_both(context) else { return Ok(false) };
     let rounded = rounding((context.system, &context.held), (time, time), &x, &here);
     let noise = |i: usize| M::S::lit(MANY) * rounded.at(i);
