@@ -28,7 +28,7 @@ mod words;
 
 use self::boundary::{Boundary, decide, meet, refine};
 use self::chattering::Chattering;
-use self::derived::{derive_time, restore_time};
+use self::derived::{Timed, derive_time, restore_time};
 use self::enclosure::Enclosure;
 use self::guard_free::GuardFree;
 use self::here::{guards, guards_here};
@@ -292,7 +292,14 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             return Ok(());
         }
         required(context, index)?;
-        let moved = derive_time(context, index, step)?;
+        let (index, moved) = match derive_time(context, index, step)? {
+            Timed::Event(first, moved) => (first, moved),
+            Timed::Touch(least) => {
+                self.residual.set(index, least);
+                return Ok(());
+            }
+        };
+        required(context, index)?;
         let (mut after, mut x) = (context.held, context.x);
         context.system.switch(context.time, &mut after, &mut x, index)?;
         hold(context, after)?;
