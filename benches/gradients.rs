@@ -18,7 +18,9 @@ use std::time::Instant;
 use declared::{s1, s2, s6};
 use plm::adjoint::{self, Carried, Memory};
 use plm::runtime::Vector;
-use plm::{By, Dop853, Mechanism, Method, Moment, Sim, Term, Trace, Traced, with_derivatives, with_trace};
+use plm::{
+    By, Dop853, Mechanism, Method, Moment, Rk4, Sim, Term, Trace, Traced, with_derivatives, with_trace,
+};
 
 chain::chain!(Chain16, 16);
 
@@ -36,8 +38,8 @@ plm::mechanism! {
 /// Times that every run is made, in turn, so that all see the same machine.
 const ROUNDS: u32 = 30;
 
-/// Terms of traces: of a whole run, and of a few steps, which stay in a processor's memory of the second level.
-const TERMS: [usize; 2] = [5_000_000, 8_000];
+/// Terms of the trace of a whole run.
+const WHOLE: usize = 12_000_000;
 /// Saved states.
 const SAVED: usize = 400;
 
@@ -47,35 +49,36 @@ struct Store {
     adjoints: Vec<[f64; 1]>,
 }
 
-/// Times of runs of a mechanism by Dop853 at 1e-9 to a time: without derivatives, in one direction, in eight; backward, twice.
+/// Times of runs of a mechanism to a time by a method with its tolerance or step: without derivatives, in one direction, in eight; backward with
+/// a trace of all of it, and with one of so many terms.
 macro_rules! runs {
-    ($name:literal, $mechanism:expr, $until:literal, $by:expr) => {{
+    ($name:literal, $mechanism:expr, $until:literal, $by:expr, $method:ident, $setting:literal, $parts:literal) => {{
         let mechanism = $mechanism;
         let by: [By<'_>; 8] = $by.map(By::Start);
         let mut best = [f64::INFINITY; 5];
-        let mut stores =
-            TERMS.map(|count| Store { terms: vec![Term::EMPTY; count], adjoints: vec![[0.0]; count] });
+        let mut stores = [WHOLE, $parts]
+            .map(|count| Store { terms: vec![Term::EMPTY; count], adjoints: vec![[0.0]; count] });
         for _ in 0..ROUNDS {
             let times = [
                 time(|| {
-                    let mut sim = black_box(mechanism).start_with(Dop853::new(1e-9)).expect("it starts");
+                    let mut sim = black_box(mechanism).start_with($method::new($setting)).expect("it starts");
                     sim.step_to($until).expect("it runs");
                     black_box(&sim);
                 }),
                 time(|| {
                     let lifted = with_derivatives(black_box(&mechanism), [by[0]]).expect("it is known");
-                    let mut sim = lifted.start_with(Dop853::new(1e-9.into())).expect("it starts");
+                    let mut sim = lifted.start_with($method::new($setting.into())).expect("it starts");
                     sim.step_to($until.into()).expect("it runs");
                     black_box(&sim);
                 }),
                 time(|| {
                     let lifted = with_derivatives(black_box(&mechanism), by).expect("it is known");
-                    let mut sim = lifted.start_with(Dop853::new(1e-9.into())).expect("it starts");
+                    let mut sim = lifted.start_with($method::new($setting.into())).expect("it starts");
                     sim.step_to($until.into()).expect("it runs");
                     black_box(&sim);
                 }),
-                backward!(mechanism, by, &mut stores[0], $until),
-                backward!(mechanism, by, &mut stores[1], $until),
+                backward!(mechanism, by, &mut stores[0], $until, $method::new($setting.into())),
+                backward!(mechanism, by, &mut stores[1], $until, $method::new($setting.into())),
             ];
             for (best, time) in best.iter_mut().zip(times) {
                 *best = best.min(time);
@@ -89,12 +92,12 @@ macro_rules! runs {
 
 /// The time of the gradient of the first number of the state by eight start values; of its memory, which belongs to the caller, it has nothing.
 macro_rules! backward {
-    ($mechanism:expr, $by:expr, $store:expr, $until:expr) => {{
+    ($mechanism:expr, $by:expr, $store:expr, $until:expr, $method:expr) => {{
         let Store { terms, adjoints } = $store;
         let trace = Trace::new(terms, 8);
         let begin = || {
             let own = with_trace(black_box(&$mechanism), &$by, &trace).expect("they are known");
-            own.start_with(Dop853::new(1e-9.into())).expect("it starts")
+            own.start_with($method).expect("it starts")
         };
         let (mut carried, mut saved) = memory(&begin);
         let mut gradient = [[0.0]; 8];
@@ -136,9 +139,14 @@ fn time(run: impl FnOnce()) -> f64 {
 fn main() {
     println!("{:<10} {:>9} {:>6} {:>6} {:>6} {:>6}", "scene", "run, us", "one", "eight", "whole", "parts");
     let of_two = |a, b| [a, b, a, b, a, b, a, b];
-    runs!("S1", s1::DoublePendulum::new(), 2.0, of_two("arm.angle", "arm.omega"));
-    runs!("S2", s2::FourBar::new(), 2.0, of_two("crank.angle", "crank.omega"));
-    runs!("S6", s6::SliderCrank::new(), 2.0, of_two("crank.angle", "crank.omega"));
-    runs!("knocker", Knocker::new(), 4.0, of_two("arm.angle", "arm.omega"));
-    runs!("chain 16", Chain16::new(), 1.0, of_two("bar[0].angle", "bar[0].omega"));
+    runs!("S1", s1::DoublePendulum::new(), 2.0, of_two("arm.angle", "arm.omega"), Dop853, 1e-9, 2_000);
+    runs!("S2", s2::FourBar::new(), 2.0, of_two("crank.angle", "crank.omega"), Dop853, 1e-9, 2_000);
+    runs!("S6", s6::SliderCrank::new(), 2.0, of_two("crank.angle", "crank.omega"), Dop853, 1e-9, 2_000);
+    runs!("knocker", Knocker::new(), 4.0, of_two("arm.angle", "arm.omega"), Dop853, 1e-9, 8_000);
+    runs!("chain 16", Chain16::new(), 1.0, of_two("bar[0].angle", "bar[0].omega"), Dop853, 1e-9, 100_000);
+    println!("by Rk4 with 1 ms");
+    runs!("S1", s1::DoublePendulum::new(), 2.0, of_two("arm.angle", "arm.omega"), Rk4, 1e-3, 2_000);
+    runs!("S2", s2::FourBar::new(), 2.0, of_two("crank.angle", "crank.omega"), Rk4, 1e-3, 2_000);
+    runs!("S6", s6::SliderCrank::new(), 2.0, of_two("crank.angle", "crank.omega"), Rk4, 1e-3, 2_000);
+    runs!("knocker", Knocker::new(), 4.0, of_two("arm.angle", "arm.omega"), Rk4, 1e-3, 8_000);
 }

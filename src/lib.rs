@@ -110,9 +110,9 @@ pub use plm_runtime::inverse;
 pub use plm_runtime::method::{Gauss, RadauIia5, Ros34Pw2};
 pub use plm_runtime::{
     Adams, BodyMotion, BodyStart, BodyState, By, Cause, Constraints, Described, Dop853, Dopri5, Dual, Events,
-    Fault, Found, Labels, Mechanism, Method, Moment, MoreauJean, Names, Notice, Observed, Operations, Rate,
-    Reached, Real, Rk4, Scalar, SemiImplicitEuler, Sim, Snapshot, Start, Stats, System, Term, Trace, Traced,
-    Vern9, to_absolute, to_relative, with_derivatives, with_trace,
+    Fault, Found, Labels, Mechanism, Method, Moment, MoreauJean, Names, Notice, Observed, OneSided,
+    Operations, Rate, Reached, Real, Rk4, Scalar, SemiImplicitEuler, Side, Sim, Snapshot, Start, Stats,
+    System, Term, Trace, Traced, Vern9, to_absolute, to_relative, with_derivatives, with_side, with_trace,
 };
 #[cfg(doctest)]
 mod book;

@@ -35,6 +35,7 @@ mod joint_friction;
 mod kinematics;
 mod lamp;
 mod latch;
+mod limit_cycle;
 mod pid;
 mod sweep;
 mod synthesis;
@@ -125,6 +126,7 @@ pub const TASKS: &[Task] = tasks![
     kinematics,
     lamp,
     latch,
+    limit_cycle,
     pid,
     sweep,
     synthesis,

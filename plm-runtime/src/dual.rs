@@ -39,10 +39,21 @@ impl<S: Real, const K: usize> Dual<S, K> {
         Self { value, tangents: core::array::from_fn(|k| if k == direction { one } else { S::ZERO }) }
     }
 
+    /// `value` with a derivative of each direction. `core::array::from_fn` is not always part of its caller.
+    #[allow(clippy::inline_always, reason = "it is the operation")]
+    #[inline(always)]
+    fn with_tangents(value: S, tangent: impl Fn(usize) -> S) -> Self {
+        let mut tangents = [S::ZERO; K];
+        for k in 0..K {
+            tangents[k] = tangent(k);
+        }
+        Self { value, tangents }
+    }
+
     /// `f(self)` by the chain rule, where `f` is `value` and its derivative `slope`.
     #[inline]
     fn chain(self, value: S, slope: S) -> Self {
-        Self { value, tangents: self.tangents.map(|tangent| slope * tangent) }
+        Self::with_tangents(value, |k| slope * self.tangents[k])
     }
 
     /// As [`chain`](Self::chain) where the slope may be infinite: what does not move stays so.
@@ -55,7 +66,7 @@ impl<S: Real, const K: usize> Dual<S, K> {
     /// `value` with the derivatives `f(self', other')`.
     #[inline]
     fn join(self, other: Self, value: S, f: impl Fn(S, S) -> S) -> Self {
-        Self { value, tangents: core::array::from_fn(|k| f(self.tangents[k], other.tangents[k])) }
+        Self::with_tangents(value, |k| f(self.tangents[k], other.tangents[k]))
     }
 }
 
@@ -105,7 +116,7 @@ impl<S: Real, const K: usize> Neg for Dual<S, K> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Self { value: -self.value, tangents: self.tangents.map(|tangent| -tangent) }
+        Self::with_tangents(-self.value, |k| -self.tangents[k])
     }
 }
 
@@ -136,6 +147,39 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
 
     by_chain_rule!(chain_steep);
 
+    /// The zeros of its derivatives are negative: to add one changes nothing whatever the sign, so that compilers leave it out.
+    #[inline]
+    fn lit(x: f64) -> Self {
+        Self { value: S::lit(x), tangents: [S::lit(-0.0); K] }
+    }
+    /// Weights are numbers: they take one product of each derivative.
+    #[allow(clippy::inline_always, reason = "it is the formula")]
+    #[inline(always)]
+    fn weighted<const N: usize>(weights: [f64; N], number: impl Fn(usize) -> Self) -> Self {
+        if K == 1 {
+            let tangent = |k: usize| S::weighted(weights, |n| number(n).tangents[k]);
+            let value = S::weighted(weights, |n| number(n).value);
+            return Self::with_tangents(value, tangent);
+        }
+        let mut sum = Self::ZERO;
+        for (n, weight) in weights.into_iter().enumerate() {
+            let (weight, Self { value, tangents }) = (S::lit(weight), number(n));
+            let is_first = n == 0;
+            sum.value = if is_first { weight * value } else { weight.mul_add(value, sum.value) };
+            for k in 0..K {
+                let tangent = tangents[k];
+                sum.tangents[k] =
+                    if is_first { weight * tangent } else { weight.mul_add(tangent, sum.tangents[k]) };
+            }
+        }
+        sum
+    }
+    #[allow(clippy::inline_always, reason = "as above")]
+    #[inline(always)]
+    fn moved<const N: usize>(self, h: Self, weights: [f64; N], number: impl Fn(usize) -> Self) -> Self {
+        h.mul_add(Self::weighted(weights, number), self)
+    }
+
     #[inline]
     fn has_derivatives_of(self, other: Self, within: f64) -> bool {
         let (mut difference, mut size) = (0.0_f64, 0.0_f64);
@@ -150,7 +194,7 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
         let (x, y) = (self.value, a.value);
         let value = x.mul_add(y, b.value);
         let tangent = |k: usize| x.mul_add(a.tangents[k], self.tangents[k].mul_add(y, b.tangents[k]));
-        Self { value, tangents: core::array::from_fn(tangent) }
+        Self::with_tangents(value, tangent)
     }
     /// The derivative at the origin is not a number, or zero in directions in which the point does not move.
     #[inline]

@@ -21,7 +21,9 @@ pub use crate::scalar::{Real, Scalar};
 pub use crate::sim::Sim;
 pub use crate::start::{BodyStart, Start, StartValues, follow};
 pub use crate::statics::Statics;
-pub use crate::system::{Computation, Constraints, Drift, Energy, Events, Health, Labels, Rate, Updated};
+pub use crate::system::{
+    Computation, Constraints, Drift, Energy, Events, Health, Labels, Question, Rate, Updated,
+};
 pub use crate::vector::Vector;
 pub use crate::{Assembly, BodyState, Described, Observed, Operations};
 
@@ -82,7 +84,7 @@ pub mod linalg {
 }
 
 pub mod linear {
-    pub use crate::linear::{Colours, by_directions, compute, finite};
+    pub use crate::linear::{Colours, ask, by_directions, compute, finite};
 }
 
 pub mod method {

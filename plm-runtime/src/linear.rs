@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use crate::dual::Dual;
 use crate::linalg::{Dense, Derivatives};
 use crate::scalar::{Operation, Real, Scalar};
-use crate::system::{Computation, Health, Rate, System};
+use crate::system::{Computation, Health, Question, Rate, System};
 use crate::vector::Vector;
 
 /// Directions in which one evaluation on dual numbers differentiates.
@@ -129,6 +129,17 @@ pub fn compute<M: Linear, C: Computation>(
     M::S::make(Computed::<M, C> { system, times: (t, h), u, from, computation: PhantomData })
 }
 
+/// [`Constraints::ask`](crate::Constraints::ask) of a system that can be differentiated.
+#[allow(clippy::inline_always, reason = "it is the question")]
+#[inline(always)]
+pub fn ask<M: Linear, Q: Question<M::S>>(system: &M, u: &M::U, question: Q) -> Q::Answer {
+    if const { !M::S::HAS_DERIVATIVES } {
+        return question.of(system, u);
+    }
+    let (own, held) = system.rate_in_numbers(u, Real::plain);
+    question.of(&own, &held)
+}
+
 /// A computation as an operation of the numbers that the rate depends on.
 struct Computed<'a, M: Linear, C> {
     system: &'a M,
@@ -144,11 +155,19 @@ const WIDE: usize = 24;
 impl<M: Linear, C: Computation> Operation<M::S> for Computed<'_, M, C> {
     type Output = (C::Made<M::X>, Health<M::S>);
     const IS_WIDE: bool = M::X::LEN > WIDE;
+    const HAS_DERIVATIVES: bool = C::VECTORS > 0;
 
     #[allow(clippy::inline_always, reason = "it is the formula")]
     #[inline(always)]
     fn make(self) -> Self::Output {
-        C::of(self.system, self.times, self.u, self.from)
+        let Self { system, times, u, from: (x, rate), .. } = self;
+        if C::FROM_RATE && M::S::IS_RECORDED {
+            let mut first = *x;
+            system.rate(times.0, u, x, &mut first);
+            let first = first.map2(rate, |own, rate| own.with_plain(rate.plain()));
+            return C::of(system, times, u, (x, &first));
+        }
+        C::of(system, times, u, (x, rate))
     }
 
     #[inline]
@@ -191,9 +210,12 @@ impl<M: Linear, C: Computation> Operation<M::S> for Computed<'_, M, C> {
             first = Vector::from_fn(|i| first.at(i).with_plain(rate.at(i).plain()));
         }
         let (made, health) = C::of(&own, (t, h), &held, (&state, &first));
+        let mut vectors = 0;
         let vector = |all: &<M::In<T> as Rate>::X| {
-            M::X::from_fn(|i| {
-                if system.has_number(i) { result(all.at(i)) } else { M::S::of_plain(all.at(i).plain()) }
+            vectors += 1;
+            M::X::from_fn(|i| match all.at(i) {
+                number if vectors <= C::VECTORS && system.has_number(i) => result(number),
+                number => M::S::of_plain(number.plain()),
             })
         };
         (C::map(&made, vector), Health(M::S::of_plain(health.0.plain())))

@@ -73,6 +73,12 @@ pub trait Scalar:
         true
     }
 
+    /// How a number changes that has the derivative of one side ([`OneSided`](crate::OneSided)); nothing for every other.
+    #[inline]
+    fn goes(self) -> Option<f64> {
+        None
+    }
+
     /// `self * a + b`: two roundings, or one with the feature `fma`.
     #[must_use]
     fn mul_add(self, a: Self, b: Self) -> Self;

@@ -120,7 +120,11 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
         Self::from_fn(|i| self[i].moved(h, weights, |k| vectors[k][i]))
     }
 
-    #[inline]
+    #[cfg_attr(
+        not(debug_assertions),
+        allow(clippy::inline_always, reason = "as the stages, of which it is a part"),
+        inline(always)
+    )]
     fn shift<const K: usize>(
         &mut self,
         part: Range<usize>,

@@ -3,8 +3,10 @@
 
 mod adjoint;
 mod closed;
+mod cycle;
 mod events;
 mod loops;
+mod sides;
 mod step;
 
 /// The derivative of a function of one number, by five points: good to 1e-11 of what is of size 1.

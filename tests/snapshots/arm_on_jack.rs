@@ -382,6 +382,11 @@ mod plm_arm_on_jack_ {
                 rt::linear::compute::<Self, C>(self, times, u, from)
             }
 
+            #[inline(always)]
+            fn ask<Q: rt::Question<Self::S>>(&self, u: &Self::U, question: Q) -> Q::Answer {
+                rt::linear::ask::<Self, Q>(self, u, question)
+            }
+
             #[inline]
             fn update(&self, _t: S, u: &mut Self::U, x: &mut [S; 10]) -> Result<rt::Updated, Fault> {
                 let turned = rt::turns::unwind(&mut u.turns, x, &[&[0]]);

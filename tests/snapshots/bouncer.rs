@@ -319,6 +319,11 @@ mod plm_bouncer_ {
                 rt::linear::compute::<Self, C>(self, times, u, from)
             }
 
+            #[inline(always)]
+            fn ask<Q: rt::Question<Self::S>>(&self, u: &Self::U, question: Q) -> Q::Answer {
+                rt::linear::ask::<Self, Q>(self, u, question)
+            }
+
             fn energy(&self, t: S, u: &Self::U, x: &[S; 4]) -> Option<rt::Energy<S>> {
                 let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
                 let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());

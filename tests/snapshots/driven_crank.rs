@@ -443,6 +443,11 @@ mod plm_driven_crank_ {
                 rt::linear::compute::<Self, C>(self, times, u, from)
             }
 
+            #[inline(always)]
+            fn ask<Q: rt::Question<Self::S>>(&self, u: &Self::U, question: Q) -> Q::Answer {
+                rt::linear::ask::<Self, Q>(self, u, question)
+            }
+
             #[cold]
             fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 0], dx: &mut [S; 0]) -> Result<(), Fault> {
                 if rt::Rate::rate(self, t, u, x, dx).is_good() {

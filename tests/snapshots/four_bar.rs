@@ -596,6 +596,11 @@ mod plm_four_bar_ {
                 rt::linear::compute::<Self, C>(self, times, u, from)
             }
 
+            #[inline(always)]
+            fn ask<Q: rt::Question<Self::S>>(&self, u: &Self::U, question: Q) -> Q::Answer {
+                rt::linear::ask::<Self, Q>(self, u, question)
+            }
+
             #[cold]
             fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 2], dx: &mut [S; 2]) -> Result<(), Fault> {
                 if rt::Rate::rate(self, t, u, x, dx).is_good() {

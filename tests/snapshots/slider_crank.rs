@@ -355,6 +355,11 @@ mod plm_slider_crank_ {
                 rt::linear::compute::<Self, C>(self, times, u, from)
             }
 
+            #[inline(always)]
+            fn ask<Q: rt::Question<Self::S>>(&self, u: &Self::U, question: Q) -> Q::Answer {
+                rt::linear::ask::<Self, Q>(self, u, question)
+            }
+
             fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; 18], dx: &mut [S; 18]) -> Result<(), Fault> {
                 let solution = self.accelerate(t, u, x)?;
                 let (_, v): ([S; 9], [S; 9]) = absolute::split(x);

@@ -41,6 +41,37 @@ fn a_press_and_its_gradient() {
     );
 }
 
+/// Behind an impact the share k = (I + m l^2 cos 2a)/(I + m l^2) of the speed is left, whose square grows by c between two impacts: on the
+/// cycle z = k^2 (z + c). The time is the integral of 1/speed over the lean, by Simpson's rule.
+#[test]
+fn a_rimless_wheel_and_its_limit_cycle() {
+    let (half, slope, own, about_foot) = (PI / 8.0, 5_f64.to_radians(), 2.0 * 0.64, 0.6 + 2.0 * 0.64);
+    let share = (0.6 + own * (2.0 * half).cos()) / about_foot;
+    let pull = 2.0 * 2.0 * G * 0.8 / about_foot;
+    let speed_on =
+        |slope: f64| share * (2.0 * pull * slope.sin() * half.sin() / (1.0 - share * share)).sqrt();
+    let speed = speed_on(slope);
+    let slowness = |lean: f64| {
+        let square = speed * speed + pull * ((slope - half).cos() - (slope + lean).cos());
+        1.0 / square.sqrt()
+    };
+    let (parts, width) = (2000, half / 1000.0);
+    let simpson = |k: i32| {
+        let from = -half + width * f64::from(k);
+        width / 6.0 * (slowness(from) + 4.0 * slowness(from + 0.5 * width) + slowness(from + width))
+    };
+    let time: f64 = (0..parts).map(simpson).sum();
+    check(
+        "limit_cycle",
+        &[
+            ("speed behind an impact", speed, 1e-10),
+            ("time of a step", time, 1e-10),
+            ("part of a disturbance that a step leaves", share * share, 1e-9),
+            ("change of the speed with the slope", 0.5 * speed / slope.tan(), 1e-9),
+        ],
+    );
+}
+
 /// Readings of `examples/tasks/fit.rs`, mm.
 const READINGS: [f64; 20] = [
     31.9, 12.2, -10.6, -29.2, -34.2, -26.9, -8.4, 11.1, 25.7, 28.9, 21.4, 5.8, -11.1, -22.3, -24.9, -17.2,

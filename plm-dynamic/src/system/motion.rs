@@ -3,7 +3,7 @@
 use plm_runtime::absolute;
 use plm_runtime::charts::{self, OfLoops};
 use plm_runtime::contact::{self, Contacts};
-use plm_runtime::system::{Computation, OneStep, WholeStep};
+use plm_runtime::system::{Computation, OneStep, Question, WholeStep};
 use plm_runtime::{
     Cause, Constraints, Drift, Energy, Fault, Health, Labels, Moment, Rate, Real, Scalar, Updated, linear,
     turns,
@@ -167,6 +167,11 @@ impl<
         from: (&Self::X, &Self::X),
     ) -> (C::Made<Self::X>, Health<Self::S>) {
         linear::compute::<Self, C>(self, times, u, from)
+    }
+
+    #[inline]
+    fn ask<Q: Question<Self::S>>(&self, u: &Self::U, question: Q) -> Q::Answer {
+        linear::ask::<Self, Q>(self, u, question)
     }
 
     fn rate_by_rank(&self, t: S, u: &Self::U, x: &[S; N], dx: &mut [S; N]) -> Result<(), Fault> {

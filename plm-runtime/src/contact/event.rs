@@ -10,6 +10,7 @@ use super::bounds::{look_at_bounds, look_at_falling_bounds};
 use super::candidates::{Allowed, Solution};
 use super::impact::Doubts;
 use super::loads::Load;
+use super::marginal::is_later;
 use super::margins::{PER_ROW, SIGN};
 use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
@@ -291,7 +292,9 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             if !self.system.exists(u, i) {
                 return false;
             }
-            !laws[i].is_unilateral() || was_closed || is_due || rows.gap[i] <= self.near(rows.rate[i])
+            let is_later = || is_later((rows.gap[i], rows.rate[i]), self.t, self.system.length());
+            let is_near = || rows.gap[i] <= self.near(rows.rate[i]) && !is_later();
+            !laws[i].is_unilateral() || was_closed || is_due || is_near()
         })
     }
 

@@ -15,10 +15,19 @@ use crate::vector::Vector;
 const AT_ONCE: f64 = 1e-10;
 /// Near a pose where a row has no direction rates have no bound: there a margin of this fraction of its terms is never marginal.
 const MOST_MARGINAL: f64 = 1e-4;
+/// Two events whose times go apart by less than this fraction are at one time on either side.
+const SAME: f64 = 1e-6;
 /// Such a pose is near if the own entry of D changes by as much as it is within this time, s.
 const TURNS_WITHIN: f64 = 1e-6;
 /// The rate of a margin is none below this fraction of its terms.
 const NO_RATE: f64 = 1e-9;
+
+/// Does a gap of this rate, of numbers of one side, close behind the event at this time, or not at all? What times differ by less is
+/// rounding.
+pub(super) fn is_later<S: Real>((gap, rate): (S, S), time: S, length: S) -> bool {
+    let (Some(opens), Some(moved)) = (gap.goes(), time.goes()) else { return false };
+    opens > SAME * ((rate.to_f64() * moved).abs() + S::PRECISION * length.to_f64())
+}
 
 /// The margins that are negative, or zero and falling.
 pub(super) fn broken<S: Real, const N: usize>(
@@ -48,8 +57,11 @@ pub(super) fn broken<S: Real, const N: usize>(
         let turns = S::lit(TURNS_WITHIN) * own.tangents[0].abs() >= own.value.abs();
         let at_once = if turns { at_once.min(S::lit(MOST_MARGINAL) * terms) } else { at_once };
         let none = (S::lit(MARGINAL) * terms).max(at_once);
-        let is_met = value > none || value >= -none && slope >= -S::lit(NO_RATE) * size;
-        !is_met
+        let is_marginal = value <= none && value >= -none;
+        let is_met = value > none || is_marginal && slope >= -S::lit(NO_RATE) * size;
+        // Numbers of one side leave the limit before time goes on.
+        let way = value.goes().filter(|way| is_marginal && way.abs() > MARGINAL * terms.to_f64());
+        way.map_or(!is_met, |way| way < 0.0)
     })
 }
 

@@ -7,7 +7,7 @@
 //! Q. J. Mech. Appl. Math. 11, 1958).
 
 use super::boundary::rates_of_both;
-use super::guards_here;
+use super::guards;
 use super::search::rounding;
 use crate::fault::{Cause, Fault};
 use crate::method::Context;
@@ -26,9 +26,17 @@ const BACK: f64 = 1e-3;
 /// Times of two events whose derivatives differ by less than this fraction are one.
 const SAME: f64 = 1e-6;
 
+/// What happens at the time of an event, as derivatives tell.
+pub(super) enum Timed<S> {
+    /// This event, whose time has moved by so much.
+    Event(usize, S),
+    /// Nothing, of numbers of one side: the guard is beyond its boundary by rounding, and goes on no farther than to this.
+    Touch(S),
+}
+
 /// Gives the time reached, at which the event `index` ends a step of this length, and the state there the derivatives that they have
-/// because the event moves, and returns by how much its time does. Their values stay, to the bit. An event that another one causes at once
-/// has the time of that one.
+/// because the event moves. Their values stay, to the bit. An event that another one causes at once has the time of that one. Numbers of
+/// one side have the event that is the first there of those at this time.
 ///
 /// # Errors
 /// [`Cause::Grazes`] where the guard does not cross its boundary, and [`Cause::AtOnce`] where another event happens at this time whose time
@@ -37,52 +45,78 @@ pub(super) fn derive_time<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     index: usize,
     step: M::S,
-) -> Result<M::S, Fault> {
+) -> Result<Timed<M::S>, Fault> {
     let mut moved = M::S::ZERO;
-    if !M::S::HAS_DERIVATIVES || !has_own_time(context, index, step)? {
-        return Ok(moved);
+    if !M::S::HAS_DERIVATIVES {
+        return Ok(Timed::Event(index, moved));
     }
+    let index = match own_time(context, index, step)? {
+        Time::Own(index) => index,
+        Time::OfAnother => return Ok(Timed::Event(index, moved)),
+        Time::Never(depth) => return Ok(Timed::Touch(-depth)),
+    };
     for _ in 0..CORRECTIONS {
-        let here = guards_here(context)?;
+        let here = guards(context.system, context.time, &context.held, &context.x);
         let Some((rate, slopes)) = rates_of_both(context) else { break };
         let ahead = time_to(&here, &slopes, index);
         moved = moved + ahead;
         context.time = context.time + ahead;
         context.x = context.x.map2(&rate, |x, rate| x + ahead * rate);
     }
-    Ok(moved)
+    Ok(Timed::Event(index, moved))
 }
 
-/// Does the event happen because its guard has come to its boundary, and not at once because another event moved it there?
-fn has_own_time<M: System<S: Real>>(
+/// The time that an event has.
+enum Time<S> {
+    /// That at which the guard of this event has come to its boundary.
+    Own(usize),
+    /// That of another event, which moved the guard to its boundary.
+    OfAnother,
+    /// None: the guard keeps away from its boundary, but for so much rounding.
+    Never(S),
+}
+
+/// The time that the event `index` has, or that of the event which is to happen first.
+fn own_time<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     index: usize,
     step: M::S,
-) -> Result<bool, Fault> {
-    let here = guards_here(context)?;
+) -> Result<Time<M::S>, Fault> {
     let (time, x) = (context.time, context.x);
-    let Some((rate, slopes)) = rates_of_both(context) else { return Ok(false) };
+    let here = guards(context.system, time, &context.held, &x);
+    let Some((rate, slopes)) = rates_of_both(context) else { return Ok(Time::OfAnother) };
     let rounded = rounding((context.system, &context.held), (time, time), &x, &here);
     let noise = |i: usize| M::S::lit(MANY) * rounded.at(i);
     let falls = |i: usize, within: M::S| -(within * slopes.at(i)) > noise(i);
     let vanishes = |i: usize| here.at(i).abs() <= noise(i);
-    let fault = |context: &Context<'_, M>, cause| {
+    let fault = |context: &Context<'_, M>, index: usize, cause| {
         Err(Fault::of_part(time.to_f64(), context.system.guard_name(index), cause))
     };
     if !falls(index, step) {
-        return Ok(vanishes(index) && falls(index, M::S::lit(1.0)));
+        let has_come = vanishes(index) && falls(index, M::S::lit(1.0));
+        return Ok(if has_come { Time::Own(index) } else { Time::OfAnother });
     }
     let meets = |i: &usize| *i != index && vanishes(*i) && falls(*i, step);
     let of_all = |i: usize| time_to(&here, &slopes, i);
-    if let Some(other) =
-        (0..M::G::LEN).filter(meets).find(|i| !of_all(index).has_derivatives_of(of_all(*i), SAME))
-    {
-        return fault(context, Cause::AtOnce { other: context.system.guard_name(other) });
+    let differs = |i: &usize| !of_all(index).has_derivatives_of(of_all(*i), SAME);
+    let mut first = index;
+    if let Some(other) = (0..M::G::LEN).filter(meets).find(differs) {
+        let is_sooner = |i: usize, first: usize| of_all(i).goes() < of_all(first).goes();
+        if of_all(index).goes().is_none() {
+            return fault(context, index, Cause::AtOnce { other: context.system.guard_name(other) });
+        }
+        let others = (0..M::G::LEN).filter(meets);
+        first = others.fold(index, |first, i| if is_sooner(i, first) { i } else { first });
     }
-    if grazes(context, (index, step), (&rate, &slopes), M::S::lit(GRAZE) * rounded.at(index)) {
-        return fault(context, Cause::Grazes);
+    let depth = M::S::lit(GRAZE) * rounded.at(first);
+    if grazes(context, (first, step), (&rate, &slopes), depth) {
+        return match here.at(first).goes() {
+            Some(away) if away > 0.0 => Ok(Time::Never(depth + depth)),
+            Some(0.0) => Ok(Time::Own(first)),
+            _ => fault(context, first, Cause::Grazes),
+        };
     }
-    Ok(true)
+    Ok(Time::Own(first))
 }
 
 /// The time to where a guard vanishes: its value is zero, its derivatives are those of the time of the event.

@@ -5,7 +5,7 @@ use super::relevant::{Relevant, bit};
 use crate::enclosure::Enclosed;
 use crate::method::{Context, Path};
 use crate::scalar::{Real, Scalar};
-use crate::system::System;
+use crate::system::{Question, System, path_of};
 use crate::vector::Vector;
 
 /// Which guards and kinks may change their sign in a step.
@@ -28,31 +28,43 @@ impl Enclosure {
 
     /// By the ranges of all of them over a step with this dense output.
     pub(super) fn over<M: System<S: Real>>(context: &Context<'_, M>, path: &Path<M::S, M::X>) -> Self {
-        let (half, zero) = (M::S::lit(0.5), M::S::ZERO);
+        context.system.ask(&context.held, Over(path))
+    }
+}
+
+/// Which guards and kinks may change their sign over a step?
+struct Over<'a, S, X>(&'a Path<S, X>);
+
+impl<S: Real, X: Vector<S>> Question<S> for Over<'_, S, X> {
+    type Answer = Enclosure;
+
+    fn of<N: System<S: Real<Plain = S::Plain>>>(self, system: &N, held: &N::U) -> Enclosure {
+        let path: Path<N::S, N::X> = path_of(self.0);
+        let (half, zero) = (N::S::lit(0.5), N::S::ZERO);
         let (time, x) = path.around(half, half);
         let (mut enclosure, mut moves, mut bends) =
-            (Self { guards: true, kinks: 0, relevant: Relevant::ALL }, 0, 0);
-        let known = context.system.guards_within(time, &context.held, &x, &mut |i, guard: Enclosed<M::S>| {
+            (Enclosure { guards: true, kinks: 0, relevant: Relevant::ALL }, 0, 0);
+        let known = system.guards_within(time, held, &x, &mut |i, guard: Enclosed<N::S>| {
             let range = guard.range(half);
             // Comparisons with what is not a number are false.
-            if i < M::G::LEN {
-                let stays = range.low >= -context.system.band(i);
+            if i < N::G::LEN {
+                let stays = range.low >= -system.band(i);
                 enclosure.guards &= stays;
                 moves |= if stays { 0 } else { bit(i) };
             } else {
                 let stays = range.low > zero || range.high <= zero;
-                bends |= if stays { 0 } else { kinks::bit(i - M::G::LEN).unwrap_or(0) };
+                bends |= if stays { 0 } else { kinks::bit(i - N::G::LEN).unwrap_or(0) };
             }
         });
         if !known {
-            return Self::unknown(context.system, &context.held);
+            return Enclosure::unknown(system, held);
         }
-        if M::SELECTIVE && !enclosure.guards {
-            enclosure.relevant = Relevant::of(context.system, &context.held, moves);
+        if N::SELECTIVE && !enclosure.guards {
+            enclosure.relevant = Relevant::of(system, held, moves);
             enclosure.guards = enclosure.relevant.is_apart(moves);
         }
         if bends != 0 {
-            let kinks = Relevant::kinks(context.system, &context.held, moves);
+            let kinks = Relevant::kinks(system, held, moves);
             enclosure.kinks = if bends & kinks == 0 { 0 } else { kinks };
         }
         enclosure

@@ -13,6 +13,7 @@ mod derived;
 mod enclosure;
 mod fixed;
 mod guard_free;
+mod here;
 mod history;
 mod jumps;
 mod kinks;
@@ -27,9 +28,10 @@ mod words;
 
 use self::boundary::{Boundary, decide, meet, refine};
 use self::chattering::Chattering;
-use self::derived::{derive_time, restore_time};
+use self::derived::{Timed, derive_time, restore_time};
 use self::enclosure::Enclosure;
 use self::guard_free::GuardFree;
+use self::here::{guards, guards_here};
 pub(crate) use self::history::{Beginning, History};
 pub(crate) use self::jumps::{at_a_jump, before_projection, hold};
 use self::kinks::kink;
@@ -37,14 +39,14 @@ pub use self::relevant::holds;
 pub(crate) use self::relevant::refresh;
 use self::relevant::{Relevant, bit};
 use self::sampled::Sampled;
-use self::search::{Found, Search};
+use self::search::{First, Found};
 pub use self::sets::{Sets, begin, change, take_sides, with_velocities};
 pub use self::violated::switch_where_due;
 use self::violated::{Switched, required, switch_violated};
 pub(crate) use self::violated::{are_satisfied, switch_at_end, switch_each, violated};
-use crate::fault::{Cause, Fault};
+use crate::fault::Fault;
 use crate::method::{Context, Method};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Real;
 use crate::system::System;
 use crate::vector::Vector;
 
@@ -290,7 +292,14 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             return Ok(());
         }
         required(context, index)?;
-        let moved = derive_time(context, index, step)?;
+        let (index, moved) = match derive_time(context, index, step)? {
+            Timed::Event(first, moved) => (first, moved),
+            Timed::Touch(least) => {
+                self.residual.set(index, least);
+                return Ok(());
+            }
+        };
+        required(context, index)?;
         let (mut after, mut x) = (context.held, context.x);
         context.system.switch(context.time, &mut after, &mut x, index)?;
         hold(context, after)?;
@@ -361,7 +370,8 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             let sampled = Sampled { method, context, start: start.time, residual: &self.residual, relevant };
             return sampled.first(&began, end);
         };
-        let found = Search::new((context.system, context.held), path, &self.residual, relevant).first();
+        let asked = First { path: &path, residual: &self.residual, relevant };
+        let found = context.system.ask(&context.held, asked);
         match found {
             Found::Crossing(_, theta) | Found::Open(theta) => (found, path.time(theta)),
             Found::Nothing => (found, context.time),
@@ -379,21 +389,4 @@ fn advance_to<M: System<S: Real>, I: Method<M>>(
     let outcome = method.advance(context);
     context.end = whole;
     outcome
-}
-
-/// The guards at the state reached.
-fn guards_here<M: System<S: Real>>(context: &Context<'_, M>) -> Result<M::G, Fault> {
-    let g = guards(context.system, context.time, &context.held, &context.x);
-    if g.is_finite() {
-        return Ok(g);
-    }
-    let index = (0..M::G::LEN).find(|i| !g.at(*i).is_finite()).unwrap_or(0);
-    Err(Fault::of_part(context.time.to_f64(), context.system.guard_name(index), Cause::NotFinite))
-}
-
-/// The guards of a state.
-fn guards<M: System>(system: &M, t: M::S, u: &M::U, x: &M::X) -> M::G {
-    let mut g = M::G::fill(M::S::lit(0.0));
-    system.guards(t, u, x, &mut g);
-    g
 }

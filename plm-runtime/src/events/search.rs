@@ -9,7 +9,7 @@ use super::root::{Point, root};
 use crate::enclosure::{Enclosed, Interval};
 use crate::method::Path;
 use crate::scalar::{Real, Scalar};
-use crate::system::System;
+use crate::system::{Question, System, path_of, value, values};
 use crate::vector::Vector;
 
 /// Halvings of a step: 2^-22 of it are a quarter of a millionth.
@@ -80,6 +80,26 @@ struct Piece<S, G> {
     is_local: bool,
     /// What rounding makes of the guards.
     noise: G,
+}
+
+/// What becomes of the conditions over a step first; `residual` is by how much each guard was violated when its event was committed.
+pub(super) struct First<'a, S, X, G> {
+    pub(super) path: &'a Path<S, X>,
+    pub(super) residual: &'a G,
+    pub(super) relevant: Relevant,
+}
+
+impl<S: Real, X: Vector<S>, G: Vector<S>> Question<S> for First<'_, S, X, G> {
+    type Answer = Found<S>;
+
+    fn of<N: System<S: Real<Plain = S::Plain>>>(self, system: &N, held: &N::U) -> Found<S> {
+        let Self { path, residual, relevant } = self;
+        match Search::new((system, *held), path_of(path), &values(residual), relevant).first() {
+            Found::Nothing => Found::Nothing,
+            Found::Crossing(index, theta) => Found::Crossing(index, value(theta)),
+            Found::Open(theta) => Found::Open(value(theta)),
+        }
+    }
 }
 
 impl<'a, M: System<S: Real>> Search<'a, M> {

@@ -2,7 +2,7 @@
 
 use super::boundary::Boundary;
 use super::relevant::{bit, refresh};
-use super::{derive_time, guards, guards_here, hold, restore_time};
+use super::{Timed, derive_time, guards, guards_here, hold, restore_time};
 use crate::fault::{Cause, Fault};
 use crate::method::Context;
 use crate::scalar::{Real, Scalar};
@@ -98,7 +98,13 @@ pub(super) fn switch_violated<M: System<S: Real>>(
         }
     }
     let Some(first) = first else { return Ok(None) };
-    let moved = if boundary.is_none() { derive_time(context, first, within)? } else { M::S::ZERO };
+    let moved = match boundary {
+        Some(_) => M::S::ZERO,
+        None => match derive_time(context, first, within)? {
+            Timed::Event(_, moved) => moved,
+            Timed::Touch(_) => return Ok(None),
+        },
+    };
     let (mut after, mut x) = (context.held, context.x);
     let mut switched = Switched { conditions: 0, count: 0 };
     let moment = (context.time, &mut after, &mut x);

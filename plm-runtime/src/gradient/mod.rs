@@ -11,6 +11,7 @@ use core::fmt;
 use crate::described::Described;
 use crate::dual::Dual;
 use crate::linear::Linear;
+use crate::one_sided::{OneSided, Side};
 use crate::start::{StartValues, follow};
 use crate::statics::Statics;
 use crate::trace::{Trace, Traced};
@@ -67,7 +68,7 @@ impl core::error::Error for Unknown<'_> {}
 ///
 /// Its run makes the same steps to the same bits, and every quantity has its derivatives, exact for the steps that were made; of times of
 /// events, impacts and changes of modes as well. A run ends with [`Cause::Grazes`](crate::Cause::Grazes) or
-/// [`Cause::AtOnce`](crate::Cause::AtOnce) where there are none.
+/// [`Cause::AtOnce`](crate::Cause::AtOnce) where there are none; [`with_side`] has those of either side.
 ///
 /// # Errors
 /// The first name that the mechanism does not have.
@@ -102,6 +103,26 @@ where
 {
     let (mut own, _) = mechanism.in_numbers(&mechanism.unstarted(), Traced::constant);
     vary(&mut own, by, |number, index| trace.variable(number.value, index))?;
+    Ok(own)
+}
+
+/// The same mechanism in numbers with the derivative of one side: of what `by` has, where that goes to this side a little.
+///
+/// Where a run has no derivatives ([`with_derivatives`]) it has those of either side. Of two events at one time that one happens which
+/// comes first on this side; a condition that a motion only touches is not met where the motion keeps away from it. Friction and gaps
+/// at their limits go on as they do on this side. [`Side::derivative`] gives the derivative of a result.
+///
+/// A run to the other side of a touch has none, since there it is infinite: it ends with [`Cause::Grazes`](crate::Cause::Grazes).
+///
+/// # Errors
+/// The mechanism does not have this name.
+pub fn with_side<'a, M>(mechanism: &M, by: By<'a>, side: Side) -> Result<M::In<OneSided<M::S>>, Unknown<'a>>
+where
+    M: Linear + Statics,
+    M::In<OneSided<M::S>>: Described + Statics,
+{
+    let (mut own, _) = mechanism.in_numbers(&mechanism.unstarted(), OneSided::constant);
+    vary(&mut own, &[by], |number, _| OneSided::variable(number.value(), side))?;
     Ok(own)
 }
 

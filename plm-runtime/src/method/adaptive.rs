@@ -138,8 +138,9 @@ impl<S: Real> Steady<S> {
 
     /// The error of a step of the length `h`, which grows with `h` to the `order`.
     pub(super) fn error(&self, h: S, estimate: S, order: u32) -> S {
-        let ratio = h / self.last.0;
-        let expected = (0..order).fold(S::lit(CHANCE) * self.last.1, |power, _| power * ratio);
+        let ratio = h.plain() / self.last.0.plain();
+        let last = S::Plain::lit(CHANCE) * self.last.1.plain();
+        let expected = S::of_plain((0..order).fold(last, |power, _| power * ratio));
         // What is not a number stays it.
         if estimate < expected && !self.doubted { expected } else { estimate }
     }

@@ -1,7 +1,7 @@
 //! Integration context: what methods read and write on their way through an interval.
 
 use super::not_finite;
-use super::rates::evaluate;
+use super::rates::{evaluate, value};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::stats::Stats;
@@ -85,8 +85,23 @@ impl<'a, M: System> Context<'a, M> {
 
     /// The rate at `(t, x)`, by rank where it is unhealthy.
     pub(crate) fn rate(&mut self, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
-        self.stats.evaluations += 1;
         let health = rate((self.system, &self.held), t, x, dx);
+        self.watch(health, t, x, dx)
+    }
+
+    /// The same of recorded numbers as values.
+    pub(super) fn rate_value(&mut self, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
+        if !M::S::IS_RECORDED {
+            return self.rate(t, x, dx);
+        }
+        let health = value((self.system, &self.held), t, x, dx);
+        self.watch(health, t, x, dx)
+    }
+
+    /// Goes on with a rate of this health, by rank where that is needed.
+    #[inline]
+    fn watch(&mut self, health: Health<M::S>, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
+        self.stats.evaluations += 1;
         self.health = self.health.min(health.0);
         if health.is_good() {
             return Ok(());

@@ -68,6 +68,16 @@ pub trait DenseOutput<M: System> {
         Ok(())
     }
 
+    /// Gives what [`densify`](Self::densify) and [`interpolate`](Self::interpolate) read the derivatives of recorded numbers, where a step
+    /// keeps values alone: its record is the shorter.
+    ///
+    /// # Errors
+    /// When an evaluation fails.
+    fn derive(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        let _ = context;
+        Ok(())
+    }
+
     /// The state at a time within the last step, after [`densify`](Self::densify); a rougher one (order 3) without.
     fn interpolate(&self, time: M::S) -> M::X {
         let _ = time;

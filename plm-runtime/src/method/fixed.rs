@@ -7,7 +7,7 @@ use super::length::{are_near, are_straight, is_due, spread};
 use super::partition::Partition;
 use super::{
     Context, DenseOutput, DriftCheck, ErrorControl, Evaluated, FastStep, FixedLength, Method, Rates, Watched,
-    drift_of_size, not_finite, rate,
+    drift_of_size, not_finite, rate, recorded,
 };
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
@@ -101,6 +101,9 @@ fn formula<F: Formula, M: System<S: Real>>(
         && let Some(whole) = system.whole_step::<F>((t, h), u, from, x)
     {
         return (whole.health, whole.spread <= M::S::ZERO);
+    }
+    if M::S::IS_RECORDED {
+        return recorded::step::<F, M>((system, u), (t, h), x);
     }
     evaluated::<F, M, _>((system, u), (t, h), x, |x, stages| are_near::<F, M>(system, h, x, stages))
 }

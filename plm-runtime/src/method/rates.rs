@@ -91,12 +91,12 @@ impl<M: Rate> Rates<M> for &mut Watched<'_, M> {
     }
 }
 
-/// The rate at a state.
-struct OfState;
+/// The rate at a state: one vector with derivatives, or none.
+struct OfState<const VECTORS: usize>;
 
-impl Computation for OfState {
+impl<const VECTORS: usize> Computation for OfState<VECTORS> {
     type Made<X: Copy + Debug> = X;
-    const VECTORS: usize = 1;
+    const VECTORS: usize = VECTORS;
     const FROM_RATE: bool = false;
 
     #[inline]
@@ -128,11 +128,24 @@ pub(super) fn evaluate<M: System>(
     dx: &mut M::X,
 ) -> Health<M::S> {
     if M::S::IS_RECORDED {
-        let (rate, health) = system.compute::<OfState>((t, M::S::ZERO), held, (x, x));
+        let (rate, health) = system.compute::<OfState<1>>((t, M::S::ZERO), held, (x, x));
         *dx = rate;
         return health;
     }
     system.rate(t, held, x, dx)
+}
+
+/// The same of recorded numbers as values: whatever goes on from there finds derivatives by itself.
+#[inline(never)]
+pub(super) fn value<M: System>(
+    (system, held): (&M, &M::U),
+    t: M::S,
+    x: &M::X,
+    dx: &mut M::X,
+) -> Health<M::S> {
+    let (rate, health) = system.compute::<OfState<0>>((t, M::S::ZERO), held, (x, x));
+    *dx = rate;
+    health
 }
 
 /// The same as [`evaluate`] does it.

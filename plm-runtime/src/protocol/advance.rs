@@ -202,8 +202,11 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         (Updated { moved, turned, passed }, drifted): (Updated, bool),
         event: Event,
     ) -> Result<(), Fault> {
-        // Samples within the step belong to the modes that were held over it.
+        // Samples within the step belong to the modes that were held over it. An observer may end the run behind this step; what switches
+        // is still on its way to the end of the interval.
+        let end = self.context.end;
         self.observer.see(self.method, self.context)?;
+        let stop = core::mem::replace(&mut self.context.end, end);
         let Self { method, context, guarded, .. } = self;
         // What switches at once makes no step.
         if context.time > from.time {
@@ -222,6 +225,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         let before = self.modes();
         let step = self.context.time - from.time;
         self.guarded.detector.switch(self.method, self.context, (event, step))?;
+        self.context.end = stop;
         self.show_events(
             before,
             if let Event::At(index) = event { Trigger::Condition(index) } else { Trigger::Due },

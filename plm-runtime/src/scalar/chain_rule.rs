@@ -7,10 +7,6 @@ use super::Real;
 macro_rules! by_chain_rule {
     ($steep:ident) => {
         #[inline]
-        fn lit(x: f64) -> Self {
-            Self::constant(S::lit(x))
-        }
-        #[inline]
         fn of_turns(turns: i32) -> Self {
             Self::constant(S::of_turns(turns))
         }
@@ -31,13 +27,20 @@ macro_rules! by_chain_rule {
             let (sin, cos) = self.value.sin_cos();
             (self.chain(sin, cos), self.chain(cos, -sin))
         }
-        #[inline]
+        #[allow(clippy::inline_always, reason = "a call would lead all angles through memory")]
+        #[inline(always)]
         fn sin_cos_all<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
-            let (sin, cos) = S::sin_cos_all(angles.map(|angle| angle.value));
-            (
-                core::array::from_fn(|i| angles[i].chain(sin[i], cos[i])),
-                core::array::from_fn(|i| angles[i].chain(cos[i], -sin[i])),
-            )
+            let mut values = [S::ZERO; N];
+            for i in 0..N {
+                values[i] = angles[i].value;
+            }
+            let (sin, cos) = S::sin_cos_all(values);
+            let (mut sines, mut cosines) = (angles, angles);
+            for i in 0..N {
+                sines[i] = angles[i].chain(sin[i], cos[i]);
+                cosines[i] = angles[i].chain(cos[i], -sin[i]);
+            }
+            (sines, cosines)
         }
         #[inline]
         fn sqrt(self) -> Self {

@@ -10,6 +10,8 @@ pub trait Operation<S: Real>: Sized {
     type Output;
     /// It has so many arguments that most of its derivatives are too many to be found so.
     const IS_WIDE: bool;
+    /// Some result has derivatives; else all are values.
+    const HAS_DERIVATIVES: bool;
 
     /// Makes it.
     fn make(self) -> Self::Output;

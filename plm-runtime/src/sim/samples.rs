@@ -150,6 +150,7 @@ pub(super) fn sample_at<M: Mechanism, I: Method<M>>(
 ) -> Result<(), Fault> {
     let (mut held, mut x) = (context.held, context.x);
     if time < context.time {
+        method.derive(context)?;
         method.densify(context)?;
         (held, x) = method.moment(context, time);
     }

@@ -15,9 +15,9 @@ pub trait Computation {
         each: impl FnMut(&X) -> Y,
     ) -> Self::Made<Y>;
 
-    /// How many there are.
+    /// How many of them, the first ones, have derivatives where numbers are recorded; the others are values.
     const VECTORS: usize;
-    /// They depend on the rate at the state.
+    /// They depend on the rate at the state. Of recorded numbers that is a value: its derivatives are those of the state it belongs to.
     const FROM_RATE: bool;
 
     /// Computes them at a time, with the length of a step, from a state and the rate there, with the worst health.

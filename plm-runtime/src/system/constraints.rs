@@ -1,8 +1,8 @@
 //! Constraints of a motion: projection, drift, charts, energy.
 
 use crate::fault::Fault;
-use crate::scalar::Scalar;
-use crate::system::{Computation, Drift, Energy, Health, Rate, System, Updated};
+use crate::scalar::{Real, Scalar};
+use crate::system::{Computation, Drift, Energy, Health, Question, Rate, System, Updated};
 
 /// Constraints phi(t, q) = 0 that the motion keeps, and how. Without any, all of it stays as it is here.
 pub trait Constraints: Rate {
@@ -20,6 +20,17 @@ pub trait Constraints: Rate {
         Self: System + Sized,
     {
         C::of(self, times, u, from)
+    }
+
+    /// Answers what is decided by values. A system that can be differentiated does so by [`linear::ask`](crate::linear::ask), in numbers
+    /// without derivatives.
+    #[allow(clippy::inline_always, reason = "it is the question")]
+    #[inline(always)]
+    fn ask<Q: Question<Self::S>>(&self, u: &Self::U, question: Q) -> Q::Answer
+    where
+        Self: System<S: Real> + Sized,
+    {
+        question.of(self, u)
     }
 
     /// The rate where [`rate`](Rate::rate) is unhealthy: by a rank-revealing decomposition.

@@ -5,6 +5,7 @@ mod constraints;
 mod events;
 mod labels;
 mod rate;
+mod values;
 mod whole;
 
 pub use computation::Computation;
@@ -12,6 +13,8 @@ pub use constraints::Constraints;
 pub use events::Events;
 pub use labels::Labels;
 pub use rate::{Rate, rate_aside};
+pub use values::Question;
+pub(crate) use values::{path_of, value, values};
 pub use whole::{OneStep, WholeStep};
 
 use crate::scalar::Scalar;

@@ -80,16 +80,20 @@ impl<'t, S: Real> Active<'t, S> {
 /// [`Real::make`] of recorded numbers.
 #[inline(never)]
 pub(super) fn make<'t, S: Real, O: Operation<Traced<'t, S>>>(operation: O) -> O::Output {
+    let value = |number: Traced<'t, S>| number.value;
+    if !O::HAS_DERIVATIVES {
+        return operation.in_numbers(value, Traced::constant);
+    }
     if O::IS_WIDE {
         return operation.make();
     }
     let active = Active::of(&operation);
     let count = active.count.get();
-    let Some(trace) = active.trace.get().filter(|_| count <= MOST) else {
+    let Some(trace) = active.trace.get() else { return operation.in_numbers(value, Traced::constant) };
+    if count > MOST {
         return operation.make();
-    };
+    }
     if !trace.records(operation.results() * count) {
-        let value = |number: Traced<'t, S>| number.value;
         return operation.in_numbers(value, |value| active.record(trace, value, []));
     }
     match count {

@@ -20,6 +20,11 @@ impl<S: Real> Scalar for Traced<'_, S> {
 
     by_chain_rule!(chain);
 
+    #[inline]
+    fn lit(x: f64) -> Self {
+        Self::constant(S::lit(x))
+    }
+
     /// Those of the values; by the variables of the trace they are not known before it is gone through backward.
     #[inline]
     fn has_derivatives_of(self, other: Self, within: f64) -> bool {

@@ -51,6 +51,10 @@ impl<S: Real> InWords for Control<S> {
 
 /// `x^exponent`, of at least 1e-10^exponent.
 fn power<S: Real>(x: S, exponent: f64) -> S {
+    S::of_plain(power_of_plain(x.plain(), exponent))
+}
+
+fn power_of_plain<S: Real>(x: S, exponent: f64) -> S {
     let least = S::lit(1e-10);
     let x = if x < least { least } else { x };
     if exponent == 0.125 {

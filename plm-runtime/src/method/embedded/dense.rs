@@ -17,6 +17,20 @@ pub(in crate::method) struct Span<S, X> {
 }
 
 impl<S: Real, X: Vector<S>> Span<S, X> {
+    /// The same without derivatives.
+    pub(in crate::method) fn values(&self) -> Self {
+        let number = |s: S| S::of_plain(s.plain());
+        let vector = |x: &X| x.map(number);
+        Self {
+            time: number(self.time),
+            h: number(self.h),
+            from: vector(&self.from),
+            to: vector(&self.to),
+            rate_from: vector(&self.rate_from),
+            rate_to: vector(&self.rate_to),
+        }
+    }
+
     /// The state at `time`: through both ends with their rates, and `bends` in addition (Hairer, Nørsett, Wanner I,
     /// II.6; CONTD5 and CONTD8 of their programs). Without bends it is the cubic by C. Hermite.
     pub(in crate::method) fn at(&self, time: S, bends: &[X]) -> X {

@@ -2,30 +2,28 @@
 
 mod control;
 mod dense;
+mod output;
 mod pair;
+mod recorded;
 mod stages;
 mod start;
 pub(super) mod tableau;
 mod words;
-
-use core::fmt::Debug;
-use core::marker::PhantomData;
 
 pub use self::pair::{Limits, Pair};
 pub(super) use self::stages::{Rows, stages};
 
 use self::control::Control;
 pub(super) use self::dense::Span;
+use self::recorded::Known;
 pub(super) use self::start::first_step;
 pub(super) use self::tableau::pair;
 use super::adaptive::{Steady, builders, ensure_moves, next_step, rate_here};
 use super::projection::{PROJECTED_ABOVE, Projection};
-use super::{
-    Context, DenseOutput, ErrorControl, Evaluated, FixedLength, Method, Path, drift_of_size, larger,
-};
+use super::{Context, ErrorControl, Evaluated, FixedLength, Method, drift_of_size, larger};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
-use crate::system::{Computation, Drift, Health, System};
+use crate::system::{Drift, System};
 use crate::vector::Vector;
 
 /// A pair of Runge-Kutta formulas: steps chosen by the error, dense output.
@@ -52,41 +50,13 @@ pub struct Embedded<M: System, P: Pair> {
     span: Option<Span<M::S, M::X>>,
     stages: Option<P::Stages<M::X>>,
     bends: Option<P::Bends<M::X>>,
+    /// What the dense output of the last step has.
+    known: Known,
     /// The last step went by rank.
     was_unhealthy: bool,
     projection: Projection<M::S>,
     /// The error decided how long the last step was.
     by_error: bool,
-}
-
-/// A step of a pair without a decision and a second try: its end and its stages.
-struct OfPair<P>(PhantomData<P>);
-
-impl<P: Pair> Computation for OfPair<P> {
-    type Made<X: Copy + Debug> = (X, P::Stages<X>);
-    const VECTORS: usize = 1 + P::KEPT;
-    const FROM_RATE: bool = true;
-
-    #[inline]
-    fn map<X: Copy + Debug, Y: Copy + Debug>(
-        (end, stages): &(X, P::Stages<X>),
-        mut each: impl FnMut(&X) -> Y,
-    ) -> (Y, P::Stages<Y>) {
-        (each(end), P::map(stages, each))
-    }
-
-    #[allow(clippy::inline_always, reason = "as the stages")]
-    #[inline(always)]
-    fn of<M: System>(
-        system: &M,
-        (t, h): (M::S, M::S),
-        u: &M::U,
-        (x, first): (&M::X, &M::X),
-    ) -> ((M::X, P::Stages<M::X>), Health<M::S>) {
-        let (mut rates, mut stages) = (Evaluated::new(system, u), P::blank(*first));
-        let end = P::step::<M>(t, h, x, first, &mut stages, &mut rates);
-        ((end, stages), rates.worst)
-    }
 }
 
 /// A step that may be accepted.
@@ -119,6 +89,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
             span: None,
             stages: None,
             bends: None,
+            known: Known::Values,
             was_unhealthy: false,
             projection: Projection::new(),
             by_error: false,
@@ -136,7 +107,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         let (t, x) = (context.time, context.x);
         if !self.was_unhealthy {
             let (end, worst) = if M::S::IS_RECORDED {
-                Self::computed(context, rate, h, k)
+                Self::computed::<true>((context, t, &x), rate, h, k)
             } else {
                 let mut rates = Evaluated::new(context.system, &context.held);
                 let end = P::step::<M>(t, h, &x, rate, k, &mut rates);
@@ -151,20 +122,6 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         self.trial_by_rank(context, rate, h, k)
     }
 
-    /// The step as one computation, for numbers that are recorded. By itself: its copies of the stages would take room on every stack.
-    #[inline(never)]
-    fn computed(
-        context: &Context<'_, M>,
-        rate: &M::X,
-        h: M::S,
-        k: &mut P::Stages<M::X>,
-    ) -> (M::X, Health<M::S>) {
-        let (times, from) = ((context.time, h), (&context.x, rate));
-        let ((end, stages), worst) = context.system.compute::<OfPair<P>>(times, &context.held, from);
-        *k = stages;
-        (end, worst)
-    }
-
     #[cold]
     fn trial_by_rank(
         &mut self,
@@ -173,9 +130,12 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         h: M::S,
         k: &mut P::Stages<M::X>,
     ) -> Result<Trial<M::X>, Fault> {
-        let (t, x, before) = (context.time, context.x, context.stats.by_rank);
-        let mut outcome = Ok(());
-        let end = P::step::<M>(t, h, &x, rate, k, |t: M::S, x: &M::X, dx: &mut M::X| {
+        let (t, x, mut first) = (context.time, context.x, *rate);
+        if M::S::IS_RECORDED {
+            context.rate(t, &x, &mut first)?;
+        }
+        let (before, mut outcome) = (context.stats.by_rank, Ok(()));
+        let end = P::step::<M>(t, h, &x, &first, k, |t: M::S, x: &M::X, dx: &mut M::X| {
             if outcome.is_ok() {
                 outcome = context.rate(t, x, dx);
             }
@@ -253,7 +213,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
             self.projection.project(context, tolerance, (time, &mut x))?;
         }
         let mut rate = x;
-        context.rate(time, &x, &mut rate)?;
+        context.rate_value(time, &x, &mut rate)?;
         Ok((x, rate))
     }
 
@@ -283,7 +243,7 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
             Some(proposal) => proposal,
             None => first_step(context, &rate, self.tolerance(), P::ORDER)?,
         };
-        (self.span, self.bends) = (None, None);
+        (self.span, self.bends, self.known) = (None, None, Known::Values);
         let mut k = self.stages.unwrap_or_else(|| P::blank(rate));
         loop {
             proposal = proposal.min(self.longest_step);
@@ -340,34 +300,6 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
 
     fn drift_limit(&self, system: &M) -> Drift<M::S> {
         drift_of_size(system, self.tolerance() * M::S::lit(PROJECTED_ABOVE))
-    }
-}
-
-impl<M: System<S: Real> + Copy, P: Pair> DenseOutput<M> for Embedded<M, P> {
-    const DENSE: bool = true;
-
-    fn densify(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
-        if let (Some(step), Some(k), None) = (&self.span, &self.stages, &self.bends) {
-            let mut outcome = Ok(());
-            let bends = P::bend::<M>(step.time, step.h, &step.from, k, &step.rate_to, |t, x, dx| {
-                if outcome.is_ok() {
-                    outcome = context.rate(t, x, dx);
-                }
-            });
-            outcome?;
-            self.bends = Some(bends);
-        }
-        Ok(())
-    }
-
-    fn interpolate(&self, time: M::S) -> M::X {
-        let bends = self.bends.as_ref().map_or(&[] as &[M::X], |bends| bends.as_ref());
-        self.span.map_or(M::X::fill(M::S::lit(0.0)), |step| step.at(time, bends))
-    }
-
-    fn path(&self) -> Option<Path<M::S, M::X>> {
-        let bends = self.bends.as_ref().map_or(&[] as &[M::X], |bends| bends.as_ref());
-        self.span.as_ref().map(|span| span.path(bends))
     }
 }
 

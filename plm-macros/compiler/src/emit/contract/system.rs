@@ -53,6 +53,11 @@ fn constraints(emission: &Emission) -> TokenStream {
             ) -> (C::Made<Self::X>, rt::Health<Self::S>) {
                 rt::linear::compute::<Self, C>(self, times, u, from)
             }
+
+            #[inline(always)]
+            fn ask<Q: rt::Question<Self::S>>(&self, u: &Self::U, question: Q) -> Q::Answer {
+                rt::linear::ask::<Self, Q>(self, u, question)
+            }
             #solution
             #update
             #stabilisation

@@ -1,0 +1,62 @@
+//! Steps on numbers that are recorded.
+
+use core::fmt::Debug;
+use core::marker::PhantomData;
+
+use super::{Embedded, Pair};
+use crate::method::{Context, Evaluated};
+use crate::scalar::Real;
+use crate::system::{Computation, Health, System};
+
+/// What a dense output has of numbers that are recorded: most steps are asked for values alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Known {
+    Values,
+    Derivatives,
+}
+
+/// A step of a pair without a decision and a second try: its end and its stages, which have derivatives or are `VALUES`.
+struct OfPair<P, const VALUES: bool>(PhantomData<P>);
+
+impl<P: Pair, const VALUES: bool> Computation for OfPair<P, VALUES> {
+    type Made<X: Copy + Debug> = (X, P::Stages<X>);
+    const VECTORS: usize = if VALUES { 1 } else { 1 + P::KEPT };
+    const FROM_RATE: bool = true;
+
+    #[inline]
+    fn map<X: Copy + Debug, Y: Copy + Debug>(
+        (end, stages): &(X, P::Stages<X>),
+        mut each: impl FnMut(&X) -> Y,
+    ) -> (Y, P::Stages<Y>) {
+        (each(end), P::map(stages, each))
+    }
+
+    #[allow(clippy::inline_always, reason = "as the stages")]
+    #[inline(always)]
+    fn of<M: System>(
+        system: &M,
+        (t, h): (M::S, M::S),
+        u: &M::U,
+        (x, first): (&M::X, &M::X),
+    ) -> ((M::X, P::Stages<M::X>), Health<M::S>) {
+        let (mut rates, mut stages) = (Evaluated::new(system, u), P::blank(*first));
+        let end = P::step::<M>(t, h, x, first, &mut stages, &mut rates);
+        ((end, stages), rates.worst)
+    }
+}
+
+impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
+    /// The step as one computation, for numbers that are recorded. By itself: its copies of the stages would take room on every stack.
+    #[inline(never)]
+    pub(super) fn computed<const VALUES: bool>(
+        (context, time, x): (&Context<'_, M>, M::S, &M::X),
+        rate: &M::X,
+        h: M::S,
+        k: &mut P::Stages<M::X>,
+    ) -> (M::X, Health<M::S>) {
+        let ((end, stages), worst) =
+            context.system.compute::<OfPair<P, VALUES>>((time, h), &context.held, (x, rate));
+        *k = stages;
+        (end, worst)
+    }
+}
