@@ -23,7 +23,7 @@ pub(super) const COMMAND: Command = Command {
     options: &[
         (
             "--csv FILE",
-            "readings: time (s), then outputs and inputs with their units, as `run --csv` writes them; one for each experiment",
+            "readings: times, outputs and inputs with their units, as `run --csv` and others write them; one for each experiment",
         ),
         (
             "--fit NAMES",

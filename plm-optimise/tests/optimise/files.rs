@@ -64,10 +64,19 @@ fn wrong_files_are_told_with_line_and_column() {
     let path = scratch("wrong.csv");
     std::fs::create_dir_all(path.parent().unwrap()).unwrap();
     for (text, problem) in [
-        ("time (s),ball.y (mm)\n0,1000\n0.1,95O\n", "line 3, column `ball.y (mm)`: `95O` is no number"),
-        ("time (s),ball.y (mm)\n0,1000\n0.1,\n", "line 3, column `ball.y (mm)`: `` is no number"),
-        ("time (s),ball.y (mm)\n0,1000\n0.1\n", "line 3: 1 numbers where the first line names 2 columns"),
-        ("t,ball.y (mm)\n0,1000\n", "its first column is not `time (s)`"),
+        (
+            "time (s),ball.y (mm)\n0,1000\n0.1,95O\n",
+            "line 3, column 2 (`ball.y (mm)`): found `95O`, expected a number",
+        ),
+        (
+            "time (s),ball.y (mm)\n0,1000\n0.1,\n",
+            "line 3, column 2 (`ball.y (mm)`): found nothing, expected a number",
+        ),
+        ("time (s),ball.y (mm)\n0,1000\n0.1\n", "line 3: found 1 field, expected 2 fields, as in line 1"),
+        (
+            "moment,ball.y (mm)\n0,1000\n",
+            "line 1: found `moment`, `ball.y (mm)`, expected a column of the time",
+        ),
     ] {
         std::fs::write(&path, text).unwrap();
         let error = Experiment::from_csv(&path).unwrap_err().to_string();
@@ -76,6 +85,7 @@ fn wrong_files_are_told_with_line_and_column() {
     for (text, problem) in [
         ("time (s),ball.z (mm)\n0,1000\n", "there is no output `ball.z`; there are ball.y, "),
         ("time (s),ball.y (cm)\n0,1000\n", "`ball.y` is in `mm` or `m`, not in `cm`"),
+        ("time (s),ball.y\n0,1000\n", "`ball.y` is in `mm` or `m`, and no unit is given"),
         ("time (s),ball.y (mm),push (kN)\n0,1000,1\n", "`push` is in `N`, not in `kN`"),
         ("time (s),ball.y (mm)\n0.1,1000\n0.05,990\n", "experiment 0: the times do not ascend from 0 s on"),
         (
