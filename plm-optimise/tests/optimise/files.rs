@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use plm::Dop853;
 use plm::Mechanism;
 use plm::optimise::{ByDop853, ByRadau, Experiment, Identification, Unknown};
-use plm_view::Recorder;
+use plm_view::{Recorder, Role};
 
 use super::identify::{YARD, set};
 use super::mechanism;
@@ -46,16 +46,28 @@ fn readings_of_a_file_give_the_truth() {
     let column = |name: &str| recording.columns().iter().position(|own| own.name == name).unwrap();
     let [model, measured, residual] = ["ball.y", "ball.y measured", "ball.y residual"].map(column);
     assert_eq!(recording.columns()[residual].unit, "mm");
-    let jumps = times.windows(2).filter(|pair| pair[0] == pair[1]).count();
-    assert_eq!(recording.len(), times.len() - jumps);
-    for row in recording.rows().filter(|row| row[measured].is_finite()) {
-        assert!(
-            (row[model] - row[measured]).abs() < 1e-5 && row[residual] == row[model] - row[measured],
-            "{row:?}"
-        );
+    let roles = [model, measured, residual].map(|column| recording.columns()[column].role);
+    assert_eq!(roles, [Role::Motion, Role::Reading, Role::Residual]);
+    let mut read = Vec::new();
+    for (time, row) in recording.times().iter().zip(recording.rows()) {
+        assert_eq!(row[measured].is_nan(), row[residual].is_nan());
+        if row[measured].is_finite() {
+            read.push(*time);
+            assert!(
+                (row[model] - row[measured]).abs() < 1e-5 && row[residual] == row[model] - row[measured],
+                "{row:?}"
+            );
+        }
     }
-    let gaps = recording.rows().filter(|row| row[measured].is_nan()).count();
-    assert_eq!(gaps, jumps, "an output has no reading where it may jump");
+    // An output has no reading where it may jump.
+    let alone = |k: usize| times.iter().filter(|time| **time == times[k]).count() == 1;
+    let expected: Vec<f64> = (0..times.len()).filter(|k| alone(*k)).map(|k| times[k]).collect();
+    assert_eq!(read, expected);
+    // Between readings the motion is a curve: no two rows are further apart than a thousandth of it.
+    let apart = recording.times().windows(2).map(|pair| pair[1] - pair[0]);
+    assert!(recording.len() > 1000 && apart.clone().all(|apart| apart > 0.0 && apart < 1.01 * 1.2e-3));
+    let chart = fit.chart(ByDop853(1e-11)).unwrap().to_svg();
+    assert_eq!(chart.matches(">model - reading<").count(), 2, "residuals have a panel of each output");
     assert!(fit.recording(1, ByDop853(1e-11)).unwrap().is_empty());
 }
 
