@@ -88,13 +88,11 @@ fn dyad<S: Real>(span: Z<S>, first: S, second: S, image: Image) -> Option<Z<S>> 
     (height > S::ZERO).then(|| span.times(Z::new(along, height.sqrt() * S::lit(image.sign()))))
 }
 
-impl Solved<f64> {
-    /// Least sine of the transmission angles of both dyads.
-    pub(super) fn transmission_sine(&self) -> f64 {
-        let sine = |[one, other]: [Frame<f64>; 2]| {
-            (one.along.re * other.along.im - one.along.im * other.along.re).abs()
-        };
-        sine(self.links).min(sine(self.bars))
+impl<S: Real> Solved<S> {
+    /// Cosines of the transmission angles of both dyads.
+    pub(super) fn cosines(&self) -> [S; 2] {
+        [self.links, self.bars]
+            .map(|[one, other]| one.along.re * other.along.re + one.along.im * other.along.im)
     }
 }
 

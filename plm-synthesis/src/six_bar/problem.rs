@@ -55,7 +55,7 @@ pub struct Problem {
     pub bounds: Bounds,
     /// Motion that is demanded of the crank of the four-bar.
     pub crank: Crank,
-    /// Least transmission angle of both dyads, rad: a linkage below it has a defect.
+    /// Least transmission angle of both dyads, rad: a bound at each position, and a linkage below it anywhere has a defect.
     pub transmission: f64,
 }
 

@@ -7,9 +7,9 @@ use std::f64::consts::TAU;
 use plm_runtime::{Dual, Real};
 
 use super::SixBar;
-use super::kernel::{Dimensions, Z};
+use super::kernel::{Dimensions, Solved, Z};
 use super::problem::{Found, Problem, Task};
-use crate::descent::{self, Outcome, Place, Row};
+use crate::descent::{self, Lack, Outcome, Place, Row};
 use crate::four_bar::{Demands, FourBar, Image, Vector, point, unit, vector};
 use crate::function::Scales;
 use crate::path::{Crank, Search, Timing};
@@ -27,6 +27,9 @@ const FIRST_ANGLE: usize = 15;
 const OUTPUT_ZERO: usize = 16;
 /// Directions of derivatives: the unknowns, and the angle of the row.
 const DIRECTIONS: usize = UNKNOWNS + 1;
+
+/// The bound of the transmission angle at the positions is higher by this fraction, since between them the angle may be less.
+const BETWEEN: f64 = 0.01;
 
 type Unknowns = [f64; UNKNOWNS];
 /// Images of the four-bar and of the dyad.
@@ -108,9 +111,21 @@ impl<'a> Fit<'a> {
         }
     }
 
+    /// The pose at an angle of the crank from where its scale begins.
+    fn pose<S: Real>(&self, unknowns: &[S; UNKNOWNS], images: Images, angle: S) -> Option<Solved<S>> {
+        self.dimensions(unknowns, images).solve(angle + unknowns[FIRST_ANGLE])
+    }
+
+    /// By how much the cosines of both transmission angles, which are those of the angles between bars of a dyad, are beyond that of the
+    /// least one.
+    fn excess<S: Real>(&self, unknowns: &[S; UNKNOWNS], images: Images, angle: S) -> Option<[S; 2]> {
+        let limit = S::lit((self.problem.transmission * (1.0 + BETWEEN)).cos());
+        Some(self.pose(unknowns, images, angle)?.cosines().map(|cosine| cosine.abs() - limit))
+    }
+
     /// The point, or the unit vector of the output from its zero, at an angle of the crank from where its scale begins.
     fn value<S: Real>(&self, unknowns: &[S; UNKNOWNS], images: Images, angle: S) -> Option<Z<S>> {
-        let [first, second] = self.dimensions(unknowns, images).solve(angle + unknowns[FIRST_ANGLE])?.bars;
+        let [first, second] = self.pose(unknowns, images, angle)?.bars;
         Some(if self.is_path() {
             let place =
                 Z::unit(unknowns[GROUND_ANGLE]).times(first.at(Z::new(unknowns[POINT], unknowns[POINT + 1])));
@@ -174,8 +189,7 @@ impl descent::Problem<UNKNOWNS> for Fit<'_> {
     type Image = Images;
 
     fn rows(&self, place: &Place<UNKNOWNS, Images>) -> Option<Vec<Row<UNKNOWNS>>> {
-        let unknowns: [Dual<f64, DIRECTIONS>; UNKNOWNS] =
-            std::array::from_fn(|k| Dual::variable(place.unknowns[k], k));
+        let unknowns = variables(&place.unknowns);
         let row = |(angle, target): (&f64, &Vector)| {
             let value = self.value(&unknowns, place.image, Dual::variable(*angle, UNKNOWNS))?;
             let by = |k: usize| Vector::new(value.re.tangents[k], value.im.tangents[k]);
@@ -215,16 +229,43 @@ impl descent::Problem<UNKNOWNS> for Fit<'_> {
         &self.bounds
     }
 
-    fn is_sound(&self, place: &Place<UNKNOWNS, Images>) -> bool {
-        let dimensions = self.dimensions(&place.unknowns, place.image);
-        let least = self.problem.transmission.sin();
-        let solve = |angle: &f64| dimensions.solve(angle + place.unknowns[FIRST_ANGLE]);
-        place.angles.iter().all(|angle| solve(angle).is_some_and(|pose| pose.transmission_sine() >= least))
+    fn lacks(&self, place: &Place<UNKNOWNS, Images>) -> Vec<Lack<UNKNOWNS>> {
+        if self.problem.transmission <= 0.0 {
+            return Vec::new();
+        }
+        let unknowns = variables(&place.unknowns);
+        let mut lacks = Vec::new();
+        for (row, angle) in place.angles.iter().enumerate() {
+            let Some(both) = self.excess(&unknowns, place.image, Dual::variable(*angle, UNKNOWNS)) else {
+                continue;
+            };
+            let open = both.into_iter().filter(|excess| excess.value > 0.0);
+            lacks.extend(open.map(|excess| Lack {
+                row,
+                value: excess.value,
+                by_unknowns: std::array::from_fn(|k| excess.tangents[k]),
+                by_angle: excess.tangents[UNKNOWNS],
+            }));
+        }
+        lacks
+    }
+
+    fn lack(&self, place: &Place<UNKNOWNS, Images>) -> f64 {
+        if self.problem.transmission <= 0.0 {
+            return 0.0;
+        }
+        let excess = |angle: &f64| self.excess(&place.unknowns, place.image, *angle);
+        place.angles.iter().filter_map(excess).flatten().map(|excess| excess.max(0.0).powi(2)).sum()
     }
 
     fn angles_are_free(&self) -> bool {
         matches!(&self.problem.task, Task::Path { timing: Timing::Free, .. })
     }
+}
+
+/// Unknowns with derivatives by each.
+fn variables(unknowns: &Unknowns) -> [Dual<f64, DIRECTIONS>; UNKNOWNS] {
+    std::array::from_fn(|k| Dual::variable(unknowns[k], k))
 }
 
 /// Angles of the crank at the positions, as far as they are known, else by chance.
@@ -249,19 +290,22 @@ mod tests {
     use crate::function::Pair;
     use crate::six_bar::{Bounds, Chain};
 
+    const CHAINS: [Chain; 4] = [Chain::WattOne, Chain::WattTwo, Chain::StephensonOne, Chain::StephensonThree];
+    const IMAGES: Images = [Image::Left, Image::Right];
+    const SHAPED: Unknowns =
+        [0.1, 0.2, 0.3, 0.3, 0.9, 0.8, 0.7, 0.5, 0.4, 0.3, -0.4, 1.1, 1.2, 0.3, 0.2, 0.5, 0.3];
+
     #[test]
     fn derivatives_are_those_of_differences() {
         let timing = Timing::Steps(vec![0.0, 0.7]);
         let points = vec![[0.2, 0.3], [0.4, 0.1]];
         let pairs = vec![Pair { crank: 0.0, rocker: 0.1 }, Pair { crank: 0.7, rocker: 0.4 }];
         for task in [Task::Path { points, timing }, Task::Function { pairs, scales: Scales::FreeBoth }] {
-            for chain in [Chain::WattOne, Chain::WattTwo, Chain::StephensonOne, Chain::StephensonThree] {
+            for chain in CHAINS {
                 let (bounds, crank) = (Bounds::up_to(5.0), Crank::Turns);
                 let problem = Problem { chain, task: task.clone(), bounds, crank, transmission: 0.0 };
                 let fit = Fit::new(&problem);
-                let unknowns =
-                    [0.1, 0.2, 0.3, 0.3, 0.9, 0.8, 0.7, 0.5, 0.4, 0.3, -0.4, 1.1, 1.2, 0.3, 0.2, 0.5, 0.3];
-                let image = [Image::Left, Image::Right];
+                let (unknowns, image) = (SHAPED, IMAGES);
                 let place = Place { unknowns, angles: vec![0.0, 0.7], image };
                 for (k, row) in fit.rows(&place).unwrap().into_iter().enumerate() {
                     let value = |x: &Unknowns, angle: f64| {
@@ -281,6 +325,41 @@ mod tests {
                         let by = (beside(h) - beside(-h)) / (2.0 * h);
                         assert!((by - exact).norm() < 1e-7, "{chain:?} {n} {by} {exact}");
                     }
+                }
+            }
+        }
+    }
+
+    /// Of a path, at a least angle of 80 deg, which most poses lack.
+    #[test]
+    fn lacks_have_the_derivatives_of_differences() {
+        for chain in CHAINS {
+            let points = vec![[0.2, 0.3], [0.4, 0.1]];
+            let task = Task::Path { points, timing: Timing::Steps(vec![0.0, 0.7]) };
+            let (bounds, crank) = (Bounds::up_to(5.0), Crank::Turns);
+            let problem = Problem { chain, task, bounds, crank, transmission: 1.4 };
+            let fit = Fit::new(&problem);
+            let place = Place { unknowns: SHAPED, angles: vec![0.0, 0.7], image: IMAGES };
+            let lacks = fit.lacks(&place);
+            assert!(!lacks.is_empty(), "{chain:?}");
+            let squares: f64 = lacks.iter().map(|lack| lack.value * lack.value).sum();
+            assert!((squares - fit.lack(&place)).abs() < 1e-15);
+            for lack in lacks {
+                // The one of the two dyads that this lack is of.
+                let own = |excess: &f64| (excess - lack.value).abs() < 1e-12;
+                let (angle, h) = (place.angles[lack.row], 1e-5);
+                let both = |x: &Unknowns, angle: f64| fit.excess(x, IMAGES, angle).unwrap();
+                let which = both(&SHAPED, angle).iter().position(own).unwrap();
+                let by = (both(&SHAPED, angle + h)[which] - both(&SHAPED, angle - h)[which]) / (2.0 * h);
+                assert!((by - lack.by_angle).abs() < 1e-7, "{chain:?} {by}");
+                for n in 0..UNKNOWNS {
+                    let beside = |h: f64| {
+                        let mut x = SHAPED;
+                        x[n] += h;
+                        both(&x, angle)[which]
+                    };
+                    let by = (beside(h) - beside(-h)) / (2.0 * h);
+                    assert!((by - lack.by_unknowns[n]).abs() < 1e-7, "{chain:?} {n} {by}");
                 }
             }
         }

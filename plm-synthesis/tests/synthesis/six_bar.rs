@@ -71,6 +71,127 @@ fn a_six_bar_that_stops_says_where() {
     assert!((angle - last).abs() < 0.02, "{angle} {last}");
 }
 
+/// Angles of crank, coupler, rocker, arm and swing.
+fn all_angles(six_bar: &SixBar, angle: f64) -> [f64; 5] {
+    let pose = six_bar.pose(angle).unwrap();
+    let [crank, coupler, rocker] = pose.four_bar.angles;
+    [crank, coupler, rocker, pose.angles[0], pose.angles[1]]
+}
+
+/// Poses on the way from a pose, found apart from dead points and dyads: Newton's method on the constraints of both loops, along the curve
+/// that they leave, in steps of a fixed length.
+fn traced(six_bar: &SixBar, angle: f64, length: f64, count: usize) -> Vec<[f64; 5]> {
+    let FourBar { pivots, crank, coupler, rocker, .. } = six_bar.four_bar;
+    let [[x0, y0], [x1, y1]] = pivots;
+    let [_, [u, v]] = six_bar.ends;
+    let [p, q] = six_bar.ends[0];
+    // Crank, coupler, rocker, and both bars of a dyad between rocker and ground.
+    let open = |x: &[f64; 5]| {
+        let at = |k: usize, length: f64| [length * x[k].cos(), length * x[k].sin()];
+        let ground = (y1 - y0).atan2(x1 - x0);
+        let end = [x1 + p * x[2].cos() - q * x[2].sin(), y1 + p * x[2].sin() + q * x[2].cos()];
+        let fixed = [x0 + u * ground.cos() - v * ground.sin(), y0 + u * ground.sin() + v * ground.cos()];
+        let [a, b, c] = [at(0, crank), at(1, coupler), at(2, rocker)];
+        let [d, e] = [at(3, six_bar.bars[0]), at(4, six_bar.bars[1])];
+        [0, 1]
+            .map(|k| [x0 - x1, y0 - y1][k] + a[k] + b[k] - c[k])
+            .into_iter()
+            .chain([0, 1].map(|k| end[k] + d[k] - fixed[k] - e[k]))
+            .collect::<Vec<f64>>()
+    };
+    let matrix = |x: &[f64; 5]| {
+        nalgebra::DMatrix::from_fn(4, 5, |row, column| {
+            let beside = |h: f64| {
+                let mut x = *x;
+                x[column] += h;
+                open(&x)[row]
+            };
+            (beside(1e-6) - beside(-1e-6)) / 2e-6
+        })
+    };
+    let mut x = all_angles(six_bar, angle);
+    let (mut way, mut all) = (nalgebra::DVector::zeros(5), vec![x]);
+    for _ in 0..count {
+        let square = matrix(&x).resize_vertically(5, 0.0);
+        let right = square.svd(false, true).v_t.unwrap();
+        let mut next = right.row(4).transpose();
+        if next.dot(&way) < 0.0 {
+            next = -next;
+        }
+        way = next;
+        for k in 0..5 {
+            x[k] += length * way[k];
+        }
+        for _ in 0..5 {
+            let jacobian = matrix(&x);
+            let normal = &jacobian * jacobian.transpose();
+            let off = nalgebra::DVector::from_vec(open(&x));
+            let back = jacobian.transpose() * normal.lu().solve(&off).unwrap();
+            for k in 0..5 {
+                x[k] -= back[k];
+            }
+        }
+        all.push(x);
+    }
+    all
+}
+
+/// Behind a stop the position is on another branch where the motion of the constraints comes there, else on another circuit.
+#[test]
+fn what_is_behind_a_stop_has_a_name() {
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    println!("seed {state:#x}");
+    let mut between = |least: f64, most: f64| {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        least + (most - least) * (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let mut seen = [0, 0];
+    for k in 0..400 {
+        let mut six_bar = six_bar(Chain::WattTwo);
+        let four_bar = &mut six_bar.four_bar;
+        (four_bar.crank, four_bar.coupler) = (between(0.2, 1.4), between(0.4, 1.4));
+        four_bar.rocker = between(0.4, 1.4);
+        six_bar.bars = [between(0.3, 1.2), between(0.3, 1.2)];
+        if seen.iter().all(|seen| *seen >= 3) {
+            break;
+        }
+        let closed: Vec<f64> = (0..720)
+            .map(|k| f64::from(k).to_radians() / 2.0)
+            .filter(|a| six_bar.pose(*a).is_some())
+            .collect();
+        // Middles of the ranges in which the loops close on these images.
+        let gaps: Vec<usize> = (1..closed.len()).filter(|k| closed[*k] - closed[k - 1] > 0.02).collect();
+        let [gap] = gaps[..] else { continue };
+        // A range that goes on at 360 deg is one.
+        if six_bar.pose(0.0).is_some() {
+            continue;
+        }
+        let middle = |range: &[f64]| f64::midpoint(range[0], range[range.len() - 1]);
+        let (one, other) = (middle(&closed[..gap]), middle(&closed[gap..]));
+        let defects = six_bar.defects(&[one, other], &Demands::default());
+        let is_stop = |defect: &&Defect| matches!(defect, Defect::Stop { position: 1, .. });
+        assert_eq!(defects.iter().filter(is_stop).count(), 1, "{defects:?}");
+        let behind: Vec<&Defect> = defects.iter().filter(|defect| !is_stop(defect)).collect();
+        let target = all_angles(&six_bar, other);
+        let is_near = |x: &[f64; 5]| x.iter().zip(target).all(|(a, b)| (0.5 * (a - b)).sin().abs() < 0.01);
+        let comes = traced(&six_bar, one, 0.02, 2000).iter().any(is_near);
+        match behind[..] {
+            [Defect::Branch { position: 1 }] => {
+                seen[0] += 1;
+                assert!(comes, "{k}");
+            }
+            [Defect::Circuit { position: 1 }] => {
+                seen[1] += 1;
+                assert!(!comes, "{k}");
+            }
+            _ => panic!("{defects:?}"),
+        }
+    }
+    assert!(seen[0] >= 3 && seen[1] >= 3, "{seen:?}");
+}
+
 fn best(problem: &Problem, starts: u64) -> Found {
     problem.search(&Search { starts, ..Search::default() }).unwrap().swap_remove(0)
 }
