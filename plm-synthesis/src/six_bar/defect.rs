@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{SixBar, SixBarPose};
+use super::{Chain, SixBar, SixBarPose};
 use crate::four_bar::{Defect, Demands, FourBar, Image};
 
 /// Largest step of the crank between two looks at a motion, rad.
@@ -18,6 +18,9 @@ impl SixBar {
     /// stops. What is behind is named as well: a position that the linkage reaches through dead points of its crank lies on another branch
     /// of the circuit, one that it does not reach on another circuit.
     pub fn defects(&self, angles: &[f64], demands: &Demands) -> Vec<Defect> {
+        if self.chain == Chain::StephensonTwo {
+            return self.moving_defects(angles, demands);
+        }
         let positions: Vec<_> = angles.iter().map(|&angle| (angle, self.four_bar.image)).collect();
         let mut defects = self.four_bar.defects(&positions, demands);
         defects.retain(|defect| !matches!(defect, Defect::Open { .. } | Defect::Transmission { .. }));

@@ -1,14 +1,15 @@
 //! Least squares of a six-bar's problem, with exact derivatives by dual numbers.
 
+mod demands;
 mod start;
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use plm_runtime::{Dual, Real};
 
-use super::SixBar;
 use super::kernel::{Dimensions, Solved, Z};
 use super::problem::{Found, Problem, Task};
+use super::{Chain, SixBar};
 use crate::descent::{self, Lack, Outcome, Place, Row};
 use crate::four_bar::{Demands, FourBar, Image, Vector, point, unit, vector};
 use crate::function::Scales;
@@ -27,9 +28,6 @@ const FIRST_ANGLE: usize = 15;
 const OUTPUT_ZERO: usize = 16;
 /// Directions of derivatives: the unknowns, and the angle of the row.
 const DIRECTIONS: usize = UNKNOWNS + 1;
-
-/// The bound of the transmission angle at the positions is higher by this fraction, since between them the angle may be less.
-const BETWEEN: f64 = 0.01;
 
 type Unknowns = [f64; UNKNOWNS];
 /// Images of the four-bar and of the dyad.
@@ -113,25 +111,26 @@ impl<'a> Fit<'a> {
 
     /// The pose at an angle of the crank from where its scale begins.
     fn pose<S: Real>(&self, unknowns: &[S; UNKNOWNS], images: Images, angle: S) -> Option<Solved<S>> {
-        self.dimensions(unknowns, images).solve(angle + unknowns[FIRST_ANGLE])
+        // A four-bar that moves has an angle of its own.
+        let angle = if self.moves() { angle } else { angle + unknowns[FIRST_ANGLE] };
+        self.dimensions(unknowns, images).solve(angle)
     }
 
-    /// By how much the cosines of both transmission angles, which are those of the angles between bars of a dyad, are beyond that of the
-    /// least one.
-    fn excess<S: Real>(&self, unknowns: &[S; UNKNOWNS], images: Images, angle: S) -> Option<[S; 2]> {
-        let limit = S::lit((self.problem.transmission * (1.0 + BETWEEN)).cos());
-        Some(self.pose(unknowns, images, angle)?.cosines().map(|cosine| cosine.abs() - limit))
+    /// Is the crank another link than the first one of the four-bar?
+    fn moves(&self) -> bool {
+        self.problem.chain == Chain::StephensonTwo
     }
 
     /// The point, or the unit vector of the output from its zero, at an angle of the crank from where its scale begins.
     fn value<S: Real>(&self, unknowns: &[S; UNKNOWNS], images: Images, angle: S) -> Option<Z<S>> {
-        let [first, second] = self.pose(unknowns, images, angle)?.bars;
+        let pose = self.pose(unknowns, images, angle)?;
+        let (traced, output) = (pose.traced(self.problem.chain), pose.output(self.problem.chain));
         Some(if self.is_path() {
-            let place =
-                Z::unit(unknowns[GROUND_ANGLE]).times(first.at(Z::new(unknowns[POINT], unknowns[POINT + 1])));
+            let place = Z::unit(unknowns[GROUND_ANGLE])
+                .times(traced.at(Z::new(unknowns[POINT], unknowns[POINT + 1])));
             place.plus(Z::new(unknowns[0], unknowns[1]))
         } else {
-            second.along.times(Z::unit(-unknowns[OUTPUT_ZERO]))
+            output.times(Z::unit(-unknowns[OUTPUT_ZERO]))
         })
     }
 
@@ -160,16 +159,21 @@ impl<'a> Fit<'a> {
             image: images[1],
             point: [unknowns[POINT], unknowns[POINT + 1]],
         };
-        let first = unknowns[GROUND_ANGLE] + unknowns[FIRST_ANGLE];
+        let moves = self.moves();
+        let first = if moves { 0.0 } else { unknowns[GROUND_ANGLE] + unknowns[FIRST_ANGLE] };
         let angles: Vec<f64> = angles.iter().map(|angle| angle + first).collect();
         let (mut error, mut greatest) = (0.0, 0.0_f64);
-        for (angle, target) in angles.iter().zip(&self.targets) {
+        for (position, (angle, target)) in angles.iter().zip(&self.targets).enumerate() {
             let pose = six_bar.pose(*angle)?;
-            let reached = if self.is_path() {
-                vector(pose.point)
-            } else {
-                unit(pose.angles[1] - unknowns[OUTPUT_ZERO])
-            };
+            if let Some(input) = self.input(position).filter(|_| moves) {
+                let wanted = unknowns[GROUND_ANGLE] + unknowns[FIRST_ANGLE] + input;
+                if (0.5 * (pose.crank - wanted)).sin().abs() > 1e-6 {
+                    return None;
+                }
+            }
+            let output = if moves { pose.angles[0] + PI } else { pose.angles[1] };
+            let reached =
+                if self.is_path() { vector(pose.point) } else { unit(output - unknowns[OUTPUT_ZERO]) };
             error += (reached - target).norm_sqr();
             let off = if self.is_path() { (reached - target).norm() } else { (reached / target).arg().abs() };
             greatest = greatest.max(off);
@@ -230,36 +234,15 @@ impl descent::Problem<UNKNOWNS> for Fit<'_> {
     }
 
     fn lacks(&self, place: &Place<UNKNOWNS, Images>) -> Vec<Lack<UNKNOWNS>> {
-        if self.problem.transmission <= 0.0 {
-            return Vec::new();
-        }
-        let unknowns = variables(&place.unknowns);
-        let mut lacks = Vec::new();
-        for (row, angle) in place.angles.iter().enumerate() {
-            let Some(both) = self.excess(&unknowns, place.image, Dual::variable(*angle, UNKNOWNS)) else {
-                continue;
-            };
-            let open = both.into_iter().filter(|excess| excess.value > 0.0);
-            lacks.extend(open.map(|excess| Lack {
-                row,
-                value: excess.value,
-                by_unknowns: std::array::from_fn(|k| excess.tangents[k]),
-                by_angle: excess.tangents[UNKNOWNS],
-            }));
-        }
-        lacks
+        self.lacks_at(place)
     }
 
     fn lack(&self, place: &Place<UNKNOWNS, Images>) -> f64 {
-        if self.problem.transmission <= 0.0 {
-            return 0.0;
-        }
-        let excess = |angle: &f64| self.excess(&place.unknowns, place.image, *angle);
-        place.angles.iter().filter_map(excess).flatten().map(|excess| excess.max(0.0).powi(2)).sum()
+        self.lack_at(place)
     }
 
     fn angles_are_free(&self) -> bool {
-        matches!(&self.problem.task, Task::Path { timing: Timing::Free, .. })
+        self.moves() || matches!(&self.problem.task, Task::Path { timing: Timing::Free, .. })
     }
 }
 
@@ -290,7 +273,8 @@ mod tests {
     use crate::function::Pair;
     use crate::six_bar::{Bounds, Chain};
 
-    const CHAINS: [Chain; 4] = [Chain::WattOne, Chain::WattTwo, Chain::StephensonOne, Chain::StephensonThree];
+    const CHAINS: [Chain; 5] =
+        [Chain::WattOne, Chain::WattTwo, Chain::StephensonOne, Chain::StephensonThree, Chain::StephensonTwo];
     const IMAGES: Images = [Image::Left, Image::Right];
     const SHAPED: Unknowns =
         [0.1, 0.2, 0.3, 0.3, 0.9, 0.8, 0.7, 0.5, 0.4, 0.3, -0.4, 1.1, 1.2, 0.3, 0.2, 0.5, 0.3];
@@ -330,7 +314,7 @@ mod tests {
         }
     }
 
-    /// Of a path, at a least angle of 80 deg, which most poses lack.
+    /// Of a path, at a least angle of 80 deg, which most poses lack, and of the input of a four-bar that moves.
     #[test]
     fn lacks_have_the_derivatives_of_differences() {
         for chain in CHAINS {
@@ -348,7 +332,7 @@ mod tests {
                 // The one of the two dyads that this lack is of.
                 let own = |excess: &f64| (excess - lack.value).abs() < 1e-12;
                 let (angle, h) = (place.angles[lack.row], 1e-5);
-                let both = |x: &Unknowns, angle: f64| fit.excess(x, IMAGES, angle).unwrap();
+                let both = |x: &Unknowns, angle: f64| fit.demands(x, IMAGES, (lack.row, angle)).unwrap();
                 let which = both(&SHAPED, angle).iter().position(own).unwrap();
                 let by = (both(&SHAPED, angle + h)[which] - both(&SHAPED, angle - h)[which]) / (2.0 * h);
                 assert!((by - lack.by_angle).abs() < 1e-7, "{chain:?} {by}");

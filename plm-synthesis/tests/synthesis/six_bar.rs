@@ -1,12 +1,73 @@
 //! Six-bars: chains, their declarations, synthesis.
 
+use std::f64::consts::{PI, TAU};
+
 use plm_dynamic::Mechanism;
 use plm_synthesis::function::{Pair, Scales};
 use plm_synthesis::path::{Crank, Search, Timing};
-use plm_synthesis::six_bar::{Bounds, Chain, Found, NoSixBar, Problem, SixBar, Task};
+use plm_synthesis::six_bar::{Bounds, Chain, Found, NoSixBar, Problem, SixBar, SixBarPose, Task};
 use plm_synthesis::{Defect, Demands, FourBar, Image};
 
 const CHAINS: [Chain; 4] = [Chain::WattOne, Chain::WattTwo, Chain::StephensonOne, Chain::StephensonThree];
+
+/// A six-bar of Stephenson's second chain.
+fn moving() -> SixBar {
+    SixBar {
+        four_bar: FourBar {
+            pivots: [[0.1, -0.2], [0.9, 0.3]],
+            crank: 0.5,
+            coupler: 0.8,
+            rocker: 0.7,
+            point: [0.0; 2],
+            image: Image::Left,
+        },
+        chain: Chain::StephensonTwo,
+        ends: [[0.4, 0.5], [0.3, -0.4]],
+        bars: [1.2, 1.0],
+        image: Image::Right,
+        point: [0.3, 0.2],
+    }
+}
+
+/// By how much the crank turns between two angles of the first link that are near each other.
+fn turn(six_bar: &SixBar, from: f64, to: f64) -> f64 {
+    let [from, to] = [from, to].map(|angle| six_bar.pose(angle).unwrap().crank);
+    (to - from + PI).rem_euclid(TAU) - PI
+}
+
+/// Angles of the first link, so many of 5 deg from a whole number of them on, if the crank turns one way on it, by 1 deg at least between
+/// two: at a dead point another motion begins.
+fn way_of_moving(known: &SixBar, from: i32, count: i32) -> Option<Vec<f64>> {
+    let angles: Vec<f64> = (from..=from + count).map(|k| (5.0 * f64::from(k)).to_radians()).collect();
+    let is_good = known.defects(&angles, &Demands { order: true, ..Demands::default() }).is_empty();
+    let turns = is_good && angles.windows(2).all(|pair| turn(known, pair[0], pair[1]).abs() > 0.02);
+    turns.then_some(angles)
+}
+
+/// Its declaration runs by the crank through the poses that the four-bar's first link gives.
+#[test]
+fn a_four_bar_that_moves_runs_as_its_declaration_says() {
+    let six_bar = moving();
+    let mut count = 0;
+    for angles in (0..72).filter_map(|from| way_of_moving(&six_bar, from, 8)) {
+        count += 1;
+        let text = six_bar.declaration("Six", angles[0]).unwrap();
+        let mut mechanism = Mechanism::from_text(&text).unwrap();
+        let way = turn(&six_bar, angles[0], angles[1]).signum();
+        mechanism.set_parameter("speed", way).unwrap();
+        let (mut run, mut time) = (mechanism.start().unwrap(), 0.0);
+        for pair in angles.windows(2) {
+            let pose = six_bar.pose(pair[1]).unwrap();
+            time += way * turn(&six_bar, pair[0], pair[1]);
+            run.step_to(time).unwrap();
+            let [x, y, arm] = ["coupler.tracer.position.x", "coupler.tracer.position.y", "arm.angle"]
+                .map(|name| run.output(name).unwrap());
+            assert!((pose.point[0] - x).hypot(pose.point[1] - y) < 1e-8, "{pair:?}");
+            assert!((0.5 * (pose.angles[0] - arm)).sin().abs() < 1e-8, "{pair:?}");
+        }
+    }
+    assert!(count > 3, "{count}");
+}
 
 fn six_bar(chain: Chain) -> SixBar {
     let four_bar = FourBar {
@@ -18,6 +79,7 @@ fn six_bar(chain: Chain) -> SixBar {
         image: Image::Left,
     };
     let (ends, bars) = match chain {
+        Chain::StephensonTwo => return moving(),
         Chain::WattOne => ([[0.7, 0.8], [0.6, -0.6]], [0.9, 1.0]),
         Chain::WattTwo => ([[0.5, -0.4], [2.0, 0.2]], [0.8, 0.6]),
         Chain::StephensonOne => ([[0.2, 0.2], [0.5, 0.5]], [1.0, 1.1]),
@@ -247,6 +309,54 @@ fn points_of_a_known_six_bar_are_met() {
     assert_eq!(found.defects, []);
     assert!(found.error < 1e-6, "{:e}", found.error);
     assert!((error_of_run(&found, &problem.task) - found.error).abs() < 1e-6 * found.error + 1e-14);
+}
+
+/// The crank meets its angles, and the arm, or the point of the coupler, what is wanted there.
+#[test]
+fn a_known_four_bar_that_moves_is_met() {
+    let known = moving();
+    let poses: Vec<_> = (0..72)
+        .find_map(|from| way_of_moving(&known, from, 11))
+        .unwrap()
+        .iter()
+        .map(|angle| known.pose(*angle).unwrap())
+        .collect();
+    let ground = known.four_bar.ground_angle();
+    let pair = |pose: &SixBarPose| Pair { crank: pose.crank, rocker: pose.angles[0] };
+    let points = poses.iter().map(|pose| pose.point).collect();
+    let timing = Timing::Given(poses.iter().map(|pose| pose.crank - ground).collect());
+    for task in [
+        Task::Function { pairs: poses.iter().map(pair).collect(), scales: Scales::FreeBoth },
+        Task::Path { points, timing },
+    ] {
+        let problem = Problem {
+            bounds: Bounds::up_to(3.0),
+            crank: Crank::Any,
+            transmission: 0.0,
+            ..problem(Chain::StephensonTwo, task)
+        };
+        let found = best(&problem, 20);
+        assert_eq!(found.defects, []);
+        assert!(found.error < 1e-7, "{:e}", found.error);
+        // It runs by its crank, which the task gives.
+        let text = found.six_bar.declaration("Six", found.angles[0]).unwrap();
+        let mut mechanism = Mechanism::from_text(&text).unwrap();
+        let turn = |pose: &SixBarPose| (pose.crank - poses[0].crank + PI).rem_euclid(TAU) - PI;
+        let way = turn(&poses[1]).signum();
+        mechanism.set_parameter("speed", way).unwrap();
+        let mut run = mechanism.start().unwrap();
+        let mut square = 0.0;
+        for pose in &poses {
+            run.step_to((turn(pose) * way).max(run.time())).unwrap();
+            let [x, y, arm] = ["coupler.tracer.position.x", "coupler.tracer.position.y", "arm.angle"]
+                .map(|name| run.output(name).unwrap());
+            square += match &problem.task {
+                Task::Path { .. } => (x - pose.point[0]).powi(2) + (y - pose.point[1]).powi(2),
+                Task::Function { .. } => 2.0 - 2.0 * (arm + PI - found.output_zero - pose.angles[0]).cos(),
+            };
+        }
+        assert!((square - found.error).abs() < 1e-5 * found.error, "{square:e} {:e}", found.error);
+    }
 }
 
 #[test]
