@@ -1,7 +1,7 @@
 //! How well does a Kalman filter know place and speed of a stage in gusts, if a noisy sensor tells its place alone?
 use std::error::Error;
 
-use nalgebra::{DMatrix, RowVector2, Vector2};
+use nalgebra::DVector;
 
 use super::{Answer, Answers};
 
@@ -21,25 +21,17 @@ plm::mechanism! {
 
 pub fn run() -> Result<Answers, Box<dyn Error>> {
     let mut sim = Stage::new().start()?;
-    let system = plm::linearise(&sim)?;
-    // The states are place and speed; the noises have none. Over 10 ms the force is constant: x goes
-    // to a x + b u, by one exponential.
-    let mut both = DMatrix::zeros(3, 3);
-    both.view_mut((0, 0), (2, 2)).copy_from(&system.a.view((0, 0), (2, 2)));
-    both.view_mut((0, 2), (2, 1)).copy_from(&system.b.view((0, 0), (2, 1)));
-    let both = (both * 0.01).exp();
-    let (a, b) = (both.fixed_view::<2, 2>(0, 0).into_owned(), both.fixed_view::<2, 1>(0, 2).into_owned());
-    let c = RowVector2::new(system.c[(0, 0)], system.c[(0, 1)]);
+    let system = plm::linearise(&sim)?.sampled(0.01);
+    let filter = system.estimator(&[("push", 3.0_f64.powi(2))], &[("measured", 2e-3_f64.powi(2))])?;
+    // The covariance behind the correction. The states are place and speed; the noises have none.
+    let p = &filter.covariance - &filter.gains * &system.c * &filter.covariance;
 
-    let (push, sensor) = (b * b.transpose() * 9.0, 2e-3_f64.powi(2));
-    let (mut x, mut p) = (Vector2::zeros(), push);
+    let mut x = DVector::zeros(2);
     let (mut errors, mut raw, mut last) = ([0.0; 2], 0.0, 0.0);
     for _ in 0..1500 {
         sim.step(0.01)?;
-        (x, p) = (a * x, a * p * a.transpose() + push);
-        let gain = p * c.transpose() / ((c * p * c.transpose())[0] + sensor);
-        x += gain * (sim.measured() - (c * x)[0]);
-        p -= gain * c * p;
+        x = &system.a * x;
+        x += filter.gains.column(0) * (sim.measured() - (&system.c * &x)[0]);
 
         let stage = sim.stage();
         errors[0] += (x[0] - stage.x).powi(2) / 1500.0;

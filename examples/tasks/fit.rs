@@ -1,8 +1,7 @@
 //! Which stiffness and damping does a test stand have, of whose swing there are readings?
 use std::error::Error;
 
-use nalgebra::{Matrix2, Vector2};
-use plm::Dual;
+use plm::optimise::{Experiment, Identification, Unknown};
 
 use super::{Answer, Answers};
 
@@ -14,7 +13,7 @@ plm::mechanism! {
         ground { port rail: (0, 0) m; }
         body mass { mass: 5 kg; inertia: 0.01 kg*m^2; port shoe: (0, 0) m; start x: 40 mm, locked; start vx: 0 m/s, locked; }
         prismatic rail(ground.rail, mass.shoe) { stiffness: stiffness; damping: damping; }
-        output rail.displacement;
+        output rail.displacement in mm;
     }
 }
 
@@ -25,29 +24,18 @@ pub const READINGS: [f64; 20] = [
 ];
 
 pub fn run() -> Result<Answers, Box<dyn Error>> {
-    let mut found = Vector2::new(1000.0, 5.0);
-    let mut squares = 0.0;
-    // Gauss-Newton: each run gives the readings and their derivatives by both parameters.
-    for _ in 0..8 {
-        let mut stand = Stand::<Dual<f64, 2>>::of();
-        stand.stiffness = Dual::variable(found[0], 0);
-        stand.damping = Dual::variable(found[1], 1);
-        let mut sim = stand.start()?;
-        let (mut normal, mut right) = (Matrix2::zeros(), Vector2::zeros());
-        squares = 0.0;
-        for reading in READINGS {
-            sim.step(Dual::constant(0.05))?;
-            let Dual { value, tangents } = sim.rail_displacement();
-            let (slope, error) = (Vector2::from(tangents), reading * 1e-3 - value);
-            normal += slope * slope.transpose();
-            right += slope * error;
-            squares += error * error;
-        }
-        found += normal.try_inverse().ok_or("the readings do not tell")? * right;
-    }
+    let times: Vec<f64> = (1..=READINGS.len()).map(|k| 0.05 * k as f64).collect();
+    let fit = Identification::new(Stand::new())
+        .find(Unknown::parameter("stiffness"))
+        .find(Unknown::parameter("damping"))
+        .experiment(Experiment::new(times).measured("rail.displacement", "mm", READINGS))
+        .run()?;
+    let [stiffness, damping] = &fit.estimates[..] else { return Err("there are two unknowns".into()) };
     Ok(vec![
-        Answer::new("stiffness", found[0], "N/m"),
-        Answer::new("damping", found[1], "N*s/m"),
-        Answer::new("readings are off by (rms)", (squares / READINGS.len() as f64).sqrt() * 1e3, "mm"),
+        Answer::new("stiffness", stiffness.value, "N/m"),
+        Answer::new("damping", damping.value, "N*s/m"),
+        Answer::new("readings are off by (rms)", fit.residuals[0].rms(), "mm"),
+        Answer::new("standard error of the stiffness", stiffness.standard_error, "N/m"),
+        Answer::new("standard error of the damping", damping.standard_error, "N*s/m"),
     ])
 }

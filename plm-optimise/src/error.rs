@@ -115,6 +115,9 @@ impl fmt::Display for Error {
             Self::Unknown { what, name, known } => {
                 write!(f, "there is no {what} `{name}`; there are {known}")
             }
+            Self::Unit { name, found, expected } if found.is_empty() => {
+                write!(f, "`{name}` is in {expected}, and no unit is given")
+            }
             Self::Unit { name, found, expected } => write!(f, "`{name}` is in {expected}, not in `{found}`"),
             Self::Senseless { name, guess, bounds: [least, most] } => write!(
                 f,

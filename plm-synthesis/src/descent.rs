@@ -45,6 +45,14 @@ pub(crate) struct Row<const N: usize> {
     pub(crate) by_angle: Vector,
 }
 
+/// Demand on a row that is not met: by how much, with its derivatives by the unknowns and by the row's angle.
+pub(crate) struct Lack<const N: usize> {
+    pub(crate) row: usize,
+    pub(crate) value: f64,
+    pub(crate) by_unknowns: [f64; N],
+    pub(crate) by_angle: f64,
+}
+
 /// Problem of least squares.
 pub(crate) trait Problem<const N: usize>: Sync {
     /// Images on which a start stays.
@@ -59,24 +67,39 @@ pub(crate) trait Problem<const N: usize>: Sync {
     /// Violations of constraints, each with its derivatives by the unknowns; zero ones may be left out.
     fn violations(&self, unknowns: &[f64; N]) -> Vec<(f64, [f64; N])>;
 
+    /// Demands on rows that are not met.
+    fn lacks(&self, place: &Place<N, Self::Image>) -> Vec<Lack<N>> {
+        let _ = place;
+        Vec::new()
+    }
+
+    /// Sum of the squares of the lacks.
+    fn lack(&self, place: &Place<N, Self::Image>) -> f64 {
+        let _ = place;
+        0.0
+    }
+
     /// Least and greatest values; equal ones fix an unknown.
     fn bounds(&self) -> &[[f64; 2]; N];
 
     /// True if the angles are unknowns.
     fn angles_are_free(&self) -> bool;
-
-    /// False for a place with a defect that the errors do not show: it comes behind all others.
-    fn is_sound(&self, place: &Place<N, Self::Image>) -> bool {
-        let _ = place;
-        true
-    }
 }
 
 /// Normal equations of a place.
 struct Normal<const N: usize> {
     rows: Vec<Row<N>>,
+    /// Lacks, each times the root of its weight.
+    lacks: Vec<Lack<N>>,
     matrix: SMatrix<f64, N, N>,
     gradient: SVector<f64, N>,
+}
+
+/// What the elimination of a row's angle takes from the equations.
+struct Eliminated<const N: usize> {
+    along: [f64; N],
+    slope: f64,
+    curvature: f64,
 }
 
 impl<const N: usize> Normal<N> {
@@ -87,6 +110,19 @@ impl<const N: usize> Normal<N> {
                 self.matrix[(i, j)] += weight * by_unknowns[i] * by_unknowns[j];
             }
         }
+    }
+
+    fn eliminated(&self, number: usize, row: &Row<N>, damping: f64) -> Eliminated<N> {
+        let mut along = row.by_unknowns.map(|by| dot(by, row.by_angle));
+        let (mut slope, mut curvature) = (dot(row.by_angle, row.residual), row.by_angle.norm_sqr());
+        for lack in self.lacks.iter().filter(|lack| lack.row == number) {
+            for (along, by) in along.iter_mut().zip(lack.by_unknowns) {
+                *along += by * lack.by_angle;
+            }
+            slope += lack.value * lack.by_angle;
+            curvature += lack.by_angle * lack.by_angle;
+        }
+        Eliminated { along, slope, curvature: curvature * (1.0 + damping) + f64::MIN_POSITIVE }
     }
 }
 
@@ -112,7 +148,8 @@ pub(crate) fn cost<const N: usize, P: Problem<N>>(
     if error.is_infinite() {
         return error;
     }
-    error + weight * problem.violations(&place.unknowns).iter().map(|(v, _)| v * v).sum::<f64>()
+    let violations = problem.violations(&place.unknowns).iter().map(|(v, _)| v * v).sum::<f64>();
+    error + weight * (violations + problem.lack(place))
 }
 
 /// Iterates from a place; gives the cost that is reached.
@@ -166,10 +203,19 @@ fn normal<const N: usize, P: Problem<N>>(
             }
         }
     }
-    let mut normal = Normal { rows, matrix, gradient };
+    let mut normal = Normal { rows, lacks: problem.lacks(place), matrix, gradient };
     for (violation, by_unknowns) in problem.violations(&place.unknowns) {
         normal.add(violation, &by_unknowns, weight);
     }
+    let mut lacks = std::mem::take(&mut normal.lacks);
+    for lack in &mut lacks {
+        normal.add(lack.value, &lack.by_unknowns, weight);
+        let root = weight.sqrt();
+        lack.value *= root;
+        lack.by_angle *= root;
+        lack.by_unknowns = lack.by_unknowns.map(|by| by * root);
+    }
+    normal.lacks = lacks;
     Some(normal)
 }
 
@@ -184,17 +230,17 @@ fn step<const N: usize, P: Problem<N>>(
     for i in 0..N {
         matrix[(i, i)] += damping * (matrix[(i, i)] + 1e-12);
     }
-    let curvature = |row: &Row<N>| row.by_angle.norm_sqr() * (1.0 + damping) + f64::MIN_POSITIVE;
-    if problem.angles_are_free() {
-        for row in &normal.rows {
-            let along = row.by_unknowns.map(|by| dot(by, row.by_angle));
-            let slope = dot(row.by_angle, row.residual);
-            let inverse = 1.0 / curvature(row);
-            for i in 0..N {
-                gradient[i] -= along[i] * slope * inverse;
-                for j in 0..=i {
-                    matrix[(i, j)] -= along[i] * along[j] * inverse;
-                }
+    let angles: Vec<Eliminated<N>> = if problem.angles_are_free() {
+        normal.rows.iter().enumerate().map(|(k, row)| normal.eliminated(k, row, damping)).collect()
+    } else {
+        Vec::new()
+    };
+    for Eliminated { along, slope, curvature } in &angles {
+        let inverse = 1.0 / curvature;
+        for i in 0..N {
+            gradient[i] -= along[i] * slope * inverse;
+            for j in 0..=i {
+                matrix[(i, j)] -= along[i] * along[j] * inverse;
             }
         }
     }
@@ -216,19 +262,16 @@ fn step<const N: usize, P: Problem<N>>(
     for k in 0..N {
         next.unknowns[k] += step[k];
     }
-    if problem.angles_are_free() {
-        for (angle, row) in next.angles.iter_mut().zip(&normal.rows) {
-            let moved = (0..N).map(|k| row.by_unknowns[k] * step[k]).sum::<Vector>();
-            *angle -= dot(row.by_angle, row.residual + moved) / curvature(row);
-        }
+    for (angle, Eliminated { along, slope, curvature }) in next.angles.iter_mut().zip(&angles) {
+        let moved = (0..N).map(|k| along[k] * step[k]).sum::<f64>();
+        *angle -= (slope + moved) / curvature;
     }
     clamp(&mut next.unknowns, problem.bounds());
     Some(next)
 }
 
-/// Outcome of a start: its defect, its cost and its number decide the order.
+/// Outcome of a start: its cost and its number decide the order.
 pub(crate) struct Outcome<const N: usize, I> {
-    has_defect: bool,
     cost: f64,
     pub(crate) number: u64,
     pub(crate) place: Place<N, I>,
@@ -241,9 +284,7 @@ fn best_of<const N: usize, I>(
     count: usize,
 ) -> Vec<Outcome<N, I>> {
     one.extend(other);
-    one.sort_by(|a, b| {
-        a.has_defect.cmp(&b.has_defect).then(a.cost.total_cmp(&b.cost)).then(a.number.cmp(&b.number))
-    });
+    one.sort_by(|a, b| a.cost.total_cmp(&b.cost).then(a.number.cmp(&b.number)));
     one.truncate(count);
     one
 }
@@ -259,8 +300,7 @@ pub(crate) fn search<const N: usize, P: Problem<N>, R: Send>(
     let outcome = |number: u64| {
         let mut place = start(number)?;
         let cost = descend(problem, &mut place, &SEARCH);
-        let has_defect = !problem.is_sound(&place);
-        cost.is_finite().then_some(Outcome { has_defect, cost, number, place })
+        cost.is_finite().then_some(Outcome { cost, number, place })
     };
     let best = (0..starts)
         .into_par_iter()

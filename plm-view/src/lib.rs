@@ -46,7 +46,7 @@ pub use figures::{Figure, Figures};
 pub use page::{Page, playground_link};
 pub use plm_runtime::Operations;
 pub use recorder::Recorder;
-pub use recording::{About, Column, Event, Fault, Recording, Row};
+pub use recording::{About, Column, Event, Fault, Recording, Role, Row};
 pub use results::{
     Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report, Results, Shape,
 };

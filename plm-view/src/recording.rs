@@ -26,9 +26,38 @@ pub struct Column {
     /// A value in SI is one in this unit times the factor. None for SI itself, and where nobody knows.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
+    /// What its numbers are, which decides how they are drawn.
+    #[serde(default, skip_serializing_if = "Role::is_motion")]
+    pub role: Role,
+}
+
+/// What the numbers of a column are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Role {
+    /// A quantity of a motion: a curve.
+    #[default]
+    Motion,
+    /// Readings of a measurement: marks, and none where a number is NaN.
+    Reading,
+    /// Differences between a motion and its readings: marks in a chart of their own, since they are small.
+    Residual,
+}
+
+impl Role {
+    #[allow(clippy::trivially_copy_pass_by_ref, reason = "the form that serde asks for")]
+    fn is_motion(&self) -> bool {
+        *self == Self::Motion
+    }
 }
 
 impl Column {
+    /// The same column with another role.
+    #[must_use]
+    pub fn with_role(self, role: Role) -> Self {
+        Self { role, ..self }
+    }
+
     /// `arm.angle (deg)`; the name alone for a pure number.
     fn heading(&self) -> String {
         if self.unit.is_empty() { self.name.clone() } else { format!("{} ({})", self.name, self.unit) }
@@ -37,7 +66,7 @@ impl Column {
 
 impl<N: Into<String>, U: Into<String>> From<(N, U)> for Column {
     fn from((name, unit): (N, U)) -> Self {
-        Self { name: name.into(), unit: unit.into(), factor: None }
+        Self { name: name.into(), unit: unit.into(), factor: None, role: Role::default() }
     }
 }
 

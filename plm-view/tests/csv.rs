@@ -112,25 +112,100 @@ fn a_table_is_read_back() {
     assert_eq!(rows(&read), rows(&recording));
 }
 
+fn read(text: impl AsRef<[u8]>) -> Result<Recording, plm_view::Unread<Recording>> {
+    let path = scratch("read.csv");
+    std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+    let _one_at_a_time = ONE.lock();
+    std::fs::write(&path, text).unwrap();
+    Recording::read_csv(&path)
+}
+
+static ONE: std::sync::Mutex<()> = std::sync::Mutex::new(());
+
 /// The rows before a line that is wrong or cut off are given.
 #[test]
-fn what_is_whole_of_a_table_is_read() {
-    let path = scratch("cut.csv");
-    std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+fn what_is_right_of_a_table_is_read() {
     for (text, rows, problem) in [
-        ("time (s),x (m)\n0,1\n0.1,2\n0.2", 2, "line 4: the file is cut off there"),
-        ("time (s),x (m)\n0,1\n0.1,2\n0.2,0.30", 2, "line 4: the file is cut off there"),
-        ("time (s),x (m)\n0,1\n0.1,2\n0.2\n", 2, "line 4: 1 numbers where the first line names 2 columns"),
-        ("time (s),x (m)\r\n0,1\r\n0.1,2", 1, "line 3: the file is cut off there"),
-        ("time (s),arm.ang", 0, "line 1: the file is cut off there"),
-        ("time (s),x (m)\n0,1\n0.1,abc\n", 1, "line 3, column `x (m)`: `abc` is no number"),
-        ("PK\u{3}\u{4}", 0, "its first column is not `time (s)`"),
-        ("", 0, "its first column is not `time (s)`"),
+        (
+            "time (s),x (m)\n0,1\n0.1,2\n0.2",
+            2,
+            "line 4: found 1 field, expected 2 fields, as in line 1; the file is cut off there",
+        ),
+        ("time (s),x (m)\n0,1\n0.1,2\n0.2\n", 2, "line 4: found 1 field, expected 2 fields, as in line 1"),
+        (
+            "time (s),x (m)\r\n0,1\r\n0.1,-",
+            1,
+            "line 3, column 2 (`x (m)`): found `-`, expected a number, or `NaN` where there is none; the file is cut",
+        ),
+        ("time (s),x (m)\n0,1\n0.1,abc\n", 1, "line 3, column 2 (`x (m)`): found `abc`, expected a number"),
+        (
+            "time (s),x (m)\n0,1\n0.1,\n",
+            1,
+            "line 3, column 2 (`x (m)`): found nothing, expected a number, or `NaN`",
+        ),
+        ("# a\n\nx,t\n\n# b\n1,0\n\n2,soon\n", 1, "line 8, column 2 (`t`): found `soon`, expected a number"),
+        (
+            "time (s);x (m)\n0,5;1.234,5\n",
+            0,
+            "line 2, column 2 (`x (m)`): found `1.234,5`, expected a number",
+        ),
+        ("time (s),x (m)\n0,5,1\n", 0, "line 2: found 3 fields, expected 2 fields, as in line 1"),
+        ("time (s)\tx (m)\n0,5\t1\n", 0, "line 2, column 1 (`time (s)`): found `0,5`, expected a number"),
+        (
+            "Time (fortnight),x\n0,1\n",
+            0,
+            "line 1, column 1: found `Time (fortnight)`, expected a time in one of s, ms, us, ns, min, h",
+        ),
+        (
+            "\n0;1\n",
+            0,
+            "line 2: found `0`, `1`, expected a column of the time, such as `time (s)` or `t (ms)`",
+        ),
+        ("PK\u{3}\u{4}", 0, "line 1: found `PK\\u{3}\\u{4}`, expected a column of the time"),
+        ("# nothing\n \n", 0, "found no line, expected headings, such as `time (s),arm.angle (deg)`"),
+        ("", 0, "found no line, expected headings"),
     ] {
-        std::fs::write(&path, text).unwrap();
-        let error = Recording::read_csv(&path).unwrap_err();
-        assert!(error.problems()[0].starts_with(problem), "{error}");
-        assert_eq!(error.into_whole().len(), rows);
+        let error = read(text).unwrap_err();
+        assert!(error.problems()[0].starts_with(problem), "{text:?}: {error}");
+        assert_eq!(error.into_whole().len(), rows, "{text:?}");
     }
+    let latin: &[u8] = b"time,a (\xb0)\n0,1\n";
+    assert_eq!(
+        read(latin).unwrap_err().problems(),
+        ["line 1, column 2: found bytes that are no text, expected UTF-8"]
+    );
+    let wide: Vec<u8> = "\u{feff}t,x\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    assert_eq!(read(wide).unwrap_err().problems(), ["line 1: found UTF-16, expected text in UTF-8"]);
     assert_eq!(Recording::read_csv(scratch("nowhere.csv")).unwrap_err().problems().len(), 1);
+}
+
+/// Headings, separators, ends of lines and comments of spreadsheets, instruments and programs.
+#[test]
+fn tables_of_others_are_read() {
+    for text in [
+        "time (s),x (mm)\n0,1.5\n0.25,-2e-3\n",
+        "time,x (mm)\n0,1.5\n0.25,-2e-3",
+        "t,x (mm)\r\n0,1.5\r\n0.25,-2e-3\r\n",
+        "t (s),x (mm)\r\n0,1.5\r\n0.25,-2e-3",
+        "Time [s],x [mm]\n0,1.5\n0.25,-2e-3\n",
+        "TIME(s),x [mm]\n0,1.5\n0.25,-2e-3\n",
+        "t/s,x (mm)\n0,1.5\n0.25,-2e-3\n",
+        "time (ms),x (mm)\n0,1.5\n250,-2e-3\n",
+        "time_us,x (mm)\n0,1.5\n250000,-2e-3\n",
+        "t [\u{b5}s],x (mm)\n0,1.5\n250000,-2e-3\n",
+        "x (mm),t (min)\n1.5,0\n-2e-3,0.004166666666666667\n",
+        "\u{feff}time;x (mm)\r\n0;1,5\r\n0,25;-2e-3\r\n",
+        "time (s);x (mm)\n0;1.5\n0.25;-0,002\n",
+        "time (s)\tx (mm)\n0\t1.5\n0.25\t-2e-3\n",
+        "# rig 4, second try\n\n\"time (s)\",\"x (mm)\"\n# begins\n0, 1.5\n\n   \n,\n0.25, -2e-3\n\n",
+    ] {
+        let read = read(text).unwrap_or_else(|error| panic!("{text:?}: {error}"));
+        assert_eq!(read.columns(), Recording::new([("x", "mm")]).columns(), "{text:?}");
+        assert_eq!(read.times(), [0.0, 0.25], "{text:?}");
+        assert_eq!(read.rows().collect::<Vec<_>>(), [[1.5], [-2e-3]], "{text:?}");
+    }
+    let read = read("t (ms),link[2],b (N/(m/s)),a [\u{b0}],f (x) (N)\n100,1,2,3,NaN\n").unwrap();
+    assert_eq!(read.times(), [0.1]);
+    let columns = [("link[2]", ""), ("b", "N/(m/s)"), ("a", "deg"), ("f (x)", "N")];
+    assert_eq!(read.columns(), Recording::new(columns).columns());
 }

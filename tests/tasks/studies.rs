@@ -87,7 +87,7 @@ fn a_stand_is_found_by_its_readings() {
         40.0 * f64::exp(-beta * time) * (f64::cos(omega * time) + beta / omega * f64::sin(omega * time))
     };
     let mut found = [900.0, 5.0];
-    let mut squares = 0.0;
+    let (mut squares, mut inverse) = (0.0, Matrix2::zeros());
     for _ in 0..30 {
         let (mut normal, mut right) = (Matrix2::zeros(), Vector2::zeros());
         squares = 0.0;
@@ -105,9 +105,12 @@ fn a_stand_is_found_by_its_readings() {
             right += slope * error;
             squares += error * error;
         }
-        let change = normal.try_inverse().unwrap() * right;
+        inverse = normal.try_inverse().unwrap();
+        let change = inverse * right;
         found = [found[0] + change[0], found[1] + change[1]];
     }
+    // Of twenty readings and two unknowns.
+    let error = |k: usize| (squares / 18.0 * inverse[(k, k)]).sqrt();
     assert!((found[0] - 823.0).abs() < 10.0 && (found[1] - 6.4).abs() < 0.3, "{found:?}");
     check(
         "fit",
@@ -115,6 +118,8 @@ fn a_stand_is_found_by_its_readings() {
             ("stiffness", found[0], 1e-4),
             ("damping", found[1], 1e-6),
             ("readings are off by (rms)", (squares / 20.0).sqrt(), 1e-6),
+            ("standard error of the stiffness", error(0), 1e-6),
+            ("standard error of the damping", error(1), 1e-6),
         ],
     );
 }

@@ -23,7 +23,7 @@ pub(super) const COMMAND: Command = Command {
     options: &[
         (
             "--csv FILE",
-            "readings: time (s), then outputs and inputs with their units, as `run --csv` writes them; one for each experiment",
+            "readings: times, outputs and inputs with their units, as `run --csv` and others write them; one for each experiment",
         ),
         (
             "--fit NAMES",
@@ -127,7 +127,7 @@ fn found<D: Integration<Small>>(
     let fit = problem.run_by(integration).map_err(|error| explained(asked, error))?;
     write!(streams.output, "{}", fit.table())?;
     if let Some(path) = &asked.chart {
-        fit.chart().write_svg(path)?;
+        fit.chart(integration)?.write_svg(path)?;
     }
     if let Some(path) = &asked.view {
         let runs = (0..asked.csv.len()).map(|k| fit.recording(k, integration));

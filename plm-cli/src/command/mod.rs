@@ -17,7 +17,7 @@ use std::ffi::OsString;
 use std::io::{self, Read, Write};
 use std::process::ExitCode;
 
-use words::Words;
+use words::{Kind, Words};
 
 /// Input, results and messages of a command.
 pub struct Streams<'a> {
@@ -79,7 +79,7 @@ const COMMANDS: &[Command] = &[
 
 /// Runs the command that the words name, without the name of the program.
 pub fn run(words: impl Iterator<Item = OsString>, streams: &mut Streams) -> Outcome {
-    let outcome = Words::new(words, value_of).and_then(|words| dispatch(words, streams));
+    let outcome = Words::new(words, kind_of).and_then(|words| dispatch(words, streams));
     outcome.unwrap_or_else(|failure| {
         // Whoever reads the results may stop reading them, as `head` does.
         let is_closed =
@@ -119,16 +119,25 @@ fn dispatch(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure>
                 write!(streams.output, "{}", command.help())?;
                 return Ok(Outcome::Good);
             }
+            command.knows(&words)?;
             (command.run)(words, streams)
         }
     }
 }
 
-/// The placeholder of an option's value, among all commands; none of an option without.
-fn value_of(option: &str) -> Option<&'static str> {
-    let options = COMMANDS.iter().flat_map(|command| command.options);
-    let mut with_values = options.filter_map(|(shown, _)| shown.split_once(' '));
-    with_values.find(|(known, _)| *known == option).map(|(_, value)| value)
+/// What an option is, among those of all commands.
+fn kind_of(option: &str) -> Kind {
+    let shown = COMMANDS.iter().flat_map(|command| command.options).map(|(shown, _)| *shown);
+    let mut own = shown.filter(|shown| name_of(shown) == option);
+    own.next().map_or(Kind::Unknown, |shown| match shown.split_once(' ') {
+        Some((_, value)) => Kind::Valued(value),
+        None => Kind::Bare,
+    })
+}
+
+/// The name of an option of the table.
+fn name_of(shown: &str) -> &str {
+    shown.split_once(' ').map_or(shown, |(name, _)| name)
 }
 
 fn unknown(name: &str) -> String {
@@ -150,6 +159,22 @@ fn help() -> String {
 }
 
 impl Command {
+    /// Are all options those of this command?
+    fn knows(&self, words: &Words) -> Result<(), Failure> {
+        let names = |of: &Command| of.options.iter().map(|(shown, _)| name_of(shown)).collect::<Vec<_>>();
+        let own = names(self);
+        let Some(option) = words.other_than(&own) else { return Ok(()) };
+        let others = COMMANDS.iter().filter(|other| names(other).contains(&option));
+        let others: Vec<String> = others.map(|other| format!("`plm {}`", other.name)).collect();
+        let near = match plm_compiler::diag::nearest(option, own.iter().copied()) {
+            Some(near) => format!("; `{near}` is one"),
+            None if !others.is_empty() => format!("; it is one of {}", others.join(", ")),
+            None => String::new(),
+        };
+        let all = if own.is_empty() { "none".to_owned() } else { own.join(", ") };
+        Err(format!("there is no option {option}{near}\noptions of `plm {}`: {all}", self.name).into())
+    }
+
     fn help(&self) -> String {
         let width = self.options.iter().map(|(option, _)| option.len()).max().unwrap_or_default();
         let options = self.options.iter().map(|(option, meaning)| format!("  {option:width$}  {meaning}\n"));

@@ -7,6 +7,14 @@ use lexopt::{Arg, Parser};
 
 use super::Failure;
 
+/// What an option is, among those of all commands.
+pub(super) enum Kind {
+    /// It has a value, whose placeholder this is.
+    Valued(&'static str),
+    Bare,
+    Unknown,
+}
+
 /// The words, options apart from files; behind `--` all words are files.
 pub(super) struct Words {
     /// Options with their values.
@@ -15,10 +23,10 @@ pub(super) struct Words {
 }
 
 impl Words {
-    /// The words; `value_of` tells what stands behind an option that has a value.
+    /// The words; `kind_of` tells what an option is.
     pub(super) fn new(
         words: impl Iterator<Item = OsString>,
-        value_of: impl Fn(&str) -> Option<&'static str>,
+        kind_of: impl Fn(&str) -> Kind,
     ) -> Result<Words, Failure> {
         let mut parser = Parser::from_args(words);
         let (mut options, mut files) = (Vec::new(), VecDeque::new());
@@ -27,8 +35,12 @@ impl Words {
                 Arg::Short(letter) => options.push((format!("-{letter}"), None)),
                 Arg::Long(name) => {
                     let name = format!("--{name}");
-                    let wanted = value_of(&name);
-                    let value = wanted.map(|wanted| value(&name, wanted, &mut parser)).transpose()?;
+                    let value = match kind_of(&name) {
+                        Kind::Valued(wanted) => Some(value(&name, wanted, &mut parser)?),
+                        Kind::Bare => None,
+                        // It is told later, when the command is known.
+                        Kind::Unknown => parser.optional_value().map(text).transpose()?,
+                    };
                     options.push((name, value));
                 }
                 Arg::Value(word) => files.push_back(text(word)?),
@@ -52,6 +64,11 @@ impl Words {
 
     pub(super) fn asks_for_help(&self) -> bool {
         self.options.iter().any(|(option, _)| option == "--help" || option == "-h")
+    }
+
+    /// The first option that is none of these.
+    pub(super) fn other_than(&self, known: &[&str]) -> Option<&str> {
+        self.options.iter().map(|(option, _)| option.as_str()).find(|option| !known.contains(option))
     }
 
     /// Takes an option out: is it there?

@@ -107,7 +107,11 @@ fn words_that_are_no_command_are_answered() {
     for (words, message) in [
         (&["chek"][..], "there is no command `chek`; `check` is one"),
         (&["check"], "name a file"),
-        (&["check", "--jsn", "-"], "there is no option --jsn"),
+        (
+            &["check", "--jsn", "-"],
+            "there is no option --jsn; `--json` is one\noptions of `plm check`: --json\n",
+        ),
+        (&["report", "--jsn", "-"], "there is no option --jsn\noptions of `plm report`: none\n"),
         (&["--json"], "there is no option --json"),
         (&["expand", "a", "b"], "one file at a time"),
     ] {

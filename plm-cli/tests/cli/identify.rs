@@ -131,6 +131,7 @@ fn misuse_is_told_what_was_meant() {
     fs::write(folder.join("other.csv"), "time (s),cart.z (mm)\n0,100\n0.1,90\n").unwrap();
     fs::write(folder.join("unit.csv"), "time (s),cart.x (cm)\n0,10\n0.1,9\n").unwrap();
     for (words, message) in [
+        (vec!["--sett", "mass=2", "--fit", "g"], "there is no option --sett; `--set` is one\n"),
         (vec!["--fit", "g"], "an identification needs readings: `--csv FILE`"),
         (vec!["--csv", "a.csv"], "an identification needs unknowns: `--fit NAMES`"),
         (with(&["gg"]), "--fit: there is no parameter or start value `gg`; there are mass, stiffness, g, "),
@@ -156,7 +157,7 @@ fn misuse_is_told_what_was_meant() {
         (vec!["--csv", "none.csv", "--fit", "g", "--set", "mass=2"], "none.csv"),
         (
             vec!["--csv", "wrong.csv", "--fit", "g", "--set", "mass=2"],
-            "line 3, column `cart.x (mm)`: `1OO` is no number",
+            "line 3, column 2 (`cart.x (mm)`): found `1OO`, expected a number",
         ),
         (
             vec!["--csv", "other.csv", "--fit", "g", "--set", "mass=2"],

@@ -188,7 +188,14 @@ fn misuse_is_told_what_was_meant() {
         (&["--until", "1", "--set", "length=20 xm"], "--set length: unknown unit `xm`"),
         (&["--until", "1", "--set", "length=20kg"], "20 kg is a mass (kg), and a length (m) is wanted"),
         (&["--until", "1", "--method", "Rk4"], "Rk4 wants its longest step in seconds, as in Rk4:1e-3"),
-        (&["--until", "1", "--untl", "2"], "there is no option --untl"),
+        (
+            &["--until", "1", "--untl", "2"],
+            "there is no option --untl; `--until` is one\noptions of `plm run`: --until, ",
+        ),
+        (&["--until", "1", "--sett", "length=2"], "there is no option --sett; `--set` is one"),
+        (&["--until", "1", "--sett=length=2"], "there is no option --sett; `--set` is one"),
+        (&["--until", "1", "--fit", "length"], "there is no option --fit; it is one of `plm identify`"),
+        (&["--until", "1", "-u"], "there is no option -u\noptions of `plm run`: "),
     ] {
         let said = run(words);
         assert!(

@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use plm::optimise::{Experiment, Fit, Identification, Unknown};
+use plm::optimise::{ByDop853, Experiment, Fit, Identification, Unknown};
 
 plm::mechanism! {
     /// A rod of 0.8 kg that swings on a bearing.
@@ -41,5 +41,5 @@ pub fn identified() -> Result<Fit<Swing>, Box<dyn Error>> {
 }
 
 pub fn picture() -> Result<String, Box<dyn Error>> {
-    Ok(identified()?.chart().to_svg())
+    Ok(identified()?.chart(ByDop853::default())?.to_svg())
 }

@@ -152,10 +152,21 @@ impl<M: Optimisable, D: Integration<M>> Readings<M, D> {
     }
 }
 
-/// Does something with the run of a segment.
+/// Does something with the run of a segment, which is seen at its readings.
 pub(crate) fn derived<M: Optimisable, T>(
     experiment: &Prepared<M>,
     segment: &Segment,
+    of: (&M, Begin<M>),
+    work: impl FnOnce(Shot<'_, M>) -> T,
+) -> T {
+    let samples = experiment.times.get(segment.samples()).unwrap_or_default();
+    seen_at(experiment, (segment, samples), of, work)
+}
+
+/// Does something with the run of a segment, which is seen at these times.
+pub(crate) fn seen_at<M: Optimisable, T>(
+    experiment: &Prepared<M>,
+    (segment, samples): (&Segment, &[f64]),
     (mechanism, begin): (&M, Begin<M>),
     work: impl FnOnce(Shot<'_, M>) -> T,
 ) -> T {
@@ -164,11 +175,7 @@ pub(crate) fn derived<M: Optimisable, T>(
         mechanism,
         begin,
         time: segment.begin(&experiment.times),
-        schedule: Schedule {
-            signals: &experiment.signals,
-            samples: experiment.times.get(segment.samples()).unwrap_or_default(),
-            end: segment.end(&experiment.times),
-        },
+        schedule: Schedule { signals: &experiment.signals, samples, end: segment.end(&experiment.times) },
         outputs: &outputs,
         duration: 1.0,
     })

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use plm::Dop853;
 use plm::Mechanism;
 use plm::optimise::{ByDop853, ByRadau, Experiment, Identification, Unknown};
-use plm_view::Recorder;
+use plm_view::{Recorder, Role};
 
 use super::identify::{YARD, set};
 use super::mechanism;
@@ -46,16 +46,28 @@ fn readings_of_a_file_give_the_truth() {
     let column = |name: &str| recording.columns().iter().position(|own| own.name == name).unwrap();
     let [model, measured, residual] = ["ball.y", "ball.y measured", "ball.y residual"].map(column);
     assert_eq!(recording.columns()[residual].unit, "mm");
-    let jumps = times.windows(2).filter(|pair| pair[0] == pair[1]).count();
-    assert_eq!(recording.len(), times.len() - jumps);
-    for row in recording.rows().filter(|row| row[measured].is_finite()) {
-        assert!(
-            (row[model] - row[measured]).abs() < 1e-5 && row[residual] == row[model] - row[measured],
-            "{row:?}"
-        );
+    let roles = [model, measured, residual].map(|column| recording.columns()[column].role);
+    assert_eq!(roles, [Role::Motion, Role::Reading, Role::Residual]);
+    let mut read = Vec::new();
+    for (time, row) in recording.times().iter().zip(recording.rows()) {
+        assert_eq!(row[measured].is_nan(), row[residual].is_nan());
+        if row[measured].is_finite() {
+            read.push(*time);
+            assert!(
+                (row[model] - row[measured]).abs() < 1e-5 && row[residual] == row[model] - row[measured],
+                "{row:?}"
+            );
+        }
     }
-    let gaps = recording.rows().filter(|row| row[measured].is_nan()).count();
-    assert_eq!(gaps, jumps, "an output has no reading where it may jump");
+    // An output has no reading where it may jump.
+    let alone = |k: usize| times.iter().filter(|time| **time == times[k]).count() == 1;
+    let expected: Vec<f64> = (0..times.len()).filter(|k| alone(*k)).map(|k| times[k]).collect();
+    assert_eq!(read, expected);
+    // Between readings the motion is a curve: no two rows are further apart than a thousandth of it.
+    let apart = recording.times().windows(2).map(|pair| pair[1] - pair[0]);
+    assert!(recording.len() > 1000 && apart.clone().all(|apart| apart > 0.0 && apart < 1.01 * 1.2e-3));
+    let chart = fit.chart(ByDop853(1e-11)).unwrap().to_svg();
+    assert_eq!(chart.matches(">model - reading<").count(), 2, "residuals have a panel of each output");
     assert!(fit.recording(1, ByDop853(1e-11)).unwrap().is_empty());
 }
 
@@ -64,10 +76,19 @@ fn wrong_files_are_told_with_line_and_column() {
     let path = scratch("wrong.csv");
     std::fs::create_dir_all(path.parent().unwrap()).unwrap();
     for (text, problem) in [
-        ("time (s),ball.y (mm)\n0,1000\n0.1,95O\n", "line 3, column `ball.y (mm)`: `95O` is no number"),
-        ("time (s),ball.y (mm)\n0,1000\n0.1,\n", "line 3, column `ball.y (mm)`: `` is no number"),
-        ("time (s),ball.y (mm)\n0,1000\n0.1\n", "line 3: 1 numbers where the first line names 2 columns"),
-        ("t,ball.y (mm)\n0,1000\n", "its first column is not `time (s)`"),
+        (
+            "time (s),ball.y (mm)\n0,1000\n0.1,95O\n",
+            "line 3, column 2 (`ball.y (mm)`): found `95O`, expected a number",
+        ),
+        (
+            "time (s),ball.y (mm)\n0,1000\n0.1,\n",
+            "line 3, column 2 (`ball.y (mm)`): found nothing, expected a number",
+        ),
+        ("time (s),ball.y (mm)\n0,1000\n0.1\n", "line 3: found 1 field, expected 2 fields, as in line 1"),
+        (
+            "moment,ball.y (mm)\n0,1000\n",
+            "line 1: found `moment`, `ball.y (mm)`, expected a column of the time",
+        ),
     ] {
         std::fs::write(&path, text).unwrap();
         let error = Experiment::from_csv(&path).unwrap_err().to_string();
@@ -76,6 +97,7 @@ fn wrong_files_are_told_with_line_and_column() {
     for (text, problem) in [
         ("time (s),ball.z (mm)\n0,1000\n", "there is no output `ball.z`; there are ball.y, "),
         ("time (s),ball.y (cm)\n0,1000\n", "`ball.y` is in `mm` or `m`, not in `cm`"),
+        ("time (s),ball.y\n0,1000\n", "`ball.y` is in `mm` or `m`, and no unit is given"),
         ("time (s),ball.y (mm),push (kN)\n0,1000,1\n", "`push` is in `N`, not in `kN`"),
         ("time (s),ball.y (mm)\n0.1,1000\n0.05,990\n", "experiment 0: the times do not ascend from 0 s on"),
         (

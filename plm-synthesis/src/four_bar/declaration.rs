@@ -37,7 +37,7 @@ pub(crate) struct Beside {
 
 impl Body {
     /// The body; ports count from the centre of gravity.
-    fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         let centre = self.mass.map_or(Vector::from(0.0), |mass| vector(mass.centre));
         let ports = self.ports.iter().map(|&(name, place)| {
             let [x, y] = point(vector(place) - centre);

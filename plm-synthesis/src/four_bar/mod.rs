@@ -49,6 +49,14 @@ impl Image {
         }
     }
 
+    /// The other image.
+    pub(crate) fn mirrored(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+
     /// The image of a number that is positive on the left.
     pub(crate) fn of(sign: f64) -> Self {
         if sign < 0.0 { Self::Right } else { Self::Left }

@@ -72,7 +72,7 @@ pub struct Path {
     /// Motion that is demanded of the crank.
     pub crank: Crank,
     /// Least transmission angle and what it lacks to half a turn at most, rad; 0 demands nothing. It bounds the lengths of a crank-rocker
-    /// over its whole turn. With [`Crank::Any`] it is no bound, and a linkage below it at a point has a defect.
+    /// over its whole turn, and with [`Crank::Any`] the angle at each point.
     pub transmission: f64,
 }
 

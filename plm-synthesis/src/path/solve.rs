@@ -2,7 +2,7 @@
 
 use super::kernel::{COUPLER_POINT, FIRST_ANGLE, Linkage, SHAPE, UNKNOWNS, Unknowns};
 use super::{Crank, Path, Timing};
-use crate::descent::{self, Problem, Row};
+use crate::descent::{self, Lack, Problem, Row};
 use crate::four_bar::{Image, Vector, vector};
 
 /// Place of a search. Angles are those of the crank from the line of the pivots where nothing is known of them, else their known parts.
@@ -75,6 +75,32 @@ impl<'a> Solver<'a> {
     }
 }
 
+impl Solver<'_> {
+    /// By how much the cosine between coupler and rocker is beyond that of the least transmission angle at an angle of the crank from the
+    /// line of the pivots, as a length, with its derivatives by the lengths and by the angle; in the triangle of coupler and rocker the
+    /// third side is the span between the crank's pin and the rocker's pivot.
+    fn excess(&self, lengths: [f64; 4], angle: f64) -> (f64, [f64; 4], f64) {
+        let [r1, r2, r3, r4] = lengths;
+        let (sin, cos) = angle.sin_cos();
+        let square = r1 * r1 + r2 * r2 - 2.0 * r1 * r2 * cos;
+        let cosine = (r3 * r3 + r4 * r4 - square) / (2.0 * r3 * r4);
+        let scale = cosine.signum() * self.extent;
+        let slopes = [
+            (r2 * cos - r1) / (r3 * r4),
+            (r1 * cos - r2) / (r3 * r4),
+            1.0 / r4 - cosine / r3,
+            1.0 / r3 - cosine / r4,
+        ];
+        let excess = (cosine.abs() - self.path.transmission.cos()) * self.extent;
+        (excess, slopes.map(|slope| scale * slope), -scale * r1 * r2 * sin / (r3 * r4))
+    }
+
+    /// Is the transmission angle bounded at the points, and not over a turn?
+    fn has_lacks(&self) -> bool {
+        self.path.crank == Crank::Any && self.path.transmission > 0.0
+    }
+}
+
 impl Problem<UNKNOWNS> for Solver<'_> {
     type Image = Image;
 
@@ -115,6 +141,30 @@ impl Problem<UNKNOWNS> for Solver<'_> {
             (violation, by)
         };
         violated.map(by_unknowns).collect()
+    }
+
+    fn lacks(&self, place: &Place) -> Vec<Lack<UNKNOWNS>> {
+        if !self.has_lacks() {
+            return Vec::new();
+        }
+        let lengths = self.path.crank.lengths(&place.unknowns);
+        let lack = |(row, angle): (usize, &f64)| {
+            let (value, by_lengths, by_angle) = self.excess(lengths, angle + place.unknowns[FIRST_ANGLE]);
+            let mut by_unknowns = [0.0; UNKNOWNS];
+            by_unknowns[SHAPE..COUPLER_POINT].copy_from_slice(&by_lengths);
+            by_unknowns[FIRST_ANGLE] = by_angle;
+            (value > 0.0).then_some(Lack { row, value, by_unknowns, by_angle })
+        };
+        place.angles.iter().enumerate().filter_map(lack).collect()
+    }
+
+    fn lack(&self, place: &Place) -> f64 {
+        if !self.has_lacks() {
+            return 0.0;
+        }
+        let lengths = self.path.crank.lengths(&place.unknowns);
+        let excess = |angle: &f64| self.excess(lengths, angle + place.unknowns[FIRST_ANGLE]).0;
+        place.angles.iter().map(|angle| excess(angle).max(0.0).powi(2)).sum()
     }
 
     fn bounds(&self) -> &[[f64; 2]; UNKNOWNS] {

@@ -1,13 +1,17 @@
 //! A six-bar as a declaration of the language.
 
-use super::{Host, SixBar};
+use super::{Chain, Host, SixBar};
 use crate::four_bar::{Beside, Body};
 
 impl SixBar {
     /// Declaration of the linkage, as [`FourBar::declaration`](crate::FourBar::declaration): the dyad has the bodies `arm` and `swing`, and the
-    /// arm's port `tracer` is the point, whose position is an output. `None` where a loop does not close at that angle.
+    /// arm's port `tracer` is the point, whose position is an output. Of [`Chain::StephensonTwo`] the point is the coupler's, and the
+    /// link that turns is the crank in which the four-bar moves. `None` where a loop does not close at that angle.
     pub fn declaration(&self, name: &str, angle: f64) -> Option<String> {
         let pose = self.pose(angle)?;
+        if self.chain == Chain::StephensonTwo {
+            return Some(self.moving_text(name, &pose));
+        }
         let [from, to, _] = pose.pins;
         let mut beside = Beside::default();
         let mut joints = Vec::new();

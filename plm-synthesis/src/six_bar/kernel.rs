@@ -50,6 +50,12 @@ impl<S: Real> Frame<S> {
     pub(super) fn at(self, point: Z<S>) -> Z<S> {
         self.origin.plus(self.along.times(point))
     }
+
+    /// A frame that is given in the same frame as this one, in this one.
+    pub(super) fn relative(self, other: Self) -> Self {
+        let back = Z::new(self.along.re, -self.along.im);
+        Self { origin: back.times(other.origin.minus(self.origin)), along: back.times(other.along) }
+    }
 }
 
 /// Dimensions of a six-bar with its chain and its images.
@@ -88,13 +94,33 @@ fn dyad<S: Real>(span: Z<S>, first: S, second: S, image: Image) -> Option<Z<S>> 
     (height > S::ZERO).then(|| span.times(Z::new(along, height.sqrt() * S::lit(image.sign()))))
 }
 
-impl Solved<f64> {
-    /// Least sine of the transmission angles of both dyads.
-    pub(super) fn transmission_sine(&self) -> f64 {
-        let sine = |[one, other]: [Frame<f64>; 2]| {
-            (one.along.re * other.along.im - one.along.im * other.along.re).abs()
-        };
-        sine(self.links).min(sine(self.bars))
+impl<S: Real> Solved<S> {
+    /// The link that carries the point, in the frame of the ground. Of Stephenson's second chain the ground is the second bar, and what is
+    /// solved is in the frame of the crank.
+    pub(super) fn traced(&self, chain: Chain) -> Frame<S> {
+        match chain {
+            Chain::StephensonTwo => self.bars[1].relative(self.links[0]),
+            _ => self.bars[0],
+        }
+    }
+
+    /// Direction of the output: of the second bar, or of Stephenson's second chain of the first one from its pivot on the ground.
+    pub(super) fn output(&self, chain: Chain) -> Z<S> {
+        match chain {
+            Chain::StephensonTwo => self.bars[1].relative(self.bars[0]).along.by(S::lit(-1.0)),
+            _ => self.bars[1].along,
+        }
+    }
+
+    /// Direction of the crank of Stephenson's second chain.
+    pub(super) fn crank(&self) -> Z<S> {
+        Z::new(self.bars[1].along.re, -self.bars[1].along.im)
+    }
+
+    /// Cosines of the transmission angles of both dyads.
+    pub(super) fn cosines(&self) -> [S; 2] {
+        [self.links, self.bars]
+            .map(|[one, other]| one.along.re * other.along.re + one.along.im * other.along.im)
     }
 }
 

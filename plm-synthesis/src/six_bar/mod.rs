@@ -1,11 +1,13 @@
-//! Six-bars that are driven by the crank of a four-bar: poses, defects, declarations, and synthesis by least squares.
+//! Six-bars: poses, defects, declarations, and synthesis by least squares.
 //!
-//! A dyad between two links of a four-bar makes a six-bar; which links decides the chain. The second chain of Stephenson with a crank in
-//! its five-bar loop is none of these, because its pose has no closed form of dyads.
+//! A dyad between two links of a four-bar makes a six-bar; which links decides the chain. Four of the five are driven by the crank of the
+//! four-bar. Stephenson's second chain is the third one with the second bar of the dyad held in place of the four-bar's ground, which turns
+//! as its crank: by the crank's angle its pose has no closed form, by that of the first link of the four-bar it has.
 
 mod declaration;
 mod defect;
 mod kernel;
+mod moving;
 mod problem;
 mod search;
 
@@ -38,6 +40,11 @@ pub enum Chain {
     StephensonOne,
     /// Stephenson's chain with a ternary ground: coupler and ground.
     StephensonThree,
+    /// Stephenson's chain with a binary ground in its five-bar loops: coupler and crank. The four-bar moves: its ground is the crank of the
+    /// six-bar, and turns about the first of its `pivots`, where the second bar of the dyad is held. The line of the pivots is the direction
+    /// of that bar; as far as they are apart are the pins of the crank. What poses and defects take as angle is that of the first link of the
+    /// four-bar, from the line of the crank's pins.
+    StephensonTwo,
 }
 
 impl Chain {
@@ -47,7 +54,7 @@ impl Chain {
             Self::WattOne => [Host::Coupler, Host::Rocker],
             Self::WattTwo => [Host::Rocker, Host::Ground],
             Self::StephensonOne => [Host::Crank, Host::Rocker],
-            Self::StephensonThree => [Host::Coupler, Host::Ground],
+            Self::StephensonThree | Self::StephensonTwo => [Host::Coupler, Host::Ground],
         }
     }
 }
@@ -65,7 +72,8 @@ pub struct SixBar {
     pub bars: [f64; 2],
     /// Image of the dyad: the side of its pin, seen from the first end towards the second.
     pub image: Image,
-    /// Point in the frame of the first bar, m: along it from its end, and to the left of it.
+    /// Point in the frame of the first bar, m: along it from its end, and to the left of it. Of Stephenson's second chain, whose first bar
+    /// turns about the ground, in the frame of the coupler.
     pub point: Point,
 }
 
@@ -78,8 +86,10 @@ pub struct SixBarPose {
     pub pins: [Point; 3],
     /// Angles of both bars of the dyad from the x-axis, each from its end to the pin, rad.
     pub angles: [f64; 2],
-    /// Point of the first bar, m.
+    /// The point, m.
     pub point: Point,
+    /// Angle of the crank from the x-axis, rad.
+    pub crank: f64,
 }
 
 impl SixBar {
@@ -93,8 +103,12 @@ impl SixBar {
         }
     }
 
-    /// Pose at an angle of the crank from the x-axis, rad. `None` where a loop does not close.
+    /// Pose at an angle of the crank from the x-axis, rad; of [`Chain::StephensonTwo`] of the first link of its four-bar, from the line of the
+    /// crank's pins. `None` where a loop does not close.
     pub fn pose(&self, angle: f64) -> Option<SixBarPose> {
+        if self.chain == Chain::StephensonTwo {
+            return self.moving_pose(angle);
+        }
         let four_bar = self.four_bar.pose(angle)?;
         let ground = self.four_bar.ground_angle();
         let solved = self.dimensions().solve(angle - ground)?;
@@ -107,6 +121,7 @@ impl SixBar {
             pins: [point(from), point(to), point(from + first * self.bars[0])],
             angles: [first.arg(), second.arg()],
             point: point(from + first * vector(self.point)),
+            crank: angle,
         })
     }
 }

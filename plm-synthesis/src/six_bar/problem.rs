@@ -8,7 +8,7 @@ use crate::path::{Crank, Search, Timing};
 /// What a six-bar has to do.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Task {
-    /// The second bar of the dyad turns by a function of the crank; [`Pair::rocker`] is its angle. With given scales angles count from
+    /// The second bar of the dyad, or the first one of [`Chain::StephensonTwo`], turns by a function of the crank; [`Pair::rocker`] is its angle. With given scales angles count from
     /// the line of the pivots.
     Function {
         /// Pairs of angles.
@@ -16,7 +16,7 @@ pub enum Task {
         /// Which scales begin anywhere.
         scales: Scales,
     },
-    /// The point of the first bar passes through points.
+    /// The point of the first bar, or of the coupler of [`Chain::StephensonTwo`], passes through points.
     Path {
         /// Points, m, in the order in which they are passed.
         points: Vec<Point>,
@@ -55,7 +55,8 @@ pub struct Problem {
     pub bounds: Bounds,
     /// Motion that is demanded of the crank of the four-bar.
     pub crank: Crank,
-    /// Least transmission angle of both dyads, rad: a linkage below it has a defect.
+    /// Least transmission angle of both dyads, rad: a bound at each position, and a linkage below it anywhere has a defect. It
+    /// says nothing of [`Chain::StephensonTwo`], whose crank has other dead points.
     pub transmission: f64,
 }
 
@@ -64,9 +65,9 @@ pub struct Problem {
 pub struct Found {
     /// The linkage.
     pub six_bar: SixBar,
-    /// Angle of the crank from the x-axis at each position, rad.
+    /// Angle that [`SixBar::pose`] takes at each position, rad: of the crank from the x-axis, but for [`Chain::StephensonTwo`].
     pub angles: Vec<f64>,
-    /// Angle of the second bar from the x-axis where the scale of the output is zero, rad; 0 of a path.
+    /// Angle of the bar that turns by the function from the x-axis where the scale of the output is zero, rad; 0 of a path.
     pub output_zero: f64,
     /// Sum of the squared distances to the points, m^2; of a function, of the squared chords of the angles, `2 - 2 cos(error)`.
     pub error: f64,

@@ -1,15 +1,16 @@
 //! Least squares of a six-bar's problem, with exact derivatives by dual numbers.
 
+mod demands;
 mod start;
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use plm_runtime::{Dual, Real};
 
-use super::SixBar;
-use super::kernel::{Dimensions, Z};
+use super::kernel::{Dimensions, Solved, Z};
 use super::problem::{Found, Problem, Task};
-use crate::descent::{self, Outcome, Place, Row};
+use super::{Chain, SixBar};
+use crate::descent::{self, Lack, Outcome, Place, Row};
 use crate::four_bar::{Demands, FourBar, Image, Vector, point, unit, vector};
 use crate::function::Scales;
 use crate::path::{Crank, Search, Timing};
@@ -108,15 +109,28 @@ impl<'a> Fit<'a> {
         }
     }
 
+    /// The pose at an angle of the crank from where its scale begins.
+    fn pose<S: Real>(&self, unknowns: &[S; UNKNOWNS], images: Images, angle: S) -> Option<Solved<S>> {
+        // A four-bar that moves has an angle of its own.
+        let angle = if self.moves() { angle } else { angle + unknowns[FIRST_ANGLE] };
+        self.dimensions(unknowns, images).solve(angle)
+    }
+
+    /// Is the crank another link than the first one of the four-bar?
+    fn moves(&self) -> bool {
+        self.problem.chain == Chain::StephensonTwo
+    }
+
     /// The point, or the unit vector of the output from its zero, at an angle of the crank from where its scale begins.
     fn value<S: Real>(&self, unknowns: &[S; UNKNOWNS], images: Images, angle: S) -> Option<Z<S>> {
-        let [first, second] = self.dimensions(unknowns, images).solve(angle + unknowns[FIRST_ANGLE])?.bars;
+        let pose = self.pose(unknowns, images, angle)?;
+        let (traced, output) = (pose.traced(self.problem.chain), pose.output(self.problem.chain));
         Some(if self.is_path() {
-            let place =
-                Z::unit(unknowns[GROUND_ANGLE]).times(first.at(Z::new(unknowns[POINT], unknowns[POINT + 1])));
+            let place = Z::unit(unknowns[GROUND_ANGLE])
+                .times(traced.at(Z::new(unknowns[POINT], unknowns[POINT + 1])));
             place.plus(Z::new(unknowns[0], unknowns[1]))
         } else {
-            second.along.times(Z::unit(-unknowns[OUTPUT_ZERO]))
+            output.times(Z::unit(-unknowns[OUTPUT_ZERO]))
         })
     }
 
@@ -145,16 +159,21 @@ impl<'a> Fit<'a> {
             image: images[1],
             point: [unknowns[POINT], unknowns[POINT + 1]],
         };
-        let first = unknowns[GROUND_ANGLE] + unknowns[FIRST_ANGLE];
+        let moves = self.moves();
+        let first = if moves { 0.0 } else { unknowns[GROUND_ANGLE] + unknowns[FIRST_ANGLE] };
         let angles: Vec<f64> = angles.iter().map(|angle| angle + first).collect();
         let (mut error, mut greatest) = (0.0, 0.0_f64);
-        for (angle, target) in angles.iter().zip(&self.targets) {
+        for (position, (angle, target)) in angles.iter().zip(&self.targets).enumerate() {
             let pose = six_bar.pose(*angle)?;
-            let reached = if self.is_path() {
-                vector(pose.point)
-            } else {
-                unit(pose.angles[1] - unknowns[OUTPUT_ZERO])
-            };
+            if let Some(input) = self.input(position).filter(|_| moves) {
+                let wanted = unknowns[GROUND_ANGLE] + unknowns[FIRST_ANGLE] + input;
+                if (0.5 * (pose.crank - wanted)).sin().abs() > 1e-6 {
+                    return None;
+                }
+            }
+            let output = if moves { pose.angles[0] + PI } else { pose.angles[1] };
+            let reached =
+                if self.is_path() { vector(pose.point) } else { unit(output - unknowns[OUTPUT_ZERO]) };
             error += (reached - target).norm_sqr();
             let off = if self.is_path() { (reached - target).norm() } else { (reached / target).arg().abs() };
             greatest = greatest.max(off);
@@ -174,8 +193,7 @@ impl descent::Problem<UNKNOWNS> for Fit<'_> {
     type Image = Images;
 
     fn rows(&self, place: &Place<UNKNOWNS, Images>) -> Option<Vec<Row<UNKNOWNS>>> {
-        let unknowns: [Dual<f64, DIRECTIONS>; UNKNOWNS] =
-            std::array::from_fn(|k| Dual::variable(place.unknowns[k], k));
+        let unknowns = variables(&place.unknowns);
         let row = |(angle, target): (&f64, &Vector)| {
             let value = self.value(&unknowns, place.image, Dual::variable(*angle, UNKNOWNS))?;
             let by = |k: usize| Vector::new(value.re.tangents[k], value.im.tangents[k]);
@@ -215,16 +233,22 @@ impl descent::Problem<UNKNOWNS> for Fit<'_> {
         &self.bounds
     }
 
-    fn is_sound(&self, place: &Place<UNKNOWNS, Images>) -> bool {
-        let dimensions = self.dimensions(&place.unknowns, place.image);
-        let least = self.problem.transmission.sin();
-        let solve = |angle: &f64| dimensions.solve(angle + place.unknowns[FIRST_ANGLE]);
-        place.angles.iter().all(|angle| solve(angle).is_some_and(|pose| pose.transmission_sine() >= least))
+    fn lacks(&self, place: &Place<UNKNOWNS, Images>) -> Vec<Lack<UNKNOWNS>> {
+        self.lacks_at(place)
+    }
+
+    fn lack(&self, place: &Place<UNKNOWNS, Images>) -> f64 {
+        self.lack_at(place)
     }
 
     fn angles_are_free(&self) -> bool {
-        matches!(&self.problem.task, Task::Path { timing: Timing::Free, .. })
+        self.moves() || matches!(&self.problem.task, Task::Path { timing: Timing::Free, .. })
     }
+}
+
+/// Unknowns with derivatives by each.
+fn variables(unknowns: &Unknowns) -> [Dual<f64, DIRECTIONS>; UNKNOWNS] {
+    std::array::from_fn(|k| Dual::variable(unknowns[k], k))
 }
 
 /// Angles of the crank at the positions, as far as they are known, else by chance.
@@ -249,19 +273,23 @@ mod tests {
     use crate::function::Pair;
     use crate::six_bar::{Bounds, Chain};
 
+    const CHAINS: [Chain; 5] =
+        [Chain::WattOne, Chain::WattTwo, Chain::StephensonOne, Chain::StephensonThree, Chain::StephensonTwo];
+    const IMAGES: Images = [Image::Left, Image::Right];
+    const SHAPED: Unknowns =
+        [0.1, 0.2, 0.3, 0.3, 0.9, 0.8, 0.7, 0.5, 0.4, 0.3, -0.4, 1.1, 1.2, 0.3, 0.2, 0.5, 0.3];
+
     #[test]
     fn derivatives_are_those_of_differences() {
         let timing = Timing::Steps(vec![0.0, 0.7]);
         let points = vec![[0.2, 0.3], [0.4, 0.1]];
         let pairs = vec![Pair { crank: 0.0, rocker: 0.1 }, Pair { crank: 0.7, rocker: 0.4 }];
         for task in [Task::Path { points, timing }, Task::Function { pairs, scales: Scales::FreeBoth }] {
-            for chain in [Chain::WattOne, Chain::WattTwo, Chain::StephensonOne, Chain::StephensonThree] {
+            for chain in CHAINS {
                 let (bounds, crank) = (Bounds::up_to(5.0), Crank::Turns);
                 let problem = Problem { chain, task: task.clone(), bounds, crank, transmission: 0.0 };
                 let fit = Fit::new(&problem);
-                let unknowns =
-                    [0.1, 0.2, 0.3, 0.3, 0.9, 0.8, 0.7, 0.5, 0.4, 0.3, -0.4, 1.1, 1.2, 0.3, 0.2, 0.5, 0.3];
-                let image = [Image::Left, Image::Right];
+                let (unknowns, image) = (SHAPED, IMAGES);
                 let place = Place { unknowns, angles: vec![0.0, 0.7], image };
                 for (k, row) in fit.rows(&place).unwrap().into_iter().enumerate() {
                     let value = |x: &Unknowns, angle: f64| {
@@ -281,6 +309,41 @@ mod tests {
                         let by = (beside(h) - beside(-h)) / (2.0 * h);
                         assert!((by - exact).norm() < 1e-7, "{chain:?} {n} {by} {exact}");
                     }
+                }
+            }
+        }
+    }
+
+    /// Of a path, at a least angle of 80 deg, which most poses lack, and of the input of a four-bar that moves.
+    #[test]
+    fn lacks_have_the_derivatives_of_differences() {
+        for chain in CHAINS {
+            let points = vec![[0.2, 0.3], [0.4, 0.1]];
+            let task = Task::Path { points, timing: Timing::Steps(vec![0.0, 0.7]) };
+            let (bounds, crank) = (Bounds::up_to(5.0), Crank::Turns);
+            let problem = Problem { chain, task, bounds, crank, transmission: 1.4 };
+            let fit = Fit::new(&problem);
+            let place = Place { unknowns: SHAPED, angles: vec![0.0, 0.7], image: IMAGES };
+            let lacks = fit.lacks(&place);
+            assert!(!lacks.is_empty(), "{chain:?}");
+            let squares: f64 = lacks.iter().map(|lack| lack.value * lack.value).sum();
+            assert!((squares - fit.lack(&place)).abs() < 1e-15);
+            for lack in lacks {
+                // The one of the two dyads that this lack is of.
+                let own = |excess: &f64| (excess - lack.value).abs() < 1e-12;
+                let (angle, h) = (place.angles[lack.row], 1e-5);
+                let both = |x: &Unknowns, angle: f64| fit.demands(x, IMAGES, (lack.row, angle)).unwrap();
+                let which = both(&SHAPED, angle).iter().position(own).unwrap();
+                let by = (both(&SHAPED, angle + h)[which] - both(&SHAPED, angle - h)[which]) / (2.0 * h);
+                assert!((by - lack.by_angle).abs() < 1e-7, "{chain:?} {by}");
+                for n in 0..UNKNOWNS {
+                    let beside = |h: f64| {
+                        let mut x = SHAPED;
+                        x[n] += h;
+                        both(&x, angle)[which]
+                    };
+                    let by = (beside(h) - beside(-h)) / (2.0 * h);
+                    assert!((by - lack.by_unknowns[n]).abs() < 1e-7, "{chain:?} {n} {by}");
                 }
             }
         }

@@ -7,6 +7,7 @@
 //! distances. A published error is that of the published design, computed anew.
 
 use plm_dynamic::Mechanism;
+use plm_synthesis::FourBar;
 use plm_synthesis::path::{Bounds, Crank, Found, NoPath, Path, Search, Timing};
 
 fn bounds(length: [f64; 2], place: f64) -> Bounds {
@@ -187,6 +188,24 @@ fn a_least_transmission_angle_bounds_the_lengths() {
     assert!(least(&bound) >= demanded * (1.0 - 1e-6), "{}", least(&bound).to_degrees());
     assert!(bound.error >= free.error && bound.error < 10.0 * free.error, "{}", bound.error);
     assert!((error_of_run(&bound, &ellipse()) - bound.error).abs() <= 1e-7 * bound.error);
+}
+
+/// The same bound at the points alone, of linkages whose crank need not turn.
+#[test]
+fn a_least_transmission_angle_bounds_the_points_of_any_crank() {
+    let demanded = 55_f64.to_radians();
+    let any = Path { crank: Crank::Any, transmission: demanded, ..ellipse() };
+    let found = best(&any, 300);
+    assert_eq!(found.defects, []);
+    let folded = |angle: &f64| {
+        let angle = FourBar::transmission_angle(&found.four_bar.pose(*angle).unwrap());
+        angle.min(std::f64::consts::PI - angle)
+    };
+    let least = found.angles.iter().map(folded).fold(f64::INFINITY, f64::min);
+    // The bound is met, and it is what the error comes from.
+    assert!(least >= demanded * (1.0 - 1e-6) && least < demanded * 1.01, "{}", least.to_degrees());
+    let over_turn = best(&Path { transmission: demanded, ..ellipse() }, 300);
+    assert!(found.error <= over_turn.error * (1.0 + 1e-9), "{} {}", found.error, over_turn.error);
 }
 
 #[test]

@@ -6,7 +6,7 @@ import { decadeExtent, decadeTicks, linearExtent, linearTicks } from "./ticks.js
 /** @import {Quantity, Run} from "./run.js" */
 
 /** @typedef {{run: Run, quantity: Quantity, across: Quantity | null, colour: string, dash: number[]}} Series across null: the time */
-/** @typedef {{unit: string, series: Series[], isLog: boolean}} Chart */
+/** @typedef {{key: string, unit: string, series: Series[], isLog: boolean}} Chart the key tells charts apart */
 /** @typedef {{low: number, high: number, isLog: boolean}} ValueAxis values, or their decimal logarithms */
 
 /** Room beyond the values, as a share of their range: that of chart/axis.rs. */

@@ -1,7 +1,8 @@
 // One frame with axes and curves: over the time, or against another quantity.
 
 import { axisTicks, labelRoom, levelOf } from "./axes.js";
-import { lastNotAbove } from "./numbers.js";
+import { drawable, lastNotAbove } from "./numbers.js";
+import { isMarked } from "./run.js";
 import { commonQuantity, withUnit } from "./text.js";
 import { decimate } from "./decimation.js";
 import { linearTicks } from "./ticks.js";
@@ -17,6 +18,7 @@ import { linearTicks } from "./ticks.js";
 /** Room for labels under the last frame. */
 export const ACROSS_AXIS = 34;
 const LABEL_SIZE = 11;
+const MARK_RADIUS = 2.5;
 
 /**
  * Where everything of a chart goes.
@@ -65,6 +67,10 @@ export function drawChart(pen, chart, at, palette) {
       const across = acrossOf(series);
       const column = (/** @type {number} */ row) => Math.round(pixelAcross(at, across(row)));
       const level = (/** @type {number} */ row) => levelOf(at, series.quantity.read(row));
+      if (isMarked(series.quantity)) {
+        for (let row = 0; row < series.run.rows; row++) drawDot(pen, series, pixelAcross(at, across(row)), pixelUp(at, level(row)));
+        continue;
+      }
       for (const piece of decimate(series.run.rows, column, level)) {
         const points = piece.flatMap((row) => [pixelAcross(at, across(row)), pixelUp(at, level(row))]);
         // A single row between gaps is a dot.
@@ -73,6 +79,41 @@ export function drawChart(pen, chart, at, palette) {
       }
     }
   });
+}
+
+/**
+ * A disc at a place, if it is one.
+ * @param {Pen} pen
+ * @param {Series} series
+ * @param {number} x pixels
+ * @param {number} y
+ */
+function drawDot(pen, { colour }, x, y) {
+  if (!drawable(x) || !drawable(y)) return;
+  const angles = [0, 1, 2, 3, 4, 5, 6, 7].map((part) => (Math.PI * part) / 4);
+  pen.polygon(angles.flatMap((angle) => [x + MARK_RADIUS * Math.cos(angle), y + MARK_RADIUS * Math.sin(angle)]), { fill: colour });
+}
+
+/**
+ * A piece of a curve, or a mark, for its name.
+ * @param {Pen} pen
+ * @param {Series} series
+ * @param {[number, number]} across from and to, pixels
+ * @param {number} middle
+ */
+export function drawSample(pen, series, [from, to], middle) {
+  if (isMarked(series.quantity)) drawDot(pen, series, 0.5 * (from + to), middle);
+  else pen.line([from, middle, to, middle], { stroke: series.colour, width: 2, dash: series.dash });
+}
+
+/**
+ * What its quantities have in common, with the unit. Readings have the name of what is read, and a word.
+ * @param {Chart} chart
+ */
+export function chartTitle({ series, unit }) {
+  const curves = series.filter(({ quantity }) => !isMarked(quantity));
+  const named = curves.length > 0 ? curves : series;
+  return withUnit(commonQuantity(named.map(({ quantity }) => quantity.name)), unit);
 }
 
 /**
@@ -100,9 +141,7 @@ function drawGrid(pen, chart, at, palette) {
     if (hasLabels) pen.text(place, y + height + 11, label, { ...lettering, align: "middle" });
   }
   if (hasLabels) pen.text(x + 0.5 * width, y + height + 26, acrossTitle(chart), { ...lettering, align: "middle" });
-  const names = [...new Set(chart.series.map(({ quantity }) => quantity.name))];
-  const title = withUnit(commonQuantity(names), chart.unit);
-  pen.text(x - labelRoom(at), y + 0.5 * height, title, { ...lettering, align: "middle", turned: true });
+  pen.text(x - labelRoom(at), y + 0.5 * height, chartTitle(chart), { ...lettering, align: "middle", turned: true });
   const corners = [x, y, x + width, y, x + width, y + height, x, y + height];
   pen.polygon(corners, { stroke: palette.grid, width: 1 });
 }

@@ -1,9 +1,8 @@
 // Which charts there are, and all of them as one SVG file.
 
 import { acrossRange, countBelow, leftRoom, valueAxis } from "./axes.js";
-import { ACROSS_AXIS, acrossTitle, chartFrame, drawChart } from "./chart.js";
+import { ACROSS_AXIS, acrossTitle, chartFrame, chartTitle, drawChart, drawSample } from "./chart.js";
 import { SvgPen } from "./pen.js";
-import { commonQuantity, withUnit } from "./text.js";
 
 /** @import {App} from "./app.js" */
 /** @import {Chart, Series} from "./axes.js" */
@@ -12,13 +11,14 @@ import { commonQuantity, withUnit } from "./text.js";
 const DASHES = [[6, 4], [2, 3], [9, 3, 2, 3], [12, 4]];
 
 /**
- * One chart for each unit, in the order in which they were chosen; every visible run has its curve.
+ * One chart for each unit, in the order in which they were chosen; every visible run has its curve. Residuals have charts of their own,
+ * since they are small beside what they are residuals of.
  * @param {App} app
  * @returns {Chart[]}
  */
 export function chartsOf(app) {
   /** @type {Map<string, Series[]>} */
-  const byUnit = new Map();
+  const byKey = new Map();
   const { curves } = app.palette;
   const runs = app.visible().map(({ run }) => ({
     run,
@@ -32,12 +32,13 @@ export function chartsOf(app) {
     app.curves.forEach((name, at) => {
       const quantity = quantities.get(name);
       if (quantity === undefined) return;
-      const list = byUnit.get(quantity.unit) ?? [];
-      byUnit.set(quantity.unit, list);
+      const key = quantity.role === "residual" ? `residual ${quantity.unit}` : quantity.unit;
+      const list = byKey.get(key) ?? [];
+      byKey.set(key, list);
       list.push({ run, quantity, across, colour: curves[at % curves.length], dash });
     });
   }
-  return [...byUnit].map(([unit, series]) => ({ unit, series, isLog: app.logUnits.includes(unit) }));
+  return [...byKey].map(([key, series]) => ({ key, unit: series[0].quantity.unit, series, isLog: app.logUnits.includes(key) }));
 }
 
 /** The name of a chart for who does not see it. @param {Chart} chart */
@@ -46,7 +47,7 @@ export function chartLabel(chart) {
   const across = chart.series[0]?.across ?? null;
   const against = across === null ? "over time" : `against ${acrossTitle(chart)}`;
   const scale = chart.isLog ? ", logarithmic" : "";
-  return `${withUnit(commonQuantity(names), chart.unit)} ${against}${scale}: ${names.join(", ")}`;
+  return `${chartTitle(chart)} ${against}${scale}: ${names.join(", ")}`;
 }
 
 /** What a logarithmic axis cannot show, in words; nothing where there is nothing. @param {Chart} chart */
@@ -71,15 +72,16 @@ export function curvesSvg(app) {
   let y = 0;
   charts.forEach((chart, at) => {
     const hasLabels = at === charts.length - 1;
-    const lines = chart.series.map(({ run, quantity, colour, dash }) => {
+    const lines = chart.series.map((series) => {
+      const { run, quantity } = series;
       const name = app.visible().length > 1 ? `${quantity.name}, ${run.name}` : quantity.name;
-      return { name, colour, dash };
+      return { name, draw: (/** @type {number} */ middle) => drawSample(pen, series, [70, 94], middle) };
     });
     const missing = missingText(chart);
-    if (missing !== "") lines.push({ name: missing, colour: "none", dash: [] });
-    lines.forEach(({ name, colour, dash }, index) => {
+    if (missing !== "") lines.push({ name: missing, draw: () => {} });
+    lines.forEach(({ name, draw }, index) => {
       const middle = y + 18 + 18 * index;
-      pen.line([70, middle, 94, middle], { stroke: colour, width: 2, dash });
+      draw(middle);
       pen.text(102, middle, name, { colour: palette.ink, size: 12 });
     });
     y += 14 + 18 * lines.length;

@@ -307,7 +307,7 @@ function openTab(app, tab) {
 /** All charts become logarithmic; if they are, linear. @param {App} app */
 function switchLogAxes(app) {
   const quantities = app.run?.quantities() ?? [];
-  const units = [...new Set(quantities.filter(({ name }) => app.curves.includes(name)).map(({ unit }) => unit))];
+  const units = [...new Set(quantities.filter(({ name, role }) => app.curves.includes(name) && role !== "residual").map(({ unit }) => unit))];
   app.logUnits = units.every((unit) => app.logUnits.includes(unit)) ? [] : units;
   openTab(app, "curves");
 }

@@ -1,7 +1,7 @@
 // The panel of curves: what to draw, charts of one unit each over a common axis, legends with the values now.
 
 import { acrossRange, leftRoom, valueAxis } from "./axes.js";
-import { ACROSS_AXIS, chartFrame, drawChart, drawCursor, drawEvents, timeAt } from "./chart.js";
+import { ACROSS_AXIS, chartFrame, drawChart, drawCursor, drawEvents, drawSample, timeAt } from "./chart.js";
 import { chartLabel, chartsOf, curvesSvg, missingText } from "./charts.js";
 import { element, fitCanvas, saveBlob, setText } from "./dom.js";
 import { CanvasPen } from "./pen.js";
@@ -197,8 +197,9 @@ export class Curves {
   /** @param {Plot} plot */
   legend({ chart, values }) {
     const manyRuns = this.app.visible().length > 1;
-    const entries = chart.series.map(({ run, quantity, colour, dash }, at) => {
-      const swatch = lineSwatch(colour, dash);
+    const entries = chart.series.map((series, at) => {
+      const { run, quantity } = series;
+      const swatch = sampleOf(series);
       const name = manyRuns ? `${quantity.name}, ${run.name}` : quantity.name;
       const remove = element(
         "button",
@@ -211,17 +212,17 @@ export class Curves {
   }
 
   /** Switches the axis of a chart. @param {Chart} chart */
-  scaleButton({ unit, isLog }) {
-    const name = `Logarithmic axis${unit === "" ? "" : `, ${withUnit("", unit)}`}`;
+  scaleButton({ key, isLog }) {
+    const name = `Logarithmic axis${key === "" ? "" : `, ${withUnit("", key)}`}`;
     const act = () => {
-      this.app.toggleName(this.app.logUnits, unit);
+      this.app.toggleName(this.app.logUnits, key);
       // The charts have been built anew: the button that was pressed keeps the focus.
       this.update();
-      const button = [...this.charts.querySelectorAll("button")].find((candidate) => candidate.dataset["unit"] === unit);
+      const button = [...this.charts.querySelectorAll("button")].find((candidate) => candidate.dataset["unit"] === key);
       button?.focus();
     };
     const pressed = String(isLog);
-    return element("button", { type: "button", "data-unit": unit, title: name, "aria-label": name, "aria-pressed": pressed, onclick: act }, "log");
+    return element("button", { type: "button", "data-unit": key, title: name, "aria-label": name, "aria-pressed": pressed, onclick: act }, "log");
   }
 
   /** A press goes to its time, and dragging goes along. @param {Plot} plot */
@@ -259,10 +260,10 @@ export class Curves {
   }
 }
 
-/** A piece of a curve, for its name. @param {string} colour @param {number[]} dash */
-function lineSwatch(colour, dash) {
+/** A piece of a curve, or a mark, for its name. @param {Series} series */
+function sampleOf(series) {
   const swatch = element("canvas", { class: "swatch", "aria-hidden": "true" });
-  new CanvasPen(fitCanvas(swatch, 24, 8)).line([1, 4, 23, 4], { stroke: colour, width: 2, dash });
+  drawSample(new CanvasPen(fitCanvas(swatch, 24, 8)), series, [1, 23], 4);
   return swatch;
 }
 

@@ -17,8 +17,9 @@
  * @typedef {{name: string, doc: string, report: Report | null, bodies: Body[], ground: GroundPort[], parts: Part[],
  *   parameters: Parameter[], inputs: Input[],
  *   states: {name: string, unit: string}[]}} Mechanism
- * @typedef {{name: string, unit: string, factor?: number | null}} Column a value in SI is one in the unit times the factor, 1 if
- *   nothing is said
+ * @typedef {"motion" | "reading" | "residual"} Role curves are drawn of motions, marks of readings and residuals
+ * @typedef {{name: string, unit: string, factor?: number | null, role?: Role}} Column a value in SI is one in the unit times the
+ *   factor, 1 if nothing is said
  * @typedef {{time: number, what: string, row: number | null}} RunEvent
  * @typedef {{time: number, part: string, text: string}} RunFault
  * @typedef {{name: string, mechanism: Mechanism, method: string, columns: Column[], events: RunEvent[],
@@ -50,7 +51,7 @@ const RUN_SHAPE = {
     parts: [{ name: "string", kind: "string", frames: [{ argument: "string", body: "number?", port: "number?" }] }],
     "parameters?": [{ name: "string", unit: "string", factor: "number", value: "number" }],
   },
-  columns: [{ name: "string", unit: "string" }],
+  columns: [{ name: "string", unit: "string", "role?": "string" }],
   "events?": [{ time: "number", what: "string" }],
 };
 

@@ -3,9 +3,12 @@
 import { hermite, lastNotAbove } from "./numbers.js";
 import { scaleOf } from "./units.js";
 
-/** @import {Mechanism, RunHead} from "./format.js" */
+/** @import {Mechanism, Role, RunHead} from "./format.js" */
 
-/** @typedef {{name: string, unit: string, read: (row: number) => number}} Quantity what can be drawn as a curve */
+/**
+ * What can be drawn as a curve, or as marks; `role` left out: a motion.
+ * @typedef {{name: string, unit: string, role?: Role | undefined, read: (row: number) => number}} Quantity
+ */
 /** @typedef {{row: number, share: number}} Moment a place between a row (share 0) and the next */
 
 /** Rows of `width` numbers, which may become more. */
@@ -230,9 +233,11 @@ export class Run {
    */
   quantities() {
     const { poses, values } = this;
-    const list = this.columns.map(({ name, unit }, column) => ({
+    /** @type {Quantity[]} */
+    const list = this.columns.map(({ name, unit, role }, column) => ({
       name,
       unit,
+      role,
       read: (/** @type {number} */ row) => values.at(row, column),
     }));
     const known = new Set(list.map(({ name }) => name));
@@ -246,6 +251,11 @@ export class Run {
     });
     return [...list, ...this.measures];
   }
+}
+
+/** Is a quantity drawn as marks, one for each number? @param {Quantity} quantity */
+export function isMarked({ role }) {
+  return role === "reading" || role === "residual";
 }
 
 /** Members of a body in the order of the poses. */

@@ -1,6 +1,7 @@
 // A run that is shown, with all that is worked out once for it.
 
 import { forceField, velocityField } from "./arrows.js";
+import { isMarked } from "./run.js";
 import { Scene } from "./scene.js";
 
 /** @import {App} from "./app.js" */
@@ -21,11 +22,17 @@ export function sceneOf(run) {
 }
 
 /**
- * Curves for a first look: the first few columns of the most common unit.
+ * Curves for a first look: what was measured, with readings and residuals, else the first few columns of the first unit.
  * @param {Run | null} run
  */
 export function usualCurves(run) {
   const quantities = run?.quantities() ?? [];
+  const marked = quantities.filter(isMarked).slice(0, 4);
+  if (marked.length > 0) {
+    const isRead = (/** @type {string} */ name) => marked.some((mark) => mark.name.startsWith(`${name} `));
+    const curves = quantities.filter((quantity) => !isMarked(quantity) && isRead(quantity.name));
+    return [...curves, ...marked].map(({ name }) => name);
+  }
   const first = quantities[0];
   return quantities.filter(({ unit }) => unit === first.unit).slice(0, 3).map(({ name }) => name);
 }

@@ -17,7 +17,7 @@ use std::io;
 use std::path::Path;
 
 use crate::error::{Error, write_file};
-use crate::recording::Recording;
+use crate::recording::{Column, Recording, Role};
 
 pub use axis::Axis;
 pub use draw::{CURVES, FONT, INK, dark_style, text_width, wrap};
@@ -69,19 +69,21 @@ impl Chart {
         Self { title: String::new(), note: String::new(), x, panels: Vec::new() }
     }
 
-    /// The recorded quantities over time, in one panel for each unit, in the order of the columns.
+    /// The recorded quantities over time, in one panel for each unit, in the order of the columns. Readings are points; residuals have
+    /// a panel of their own.
     pub fn over_time(recording: &Recording) -> Self {
-        let mut units: Vec<&str> = Vec::new();
+        let mut kinds: Vec<(&str, bool)> = Vec::new();
         for column in recording.columns() {
-            if !units.contains(&column.unit.as_str()) {
-                units.push(&column.unit);
+            let kind = kind(column);
+            if !kinds.contains(&kind) {
+                kinds.push(kind);
             }
         }
         Self {
             title: String::new(),
             note: String::new(),
             x: Axis::linear("time", "s").tight(),
-            panels: units.into_iter().map(|unit| Panel::of_unit(recording, unit)).collect(),
+            panels: kinds.into_iter().map(|kind| Panel::of_kind(recording, kind)).collect(),
         }
     }
 
@@ -137,23 +139,32 @@ impl Chart {
     }
 }
 
+/// Columns of one kind share a panel: those of a unit, residuals apart.
+fn kind(column: &Column) -> (&str, bool) {
+    (&column.unit, column.role == Role::Residual)
+}
+
 impl Panel {
     fn new(y: Axis, height: f64) -> Self {
         Self { y, height, series: Vec::new(), rules: Vec::new() }
     }
 
-    /// The columns of this unit over time.
-    fn of_unit(recording: &Recording, unit: &str) -> Self {
+    /// The columns of a panel over time.
+    fn of_kind(recording: &Recording, own: (&str, bool)) -> Self {
         let times = recording.times();
         let mut series = Vec::new();
         for (index, column) in recording.columns().iter().enumerate() {
-            if column.unit == unit {
+            if kind(column) == own {
                 let points = times.iter().zip(recording.rows()).map(|(&time, row)| (time, row[index]));
-                series.push(Series::new(column.name.clone(), points));
+                let one = Series::new(column.name.clone(), points);
+                series.push(if column.role == Role::Motion { one } else { one.as_points() });
             }
         }
-        let quantity = label::common_quantity(series.iter().map(|curve| curve.name.as_str()));
-        let y = Axis::linear(quantity, unit);
+        // Readings have the name of what is read, and a word.
+        let has_lines = series.iter().any(|one| one.style.has_line());
+        let named = series.iter().filter(|one| one.style.has_line() == has_lines);
+        let quantity = label::common_quantity(named.map(|one| one.name.as_str()));
+        let y = Axis::linear(quantity, own.0);
         Self { series, ..Self::new(y, STRIP) }
     }
 }

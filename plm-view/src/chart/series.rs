@@ -7,7 +7,28 @@ pub struct Series {
     pub(super) name: String,
     pub(super) points: Vec<(f64, f64)>,
     pub(super) look: Option<Look>,
-    pub(super) marked: bool,
+    pub(super) style: Style,
+}
+
+/// Drawing of the points of a series.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Style {
+    /// A line through them.
+    Line,
+    /// A line, and a marker at each.
+    Marked,
+    /// A marker at each.
+    Points,
+}
+
+impl Style {
+    pub(super) fn has_line(self) -> bool {
+        self != Self::Points
+    }
+
+    pub(super) fn has_markers(self) -> bool {
+        self != Self::Line
+    }
 }
 
 /// How a series is told from others: by colour and shape of its markers, and by dashes and filling.
@@ -22,13 +43,19 @@ pub(super) enum Look {
 impl Series {
     /// A line without markers. It takes the next free colour of its panel; once these are used up, it is dashed.
     pub fn new(name: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
-        Self { name: name.into(), points: points.into_iter().collect(), look: None, marked: false }
+        Self { name: name.into(), points: points.into_iter().collect(), look: None, style: Style::Line }
     }
 
     /// Adds a marker at every point.
     #[must_use]
     pub fn marked(self) -> Self {
-        Self { marked: true, ..self }
+        Self { style: Style::Marked, ..self }
+    }
+
+    /// Draws a marker at every point, and no line.
+    #[must_use]
+    pub fn as_points(self) -> Self {
+        Self { style: Style::Points, ..self }
     }
 
     /// Sets the colour and the markers of family number `family`, dashed and filled as its variant number

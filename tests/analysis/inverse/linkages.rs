@@ -6,7 +6,7 @@ use plm::inverse::{Inverse, Unsolved, Wanted};
 use super::newton_euler::{Body, Joint, Point, bar, drives, dyad, on_bar};
 use super::{angle, near, started};
 
-const FOUR_BAR: &str = "pub FourBar {
+pub(super) const FOUR_BAR: &str = "pub FourBar {
     gravity: 9.81 m/s^2;
     input torque: N*m = 0;
     input other: N*m = 0;
@@ -27,6 +27,51 @@ const FOUR_BAR: &str = "pub FourBar {
     revolute pin(crank.pin, coupler.pin);
     revolute end(coupler.end, rocker.end);
     revolute side(ground.right, rocker.pivot) { damping: 0.05 N*m*s/rad; drive: other; }
+}";
+
+pub(super) const PRESS: &str = "pub Press {
+    gravity: 9.81 m/s^2;
+    input torque: N*m = 0;
+    input push: N = 0;
+    ground { port o: (0, 0) m; }
+    body crank {
+        mass: 2 kg; inertia: 0.01 kg*m^2; port o: (-0.03, 0) m; port pin: (0.07, 0) m;
+        start angle: 0.4 rad, locked; start omega: 20 rad/s, locked;
+    }
+    body rod { mass: 1.2 kg; inertia: 0.01 kg*m^2; port pin: (-0.15, 0) m; port end: (0.25, 0) m; }
+    body slider { mass: 3 kg; inertia: 0.01 kg*m^2; port end: (0, 0) m; start x: 0.5 m; }
+    revolute main(ground.o, crank.o) { drive: torque; }
+    revolute pin(crank.pin, rod.pin);
+    revolute end(rod.end, slider.end);
+    prismatic guide(ground.o, slider.end);
+    force cutting(slider.end) { x: push - 800 N; }
+}";
+
+pub(super) const FIVE_BAR: &str = "pub FiveBar {
+    gravity: 9.81 m/s^2;
+    input left: N*m = 0;
+    input right: N*m = 0;
+    input elbow: N*m = 0;
+    ground { port left: (-50, 0) mm; port right: (50, 0) mm; }
+    body left_arm {
+        mass: 0.5 kg; inertia: 1e-3 kg*m^2; port motor: (-50, 0) mm; port elbow: (70, 0) mm;
+        start angle: 120 deg, locked; start omega: 3 rad/s, locked;
+    }
+    body right_arm {
+        mass: 0.6 kg; inertia: 1.2e-3 kg*m^2; port motor: (-50, 0) mm; port elbow: (70, 0) mm;
+        start angle: 60 deg, locked; start omega: -2 rad/s, locked;
+    }
+    body left_rod {
+        mass: 0.3 kg; inertia: 8e-4 kg*m^2; port elbow: (-80, 0) mm; port pen: (80, 0) mm; start angle: 45 deg;
+    }
+    body right_rod {
+        mass: 0.4 kg; inertia: 9e-4 kg*m^2; port elbow: (-80, 0) mm; port pen: (80, 0) mm; start angle: 135 deg;
+    }
+    revolute left_motor(ground.left, left_arm.motor) { drive: left; }
+    revolute right_motor(ground.right, right_arm.motor) { drive: right; }
+    revolute left_elbow(left_arm.elbow, left_rod.elbow) { drive: elbow; }
+    revolute right_elbow(right_arm.elbow, right_rod.elbow);
+    revolute pen(left_rod.pen, right_rod.pen);
 }";
 
 /// The torque on the crank, or those on both cranks with a weight of 1 on the first, by free bodies; and the rocker's angle.
@@ -140,25 +185,7 @@ fn of_a_four_bar_that_follows_a_table() {
 
 #[test]
 fn of_a_slider_crank_that_cuts() {
-    let mut sim = started(
-        "pub Press {
-            gravity: 9.81 m/s^2;
-            input torque: N*m = 0;
-            input push: N = 0;
-            ground { port o: (0, 0) m; }
-            body crank {
-                mass: 2 kg; inertia: 0.01 kg*m^2; port o: (-0.03, 0) m; port pin: (0.07, 0) m;
-                start angle: 0.4 rad, locked; start omega: 20 rad/s, locked;
-            }
-            body rod { mass: 1.2 kg; inertia: 0.01 kg*m^2; port pin: (-0.15, 0) m; port end: (0.25, 0) m; }
-            body slider { mass: 3 kg; inertia: 0.01 kg*m^2; port end: (0, 0) m; start x: 0.5 m; }
-            revolute main(ground.o, crank.o) { drive: torque; }
-            revolute pin(crank.pin, rod.pin);
-            revolute end(rod.end, slider.end);
-            prismatic guide(ground.o, slider.end);
-            force cutting(slider.end) { x: push - 800 N; }
-        }",
-    );
+    let mut sim = started(PRESS);
     let inverse = Inverse::new(sim.state().mechanism(), ["crank.angle"], ["torque"]).unwrap();
     let by_slider = Inverse::new(sim.state().mechanism(), ["slider.x"], ["torque"]).unwrap();
     for _ in 0..20 {
@@ -238,34 +265,7 @@ fn five_bar(arms: [[f64; 3]; 2], third: bool) -> (Vec<f64>, Point) {
 
 #[test]
 fn of_a_five_bar_with_two_drives_and_with_three() {
-    let mut sim = started(
-        "pub FiveBar {
-            gravity: 9.81 m/s^2;
-            input left: N*m = 0;
-            input right: N*m = 0;
-            input elbow: N*m = 0;
-            ground { port left: (-50, 0) mm; port right: (50, 0) mm; }
-            body left_arm {
-                mass: 0.5 kg; inertia: 1e-3 kg*m^2; port motor: (-50, 0) mm; port elbow: (70, 0) mm;
-                start angle: 120 deg, locked; start omega: 3 rad/s, locked;
-            }
-            body right_arm {
-                mass: 0.6 kg; inertia: 1.2e-3 kg*m^2; port motor: (-50, 0) mm; port elbow: (70, 0) mm;
-                start angle: 60 deg, locked; start omega: -2 rad/s, locked;
-            }
-            body left_rod {
-                mass: 0.3 kg; inertia: 8e-4 kg*m^2; port elbow: (-80, 0) mm; port pen: (80, 0) mm; start angle: 45 deg;
-            }
-            body right_rod {
-                mass: 0.4 kg; inertia: 9e-4 kg*m^2; port elbow: (-80, 0) mm; port pen: (80, 0) mm; start angle: 135 deg;
-            }
-            revolute left_motor(ground.left, left_arm.motor) { drive: left; }
-            revolute right_motor(ground.right, right_arm.motor) { drive: right; }
-            revolute left_elbow(left_arm.elbow, left_rod.elbow) { drive: elbow; }
-            revolute right_elbow(right_arm.elbow, right_rod.elbow);
-            revolute pen(left_rod.pen, right_rod.pen);
-        }",
-    );
+    let mut sim = started(FIVE_BAR);
     let mechanism = *sim.state().mechanism();
     let arms = ["left_arm.angle", "right_arm.angle"];
     let two = Inverse::new(&mechanism, arms, ["left", "right"]).unwrap();

@@ -1,5 +1,6 @@
 //! Inverse dynamics against Newton's and Euler's equations of free bodies, closed forms, and runs by what was found.
 
+mod followed;
 mod linkages;
 mod modes;
 mod newton_euler;

@@ -3,8 +3,11 @@
 //! With the directions of the links known, a point of the first bar is linear in the pivot, in the size as a vector and in the point as a
 //! vector: they come from least squares. Of several shapes the one that fits best is taken.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{SMatrix, SVector};
 
+use super::demands::off;
 use super::{
     BARS, ENDS, FIRST_ANGLE, Fit, GROUND_ANGLE, Images, OUTPUT_ZERO, POINT, SHAPE, UNKNOWNS, Unknowns,
     angles, direction,
@@ -57,9 +60,11 @@ fn draw(fit: &Fit<'_>, random: &mut Random) -> Option<Place<UNKNOWNS, Images>> {
         *bar = random.ratio(0.2, 2.0) * size;
     }
     unknowns[FIRST_ANGLE] = direction(fit.is_fixed(FIRST_ANGLE), random);
-    let angles = angles(fit.problem, random);
-    let dimensions = fit.dimensions(&unknowns, images);
-    let solve = |angle: &f64| dimensions.solve(angle + unknowns[FIRST_ANGLE]);
+    let mut angles = angles(fit.problem, random);
+    if fit.moves() && fit.input(0).is_some() {
+        angles = follow(fit, (&unknowns, images), &angles, random)?;
+    }
+    let solve = |angle: &f64| fit.pose(&unknowns, images, *angle);
     let poses = angles.iter().map(solve).collect::<Option<Vec<Solved<f64>>>>()?;
     if fit.is_path() {
         place(fit, &poses, &mut unknowns)?;
@@ -68,6 +73,41 @@ fn draw(fit: &Fit<'_>, random: &mut Random) -> Option<Place<UNKNOWNS, Images>> {
     }
     descent::clamp(&mut unknowns, fit.bounds());
     Some(Place { unknowns, angles, image: images })
+}
+
+/// Looks around at the angles of a four-bar that moves.
+const LOOKS: usize = 72;
+
+/// Angles of a four-bar that moves at which its crank has the angles of the task: at first by chance one of those that there are, then the
+/// nearest one.
+fn follow(
+    fit: &Fit<'_>,
+    (unknowns, images): (&Unknowns, Images),
+    inputs: &[f64],
+    random: &mut Random,
+) -> Option<Vec<f64>> {
+    let mut last = random.between(0.0, TAU);
+    let mut all = Vec::with_capacity(inputs.len());
+    for input in inputs {
+        // The sine of what the crank is off by, on the side on which it is near.
+        let sine = |angle: f64| {
+            let [sine, lack] = off(unknowns, &fit.pose(unknowns, images, angle)?, *input);
+            (lack < 1.0).then_some(sine)
+        };
+        let at = |k: usize| last + TAU * (k as f64 / LOOKS as f64 - 0.5);
+        let values: Vec<Option<f64>> = (0..=LOOKS).map(|k| sine(at(k))).collect();
+        let changes =
+            (0..LOOKS).filter(|k| matches!((values[*k], values[k + 1]), (Some(a), Some(b)) if a * b <= 0.0));
+        let nearest = changes.min_by_key(|k| (2 * k + 1).abs_diff(LOOKS))?;
+        let (mut from, mut to, below) = (at(nearest), at(nearest + 1), values[nearest]?);
+        for _ in 0..50 {
+            let middle = f64::midpoint(from, to);
+            if sine(middle)? * below > 0.0 { from = middle } else { to = middle }
+        }
+        last = from;
+        all.push(last);
+    }
+    Some(all)
 }
 
 fn complex(z: Z<f64>) -> Vector {
@@ -79,7 +119,7 @@ fn place(fit: &Fit<'_>, poses: &[Solved<f64>], unknowns: &mut Unknowns) -> Optio
     let mut matrix = SMatrix::<Vector, 3, 3>::zeros();
     let mut right = SVector::<Vector, 3>::zeros();
     for (pose, target) in poses.iter().zip(&fit.targets) {
-        let bar = pose.bars[0];
+        let bar = pose.traced(fit.problem.chain);
         let columns = [Vector::from(1.0), complex(bar.origin), complex(bar.along)];
         for row in 0..3 {
             right[row] += columns[row].conj() * target;
@@ -109,8 +149,10 @@ fn place(fit: &Fit<'_>, poses: &[Solved<f64>], unknowns: &mut Unknowns) -> Optio
 
 /// Zero of the output of a function, and a size in the middle of the bounds.
 fn zero(fit: &Fit<'_>, poses: &[Solved<f64>], unknowns: &mut Unknowns) {
-    let turned =
-        poses.iter().zip(&fit.targets).map(|(pose, target)| complex(pose.bars[1].along) * target.conj());
+    let turned = poses
+        .iter()
+        .zip(&fit.targets)
+        .map(|(pose, target)| complex(pose.output(fit.problem.chain)) * target.conj());
     unknowns[OUTPUT_ZERO] = turned.sum::<Vector>().arg();
     let scale = 0.5 * room(fit, unknowns);
     for value in &mut unknowns[SHAPE..POINT] {

@@ -27,8 +27,10 @@ pub(super) fn draw(plot: &Plot, canvas: &mut Canvas) {
         let pen = Pen::of(series.look, index);
         let row = plot.frame.top + ROW * (index as f64 + 0.5);
         let (from, to) = (right + 12.0, right + LINE - 8.0);
-        pen.curve(&[(from, row), (to, row)], canvas);
-        if series.marked {
+        if series.style.has_line() {
+            pen.curve(&[(from, row), (to, row)], canvas);
+        }
+        if series.style.has_markers() {
             pen.marker((f64::midpoint(from, to), row), canvas);
         }
         canvas.text(&series.name, (right + LINE, row), lettering(TEXT, Anchor::Start));

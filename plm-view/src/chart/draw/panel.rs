@@ -65,8 +65,10 @@ impl<'a> Plot<'a> {
         for (index, series) in self.panel.series.iter().enumerate() {
             let pen = Pen::of(series.look, index);
             for path in self.lines(series) {
-                pen.curve(&path, canvas);
-                if series.marked {
+                if series.style.has_line() {
+                    pen.curve(&path, canvas);
+                }
+                if series.style.has_markers() {
                     for &point in &path {
                         pen.marker(point, canvas);
                     }
