@@ -8,8 +8,6 @@ pub(crate) const INPUTS: usize = 32;
 pub(crate) const SWITCHES: usize = 64;
 /// Kinks.
 pub(crate) const KINKS: usize = 96;
-/// Guards and kinks.
-pub(crate) const WATCHED: usize = SWITCHES + KINKS;
 /// Rows of contact, and reactions that bound frictions.
 pub(crate) const ROWS: usize = 12;
 /// Events that set states.

@@ -8,7 +8,7 @@ use plm_compiler::lowered::{Operation, Register, Routine, Step, Target};
 use plm_runtime::Scalar;
 
 use crate::native::{Element, Function, Input, MachineCode, Tier, Translator};
-use crate::places::{Argument, List, Place, Room, in_state, of_scalar};
+use crate::places::{Argument, Array, List, Place, Room, in_state, of_scalar};
 use crate::recorded::{Recorded, repeat};
 
 /// A function: its steps, its arguments, and the places of its results.
@@ -37,9 +37,10 @@ type Whole = (&'static str, Option<Box<Code>>);
 const FORMULAS: usize = 2;
 
 /// The arguments as elements of lists.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Inputs {
     arguments: Vec<Input>,
+    /// Those of [`FIRST`], then others.
     lists: Vec<List>,
     /// Arguments that stand in no list.
     gathered: Vec<Argument>,
@@ -128,8 +129,14 @@ impl Code {
         (first.map(move |(element, register)| (element.index, own[*register as usize])), returned)
     }
 
-    /// The step of a formula by this rate, which `make` makes once.
+    /// The step of a formula by this rate, where it was made.
     #[inline]
+    pub(crate) fn known_whole(&'static self, formula: &'static str) -> Option<&'static Code> {
+        let own = self.whole.iter().find_map(|place| place.get().filter(|(own, _)| is_same(own, formula)));
+        own?.1.as_deref()
+    }
+
+    /// The step of a formula by this rate, which `make` makes once.
     pub(crate) fn whole(
         &'static self,
         formula: &'static str,
@@ -139,7 +146,7 @@ impl Code {
         self.whole.iter().find_map(|place| {
             let (own, code) =
                 place.get_or_init(|| (formula, make.take().and_then(|make| make().map(Box::new))));
-            (*own == formula).then_some(code.as_deref())
+            is_same(own, formula).then_some(code.as_deref())
         })?
     }
 
@@ -174,6 +181,7 @@ impl Code {
     pub(crate) fn compute<'a, S: Scalar + 'a>(
         &self,
         code: &dyn MachineCode,
+        first: [&'a [S]; FIRST.len()],
         (list, gathered): (impl Fn(List) -> &'a [S], impl Fn(Argument) -> S),
         outputs: &mut [&mut [f64]],
         mut other: impl FnMut(Place, S),
@@ -183,19 +191,20 @@ impl Code {
             for (to, argument) in own.iter_mut().zip(beside) {
                 *to = gathered(*argument);
             }
-            let (mut few, mut all): ([&[f64]; FEW_LISTS], [&[f64]; LISTS]);
-            let inputs = if lists.len() <= FEW_LISTS {
-                few = [&[]; FEW_LISTS];
-                &mut few[..]
+            let first = first.map(|list| S::f64s(list).unwrap_or_default());
+            let mut all: [&[f64]; LISTS];
+            let inputs = if lists.len() <= FIRST.len() {
+                &first[..]
             } else {
                 all = [&[]; LISTS];
-                &mut all[..]
+                all[..FIRST.len()].copy_from_slice(&first);
+                for (to, from) in all.iter_mut().zip(lists).skip(FIRST.len()) {
+                    *to = S::f64s(if *from == List::Gathered { own } else { list(*from) })?;
+                }
+                &all[..lists.len()]
             };
-            for (to, from) in inputs.iter_mut().zip(lists) {
-                *to = S::f64s(if *from == List::Gathered { own } else { list(*from) })?;
-            }
             with_room(self.others.len(), |others: &mut [f64]| {
-                let value = code.run(&inputs[..lists.len()], outputs, others)?;
+                let value = code.run(inputs, outputs, others)?;
                 for ((place, _), value) in self.others.iter().zip(others) {
                     other(*place, S::lit(*value));
                 }
@@ -258,14 +267,26 @@ impl Code {
     }
 }
 
+/// Are two names the same? They are constants: most often in the same place.
+fn is_same(name: &'static str, other: &'static str) -> bool {
+    std::ptr::eq(name, other) || name == other
+}
+
 /// The most lists that a function reads: every [`Array`] and every other [`List`].
 const LISTS: usize = 20;
-/// So many lists are enough for most functions.
-const FEW_LISTS: usize = 6;
+/// Lists that every function has, in this order: most functions read no others, and none of these is looked for.
+pub(crate) const FIRST: [List; 6] = [
+    List::Time,
+    List::Parameters,
+    List::Inputs,
+    List::Switches,
+    List::Array(Array::X),
+    List::Array(Array::Step),
+];
 
 impl Inputs {
     fn new(arguments: &[Argument]) -> Inputs {
-        let mut inputs = Inputs::default();
+        let mut inputs = Inputs { arguments: Vec::new(), lists: FIRST.to_vec(), gathered: Vec::new() };
         for argument in arguments {
             let input = inputs.input(*argument);
             inputs.arguments.push(input);
@@ -299,7 +320,7 @@ impl Inputs {
 
 /// Gives `work` a list of so many zeros.
 #[inline]
-fn with_room<S: Scalar, R>(count: usize, work: impl FnOnce(&mut [S]) -> R) -> R {
+pub(crate) fn with_room<S: Scalar, R>(count: usize, work: impl FnOnce(&mut [S]) -> R) -> R {
     const FEW: usize = 48;
     const VERY_FEW: usize = 8;
     if count == 0 {

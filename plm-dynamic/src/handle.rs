@@ -7,8 +7,8 @@ use plm_runtime::contact;
 use plm_runtime::held::Held as HeldOf;
 use plm_runtime::{Real, Scalar, Start, StartValues};
 
-use crate::capacity::{PARAMETERS, ROWS, SWITCHES, WATCHED};
-use crate::code::Code;
+use crate::capacity::{PARAMETERS, ROWS, SWITCHES};
+use crate::code::{Code, FIRST};
 use crate::memory::Memory;
 use crate::model::Model;
 use crate::native::{MachineCode, Translator};
@@ -184,7 +184,16 @@ impl<
         let machine_code = self.machine_code(code)?;
         let mut own = outputs.each_mut().map(|list| S::f64s_mut(list).unwrap_or_default());
         let inputs = (|list| self.list(list, frame), |argument| self.read(argument, frame));
-        code.compute(machine_code, inputs, &mut own, other)
+        code.compute(machine_code, self.first_lists(frame), inputs, &mut own, other)
+    }
+
+    /// The lists of [`FIRST`].
+    #[inline]
+    fn first_lists<'a>(&'a self, frame: &'a Frame<'a, S, NQ, L, H, R>) -> [&'a [S]; FIRST.len()] {
+        let (inputs, switches): (&[S], &[S]) =
+            frame.held.map_or((&[], &[]), |held| (&held.input, &held.switches));
+        let step = frame.beside.map_or(&[][..], |beside| beside.step);
+        [std::slice::from_ref(&frame.t), &self.parameters, inputs, switches, frame.x, step]
     }
 
     /// Machine code of a function; no other scalar than f64 has some.
@@ -232,7 +241,7 @@ impl<
     }
 
     #[inline]
-    fn read(&self, argument: Argument, frame: &Frame<S, NQ, L, H, R>) -> S {
+    pub(crate) fn read(&self, argument: Argument, frame: &Frame<S, NQ, L, H, R>) -> S {
         let of = |list, k: usize| self.list(list, frame).get(k).copied().unwrap_or(S::ZERO);
         match argument {
             Argument::Time => frame.t,
@@ -314,17 +323,13 @@ impl<
         self.model.lowered.form == Form::Loops
     }
 
-    /// Guards, then kinks, where they need no accelerations.
-    pub(crate) fn watched(&self, t: S, held: &Held<S, NQ, L, H, R>, x: &[S], out: &mut [S; WATCHED]) {
-        let frame = Frame::of_state(t, held, x);
-        let code = match held.of_loops {
+    /// The function of guards, then kinks, in the coordinates that are held.
+    pub(crate) fn guards_of_state(&self, held: &Held<S, NQ, L, H, R>) -> Option<&'static Code> {
+        match held.of_loops {
             OfLoops::InChart { chart, .. } if !self.is_absolute() => {
                 self.model.in_charts.get(chart).map(|chart| &chart.guards)
             }
             _ => Some(&self.model.absolute.guards),
-        };
-        if let Some(code) = code {
-            self.run(code, &frame, [out]);
         }
     }
 }

@@ -4,6 +4,7 @@
 //! contracts of the runtime over them, so that assembly, events, charts and every method are those of compiled mechanisms, and so are
 //! the bits.
 
+mod augmented;
 mod capacity;
 mod code;
 mod column;

@@ -7,6 +7,7 @@ use plm_runtime::absolute::Layout;
 use plm_runtime::charts::{Charts, Revolutions};
 use plm_runtime::limits::{Least, Limit};
 
+use crate::augmented::Augmented;
 use crate::code::Code;
 use crate::contact::Contacts;
 use crate::description::Description;
@@ -28,6 +29,7 @@ pub(crate) struct Model {
     pub(crate) typical: Vec<f64>,
     pub(crate) absolute: Absolute,
     pub(crate) in_charts: Vec<InChart>,
+    pub(crate) augmented: Option<Augmented>,
     pub(crate) switches: Switches,
     pub(crate) contacts: Option<Contacts>,
     pub(crate) sets: Sets,
@@ -163,6 +165,7 @@ impl Model {
             coordinates,
             typical: typical(lowered, state),
             absolute,
+            augmented: Augmented::new(lowered, state),
             in_charts: lowered.charts.iter().map(|chart| InChart::new(chart, state)).collect(),
             switches: Switches::new(lowered, state),
             start: Start::new(lowered, state),

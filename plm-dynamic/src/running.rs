@@ -6,7 +6,7 @@ use plm_runtime::held::Discrete;
 use plm_runtime::{BodyState, Described, Dop853, Fault, Linear, Method, Moment, Rk4, Sim, Statics, Stats};
 
 use crate::record::{See, record};
-use crate::sizes::{Large, PlainSmall, PlainTiny, Small, Tiny};
+use crate::sizes::{Large, PlainSmall, PlainTiny, PlainTinyStates, Small, Tiny};
 
 /// Work on a run of a mechanism from text, whatever room the mechanism takes, and whatever method it runs by.
 pub trait OnRun {
@@ -31,6 +31,10 @@ pub(crate) enum Running {
     PlainTinyDop853(Box<Sim<PlainTiny, Dop853<PlainTiny>>>),
     /// Of the smallest size, without contact.
     PlainTinyRk4(Box<Sim<PlainTiny, Rk4<f64>>>),
+    /// Of the smallest size with states, without contact.
+    PlainTinyStatesDop853(Box<Sim<PlainTinyStates, Dop853<PlainTinyStates>>>),
+    /// Of the smallest size with states, without contact.
+    PlainTinyStatesRk4(Box<Sim<PlainTinyStates, Rk4<f64>>>),
     /// Of the middle size, without contact.
     PlainSmallDop853(Box<Sim<PlainSmall, Dop853<PlainSmall>>>),
     /// Of the middle size, without contact.
@@ -43,47 +47,29 @@ pub(crate) enum Running {
     LargeRk4(Box<Sim<Large, Rk4<f64>>>),
 }
 
+/// Evaluates an expression on the simulation of a run, whatever its size and method; `$small` on one of the middle size.
+macro_rules! of_each {
+    ($running:expr, $sim:ident => $value:expr, $small:expr) => {
+        match $running {
+            Running::Small($sim) => $small,
+            Running::PlainTinyDop853($sim) => $value,
+            Running::PlainTinyRk4($sim) => $value,
+            Running::PlainTinyStatesDop853($sim) => $value,
+            Running::PlainTinyStatesRk4($sim) => $value,
+            Running::PlainSmallDop853($sim) => $value,
+            Running::PlainSmallRk4($sim) => $value,
+            Running::TinyDop853($sim) => $value,
+            Running::TinyRk4($sim) => $value,
+            Running::LargeDop853($sim) => $value,
+            Running::LargeRk4($sim) => $value,
+        }
+    };
+}
+
 /// Evaluates an expression on the state of a run.
 macro_rules! at_state {
     ($running:expr, $state:ident => $value:expr) => {
-        match $running {
-            Running::Small(sim) => {
-                let $state = sim.state();
-                $value
-            }
-            Running::PlainTinyDop853(sim) => {
-                let $state = sim.state();
-                $value
-            }
-            Running::PlainTinyRk4(sim) => {
-                let $state = sim.state();
-                $value
-            }
-            Running::PlainSmallDop853(sim) => {
-                let $state = sim.state();
-                $value
-            }
-            Running::PlainSmallRk4(sim) => {
-                let $state = sim.state();
-                $value
-            }
-            Running::TinyDop853(sim) => {
-                let $state = sim.state();
-                $value
-            }
-            Running::TinyRk4(sim) => {
-                let $state = sim.state();
-                $value
-            }
-            Running::LargeDop853(sim) => {
-                let $state = sim.state();
-                $value
-            }
-            Running::LargeRk4(sim) => {
-                let $state = sim.state();
-                $value
-            }
-        }
+        of_each!($running, sim => { let $state = sim.state(); $value }, { let $state = sim.state(); $value })
     };
 }
 
@@ -101,17 +87,7 @@ impl<W: OnRun> OnSim<Small> for OfSmall<W> {
 impl Running {
     /// Does something with it.
     pub(crate) fn then<W: OnRun>(&mut self, work: W) -> W::Output {
-        match self {
-            Self::Small(sim) => sim.then(OfSmall(work)),
-            Self::PlainTinyDop853(sim) => work.on(sim),
-            Self::PlainTinyRk4(sim) => work.on(sim),
-            Self::PlainSmallDop853(sim) => work.on(sim),
-            Self::PlainSmallRk4(sim) => work.on(sim),
-            Self::TinyDop853(sim) => work.on(sim),
-            Self::TinyRk4(sim) => work.on(sim),
-            Self::LargeDop853(sim) => work.on(sim),
-            Self::LargeRk4(sim) => work.on(sim),
-        }
+        of_each!(self, sim => work.on(sim), sim.then(OfSmall(work)))
     }
 
     /// The time, s.

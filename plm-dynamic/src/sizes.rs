@@ -17,6 +17,8 @@ use crate::text::{Compiled, Refused};
 pub(crate) type Tiny = Dynamic<f64, 9, 8, 32>;
 /// Those without contact, of at most 2 first-order states, 8 inputs and 8 conditions, whose loops remember at most 6 numbers of each kind.
 pub(crate) type PlainTiny = Dynamic<f64, 9, 8, 20, 6, 8, 0>;
+/// The same of at most 14 first-order states.
+pub(crate) type PlainTinyStates = Dynamic<f64, 9, 8, 32, 6, 8, 0>;
 /// Mechanisms of at most 8 bodies, 32 constraint rows and 16 first-order states.
 pub type Small = Dynamic<f64, 24, 32, 64>;
 /// Those without contact, of at most 8 inputs and 8 conditions, whose loops remember at most 12 numbers of each kind.
@@ -40,6 +42,8 @@ pub(crate) enum Models {
 pub(crate) enum Contents {
     /// Few inputs and conditions, small loops and no contact: [`PlainTiny`] or [`PlainSmall`] is enough.
     Plain,
+    /// The same with more first-order states than [`PlainTiny`] has room for: [`PlainTinyStates`] is enough.
+    PlainStates,
     /// More.
     Full,
 }
@@ -50,12 +54,6 @@ impl<const NQ: usize, const NC: usize, const N: usize, const L: usize, const H: 
     /// Is there room for a mechanism?
     fn has_room(of: &Compiled) -> Result<(), Refused> {
         of.fits::<NQ, NC, N, L, H, R>()
-    }
-}
-
-impl Contents {
-    fn of(fits_plain: Result<(), Refused>) -> Contents {
-        fits_plain.map_or(Contents::Full, |()| Contents::Plain)
     }
 }
 
@@ -108,12 +106,16 @@ impl Given {
 impl Models {
     pub(crate) fn new(compiled: Compiled) -> Result<Models, Refused> {
         if Tiny::has_room(&compiled).is_ok() {
-            let contents = Contents::of(PlainTiny::has_room(&compiled));
+            let contents = match (PlainTiny::has_room(&compiled), PlainTinyStates::has_room(&compiled)) {
+                (Ok(()), _) => Contents::Plain,
+                (_, Ok(())) => Contents::PlainStates,
+                _ => Contents::Full,
+            };
             let small = compiled.clone().model(24);
             return Ok(Self::Tiny([compiled.model(9), small], contents));
         }
         if Small::has_room(&compiled).is_ok() {
-            let contents = Contents::of(PlainSmall::has_room(&compiled));
+            let contents = PlainSmall::has_room(&compiled).map_or(Contents::Full, |()| Contents::Plain);
             return Ok(Self::Small(compiled.model(24), contents));
         }
         Large::has_room(&compiled)?;
@@ -142,6 +144,12 @@ impl Models {
             }
             (Self::Tiny([tiny, _], Contents::Plain), Integrator::Rk4(h)) => {
                 Running::PlainTinyRk4(sim((tiny, given), Rk4::new(h))?)
+            }
+            (Self::Tiny([tiny, _], Contents::PlainStates), Integrator::Dop853(rtol)) => {
+                Running::PlainTinyStatesDop853(sim((tiny, given), Dop853::new(rtol))?)
+            }
+            (Self::Tiny([tiny, _], Contents::PlainStates), Integrator::Rk4(h)) => {
+                Running::PlainTinyStatesRk4(sim((tiny, given), Rk4::new(h))?)
             }
             (Self::Tiny([tiny, _], Contents::Full), Integrator::Dop853(rtol)) => {
                 Running::TinyDop853(sim((tiny, given), Dop853::new(rtol))?)

@@ -159,7 +159,7 @@ fn same_bits_with_history<M: Described<S = f64>>(mechanism: M) {
     }
 }
 
-/// The same by methods that solve with the full matrix of derivatives. Of a tree compiled code solves another system, the augmented one.
+/// The same by methods that solve with derivatives.
 fn same_bits_of_implicit<M: Described<S = f64> + Linear>(mechanism: M) {
     for dynamic in from_text(&mechanism) {
         let stiff = (
@@ -191,6 +191,7 @@ fn trees() {
     same_bits(chain::Chain::new());
     same_bits(double_pendulum::DoublePendulum::new());
     same_bits_with_history(double_pendulum::DoublePendulum::new());
+    same_bits_of_implicit(double_pendulum::DoublePendulum::new());
 }
 
 #[test]

@@ -93,18 +93,22 @@ pub const fn terms<const N: usize>(numbers: &[u32]) -> [Term; N] {
     let mut at = 0;
     while at < N {
         let k = 5 * at;
-        let part = match numbers[k + 4] {
-            0 => Part::Value,
-            1 => Part::Rate,
-            2 => Part::Position,
-            3 => Part::Velocity,
-            _ => Part::Acceleration,
-        };
-        let [coefficient, row, column, entry] = [numbers[k], numbers[k + 1], numbers[k + 2], numbers[k + 3]];
-        all[at] = Term { coefficient, row, column, entry, part };
+        all[at] = term([numbers[k], numbers[k + 1], numbers[k + 2], numbers[k + 3], numbers[k + 4]]);
         at += 1;
     }
     all
+}
+
+/// One of them.
+pub const fn term([coefficient, row, column, entry, part]: [u32; 5]) -> Term {
+    let part = match part {
+        0 => Part::Value,
+        1 => Part::Rate,
+        2 => Part::Position,
+        3 => Part::Velocity,
+        _ => Part::Acceleration,
+    };
+    Term { coefficient, row, column, entry, part }
 }
 
 /// Pivots: row, entry, below and right with beginning and end, targets.

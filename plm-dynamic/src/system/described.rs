@@ -86,7 +86,7 @@ impl<
     }
 
     fn instant_name(&self, t: S, held: &Held<S, NQ, L, H, R>) -> &'static str {
-        nearest(t, self.model.description.instants, &self.instants(held).0)
+        self.instants(held, |at, _| nearest(t, self.model.description.instants, at))
     }
 
     fn state(state: &Self::State, index: usize) -> Option<S> {

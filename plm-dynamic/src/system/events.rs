@@ -7,8 +7,10 @@ use plm_runtime::contact::{self, Contacts};
 use plm_runtime::{Cause, Enclosed, Events, Fault, Moment, Real, events};
 
 use super::State;
-use crate::capacity::{KINKS, WATCHED};
+use crate::capacity::KINKS;
+use crate::code::with_room;
 use crate::handle::{Beside, Dynamic, Frame, Held};
+use crate::places::{Argument, Array};
 use crate::system::contact::store;
 
 impl<
@@ -21,10 +23,22 @@ impl<
     const R: usize,
 > Dynamic<S, NQ, NC, N, L, H, R>
 {
-    /// Guards, then kinks, at a state.
-    fn all_watched(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N]) -> [S; WATCHED] {
-        let mut all = [S::lit(1.0); WATCHED];
-        let u = &if self.conditions_read_multipliers() { self.loaded(t, u, x) } else { *u };
+    /// Gives `see` guards, then kinks, at a state.
+    fn watch<T>(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N], see: impl FnOnce(&[S]) -> T) -> T {
+        let switches = &self.model.lowered.switches;
+        with_room(switches.guards + switches.kinks, |all| {
+            if all.is_empty() {
+            } else if self.conditions_read_multipliers() {
+                self.watch_holding(t, &self.loaded(t, u, x), x, all);
+            } else {
+                self.watch_holding(t, u, x, all);
+            }
+            see(all)
+        })
+    }
+
+    /// The same where multipliers that conditions read are held.
+    fn watch_holding(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N], all: &mut [S]) {
         if self.model.lowered.switches.read_solution {
             let state = State::new(*self, *u, t, *x);
             let (a, lambda) = state.solved();
@@ -34,23 +48,27 @@ impl<
             let x: &[S] = if code.is_some() { x } else { &full };
             let beside = Beside { a: &a, lambda: &lambda, ..Beside::NONE };
             let frame = Frame { beside: Some(&beside), ..Frame::of_state(t, u, x) };
-            self.run(code.unwrap_or(&self.model.absolute.guards), &frame, [&mut all]);
-        } else if matches!(u.of_loops, OfLoops::Free { .. }) {
-            let full = State::new(*self, *u, t, *x).absolute();
-            self.watched(t, u, &full, &mut all);
-        } else {
-            self.watched(t, u, x, &mut all);
+            self.run(code.unwrap_or(&self.model.absolute.guards), &frame, [all]);
+            return;
         }
-        all
+        let Some(code) = self.guards_of_state(u) else { return all.fill(S::lit(1.0)) };
+        if matches!(u.of_loops, OfLoops::Free { .. }) {
+            let full = State::new(*self, *u, t, *x).absolute();
+            self.run(code, &Frame::of_state(t, u, &full), [all]);
+        } else {
+            self.run(code, &Frame::of_state(t, u, x), [all]);
+        }
     }
 
     /// Sets the sides of conditions on the time alone.
     pub(super) fn take_sides_at_time(&self, t: S, u: &mut Held<S, NQ, L, H, R>) {
-        let (at, slope) = self.instants(u);
         let guards = self.model.lowered.switches.guards;
-        for ((side, at), slope) in u.switches.iter_mut().skip(guards).zip(at).zip(slope) {
-            *side = if (at <= t) == (slope > S::ZERO) { S::lit(1.0) } else { S::lit(-1.0) };
-        }
+        let before = *u;
+        self.instants(&before, |at, slopes| {
+            for ((side, at), slope) in u.switches.iter_mut().skip(guards).zip(at).zip(slopes) {
+                *side = if (*at <= t) == (*slope > S::ZERO) { S::lit(1.0) } else { S::lit(-1.0) };
+            }
+        });
     }
 
     /// Guards of contact.
@@ -92,14 +110,18 @@ impl<
         existed.map_or(Ok(()), |existed| contact::appear::<Self, R>(self, t, (u, x), existed))
     }
 
-    /// Times at which conditions change, s, and the slopes of what they compare.
-    pub(super) fn instants(&self, u: &Held<S, NQ, L, H, R>) -> (Vec<S>, Vec<S>) {
+    /// Gives `see` the times at which conditions change, s, and the slopes of what they compare.
+    pub(super) fn instants<T>(&self, u: &Held<S, NQ, L, H, R>, see: impl FnOnce(&[S], &[S]) -> T) -> T {
         let switches = &self.model.lowered.switches;
         let count = switches.all.len() - switches.guards;
-        let (mut at, mut slope) = (vec![S::ZERO; count], vec![S::ZERO; count]);
-        let frame = Frame { held: Some(u), ..Frame::at(S::ZERO) };
-        self.run(&self.model.switches.instants, &frame, [&mut at, &mut slope]);
-        (at, slope)
+        with_room(2 * count, |both| {
+            let (at, slopes) = both.split_at_mut(count);
+            if count > 0 {
+                let frame = Frame { held: Some(u), ..Frame::at(S::ZERO) };
+                self.run(&self.model.switches.instants, &frame, [&mut *at, &mut *slopes]);
+            }
+            see(at, slopes)
+        })
     }
 }
 
@@ -134,12 +156,13 @@ impl<
     }
 
     fn guards(&self, t: S, u: &Self::U, x: &[S; N], g: &mut [S; H]) {
-        let all = self.all_watched(t, u, x);
         let own = self.model.lowered.switches.guards;
         *g = [S::lit(1.0); H];
-        for (guard, value) in g.iter_mut().zip(all).take(own) {
-            *guard = value;
-        }
+        self.watch(t, u, x, |all| {
+            for (guard, value) in g.iter_mut().zip(all).take(own) {
+                *guard = *value;
+            }
+        });
         if self.has_contacts() {
             contact::guards::<Self, R>(self, t, u, x, &mut |index, guard| {
                 if let Some(place) = self.place_of_guard(index) {
@@ -154,10 +177,12 @@ impl<
     }
 
     fn kinks(&self, t: S, u: &Self::U, x: &[S; N], each: &mut impl FnMut(usize, S)) {
-        let (all, switches) = (self.all_watched(t, u, x), &self.model.lowered.switches);
-        for (index, value) in all.into_iter().skip(switches.guards).take(switches.kinks).enumerate() {
-            each(index, value);
-        }
+        let guards = self.model.lowered.switches.guards;
+        self.watch(t, u, x, |all| {
+            for (index, value) in all.iter().skip(guards).enumerate() {
+                each(index, *value);
+            }
+        });
     }
 
     fn guards_within(
@@ -173,16 +198,21 @@ impl<
             return false;
         }
         let watched = switches.guards + switches.kinks;
-        if watched > 0 {
-            let constant = |number: S| Enclosed::constant(number);
-            let (mechanism, held) = (self.map(&constant), Self::map_held(u, &constant));
-            let x: [Enclosed<S>; N] = core::array::from_fn(x);
-            let mut all = [Enclosed::constant(S::lit(1.0)); WATCHED];
-            mechanism.watched(t, &held, &x, &mut all);
-            for (index, value) in all.into_iter().take(watched).enumerate() {
-                let kink = index.checked_sub(switches.guards);
-                each(kink.map_or(index, |kink| H + kink), value);
-            }
+        if let Some(code) = self.guards_of_state(u).filter(|_| watched > 0) {
+            let frame = Frame { held: Some(u), ..Frame::at(S::ZERO) };
+            // Nothing but the state and the time moves.
+            let argument = |argument: Argument| match argument {
+                Argument::Time => t,
+                Argument::Element(Array::X, place) => x(place),
+                _ => Enclosed::constant(self.read(argument, &frame)),
+            };
+            with_room(watched, |all: &mut [Enclosed<S>]| {
+                code.interpret(argument, &mut [&mut *all], |_, _| {});
+                for (index, value) in all.iter().enumerate() {
+                    let kink = index.checked_sub(switches.guards);
+                    each(kink.map_or(index, |kink| H + kink), *value);
+                }
+            });
         }
         !self.has_contacts()
             || contact::guards_within::<Self, R>(self, t, u, x, &mut |index, guard| {
@@ -255,8 +285,7 @@ impl<
     }
 
     fn next_time_event(&self, t: S, u: &Self::U) -> Option<S> {
-        let (at, _) = self.instants(u);
-        at.into_iter().filter(|at| *at > t).reduce(S::min)
+        self.instants(u, |at, _| at.iter().copied().filter(|at| *at > t).reduce(S::min))
     }
 
     fn switch_at_time(&self, t: S, u: &mut Self::U, x: &mut [S; N]) -> Result<(), Fault> {

@@ -6,6 +6,7 @@ mod conditional;
 mod contact;
 mod described;
 mod events;
+mod linear;
 mod mechanism;
 mod motion;
 mod sets;

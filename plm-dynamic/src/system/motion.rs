@@ -47,10 +47,11 @@ impl<
         from: &[S; N],
         to: &mut [S; N],
     ) -> Option<WholeStep<S>> {
-        let rate = self.rate_code(u).filter(|_| !self.has_contacts())?;
-        // Who steps seldom does not wait for a longer function than the rate.
-        self.machine_code(rate)?;
-        let code = rate.whole(F::NAME, || whole_step::<F, NQ, N>(self.model, rate))?;
+        let rate = self.rate_code(u)?;
+        let code = match rate.known_whole(F::NAME) {
+            Some(code) => code,
+            None => self.new_whole_step::<F>(rate)?,
+        };
         let mut health = [S::ZERO];
         let beside = Beside { step: &[h], ..Beside::NONE };
         let frame = Frame { beside: Some(&beside), ..Frame::of_state(t, u, from) };
@@ -123,6 +124,16 @@ impl<
             }
             Form::Loops => Health(self.run(rate, &frame, [dx])),
         }
+    }
+
+    /// The function of the step of a formula by a rate that is machine code: who steps seldom does not wait for a longer function.
+    #[cold]
+    fn new_whole_step<F: OneStep>(&self, rate: &'static Code) -> Option<&'static Code> {
+        if self.has_contacts() {
+            return None;
+        }
+        self.machine_code(rate)?;
+        rate.whole(F::NAME, || whole_step::<F, NQ, N>(self.model, rate))
     }
 
     /// The function of the rate in the coordinates that are held; none of loops without a chart.

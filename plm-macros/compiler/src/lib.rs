@@ -45,7 +45,7 @@ pub use compile::{Expansion, analyse, compile, names_only};
 pub use emit::Code;
 pub use facts::limits::{Least, Limit};
 pub use facts::quantities::{Quantities, Quantity};
-pub use formulate::{OfRows, RowTerm};
+pub use formulate::{Elimination, OfRows, RowTerm};
 pub use oracle::{InChart, Oracle};
 pub use picture::{Picture, PictureBody, PicturePart, PicturePort, PictureShape};
 pub use reads::{Motion, Reads};

@@ -86,10 +86,10 @@ impl<S: Real> GuardFree<S> {
         if states < M::X::LEN {
             // What there is only room for is zero, at the centre too.
             let first_order = 2 * M::NQ..2 * M::NQ + states - 2 * coordinates;
-            let all = (0..coordinates).chain(M::NQ..M::NQ + coordinates).chain(first_order);
+            let all = [0..coordinates, M::NQ..M::NQ + coordinates, first_order];
             return Path::between_stays(step.from, step.to, (M::NQ, coordinates, all), within);
         }
-        Path::between_stays(step.from, step.to, (M::NQ, M::NQ, 0..M::X::LEN), within)
+        Path::between_stays(step.from, step.to, (M::NQ, M::NQ, [0..M::X::LEN, 0..0, 0..0]), within)
     }
 
     /// Is a value of a component within reach? False for what is not a number.

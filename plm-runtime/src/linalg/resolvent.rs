@@ -76,8 +76,8 @@ pub trait Derivatives<S: Real, X: Dense<S>>: Copy {
 #[derive(Clone, Copy, Debug)]
 pub struct Resolvent<T, const N: usize> {
     /// 1 / lambda.
-    inverse: T,
-    lu: Lu<T, N>,
+    pub(super) inverse: T,
+    pub(super) lu: Lu<T, N>,
 }
 
 impl<S: Real, const N: usize> Dense<S> for [S; N] {

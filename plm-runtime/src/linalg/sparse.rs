@@ -5,7 +5,6 @@ use core::marker::PhantomData;
 use super::complex::{Both, Complex, Entry};
 use super::resolvent::{Dense, Derivatives};
 use crate::scalar::Real;
-use crate::vector::Vector;
 use crate::words::Words;
 
 /// What a coefficient of an augmented system multiplies.
@@ -132,22 +131,10 @@ impl<S: Real, P: Patterned, X: Dense<S>, const C: usize, const E: usize, const U
     /// `c_q q + c_v v + c_a v' + c_s s + c_r s' + c z = 0` of the derivatives says
     /// `(c_q / lambda + c_v + lambda c_a) v + (c_s + lambda c_r) s + c z = -c_q r_q / lambda + c_a r_v + c_r r_s`.
     fn decompose<T: Entry<S>>(&self, lambda: T, _nq: usize, into: &mut Eliminated<T, E>) -> bool {
-        let inverse = lambda.reciprocal();
-        into.inverse = inverse;
-        let entries = &mut into.entries;
-        *entries = [T::real(S::ZERO); E];
-        for term in P::PATTERN.terms {
-            let coefficient = self.coefficients.at(term.coefficient as usize);
-            let value = match term.part {
-                Part::Value | Part::Velocity => T::real(coefficient),
-                Part::Rate | Part::Acceleration => lambda.times(coefficient),
-                Part::Position => inverse.times(coefficient),
-            };
-            if let Some(entry) = entries.get_mut(term.entry as usize) {
-                *entry = *entry + value;
-            }
-        }
-        eliminate::<S, T, E, U>(&P::PATTERN, entries).is_some()
+        into.inverse = lambda.reciprocal();
+        into.entries = [T::real(S::ZERO); E];
+        let inverses = (lambda, into.inverse);
+        decompose((&P::PATTERN, &self.coefficients), inverses, &mut into.entries, &mut [S::ZERO; U])
     }
 
     fn resolve<T: Entry<S>>(
@@ -158,7 +145,10 @@ impl<S: Real, P: Patterned, X: Dense<S>, const C: usize, const E: usize, const U
         each: impl FnMut(usize, T),
     ) {
         let entry = |place| at::<S, T>(&resolvent.entries, place);
-        solve::<S, T, U>((&P::PATTERN, &self.coefficients), (entry, resolvent.inverse), nq, r, each);
+        let zero = T::real(S::ZERO);
+        let (mut knowns, mut b) = ([[zero; U]; 3], [zero; U]);
+        let work = Work::of(&mut knowns, &mut b);
+        solve((&P::PATTERN, &self.coefficients), (entry, resolvent.inverse), nq, (r, each), work);
     }
 
     /// In one walk along the pattern, which costs more than the arithmetic.
@@ -174,7 +164,10 @@ impl<S: Real, P: Patterned, X: Dense<S>, const C: usize, const E: usize, const U
             complex: at::<S, Complex<S>>(&complex.entries, place),
         };
         let inverse = Both { real: real.inverse, complex: complex.inverse };
-        solve::<S, Both<S>, U>((&P::PATTERN, &self.coefficients), (entry, inverse), nq, r, each);
+        let zero = Both::real(S::ZERO);
+        let (mut knowns, mut b) = ([[zero; U]; 3], [zero; U]);
+        let work = Work::of(&mut knowns, &mut b);
+        solve((&P::PATTERN, &self.coefficients), (entry, inverse), nq, (r, each), work);
     }
 
     fn full(&mut self) -> Option<&mut X::Matrix> {
@@ -187,7 +180,7 @@ impl<S: Real, P: Patterned, X: Dense<S>, const C: usize, const E: usize, const U
 }
 
 /// The entry at a place; zero beyond the end.
-fn at<S: Real, T: Entry<S>>(entries: &[T], place: u32) -> T {
+pub(super) fn at<S: Real, T: Entry<S>>(entries: &[T], place: u32) -> T {
     entries.get(place as usize).copied().unwrap_or(T::real(S::ZERO))
 }
 
@@ -196,12 +189,32 @@ fn part<T>(list: &[T], [from, to]: [u32; 2]) -> &[T] {
     list.get(from as usize..to as usize).unwrap_or(&[])
 }
 
+/// The entries, which are zeros at first, for a lambda and its reciprocal, eliminated; false where a pivot is nothing but rounding, or not
+/// finite. `made_of`, zeros at first, has room for as many numbers as there are unknowns.
+#[inline]
+#[must_use]
+pub(super) fn decompose<S: Real, T: Entry<S>>(
+    (pattern, coefficients): (&Pattern, &[S]),
+    (lambda, inverse): (T, T),
+    entries: &mut [T],
+    made_of: &mut [S],
+) -> bool {
+    for term in pattern.terms {
+        let coefficient = at::<S, S>(coefficients, term.coefficient);
+        let value = match term.part {
+            Part::Value | Part::Velocity => T::real(coefficient),
+            Part::Rate | Part::Acceleration => lambda.times(coefficient),
+            Part::Position => inverse.times(coefficient),
+        };
+        if let Some(entry) = entries.get_mut(term.entry as usize) {
+            *entry = *entry + value;
+        }
+    }
+    eliminate(pattern, entries, made_of).is_some()
+}
+
 /// L U in the order of the pattern; none where a pivot is nothing but rounding, or not finite.
-fn eliminate<S: Real, T: Entry<S>, const E: usize, const U: usize>(
-    pattern: &Pattern,
-    entries: &mut [T; E],
-) -> Option<()> {
-    let mut made_of = [S::ZERO; U];
+fn eliminate<S: Real, T: Entry<S>>(pattern: &Pattern, entries: &mut [T], made_of: &mut [S]) -> Option<()> {
     for pivot in pattern.pivots {
         let size = at::<S, T>(entries, pivot.entry).size();
         let made_of_it = made_of.get(pivot.row as usize).copied().unwrap_or(S::ZERO);
@@ -230,40 +243,58 @@ fn eliminate<S: Real, T: Entry<S>, const E: usize, const U: usize>(
     Some(())
 }
 
+/// Room for a solution, zeros at first.
+pub(super) struct Work<'a, T> {
+    /// Of each coordinate r_q, and what the coefficients of its place are multiplied by.
+    of_positions: [&'a mut [T]; 2],
+    /// What coefficients of second derivatives and rates are multiplied by.
+    by_rate: &'a mut [T],
+    /// The right-hand side of each equation, later its unknown.
+    b: &'a mut [T],
+}
+
+impl<'a, T> Work<'a, T> {
+    /// In arrays.
+    pub(super) fn of<const K: usize>(
+        [r_q, by_position, by_rate]: &'a mut [[T; K]; 3],
+        b: &'a mut [T],
+    ) -> Self {
+        Work { of_positions: [r_q, by_position], by_rate, b }
+    }
+}
+
 /// Solves an eliminated system of these entries, where `inverse` is 1 / lambda.
 #[inline]
-fn solve<S: Real, T: Entry<S>, const U: usize>(
+pub(super) fn solve<S: Real, T: Entry<S>>(
     (pattern, coefficients): (&Pattern, &[S]),
     (entry, inverse): (impl Fn(u32) -> T, T),
     nq: usize,
-    mut r: impl FnMut(usize) -> T,
-    mut each: impl FnMut(usize, T),
+    (mut r, mut each): (impl FnMut(usize) -> T, impl FnMut(usize, T)),
+    Work { of_positions: [r_q, by_position], by_rate, b }: Work<'_, T>,
 ) {
     let (n, zero) = (pattern.coordinates as usize, T::real(S::ZERO));
     let rates = n + pattern.states as usize;
     // What columns are multiplied by stands in many terms.
-    let (mut r_q, mut by_position, mut by_rate) = ([zero; U], [zero; U], [zero; U]);
-    for (i, (r_q, known)) in r_q.iter_mut().zip(&mut by_position).enumerate().take(n) {
+    for (i, (r_q, known)) in r_q.iter_mut().zip(by_position.iter_mut()).enumerate().take(n) {
         *r_q = r(i);
         *known = zero - *r_q * inverse;
     }
     for (i, known) in by_rate.iter_mut().enumerate().take(rates) {
         *known = r(nq + i);
     }
-    let mut b = [zero; U];
     for term in pattern.terms {
-        let knowns = match term.part {
+        let knowns: &[T] = match term.part {
             Part::Value | Part::Velocity => continue,
-            Part::Position => &by_position,
-            Part::Acceleration | Part::Rate => &by_rate,
+            Part::Position => by_position,
+            Part::Acceleration | Part::Rate => by_rate,
         };
-        let coefficient = coefficients.get(term.coefficient as usize).copied().unwrap_or(S::ZERO);
+        let coefficient = at::<S, S>(coefficients, term.coefficient);
         if let Some(b) = b.get_mut(term.row as usize) {
             *b = *b + at::<S, T>(knowns, term.column).times(coefficient);
         }
     }
-    substitute(pattern, entry, &mut b);
-    for (i, (r_q, v)) in r_q.iter().zip(&b).enumerate().take(n) {
+    substitute(pattern, entry, b);
+    for (i, (r_q, v)) in r_q.iter().zip(&*b).enumerate().take(n) {
         each(i, (*r_q + *v) * inverse);
     }
     for (i, k) in b.iter().enumerate().take(rates) {
@@ -273,11 +304,7 @@ fn solve<S: Real, T: Entry<S>, const U: usize>(
 
 /// Solves L U y = b in place.
 #[inline]
-fn substitute<S: Real, T: Entry<S>, const U: usize>(
-    pattern: &Pattern,
-    entry: impl Fn(u32) -> T,
-    b: &mut [T; U],
-) {
+fn substitute<S: Real, T: Entry<S>>(pattern: &Pattern, entry: impl Fn(u32) -> T, b: &mut [T]) {
     for pivot in pattern.pivots {
         let known = at::<S, T>(b, pivot.row);
         for below in part(pattern.below, pivot.below) {

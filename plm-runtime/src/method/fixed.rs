@@ -1,5 +1,7 @@
 //! What the fixed-step methods share: dividing an interval, health, drift.
 
+mod whole;
+
 use core::marker::PhantomData;
 
 use super::estimate::Estimate;
@@ -322,6 +324,9 @@ impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
 
     #[inline]
     fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
+        if M::WHOLE && self.advance_whole(context) {
+            return Ok(());
+        }
         let mut next = context.x;
         self.step(context, &mut next)?;
         self.land(context, next)

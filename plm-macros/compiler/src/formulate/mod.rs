@@ -7,6 +7,7 @@
 mod absolute;
 mod colours;
 mod contact;
+mod elimination;
 mod function;
 mod ldl;
 mod linearised;
@@ -23,8 +24,9 @@ mod switches;
 pub(crate) use absolute::{Absolute, Conditional, coordinate_name, eliminates_beyond, formulate};
 pub(crate) use colours::Reads;
 pub(crate) use contact::ContactFunctions;
+pub use elimination::Elimination;
 pub(crate) use function::{Function, Place};
-pub(crate) use linearised::{Augmented, Linearised, Part, Term};
+pub(crate) use linearised::{Augmented, Linearised};
 pub(crate) use program::{Program, reduce};
 pub(crate) use reduced::{Chart, Reduced, is_tree};
 pub(crate) use resolvent::Resolvent;

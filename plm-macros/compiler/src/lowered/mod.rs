@@ -1,5 +1,6 @@
 //! A mechanism as data: what emission writes as Rust, as tables and routines that a program can run without rustc.
 
+mod augmented;
 mod charts;
 mod contact;
 mod description;
@@ -23,6 +24,7 @@ use crate::report::Report;
 use crate::source::{Origin, Source, Symbols};
 use crate::units::DisplayUnit;
 
+pub use self::augmented::Augmented;
 pub use self::charts::{Chart, Loops, Turns};
 pub use self::contact::{
     BoundingReaction, Conditional, ContactChart, ContactKind, ContactRow, Contacts, Impacts, OfRows,
@@ -35,6 +37,7 @@ pub use self::sets::{Set, Sets};
 pub use self::start::{Branch, Least, Limit, Parameter, Starts};
 pub use self::switches::{End, Jump, Switch, Switches};
 pub use crate::facts::quantities::{Quantities, Quantity};
+pub use crate::formulate::Elimination;
 pub use crate::reads::{Motion, Reads};
 
 /// A mechanism as data.
@@ -70,6 +73,8 @@ pub struct Lowered {
     pub absolute: AbsoluteEquations,
     /// Joint coordinates, chart by chart; none of absolute coordinates, one of a tree.
     pub charts: Vec<Chart>,
+    /// Linearised equations, where implicit methods solve these in place of df/dx.
+    pub augmented: Option<Augmented>,
     /// The memory of loops.
     pub loops: Option<Loops>,
     /// Angles whose turns are counted.
@@ -200,6 +205,7 @@ impl Lowered {
             rows: equations::rows(&parts),
             absolute: AbsoluteEquations::new(&parts),
             charts: charts::charts(&parts),
+            augmented: Augmented::new(&parts),
             loops: reduced.filter(|_| form == Form::Loops).map(|reduced| Loops::new(model, reduced)),
             turns: charts::turns(&parts),
             switches: Switches::new(&parts),

@@ -1,6 +1,6 @@
 //! `Linear`: the mechanism and what it holds as constants with derivatives; of a large tree, its linearised equations.
 
-use crate::collect::{CollectVec, MapEach, PushAll};
+use crate::collect::{CollectVec, MapEach};
 use crate::emit::template::quote;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
@@ -11,7 +11,7 @@ use super::super::{Emission, Form, Sizes, number, table_compression};
 use super::charted::call;
 use super::directions::directions;
 use super::{contact, pack};
-use crate::formulate::{Augmented, Chart, Linearised, Part, Term};
+use crate::formulate::{Augmented, Chart, Elimination, Linearised};
 
 /// `Linear`.
 pub(crate) fn linear(emission: &Emission) -> TokenStream {
@@ -253,7 +253,7 @@ pub(crate) fn augmented(emission: &Emission) -> TokenStream {
 /// Where coefficients stand, and in which order unknowns are eliminated.
 fn pattern(emission: &Emission, augmented: &Augmented) -> TokenStream {
     let (coordinates, states) = (number(augmented.accelerations.len()), number(augmented.states));
-    let Tables { terms, pivots, below, right, targets } = Tables::of(augmented);
+    let Elimination { terms, pivots, below, right, targets } = Elimination::of(augmented);
     let table = |name: &str, numbers: &[u32], width: usize| {
         let (name, count) = (format_ident!("{name}"), number(numbers.len() / width));
         let numbers = table_compression::numbers(emission, numbers);
@@ -280,59 +280,5 @@ fn pattern(emission: &Emission, augmented: &Augmented) -> TokenStream {
                 targets: const { &#targets },
             };
         }
-    }
-}
-
-/// Places of the entries and the order of elimination: numbers in rows, as the runtime's `compact` has them.
-#[derive(Default)]
-struct Tables {
-    terms: Vec<u32>,
-    pivots: Vec<u32>,
-    below: Vec<u32>,
-    right: Vec<u32>,
-    targets: Vec<u32>,
-}
-
-impl Tables {
-    fn of(augmented: &Augmented) -> Tables {
-        let Augmented { terms, pattern, .. } = augmented;
-        let place = |row: usize, column: usize| pattern.places.get(&(row, column)).map(|place| *place as u32);
-        let mut tables = Tables::default();
-        for Term { coefficient, row, column, part } in terms {
-            let entry = place(*row, *column).unwrap_or_default();
-            let numbers = [*coefficient as u32, *row as u32, *column as u32, entry, number_of(*part)];
-            tables.terms.extend_from_slice(&numbers);
-        }
-        let Tables { pivots, below, right, targets, .. } = &mut tables;
-        for pivot in &pattern.pivots {
-            let row = pivot.row;
-            let (first_below, first_right) = ((below.len() / 3) as u32, (right.len() / 2) as u32);
-            let first_target = targets.len() as u32;
-            for &lower in &pivot.below {
-                let entry = place(lower, row).unwrap_or_default();
-                below.extend_from_slice(&[lower as u32, entry, place(row, lower).unwrap_or(u32::MAX)]);
-                targets.push_all(pivot.right.iter().filter_map(|&column| place(lower, column)));
-            }
-            for &column in &pivot.right {
-                right.extend_from_slice(&[column as u32, place(row, column).unwrap_or_default()]);
-            }
-            let (last_below, last_right) = ((below.len() / 3) as u32, (right.len() / 2) as u32);
-            let entry = place(row, row).unwrap_or_default();
-            let ends = [first_below, last_below, first_right, last_right];
-            pivots.extend_from_slice(&[row as u32, entry]);
-            pivots.extend_from_slice(&ends);
-            pivots.push(first_target);
-        }
-        tables
-    }
-}
-
-fn number_of(part: Part) -> u32 {
-    match part {
-        Part::Value => 0,
-        Part::Rate => 1,
-        Part::Position => 2,
-        Part::Velocity => 3,
-        Part::Acceleration => 4,
     }
 }

@@ -1,0 +1,150 @@
+//! The bits of compiled code by every method of the catalogue: trees, whose implicit methods solve augmented equations, loops in charts, and
+//! absolute coordinates; also of a run that was saved and goes on.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+#![allow(unused_qualifications, unreachable_pub, dead_code, reason = "emitted code")]
+
+#[path = "../../tests/snapshots/arm_on_jack.rs"]
+mod arm_on_jack;
+#[path = "../../tests/snapshots/double_pendulum.rs"]
+mod double_pendulum;
+#[path = "../../tests/snapshots/driven_crank.rs"]
+mod driven_crank;
+#[path = "../../tests/snapshots/four_bar.rs"]
+mod four_bar;
+#[path = "../../tests/support/linearised.rs"]
+mod linearised;
+#[path = "../../tests/snapshots/slider_crank.rs"]
+mod slider_crank;
+
+use std::sync::Arc;
+
+use plm::Sim;
+use plm::runtime::{Described, Linear, Method, methods};
+use plm_dynamic::{Compiled, Dynamic};
+use plm_jit::Host;
+
+use linearised::chain;
+use linearised::loom::Loom;
+use linearised::mill::Mill;
+use linearised::zoo::Zoo;
+
+chain!(chain4, 4);
+chain!(chain16, 16);
+
+/// A mechanism with at most 16 bodies.
+type Sixteen = Dynamic<f64, 48, 48, 112, 16>;
+/// One with at most 5.
+type Five = Dynamic<f64, 15, 16, 38>;
+
+/// What is seen of a run: of each interval the bits of poses and outputs, or the fault that ends it.
+#[derive(Debug, PartialEq)]
+struct Seen {
+    method: &'static str,
+    bits: Vec<Vec<u64>>,
+    fault: Option<String>,
+    /// Steps, rejected ones, evaluations, matrices of derivatives, decompositions.
+    counts: [u64; 5],
+}
+
+fn bits<M: Described<S = f64>>(state: &M::State) -> Vec<u64> {
+    let mut all = Vec::new();
+    M::poses(state, &mut |body| all.extend(body.components()));
+    M::outputs(state, &mut |output| all.push(output));
+    all.into_iter().map(f64::to_bits).collect()
+}
+
+fn seen<M: Described<S = f64>, I: Method<M>>(method: &'static str, sim: &mut Sim<M, I>, by: f64) -> Seen {
+    let mut seen = Seen { method, bits: Vec::new(), fault: None, counts: [0; 5] };
+    for _ in 0..3 {
+        if let Err(fault) = sim.step(by) {
+            seen.fault = Some(fault.to_string());
+            break;
+        }
+        seen.bits.push(bits::<M>(sim.state()));
+    }
+    let stats = sim.stats();
+    seen.counts = [stats.steps, stats.rejected, stats.evaluations, stats.jacobians, stats.factorisations]
+        .map(u64::from);
+    seen
+}
+
+macro_rules! seen_by_each {
+    (($mechanism:ident, $h:ident)
+     by_error { $($a:ident ($i:literal, $c:literal, $m:ty, $t:literal, $rtol:literal, $d:literal, $w:literal))* }
+     of_length { $($b:ident ($j:literal, $k:literal, $n:ty, $u:literal, $e:literal, $x:literal))* }) => {
+        vec![
+            $(seen(stringify!($a), &mut $mechanism.start_with(<$m>::new(1e-7)).unwrap(), 10.0 * $h),)*
+            $(seen(stringify!($b), &mut $mechanism.start_with(<$n>::new($h)).unwrap(), 3.0 * $h),)*
+        ]
+    };
+}
+
+/// A mechanism by every method: three intervals of three steps of `h`, s, and of ten times that where errors decide of steps.
+fn by_each<M: Described<S = f64> + Linear>(mechanism: M, h: f64) -> Vec<Seen> {
+    methods!(seen_by_each(mechanism, h))
+}
+
+/// With the stack that a run of many bodies takes without optimisation.
+fn on_large_stack(work: impl FnOnce() + Send + 'static) {
+    std::thread::Builder::new().stack_size(64 << 20).spawn(work).unwrap().join().unwrap();
+}
+
+/// A mechanism from the declaration of another one: evaluated by steps, and by machine code from the first evaluation on.
+fn from_text<M: Described<S = f64>, const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    _: &M,
+) -> [Dynamic<f64, NQ, NC, N, L>; 2] {
+    [false, true].map(|is_translated| {
+        let text: Dynamic<f64, NQ, NC, N, L> =
+            Compiled::new("mechanism.plm", M::DECLARATION).unwrap().mechanism().unwrap();
+        if is_translated {
+            text.translate_by(Arc::new(Host::new().unwrap().after(0)));
+        }
+        text
+    })
+}
+
+macro_rules! same_bits {
+    ($mechanism:expr, $room:ty, $h:expr) => {
+        on_large_stack(|| {
+            let (mechanism, h) = ($mechanism, $h);
+            let compiled = by_each(mechanism, h);
+            assert!(compiled.iter().all(|seen| !seen.bits.is_empty()), "{compiled:?}");
+            let texts: [$room; 2] = from_text(&mechanism);
+            for text in texts {
+                for (own, other) in by_each(text, h).into_iter().zip(&compiled) {
+                    assert_eq!(own, *other, "{}", other.method);
+                }
+            }
+        })
+    };
+}
+
+#[test]
+fn small_trees() {
+    same_bits!(double_pendulum::DoublePendulum::new(), Five, 1e-3);
+    same_bits!(chain4::Chain::new(), Five, 1e-3);
+    same_bits!(arm_on_jack::ArmOnJack::new(), Five, 1e-4);
+}
+
+#[test]
+fn loops() {
+    same_bits!(four_bar::FourBar::new(), Five, 1e-3);
+    same_bits!(slider_crank::SliderCrank::new(), Five, 1e-3);
+    same_bits!(Loom::new(), Five, 1e-4);
+}
+
+#[test]
+fn absolute_coordinates() {
+    same_bits!(driven_crank::DrivenCrank::new(), Five, 1e-3);
+    same_bits!(Mill::new(), Five, 1e-3);
+}
+
+#[test]
+fn a_chain_of_16() {
+    same_bits!(chain16::Chain::new(), Sixteen, 1e-3);
+}
+
+#[test]
+fn a_tree_of_every_joint() {
+    same_bits!(Zoo::new(), Sixteen, 1e-4);
+}
