@@ -40,17 +40,13 @@ fn rotor(mechanism: &Assembled, part: &AssembledPart, number: usize, pairs: &mut
     let body = mechanism.bodies.iter().position(|body| is_inside(&body.name, &part.name))?;
     let is_own = |(other, _): &&(usize, f64)| *other == body;
     let ties = part.rows.iter().flatten().map(|row| &row.angles);
-    let (own, others): (&(usize, f64), Vec<(usize, f64)>) = ties
-        .filter_map(|angles| {
-            let own = angles.iter().find(is_own)?;
-            Some((own, angles.iter().filter(|of| !is_own(of)).copied().collect()))
-        })
-        .next()?;
+    let angles = ties.into_iter().find(|angles| angles.iter().any(|of| is_own(&of)))?;
+    let (own, others): (Vec<_>, Vec<_>) = angles.iter().partition(is_own);
     let hinges = pairs.iter_mut().filter(|pair| pair.kind == Kind::Revolute);
     let (pair, factor) = hinges
         .filter_map(|pair| pair.factor_in(&others).map(|factor| (pair, factor)))
         .find(|(_, factor)| *factor != 0.0)?;
-    let ratio = factor / own.1;
+    let ratio = factor / own.iter().map(|(_, factor)| factor).sum::<f64>();
     pair.hinge.armature += mechanism.bodies[body].inertia * ratio * ratio;
     Some(Rotor { part: number, body })
 }

@@ -42,7 +42,9 @@ pub(super) fn text(export: &Export, file: &str, notices: &mut Notices) -> String
     let drives = drives(export, notices);
     if !drives.is_empty() {
         tags.open("actuator", &[]);
-        drives.iter().for_each(|drive| actuator(drive, &mut tags));
+        for drive in &drives {
+            actuator(drive, &mut tags);
+        }
         tags.close("actuator");
     }
     tags.close("mujoco");

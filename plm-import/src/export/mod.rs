@@ -146,21 +146,19 @@ impl Export<'_> {
         let parts = &self.mechanism.parts;
         for (number, AssembledPart { name, kind, span, acts, .. }) in parts.iter().enumerate() {
             let at = (self.place)(*span);
-            let is_rotor =
-                self.rotors.iter().any(|rotor| rotor.part == number || rotor.has(name, self.mechanism));
-            let is_coupling = self.couplings.iter().any(|coupling| coupling.part == number);
+            let is_rotor = |rotor: &Rotor| rotor.part == number || rotor.has(name, self.mechanism);
+            let is_coupling = |coupling: &Coupling| coupling.part == number;
+            let is_property = self.rotors.iter().any(is_rotor) || self.couplings.iter().any(is_coupling);
             // Of a part that is made of others these are written.
             let has_parts = || parts.iter().any(|other| is_inside(&other.name, name));
             if let Some(pair) = self.pairs.iter().find(|pair| pair.part == number) {
                 for (field, why) in &pair.missing {
                     notices.error(&at, format!("`{field}` of {kind} `{name}` {why}"));
                 }
-            } else if is_rotor || is_coupling {
-                continue;
-            } else if *acts {
+            } else if *acts && !is_property {
                 notices
                     .error(&at, format!("the {kind} `{name}` is not written: what it does would be missing"));
-            } else if !has_parts() {
+            } else if !acts && !has_parts() {
                 notices.warn(&at, format!("the {kind} `{name}` is not written"));
             }
         }
