@@ -41,12 +41,12 @@ impl<const N: usize> Case<N> {
         );
         for name in drives {
             let unit = if declaration.contains(&format!("input {name}: N*m")) { "N*m" } else { "N" };
-            let own: String = (0..COUNT).map(|k| format!("input {name}{k}: {unit} = 0; ")).collect();
+            let own: Vec<String> = (0..COUNT).map(|k| format!("input {name}{k}: {unit} = 0; ")).collect();
             let sum = (0..COUNT - 1)
                 .rev()
                 .fold(format!("{name}{}", COUNT - 1), |sum, k| format!("{name}{k} + share*({sum})"));
             declaration = declaration
-                .replacen("input ", &format!("{own}input "), 1)
+                .replacen("input ", &format!("{}input ", own.concat()), 1)
                 .replace(&format!("@{name}@"), &sum);
         }
         Self { declaration, targets, drives, motion, end, pieces }
