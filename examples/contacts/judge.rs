@@ -128,10 +128,13 @@ impl Case {
     }
 
     pub fn run(&self, formulation: usize, method: Method) -> Outcome {
+        self.with_order(method, self.family.runners[formulation].1)
+    }
+
+    /// What is made of the order to run it by a method.
+    pub fn with_order(&self, method: Method, run: impl FnOnce(&Order) -> Outcome) -> Outcome {
         let starts: Vec<f64> = self.draft.starts.iter().flatten().copied().collect();
-        let order =
-            Order { numbers: &self.draft.numbers, starts: &starts, every: EVERY, samples: SAMPLES, method };
-        (self.family.runners[formulation].1)(&order)
+        run(&Order { numbers: &self.draft.numbers, starts: &starts, every: EVERY, samples: SAMPLES, method })
     }
 
     /// Every formulation at a pace that was drawn.

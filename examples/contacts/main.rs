@@ -7,12 +7,15 @@
 //! cargo run --release --features sweep-all --example contacts -- --seed 7 --only block     # others, of some kinds
 //! cargo run --release --features sweep-all --example contacts -- --seed 7 --case 123       # one, with all its numbers
 //! cargo run --release --features sweep-all --example contacts -- --seed 7 --case 123 --tolerance 1e-12
+//! cargo run --release --features sweep-all,jit --example contacts -- 100 --text            # the same bits from text
 //! ```
 #![allow(missing_docs, reason = "the modules are private to an example")]
 #![allow(unreachable_pub, reason = "the modules are private to an example")]
 #![allow(clippy::neg_cmp_op_on_partial_ord, reason = "what is not a number is to fail")]
 
 mod families;
+#[cfg(feature = "jit")]
+mod from_text;
 mod judge;
 #[path = "../../tests/support/random.rs"]
 mod random;
@@ -30,7 +33,7 @@ use plm::view::{Arguments, BadOption, Known};
 use run::{Method, Pace};
 use stepping::Stepping;
 
-const KNOWN: [Known; 8] = [
+const KNOWN: [Known; 9] = [
     Known::word("CASES", "how many; 200 if nothing is said"),
     Known::value("seed", "N", "of the random mechanisms; 1 if nothing is said"),
     Known::value("first", "N", "number of the first case; 0 if nothing is said"),
@@ -39,6 +42,7 @@ const KNOWN: [Known; 8] = [
     Known::value("tolerance", "X", "of that one; 1e-10 if nothing is said"),
     Known::value("only", "KIND", "kinds whose name contains this"),
     Known::flag("verbose", "lists every case that is not right"),
+    Known::flag("text", "compares the bits of each case with those of its text (feature `jit`)"),
 ];
 
 fn main() -> ExitCode {
@@ -69,6 +73,10 @@ fn sweep() -> Result<bool, BadOption> {
     }
     let clock = Instant::now();
     println!("seed {seed}, {cases} cases from {first}");
+    if given.flag("text") {
+        let all = (first..first + cases).map(|number| Case::new(seed, number, only.as_deref()));
+        return Ok(same_bits(first, all.collect()));
+    }
     let one: Option<u64> = given.number("case")?;
     if let Some(number) = one {
         let tolerance = given.number("tolerance")?.unwrap_or(judge::TOLERANCE);
@@ -110,6 +118,40 @@ fn sweep() -> Result<bool, BadOption> {
     }
     println!("{events} events, {impacts} impacts; {:.1} s", clock.elapsed().as_secs_f64());
     Ok(holds)
+}
+
+/// Do runs of cases from text have the bits of compiled mechanisms? On the stack that a run with contact takes without optimisation.
+#[cfg(feature = "jit")]
+fn same_bits(first: u64, cases: Vec<Case>) -> bool {
+    let compare = move || {
+        let (mut texts, mut all) = (from_text::Texts::default(), [0; 3]);
+        for (number, case) in cases.iter().enumerate() {
+            let counts = texts.compare(case)?;
+            if counts[2] > 0 {
+                println!("--case {}", first + number as u64);
+            }
+            all.iter_mut().zip(counts).for_each(|(all, count)| *all += count);
+        }
+        Ok::<_, String>(all)
+    };
+    let thread = std::thread::Builder::new().stack_size(64 << 20).spawn(compare);
+    match thread.map(std::thread::JoinHandle::join) {
+        Ok(Ok(Ok([runs, faults, differ]))) => {
+            println!("{runs} runs from text, {faults} of which end with a fault; {differ} differ");
+            differ == 0
+        }
+        Ok(Ok(Err(what))) => {
+            eprintln!("{what}");
+            false
+        }
+        _ => false,
+    }
+}
+
+#[cfg(not(feature = "jit"))]
+fn same_bits(_first: u64, _cases: Vec<Case>) -> bool {
+    eprintln!("build with the feature jit");
+    false
 }
 
 const COLUMNS: [&str; 10] = [

@@ -4,14 +4,18 @@ use plm::runtime::Seen;
 use plm::runtime::contact::{Counts, Mode};
 use plm::{Dop853, Fault, Mechanism, Moment, MoreauJean, Sim};
 
-/// A declared mechanism that takes its numbers from a case.
-pub trait Build: Mechanism<S = f64> {
-    /// With parameters in the order of the declaration and start values of each body.
-    fn build(numbers: &[f64], starts: &[f64]) -> Self;
+/// A mechanism whose bodies and energies are looked at.
+pub trait Look: Mechanism<S = f64> {
     /// Gives `each` the bodies in their order.
     fn bodies(state: &Self::State, each: impl FnMut(plm::BodyState<f64>));
     /// Kinetic energy and that of gravity, J.
     fn energies(state: &Self::State) -> [f64; 2];
+}
+
+/// A declared mechanism that takes its numbers from a case.
+pub trait Build: Look {
+    /// With parameters in the order of the declaration and start values of each body.
+    fn build(numbers: &[f64], starts: &[f64]) -> Self;
 }
 
 /// Runs a case.
@@ -83,7 +87,11 @@ pub struct Outcome {
 const MOST_STEPS: u64 = 50_000;
 
 pub fn runner<M: Build>(order: &Order) -> Outcome {
-    let built = M::build(order.numbers, order.starts);
+    run(M::build(order.numbers, order.starts), order)
+}
+
+/// Runs a mechanism that has the numbers of a case.
+pub fn run<M: Look>(built: M, order: &Order) -> Outcome {
     match order.method {
         Method::Events { pace, tolerance } => {
             let method = Dop853::new(tolerance).with_most_steps(MOST_STEPS);
@@ -99,7 +107,7 @@ pub fn runner<M: Build>(order: &Order) -> Outcome {
 }
 
 /// What comes of a run that `run` makes.
-fn outcome<M: Build, I: plm::Method<M>>(
+fn outcome<M: Look, I: plm::Method<M>>(
     started: Result<Sim<M, I>, Fault>,
     run: impl FnOnce(&mut Sim<M, I>, &mut Outcome) -> Result<(), Fault>,
 ) -> Outcome {
@@ -132,7 +140,7 @@ fn each_sample(
     })
 }
 
-fn at_pace<M: Build>(
+fn at_pace<M: Look>(
     order: &Order,
     pace: Pace,
     sim: &mut Sim<M, Dop853<M>>,
@@ -181,7 +189,7 @@ fn at_pace<M: Build>(
     }
 }
 
-fn look<M: Build>(index: usize, state: &M::State) -> Sample {
+fn look<M: Look>(index: usize, state: &M::State) -> Sample {
     let (mut q, mut v) = (Vec::new(), Vec::new());
     M::bodies(state, |body| {
         q.extend([body.x, body.y, body.angle]);

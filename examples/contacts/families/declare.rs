@@ -44,7 +44,8 @@ macro_rules! declare {
                 });
                 built
             }
-
+        }
+        impl $crate::run::Look for Model {
             fn bodies(state: &Self::State, mut each: impl FnMut(plm::BodyState<f64>)) {
                 $(each(state.$body());)*
             }

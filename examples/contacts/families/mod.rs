@@ -30,6 +30,9 @@ pub struct Family {
     pub draw: fn(&mut Random) -> Draft,
     /// One for each formulation that is declared.
     pub runners: &'static [(&'static str, Runner)],
+    /// The declaration of each.
+    #[cfg(feature = "jit")]
+    pub declarations: &'static [&'static str],
 }
 
 macro_rules! family {
@@ -38,6 +41,8 @@ macro_rules! family {
             name: stringify!($module),
             draw: $file::$module::draw,
             runners: &[$((stringify!($formulation), runner::<$file::$module::$formulation::Model>)),*],
+            #[cfg(feature = "jit")]
+            declarations: &[$(<$file::$module::$formulation::Model as plm::runtime::Described>::DECLARATION),*],
         }
     };
 }

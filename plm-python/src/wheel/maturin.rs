@@ -30,7 +30,7 @@ const PACKAGES_LEFT_OUT: [&str; 10] = [
     "plm-synthesis",
     "plm-view",
 ];
-const FEATURES_LEFT_OUT: [&str; 6] = ["batch", "dynamic", "optimise", "synthesis", "view", "wheel"];
+const FEATURES_LEFT_OUT: [&str; 7] = ["batch", "dynamic", "jit", "optimise", "synthesis", "view", "wheel"];
 /// Folders in it that are not.
 const LEFT_OUT: [&str; 6] = ["tests", "benches", "examples", "target", "python", "dynamic"];
 
@@ -238,6 +238,15 @@ mod tests {
             FOLDERS.into_iter().chain(PACKAGES_LEFT_OUT).filter(|name| *name != "src").collect();
         assert!(packages.len() > 4);
         assert_eq!(packages, known);
+    }
+
+    #[test]
+    fn features_that_want_what_is_left_out_are_left_out() {
+        let plm = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+        let own = alone(&fs::read_to_string(plm.join("Cargo.toml")).unwrap());
+        for package in PACKAGES_LEFT_OUT {
+            assert!(!own.contains(&format!("\"dep:{package}\"")), "{package} is asked for by a feature");
+        }
     }
 
     #[test]
