@@ -109,6 +109,6 @@ fn over<I: Method<Small>>(
             slopes.push(slope);
         }
     };
-    Sim::watch_while(&mut sim, until, every, see, |_| goes_on())?;
+    Sim::watch_events_while(&mut sim, until, every, see, |_| goes_on())?;
     Ok(derivative)
 }

@@ -89,7 +89,8 @@ pub(crate) fn record<M: Described<S = f64>, I: Method<M>>(
 ) -> Result<(), Fault> {
     let goes_on = Cell::new(true);
     let mut samples = Samples { see, last: None, switched: None, goes_on: &goes_on };
-    let outcome = Sim::watch_while(sim, until, every, |seen| samples.seen::<M>(seen), |_| goes_on.get());
+    let outcome =
+        Sim::watch_events_while(sim, until, every, |seen| samples.seen::<M>(seen), |_| goes_on.get());
     if outcome.is_err() {
         samples.take::<M>(sim.state());
     }

@@ -71,7 +71,7 @@ pub(super) fn record<M: Runnable, I: Method<M>>(
         }
         _ => {}
     };
-    let outcome = Sim::watch_while(sim, asked.until, asked.every, see, goes_on);
+    let outcome = Sim::watch_events_while(sim, asked.until, asked.every, see, goes_on);
     let time = sim.state().time();
     if record.last().is_some_and(|last| last < time) && time < asked.until {
         record.take::<M>(sim.state(), &asked);

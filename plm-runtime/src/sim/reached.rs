@@ -40,7 +40,8 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         let start = this.state.time();
         let times = Times { start, every: until - start, until, last: M::S::ZERO };
         let samples = Samples { times, next: M::S::lit(1.0), moment: this.state };
-        this.advance(until, until - start, &mut Watcher { samples, see, asked: Asked(|_| false) })?;
+        let mut watcher: Watcher<M, _, _, true> = Watcher { samples, see, asked: Asked(|_| false) };
+        this.advance(until, until - start, &mut watcher)?;
         Ok(this.reached(until))
     }
 

@@ -92,14 +92,14 @@ impl<M: Mechanism, F: FnMut(M::S) -> bool> Observer<M> for Asked<F> {
     }
 }
 
-/// Shows samples, steps and switches, and is asked as well.
-pub(super) struct Watcher<M: Mechanism, F, G> {
+/// Shows samples and switches, and is asked as well; shows the ends of steps if `STEPS`.
+pub(super) struct Watcher<M: Mechanism, F, G, const STEPS: bool> {
     pub(super) samples: Samples<M>,
     pub(super) see: F,
     pub(super) asked: Asked<G>,
 }
 
-impl<M, F, G> Observer<M> for Watcher<M, F, G>
+impl<M, F, G, const STEPS: bool> Observer<M> for Watcher<M, F, G, STEPS>
 where
     M: Mechanism,
     F: FnMut(Seen<'_, M::State>),
@@ -111,8 +111,10 @@ where
     fn see<I: Method<M>>(&mut self, method: &mut I, context: &mut Context<'_, M>) -> Result<(), Fault> {
         let Self { samples, see, asked } = self;
         samples.give(method, context, |state| see(Seen::Sample(state)))?;
-        sample_at(method, context, context.time, &mut samples.moment)?;
-        see(Seen::Step(&samples.moment));
+        if STEPS {
+            sample_at(method, context, context.time, &mut samples.moment)?;
+            see(Seen::Step(&samples.moment));
+        }
         asked.see(method, context)
     }
 

@@ -31,6 +31,29 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         this: &mut Self,
         until: M::S,
         every: M::S,
+        see: impl FnMut(Seen<'_, M::State>),
+        goes_on: impl FnMut(M::S) -> bool,
+    ) -> Result<(), Fault> {
+        Self::watch_by::<true>(this, (until, every), see, goes_on)
+    }
+
+    /// The same without the end of every internal step ([`Seen::Step`]): of a short step that costs as much as the step.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn watch_events_while(
+        this: &mut Self,
+        until: M::S,
+        every: M::S,
+        see: impl FnMut(Seen<'_, M::State>),
+        goes_on: impl FnMut(M::S) -> bool,
+    ) -> Result<(), Fault> {
+        Self::watch_by::<false>(this, (until, every), see, goes_on)
+    }
+
+    fn watch_by<const STEPS: bool>(
+        this: &mut Self,
+        (until, every): (M::S, M::S),
         mut see: impl FnMut(Seen<'_, M::State>),
         goes_on: impl FnMut(M::S) -> bool,
     ) -> Result<(), Fault> {
@@ -40,7 +63,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         // Without dense output a run is at its communication points, behind what switches there.
         let within = if I::DENSE { times } else { Times { last: M::S::ZERO, ..times } };
         let samples = Samples { times: within, next: one, moment: this.state };
-        let mut watcher = Watcher { samples, see, asked: Asked(goes_on) };
+        let mut watcher: Watcher<M, _, _, STEPS> = Watcher { samples, see, asked: Asked(goes_on) };
         if !I::DENSE {
             let mut k = one;
             while k <= times.last {
