@@ -140,13 +140,13 @@ fn main() {
     println!("{:<10} {:>9} {:>6} {:>6} {:>6} {:>6}", "scene", "run, us", "one", "eight", "whole", "parts");
     let of_two = |a, b| [a, b, a, b, a, b, a, b];
     runs!("S1", s1::DoublePendulum::new(), 2.0, of_two("arm.angle", "arm.omega"), Dop853, 1e-9, 2_000);
-    runs!("S2", s2::FourBar::new(), 2.0, of_two("crank.angle", "crank.omega"), Dop853, 1e-9, 2_000);
-    runs!("S6", s6::SliderCrank::new(), 2.0, of_two("crank.angle", "crank.omega"), Dop853, 1e-9, 2_000);
+    runs!("S2", s2::FourBar::new(), 2.0, of_two("crank.angle", "crank.omega"), Dop853, 1e-9, 8_000);
+    runs!("S6", s6::SliderCrank::new(), 2.0, of_two("crank.angle", "crank.omega"), Dop853, 1e-9, 8_000);
     runs!("knocker", Knocker::new(), 4.0, of_two("arm.angle", "arm.omega"), Dop853, 1e-9, 8_000);
     runs!("chain 16", Chain16::new(), 1.0, of_two("bar[0].angle", "bar[0].omega"), Dop853, 1e-9, 100_000);
     println!("by Rk4 with 1 ms");
     runs!("S1", s1::DoublePendulum::new(), 2.0, of_two("arm.angle", "arm.omega"), Rk4, 1e-3, 2_000);
-    runs!("S2", s2::FourBar::new(), 2.0, of_two("crank.angle", "crank.omega"), Rk4, 1e-3, 2_000);
-    runs!("S6", s6::SliderCrank::new(), 2.0, of_two("crank.angle", "crank.omega"), Rk4, 1e-3, 2_000);
+    runs!("S2", s2::FourBar::new(), 2.0, of_two("crank.angle", "crank.omega"), Rk4, 1e-3, 8_000);
+    runs!("S6", s6::SliderCrank::new(), 2.0, of_two("crank.angle", "crank.omega"), Rk4, 1e-3, 8_000);
     runs!("knocker", Knocker::new(), 4.0, of_two("arm.angle", "arm.omega"), Rk4, 1e-3, 8_000);
 }

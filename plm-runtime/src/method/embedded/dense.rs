@@ -17,13 +17,13 @@ pub(in crate::method) struct Span<S, X> {
 }
 
 impl<S: Real, X: Vector<S>> Span<S, X> {
-    /// The same without derivatives.
+    /// The same with states and rates without derivatives; times that are found within it have those of the step.
     pub(in crate::method) fn values(&self) -> Self {
         let number = |s: S| S::of_plain(s.plain());
         let vector = |x: &X| x.map(number);
         Self {
-            time: number(self.time),
-            h: number(self.h),
+            time: self.time,
+            h: self.h,
             from: vector(&self.from),
             to: vector(&self.to),
             rate_from: vector(&self.rate_from),
