@@ -66,6 +66,22 @@ pub(super) fn derive_time<M: System<S: Real>>(
     Ok(Timed::Event(index, moved))
 }
 
+/// By how much the time moves at which an event ends a step of this length, for a step that is made again to there: its value is zero. None
+/// where there are no derivatives, and where [`derive_time`] has to decide.
+pub(super) fn moved_end<M: System<S: Real>>(
+    context: &mut Context<'_, M>,
+    index: usize,
+    step: M::S,
+) -> Option<M::S> {
+    if !M::S::HAS_DERIVATIVES {
+        return None;
+    }
+    let Ok(Time::Own(own)) = own_time(context, index, step) else { return None };
+    let here = guards(context.system, context.time, &context.held, &context.x);
+    let (_, slopes) = rates_of_both(context).filter(|_| own == index)?;
+    Some(time_to(&here, &slopes, index))
+}
+
 /// The time that an event has.
 enum Time<S> {
     /// That at which the guard of this event has come to its boundary.

@@ -28,7 +28,7 @@ mod words;
 
 use self::boundary::{Boundary, decide, meet, refine};
 use self::chattering::Chattering;
-use self::derived::{Timed, derive_time, restore_time};
+use self::derived::{Timed, derive_time, moved_end, restore_time};
 use self::enclosure::Enclosure;
 use self::guard_free::GuardFree;
 use self::here::{guards, guards_here};
@@ -205,6 +205,13 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
                 return Ok(due);
             }
             advance_to(method, context, time)?;
+            // The state at an event moves as the formula of the step does, not as its rate.
+            let at_end = due.filter(|_| context.time >= time);
+            if let Some(moved) = at_end.and_then(|index| moved_end(context, index, time - start.time)) {
+                context.stats.steps -= 1;
+                (*method, context.time, context.held, context.x) = (before, start.time, start.held, start.x);
+                advance_to(method, context, time + moved)?;
+            }
             if ends != Ends::BeforeKink {
                 // A shorter step that is rejected all the same has not come as far: the next one will find the crossing again.
                 let mut due = due.filter(|_| context.time >= time);
