@@ -5,7 +5,7 @@ use plm_runtime::compact;
 use plm_runtime::linalg::{Below, Pattern, Pivot};
 
 use crate::code::Code;
-use crate::model::kept;
+use crate::kept::kept;
 use crate::places::Room;
 
 /// The equations of a mechanism.

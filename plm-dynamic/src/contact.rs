@@ -4,7 +4,7 @@ use plm_compiler::lowered::{self, ContactKind, Lowered, ReadByConditions};
 use plm_runtime::absolute::Layout;
 
 use crate::code::Code;
-use crate::model::{kept, texts};
+use crate::kept::{kept, texts};
 use crate::places::Room;
 
 /// Rows of contact of a mechanism.

@@ -5,7 +5,7 @@ use plm_compiler::{Motion, Quantity, Reads};
 use plm_runtime::described;
 
 use crate::code::Code;
-use crate::model::{kept, text, texts};
+use crate::kept::{kept, text, texts};
 use crate::places::Room;
 
 /// Names with their units.

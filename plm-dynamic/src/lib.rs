@@ -12,6 +12,7 @@ mod contact;
 mod description;
 mod gradient;
 mod handle;
+mod kept;
 mod memory;
 mod model;
 mod native;

@@ -11,6 +11,7 @@ use crate::augmented::Augmented;
 use crate::code::Code;
 use crate::contact::Contacts;
 use crate::description::Description;
+use crate::kept::{kept, text, texts};
 use crate::memory::Counts;
 use crate::native::Translator;
 use crate::places::Room;
@@ -105,21 +106,6 @@ pub(crate) struct Start {
     pub(crate) carried: Option<Vec<[Limit; 2]>>,
     pub(crate) ends: Code,
     pub(crate) baumgarte: Option<Code>,
-}
-
-/// A list that lives as long as the program.
-pub(crate) fn kept<T>(items: impl IntoIterator<Item = T>) -> &'static [T] {
-    Vec::leak(items.into_iter().collect())
-}
-
-/// A text that lives as long as the program.
-pub(crate) fn text(text: &str) -> &'static str {
-    String::leak(text.to_owned())
-}
-
-/// Names of a lowered mechanism, which lives as long.
-pub(crate) fn texts(all: impl IntoIterator<Item = &'static String>) -> &'static [&'static str] {
-    kept(all.into_iter().map(String::as_str))
 }
 
 fn lists(all: impl IntoIterator<Item = Vec<usize>>) -> &'static [&'static [usize]] {

@@ -5,7 +5,7 @@ use super::relevant::{Relevant, bit};
 use crate::enclosure::Enclosed;
 use crate::method::{Context, Path};
 use crate::scalar::{Real, Scalar};
-use crate::system::{Question, System, path_of};
+use crate::system::{Question, System};
 use crate::vector::Vector;
 
 /// Which guards and kinks may change their sign in a step.
@@ -39,7 +39,7 @@ impl<S: Real, X: Vector<S>> Question<S> for Over<'_, S, X> {
     type Answer = Enclosure;
 
     fn of<N: System<S: Real<Plain = S::Plain>>>(self, system: &N, held: &N::U) -> Enclosure {
-        let path: Path<N::S, N::X> = path_of(self.0);
+        let path: Path<N::S, N::X> = self.0.in_values();
         let (half, zero) = (N::S::lit(0.5), N::S::ZERO);
         let (time, x) = path.around(half, half);
         let (mut enclosure, mut moves, mut bends) =

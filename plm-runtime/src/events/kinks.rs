@@ -11,7 +11,7 @@ use crate::enclosure::Enclosed;
 use crate::fault::Fault;
 use crate::method::{Context, Method, Path};
 use crate::scalar::{Real, Scalar};
-use crate::system::System;
+use crate::system::{System, value};
 use crate::vector::Vector;
 
 /// Halvings of a step.
@@ -57,7 +57,8 @@ pub(super) fn kink<M: System<S: Real>, I: Method<M>>(
         path
     };
     let least = M::S::lit(LEAST_ULPS) * M::S::EPSILON * start.abs().max(context.end.abs());
-    let time = |theta: M::S| Some(path.time(theta)).filter(|time| *time - start > least);
+    // Steps are cut by values, as their lengths are.
+    let time = |theta: M::S| Some(path.time(value(theta))).filter(|time| *time - start > least);
     let kinks = Kinks { system, held, path, relevant };
     if let Some(crossing) = crossing
         && let Some(first) = kinks.first().and_then(time).filter(|first| crossing < *first)

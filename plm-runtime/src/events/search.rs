@@ -9,7 +9,7 @@ use super::root::{Point, root};
 use crate::enclosure::{Enclosed, Interval};
 use crate::method::Path;
 use crate::scalar::{Real, Scalar};
-use crate::system::{Question, System, path_of, value, values};
+use crate::system::{Question, System, value, values};
 use crate::vector::Vector;
 
 /// Halvings of a step: 2^-22 of it are a quarter of a millionth.
@@ -94,7 +94,7 @@ impl<S: Real, X: Vector<S>, G: Vector<S>> Question<S> for First<'_, S, X, G> {
 
     fn of<N: System<S: Real<Plain = S::Plain>>>(self, system: &N, held: &N::U) -> Found<S> {
         let Self { path, residual, relevant } = self;
-        match Search::new((system, *held), path_of(path), &values(residual), relevant).first() {
+        match Search::new((system, *held), path.in_values(), &values(residual), relevant).first() {
             Found::Nothing => Found::Nothing,
             Found::Crossing(index, theta) => Found::Crossing(index, value(theta)),
             Found::Open(theta) => Found::Open(value(theta)),

@@ -3,7 +3,7 @@
 use super::{Context, not_finite};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
-use crate::system::System;
+use crate::system::{System, value};
 use crate::vector::Vector;
 use crate::words::{InWords, Words};
 
@@ -65,7 +65,8 @@ pub(super) fn next_step<M: System<S: Real>>(
     if M::S::lit(1.01) * proposal >= rest {
         Ok((rest, true))
     } else if proposal > shortest(context) {
-        Ok((proposal, false))
+        // Lengths are values: one that moved with an event would pass this on to all behind it, enlarged.
+        Ok((value(proposal), false))
     } else {
         Err(context.fault(too_small(context, proposal)))
     }

@@ -4,6 +4,7 @@ use core::ops::Range;
 
 use crate::enclosure::{Enclosed, Interval};
 use crate::scalar::Real;
+use crate::system::{value, values};
 use crate::vector::Vector;
 
 /// Powers of the highest degree that a dense output has, 8, and below.
@@ -24,6 +25,12 @@ pub struct Path<S, X> {
 }
 
 impl<S: Real, X: Vector<S>> Path<S, X> {
+    /// The same in numbers of another kind, without derivatives.
+    pub(crate) fn in_values<T: Real<Plain = S::Plain>, Y: Vector<T>>(&self) -> Path<T, Y> {
+        let coefficients = core::array::from_fn(|k| values(&self.coefficients[k]));
+        Path { start: value(self.start), h: value(self.h), coefficients }
+    }
+
     /// Of functions that give each component's coefficients.
     #[inline]
     pub(crate) fn new(start: S, h: S, mut component: impl FnMut(usize) -> [S; POWERS]) -> Self {

@@ -14,7 +14,7 @@ pub use events::Events;
 pub use labels::Labels;
 pub use rate::{Rate, rate_aside};
 pub use values::Question;
-pub(crate) use values::{path_of, value, values};
+pub(crate) use values::{value, values};
 pub use whole::{OneStep, WholeStep};
 
 use crate::scalar::Scalar;

@@ -1,7 +1,6 @@
 //! Questions to a system that values alone answer.
 
 use super::System;
-use crate::method::Path;
 use crate::scalar::Real;
 use crate::vector::Vector;
 
@@ -24,12 +23,4 @@ pub(crate) fn value<S: Real, T: Real<Plain = S::Plain>>(number: S) -> T {
 /// The same of a vector that is as long.
 pub(crate) fn values<S: Real, T: Real<Plain = S::Plain>, X: Vector<S>, Y: Vector<T>>(x: &X) -> Y {
     Y::from_fn(|i| value(x.at(i)))
-}
-
-/// The same of states over a step.
-pub(crate) fn path_of<S: Real, T: Real<Plain = S::Plain>, X: Vector<S>, Y: Vector<T>>(
-    path: &Path<S, X>,
-) -> Path<T, Y> {
-    let coefficients = core::array::from_fn(|k| values(&path.coefficients[k]));
-    Path { start: value(path.start), h: value(path.h), coefficients }
 }

@@ -89,7 +89,8 @@ impl<'a> Resolver<'a> {
             let name = format!("{}.{path}", self.names.instances[id].name);
             self.switch_requirement(outer, name, field);
         }
-        if !known.contains(&text) && !required.contains(&text) {
+        known.extend(required);
+        if !known.contains(&text) {
             let message = format!("the part `{}` has no `{text}` to set", definition.name.text);
             let diagnostic = self.error(outer, Code::UnknownField, last.ident.span, message);
             let meant = ELSEWHERE.iter().find(|(word, here)| *word == text && known.contains(here));
