@@ -11,7 +11,7 @@ use crate::augmented::Augmented;
 use crate::code::Code;
 use crate::contact::Contacts;
 use crate::description::Description;
-use crate::kept::{kept, text, texts};
+use crate::kept::{kept, texts};
 use crate::memory::Counts;
 use crate::native::Translator;
 use crate::places::Room;
