@@ -147,10 +147,11 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
 
     by_chain_rule!(chain_steep);
 
-    /// The zeros of its derivatives are negative: to add one changes nothing whatever the sign, so that compilers leave it out.
+    /// The zeros of its derivatives are negative: to add one changes nothing whatever the sign, so that compilers leave it out. Those of zero
+    /// are like it: what begins as zeros is filled with bytes, not copied.
     #[inline]
     fn lit(x: f64) -> Self {
-        Self { value: S::lit(x), tangents: [S::lit(-0.0); K] }
+        Self { value: S::lit(x), tangents: [S::lit(if x == 0.0 { x } else { -0.0 }); K] }
     }
     /// Weights are numbers: they take one product of each derivative.
     #[allow(clippy::inline_always, reason = "it is the formula")]
