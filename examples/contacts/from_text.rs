@@ -82,7 +82,7 @@ fn built(mut text: Small, order: &Order) -> Small {
     text
 }
 
-/// Where two texts begin to differ.
+/// The first difference of two texts, with what stands around it.
 fn difference(own: &str, compiled: &str) -> String {
     let same = own.chars().zip(compiled.chars()).take_while(|(own, compiled)| own == compiled).count();
     let from = |text: &str| text.chars().skip(same.saturating_sub(40)).take(120).collect::<String>();

@@ -131,7 +131,7 @@ impl Case {
         self.with_order(method, self.family.runners[formulation].1)
     }
 
-    /// What is made of the order to run it by a method.
+    /// The outcome of a run by a method, which `run` makes by its order.
     pub fn with_order(&self, method: Method, run: impl FnOnce(&Order) -> Outcome) -> Outcome {
         let starts: Vec<f64> = self.draft.starts.iter().flatten().copied().collect();
         run(&Order { numbers: &self.draft.numbers, starts: &starts, every: EVERY, samples: SAMPLES, method })

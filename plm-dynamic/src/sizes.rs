@@ -17,7 +17,7 @@ use crate::text::{Compiled, Refused};
 pub(crate) type Tiny = Dynamic<f64, 9, 8, 32>;
 /// Those without contact, of at most 2 first-order states, 8 inputs and 8 conditions, whose loops remember at most 6 numbers of each kind.
 pub(crate) type PlainTiny = Dynamic<f64, 9, 8, 20, 6, 8, 0>;
-/// The same of at most 14 first-order states.
+/// Those without contact as [`PlainTiny`], of at most 14 first-order states.
 pub(crate) type PlainTinyStates = Dynamic<f64, 9, 8, 32, 6, 8, 0>;
 /// Mechanisms of at most 8 bodies, 32 constraint rows and 16 first-order states.
 pub type Small = Dynamic<f64, 24, 32, 64>;

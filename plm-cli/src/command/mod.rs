@@ -125,7 +125,7 @@ fn dispatch(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure>
     }
 }
 
-/// What an option is, among those of all commands.
+/// The kind of an option, by the options of all commands.
 fn kind_of(option: &str) -> Kind {
     let shown = COMMANDS.iter().flat_map(|command| command.options).map(|(shown, _)| *shown);
     let mut own = shown.filter(|shown| name_of(shown) == option);

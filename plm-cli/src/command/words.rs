@@ -7,7 +7,7 @@ use lexopt::{Arg, Parser};
 
 use super::Failure;
 
-/// What an option is, among those of all commands.
+/// The kind of an option.
 pub(super) enum Kind {
     /// It has a value, whose placeholder this is.
     Valued(&'static str),
@@ -23,7 +23,7 @@ pub(super) struct Words {
 }
 
 impl Words {
-    /// The words; `kind_of` tells what an option is.
+    /// The words; `kind_of` gives the kind of an option.
     pub(super) fn new(
         words: impl Iterator<Item = OsString>,
         kind_of: impl Fn(&str) -> Kind,

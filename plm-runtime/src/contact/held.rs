@@ -32,8 +32,8 @@
 //!   no more.
 
 use super::booked::Booked;
-use super::event::Outcome;
 use super::modes::{Change, Mode, Modes};
+use super::outcome::Outcome;
 use super::status::{Counts, Status};
 use crate::held;
 use crate::scalar::{Real, Scalar};

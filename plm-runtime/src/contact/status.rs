@@ -1,8 +1,8 @@
 //! What contact rows do, and what was counted of their events, whatever the number of rows.
 
 use super::booked::{ImpactEnergy, Impulse};
-use super::event::Outcome;
 use super::modes::Mode;
+use super::outcome::Outcome;
 
 /// Counters of the events of contact rows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 
 use super::Beginning;
 use super::relevant::bit;
-use super::search::{ULPS, rounding};
+use super::rounding::{ULPS, rounding};
 use super::violated::not_met;
 use super::{advance_to, guards, guards_here};
 use crate::enclosure::{Enclosed, Interval};

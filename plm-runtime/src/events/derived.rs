@@ -8,7 +8,7 @@
 
 use super::boundary::rates_of_both;
 use super::guards;
-use super::search::rounding;
+use super::rounding::rounding;
 use crate::fault::{Cause, Fault};
 use crate::method::Context;
 use crate::scalar::{Real, Scalar};
@@ -51,7 +51,7 @@ pub(super) fn derive_time<M: System<S: Real>>(
         return Ok(Timed::Event(index, moved));
     }
     let index = match own_time(context, index, step)? {
-        Time::Own(index) => index,
+        Time::Own(index, _) => index,
         Time::OfAnother => return Ok(Timed::Event(index, moved)),
         Time::Never(depth) => return Ok(Timed::Touch(-depth)),
     };
@@ -76,16 +76,16 @@ pub(super) fn moved_end<M: System<S: Real>>(
     if !M::S::HAS_DERIVATIVES {
         return None;
     }
-    let Ok(Time::Own(own)) = own_time(context, index, step) else { return None };
-    let here = guards(context.system, context.time, &context.held, &context.x);
-    let (_, slopes) = rates_of_both(context).filter(|_| own == index)?;
-    Some(time_to(&here, &slopes, index))
+    match own_time(context, index, step) {
+        Ok(Time::Own(own, ahead)) if own == index => Some(ahead),
+        _ => None,
+    }
 }
 
 /// The time that an event has.
 enum Time<S> {
-    /// That at which the guard of this event has come to its boundary.
-    Own(usize),
+    /// That at which the guard of this event has come to its boundary, and how far ahead it is: by derivatives alone.
+    Own(usize, S),
     /// That of another event, which moved the guard to its boundary.
     OfAnother,
     /// None: the guard keeps away from its boundary, but for so much rounding.
@@ -108,12 +108,13 @@ fn own_time<M: System<S: Real>>(
     let fault = |context: &Context<'_, M>, index: usize, cause| {
         Err(Fault::of_part(time.to_f64(), context.system.guard_name(index), cause))
     };
+    let of_all = |i: usize| time_to(&here, &slopes, i);
+    let own = |i: usize| Time::Own(i, of_all(i));
     if !falls(index, step) {
         let has_come = vanishes(index) && falls(index, M::S::lit(1.0));
-        return Ok(if has_come { Time::Own(index) } else { Time::OfAnother });
+        return Ok(if has_come { own(index) } else { Time::OfAnother });
     }
     let meets = |i: &usize| *i != index && vanishes(*i) && falls(*i, step);
-    let of_all = |i: usize| time_to(&here, &slopes, i);
     let differs = |i: &usize| !of_all(index).has_derivatives_of(of_all(*i), SAME);
     let mut first = index;
     if let Some(other) = (0..M::G::LEN).filter(meets).find(differs) {
@@ -128,11 +129,11 @@ fn own_time<M: System<S: Real>>(
     if grazes(context, (first, step), (&rate, &slopes), depth) {
         return match here.at(first).goes() {
             Some(away) if away > 0.0 => Ok(Time::Never(depth + depth)),
-            Some(0.0) => Ok(Time::Own(first)),
+            Some(0.0) => Ok(own(first)),
             _ => fault(context, first, Cause::Grazes),
         };
     }
-    Ok(Time::Own(first))
+    Ok(own(first))
 }
 
 /// The time to where a guard vanishes: its value is zero, its derivatives are those of the time of the event.

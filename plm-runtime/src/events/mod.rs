@@ -19,6 +19,7 @@ mod jumps;
 mod kinks;
 mod relevant;
 mod root;
+mod rounding;
 mod sampled;
 mod search;
 mod sets;

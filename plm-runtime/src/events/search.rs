@@ -6,6 +6,7 @@
 
 use super::relevant::{Relevant, bit};
 use super::root::{Point, root};
+use super::rounding::rounding;
 use crate::enclosure::{Enclosed, Interval};
 use crate::method::Path;
 use crate::scalar::{Real, Scalar};
@@ -30,8 +31,6 @@ const MOST: u32 = 4000;
 const LEAST: f64 = 0.002;
 /// Halvings after which rounding is judged where it happens, and not at the beginning of the step.
 const LOCAL: u32 = 10;
-/// Rounding of a state and of the time, in units in the last place.
-pub(super) const ULPS: f64 = 8.0;
 
 /// What became of the conditions in a step.
 #[derive(Clone, Copy, Debug)]
@@ -375,28 +374,4 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
 /// The shortest interval, as a fraction of the step.
 fn finest<S: Real>() -> S {
     (0..FINEST).fold(S::lit(1.0), |width, _| S::lit(0.5) * width)
-}
-
-/// What rounding of the state `x` and of a time, up to `end`, makes of each guard there.
-pub(super) fn rounding<M: System<S: Real>>(
-    (system, held): (&M, &M::U),
-    (time, end): (M::S, M::S),
-    x: &M::X,
-    here: &M::G,
-) -> M::G {
-    let ulps = M::S::lit(ULPS) * M::S::EPSILON;
-    let rounded = |s: M::S, size: M::S| Enclosed {
-        slope: Interval { low: -ulps * size, high: ulps * size },
-        ..Enclosed::constant(s)
-    };
-    let typical = system.typical();
-    let size = |i: usize| typical.at(i) + x.at(i).abs();
-    let mut noise = here.map(|g| ulps * g.abs());
-    system.guards_within(rounded(time, end.abs()), held, &|i| rounded(x.at(i), size(i)), &mut |i, guard| {
-        let size = guard.slope.size();
-        if i < M::G::LEN && size.is_finite() {
-            noise.set(i, noise.at(i) + size);
-        }
-    });
-    noise
 }

@@ -35,7 +35,6 @@ mod path;
 mod projection;
 mod radau;
 mod rates;
-mod recorded;
 mod rk4;
 mod ros34pw2;
 mod vern9;

@@ -3,6 +3,7 @@
 use crate::method::Path;
 use crate::method::path::POWERS;
 use crate::scalar::Real;
+use crate::system::values;
 use crate::vector::Vector;
 
 /// An accepted step: its ends and the rates there.
@@ -19,15 +20,12 @@ pub(in crate::method) struct Span<S, X> {
 impl<S: Real, X: Vector<S>> Span<S, X> {
     /// The same with states and rates without derivatives; times that are found within it have those of the step.
     pub(in crate::method) fn values(&self) -> Self {
-        let number = |s: S| S::of_plain(s.plain());
-        let vector = |x: &X| x.map(number);
         Self {
-            time: self.time,
-            h: self.h,
-            from: vector(&self.from),
-            to: vector(&self.to),
-            rate_from: vector(&self.rate_from),
-            rate_to: vector(&self.rate_to),
+            from: values(&self.from),
+            to: values(&self.to),
+            rate_from: values(&self.rate_from),
+            rate_to: values(&self.rate_to),
+            ..*self
         }
     }
 

@@ -3,9 +3,9 @@
 use core::fmt::Debug;
 use core::marker::PhantomData;
 
-use super::Evaluated;
-use super::fixed::Formula;
-use super::length::spread;
+use super::Formula;
+use crate::method::Evaluated;
+use crate::method::length::spread;
 use crate::scalar::Scalar;
 use crate::system::{Computation, Health, System};
 use crate::vector::Vector;
