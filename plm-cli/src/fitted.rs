@@ -8,16 +8,18 @@ use plm_compiler::syntax::parse;
 use plm_compiler::token::{Source, Sources};
 
 /// A value that a declaration is to have.
-pub(crate) struct Found<'a> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found<'a> {
     /// Name of a parameter, of a state, or of a start of a body, such as `bob.angle`.
-    pub(crate) name: &'a str,
+    pub name: &'a str,
     /// In the unit.
-    pub(crate) value: f64,
-    pub(crate) unit: &'a str,
+    pub value: f64,
+    /// The unit that it is written with.
+    pub unit: &'a str,
 }
 
 /// The text of a declaration with other values, and the names that stand nowhere in it, such as those of parts and of repetitions.
-pub(crate) fn with_values<'a>(name: &str, text: &str, found: &[Found<'a>]) -> (String, Vec<&'a str>) {
+pub fn with_values<'a>(name: &str, text: &str, found: &[Found<'a>]) -> (String, Vec<&'a str>) {
     let mut sources = Sources::new();
     let id = sources.add_text(name, text);
     let Some(source) = sources.get(id) else {

@@ -26,12 +26,18 @@ mod layout;
 mod lexer;
 mod package;
 mod read;
+#[cfg(feature = "identify")]
+mod readings;
 mod server;
 mod table;
 mod value;
 
 pub use command::{Outcome, Streams, run};
 pub use excerpt::declarations;
+#[cfg(feature = "identify")]
+pub use fitted::{Found, with_values};
 pub use json::diagnostics;
+#[cfg(feature = "identify")]
+pub use readings::experiment;
 pub use server::Server;
 pub use value::value;

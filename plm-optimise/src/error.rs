@@ -79,6 +79,8 @@ pub enum Error {
 pub enum NotConverged {
     /// After so many iterations.
     Iterations(usize),
+    /// It was stopped after so many iterations.
+    Stopped(usize),
     /// No step makes the residuals smaller, although they have a slope: outputs jump, or derivatives are rougher than the tolerance.
     NoDescent,
     /// Every further step has ended with a fault.
@@ -94,6 +96,7 @@ impl fmt::Display for NotConverged {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Iterations(count) => write!(f, "the search has not ended after {count} iterations"),
+            Self::Stopped(count) => write!(f, "the search was stopped after {count} iterations"),
             Self::NoDescent => f.write_str(
                 "no step makes the residuals smaller, although they have a slope: outputs jump with an unknown, or the tolerance of the \
                  runs is too coarse",
@@ -126,6 +129,9 @@ impl fmt::Display for Error {
             ),
             Self::Readings { experiment, problem } => write!(f, "experiment {experiment}: {problem}"),
             Self::Nothing(what) => write!(f, "there is no {what}"),
+            Self::TooFew { readings: 1, unknowns } => {
+                write!(f, "1 reading does not tell {unknowns} unknowns")
+            }
             Self::TooFew { readings, unknowns } => {
                 write!(f, "{readings} readings do not tell {unknowns} unknowns")
             }

@@ -27,6 +27,8 @@ pub(crate) trait Problem {
     fn bounds(&self, variable: usize) -> [f64; 2];
     /// Typical size of a variable.
     fn scale(&self, variable: usize) -> f64;
+    /// Is the search to end where it is?
+    fn is_stopped(&self) -> bool;
 }
 
 /// When to stop.
@@ -50,6 +52,8 @@ pub(crate) enum End {
     Converged,
     /// After so many iterations.
     Iterations,
+    /// The problem has stopped it.
+    Stopped,
     /// No step is shorter than the last one that was tried and makes the residuals smaller.
     NoDescent,
     /// Every further step has ended with such a fault.
@@ -91,6 +95,9 @@ pub(crate) fn minimise(
         if search.iterations == limits.iterations {
             break End::Iterations;
         }
+        if problem.is_stopped() {
+            break End::Stopped;
+        }
         search.iterations += 1;
         if let Some(end) = search.iterate(problem, limits) {
             break end;
@@ -124,6 +131,10 @@ impl<P: Problem> Problem for Relaxed<'_, P> {
 
     fn scale(&self, variable: usize) -> f64 {
         self.problem.scale(variable)
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.problem.is_stopped()
     }
 }
 

@@ -95,17 +95,15 @@ fn problem(asked: &Asked, mut mechanism: Mechanism) -> Result<Identification<Sma
         .iter()
         .map(|text| setting("--input", text, mechanism.inputs()))
         .collect::<Result<_, _>>()?;
-    let units: Vec<(String, String)> =
-        mechanism.inputs().map(|(name, unit)| (name.to_owned(), unit.to_owned())).collect();
     let mut problem = Identification::new(mechanism.small()?);
     for unknown in unknowns.shared {
         problem = problem.find(unknown);
     }
     for path in &asked.csv {
         let recording = Recording::read_csv(path)?;
-        let mut experiment = asked.experiment(&recording)?.segments(asked.segments);
+        let mut experiment = asked.experiment(&recording, &mechanism)?.segments(asked.segments);
         for (name, value) in &inputs {
-            let unit = units.iter().find(|(own, _)| own == name).map_or("", |(_, unit)| unit.as_str());
+            let unit = mechanism.inputs().find(|(own, _)| own == name).map_or("", |(_, unit)| unit);
             experiment = experiment.input(name, unit, [0.0], [*value]);
         }
         for unknown in &unknowns.each {

@@ -121,6 +121,25 @@ fn several_experiments() {
     }
 }
 
+/// Readings are in the units of who has read them.
+#[test]
+fn readings_in_other_units() {
+    let folder = measured("a.csv", &["--set", "mass=2kg", "--set", "stiffness=60"]);
+    let table = fs::read_to_string(folder.join("a.csv")).unwrap();
+    let mut lines = table.lines().map(|line| line.split(',').take(2).collect::<Vec<_>>());
+    assert_eq!(lines.next().unwrap(), ["time (s)", "cart.x (mm)"]);
+    let rows = lines.map(|line| format!("{},{}\n", line[0], line[1].parse::<f64>().unwrap() / 10.0));
+    fs::write(folder.join("cm.csv"), "time (s),cart.x (cm)\n".to_owned() + &rows.collect::<String>())
+        .unwrap();
+    let words = ["identify", "yard.plm", "--csv", "cm.csv", "--fit", "stiffness", "--set", "mass=2kg"];
+    let said = plm_in(&folder, &[&words[..], &METHOD].concat(), b"");
+    assert_eq!((said.code, said.errors.as_str()), (0, ""));
+    let line = said.output.lines().find(|line| line.starts_with("stiffness ")).unwrap();
+    let value = line.split_whitespace().nth(1).unwrap().parse::<f64>().unwrap();
+    assert!((value - 60.0).abs() < 1e-5, "{said:?}");
+    assert!(said.output.contains(" cm"), "{said:?}");
+}
+
 #[test]
 fn misuse_is_told_what_was_meant() {
     let folder = measured("a.csv", &["--set", "mass=2kg"]);
@@ -129,7 +148,7 @@ fn misuse_is_told_what_was_meant() {
     let with = |words: &[&'static str]| [&all[..], words].concat();
     fs::write(folder.join("wrong.csv"), "time (s),cart.x (mm)\n0,100\n0.1,1OO\n").unwrap();
     fs::write(folder.join("other.csv"), "time (s),cart.z (mm)\n0,100\n0.1,90\n").unwrap();
-    fs::write(folder.join("unit.csv"), "time (s),cart.x (cm)\n0,10\n0.1,9\n").unwrap();
+    fs::write(folder.join("unit.csv"), "time (s),cart.x (kg)\n0,10\n0.1,9\n").unwrap();
     for (words, message) in [
         (vec!["--sett", "mass=2", "--fit", "g"], "there is no option --sett; `--set` is one\n"),
         (vec!["--fit", "g"], "an identification needs readings: `--csv FILE`"),
@@ -169,7 +188,7 @@ fn misuse_is_told_what_was_meant() {
         ),
         (
             vec!["--csv", "unit.csv", "--fit", "g", "--set", "mass=2"],
-            "`cart.x` is in `mm` or `m`, not in `cm`",
+            "cart.x: 1 kg is a mass (kg), and a length (m) is wanted",
         ),
     ] {
         let said = run(&words);

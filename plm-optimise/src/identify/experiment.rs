@@ -18,6 +18,7 @@ pub struct Experiment {
     /// At which times outputs jump; none where that is not known.
     pub(crate) jumps: Vec<bool>,
     pub(crate) outputs: Vec<Readings>,
+    pub(crate) units: Vec<OtherUnit>,
     /// Name, unit, times and values of each input.
     pub(crate) inputs: Vec<(String, String, Vec<f64>, Vec<f64>)>,
     /// Name and value, SI, of parameters and starts that are those of this experiment.
@@ -35,6 +36,15 @@ pub(crate) struct Readings {
     pub(crate) values: Vec<f64>,
     /// Standard deviation of a reading, in this unit.
     pub(crate) deviation: Option<f64>,
+}
+
+/// A unit that declarations need not have.
+#[derive(Clone, Debug)]
+pub(crate) struct OtherUnit {
+    name: String,
+    /// The SI unit, and by what a value is multiplied to be in it.
+    si: String,
+    factor: f64,
 }
 
 impl Experiment {
@@ -72,7 +82,7 @@ impl Experiment {
         Ok(Self::from_recording(&recording))
     }
 
-    /// Adds the readings of an output, in the unit of its declaration or the SI unit. Those that are no numbers (NaN) are left out. The
+    /// Adds the readings of an output, in the unit of its declaration, the SI unit or one of [`unit`](Self::unit). Those that are no numbers (NaN) are left out. The
     /// readings of an input hold from their times on.
     #[must_use]
     pub fn measured(mut self, output: &str, unit: &str, values: impl Into<Vec<f64>>) -> Self {
@@ -95,7 +105,14 @@ impl Experiment {
         self
     }
 
-    /// Sets an input, in the unit of its declaration or the SI unit: each value holds from its time, s, to the next.
+    /// Adds a unit for readings and inputs, such as `cm`: a value times `factor` is one in the SI unit, `m`.
+    #[must_use]
+    pub fn unit(mut self, name: &str, si: &str, factor: f64) -> Self {
+        self.units.push(OtherUnit { name: name.to_owned(), si: si.to_owned(), factor });
+        self
+    }
+
+    /// Sets an input, in a unit as those of [`measured`](Self::measured): each value holds from its time, s, to the next.
     #[must_use]
     pub fn input(
         mut self,
@@ -197,7 +214,7 @@ impl<M: Optimisable> Prepared<M> {
             segments: of.segments,
         };
         for (name, unit, times, values) in &of.inputs {
-            prepared.add_input(name, unit, (times, values)).map_err(|why| why.of(number))?;
+            prepared.add_input((name, unit, &of.units), (times, values)).map_err(|why| why.of(number))?;
         }
         for readings in &of.outputs {
             let Readings { name, unit, values, .. } = readings;
@@ -206,9 +223,11 @@ impl<M: Optimisable> Prepared<M> {
                 return Err(problem(text));
             }
             if known.tables().inputs.iter().any(|input| input.name == name) {
-                prepared.add_input(name, unit, (&of.times, values)).map_err(|why| why.of(number))?;
+                prepared
+                    .add_input((name, unit, &of.units), (&of.times, values))
+                    .map_err(|why| why.of(number))?;
             } else {
-                prepared.add_output(readings, &of.jumps)?;
+                prepared.add_output(readings, of)?;
             }
         }
         if prepared.outputs.is_empty() {
@@ -217,15 +236,15 @@ impl<M: Optimisable> Prepared<M> {
         Ok(prepared)
     }
 
-    fn add_output(&mut self, readings: &Readings, jumps: &[bool]) -> Result<(), Error> {
+    fn add_output(&mut self, readings: &Readings, of: &Experiment) -> Result<(), Error> {
         let Readings { name, unit, values, deviation } = readings;
         let all = self.mechanism.observables();
         let index = place("output", name, all.iter().map(|(name, _)| *name))?;
         let si = all.get(index).map_or("", |(_, unit)| *unit);
         let declared =
             shown(&self.mechanism).nth(index).flatten().map_or((si, 1.0), |(_, own)| (own.unit, own.factor));
-        let factor = factor(name, unit, declared, si)?;
-        let is_jump = |k: usize| jumps.get(k).is_some_and(|jump| *jump);
+        let factor = factor((name, unit, &of.units), declared, si)?;
+        let is_jump = |k: usize| of.jumps.get(k).is_some_and(|jump| *jump);
         let reading = |(k, value): (usize, &f64)| if is_jump(k) { f64::NAN } else { value * factor };
         let values: Vec<f64> = values.iter().enumerate().map(reading).collect();
         let spread = spread(&values);
@@ -241,12 +260,13 @@ impl<M: Optimisable> Prepared<M> {
         Ok(())
     }
 
-    fn add_input(&mut self, name: &str, unit: &str, (times, values): (&[f64], &[f64])) -> Result<(), Wrong> {
+    fn add_input(&mut self, of: Given<'_>, (times, values): (&[f64], &[f64])) -> Result<(), Wrong> {
+        let (name, ..) = of;
         let all = self.mechanism.tables().inputs;
         let index = place("input", name, all.iter().map(|input| input.name)).map_err(Wrong::Error)?;
         let declared = all.get(index).map_or(("", 1.0), |own| (own.unit, own.factor));
         let si = self.mechanism.input_names().get(index).map_or("", |(_, unit)| *unit);
-        let factor = factor(name, unit, declared, si).map_err(Wrong::Error)?;
+        let factor = factor(of, declared, si).map_err(Wrong::Error)?;
         check_times(times).map_err(|problem| Wrong::Readings(format!("`{name}`: {problem}")))?;
         if times.len() != values.len() || values.iter().any(|value| !value.is_finite()) {
             let text = format!(
@@ -289,12 +309,17 @@ fn check_times(times: &[f64]) -> Result<(), String> {
     }
 }
 
+/// A quantity that is given: its name, its unit, and units beside those of the declaration.
+type Given<'a> = (&'a str, &'a str, &'a [OtherUnit]);
+
 /// By what a value in a unit is multiplied to be in SI.
-fn factor(name: &str, unit: &str, (declared, factor): (&str, f64), si: &str) -> Result<f64, Error> {
+fn factor((name, unit, others): Given<'_>, (declared, factor): (&str, f64), si: &str) -> Result<f64, Error> {
     if unit == declared {
         Ok(factor)
     } else if unit == si {
         Ok(1.0)
+    } else if let Some(other) = others.iter().find(|other| other.name == unit && other.si == si) {
+        Ok(other.factor)
     } else {
         let expected = if si == declared { format!("`{si}`") } else { format!("`{declared}` or `{si}`") };
         Err(Error::Unit { name: name.to_owned(), found: unit.to_owned(), expected })

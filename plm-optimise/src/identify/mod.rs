@@ -12,6 +12,9 @@ mod table;
 pub use experiment::Experiment;
 pub use fit::{Combination, Estimate, Fit, Residuals};
 
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
 use nalgebra::DVector;
 
 use self::experiment::Prepared;
@@ -32,12 +35,14 @@ pub struct Identification<M> {
     unknowns: Vec<Unknown>,
     experiments: Vec<Experiment>,
     iterations: usize,
+    stop: Arc<AtomicBool>,
 }
 
 impl<M: Optimisable> Identification<M> {
     /// Nothing is known yet but the mechanism, with its parameters as they are.
     pub fn new(mechanism: M) -> Self {
-        Self { mechanism, unknowns: Vec::new(), experiments: Vec::new(), iterations: 200 }
+        let (unknowns, experiments, stop) = Default::default();
+        Self { mechanism, unknowns, experiments, iterations: 200, stop }
     }
 
     /// Adds an unknown that all experiments have in common, but for those that set it.
@@ -58,6 +63,12 @@ impl<M: Optimisable> Identification<M> {
     #[must_use]
     pub fn iterations(self, most: usize) -> Self {
         Self { iterations: most, ..self }
+    }
+
+    /// Ends the search once this is true: another thread sets it. It is asked before each iteration.
+    #[must_use]
+    pub fn stopped_by(self, stop: Arc<AtomicBool>) -> Self {
+        Self { stop, ..self }
     }
 
     /// Finds the unknowns with runs by Dormand and Prince of order 8 and the tolerance 1e-10.
@@ -116,7 +127,7 @@ impl<M: Optimisable> Identification<M> {
         if experiments.is_empty() {
             return Err(Error::Nothing("experiment"));
         }
-        let problem = Readings::new(self.mechanism, shared, experiments, integration);
+        let problem = Readings::new(self.mechanism, shared, experiments, integration, Arc::clone(&self.stop));
         let (readings, unknowns) = (problem.rows(), problem.places.len());
         if unknowns == 0 {
             return Err(Error::Nothing("unknown to be found"));
@@ -133,6 +144,7 @@ fn check(places: &[Place], found: &Found) -> Result<(), Error> {
     let why = match found.end {
         End::Converged => return Ok(()),
         End::Iterations => NotConverged::Iterations(found.iterations),
+        End::Stopped => NotConverged::Stopped(found.iterations),
         End::Faults(fault) => NotConverged::Faults(Box::new(fault)),
         End::NoDescent if is_flat(found) => return Ok(()),
         End::NoDescent => NotConverged::NoDescent,

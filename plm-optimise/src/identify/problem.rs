@@ -1,5 +1,8 @@
 //! Residuals of all experiments as a function of the unknowns and of the states in which segments begin.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use nalgebra::DVector;
 use plm_runtime::{Fault, Vector};
 
@@ -31,6 +34,8 @@ pub(crate) struct Readings<M: Optimisable, D> {
     pub(crate) failed: usize,
     /// Runs of experiments or segments with derivatives.
     pub(crate) runs: usize,
+    /// Ends the search.
+    pub(crate) stop: Arc<AtomicBool>,
 }
 
 impl<M: Optimisable, D: Integration<M>> Readings<M, D> {
@@ -39,6 +44,7 @@ impl<M: Optimisable, D: Integration<M>> Readings<M, D> {
         shared: Vec<Place>,
         experiments: Vec<Prepared<M>>,
         integration: D,
+        stop: Arc<AtomicBool>,
     ) -> Self {
         let (mut places, mut reads) = (shared, Vec::new());
         let count = places.len();
@@ -56,7 +62,8 @@ impl<M: Optimisable, D: Integration<M>> Readings<M, D> {
         let segments =
             experiments.iter().map(|experiment| segments(&experiment.times, experiment.segments)).collect();
         let nodes = vec![Vec::new(); experiments.len()];
-        Self { places, experiments, integration, reads, segments, nodes, own, typical, failed: 0, runs: 0 }
+        let (failed, runs) = (0, 0);
+        Self { places, experiments, integration, reads, segments, nodes, own, typical, failed, runs, stop }
     }
 
     /// The number of residuals: of readings, and of unknowns with an expected value.
@@ -212,6 +219,10 @@ impl<M: Optimisable, D: Integration<M>> Problem for Readings<M, D> {
 
     fn bounds(&self, variable: usize) -> [f64; 2] {
         self.places.get(variable).map_or([f64::NEG_INFINITY, f64::INFINITY], |place| place.bounds)
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
     }
 
     fn scale(&self, variable: usize) -> f64 {

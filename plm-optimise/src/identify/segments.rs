@@ -148,4 +148,8 @@ impl<M: Optimisable, D: Integration<M>> Problem for OneSegment<'_, M, D> {
     fn scale(&self, variable: usize) -> f64 {
         self.readings.typical[variable]
     }
+
+    fn is_stopped(&self) -> bool {
+        self.readings.is_stopped()
+    }
 }

@@ -2,7 +2,9 @@
 //!
 //! A run is that of packages of compiled mechanisms (`native.rs.txt`); a text gives its mechanism, tables, runs and rollouts.
 
+mod fit;
 mod gradient;
+mod identify;
 mod library;
 mod page;
 mod rollouts;
@@ -38,7 +40,11 @@ mod _native {
     #[pymodule_export]
     use super::Native;
     #[pymodule_export]
+    use super::fit::Fit;
+    #[pymodule_export]
     use super::gradient::gradient;
+    #[pymodule_export]
+    use super::identify::identify;
     #[pymodule_export]
     use super::library::parts;
     #[pymodule_export]

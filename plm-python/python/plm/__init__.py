@@ -3,7 +3,9 @@
 from ._builder import Builder as Builder, parts as parts
 from ._declared import Mechanism as Mechanism, check as check
 from ._errors import DeclarationError as DeclarationError
+from ._experiment import Experiment as Experiment, Unknown as Unknown
 from ._expression import Expression as Expression
+from ._fit import Estimate as Estimate, Fit as Fit, NotConverged as NotConverged, Residuals as Residuals
 from ._gradient import Gradient as Gradient
 from ._native import __version__ as __version__
 from ._rollouts import Rollouts as Rollouts
@@ -15,20 +17,26 @@ from ._values import Pose as Pose, Quantity as Quantity, Results as Results
 __all__ = [
     "Builder",
     "DeclarationError",
+    "Estimate",
     "Event",
+    "Experiment",
     "Expression",
     "Fault",
+    "Fit",
     "Gradient",
     "Jacobian",
     "Linearisation",
     "Mechanism",
+    "NotConverged",
     "Pose",
     "Quantity",
+    "Residuals",
     "Results",
     "Rollouts",
     "Show",
     "Sim",
     "Snapshot",
+    "Unknown",
     "check",
     "parts",
 ]

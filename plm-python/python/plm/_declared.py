@@ -11,14 +11,13 @@ from numpy.typing import ArrayLike
 
 from . import _native, _show
 from ._checks import finite, optional, text as named
+from ._experiment import Experiment, Rows, Unknowns, Value
+from ._fit import Fit, identify
 from ._gradient import Gradient, gradient
 from ._mechanism import INPUT, OUTPUT, PARAMETER, START
 from ._rollouts import Rollouts, arrays, columns, rollouts, si
 from ._sim import Show, Sim
 from ._values import Quantity, Results, Tables, unknown
-
-# A value in SI, or a text with its unit.
-Value = Union[float, str]
 
 
 def check(text: str, name: str = "<text>") -> list[dict[str, Any]]:
@@ -220,6 +219,30 @@ class Mechanism:
             {name: (self._class._numbers[name][1], self._class._rows[name].unit) for name in names},
             {name: self._variable(name) for name in ([by] if isinstance(by, str) else by)},
         )
+
+    def identify(
+        self,
+        find: Unknowns,
+        experiments: Union[Experiment, Iterable[Experiment]],
+        *,
+        parameters: Optional[Mapping[str, Value]] = None,
+        inputs: Optional[Mapping[str, Value]] = None,
+        start: Optional[Mapping[str, Value]] = None,
+        method: str = "dop853",
+        tolerance: Optional[float] = 1e-10,
+        iterations: int = 200,
+    ) -> Fit:
+        """Finds parameters and start values from measurements, by least squares on exact derivatives.
+
+        `find` names what experiments have in common: `["stiffness"]`, `{"stiffness": "20 N/mm"}` with a guess, or an `Unknown` with bounds
+        and what is expected. Parameters, inputs and start values that are known are given as to `run`. Mechanisms of up to 8 bodies can
+        be identified, by "dop853" and "radauiia5". A search that ends away from a minimum is a `NotConverged`.
+        """
+        rows = Rows(self.parameters, self.inputs, self.outputs, self.starts)
+        by = named("method", method), optional("tolerance", tolerance), None
+        known = parameters or {}, inputs or {}, start or {}
+        found = identify(self._text, by, known, find, experiments, rows, iterations)
+        return Fit(found, self.parameters, (self._file, self._source))
 
     def _variable(self, name: str) -> tuple[int, int]:
         """What a derivative is taken by: its kind and its number."""

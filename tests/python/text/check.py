@@ -2,8 +2,10 @@
 
 import copy
 import math
+import os
 import pickle
 import shutil
+import signal
 import struct
 import subprocess
 import sys
@@ -258,6 +260,60 @@ plain = oscillator.run(2.0, 0.1, tolerance=1e-11)
 expect(all(np.array_equal(plain[name], g.results[name]) for name in plain), "beside them stand the bits of a run")
 refused(KeyError, "did you mean 'push'", lambda: oscillator.gradient(["pusch"], 1.0))
 
+# What was measured tells parameters and starts: of an oscillation without and with noise, in SI, from a file, of two experiments.
+t = np.linspace(0.0, 2.0, 41)
+measured = 0.3 * np.cos(math.sqrt(18.0 / 4.0) * t)
+start = {"block.x": 0.3}
+fit = oscillator.identify({"stiffness": "25 N/m"}, plm.Experiment(t, {"block.x": measured}, start=start), parameters={"load": "4 kg"})
+expect(abs(fit["stiffness"] - 18.0) < 1e-7, "readings without noise give the stiffness")
+expect(fit.parameters == {"stiffness": fit["stiffness"]} and fit.start == {} and len(fit) == 1, "as values for another run")
+expect("18.0 N/m" in fit.text.replace(repr(fit["stiffness"]), "18.0") and "stiffness" in str(fit), "and as a declaration")
+expect("<svg" in fit._repr_svg_() and len(fit.show().html) > 50_000, "with a picture and a page")
+noise = np.random.default_rng(7).normal(0.0, 1e-3, t.size)
+known = dict(parameters={"load": 4.0, "stiffness": 18.0})
+both = plm.Experiment(t, {"block.x": measured + noise}, deviations={"block.x": "1 mm"}, find={"block.x": 0.2, "block.vx": plm.Unknown(0.1, size=1.0)})
+fit = oscillator.identify([], both, **known)
+# The outputs are linear in both starts: the estimates are those of linear least squares.
+w = math.sqrt(18.0 / 4.0)
+by = np.column_stack([np.cos(w * t), np.sin(w * t) / w])
+closed = np.linalg.lstsq(by, measured + noise, rcond=None)[0]
+expect(np.allclose([own.value for own in fit.estimates], closed, atol=1e-9), "starts of an experiment are those of linear least squares")
+expect(np.allclose(fit.covariance, 1e-6 * np.linalg.inv(by.T @ by), rtol=1e-6), "their covariance is that of the closed form")
+expect([own.experiment for own in fit.estimates] == [0, 0] and fit.freedoms == 39, "and belongs to it")
+expect(np.allclose(fit.residuals[0].model - fit.residuals[0].readings, by @ closed - measured - noise, atol=1e-9), "residuals too")
+with tempfile.TemporaryDirectory() as folder:
+    path = Path(folder) / "readings.csv"
+    rows = "".join(f"{float(a)!r},{100 * float(b)!r},300\n" for a, b in zip(t, measured))
+    path.write_text("time (s),block.x (cm),temperature (K)\n" + rows)
+    table = plm.Experiment.from_csv(path, only=["block.x"], start=start, deviations={"block.x": "1 mm"})
+    arrays = plm.Experiment(t, {"block.x": measured}, start=start, deviations={"block.x": 1e-3})
+    pair = oscillator.identify({"load": plm.Unknown(3.0, least=0.1)}, [table, arrays], parameters={"stiffness": 18.0})
+    expect(abs(pair["load"] - 4.0) < 1e-7 and pair.residuals[0].unit == "cm", "a file has its own units")
+    spread = abs(pair.residuals[0].readings[0] - 30.0)
+    expect(spread < 1e-9 and pair.residuals[1].readings[0] == 0.3, "and an array is in SI")
+    named = plm.Experiment.from_csv(path, only="block.z", start=start)
+    refused(ValueError, "has no column 'block.z'; there are block.x, temperature", lambda: oscillator.identify(["load"], named, **known))
+alone = oscillator.identify({"load": 4.0, "stiffness": 18.0}, plm.Experiment(t, {"block.x": measured}, start=start))
+expect(len(alone.undetermined) == 1 and math.isinf(alone.estimate("load").standard_error), "what readings do not tell is said")
+refused(KeyError, "did you mean 'stiffness'", lambda: oscillator.identify(["stifness"], both))
+refused(KeyError, "did you mean 'block.x'", lambda: oscillator.identify(["load"], plm.Experiment(t, {"block.xx": measured})))
+refused(ValueError, "1 reading", lambda: oscillator.identify(["load", "stiffness"], plm.Experiment([1.0], {"block.x": [0.0]})))
+refused(ValueError, "and a mass (kg) is wanted", lambda: oscillator.identify({"load": "4 m"}, both))
+refused(plm.Fault, "experiment 0 does not run with the guesses", lambda: oscillator.identify({"load": -1.0}, both))
+try:
+    oscillator.identify({"stiffness": 400.0}, plm.Experiment(t, {"block.x": measured}, start=start), parameters={"load": 4.0}, iterations=1)
+    expect(False, "a search that has not ended is an exception")
+except plm.NotConverged as error:
+    expect("1 iteration" in str(error) and set(error.best) == {"stiffness"}, "a search that has not ended tells where it stands")
+
+long = np.linspace(0.0, 2000.0, 20001)
+threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+try:
+    oscillator.identify(["stiffness"], plm.Experiment(long, {"block.x": np.cos(long)}), tolerance=1e-13)
+    expect(False, "the search went on")
+except KeyboardInterrupt:
+    expect(True, "Ctrl+C ends a search")
+
 # Rollouts are single runs, to the bit, whatever the number of threads.
 lengths = np.linspace(0.3, 1.8, 17)
 drives = np.linspace(-1, 1, 17)
@@ -367,6 +423,6 @@ blocks = (root / "docs/src/running/python-text.md").read_text().split("```python
 names = {}
 for block in blocks:
     exec(block.partition("```")[0], names)
-expect(len(blocks) == 6 and names["four_bar"].bodies == ("crank", "rod", "rocker"), "the programs of the book run")
+expect(len(blocks) == 7 and names["four_bar"].bodies == ("crank", "rod", "rocker"), "the programs of the book run")
 
 print("everything holds")

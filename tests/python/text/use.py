@@ -23,6 +23,9 @@ rows: NDArray[np.float64] = rolled["bob.angle"]
 gradient: plm.Gradient = pendulum.gradient(["length"], 1.0)
 slope: NDArray[np.float64] = gradient["bob.angle"]["length"]
 shown: plm.Show = sim.show(1.0)
+experiment = plm.Experiment(np.linspace(0, 1, 5), {"bob.angle": np.ones(5)}, inputs={"drive": ([0.0, 0.5], [1.0, 2.0])}, find=["bob.angle"])
+fit: plm.Fit = pendulum.identify({"length": plm.Unknown("1 m", least=0.1)}, [experiment])
+length: float = fit["length"]
 fault: Optional[plm.Fault] = rolled.faults.get(0)
 
 m = plm.Builder("four_bar", gravity=9.81)

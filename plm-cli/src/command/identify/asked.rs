@@ -8,6 +8,7 @@ use plm_view::Recording;
 
 use super::super::Failure;
 use super::super::words::Words;
+use crate::readings::experiment;
 use crate::value::value;
 
 /// The words of the command.
@@ -72,16 +73,14 @@ impl Asked {
     }
 
     /// The readings of a file, with deviations that are given.
-    pub(super) fn experiment(&self, recording: &Recording) -> Result<Experiment, Failure> {
+    pub(super) fn experiment(
+        &self,
+        recording: &Recording,
+        mechanism: &Mechanism,
+    ) -> Result<Experiment, Failure> {
         let names: Vec<&str> = recording.columns().iter().map(|column| column.name.as_str()).collect();
         known("--only", self.only.iter().map(String::as_str), &names)?;
-        let is_read = |name: &str| self.only.is_empty() || self.only.iter().any(|own| own == name);
-        let kept: Vec<usize> = (0..names.len()).filter(|k| is_read(names[*k])).collect();
-        let mut own = Recording::new(kept.iter().map(|k| recording.columns()[*k].clone()));
-        for (time, row) in recording.times().iter().zip(recording.rows()) {
-            own.push(*time, kept.iter().map(|k| row[*k]).collect::<Vec<_>>());
-        }
-        let mut experiment = Experiment::from_recording(&own);
+        let mut experiment = experiment(recording, &self.only, mechanism)?;
         for text in &self.deviation {
             let (name, given) = assigned("--deviation", text, "bob.angle=0.3deg")?;
             known("--deviation", std::iter::once(name), &names)?;
