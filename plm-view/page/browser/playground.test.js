@@ -190,7 +190,7 @@ test("diagnostics and the motion follow each key", { skip }, async () => {
       const began = performance.now();
       const answered = new Promise((resolve) => {
         const show = pane.language.show;
-        pane.language.show = (found) => ((pane.language.show = show), show(found), resolve());
+        pane.language.show = (...found) => ((pane.language.show = show), show(...found), resolve());
       });
       const { count } = exchange;
       pane.editor.replace(text.replace("1 kg", `${1 + at / 100} kg`));

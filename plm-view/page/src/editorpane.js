@@ -12,8 +12,6 @@ import { openTakeHome, saveText } from "./takehome.js";
 
 /** @typedef {{name: string, text: string}} Example */
 
-/** Behind the last key, ms, the picture follows. */
-const REST_OF_KEYS = 80;
 /** Larger files are no declarations. */
 const LARGEST_TEXT = 1 << 20;
 
@@ -38,8 +36,8 @@ export class EditorPane {
     this.app = app;
     this.exchange = exchange;
     this.usual = gallery[0].text;
-    /** @type {ReturnType<typeof setTimeout> | undefined} */
-    this.timer = undefined;
+    /** The text that becomes a mechanism once nothing is wrong with it. @type {string | null} */
+    this.waiting = null;
     /** How many changes there were. */
     this.changes = 0;
     /** @type {HTMLButtonElement | undefined} */
@@ -55,7 +53,7 @@ export class EditorPane {
         worker.postMessage({ kind: "module", module: exchange.module });
         return worker;
       },
-      (problems) => this.show(problems),
+      (problems, of) => this.show(problems, of),
     );
     this.editor = codeEditor().makeEditor(code, text, this.language, (now) => this.changed(now));
     this.language.change(text);
@@ -95,8 +93,7 @@ export class EditorPane {
   /** @param {string} text */
   changed(text) {
     this.language.change(text);
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => void this.exchange.declare(text), REST_OF_KEYS);
+    this.waiting = text;
     this.follow(text);
   }
 
@@ -110,10 +107,14 @@ export class EditorPane {
     this.app.touch();
   }
 
-  /** @param {Problem[]} problems */
-  show(problems) {
-    this.editor.mark(problems);
+  /** What is wrong with a text, which moves if nothing is. @param {Problem[]} problems @param {string} text */
+  show(problems, text) {
     const errors = problems.filter(({ severity }) => severity === 1).length;
+    if (text === this.waiting) {
+      this.waiting = null;
+      if (errors === 0) void this.exchange.declare(text);
+    }
+    this.editor.mark(problems);
     const warnings = problems.length - errors;
     const counted = (/** @type {number} */ count, /** @type {string} */ what) => (count === 0 ? [] : [`${count} ${what}${count === 1 ? "" : "s"}`]);
     const found = [...counted(errors, "error"), ...counted(warnings, "warning")].join(", ");

@@ -26,6 +26,8 @@ export class Exchange {
     this.start = start;
     /** The worker whose text is compiled. @type {Carrier | null} */
     this.candidate = null;
+    /** A worker that waits for a text, so that none waits for a worker. @type {Carrier | null} */
+    this.spare = null;
     /** The worker of what is shown. @type {Carrier | null} */
     this.shown = null;
     /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -41,7 +43,8 @@ export class Exchange {
    */
   declare(text) {
     this.drop();
-    const candidate = this.start();
+    const candidate = this.spare ?? this.start();
+    this.spare = null;
     this.candidate = candidate;
     return new Promise((resolve) => {
       const end = (/** @type {boolean | null} */ is) => {
@@ -50,6 +53,7 @@ export class Exchange {
           this.candidate = null;
         }
         if (is !== true) candidate.terminate();
+        this.spare ??= this.start();
         resolve(is);
       };
       this.timer = setTimeout(() => end(false), LONGEST_COMPILATION);

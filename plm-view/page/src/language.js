@@ -25,13 +25,15 @@ const DECLARATION_URI = "plm:declaration.plm";
 export class Language {
   /**
    * @param {() => Carrier} start starts a worker that has the module
-   * @param {(problems: Problem[]) => void} show
+   * @param {(problems: Problem[], text: string) => void} show takes what is wrong with a text
    */
   constructor(start, show) {
     this.start = start;
     this.show = show;
     /** The text that is sent once something is heard of the one before. @type {string | null} */
     this.next = null;
+    /** Texts that were sent, and of which nothing is heard yet. @type {string[]} */
+    this.sent = [];
     this.asked = 0;
     /** Requests without an answer. @type {Map<number, (result: any) => void>} */
     this.waiting = new Map();
@@ -55,8 +57,12 @@ export class Language {
     this.carrier?.terminate();
     for (const answer of this.waiting.values()) answer(null);
     this.waiting.clear();
+    const text = this.sent.pop() ?? "";
+    this.sent = [];
     this.begin();
-    this.show([{ range: { start: { line: 0, character: 0 }, end: { line: 0, character: 0 } }, severity: 1, message: why }]);
+    this.show([{ range: { start: { line: 0, character: 0 }, end: { line: 0, character: 0 } }, severity: 1, message: why }], text);
+    // What was typed meanwhile.
+    this.sendNext();
   }
 
   /** @param {{kind: "heard", messages: Message[]} | {kind: "broken", text: string}} data */
@@ -69,14 +75,14 @@ export class Language {
     clearTimeout(this.timer);
     this.timer = undefined;
     if (this.silent > 0) this.wait();
-    else this.sendNext();
     for (const { id, method, params, result } of data.messages) {
-      if (method === "textDocument/publishDiagnostics") this.show(params.diagnostics);
+      if (method === "textDocument/publishDiagnostics") this.show(params.diagnostics, this.sent.shift() ?? "");
       else if (id !== undefined) {
         this.waiting.get(id)?.(result ?? null);
         this.waiting.delete(id);
       }
     }
+    if (this.silent === 0) this.sendNext();
   }
 
   wait() {
@@ -100,6 +106,7 @@ export class Language {
     const { next: text } = this;
     if (text === null) return;
     this.next = null;
+    this.sent.push(text);
     this.send({ method: "textDocument/didOpen", params: { textDocument: { uri: DECLARATION_URI, languageId: "plm", version: 1, text } } });
   }
 

@@ -8,15 +8,15 @@ import { nameOf } from "../src/takehome.js";
 
 /** A client whose workers note what they are sent. */
 function client() {
-  const [workers, shown] = [[], []];
+  const [workers, shown, texts] = [[], [], []];
   const start = () => {
     const worker = { sent: [], isOver: false, onmessage: null, postMessage: ({ text }) => worker.sent.push(JSON.parse(text)), terminate: () => (worker.isOver = true) };
     workers.push(worker);
     return worker;
   };
-  const language = new Language(start, (problems) => shown.push(problems));
+  const language = new Language(start, (problems, text) => (shown.push(problems), texts.push(text)));
   const answer = (...messages) => workers.at(-1).onmessage({ data: { kind: "heard", messages } });
-  return { language, workers, shown, answer };
+  return { language, workers, shown, texts, answer };
 }
 
 const published = (message) => ({ method: "textDocument/publishDiagnostics", params: { diagnostics: [{ message }] } });
@@ -48,6 +48,24 @@ test("a question is of the text as it is", async () => {
   const nothing = language.hover({ line: 0, character: 0 });
   answer({ id: question.id + 1, result: null });
   assert.equal(await nothing, null);
+});
+
+test("what is wrong comes with the text that it is wrong with", () => {
+  const { language, workers, texts, answer } = client();
+  language.change("a");
+  language.change("ab");
+  // A question sends the text that has not been sent yet.
+  void language.hover({ line: 0, character: 0 });
+  answer(published("of a"));
+  answer(published("of ab"));
+  assert.deepEqual(texts, ["a", "ab"]);
+  answer({ id: 1, result: null });
+  language.change("abc");
+  language.change("abcd");
+  language.giveUp("too long");
+  assert.deepEqual(texts, ["a", "ab", "abc"]);
+  // What was typed meanwhile is sent to the next worker.
+  assert.deepEqual(workers.at(-1).sent.map(textOf), ["abcd"]);
 });
 
 test("the package of a text is that of the command", async () => {
