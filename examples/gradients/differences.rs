@@ -45,7 +45,7 @@ pub fn judge(case: &Case) -> Result<(Verdict, Option<Backward>), String> {
         .map_err(|error| error.to_string())?;
     let derived = match outputs(lifted, case.time) {
         Ok(derived) => derived,
-        Err(fault @ Fault { cause: Cause::Grazes | Cause::AtOnce { .. }, .. }) => {
+        Err(fault @ Fault { cause: Cause::Grazes | Cause::AtLimit | Cause::AtOnce { .. }, .. }) => {
             return Ok((Verdict::NoDerivative(fault), None));
         }
         Err(fault) => return Err(fault.to_string()),

@@ -139,6 +139,7 @@ impl From<&Fault> for Status {
             | Cause::ImpactGains { .. }
             | Cause::Slips
             | Cause::Grazes
+            | Cause::AtLimit
             | Cause::AtOnce { .. }
             | Cause::TooManyContacts { .. } => Self::Switching,
             Cause::StepTooSmall { .. }

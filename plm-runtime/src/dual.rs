@@ -190,6 +190,9 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
         }
         difference <= within * size
     }
+    fn largest_derivative(self) -> f64 {
+        self.tangents.into_iter().fold(0.0, |most, tangent| most.max(tangent.to_f64().abs()))
+    }
     #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {
         let (x, y) = (self.value, a.value);

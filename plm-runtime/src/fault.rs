@@ -195,6 +195,9 @@ pub enum Cause {
     },
     /// The run has no derivatives beyond this event: its condition touches its boundary and does not cross it. The part is the condition.
     Grazes,
+    /// The run has other derivatives to either side from here on: the row begins at its limit, and holds or lets go for what the run is
+    /// derived by. The part is the row.
+    AtLimit,
     /// The run has no derivatives beyond this event, or other ones to either side: another one happens at the same time, and which of the
     /// two is first depends on what the run is derived by. The part is the condition.
     AtOnce {

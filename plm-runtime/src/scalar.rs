@@ -73,6 +73,12 @@ pub trait Scalar:
         true
     }
 
+    /// The largest of its derivatives that hold to both sides; 0 where they are not known, and of numbers without.
+    #[inline]
+    fn largest_derivative(self) -> f64 {
+        0.0
+    }
+
     /// How a number changes that has the derivative of one side ([`OneSided`](crate::OneSided)); nothing for every other.
     #[inline]
     fn goes(self) -> Option<f64> {

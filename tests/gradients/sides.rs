@@ -1,6 +1,6 @@
 //! Derivatives of either side where there are none of both, against closed forms and differences of runs on that side.
 
-use plm::{By, Cause, Dop853, Fault, Side, mechanism, with_side};
+use plm::{By, Cause, Dop853, Fault, Side, mechanism, with_derivatives, with_side};
 
 use super::events::Thrown;
 
@@ -168,6 +168,24 @@ fn of_a_friction_at_its_limit() {
         sim.step_to(2.0.into()).unwrap();
         is_slope(side.derivative(sim.block().x), known, plain, 30.0, side);
     }
+}
+
+/// To both sides there is no derivative, which is said: at the limit, not beside it, nor by what changes nothing.
+#[test]
+fn of_a_friction_at_its_limit_there_is_none_to_both_sides() {
+    let started = |push, by| {
+        let pushed = Pushed { push, ..Pushed::new() };
+        let own = with_derivatives(&pushed, [by]).unwrap();
+        let mut sim = own.start_with(Dop853::new(1e-12.into()))?;
+        sim.step_to(2.0.into())?;
+        Ok::<_, Fault>(sim.block().x.tangents[0])
+    };
+    let fault = started(30.0, By::Parameter("push")).unwrap_err();
+    assert_eq!((fault.cause.clone(), fault.part), (Cause::AtLimit, "slip"));
+    assert!(fault.to_string().contains("at its limit"), "{fault}");
+    assert!((started(30.0, By::Start("block.x")).unwrap() - 1.0).abs() < 1e-12);
+    assert!(started(29.999, By::Parameter("push")).unwrap().abs() < 1e-12);
+    assert!((started(30.001, By::Parameter("push")).unwrap() - 0.2).abs() < 1e-9);
 }
 
 /// Where there are derivatives of both sides they are these.

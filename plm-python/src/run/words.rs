@@ -59,6 +59,7 @@ mod tests {
             Cause::Sunk { by: 0.1 },
             Cause::Slips,
             Cause::Grazes,
+            Cause::AtLimit,
             Cause::AtOnce { other: "landing" },
             Cause::Redundant { count, locks, joints },
             Cause::VelocityRedundant { count, locks, joints },

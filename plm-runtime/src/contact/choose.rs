@@ -1,6 +1,6 @@
 //! The modes that apply behind an event, and faults where there are none.
 
-use super::candidates::{Allowed, Found, Margins, Solution, enumerate, most_holding};
+use super::candidates::{Allowed, Found, MARGINAL, Margins, Solution, enumerate, most_holding, solve};
 use super::event::{Event, moving_rows};
 use super::marginal::broken;
 use super::rows::Rows;
@@ -20,7 +20,9 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let found = enumerate(rows, allowed, |solution, margins| self.broken(u, x, solution, margins));
         let touching = touching(allowed);
         let cause = match found {
-            Found::Modes(solution, is_ambiguous) => return Ok((solution, is_ambiguous)),
+            Found::Modes(solution, is_ambiguous) => {
+                return self.derivable(rows, allowed, &solution).map(|()| (solution, is_ambiguous));
+            }
             Found::Nothing => {
                 let p = paradox::share(rows, &most_holding(allowed)).map_or(f64::NAN, Scalar::to_f64);
                 Cause::NoMode { touching, p }
@@ -42,6 +44,27 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let modes = held.modes_mut();
         (modes.of, modes.carried, modes.negative) = (solution.modes, solution.carried, solution.negative);
         broken(&moving_rows(self.system, (self.t, &held), x, &solution.lambda), solution, margins)
+    }
+
+    /// Has the motion derivatives to both sides, where rows begin with these modes? Not if one stands at its limit, and leaves it for what the
+    /// run is derived by. Behind what the motion comes to, the time of the event is derived.
+    fn derivable(
+        &self,
+        rows: &Rows<M::S, N>,
+        allowed: &[Allowed; N],
+        solution: &Solution<M::S, N>,
+    ) -> Result<(), Fault> {
+        if !M::S::HAS_DERIVATIVES || self.occasion.comes_by_motion() {
+            return Ok(());
+        }
+        let Some((_, Margins { value, size })) = solve(rows, allowed, solution.modes) else { return Ok(()) };
+        let is_at_limit = |i: &usize| {
+            size[*i].is_some_and(|size| {
+                let none = M::S::lit(MARGINAL) * size;
+                value[*i].abs() <= none && value[*i].largest_derivative() > none.to_f64()
+            })
+        };
+        (0..N).find(is_at_limit).map_or(Ok(()), |row| Err(self.fault(row, Cause::AtLimit)))
     }
 
     /// The row that a fault names.

@@ -138,6 +138,11 @@ impl Occasion {
         }
     }
 
+    /// Has the motion come to it, rather than a start or a jump?
+    pub(super) fn comes_by_motion(self) -> bool {
+        !matches!(self, Self::Start | Self::Change)
+    }
+
     /// The row that it is of.
     pub(super) fn row(self) -> Option<usize> {
         match self {
@@ -163,8 +168,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let mut rows = self.system.rows_at(self.t, u, x);
         look_at_falling_bounds(self.system, self.t, (u, x), &rows)?;
         look_at_bounds(self.system, self.t, u, &rows)?;
-        let comes_by_motion = !matches!(self.occasion, Occasion::Start | Occasion::Change);
-        if let Some((row, p)) = lost(&rows, u.modes()).filter(|_| comes_by_motion) {
+        if let Some((row, p)) = lost(&rows, u.modes()).filter(|_| self.occasion.comes_by_motion()) {
             return Err(self.fault(row, Cause::NotUnique { p: p.to_f64() }));
         }
         // Before the impacts, behind which rates may be rounding alone.

@@ -90,7 +90,7 @@ impl fmt::Display for Cause {
             | Self::Sunk { .. }
             | Self::Slips => contact(f, self),
             Self::Interval { length } => interval(f, *length),
-            Self::Grazes | Self::AtOnce { .. } => underivable(f, self),
+            Self::Grazes | Self::AtLimit | Self::AtOnce { .. } => underivable(f, self),
             Self::Drift { phi, phi_dot } => drift(f, *phi, *phi_dot),
             Self::Redundant { count, locks, joints } => redundant(f, *count, "position", locks, joints),
             Self::VelocityRedundant { count, locks, joints } => {
@@ -116,6 +116,11 @@ impl fmt::Display for Cause {
 
 /// Why a run has no derivatives beyond an event.
 fn underivable(f: &mut fmt::Formatter<'_>, cause: &Cause) -> fmt::Result {
+    if *cause == Cause::AtLimit {
+        return f.write_str(
+            "there are other derivatives to either side: it is at its limit, and what the run is derived by says whether it holds",
+        );
+    }
     f.write_str("no derivatives go beyond this event: ")?;
     if let Cause::AtOnce { other } = cause {
         return write!(

@@ -67,8 +67,8 @@ impl core::error::Error for Unknown<'_> {}
 /// The same mechanism in numbers with derivatives: in direction k by what `by` has there, per SI unit.
 ///
 /// Its run makes the same steps to the same bits, and every quantity has its derivatives, exact for the steps that were made; of times of
-/// events, impacts and changes of modes as well. A run ends with [`Cause::Grazes`](crate::Cause::Grazes) or
-/// [`Cause::AtOnce`](crate::Cause::AtOnce) where there are none; [`with_side`] has those of either side.
+/// events, impacts and changes of modes as well. A run ends with [`Cause::Grazes`](crate::Cause::Grazes),
+/// [`Cause::AtOnce`](crate::Cause::AtOnce) or [`Cause::AtLimit`](crate::Cause::AtLimit) where there are none; [`with_side`] has those of either side.
 ///
 /// # Errors
 /// The first name that the mechanism does not have.
