@@ -1,6 +1,6 @@
 //! Derivatives of either side where there are none of both, against closed forms and differences of runs on that side.
 
-use plm::{By, Cause, Dop853, Fault, Side, mechanism, with_derivatives, with_side};
+use plm::{By, Cause, Dop853, Fault, Side, Term, Trace, mechanism, with_derivatives, with_side, with_trace};
 
 use super::events::Thrown;
 
@@ -183,6 +183,14 @@ fn of_a_friction_at_its_limit_there_is_none_to_both_sides() {
     let fault = started(30.0, By::Parameter("push")).unwrap_err();
     assert_eq!((fault.cause.clone(), fault.part), (Cause::AtLimit, "slip"));
     assert!(fault.to_string().contains("at its limit"), "{fault}");
+    // Recorded as well, where it may depend on what the run is derived by.
+    let recorded = |by| {
+        let (mut terms, by) = ([Term::EMPTY; 10_000], [by]);
+        let trace = Trace::new(&mut terms, 1);
+        with_trace(&Pushed::new(), &by, &trace).unwrap().start().map(|_| ()).map_err(|fault| fault.cause)
+    };
+    assert_eq!(recorded(By::Parameter("push")), Err(Cause::AtLimit));
+    assert_eq!(recorded(By::Start("block.x")), Ok(()));
     assert!((started(30.0, By::Start("block.x")).unwrap() - 1.0).abs() < 1e-12);
     assert!(started(29.999, By::Parameter("push")).unwrap().abs() < 1e-12);
     assert!((started(30.001, By::Parameter("push")).unwrap() - 0.2).abs() < 1e-9);

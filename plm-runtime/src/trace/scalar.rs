@@ -30,6 +30,10 @@ impl<S: Real> Scalar for Traced<'_, S> {
     fn has_derivatives_of(self, other: Self, within: f64) -> bool {
         self.place() == other.place() && self.value.has_derivatives_of(other.value, within)
     }
+    /// Infinite where it depends on variables of the trace.
+    fn largest_derivative(self) -> f64 {
+        self.place().map_or_else(|| self.value.largest_derivative(), |_| f64::INFINITY)
+    }
     #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {
         self.add_product(a, b)
