@@ -52,7 +52,7 @@ pub(super) fn filled<T: Copy, const N: usize, const W: usize>(list: &[T; N], beh
 
 /// The bits of a list, without what is behind so many.
 pub(super) fn bits<const W: usize>(numbers: &[f64; W], count: usize) -> impl Iterator<Item = u64> {
-    numbers.into_iter().take(count).map(|number| number.to_bits())
+    numbers.iter().take(count).map(|number| number.to_bits())
 }
 
 fn put<T: Copy>(to: &mut [T], from: &[T]) {
