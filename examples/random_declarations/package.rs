@@ -43,9 +43,9 @@ pub fn compared(declarations: &[(u64, String)]) -> io::Result<Found> {
         let program = folder.join("target/debug").join(name + EXE_SUFFIX);
         let output = Command::new(program).output()?;
         let text = String::from_utf8_lossy(&output.stdout);
-        let (differences, counts) = text.trim_end().rsplit_once('\n').unwrap_or(("", text.trim_end()));
-        if !differences.is_empty() {
-            println!("{differences}");
+        let (told, counts) = text.trim_end().rsplit_once('\n').unwrap_or(("", text.trim_end()));
+        if !told.is_empty() {
+            println!("{told}");
         }
         let counts = counts.split(' ').map(str::parse).collect::<Result<Vec<u64>, _>>();
         let Ok(counts) = counts else {
@@ -104,7 +104,10 @@ const COMPARE: &str = r#"fn compare(number: u64, run: fn() -> Result<beside_text
     counts[0] += 1;
     let thread = std::thread::Builder::new().stack_size(16 << 20).spawn(run).unwrap();
     match thread.join() {
-        Ok(Ok(course)) if course.moments.is_empty() => counts[2] += 1,
+        Ok(Ok(course)) if course.moments.is_empty() => {
+            println!("{number}: no start: {}", course.fault.unwrap_or_default());
+            counts[2] += 1;
+        }
         Ok(Ok(course)) => counts[1] += u64::from(course.fault.is_some()),
         Ok(Err(difference)) => {
             println!("{number}: {difference}");

@@ -23,6 +23,33 @@ const PENDULUM: &str = "pub Pendulum {
     output hinge.force;
 }";
 
+/// Two rails keep a frame where it is, and its angle twice: a block on it swings as in closed form, in joint coordinates too.
+#[test]
+fn rails_that_keep_one_angle_twice_run_in_every_formulation() {
+    for formulation in ["loops", "absolute"] {
+        let text = format!(
+            "pub Frame {{
+                formulation: {formulation};
+                gravity: 0;
+                ground {{ port a: (0, 0) m, axis: 90 deg; port b: (1, 0) m, axis: 30 deg; }}
+                body frame {{
+                    mass: 1 kg; inertia: 1 kg*m^2;
+                    port a: (0, 0) m, axis: 90 deg; port b: (1, 0) m, axis: 30 deg; port rail: (0, 0) m;
+                }}
+                body block {{ mass: 2 kg; inertia: 1 kg*m^2; port on: (0, 0) m; start x: 0.3 m, locked; }}
+                prismatic first(ground.a, frame.a) {{ }}
+                prismatic second(ground.b, frame.b) {{ }}
+                prismatic rail(frame.rail, block.on) {{ stiffness: 50 N/m; }}
+                allow(W0001);
+            }}"
+        );
+        let mut run =
+            Mechanism::from_text(&text).unwrap().start_with("Dop853:1e-10".parse().unwrap()).unwrap();
+        run.step_to(0.7).unwrap();
+        assert!((run.body("block").unwrap().x - 0.3 * 3.5_f64.cos()).abs() < 1e-8, "{formulation}");
+    }
+}
+
 /// A small swing against its closed form, with another length and by two methods.
 #[test]
 fn parameters_shape_the_motion() {
