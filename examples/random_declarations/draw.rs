@@ -251,6 +251,6 @@ impl Draft<'_> {
                 body.angle.to_degrees()
             );
         }
-        text + &items + "    allow(W0002);\n}\n"
+        text + &items + "    allow(W0001);\n    allow(W0002);\n}\n"
     }
 }

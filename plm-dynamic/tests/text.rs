@@ -23,6 +23,40 @@ const PENDULUM: &str = "pub Pendulum {
     output hinge.force;
 }";
 
+/// Rails that keep one angle twice: a frame on two rails, on which a block swings, and a wedge that slides on two rails and lifts what lies
+/// on it. Both follow their closed forms, in joint coordinates too.
+#[test]
+fn rails_that_keep_one_angle_twice_run_in_every_formulation() {
+    let frame = "ground { port a: (0, 0) m, axis: 90 deg; port b: (1, 0) m, axis: 30 deg; }
+        body frame {
+            mass: 1 kg; inertia: 1 kg*m^2;
+            port a: (0, 0) m, axis: 90 deg; port b: (1, 0) m, axis: 30 deg; port rail: (0, 0) m;
+        }
+        body block { mass: 2 kg; inertia: 1 kg*m^2; port on: (0, 0) m; start x: 0.3 m, locked; }
+        prismatic first(ground.a, frame.a) { }
+        prismatic second(ground.b, frame.b) { }
+        prismatic rail(frame.rail, block.on) { stiffness: 50 N/m; }";
+    let wedge = "ground { port a: (0, 0) m, axis: 0 deg; port b: (0, 0) m, axis: 90 deg; }
+        body block {
+            mass: 0.5 kg; inertia: 1 kg*m^2; start x: 0.3 m, locked;
+            port a: (0, 0) m, axis: 0 deg; port c: (0, 0) m, axis: 45 deg;
+        }
+        body lifted { mass: 1.5 kg; inertia: 1 kg*m^2; port b: (0, 0) m, axis: 90 deg; port c: (0, 0) m, axis: 45 deg; }
+        prismatic rail(ground.a, block.a) { stiffness: 50 N/m; }
+        prismatic guide(ground.b, lifted.b) { }
+        prismatic slope(block.c, lifted.c) { }";
+    // sqrt(k/m) of 2 kg both, for 0.7 s.
+    let expected = 0.3 * (5.0_f64 * 0.7).cos();
+    for (items, formulation) in [frame, wedge].into_iter().flat_map(|of| [(of, "loops"), (of, "absolute")]) {
+        let text = format!("pub Rails {{ formulation: {formulation}; gravity: 0; {items} allow(W0001); }}");
+        let mut run =
+            Mechanism::from_text(&text).unwrap().start_with("Dop853:1e-10".parse().unwrap()).unwrap();
+        run.step_to(0.7).unwrap();
+        let x = run.body("block").unwrap().x;
+        assert!((x - expected).abs() < 1e-8, "{formulation}: {x} {expected}");
+    }
+}
+
 /// A small swing against its closed form, with another length and by two methods.
 #[test]
 fn parameters_shape_the_motion() {

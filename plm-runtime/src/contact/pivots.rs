@@ -227,7 +227,7 @@ impl<S: Real, const N: usize> Tableau<S, N> {
             if of(next) <= of(least) + none { next } else { least }
         })?;
         let mut entering = self.exchange(lowest, Column::Last).complement();
-        for _ in 0..MOST_EXCHANGES * 2 * N {
+        for _ in 0..MOST_EXCHANGES * self.places().count() {
             let column = self.column(entering)?;
             let place = self.leaving(column, none)?;
             let left = self.exchange(place, column);

@@ -7,6 +7,8 @@ use super::multipliers::{Multipliers, multipliers};
 use super::rows::{Rows, indices};
 use crate::scalar::Real;
 
+/// How often signs are turned one at a time, for each reaction along a line.
+const MOST_TURNS: usize = 2;
 /// So many reactions along lines have all combinations of their signs tried.
 const MOST_SIGNS: usize = 10;
 
@@ -16,7 +18,7 @@ pub(super) fn signed<S: Real, const N: usize>(
     modes: &[Mode; N],
 ) -> Option<(Option<Rows<S, N>>, Multipliers<S, N>)> {
     let mut turned = None;
-    for _ in 0..=2 * N {
+    for _ in 0..=MOST_TURNS * lines(rows) {
         let present = turned.as_ref().unwrap_or(rows);
         let found = multipliers(present, modes)?;
         let Some(load) = wrong_sign(present, &found) else { return Some((turned, found)) };
@@ -25,6 +27,11 @@ pub(super) fn signed<S: Real, const N: usize>(
         }
     }
     by_all_signs(rows, modes)
+}
+
+/// Reactions along lines.
+fn lines<S, const N: usize>(rows: &Rows<S, N>) -> usize {
+    rows.load.iter().filter(|load| matches!(load, Load::Line { .. })).count()
 }
 
 /// A reaction along a line that has another sign than the one it is taken with.
@@ -44,9 +51,7 @@ fn by_all_signs<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     modes: &[Mode; N],
 ) -> Option<(Option<Rows<S, N>>, Multipliers<S, N>)> {
-    let is_line = |load: &usize| matches!(rows.load[*load], Load::Line { .. });
-    let lines = indices::<N>().filter(is_line).count();
-    (0..1_u32 << lines.min(MOST_SIGNS)).find_map(|number| {
+    (0..1_u32 << lines(rows).min(MOST_SIGNS)).find_map(|number| {
         let (mut turned, mut left) = (*rows, number);
         for load in &mut turned.load {
             if let Load::Line { negative } = load {
@@ -60,7 +65,7 @@ fn by_all_signs<S: Real, const N: usize>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::random::number;
+    use super::super::random::{bits, filled, number, with_room};
     use super::super::rows::{Friction, Limit};
     use super::*;
 
@@ -105,5 +110,20 @@ mod tests {
             assert!((0..2).all(|row| (found.lambda[row] + limit(row)).abs() < 1e-6 * largest), "{turned:?}");
         }
         assert!(counts.iter().all(|count| *count > 100), "{counts:?}");
+    }
+
+    /// Signs are turned as often whatever the size of arrays.
+    #[test]
+    fn room_for_more_rows_changes_no_bit() {
+        let (mut state, modes) = (9, [Mode::Forwards, Mode::Forwards, Mode::Off]);
+        for _ in 0..3000 {
+            let rows = random(&mut state);
+            let wide: Rows<f64, 6> = with_room(&rows);
+            let found = signed(&rows, &modes).map(|(_, found)| found.lambda);
+            let other = signed(&wide, &filled(&modes, Mode::Off)).map(|(_, found)| found.lambda);
+            assert_eq!(found.is_some(), other.is_some());
+            let Some((found, other)) = found.zip(other) else { continue };
+            assert!(bits(&found, 3).eq(bits(&other, 3)), "{found:?} {other:?}");
+        }
     }
 }

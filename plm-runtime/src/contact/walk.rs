@@ -7,7 +7,7 @@ use super::pivots::pivoted;
 use super::rows::Rows;
 use crate::scalar::Real;
 
-/// Combinations, for each row.
+/// Combinations, for each row that may have several modes.
 const MOST_STEPS: usize = 3;
 
 /// Starts by pivots.
@@ -32,7 +32,8 @@ fn walked<S: Real, const N: usize>(
 ) -> Option<Solution<S, N>> {
     let modes = pivoted(rows, allowed, attempt)?;
     let mut next = solve(rows, allowed, settled(rows, allowed, modes));
-    for _ in 0..MOST_STEPS * N {
+    let free = allowed.iter().filter(|row| !matches!(row, Allowed::Only(_))).count();
+    for _ in 0..MOST_STEPS * free {
         let (solution, margins) = next?;
         let broken = broken(&solution, &margins);
         let Some(first) = broken.iter().position(|is_broken| *is_broken) else {
@@ -85,23 +86,13 @@ fn settled<S: Real, const N: usize>(
 #[cfg(test)]
 mod tests {
     use super::super::candidates::{Found, enumerate};
-    use super::super::random::number;
-    use super::super::rows::{Friction, Limit, Rows};
+    use super::super::random::{bits, contacts, filled, number, with_room};
+    use super::super::rows::Rows;
     use super::*;
 
-    /// Three contacts with friction on `M` freedoms: with fewer than six more rows rest than can.
+    /// Three contacts with friction, and the modes that they may have.
     fn random<const M: usize>(state: &mut u64, friction: f64) -> (Rows<f64, 6>, [Allowed; 6]) {
-        let directions: [[f64; M]; 6] = core::array::from_fn(|_| core::array::from_fn(|_| number(state)));
-        let push: [f64; M] = core::array::from_fn(|_| 9.81 * number(state));
-        let dot = |a: &[f64; M], b: &[f64; M]| a.iter().zip(b).map(|(a, b)| a * b).sum();
-        let mut rows = Rows::none();
-        rows.free = core::array::from_fn(|i| dot(&directions[i], &push));
-        rows.delassus =
-            core::array::from_fn(|i| core::array::from_fn(|j| dot(&directions[i], &directions[j])));
-        for i in [1, 3, 5] {
-            rows.kinetic[i] = Friction::both(Limit::of(i - 1, friction));
-            rows.adhesion[i] = rows.kinetic[i];
-        }
+        let rows = contacts::<M>(state, friction);
         let allowed = core::array::from_fn(|i| match (i % 2, i) {
             (0, _) => Allowed::Touching,
             (_, 5) if number(state) > 0.0 => Allowed::Only(Mode::Forwards),
@@ -139,5 +130,25 @@ mod tests {
                 assert!(found > 1000 && other == 0 && missed * 100 <= found, "{friction}: {counts:?}");
             }
         }
+    }
+
+    /// Whether and how a walk ends does not depend on the size of arrays.
+    #[test]
+    fn room_for_more_rows_changes_no_bit() {
+        let (mut state, mut counts) = (5, [0; 2]);
+        for _ in 0..4000 {
+            let (rows, allowed) = random::<3>(&mut state, 0.8);
+            let wide: Rows<f64, 9> = with_room(&rows);
+            let wide_allowed: [Allowed; 9] = filled(&allowed, Allowed::Only(Mode::Off));
+            let found = walked(&rows, &allowed, (0, &mut |_, margins| margins.broken()));
+            let other = walked(&wide, &wide_allowed, (0, &mut |_, margins| margins.broken()));
+            assert_eq!(found.is_some(), other.is_some());
+            counts[usize::from(found.is_some())] += 1;
+            if let Some((found, other)) = found.zip(other) {
+                assert_eq!(found.modes, other.modes[..6]);
+                assert!(bits(&found.lambda, 6).eq(bits(&other.lambda, 6)), "{found:?} {other:?}");
+            }
+        }
+        assert!(counts.iter().all(|count| *count > 50), "{counts:?}");
     }
 }

@@ -103,7 +103,7 @@ impl Loops {
             determinants: reduced.areas,
             iterated: names(reduced.followed.iter().map(|(name, _)| name)),
             is_loose: crate::facts::is_loose(model, reduced),
-            is_redundant: reduced.is_redundant(),
+            is_redundant: reduced.is_redundant(model),
         }
     }
 }

@@ -14,9 +14,12 @@ use crate::contact::rows::{Law, Limit, Rows, below, indices};
 use crate::scalar::Real;
 use crate::vector::Vector;
 
-/// Rounds in which every row may change its mode, and then such in which one row alone may, of so many rows.
-const fn rounds(rows: usize) -> [u32; 2] {
-    [2 * rows as u32 + 2, 2 * rows as u32]
+/// Rounds in which every row may change its mode, and then such in which one row alone may: by the rows that exist, since arrays may have
+/// room for more.
+#[inline]
+fn rounds<const N: usize>(rules: &[Rule; N]) -> [u32; 2] {
+    let rows = rules.iter().filter(|rule| !matches!(rule, Rule::Absent(_))).count() as u32;
+    [2 * rows + 2, 2 * rows]
 }
 
 /// Sweeps behind these.
@@ -93,7 +96,7 @@ pub(super) fn solve<S: Real, const N: usize>(
         return Solved { rules: *rules, modes, carried, negative, lambda, acceleration, residual, rounds };
     }
     let mut best: Option<Solved<S, N>> = None;
-    let [all, single] = rounds(N);
+    let [all, single] = rounds(rules);
     for round in 1..=all + single {
         let Seen { solved, next, is_met } = self::round(rows, rules, (modes, round), &lambda);
         if is_met {
@@ -148,7 +151,8 @@ fn swept<S: Real, const N: usize>(
             };
         }
     }
-    let round = rounds(N)[0] + rounds(N)[1] + 1;
+    let [all, single] = rounds(rules);
+    let round = all + single + 1;
     let by_sweeps = look(rows, rules, (modes, round), lambda, &[false; N]);
     let next = without_force(rows, rules, by_sweeps.next);
     let by_modes = self::round(rows, rules, (next, round), &lambda);
@@ -329,4 +333,39 @@ pub(super) fn eliminate<S: Real, const N: usize>(
         }
     }
     (lambda, core::array::from_fn(|i| active[i] && !used[i]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::random::{bits, contacts, filled, number, with_room};
+
+    /// Of rows that depend on each other, rounds that repeat have an end: it does not depend on the size of arrays.
+    #[test]
+    fn room_for_more_rows_changes_no_bit() {
+        let (mut state, mut repeated) = (114, 0);
+        for _ in 0..4000 {
+            let rows = contacts::<2>(&mut state, 0.8);
+            let rules: [Rule; 6] = core::array::from_fn(|i| match (number(&mut state) < -0.8, i % 2) {
+                (true, 0) => Rule::Absent(Mode::Open),
+                (true, _) => Rule::Absent(Mode::Off),
+                (false, 0) => Rule::Gap,
+                (false, _) => Rule::Friction,
+            });
+            let guess = rules.map(|rule| match rule {
+                Rule::Absent(mode) => mode,
+                Rule::Gap | Rule::Constraint => Mode::Closed,
+                Rule::Friction => Mode::Sticks,
+            });
+            let wide: Rows<f64, 9> = with_room(&rows);
+            let wide_rules: [Rule; 9] = filled(&rules, Rule::Absent(Mode::Off));
+            let solved = solve(&rows, &rules, guess);
+            let other = solve(&wide, &wide_rules, filled(&guess, Mode::Off));
+            assert_eq!((solved.rounds, &solved.modes[..]), (other.rounds, &other.modes[..6]));
+            assert!(bits(&solved.lambda, 6).eq(bits(&other.lambda, 6)), "{solved:?} {other:?}");
+            assert_eq!(solved.residual.to_bits(), other.residual.to_bits());
+            repeated += u32::from(solved.rounds > 12);
+        }
+        assert!(repeated > 20, "{repeated}");
+    }
 }

@@ -336,7 +336,7 @@ fn begin(emission: &Emission) -> TokenStream {
     let enter: fn(&TokenStream) -> TokenStream = match emission.form {
         Form::Loops(reduced) => {
             // Charts count on all rows: where some repeat others they would leave out a freedom.
-            repeats = (!reduced.is_redundant()).then(|| {
+            repeats = (!reduced.is_redundant(emission.model)).then(|| {
                 quote! {
                     if assembly.redundant.contains(&true) {
                         let joints = rt::Names::marked(

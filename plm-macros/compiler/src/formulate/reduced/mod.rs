@@ -75,9 +75,10 @@ impl Reduced {
         !self.memory.is_empty()
     }
 
-    /// Are rows left out of it that say what others say?
-    pub(crate) fn is_redundant(&self) -> bool {
-        self.charts.iter().flat_map(|chart| &chart.groups).any(|group| group.starts_with("redundant"))
+    /// Are there more rows than its coordinates leave, so that some say what others say? Of two rails the second one keeps an angle that
+    /// the first one keeps.
+    pub(crate) fn is_redundant(&self, model: &Model) -> bool {
+        self.freedom() + model.rows.len() > 3 * model.bodies.len()
     }
 
     /// Has every chart df/dx entry by entry?
