@@ -29,8 +29,9 @@ const SWEEPS: usize = 60;
 /// Rotates `rows` until they are orthogonal, and `carried` along with them: what was A becomes S V^T, what was B becomes
 /// W B. Returns the singular values, the norms of the rows, in no particular order; `None` if an entry is not finite.
 ///
-/// It works in place: matrices of large mechanisms fit on a stack once, not several times.
-#[inline(never)]
+/// It works in place: matrices of large mechanisms fit on a stack once, not several times. In builds with debug assertions a crate has its
+/// own copy: of what is never inlined an optimised one (`examples/sweep`) would take that of an unoptimised one.
+#[cfg_attr(not(debug_assertions), inline(never))]
 pub fn rotate<S: Real, const ROWS: usize, const COLUMNS: usize, const CARRIED: usize>(
     rows: &mut [[S; COLUMNS]; ROWS],
     carried: &mut [[S; CARRIED]; ROWS],
@@ -91,16 +92,25 @@ pub fn diagonal<S: Real, const N: usize>(zeros: &mut [[S; N]; N]) {
     }
 }
 
+// The loops that most of the work is in count by themselves: without optimisation iterators take several times as long.
+
 /// `to + factor * from`, in place.
 pub fn add<S: Real, const N: usize>(to: &mut [S; N], factor: S, from: &[S; N]) {
-    for (to, from) in to.iter_mut().zip(from) {
-        *to = factor.mul_add(*from, *to);
+    let mut i = 0;
+    while i < N {
+        to[i] = factor.mul_add(from[i], to[i]);
+        i += 1;
     }
 }
 
 /// Inner product.
 pub fn dot<S: Real, const N: usize>(a: &[S; N], b: &[S; N]) -> S {
-    a.iter().zip(b).fold(S::lit(0.0), |sum, (a, b)| a.mul_add(*b, sum))
+    let (mut sum, mut i) = (S::lit(0.0), 0);
+    while i < N {
+        sum = a[i].mul_add(b[i], sum);
+        i += 1;
+    }
+    sum
 }
 
 /// Largest absolute value; NaN if there is one; zero for an empty array.
@@ -152,10 +162,12 @@ struct Rotation<S> {
 impl<S: Real> Rotation<S> {
     /// Rotates the rows `p` and `q`.
     fn apply<const ROWS: usize, const N: usize>(&self, rows: &mut [[S; N]; ROWS], p: usize, q: usize) {
-        for j in 0..N {
+        let mut j = 0;
+        while j < N {
             let (x, y) = (rows[p][j], rows[q][j]);
             rows[p][j] = self.cos * x - self.sin * y;
             rows[q][j] = self.sin * x + self.cos * y;
+            j += 1;
         }
     }
 }

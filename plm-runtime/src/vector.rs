@@ -2,6 +2,9 @@
 //!
 //! Generated code names its state type by an associated type, so that no user sees the number of states; methods
 //! reach the components through [`Vector`]. Every loop has a constant bound, and no index can fail.
+//!
+//! Loops count by themselves. `core::array::from_fn` makes a compiler translate six functions for every closure, and an iterator over
+//! numbers takes several times as long as the work in it where nothing is optimised.
 
 use core::fmt::Debug;
 use core::ops::Range;
@@ -61,10 +64,10 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
 
     #[inline]
     fn from_fn(mut f: impl FnMut(usize) -> S) -> Self {
-        // `core::array::from_fn` makes a compiler translate six functions for every closure.
-        let mut x = [S::lit(0.0); N];
-        for i in 0..N {
+        let (mut x, mut i) = ([S::lit(0.0); N], 0);
+        while i < N {
             x[i] = f(i);
+            i += 1;
         }
         x
     }
@@ -86,27 +89,46 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
 
     #[inline]
     fn map(&self, mut f: impl FnMut(S) -> S) -> Self {
-        Self::from_fn(|i| f(self[i]))
+        let (mut x, mut i) = ([S::lit(0.0); N], 0);
+        while i < N {
+            x[i] = f(self[i]);
+            i += 1;
+        }
+        x
     }
 
     #[inline]
     fn map2(&self, other: &Self, mut f: impl FnMut(S, S) -> S) -> Self {
-        Self::from_fn(|i| f(self[i], other[i]))
+        let (mut x, mut i) = ([S::lit(0.0); N], 0);
+        while i < N {
+            x[i] = f(self[i], other[i]);
+            i += 1;
+        }
+        x
     }
 
     #[inline]
     fn fold<T>(&self, start: T, mut f: impl FnMut(T, S) -> T) -> T {
-        self.iter().fold(start, |sum, s| f(sum, *s))
+        let (mut folded, mut i) = (start, 0);
+        while i < N {
+            folded = f(folded, self[i]);
+            i += 1;
+        }
+        folded
     }
 
     #[inline]
     fn combine<const K: usize>(&mut self, base: &Self, terms: [(S, &Self); K]) {
-        for i in 0..N {
-            let mut sum = base[i];
-            for (factor, vector) in terms {
+        let mut i = 0;
+        while i < N {
+            let (mut sum, mut k) = (base[i], 0);
+            while k < K {
+                let (factor, vector) = terms[k];
                 sum = factor.mul_add(vector[i], sum);
+                k += 1;
             }
             self[i] = sum;
+            i += 1;
         }
     }
 
@@ -141,10 +163,15 @@ impl<S: Scalar, const N: usize> Vector<S> for [S; N] {
 
     #[inline]
     fn add<const K: usize>(&mut self, terms: [(S, &Self); K]) {
-        for i in 0..N {
-            for (factor, vector) in terms {
+        let mut i = 0;
+        while i < N {
+            let mut k = 0;
+            while k < K {
+                let (factor, vector) = terms[k];
                 self[i] = factor.mul_add(vector[i], self[i]);
+                k += 1;
             }
+            i += 1;
         }
     }
 

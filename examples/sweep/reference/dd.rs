@@ -5,6 +5,7 @@
 //! every host gives the same bits.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use std::sync::LazyLock;
 
 /// `hi + lo`, where `lo` is at most half a unit in the last place of `hi`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -12,6 +13,14 @@ pub struct Dd {
     pub hi: f64,
     pub lo: f64,
 }
+
+/// `1/(2k (2k + 1))` and `1/((2k + 1) (2k + 2))` of the terms of sine and cosine.
+static INVERSES: LazyLock<[[Dd; 2]; 13]> = LazyLock::new(|| {
+    std::array::from_fn(|k| {
+        let k = 2.0 * (k as f64 + 1.0);
+        [k * (k + 1.0), (k + 1.0) * (k + 2.0)].map(|product| Dd::ONE / Dd::from(product))
+    })
+});
 
 /// The sum and what rounding took from it, if `a` is the larger.
 #[inline]
@@ -54,6 +63,13 @@ impl Dd {
         Self { hi, lo }
     }
 
+    /// Times a number.
+    #[inline]
+    pub fn times(self, factor: f64) -> Self {
+        let (p, e) = two_prod(self.hi, factor);
+        Self::of_sum((p, e + self.lo * factor))
+    }
+
     pub fn abs(self) -> Self {
         if self.hi < 0.0 { -self } else { self }
     }
@@ -66,10 +82,9 @@ impl Dd {
         // 1 - cos is carried, so that doubling loses nothing where the angle is small.
         let (mut sine, mut versine) = (rest, square * Self::from(0.5));
         let (mut term_s, mut term_c) = (rest, versine);
-        for k in 1..14 {
-            let k = f64::from(2 * k);
-            term_s = -term_s * square / Self::from(k * (k + 1.0));
-            term_c = -term_c * square / Self::from((k + 1.0) * (k + 2.0));
+        for [by_s, by_c] in *INVERSES {
+            term_s = -term_s * square * by_s;
+            term_c = -term_c * square * by_c;
             sine += term_s;
             versine += term_c;
         }
@@ -161,14 +176,46 @@ impl SubAssign for Dd {
     }
 }
 
+/// A sum of products. What rounding takes from the sum of their larger parts is added up with the smaller parts, as they are: there
+/// are as many digits as in additions of `Dd`, and no product waits for the end of the addition before it.
+///
+/// T. Ogita, S. M. Rump, S. Oishi, Accurate sum and dot product, SIAM J. Sci. Comput. 26 (2005), algorithm 5.3.
+#[derive(Clone, Copy)]
+pub struct Sum {
+    large: f64,
+    small: f64,
+}
+
+impl Sum {
+    #[inline]
+    pub fn from(start: Dd) -> Self {
+        Self { large: start.hi, small: start.lo }
+    }
+
+    #[inline]
+    #[must_use]
+    pub fn plus(self, a: Dd, b: Dd) -> Self {
+        let (product, e) = two_prod(a.hi, b.hi);
+        let (large, f) = two_sum(self.large, product);
+        Self { large, small: self.small + (f + (e + (a.hi * b.lo + a.lo * b.hi))) }
+    }
+
+    #[inline]
+    pub fn value(self) -> Dd {
+        Dd::of_sum(two_sum(self.large, self.small))
+    }
+}
+
+/// `start` and the sum of products.
+#[inline]
+pub fn summed(start: Dd, products: impl Iterator<Item = (Dd, Dd)>) -> Dd {
+    products.fold(Sum::from(start), |sum, (a, b)| sum.plus(a, b)).value()
+}
+
 /// Of order `k` in the product of two series.
 #[inline]
 pub fn convolved(a: &[Dd], b: &[Dd], k: usize) -> Dd {
-    let mut sum = Dd::ZERO;
-    for j in 0..=k {
-        sum += a[j] * b[k - j];
-    }
-    sum
+    summed(Dd::ZERO, a[..=k].iter().copied().zip(b[..=k].iter().rev().copied()))
 }
 
 /// The sum of a series at `h`.

@@ -3,7 +3,7 @@
 //! Recurrences as in R. E. Moore, Interval Analysis (1966), chapter 11, and À. Jorba, M. Zou, A software package for the
 //! numerical integration of ODEs by means of high-order Taylor methods, Experiment. Math. 14 (2005), section 2.
 
-use super::dd::{Dd, convolved};
+use super::dd::{Dd, Sum, convolved, summed};
 
 /// A node of the tape, by number.
 pub type Id = usize;
@@ -28,6 +28,8 @@ pub struct Tape {
     pub series: Vec<Vec<Dd>>,
     /// What the last order has gained by a correction.
     gain: Vec<Dd>,
+    /// `1/k` of every order `k` but zero.
+    inverse: Vec<Dd>,
 }
 
 impl Tape {
@@ -61,6 +63,7 @@ impl Tape {
             series.resize(order + 1, Dd::ZERO);
         }
         self.gain.resize(self.nodes.len(), Dd::ZERO);
+        self.inverse = (0..=order).map(|k| Dd::ONE / Dd::from(k.max(1) as f64)).collect();
     }
 
     /// Coefficients of order `k` from those of the coordinates and of lower orders.
@@ -68,13 +71,17 @@ impl Tape {
         for id in 0..self.nodes.len() {
             let value = match &self.nodes[id] {
                 Node::Coordinate(index) => coordinates[*index][k],
-                Node::Sine(angle) if k == 0 => self.series[*angle][0].sin_cos().0,
-                Node::Cosine(angle) if k == 0 => self.series[*angle][0].sin_cos().1,
+                Node::Sine(angle) if k == 0 => {
+                    let (sine, cosine) = self.series[*angle][0].sin_cos();
+                    self.series[id + 1][0] = cosine;
+                    sine
+                }
+                Node::Cosine(_) if k == 0 => self.series[id][0],
                 Node::Sine(angle) => self.rotated(*angle, id + 1, k),
                 Node::Cosine(angle) => -self.rotated(*angle, id - 1, k),
                 Node::Linear(constant, terms) => {
                     let first = if k == 0 { *constant } else { Dd::ZERO };
-                    terms.iter().fold(first, |sum, (node, factor)| sum + self.series[*node][k] * *factor)
+                    summed(first, terms.iter().map(|(node, factor)| (self.series[*node][k], *factor)))
                 }
                 Node::Product(a, b) => convolved(&self.series[*a], &self.series[*b], k),
             };
@@ -85,11 +92,8 @@ impl Tape {
     /// Of order `k` in the integral of the angle's rate times `other`.
     fn rotated(&self, angle: Id, other: Id, k: usize) -> Dd {
         let (angle, other) = (&self.series[angle], &self.series[other]);
-        let mut sum = Dd::ZERO;
-        for j in 1..=k {
-            sum += angle[j] * other[k - j] * Dd::from(j as f64);
-        }
-        sum / Dd::from(k as f64)
+        let rates = angle[..=k].iter().enumerate().map(|(j, angle)| angle.times(j as f64));
+        summed(Dd::ZERO, rates.zip(other[..=k].iter().rev().copied())) * self.inverse[k]
     }
 
     /// Brings order `k` up to date after the coordinates of that order, zero until now, were found. What is linear in
@@ -101,10 +105,11 @@ impl Tape {
                 Node::Sine(angle) => self.gain[*angle] * self.series[id + 1][0],
                 Node::Cosine(angle) => -self.gain[*angle] * self.series[id - 1][0],
                 Node::Linear(_, terms) => {
-                    terms.iter().fold(Dd::ZERO, |sum, (node, factor)| sum + self.gain[*node] * *factor)
+                    summed(Dd::ZERO, terms.iter().map(|(node, factor)| (self.gain[*node], *factor)))
                 }
                 Node::Product(a, b) => {
-                    self.series[*a][0] * self.gain[*b] + self.gain[*a] * self.series[*b][0]
+                    let first = Sum::from(Dd::ZERO).plus(self.series[*a][0], self.gain[*b]);
+                    first.plus(self.gain[*a], self.series[*b][0]).value()
                 }
             };
             self.gain[id] = gain;

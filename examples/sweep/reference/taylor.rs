@@ -4,7 +4,7 @@
 //! if no state lies next to it; a near miss is a pair of poles beside the real axis, and steps are as short as it asks for.
 //! Step lengths as in Jorba, Zou (2005), section 3.2.
 
-use super::dd::{Dd, horner, horner_rate};
+use super::dd::{Dd, Sum, horner, horner_rate, summed};
 use super::linear::Factor;
 use super::model::Model;
 
@@ -117,11 +117,14 @@ impl Motion {
             self.model.applied(self.time, k, &mut forces);
             self.react(&multipliers, k, &mut forces);
             let scale = Dd::from(((k + 1) * (k + 2)) as f64);
+            let per_scale = Dd::ONE / scale;
             let (inverse, tape) = (&self.model.inverse, &self.model.tape);
+            let free: Vec<Dd> =
+                forces.iter().zip(inverse).map(|(force, inverse)| *force * *inverse).collect();
             let mut r: Vec<Dd> = (self.model.rows.iter().zip(&first))
                 .map(|(row, of)| {
-                    let start = scale * tape.series[row.residual][k + 2];
-                    of.iter().fold(start, |sum, (i, entry)| sum + *entry * inverse[*i] * forces[*i])
+                    let start = Sum::from(Dd::ZERO).plus(scale, tape.series[row.residual][k + 2]);
+                    of.iter().fold(start, |sum, (i, entry)| sum.plus(*entry, free[*i])).value()
                 })
                 .collect();
             factor.solve(&mut r);
@@ -132,7 +135,7 @@ impl Motion {
                 kept.push(*row);
             }
             for i in 0..n {
-                self.series[i][k + 2] = forces[i] * self.model.inverse[i] / scale;
+                self.series[i][k + 2] = forces[i] * self.model.inverse[i] * per_scale;
             }
             self.model.tape.correct(k + 2, &self.series);
         }
@@ -144,11 +147,8 @@ impl Motion {
             for (index, entry) in &row.entries {
                 let super::model::Entry::Node(node) = entry else { continue };
                 let series = &self.model.tape.series[*node];
-                let mut sum = Dd::ZERO;
-                for j in 1..=k {
-                    sum += series[j] * lambda[k - j];
-                }
-                forces[*index] -= sum;
+                let products = series[1..=k].iter().copied().zip(lambda[..k].iter().rev().copied());
+                forces[*index] -= summed(Dd::ZERO, products);
             }
         }
     }

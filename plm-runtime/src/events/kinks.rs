@@ -188,7 +188,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
             let point = |at: M::S| Point { at, value: sign * self.value(at, i) };
             let (a, b) = (point(from), point(to));
             if a.value > M::S::ZERO {
-                first = first.min(root(a, b, tolerance, |theta| sign * self.value(theta, i)));
+                first = first.min(root(a, b, tolerance, &mut |theta| sign * self.value(theta, i)));
             }
         }
         (first, first + beside())

@@ -14,8 +14,8 @@ pub(super) struct Point<S> {
 /// The method ITP: interpolation by a secant, moved towards the middle, within the reach in which no more evaluations
 /// than one above those of bisection can be needed (I. F. D. Oliveira, R. H. C. Takahashi, An enhancement of the
 /// bisection method average performance preserving minmax optimality, ACM Trans. Math. Software 47, 2020; its
-/// kappa_1 = 0.2 / (b - a), kappa_2 = 2, n_0 = 1).
-pub(super) fn root<S: Real>(mut a: Point<S>, mut b: Point<S>, tolerance: S, mut f: impl FnMut(S) -> S) -> S {
+/// kappa_1 = 0.2 / (b - a), kappa_2 = 2, n_0 = 1). It is compiled once for each kind of numbers, not for each function.
+pub(super) fn root<S: Real>(mut a: Point<S>, mut b: Point<S>, tolerance: S, f: &mut dyn FnMut(S) -> S) -> S {
     let (half, zero) = (S::lit(0.5), S::lit(0.0));
     let kappa = S::lit(0.2) / (b.at - a.at);
     let mut reach = S::lit(2.0) * tolerance;
@@ -53,7 +53,7 @@ mod tests {
     /// The root, and how many evaluations it took.
     fn found(f: impl Fn(f64) -> f64, a: f64, b: f64) -> (f64, u32) {
         let (mut count, point) = (0, |at| Point { at, value: f(at) });
-        let root = root(point(a), point(b), 1e-15, |x| {
+        let root = root(point(a), point(b), 1e-15, &mut |x| {
             count += 1;
             f(x)
         });

@@ -70,7 +70,7 @@ impl<M: System<S: Real>, I: Method<M>> Sampled<'_, '_, M, I> {
             let is_out = |look| guard(at(look)) < edge;
             let Some(look) = first_out(sampled.map(|g| g.at(i)), edge, is_out) else { continue };
             let out = Point { at: at(look), value: guard(at(look)) };
-            let time = crossing(Point { at: *start, value: began.at(i) }, out, guard);
+            let time = crossing(Point { at: *start, value: began.at(i) }, out, &mut &guard);
             if first.is_none_or(|(_, known)| time < known) {
                 first = Some((i, time));
             }
@@ -113,7 +113,7 @@ fn first_out<S: Real>(g: [S; SAMPLES + 1], edge: S, is_out: impl Fn(S) -> bool) 
 }
 
 /// The first time past the root of a guard between the start of a step and a time at which it is past.
-fn crossing<S: Real>(start: Point<S>, end: Point<S>, guard: impl Fn(S) -> S) -> S {
+fn crossing<S: Real>(start: Point<S>, end: Point<S>, guard: &mut dyn FnMut(S) -> S) -> S {
     let tolerance = S::EPSILON * start.at.abs().max(end.at.abs());
     if start.value > S::ZERO {
         return root(start, end, tolerance, guard);
@@ -190,7 +190,7 @@ mod tests {
             // It never comes back.
             (|at| -0.1 - at, 0.0),
         ] {
-            let found = crossing(point(guard, 0.0), point(guard, 3.0), guard);
+            let found = crossing(point(guard, 0.0), point(guard, 3.0), &mut &guard);
             assert!((found - time).abs() < 2e-15, "{time}: {found}");
         }
     }

@@ -299,7 +299,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         let right = Point { at: piece.to, value: piece.right.at(i) - above };
         let (start, end) = (self.path.start, self.path.time(M::S::lit(1.0)));
         let tolerance = M::S::EPSILON * (start.abs().max(end.abs()) / self.path.h).max(M::S::EPSILON);
-        root(left, right, tolerance, |theta| self.values(theta).at(i) - above)
+        root(left, right, tolerance, &mut |theta| self.values(theta).at(i) - above)
     }
 
     /// The guards at a fraction of the step.
