@@ -153,6 +153,20 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
     fn lit(x: f64) -> Self {
         Self { value: S::lit(x), tangents: [S::lit(if x == 0.0 { x } else { -0.0 }); K] }
     }
+    #[inline]
+    fn scaled(self, by: f64) -> Self {
+        Self::with_tangents(self.value.scaled(by), |k| self.tangents[k].scaled(by))
+    }
+    #[inline]
+    fn scaled_add(self, by: f64, b: Self) -> Self {
+        let value = self.value.scaled_add(by, b.value);
+        Self::with_tangents(value, |k| self.tangents[k].scaled_add(by, b.tangents[k]))
+    }
+    #[inline]
+    fn dividing(self, constant: f64) -> Self {
+        let (value, reciprocal) = (self.value.dividing(constant), S::lit(1.0) / self.value);
+        self.chain(value, -(value * reciprocal))
+    }
     /// Weights are numbers: they take one product of each derivative.
     #[allow(clippy::inline_always, reason = "it is the formula")]
     #[inline(always)]

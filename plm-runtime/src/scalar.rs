@@ -8,6 +8,7 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 pub(crate) mod chain_rule;
+mod factor;
 mod floats;
 #[cfg(feature = "fma")]
 mod fused;
@@ -15,6 +16,7 @@ mod operation;
 mod real;
 mod registers;
 
+pub use self::factor::Factor;
 pub use self::operation::Operation;
 pub use self::real::Real;
 pub use self::registers::Registers;
@@ -82,6 +84,27 @@ pub trait Scalar:
     /// `self * a + b`: two roundings, or one with the feature `fma`.
     #[must_use]
     fn mul_add(self, a: Self, b: Self) -> Self;
+    /// `lit(by) * self`.
+    #[allow(clippy::inline_always, reason = "it is the operation")]
+    #[inline(always)]
+    #[must_use]
+    fn scaled(self, by: f64) -> Self {
+        Self::lit(by) * self
+    }
+    /// `lit(by) * self + b`, as [`mul_add`](Self::mul_add).
+    #[allow(clippy::inline_always, reason = "it is the operation")]
+    #[inline(always)]
+    #[must_use]
+    fn scaled_add(self, by: f64, b: Self) -> Self {
+        Self::lit(by).mul_add(self, b)
+    }
+    /// `lit(constant) / self`.
+    #[allow(clippy::inline_always, reason = "it is the operation")]
+    #[inline(always)]
+    #[must_use]
+    fn dividing(self, constant: f64) -> Self {
+        Self::lit(constant) / self
+    }
     /// The sum of weight times number, in the order of the weights.
     #[inline]
     #[must_use]
