@@ -7,6 +7,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+mod at_once;
 pub(crate) mod chain_rule;
 mod factor;
 mod floats;
@@ -16,6 +17,7 @@ mod operation;
 mod real;
 mod registers;
 
+pub use self::at_once::AtOnce;
 pub use self::factor::Factor;
 pub use self::operation::Operation;
 pub use self::real::Real;
@@ -53,8 +55,8 @@ pub trait Scalar:
     const PRECISION: f64;
     /// Such a number carries derivatives: an iteration goes on until they have converged too.
     const HAS_DERIVATIVES: bool = false;
-    /// Operations of such a number are recorded: those that are made at once ([`Real::make`]) take a shorter record.
-    const IS_RECORDED: bool = false;
+    /// Operations of many such numbers that are made at once.
+    const AT_ONCE: AtOnce = AtOnce::Nothing;
     /// How such numbers use vector registers.
     const REGISTERS: Registers = Registers::Scalar;
 
