@@ -5,13 +5,15 @@
 //! directions share one evaluation of the values, of sines and roots above all. The values have the same bits as those
 //! of the scalar alone.
 
+mod few;
+
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use plm_math::exact::Split;
 
 use crate::scalar::chain_rule::by_chain_rule;
-use crate::scalar::{Real, Registers, Scalar};
+use crate::scalar::{AtOnce, Operation, Real, Registers, Scalar};
 
 /// A number and its derivatives in `K` directions.
 ///
@@ -143,6 +145,7 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
     const AGREEMENT: f64 = S::AGREEMENT;
     const PRECISION: f64 = S::PRECISION;
     const HAS_DERIVATIVES: bool = true;
+    const AT_ONCE: AtOnce = if K > few::MOST { AtOnce::Steps } else { AtOnce::Nothing };
     const REGISTERS: Registers = if K > 1 { Registers::Filled } else { Registers::Scalar };
 
     by_chain_rule!(chain_steep);
@@ -152,6 +155,20 @@ impl<S: Real, const K: usize> Scalar for Dual<S, K> {
     #[inline]
     fn lit(x: f64) -> Self {
         Self { value: S::lit(x), tangents: [S::lit(if x == 0.0 { x } else { -0.0 }); K] }
+    }
+    #[inline]
+    fn scaled(self, by: f64) -> Self {
+        Self::with_tangents(self.value.scaled(by), |k| self.tangents[k].scaled(by))
+    }
+    #[inline]
+    fn scaled_add(self, by: f64, b: Self) -> Self {
+        let value = self.value.scaled_add(by, b.value);
+        Self::with_tangents(value, |k| self.tangents[k].scaled_add(by, b.tangents[k]))
+    }
+    #[inline]
+    fn dividing(self, constant: f64) -> Self {
+        let (value, reciprocal) = (self.value.dividing(constant), S::lit(1.0) / self.value);
+        self.chain(value, -(value * reciprocal))
     }
     /// Weights are numbers: they take one product of each derivative.
     #[allow(clippy::inline_always, reason = "it is the formula")]
@@ -242,6 +259,11 @@ impl<S: Real, const K: usize> Real for Dual<S, K> {
     #[inline]
     fn with_plain(self, plain: S::Plain) -> Self {
         Self { value: self.value.with_plain(plain), ..self }
+    }
+    #[allow(clippy::inline_always, reason = "it is the operation")]
+    #[inline(always)]
+    fn make<O: Operation<Self>>(operation: O) -> O::Output {
+        if const { Self::AT_ONCE.has_steps() } { few::make(operation) } else { operation.make() }
     }
     const EPSILON: Self = Self { value: S::EPSILON, tangents: [S::ZERO; K] };
     const RANK_TOLERANCE: Self = Self { value: S::RANK_TOLERANCE, tangents: [S::ZERO; K] };

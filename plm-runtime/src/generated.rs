@@ -17,7 +17,7 @@ pub use crate::linear::Linear;
 pub use crate::mechanism::{HasMasses, InPlace, Mechanism, Moment};
 pub use crate::method::Method;
 pub use crate::ports::Ports;
-pub use crate::scalar::{Real, Scalar};
+pub use crate::scalar::{Factor, Real, Scalar};
 pub use crate::sim::Sim;
 pub use crate::start::{BodyStart, Start, StartValues, follow};
 pub use crate::statics::Statics;

@@ -161,7 +161,7 @@ impl<M: Linear, C: Computation> Operation<M::S> for Computed<'_, M, C> {
     #[inline(always)]
     fn make(self) -> Self::Output {
         let Self { system, times, u, from: (x, rate), .. } = self;
-        if C::FROM_RATE && M::S::IS_RECORDED {
+        if C::FROM_RATE && M::S::AT_ONCE.has_steps() {
             let mut first = *x;
             system.rate(times.0, u, x, &mut first);
             let first = first.map2(rate, |own, rate| own.with_plain(rate.plain()));
@@ -211,14 +211,16 @@ impl<M: Linear, C: Computation> Operation<M::S> for Computed<'_, M, C> {
         }
         let (made, health) = C::of(&own, (t, h), &held, (&state, &first));
         let mut vectors = 0;
-        let vector = |all: &<M::In<T> as Rate>::X| {
+        let vector = |all: &<M::In<T> as Rate>::X, to: &mut M::X| {
             vectors += 1;
-            M::X::from_fn(|i| match all.at(i) {
-                number if vectors <= C::VECTORS && system.has_number(i) => result(number),
-                number => M::S::of_plain(number.plain()),
-            })
+            for i in 0..M::X::LEN {
+                let number = all.at(i);
+                let has_derivatives = vectors <= C::VECTORS && system.has_number(i);
+                to.set(i, if has_derivatives { result(number) } else { M::S::of_plain(number.plain()) });
+            }
         };
-        (C::map(&made, vector), Health(M::S::of_plain(health.0.plain())))
+        let blank = M::X::fill(M::S::ZERO);
+        (C::map(&made, blank, vector), Health(M::S::of_plain(health.0.plain())))
     }
 }
 

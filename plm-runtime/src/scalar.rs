@@ -7,7 +7,9 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+mod at_once;
 pub(crate) mod chain_rule;
+mod factor;
 mod floats;
 #[cfg(feature = "fma")]
 mod fused;
@@ -15,6 +17,8 @@ mod operation;
 mod real;
 mod registers;
 
+pub use self::at_once::AtOnce;
+pub use self::factor::Factor;
 pub use self::operation::Operation;
 pub use self::real::Real;
 pub use self::registers::Registers;
@@ -51,8 +55,8 @@ pub trait Scalar:
     const PRECISION: f64;
     /// Such a number carries derivatives: an iteration goes on until they have converged too.
     const HAS_DERIVATIVES: bool = false;
-    /// Operations of such a number are recorded: those that are made at once ([`Real::make`]) take a shorter record.
-    const IS_RECORDED: bool = false;
+    /// Operations of many such numbers that are made at once.
+    const AT_ONCE: AtOnce = AtOnce::Nothing;
     /// How such numbers use vector registers.
     const REGISTERS: Registers = Registers::Scalar;
 
@@ -88,6 +92,27 @@ pub trait Scalar:
     /// `self * a + b`: two roundings, or one with the feature `fma`.
     #[must_use]
     fn mul_add(self, a: Self, b: Self) -> Self;
+    /// `lit(by) * self`.
+    #[allow(clippy::inline_always, reason = "it is the operation")]
+    #[inline(always)]
+    #[must_use]
+    fn scaled(self, by: f64) -> Self {
+        Self::lit(by) * self
+    }
+    /// `lit(by) * self + b`, as [`mul_add`](Self::mul_add).
+    #[allow(clippy::inline_always, reason = "it is the operation")]
+    #[inline(always)]
+    #[must_use]
+    fn scaled_add(self, by: f64, b: Self) -> Self {
+        Self::lit(by).mul_add(self, b)
+    }
+    /// `lit(constant) / self`.
+    #[allow(clippy::inline_always, reason = "it is the operation")]
+    #[inline(always)]
+    #[must_use]
+    fn dividing(self, constant: f64) -> Self {
+        Self::lit(constant) / self
+    }
     /// The sum of weight times number, in the order of the weights.
     #[inline]
     #[must_use]

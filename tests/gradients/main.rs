@@ -6,6 +6,7 @@ mod closed;
 mod cycle;
 mod events;
 mod loops;
+mod many;
 mod rough;
 mod sides;
 mod step;

@@ -155,9 +155,10 @@ mod plm_arm_on_jack_ {
                 let (q, _) = self.pose_();
                 let [arm_x, arm_y, arm_angle, ..] = q;
                 let lit = S::lit;
+                let by = rt::Factor;
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                let t1 = lit(-0.5).mul_add(cos_arm_angle, arm_x);
-                let t2 = lit(-0.5).mul_add(sin_arm_angle, arm_y) + lit(0.25);
+                let t1 = by(-0.5).mul_add(cos_arm_angle, arm_x);
+                let t2 = by(-0.5).mul_add(sin_arm_angle, arm_y) + lit(0.25);
                 t2.mul_add(t2, t1 * t1).sqrt()
             }
 
@@ -165,17 +166,17 @@ mod plm_arm_on_jack_ {
             pub fn kinetic_energy(&self) -> S {
                 let (_, v) = self.pose_();
                 let [arm_vx, arm_vy, arm_omega, ..] = v;
-                let lit = S::lit;
-                lit(50.0).mul_add(arm_vy.mul_add(arm_vy, arm_vx * arm_vx), lit(0.005) * arm_omega * arm_omega)
+                let by = rt::Factor;
+                by(50.0).mul_add(arm_vy.mul_add(arm_vy, arm_vx * arm_vx), by(0.005) * arm_omega * arm_omega)
             }
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
                 let (q, _) = self.pose_();
                 let [_, arm_y, ..] = q;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let g = self.mechanism.g;
-                lit(100.0) * g * arm_y
+                by(100.0) * g * arm_y
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
@@ -185,30 +186,27 @@ mod plm_arm_on_jack_ {
                 let [_, _, press_chamber1_pressure, press_chamber2_pressure, ..] = self.x;
                 let [arm_vx, arm_vy, arm_omega, ..] = v;
                 let lit = S::lit;
+                let by = rt::Factor;
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                let t1 = lit(-0.5).mul_add(cos_arm_angle, arm_x);
-                let t2 = lit(-0.5).mul_add(sin_arm_angle, arm_y) + lit(0.25);
+                let t1 = by(-0.5).mul_add(cos_arm_angle, arm_x);
+                let t2 = by(-0.5).mul_add(sin_arm_angle, arm_y) + lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1).sqrt();
-                let t4 = lit(1.0) / t3;
-                let t5 = lit(0.5) * arm_omega;
+                let t4 = by(1.0) / t3;
+                let t5 = by(0.5) * arm_omega;
                 let t6 = t2
                     .mul_add((-t5).mul_add(cos_arm_angle, arm_vy), t1 * t5.mul_add(sin_arm_angle, arm_vx))
                     * t4;
                 let t7 = lit(0.0).max(t3 - lit(0.57));
                 let t8 = lit(0.0).max(lit(0.22) - t3);
-                let t9 = lit(-1000.0).mul_add(
+                let t9 = by(-1000.0).mul_add(
                     t6,
-                    lit(-0.0012566370614359172).mul_add(
-                        press_chamber2_pressure,
-                        lit(0.001963495408493621) * press_chamber1_pressure,
-                    ),
-                ) - lit(0.0).max(
-                    (lit(1000.0) * lit(1.0).min(lit(1000000.0) * t7)).mul_add(t6, lit(100000000.0) * t7),
-                );
+                    by(-0.0012566370614359172)
+                        .mul_add(press_chamber2_pressure, by(0.001963495408493621) * press_chamber1_pressure),
+                ) - lit(0.0)
+                    .max((by(1000.0) * lit(1.0).min(by(1000000.0) * t7)).mul_add(t6, by(100000000.0) * t7));
                 let t10 = t9
                     + lit(0.0).max(
-                        (-(lit(1000.0) * lit(1.0).min(lit(1000000.0) * t8)))
-                            .mul_add(t6, lit(100000000.0) * t8),
+                        (-(by(1000.0) * lit(1.0).min(by(1000000.0) * t8))).mul_add(t6, by(100000000.0) * t8),
                     );
                 let t11 = (-t5).mul_add(
                     t4 * (t10 * (-sin_arm_angle).mul_add(t1, cos_arm_angle * t2)),
@@ -664,11 +662,12 @@ mod plm_arm_on_jack_ {
             fn phi_q_entries(&self, t: S, q: &[S; 3], phi_q: &mut [S; 4]) {
                 let [_, _, arm_angle, ..] = *q;
                 let lit = S::lit;
+                let by = rt::Factor;
                 phi_q[0] = lit(1.0);
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                phi_q[1] = lit(0.8) * sin_arm_angle;
+                phi_q[1] = by(0.8) * sin_arm_angle;
                 phi_q[2] = lit(1.0);
-                phi_q[3] = lit(-0.8) * cos_arm_angle;
+                phi_q[3] = by(-0.8) * cos_arm_angle;
             }
         }
 
@@ -684,10 +683,10 @@ mod plm_arm_on_jack_ {
             fn phi(&self, t: S, q: &[S; 3]) -> [S; 2] {
                 let mut phi = [S::lit(0.0); 2];
                 let [arm_x, arm_y, arm_angle, ..] = *q;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                phi[0] = lit(-0.8).mul_add(cos_arm_angle, arm_x);
-                phi[1] = lit(-0.8).mul_add(sin_arm_angle, arm_y);
+                phi[0] = by(-0.8).mul_add(cos_arm_angle, arm_x);
+                phi[1] = by(-0.8).mul_add(sin_arm_angle, arm_y);
                 phi
             }
 
@@ -698,9 +697,9 @@ mod plm_arm_on_jack_ {
                 let mut phi_dot = [S::lit(0.0); 2];
                 let [_, _, arm_angle, ..] = *q;
                 let [arm_vx, arm_vy, arm_omega, ..] = *v;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                let t1 = lit(0.8) * arm_omega;
+                let t1 = by(0.8) * arm_omega;
                 phi_dot[0] = t1.mul_add(sin_arm_angle, arm_vx);
                 phi_dot[1] = (-t1).mul_add(cos_arm_angle, arm_vy);
                 phi_dot
@@ -731,16 +730,17 @@ mod plm_arm_on_jack_ {
                     let [dphi_0, dphi_1, ..] = *r;
                     let [w_0, w_1, w_2, ..] = *w;
                     let lit = S::lit;
+                    let by = rt::Factor;
                     // phi_q W phi_q^T = L D L^T
                     let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                    let t1 = lit(0.8) * sin_arm_angle;
+                    let t1 = by(0.8) * sin_arm_angle;
                     let y_0_2 = t1 * w_2;
-                    let r_0 = lit(1.0) / t1.mul_add(y_0_2, w_0);
-                    let y_1_2 = lit(-0.8) * cos_arm_angle * w_2;
+                    let r_0 = by(1.0) / t1.mul_add(y_0_2, w_0);
+                    let y_1_2 = by(-0.8) * cos_arm_angle * w_2;
                     let g_1_0 = t1 * y_1_2;
                     let l_1_0 = r_0 * g_1_0;
-                    let t2 = (-(lit(0.8) * cos_arm_angle)).mul_add(y_1_2, w_1);
-                    let r_1 = lit(1.0) / (-g_1_0).mul_add(l_1_0, t2);
+                    let t2 = (-(by(0.8) * cos_arm_angle)).mul_add(y_1_2, w_1);
+                    let r_1 = by(1.0) / (-g_1_0).mul_add(l_1_0, t2);
                     let growth_1 = (t2 * r_1).abs();
                     let most_growth = lit(S::MOST_GROWTH);
                     let t3 = most_growth.lt(growth_1);
@@ -751,7 +751,7 @@ mod plm_arm_on_jack_ {
                     dq[0] = w_0 * mu_0;
                     dq[1] = w_1 * mu_1;
                     dq[2] = y_1_2.mul_add(mu_1, y_0_2 * mu_0);
-                    lit(1.0) / S::select(t3, lit(0.0), growth_1)
+                    by(1.0) / S::select(t3, lit(0.0), growth_1)
                 })
             }
 
@@ -1391,92 +1391,89 @@ mod plm_arm_on_jack_ {
             fn equations(&self, t: S, u: &Self::U, x: &[S; 14], lambda: &[S; 2], each: &mut impl FnMut(S)) {
                 let (mut force, mut x_dot) = ([S::lit(0.0); 3], [S::lit(0.0); 8]);
                 let lit = S::lit;
+                let by = rt::Factor;
                 let arm_x = x[0];
                 let arm_angle = x[2];
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                let t1 = lit(-0.5).mul_add(cos_arm_angle, arm_x);
+                let t1 = by(-0.5).mul_add(cos_arm_angle, arm_x);
                 let arm_y = x[1];
-                let t2 = lit(-0.5).mul_add(sin_arm_angle, arm_y) + lit(0.25);
+                let t2 = by(-0.5).mul_add(sin_arm_angle, arm_y) + lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1).sqrt();
-                let t4 = lit(1.0) / t3;
+                let t4 = by(1.0) / t3;
                 let press_chamber1_pressure = x[6];
                 let press_chamber2_pressure = x[7];
                 let arm_vx = x[3];
                 let arm_omega = x[5];
-                let t5 = lit(0.5) * arm_omega;
+                let t5 = by(0.5) * arm_omega;
                 let arm_vy = x[4];
                 let t6 = t2
                     .mul_add((-t5).mul_add(cos_arm_angle, arm_vy), t1 * t5.mul_add(sin_arm_angle, arm_vx))
                     * t4;
                 let t7 = lit(0.0).max(t3 - lit(0.57));
                 let t8 = lit(0.0).max(lit(0.22) - t3);
-                let t9 = lit(-1000.0).mul_add(
+                let t9 = by(-1000.0).mul_add(
                     t6,
-                    lit(-0.0012566370614359172).mul_add(
-                        press_chamber2_pressure,
-                        lit(0.001963495408493621) * press_chamber1_pressure,
-                    ),
-                ) - lit(0.0).max(
-                    (lit(1000.0) * lit(1.0).min(lit(1000000.0) * t7)).mul_add(t6, lit(100000000.0) * t7),
-                );
+                    by(-0.0012566370614359172)
+                        .mul_add(press_chamber2_pressure, by(0.001963495408493621) * press_chamber1_pressure),
+                ) - lit(0.0)
+                    .max((by(1000.0) * lit(1.0).min(by(1000000.0) * t7)).mul_add(t6, by(100000000.0) * t7));
                 let t10 = t9
                     + lit(0.0).max(
-                        (-(lit(1000.0) * lit(1.0).min(lit(1000000.0) * t8)))
-                            .mul_add(t6, lit(100000000.0) * t8),
+                        (-(by(1000.0) * lit(1.0).min(by(1000000.0) * t8))).mul_add(t6, by(100000000.0) * t8),
                     );
                 let t11 = t4 * t10;
                 force[0] = t1 * t11;
                 let g = self.g;
-                force[1] = lit(-100.0).mul_add(g, t2 * t11);
-                force[2] = lit(-0.5) * t4 * (t10 * (-sin_arm_angle).mul_add(t1, cos_arm_angle * t2));
+                force[1] = by(-100.0).mul_add(g, t2 * t11);
+                force[2] = by(-0.5) * t4 * (t10 * (-sin_arm_angle).mul_add(t1, cos_arm_angle * t2));
                 let gas = self.gas;
-                let t12 = lit(1.0) / lit(1.0).max(press_chamber1_pressure + lit(101325.0));
+                let t12 = by(1.0) / lit(1.0).max(press_chamber1_pressure + lit(101325.0));
                 let t13 = gas * t12;
                 let t14 = lit(1.0) - gas;
-                let t15 = lit(-5.88235294117647e-10) * t14;
+                let t15 = by(-5.88235294117647e-10) * t14;
                 let line1_flow = x[8];
-                let t16 = lit(-101325.0).mul_add(t13, -t14)
-                    * lit(-0.001963495408493621).mul_add(t6, line1_flow)
-                    / (lit(0.001963495408493621).mul_add(t3, lit(-0.00038196898986859654))
-                        * (-(lit(101325.0) * t12)).mul_add(t13, t15));
+                let t16 = by(-101325.0).mul_add(t13, -t14)
+                    * by(-0.001963495408493621).mul_add(t6, line1_flow)
+                    / (by(0.001963495408493621).mul_add(t3, lit(-0.00038196898986859654))
+                        * (-(by(101325.0) * t12)).mul_add(t13, t15));
                 x_dot[0] = t16;
-                let t17 = lit(1.0) / lit(1.0).max(press_chamber2_pressure + lit(101325.0));
+                let t17 = by(1.0) / lit(1.0).max(press_chamber2_pressure + lit(101325.0));
                 let t18 = gas * t17;
                 let line2_flow = x[10];
-                let t19 = lit(-101325.0).mul_add(t18, -t14)
-                    * lit(0.0012566370614359172).mul_add(t6, line2_flow)
-                    / (lit(-0.0012566370614359172).mul_add(t3, lit(0.0007662831250184729))
-                        * (-(lit(101325.0) * t17)).mul_add(t18, t15));
+                let t19 = by(-101325.0).mul_add(t18, -t14)
+                    * by(0.0012566370614359172).mul_add(t6, line2_flow)
+                    / (by(-0.0012566370614359172).mul_add(t3, lit(0.0007662831250184729))
+                        * (-(by(101325.0) * t17)).mul_add(t18, t15));
                 x_dot[1] = t19;
                 let line1_inlet_pressure = x[9];
-                x_dot[2] = lit(-5.774986495569473e-7)
-                    * (lit(5319492.958739931).mul_add(line1_flow, press_chamber1_pressure)
+                x_dot[2] = by(-5.774986495569473e-7)
+                    * (by(5319492.958739931).mul_add(line1_flow, press_chamber1_pressure)
                         - line1_inlet_pressure);
-                let t20 = lit(1.0) / lit(1.0).max(line1_inlet_pressure + lit(101325.0));
+                let t20 = by(1.0) / lit(1.0).max(line1_inlet_pressure + lit(101325.0));
                 let t21 = gas * t20;
                 let rated_drop = self.rated_drop;
                 let valve_servo_value = x[12];
                 let t22 = lit(-1.0).max(lit(1.0).min(valve_servo_value));
                 let t23 = lit(0.0).max(t22);
                 let t24 = line1_inlet_pressure - lit(3000000.0);
-                let t25 = lit(1.0) / rated_drop;
+                let t25 = by(1.0) / rated_drop;
                 let t26 = t24 * t25;
-                let t27 = lit(25000000.0) * (t25 * t25);
+                let t27 = by(25000000.0) * (t25 * t25);
                 let t28 = lit(0.0).max(-t22);
                 let t29 = line1_inlet_pressure - lit(500000.0);
                 let t30 = t25 * t29;
                 let t31 = t23 * t24 / t26.mul_add(t26, t27).sqrt().sqrt()
                     + t28 * t29 / t30.mul_add(t30, t27).sqrt().sqrt();
-                let t32 = lit(-2037.1832715762603)
-                    * lit(-101325.0).mul_add(t21, -t14)
-                    * (line1_flow + lit(0.0003333333333333333) * t31 / rated_drop)
-                    / (-(lit(101325.0) * t20)).mul_add(t21, t15);
+                let t32 = by(-2037.1832715762603)
+                    * by(-101325.0).mul_add(t21, -t14)
+                    * (line1_flow + by(0.0003333333333333333) * t31 / rated_drop)
+                    / (-(by(101325.0) * t20)).mul_add(t21, t15);
                 x_dot[3] = t32;
                 let line2_inlet_pressure = x[11];
-                x_dot[4] = lit(-5.774986495569473e-7)
-                    * (lit(5319492.958739931).mul_add(line2_flow, press_chamber2_pressure)
+                x_dot[4] = by(-5.774986495569473e-7)
+                    * (by(5319492.958739931).mul_add(line2_flow, press_chamber2_pressure)
                         - line2_inlet_pressure);
-                let t33 = lit(1.0) / lit(1.0).max(line2_inlet_pressure + lit(101325.0));
+                let t33 = by(1.0) / lit(1.0).max(line2_inlet_pressure + lit(101325.0));
                 let t34 = gas * t33;
                 let t35 = line2_inlet_pressure - lit(500000.0);
                 let t36 = t25 * t35;
@@ -1484,30 +1481,30 @@ mod plm_arm_on_jack_ {
                 let t38 = t25 * t37;
                 let t39 = t23 * t35 / t36.mul_add(t36, t27).sqrt().sqrt()
                     + t28 * t37 / t38.mul_add(t38, t27).sqrt().sqrt();
-                let t40 = lit(-2037.1832715762603)
-                    * lit(-101325.0).mul_add(t34, -t14)
-                    * (line2_flow + lit(0.0003333333333333333) * t39 / rated_drop)
-                    / (-(lit(101325.0) * t33)).mul_add(t34, t15);
+                let t40 = by(-2037.1832715762603)
+                    * by(-101325.0).mul_add(t34, -t14)
+                    * (line2_flow + by(0.0003333333333333333) * t39 / rated_drop)
+                    / (-(by(101325.0) * t33)).mul_add(t34, t15);
                 x_dot[5] = t40;
                 let valve_servo_swing = x[13];
-                x_dot[6] = lit(125.66370614359172) * valve_servo_swing;
+                x_dot[6] = by(125.66370614359172) * valve_servo_swing;
                 let switch_7 = u.switches[7];
                 let switch_6 = u.switches[6];
                 let switch_5 = u.switches[5];
                 let switch_4 = u.switches[4];
                 let t41 = S::select(
                     switch_6.lt(lit(0.0)),
-                    lit(2.0).mul_add(t, lit(-1.0)),
+                    by(2.0).mul_add(t, lit(-1.0)),
                     S::select(
                         switch_5.lt(lit(0.0)),
                         lit(1.0),
                         S::select(switch_4.lt(lit(0.0)), lit(2.5) - t, lit(0.0)),
                     ),
                 );
-                let t42 = lit(-25.132741228718345).mul_add(
+                let t42 = by(-25.132741228718345).mul_add(
                     S::select(switch_7.lt(lit(0.0)), lit(0.0), t41),
-                    lit(-201.06192982974676)
-                        .mul_add(valve_servo_swing, lit(-125.66370614359172) * valve_servo_value),
+                    by(-201.06192982974676)
+                        .mul_add(valve_servo_swing, by(-125.66370614359172) * valve_servo_value),
                 );
                 x_dot[7] = t42;
                 let (q, _): ([S; 3], [S; 3]) = absolute::split(x);
@@ -1546,94 +1543,88 @@ mod plm_arm_on_jack_ {
             #[inline(always)]
             fn motion(&self, t: S, u: &Held<S>, x: &[S; 10], dx: &mut [S; 10]) {
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Masses and forces along the coordinates: M a = Q
                 let arm_angle = x[0];
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                let t1 = lit(-0.8).mul_add(cos_arm_angle, lit(0.5) * cos_arm_angle);
-                let t2 = lit(-0.8).mul_add(sin_arm_angle, lit(0.5) * sin_arm_angle) - lit(0.25);
+                let t1 = by(-0.8).mul_add(cos_arm_angle, by(0.5) * cos_arm_angle);
+                let t2 = by(-0.8).mul_add(sin_arm_angle, by(0.5) * sin_arm_angle) - lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1).sqrt();
-                let t4 = lit(1.0) / t3;
+                let t4 = by(1.0) / t3;
                 let press_chamber1_pressure = x[2];
                 let press_chamber2_pressure = x[3];
                 let arm_omega = x[1];
                 let t5 = arm_omega * sin_arm_angle;
                 let t6 = arm_omega * cos_arm_angle;
                 let t7 = (-t2)
-                    .mul_add(lit(-0.8).mul_add(t6, lit(0.5) * t6), t1 * lit(-0.8).mul_add(t5, lit(0.5) * t5));
+                    .mul_add(by(-0.8).mul_add(t6, by(0.5) * t6), t1 * by(-0.8).mul_add(t5, by(0.5) * t5));
                 let t8 = t7 * t4;
                 let t9 = lit(0.0).max(t3 - lit(0.57));
                 let t10 = lit(0.0).max(lit(0.22) - t3);
-                let t11 = lit(1000.0).mul_add(
+                let t11 = by(1000.0).mul_add(
                     t8,
-                    lit(-0.0012566370614359172).mul_add(
-                        press_chamber2_pressure,
-                        lit(0.001963495408493621) * press_chamber1_pressure,
-                    ),
+                    by(-0.0012566370614359172)
+                        .mul_add(press_chamber2_pressure, by(0.001963495408493621) * press_chamber1_pressure),
                 ) - lit(0.0).max(
-                    (-(lit(1000.0) * lit(1.0).min(lit(1000000.0) * t9))).mul_add(t8, lit(100000000.0) * t9),
+                    (-(by(1000.0) * lit(1.0).min(by(1000000.0) * t9))).mul_add(t8, by(100000000.0) * t9),
                 );
                 let t12 = t11
                     + lit(0.0).max(
-                        (lit(1000.0) * lit(1.0).min(lit(1000000.0) * t10))
-                            .mul_add(t8, lit(100000000.0) * t10),
+                        (by(1000.0) * lit(1.0).min(by(1000000.0) * t10)).mul_add(t8, by(100000000.0) * t10),
                     );
                 let t13 = t4 * t12;
                 let g = self.g;
-                let still_0 = (-cos_arm_angle).mul_add(
-                    (lit(0.3) * t2).mul_add(t13, lit(80.0) * g),
-                    lit(0.3) * sin_arm_angle * t1 * t13,
-                );
+                let still_0 = (-cos_arm_angle)
+                    .mul_add((by(0.3) * t2).mul_add(t13, by(80.0) * g), by(0.3) * sin_arm_angle * t1 * t13);
                 // Results
                 dx[0] = arm_omega;
-                dx[1] = lit(0.015622558975160131) * still_0;
+                dx[1] = by(0.015622558975160131) * still_0;
                 let gas = self.gas;
-                let t14 = lit(1.0) / lit(1.0).max(press_chamber1_pressure + lit(101325.0));
+                let t14 = by(1.0) / lit(1.0).max(press_chamber1_pressure + lit(101325.0));
                 let t15 = gas * t14;
                 let t16 = lit(1.0) - gas;
-                let t17 = lit(-5.88235294117647e-10) * t16;
+                let t17 = by(-5.88235294117647e-10) * t16;
                 let line1_flow = x[4];
-                let t18 = lit(-101325.0).mul_add(t15, -t16)
-                    * lit(0.001963495408493621).mul_add(t8, line1_flow)
-                    / ((-(lit(101325.0) * t14)).mul_add(t15, t17)
-                        * lit(0.001963495408493621).mul_add(t3, lit(-0.00038196898986859654)));
+                let t18 = by(-101325.0).mul_add(t15, -t16) * by(0.001963495408493621).mul_add(t8, line1_flow)
+                    / ((-(by(101325.0) * t14)).mul_add(t15, t17)
+                        * by(0.001963495408493621).mul_add(t3, lit(-0.00038196898986859654)));
                 dx[2] = t18;
-                let t19 = lit(1.0) / lit(1.0).max(press_chamber2_pressure + lit(101325.0));
+                let t19 = by(1.0) / lit(1.0).max(press_chamber2_pressure + lit(101325.0));
                 let t20 = gas * t19;
                 let line2_flow = x[6];
-                let t21 = lit(101325.0).mul_add(t20, t16)
-                    * lit(-0.0012566370614359172).mul_add(t8, line2_flow)
-                    / ((-(lit(101325.0) * t19)).mul_add(t20, t17)
-                        * lit(0.0012566370614359172).mul_add(t3, lit(-0.0007662831250184729)));
+                let t21 = by(101325.0).mul_add(t20, t16) * by(-0.0012566370614359172).mul_add(t8, line2_flow)
+                    / ((-(by(101325.0) * t19)).mul_add(t20, t17)
+                        * by(0.0012566370614359172).mul_add(t3, lit(-0.0007662831250184729)));
                 dx[3] = t21;
                 let line1_inlet_pressure = x[5];
-                dx[4] = lit(-5.774986495569473e-7)
-                    * (lit(5319492.958739931).mul_add(line1_flow, press_chamber1_pressure)
+                dx[4] = by(-5.774986495569473e-7)
+                    * (by(5319492.958739931).mul_add(line1_flow, press_chamber1_pressure)
                         - line1_inlet_pressure);
-                let t22 = lit(1.0) / lit(1.0).max(line1_inlet_pressure + lit(101325.0));
+                let t22 = by(1.0) / lit(1.0).max(line1_inlet_pressure + lit(101325.0));
                 let t23 = gas * t22;
                 let rated_drop = self.rated_drop;
                 let valve_servo_value = x[8];
                 let t24 = lit(-1.0).max(lit(1.0).min(valve_servo_value));
                 let t25 = lit(0.0).max(t24);
                 let t26 = line1_inlet_pressure - lit(3000000.0);
-                let t27 = lit(1.0) / rated_drop;
+                let t27 = by(1.0) / rated_drop;
                 let t28 = t26 * t27;
-                let t29 = lit(25000000.0) * (t27 * t27);
+                let t29 = by(25000000.0) * (t27 * t27);
                 let t30 = lit(0.0).max(-t24);
                 let t31 = line1_inlet_pressure - lit(500000.0);
                 let t32 = t27 * t31;
                 let t33 = t25 * t26 / t28.mul_add(t28, t29).sqrt().sqrt()
                     + t30 * t31 / t32.mul_add(t32, t29).sqrt().sqrt();
-                let t34 = lit(-2037.1832715762603)
-                    * lit(-101325.0).mul_add(t23, -t16)
-                    * (line1_flow + lit(0.0003333333333333333) * t33 / rated_drop)
-                    / (-(lit(101325.0) * t22)).mul_add(t23, t17);
+                let t34 = by(-2037.1832715762603)
+                    * by(-101325.0).mul_add(t23, -t16)
+                    * (line1_flow + by(0.0003333333333333333) * t33 / rated_drop)
+                    / (-(by(101325.0) * t22)).mul_add(t23, t17);
                 dx[5] = t34;
                 let line2_inlet_pressure = x[7];
-                dx[6] = lit(-5.774986495569473e-7)
-                    * (lit(5319492.958739931).mul_add(line2_flow, press_chamber2_pressure)
+                dx[6] = by(-5.774986495569473e-7)
+                    * (by(5319492.958739931).mul_add(line2_flow, press_chamber2_pressure)
                         - line2_inlet_pressure);
-                let t35 = lit(1.0) / lit(1.0).max(line2_inlet_pressure + lit(101325.0));
+                let t35 = by(1.0) / lit(1.0).max(line2_inlet_pressure + lit(101325.0));
                 let t36 = gas * t35;
                 let t37 = line2_inlet_pressure - lit(500000.0);
                 let t38 = t27 * t37;
@@ -1641,30 +1632,30 @@ mod plm_arm_on_jack_ {
                 let t40 = t27 * t39;
                 let t41 = t25 * t37 / t38.mul_add(t38, t29).sqrt().sqrt()
                     + t30 * t39 / t40.mul_add(t40, t29).sqrt().sqrt();
-                let t42 = lit(-2037.1832715762603)
-                    * lit(-101325.0).mul_add(t36, -t16)
-                    * (line2_flow + lit(0.0003333333333333333) * t41 / rated_drop)
-                    / (-(lit(101325.0) * t35)).mul_add(t36, t17);
+                let t42 = by(-2037.1832715762603)
+                    * by(-101325.0).mul_add(t36, -t16)
+                    * (line2_flow + by(0.0003333333333333333) * t41 / rated_drop)
+                    / (-(by(101325.0) * t35)).mul_add(t36, t17);
                 dx[7] = t42;
                 let valve_servo_swing = x[9];
-                dx[8] = lit(125.66370614359172) * valve_servo_swing;
+                dx[8] = by(125.66370614359172) * valve_servo_swing;
                 let switch_7 = u.switches[7];
                 let switch_6 = u.switches[6];
                 let switch_5 = u.switches[5];
                 let switch_4 = u.switches[4];
                 let t43 = S::select(
                     switch_6.lt(lit(0.0)),
-                    lit(2.0).mul_add(t, lit(-1.0)),
+                    by(2.0).mul_add(t, lit(-1.0)),
                     S::select(
                         switch_5.lt(lit(0.0)),
                         lit(1.0),
                         S::select(switch_4.lt(lit(0.0)), lit(2.5) - t, lit(0.0)),
                     ),
                 );
-                let t44 = lit(-25.132741228718345).mul_add(
+                let t44 = by(-25.132741228718345).mul_add(
                     S::select(switch_7.lt(lit(0.0)), lit(0.0), t43),
-                    lit(-201.06192982974676)
-                        .mul_add(valve_servo_swing, lit(-125.66370614359172) * valve_servo_value),
+                    by(-201.06192982974676)
+                        .mul_add(valve_servo_swing, by(-125.66370614359172) * valve_servo_value),
                 );
                 dx[9] = t44;
             }
@@ -1675,13 +1666,13 @@ mod plm_arm_on_jack_ {
             #[inline]
             fn pose(&self, t: S, u: &Held<S>, x: &[S; 10], q: &mut [S; 3], v: &mut [S; 3]) {
                 let [arm_angle, arm_omega, ..] = *x;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                q[0] = lit(0.8) * cos_arm_angle;
-                q[1] = lit(0.8) * sin_arm_angle;
+                q[0] = by(0.8) * cos_arm_angle;
+                q[1] = by(0.8) * sin_arm_angle;
                 q[2] = arm_angle;
-                v[0] = lit(-0.8) * arm_omega * sin_arm_angle;
-                v[1] = lit(0.8) * arm_omega * cos_arm_angle;
+                v[0] = by(-0.8) * arm_omega * sin_arm_angle;
+                v[1] = by(0.8) * arm_omega * cos_arm_angle;
                 v[2] = arm_omega;
             }
 
@@ -1696,6 +1687,7 @@ mod plm_arm_on_jack_ {
             /// 23 add, 25 mul, 1 div, 3 neg, 1 sqrt, 1 sin_cos, 6 select.
             fn switching(&self, t: S, u: &Held<S>, x: &[S; 10], g: &mut [S; 17]) {
                 let lit = S::lit;
+                let by = rt::Factor;
                 let press_chamber1_pressure = x[2];
                 let switch_0 = u.switches[0];
                 g[0] = (press_chamber1_pressure + lit(101325.0)) * switch_0;
@@ -1712,27 +1704,27 @@ mod plm_arm_on_jack_ {
                 g[5] = lit(-101324.0) - press_chamber2_pressure;
                 let arm_angle = x[0];
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                let t1 = lit(-0.8).mul_add(cos_arm_angle, lit(0.5) * cos_arm_angle);
-                let t2 = lit(-0.8).mul_add(sin_arm_angle, lit(0.5) * sin_arm_angle) - lit(0.25);
+                let t1 = by(-0.8).mul_add(cos_arm_angle, by(0.5) * cos_arm_angle);
+                let t2 = by(-0.8).mul_add(sin_arm_angle, by(0.5) * sin_arm_angle) - lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1).sqrt();
                 let t4 = t3 - lit(0.57);
                 g[6] = -t4;
                 let t5 = t3 - lit(0.22);
                 g[7] = t5;
                 let t6 = lit(0.0).max(t4);
-                let t7 = lit(1000000.0) * t6;
+                let t7 = by(1000000.0) * t6;
                 g[8] = lit(1.0) - t7;
                 let arm_omega = x[1];
                 let t8 = arm_omega * sin_arm_angle;
                 let t9 = arm_omega * cos_arm_angle;
                 let t10 = (-t2)
-                    .mul_add(lit(-0.8).mul_add(t9, lit(0.5) * t9), t1 * lit(-0.8).mul_add(t8, lit(0.5) * t8));
-                let t11 = lit(1000.0) * (t10 / t3);
-                g[9] = lit(-100000000.0).mul_add(t6, t11 * lit(1.0).min(t7));
+                    .mul_add(by(-0.8).mul_add(t9, by(0.5) * t9), t1 * by(-0.8).mul_add(t8, by(0.5) * t8));
+                let t11 = by(1000.0) * (t10 / t3);
+                g[9] = by(-100000000.0).mul_add(t6, t11 * lit(1.0).min(t7));
                 let t12 = lit(0.0).max(-t5);
-                let t13 = lit(1000000.0) * t12;
+                let t13 = by(1000000.0) * t12;
                 g[10] = lit(1.0) - t13;
-                g[11] = (-t11).mul_add(lit(1.0).min(t13), lit(-100000000.0) * t12);
+                g[11] = (-t11).mul_add(lit(1.0).min(t13), by(-100000000.0) * t12);
                 g[12] = lit(-101324.0) - line1_inlet_pressure;
                 g[13] = lit(-101324.0) - line2_inlet_pressure;
                 let valve_servo_value = x[8];
@@ -1749,47 +1741,46 @@ mod plm_arm_on_jack_ {
             /// 81 add, 204 mul, 25 div, 4 neg, 9 sqrt, 1 sin_cos, 44 select.
             fn linearised(&self, t: S, u: &Held<S>, x: &[S; 10], dx: &[S; 10], c: &mut [S; 26]) {
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Derivatives of M a - Q and of the rates of the states
                 let g = self.g;
                 let arm_angle = x[0];
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                let t1 = lit(-0.8).mul_add(cos_arm_angle, lit(0.5) * cos_arm_angle);
-                let t2 = lit(-0.8).mul_add(sin_arm_angle, lit(0.5) * sin_arm_angle) - lit(0.25);
+                let t1 = by(-0.8).mul_add(cos_arm_angle, by(0.5) * cos_arm_angle);
+                let t2 = by(-0.8).mul_add(sin_arm_angle, by(0.5) * sin_arm_angle) - lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1);
                 let t4 = t3.sqrt();
-                let t5 = lit(1.0) / t4;
+                let t5 = by(1.0) / t4;
                 let press_chamber1_pressure = x[2];
                 let press_chamber2_pressure = x[3];
                 let arm_omega = x[1];
                 let t6 = arm_omega * sin_arm_angle;
-                let t7 = lit(-0.8).mul_add(t6, lit(0.5) * t6);
+                let t7 = by(-0.8).mul_add(t6, by(0.5) * t6);
                 let t8 = arm_omega * cos_arm_angle;
-                let t9 = lit(-0.8).mul_add(t8, lit(0.5) * t8);
+                let t9 = by(-0.8).mul_add(t8, by(0.5) * t8);
                 let t10 = (-t2).mul_add(t9, t1 * t7);
                 let t11 = t10 * t5;
                 let t12 = t4 - lit(0.57);
                 let t13 = lit(0.0).max(t12);
-                let t14 = lit(1000000.0) * t13;
+                let t14 = by(1000000.0) * t13;
                 let t15 = lit(1.0).min(t14);
-                let t16 = (-(lit(1000.0) * t15)).mul_add(t11, lit(100000000.0) * t13);
+                let t16 = (-(by(1000.0) * t15)).mul_add(t11, by(100000000.0) * t13);
                 let t17 = lit(0.22) - t4;
                 let t18 = lit(0.0).max(t17);
-                let t19 = lit(1000000.0) * t18;
+                let t19 = by(1000000.0) * t18;
                 let t20 = lit(1.0).min(t19);
-                let t21 = (lit(1000.0) * t20).mul_add(t11, lit(100000000.0) * t18);
-                let t22 = lit(1000.0).mul_add(
+                let t21 = (by(1000.0) * t20).mul_add(t11, by(100000000.0) * t18);
+                let t22 = by(1000.0).mul_add(
                     t11,
-                    lit(-0.0012566370614359172).mul_add(
-                        press_chamber2_pressure,
-                        lit(0.001963495408493621) * press_chamber1_pressure,
-                    ),
+                    by(-0.0012566370614359172)
+                        .mul_add(press_chamber2_pressure, by(0.001963495408493621) * press_chamber1_pressure),
                 ) - lit(0.0).max(t16)
                     + lit(0.0).max(t21);
                 let t23 = (-sin_arm_angle).mul_add(t1, cos_arm_angle * t2);
                 let t24 = t23 / t3;
                 let t25 = (-cos_arm_angle).mul_add(
-                    lit(-0.3).mul_add(t1, lit(0.09) * t2 * t24),
-                    sin_arm_angle * (lit(0.09) * t1).mul_add(t24, lit(0.3) * t2),
+                    by(-0.3).mul_add(t1, by(0.09) * t2 * t24),
+                    sin_arm_angle * (by(0.09) * t1).mul_add(t24, by(0.3) * t2),
                 );
                 let t26 = (-arm_omega).mul_add(
                     sin_arm_angle.mul_add(t2, cos_arm_angle * t1),
@@ -1798,79 +1789,79 @@ mod plm_arm_on_jack_ {
                 let t27 = t5 * t10.mul_add(t24, t26);
                 let t28 = t16.lt(lit(0.0));
                 let t29 = t5 * t23;
-                let t30 = S::select(t12.lt(lit(0.0)), lit(0.0), lit(-0.3) * t29);
-                let t31 = lit(300.0) * t15;
+                let t30 = S::select(t12.lt(lit(0.0)), lit(0.0), by(-0.3) * t29);
+                let t31 = by(300.0) * t15;
                 let t32 = t10
                     * t31.mul_add(
                         t24,
-                        lit(1000.0) * S::select(lit(1.0).lt(t14), lit(0.0), lit(1000000.0) * t30),
+                        by(1000.0) * S::select(lit(1.0).lt(t14), lit(0.0), by(1000000.0) * t30),
                     );
                 let t33 = t21.lt(lit(0.0));
-                let t34 = S::select(t17.lt(lit(0.0)), lit(0.0), lit(0.3) * t29);
-                let t35 = lit(300.0) * t20;
+                let t34 = S::select(t17.lt(lit(0.0)), lit(0.0), by(0.3) * t29);
+                let t35 = by(300.0) * t20;
                 let t36 = t10
                     * t35.mul_add(
                         t24,
-                        lit(1000.0) * S::select(lit(1.0).lt(t19), lit(0.0), lit(1000000.0) * t34),
+                        by(1000.0) * S::select(lit(1.0).lt(t19), lit(0.0), by(1000000.0) * t34),
                     );
-                let t37 = lit(300.0).mul_add(
+                let t37 = by(300.0).mul_add(
                     t27,
-                    -S::select(t28, lit(0.0), (-t5).mul_add(t31.mul_add(t26, t32), lit(100000000.0) * t30)),
+                    -S::select(t28, lit(0.0), (-t5).mul_add(t31.mul_add(t26, t32), by(100000000.0) * t30)),
                 );
                 let t38 =
-                    t37 + S::select(t33, lit(0.0), t5.mul_add(t35.mul_add(t26, t36), lit(100000000.0) * t34));
+                    t37 + S::select(t33, lit(0.0), t5.mul_add(t35.mul_add(t26, t36), by(100000000.0) * t34));
                 let t39 = (-t5).mul_add(
-                    (-(lit(0.3) * t23)).mul_add(t38, t22 * (t25 + lit(0.09))),
-                    lit(-80.0) * g * sin_arm_angle,
+                    (-(by(0.3) * t23)).mul_add(t38, t22 * (t25 + lit(0.09))),
+                    by(-80.0) * g * sin_arm_angle,
                 );
-                let t40 = lit(300.0).mul_add(t29, -S::select(t28, lit(0.0), lit(-300.0) * t15 * t29))
+                let t40 = by(300.0).mul_add(t29, -S::select(t28, lit(0.0), by(-300.0) * t15 * t29))
                     + S::select(t33, lit(0.0), t35 * t29);
                 let gas = self.gas;
                 let t41 = press_chamber1_pressure + lit(101325.0);
-                let t42 = lit(1.0) / lit(1.0).max(t41);
+                let t42 = by(1.0) / lit(1.0).max(t41);
                 let t43 = gas * t42;
                 let t44 = lit(1.0) - gas;
-                let t45 = lit(-101325.0).mul_add(t43, -t44);
-                let t46 = lit(-5.88235294117647e-10) * t44;
-                let t47 = lit(1.0) / (-(lit(101325.0) * t42)).mul_add(t43, t46);
-                let t48 = lit(1.0) / lit(0.001963495408493621).mul_add(t4, lit(-0.00038196898986859654));
+                let t45 = by(-101325.0).mul_add(t43, -t44);
+                let t46 = by(-5.88235294117647e-10) * t44;
+                let t47 = by(1.0) / (-(by(101325.0) * t42)).mul_add(t43, t46);
+                let t48 = by(1.0) / by(0.001963495408493621).mul_add(t4, lit(-0.00038196898986859654));
                 let line1_flow = x[4];
-                let t49 = lit(0.001963495408493621).mul_add(t11, line1_flow);
+                let t49 = by(0.001963495408493621).mul_add(t11, line1_flow);
                 let t50 = t29 * t48;
                 let t51 = t45 * t47;
                 let t52 = t49
                     * (S::select(t41.lt(lit(1.0)), lit(0.0), lit(1.0))
-                        * (-(lit(202650.0) * t42)).mul_add(t51, lit(101325.0)));
+                        * (-(by(202650.0) * t42)).mul_add(t51, lit(101325.0)));
                 let t53 = press_chamber2_pressure + lit(101325.0);
-                let t54 = lit(1.0) / lit(1.0).max(t53);
+                let t54 = by(1.0) / lit(1.0).max(t53);
                 let t55 = gas * t54;
-                let t56 = lit(-101325.0).mul_add(t55, -t44);
-                let t57 = lit(1.0) / (-(lit(101325.0) * t54)).mul_add(t55, t46);
-                let t58 = lit(1.0) / lit(0.0012566370614359172).mul_add(t4, lit(-0.0007662831250184729));
+                let t56 = by(-101325.0).mul_add(t55, -t44);
+                let t57 = by(1.0) / (-(by(101325.0) * t54)).mul_add(t55, t46);
+                let t58 = by(1.0) / by(0.0012566370614359172).mul_add(t4, lit(-0.0007662831250184729));
                 let line2_flow = x[6];
-                let t59 = lit(-0.0012566370614359172).mul_add(t11, line2_flow);
+                let t59 = by(-0.0012566370614359172).mul_add(t11, line2_flow);
                 let t60 = t29 * t58;
                 let t61 = t56 * t57;
                 let t62 = t59
                     * (S::select(t53.lt(lit(1.0)), lit(0.0), lit(1.0))
-                        * (-(lit(202650.0) * t54)).mul_add(t61, lit(101325.0)));
+                        * (-(by(202650.0) * t54)).mul_add(t61, lit(101325.0)));
                 let line1_inlet_pressure = x[5];
                 let t63 = line1_inlet_pressure + lit(101325.0);
-                let t64 = lit(1.0) / lit(1.0).max(t63);
+                let t64 = by(1.0) / lit(1.0).max(t63);
                 let t65 = gas * t64;
-                let t66 = lit(-101325.0).mul_add(t65, -t44);
-                let t67 = lit(1.0) / (-(lit(101325.0) * t64)).mul_add(t65, t46);
+                let t66 = by(-101325.0).mul_add(t65, -t44);
+                let t67 = by(1.0) / (-(by(101325.0) * t64)).mul_add(t65, t46);
                 let t68 = t66 * t67;
                 let rated_drop = self.rated_drop;
-                let t69 = lit(1.0) / rated_drop;
+                let t69 = by(1.0) / rated_drop;
                 let t70 = line1_inlet_pressure - lit(3000000.0);
                 let t71 = t70 * t69;
-                let t72 = lit(25000000.0) * (t69 * t69);
+                let t72 = by(25000000.0) * (t69 * t69);
                 let t73 = t71.mul_add(t71, t72);
                 let valve_servo_value = x[8];
                 let t74 = lit(-1.0).max(lit(1.0).min(valve_servo_value));
                 let t75 = lit(0.0).max(t74);
-                let t76 = lit(1.0) / t73.sqrt().sqrt();
+                let t76 = by(1.0) / t73.sqrt().sqrt();
                 let t77 = t75 * t76;
                 let t78 = t70 * t77;
                 let t79 = line1_inlet_pressure - lit(500000.0);
@@ -1878,17 +1869,17 @@ mod plm_arm_on_jack_ {
                 let t81 = t80.mul_add(t80, t72);
                 let t82 = -t74;
                 let t83 = lit(0.0).max(t82);
-                let t84 = lit(1.0) / t81.sqrt().sqrt();
+                let t84 = by(1.0) / t81.sqrt().sqrt();
                 let t85 = t83 * t84;
                 let t86 = t79 * t85;
                 let t87 = rated_drop * rated_drop;
-                let t88 = lit(0.6790610905254201).mul_add(
+                let t88 = by(0.6790610905254201).mul_add(
                     t77 + t85,
-                    -(lit(0.33953054526271004) * (t70 * t78 / t73 + t79 * t86 / t81) / t87),
+                    -(by(0.33953054526271004) * (t70 * t78 / t73 + t79 * t86 / t81) / t87),
                 );
-                let t89 = (line1_flow + lit(0.0003333333333333333) * (t78 + t86) / rated_drop)
+                let t89 = (line1_flow + by(0.0003333333333333333) * (t78 + t86) / rated_drop)
                     * (S::select(t63.lt(lit(1.0)), lit(0.0), lit(1.0))
-                        * (-(lit(412835189.98492914) * t64)).mul_add(t68, lit(206417594.99246457)));
+                        * (-(by(412835189.98492914) * t64)).mul_add(t68, lit(206417594.99246457)));
                 let t90 = S::select(
                     valve_servo_value.lt(lit(-1.0)),
                     lit(0.0),
@@ -1896,57 +1887,57 @@ mod plm_arm_on_jack_ {
                 );
                 let t91 = S::select(valve_servo_value.lt(lit(0.0)), lit(0.0), t90);
                 let t92 = S::select(t82.lt(lit(0.0)), lit(0.0), -t90);
-                let t93 = lit(0.6790610905254201) * t68 * (t69 * (t79 * t92).mul_add(t84, t70 * t91 * t76));
+                let t93 = by(0.6790610905254201) * t68 * (t69 * (t79 * t92).mul_add(t84, t70 * t91 * t76));
                 let line2_inlet_pressure = x[7];
                 let t94 = line2_inlet_pressure + lit(101325.0);
-                let t95 = lit(1.0) / lit(1.0).max(t94);
+                let t95 = by(1.0) / lit(1.0).max(t94);
                 let t96 = gas * t95;
-                let t97 = lit(-101325.0).mul_add(t96, -t44);
-                let t98 = lit(1.0) / (-(lit(101325.0) * t95)).mul_add(t96, t46);
+                let t97 = by(-101325.0).mul_add(t96, -t44);
+                let t98 = by(1.0) / (-(by(101325.0) * t95)).mul_add(t96, t46);
                 let t99 = t97 * t98;
                 let t100 = line2_inlet_pressure - lit(500000.0);
                 let t101 = t69 * t100;
                 let t102 = t101.mul_add(t101, t72);
-                let t103 = lit(1.0) / t102.sqrt().sqrt();
+                let t103 = by(1.0) / t102.sqrt().sqrt();
                 let t104 = t75 * t103;
                 let t105 = t100 * t104;
                 let t106 = line2_inlet_pressure - lit(3000000.0);
                 let t107 = t69 * t106;
                 let t108 = t107.mul_add(t107, t72);
-                let t109 = lit(1.0) / t108.sqrt().sqrt();
+                let t109 = by(1.0) / t108.sqrt().sqrt();
                 let t110 = t83 * t109;
                 let t111 = t106 * t110;
-                let t112 = lit(0.6790610905254201).mul_add(
+                let t112 = by(0.6790610905254201).mul_add(
                     t104 + t110,
-                    -(lit(0.33953054526271004) * (t100 * t105 / t102 + t106 * t111 / t108) / t87),
+                    -(by(0.33953054526271004) * (t100 * t105 / t102 + t106 * t111 / t108) / t87),
                 );
-                let t113 = (line2_flow + lit(0.0003333333333333333) * (t105 + t111) / rated_drop)
+                let t113 = (line2_flow + by(0.0003333333333333333) * (t105 + t111) / rated_drop)
                     * (S::select(t94.lt(lit(1.0)), lit(0.0), lit(1.0))
-                        * (-(lit(412835189.98492914) * t95)).mul_add(t99, lit(206417594.99246457)));
+                        * (-(by(412835189.98492914) * t95)).mul_add(t99, lit(206417594.99246457)));
                 let t114 =
-                    lit(0.6790610905254201) * t99 * (t69 * (t106 * t92).mul_add(t109, t100 * t91 * t103));
+                    by(0.6790610905254201) * t99 * (t69 * (t106 * t92).mul_add(t109, t100 * t91 * t103));
                 // Results
                 c[0] = t39;
-                c[1] = lit(0.3) * t5 * (t23 * t40);
+                c[1] = by(0.3) * t5 * (t23 * t40);
                 c[2] = lit(64.01);
-                c[3] = lit(0.0005890486225480862) * t29;
-                c[4] = lit(-0.0003769911184307752) * t29;
-                c[5] = lit(-0.0005890486225480862) * t45 * (t47 * (t48 * t49.mul_add(t50, t27)));
-                c[6] = lit(-0.0005890486225480862) * t50 * t51;
+                c[3] = by(0.0005890486225480862) * t29;
+                c[4] = by(-0.0003769911184307752) * t29;
+                c[5] = by(-0.0005890486225480862) * t45 * (t47 * (t48 * t49.mul_add(t50, t27)));
+                c[6] = by(-0.0005890486225480862) * t50 * t51;
                 c[7] = -(gas * (t42 * (t42 * (t47 * (t48 * t52)))));
                 c[8] = lit(1.0);
                 c[9] = -(t48 * t51);
-                c[10] = lit(0.0003769911184307752) * t56 * (t57 * (t58 * t59.mul_add(t60, -t27)));
-                c[11] = lit(-0.0003769911184307752) * t60 * t61;
+                c[10] = by(0.0003769911184307752) * t56 * (t57 * (t58 * t59.mul_add(t60, -t27)));
+                c[11] = by(-0.0003769911184307752) * t60 * t61;
                 c[12] = gas * (t54 * (t54 * (t57 * (t58 * t62))));
                 c[13] = t58 * t61;
                 c[14] = lit(5.774986495569473e-7);
                 c[15] = lit(3.072);
                 c[16] = lit(-5.774986495569473e-7);
-                c[17] = lit(2037.1832715762603) * t68;
+                c[17] = by(2037.1832715762603) * t68;
                 c[18] = t67 * gas.mul_add(t64 * (t64 * t89), t66 * (t69 * t88));
                 c[19] = t93;
-                c[20] = lit(2037.1832715762603) * t99;
+                c[20] = by(2037.1832715762603) * t99;
                 c[21] = t98 * gas.mul_add(t95 * (t95 * t113), t97 * (t69 * t112));
                 c[22] = t114;
                 c[23] = lit(-125.66370614359172);

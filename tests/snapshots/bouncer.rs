@@ -136,15 +136,15 @@ mod plm_bouncer_ {
             pub fn kinetic_energy(&self) -> S {
                 let (_, v) = self.pose_();
                 let [block_vx, block_vy, block_omega, clock_vx, clock_vy, clock_omega, ..] = v;
-                let lit = S::lit;
-                let t1 = lit(2.0).mul_add(
+                let by = rt::Factor;
+                let t1 = by(2.0).mul_add(
                     block_vy.mul_add(block_vy, block_vx * block_vx),
                     clock_omega.mul_add(
                         clock_omega,
                         clock_vy.mul_add(clock_vy, clock_vx.mul_add(clock_vx, block_omega * block_omega)),
                     ),
                 );
-                lit(0.5) * t1
+                by(0.5) * t1
             }
 
             /// Potential energy of gravity above the origin, J.
@@ -160,8 +160,9 @@ mod plm_bouncer_ {
                 let [_, switch_1, switch_2, switch_3, ..] = self.held.switches;
                 let [block_vx, _, _, clock_vx, ..] = v;
                 let lit = S::lit;
+                let by = rt::Factor;
                 let push = self.held.input.push;
-                let t1 = S::select(clock_x.lt(lit(100.0)), lit(0.0), lit(-10.0) * (clock_x - lit(100.0)))
+                let t1 = S::select(clock_x.lt(lit(100.0)), lit(0.0), by(-10.0) * (clock_x - lit(100.0)))
                     + (push
                         + S::select(
                             switch_3.lt(lit(0.0)),
@@ -611,15 +612,16 @@ mod plm_bouncer_ {
                     let [dphi_0, dphi_1, dphi_2, dphi_3, ..] = *r;
                     let [_, w_1, w_2, _, w_4, w_5, ..] = *w;
                     let lit = S::lit;
+                    let by = rt::Factor;
                     // phi_q W phi_q^T = L D L^T
                     // (phi_q W phi_q^T) mu = r
                     // Results
                     dq[0] = lit(0.0);
-                    dq[1] = -(w_1 * (dphi_0 * (lit(1.0) / w_1)));
-                    dq[2] = -(w_2 * (dphi_1 * (lit(1.0) / w_2)));
+                    dq[1] = -(w_1 * (dphi_0 * (by(1.0) / w_1)));
+                    dq[2] = -(w_2 * (dphi_1 * (by(1.0) / w_2)));
                     dq[3] = lit(0.0);
-                    dq[4] = -(w_4 * (dphi_2 * (lit(1.0) / w_4)));
-                    dq[5] = -(w_5 * (dphi_3 * (lit(1.0) / w_5)));
+                    dq[4] = -(w_4 * (dphi_2 * (by(1.0) / w_4)));
+                    dq[5] = -(w_5 * (dphi_3 * (by(1.0) / w_5)));
                     lit(1.0)
                 })
             }
@@ -1053,12 +1055,13 @@ mod plm_bouncer_ {
                 let [_, switch_1, switch_2, switch_3, ..] = u.switches;
                 let [_, _, _, clock_x, ..] = *x;
                 let lit = S::lit;
+                let by = rt::Factor;
                 force[0] = S::select(switch_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
                 force[1] = lit(0.0);
                 force[2] = lit(0.0);
                 let push = u.input.push;
                 let t1 = push
-                    + S::select(clock_x.lt(lit(100.0)), lit(0.0), lit(-10.0) * (clock_x - lit(100.0)))
+                    + S::select(clock_x.lt(lit(100.0)), lit(0.0), by(-10.0) * (clock_x - lit(100.0)))
                     + S::select(
                         switch_3.lt(lit(0.0)),
                         lit(0.0),
@@ -1105,6 +1108,7 @@ mod plm_bouncer_ {
                 let [_, switch_1, switch_2, switch_3, ..] = u.switches;
                 let [_, s_other, ..] = *x;
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Masses and forces along the coordinates: M a = Q
                 let push = u.input.push;
                 let force_1 =
@@ -1112,11 +1116,11 @@ mod plm_bouncer_ {
                         switch_3.lt(lit(0.0)),
                         lit(0.0),
                         S::select(switch_2.lt(lit(0.0)), lit(3.0), lit(0.0)),
-                    ) + S::select(s_other.lt(lit(100.0)), lit(0.0), lit(-10.0).mul_add(s_other, lit(1000.0)));
+                    ) + S::select(s_other.lt(lit(100.0)), lit(0.0), by(-10.0).mul_add(s_other, lit(1000.0)));
                 // Results
                 dx[0] = x[2];
                 dx[1] = x[3];
-                dx[2] = lit(0.5) * S::select(switch_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
+                dx[2] = by(0.5) * S::select(switch_1.lt(lit(0.0)), lit(4.0), lit(-2.0));
                 dx[3] = force_1;
             }
 

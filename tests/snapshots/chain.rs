@@ -163,8 +163,8 @@ mod plm_chain_ {
                 let (q, _) = self.pose_();
                 let bar_4_y = q[13];
                 let bar_4_angle = q[14];
-                let lit = S::lit;
-                lit(0.5).mul_add(bar_4_angle.sin(), bar_4_y)
+                let by = rt::Factor;
+                by(0.5).mul_add(bar_4_angle.sin(), bar_4_y)
             }
 
             /// Kinetic energy of all bodies, J.
@@ -188,7 +188,7 @@ mod plm_chain_ {
                     bar_4_omega,
                     ..,
                 ] = v;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let t1 = bar_4_omega.mul_add(
                     bar_4_omega,
                     bar_3_omega.mul_add(
@@ -210,7 +210,7 @@ mod plm_chain_ {
                     bar_4_vx,
                     bar_3_vy.mul_add(bar_3_vy, bar_3_vx.mul_add(bar_3_vx, bar_2_vy.mul_add(bar_2_vy, t2))),
                 );
-                lit(0.5) * lit(0.08333333333333333).mul_add(t1, bar_4_vy.mul_add(bar_4_vy, t3))
+                by(0.5) * by(0.08333333333333333).mul_add(t1, bar_4_vy.mul_add(bar_4_vy, t3))
             }
 
             /// Potential energy of gravity above the origin, J.
@@ -221,16 +221,16 @@ mod plm_chain_ {
                 let bar_2_y = q[7];
                 let bar_3_y = q[10];
                 let bar_4_y = q[13];
-                let lit = S::lit;
-                lit(9.81) * (bar_0_y + bar_1_y + bar_2_y + bar_3_y + bar_4_y)
+                let by = rt::Factor;
+                by(9.81) * (bar_0_y + bar_1_y + bar_2_y + bar_3_y + bar_4_y)
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
                 let (_, v) = self.pose_();
                 let [_, _, bar_0_omega, ..] = v;
-                let lit = S::lit;
-                lit(-0.1) * bar_0_omega * bar_0_omega
+                let by = rt::Factor;
+                by(-0.1) * bar_0_omega * bar_0_omega
             }
 
             /// Pose and velocity of G of body `bar[i]`, m, m, rad; m/s, m/s, rad/s; none if there is no such body.
@@ -277,28 +277,28 @@ mod plm_chain_ {
                     bar_4_y,
                     ..,
                 ] = q;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let (
                     [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
                     [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
                 ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
-                let t1 = lit(0.5).mul_add(sin_bar_1_angle, bar_1_y);
-                let t2 = lit(0.5).mul_add(sin_bar_0_angle, bar_0_y) - t1;
-                let t3 = lit(0.5).mul_add(cos_bar_1_angle, bar_1_x);
-                let t4 = lit(0.5).mul_add(cos_bar_0_angle, bar_0_x) - t3;
+                let t1 = by(0.5).mul_add(sin_bar_1_angle, bar_1_y);
+                let t2 = by(0.5).mul_add(sin_bar_0_angle, bar_0_y) - t1;
+                let t3 = by(0.5).mul_add(cos_bar_1_angle, bar_1_x);
+                let t4 = by(0.5).mul_add(cos_bar_0_angle, bar_0_x) - t3;
                 value[0] = (-cos_bar_0_angle)
                     .mul_add(t2, sin_bar_0_angle * t4)
                     .atan2(-sin_bar_0_angle.mul_add(t2, cos_bar_0_angle * t4));
-                let t5 = lit(0.5).mul_add(sin_bar_2_angle, bar_2_y);
+                let t5 = by(0.5).mul_add(sin_bar_2_angle, bar_2_y);
                 let t6 = t1 - t5;
-                let t7 = lit(0.5).mul_add(cos_bar_2_angle, bar_2_x);
+                let t7 = by(0.5).mul_add(cos_bar_2_angle, bar_2_x);
                 let t8 = t3 - t7;
                 value[1] = (-cos_bar_1_angle)
                     .mul_add(t6, sin_bar_1_angle * t8)
                     .atan2(-sin_bar_1_angle.mul_add(t6, cos_bar_1_angle * t8));
-                let t9 = lit(0.5).mul_add(sin_bar_3_angle, bar_3_y);
+                let t9 = by(0.5).mul_add(sin_bar_3_angle, bar_3_y);
                 let t10 = t5 - t9;
-                let t11 = lit(0.5).mul_add(cos_bar_3_angle, bar_3_x);
+                let t11 = by(0.5).mul_add(cos_bar_3_angle, bar_3_x);
                 let t12 = t7 - t11;
                 value[2] = (-cos_bar_2_angle)
                     .mul_add(t10, sin_bar_2_angle * t12)
@@ -663,6 +663,7 @@ mod plm_chain_ {
             #[cold]
             fn phi_q_entries(&self, t: S, q: &[S; 15], phi_q: &mut [S; 36]) {
                 let lit = S::lit;
+                let by = rt::Factor;
                 phi_q[0] = lit(1.0);
                 let bar_0_angle = q[2];
                 let bar_1_angle = q[5];
@@ -672,51 +673,51 @@ mod plm_chain_ {
                     [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
                     [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
                 ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
-                let t1 = lit(0.5) * sin_bar_0_angle;
+                let t1 = by(0.5) * sin_bar_0_angle;
                 phi_q[1] = t1;
                 phi_q[2] = lit(1.0);
-                let t2 = lit(-0.5) * cos_bar_0_angle;
+                let t2 = by(-0.5) * cos_bar_0_angle;
                 phi_q[3] = t2;
                 phi_q[4] = lit(-1.0);
                 phi_q[5] = t1;
                 phi_q[6] = lit(1.0);
-                let t3 = lit(0.5) * sin_bar_1_angle;
+                let t3 = by(0.5) * sin_bar_1_angle;
                 phi_q[7] = t3;
                 phi_q[8] = lit(-1.0);
                 phi_q[9] = t2;
                 phi_q[10] = lit(1.0);
-                let t4 = lit(-0.5) * cos_bar_1_angle;
+                let t4 = by(-0.5) * cos_bar_1_angle;
                 phi_q[11] = t4;
                 phi_q[12] = lit(-1.0);
                 phi_q[13] = t3;
                 phi_q[14] = lit(1.0);
-                let t5 = lit(0.5) * sin_bar_2_angle;
+                let t5 = by(0.5) * sin_bar_2_angle;
                 phi_q[15] = t5;
                 phi_q[16] = lit(-1.0);
                 phi_q[17] = t4;
                 phi_q[18] = lit(1.0);
-                let t6 = lit(-0.5) * cos_bar_2_angle;
+                let t6 = by(-0.5) * cos_bar_2_angle;
                 phi_q[19] = t6;
                 phi_q[20] = lit(-1.0);
                 phi_q[21] = t5;
                 phi_q[22] = lit(1.0);
-                let t7 = lit(0.5) * sin_bar_3_angle;
+                let t7 = by(0.5) * sin_bar_3_angle;
                 phi_q[23] = t7;
                 phi_q[24] = lit(-1.0);
                 phi_q[25] = t6;
                 phi_q[26] = lit(1.0);
-                let t8 = lit(-0.5) * cos_bar_3_angle;
+                let t8 = by(-0.5) * cos_bar_3_angle;
                 phi_q[27] = t8;
                 phi_q[28] = lit(-1.0);
                 phi_q[29] = t7;
                 phi_q[30] = lit(1.0);
                 let bar_4_angle = q[14];
                 let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
-                phi_q[31] = lit(0.5) * sin_bar_4_angle;
+                phi_q[31] = by(0.5) * sin_bar_4_angle;
                 phi_q[32] = lit(-1.0);
                 phi_q[33] = t8;
                 phi_q[34] = lit(1.0);
-                phi_q[35] = lit(-0.5) * cos_bar_4_angle;
+                phi_q[35] = by(-0.5) * cos_bar_4_angle;
             }
         }
 
@@ -749,22 +750,22 @@ mod plm_chain_ {
                     bar_4_angle,
                     ..,
                 ] = *q;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let (
                     [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
                     [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
                 ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
-                phi[0] = lit(-0.5).mul_add(cos_bar_0_angle, bar_0_x);
-                phi[1] = lit(-0.5).mul_add(sin_bar_0_angle, bar_0_y);
-                phi[2] = lit(-0.5).mul_add(cos_bar_0_angle + cos_bar_1_angle, bar_1_x - bar_0_x);
-                phi[3] = lit(-0.5).mul_add(sin_bar_0_angle + sin_bar_1_angle, bar_1_y - bar_0_y);
-                phi[4] = lit(-0.5).mul_add(cos_bar_1_angle + cos_bar_2_angle, bar_2_x - bar_1_x);
-                phi[5] = lit(-0.5).mul_add(sin_bar_1_angle + sin_bar_2_angle, bar_2_y - bar_1_y);
-                phi[6] = lit(-0.5).mul_add(cos_bar_2_angle + cos_bar_3_angle, bar_3_x - bar_2_x);
-                phi[7] = lit(-0.5).mul_add(sin_bar_2_angle + sin_bar_3_angle, bar_3_y - bar_2_y);
+                phi[0] = by(-0.5).mul_add(cos_bar_0_angle, bar_0_x);
+                phi[1] = by(-0.5).mul_add(sin_bar_0_angle, bar_0_y);
+                phi[2] = by(-0.5).mul_add(cos_bar_0_angle + cos_bar_1_angle, bar_1_x - bar_0_x);
+                phi[3] = by(-0.5).mul_add(sin_bar_0_angle + sin_bar_1_angle, bar_1_y - bar_0_y);
+                phi[4] = by(-0.5).mul_add(cos_bar_1_angle + cos_bar_2_angle, bar_2_x - bar_1_x);
+                phi[5] = by(-0.5).mul_add(sin_bar_1_angle + sin_bar_2_angle, bar_2_y - bar_1_y);
+                phi[6] = by(-0.5).mul_add(cos_bar_2_angle + cos_bar_3_angle, bar_3_x - bar_2_x);
+                phi[7] = by(-0.5).mul_add(sin_bar_2_angle + sin_bar_3_angle, bar_3_y - bar_2_y);
                 let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
-                phi[8] = lit(-0.5).mul_add(cos_bar_3_angle + cos_bar_4_angle, bar_4_x - bar_3_x);
-                phi[9] = lit(-0.5).mul_add(sin_bar_3_angle + sin_bar_4_angle, bar_4_y - bar_3_y);
+                phi[8] = by(-0.5).mul_add(cos_bar_3_angle + cos_bar_4_angle, bar_4_x - bar_3_x);
+                phi[9] = by(-0.5).mul_add(sin_bar_3_angle + sin_bar_4_angle, bar_4_y - bar_3_y);
                 phi
             }
 
@@ -796,30 +797,30 @@ mod plm_chain_ {
                     bar_4_omega,
                     ..,
                 ] = *v;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let (
                     [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
                     [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
                 ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
                 let t1 = bar_0_omega * sin_bar_0_angle;
-                phi_dot[0] = lit(0.5).mul_add(t1, bar_0_vx);
+                phi_dot[0] = by(0.5).mul_add(t1, bar_0_vx);
                 let t2 = bar_0_omega * cos_bar_0_angle;
-                phi_dot[1] = lit(-0.5).mul_add(t2, bar_0_vy);
+                phi_dot[1] = by(-0.5).mul_add(t2, bar_0_vy);
                 let t3 = bar_1_omega * sin_bar_1_angle;
-                phi_dot[2] = lit(0.5).mul_add(t1 + t3, bar_1_vx - bar_0_vx);
+                phi_dot[2] = by(0.5).mul_add(t1 + t3, bar_1_vx - bar_0_vx);
                 let t4 = bar_1_omega * cos_bar_1_angle;
-                phi_dot[3] = lit(-0.5).mul_add(t2 + t4, bar_1_vy - bar_0_vy);
+                phi_dot[3] = by(-0.5).mul_add(t2 + t4, bar_1_vy - bar_0_vy);
                 let t5 = bar_2_omega * sin_bar_2_angle;
-                phi_dot[4] = lit(0.5).mul_add(t3 + t5, bar_2_vx - bar_1_vx);
+                phi_dot[4] = by(0.5).mul_add(t3 + t5, bar_2_vx - bar_1_vx);
                 let t6 = bar_2_omega * cos_bar_2_angle;
-                phi_dot[5] = lit(-0.5).mul_add(t4 + t6, bar_2_vy - bar_1_vy);
+                phi_dot[5] = by(-0.5).mul_add(t4 + t6, bar_2_vy - bar_1_vy);
                 let t7 = bar_3_omega * sin_bar_3_angle;
-                phi_dot[6] = lit(0.5).mul_add(t5 + t7, bar_3_vx - bar_2_vx);
+                phi_dot[6] = by(0.5).mul_add(t5 + t7, bar_3_vx - bar_2_vx);
                 let t8 = bar_3_omega * cos_bar_3_angle;
-                phi_dot[7] = lit(-0.5).mul_add(t6 + t8, bar_3_vy - bar_2_vy);
+                phi_dot[7] = by(-0.5).mul_add(t6 + t8, bar_3_vy - bar_2_vy);
                 let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
-                phi_dot[8] = lit(0.5).mul_add(bar_4_omega.mul_add(sin_bar_4_angle, t7), bar_4_vx - bar_3_vx);
-                phi_dot[9] = lit(-0.5).mul_add(bar_4_omega.mul_add(cos_bar_4_angle, t8), bar_4_vy - bar_3_vy);
+                phi_dot[8] = by(0.5).mul_add(bar_4_omega.mul_add(sin_bar_4_angle, t7), bar_4_vx - bar_3_vx);
+                phi_dot[9] = by(-0.5).mul_add(bar_4_omega.mul_add(cos_bar_4_angle, t8), bar_4_vy - bar_3_vy);
                 phi_dot
             }
 
@@ -856,6 +857,7 @@ mod plm_chain_ {
             ) -> rt::Health<S> {
                 rt::Health({
                     let lit = S::lit;
+                    let by = rt::Factor;
                     // phi_q W phi_q^T = L D L^T
                     let w_0 = w[0];
                     let bar_0_angle = q[2];
@@ -867,145 +869,145 @@ mod plm_chain_ {
                         [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
                     ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
                     let w_2 = w[2];
-                    let y_0_2 = lit(0.5) * sin_bar_0_angle * w_2;
-                    let t1 = lit(0.5) * (sin_bar_0_angle * y_0_2);
+                    let y_0_2 = by(0.5) * sin_bar_0_angle * w_2;
+                    let t1 = by(0.5) * (sin_bar_0_angle * y_0_2);
                     let d_0 = w_0 + t1;
-                    let r_0 = lit(1.0) / d_0;
-                    let t2 = lit(-0.5) * cos_bar_0_angle;
+                    let r_0 = by(1.0) / d_0;
+                    let t2 = by(-0.5) * cos_bar_0_angle;
                     let y_1_2 = t2 * w_2;
                     let t3 = sin_bar_0_angle * y_1_2;
-                    let g_1_0 = lit(0.5) * t3;
+                    let g_1_0 = by(0.5) * t3;
                     let l_1_0 = r_0 * g_1_0;
                     let g_2_0 = t1 - w_0;
                     let l_2_0 = r_0 * g_2_0;
                     let w_1 = w[1];
                     let t4 = cos_bar_0_angle * y_1_2;
-                    let t5 = lit(-0.5).mul_add(t4, w_1);
+                    let t5 = by(-0.5).mul_add(t4, w_1);
                     let t6 = g_1_0 * l_1_0;
                     let d_1 = t5 - t6;
-                    let r_1 = lit(1.0) / d_1;
+                    let r_1 = by(1.0) / d_1;
                     let growth_1 = (t5 * r_1).abs();
                     let most_growth = lit(S::MOST_GROWTH);
                     let t7 = most_growth.lt(growth_1);
                     let kept_1 = S::select(t7, lit(0.0), r_1);
                     let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
                     let l_2_1 = g_2_1 * kept_1;
-                    let g_3_1 = lit(-0.5).mul_add(t4, -w_1) - t6;
+                    let g_3_1 = by(-0.5).mul_add(t4, -w_1) - t6;
                     let l_3_1 = g_3_1 * kept_1;
                     let w_3 = w[3];
                     let w_5 = w[5];
-                    let y_2_5 = lit(0.5) * sin_bar_1_angle * w_5;
-                    let t8 = lit(0.5) * (sin_bar_1_angle * y_2_5);
+                    let y_2_5 = by(0.5) * sin_bar_1_angle * w_5;
+                    let t8 = by(0.5) * (sin_bar_1_angle * y_2_5);
                     let t9 = w_3 + t8;
                     let t10 = d_0 + t9;
-                    let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t10));
+                    let r_2 = by(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t10));
                     let growth_2 = (t10 * r_2).abs();
                     let t11 = most_growth.lt(growth_2);
                     let kept_2 = S::select(t11, lit(0.0), r_2);
-                    let t12 = lit(-0.5) * cos_bar_1_angle;
+                    let t12 = by(-0.5) * cos_bar_1_angle;
                     let y_3_5 = t12 * w_5;
                     let t13 = sin_bar_1_angle * y_3_5;
-                    let g_3_2 = (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, lit(0.5) * (t3 + t13)));
+                    let g_3_2 = (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, by(0.5) * (t3 + t13)));
                     let l_3_2 = kept_2 * g_3_2;
                     let g_4_2 = t8 - w_3;
                     let l_4_2 = g_4_2 * kept_2;
-                    let g_5_2 = lit(0.5) * t13;
+                    let g_5_2 = by(0.5) * t13;
                     let l_5_2 = g_5_2 * kept_2;
                     let w_4 = w[4];
                     let t14 = cos_bar_1_angle * y_3_5;
-                    let t15 = lit(-0.5).mul_add(t14, w_4);
-                    let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t15);
+                    let t15 = by(-0.5).mul_add(t14, w_4);
+                    let r_3 = by(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t15);
                     let growth_3 = (r_3 * (t5 + t15)).abs();
                     let t16 = most_growth.lt(growth_3);
                     let kept_3 = S::select(t16, lit(0.0), r_3);
                     let g_4_3 = (-g_3_2).mul_add(l_4_2, t12 * y_2_5);
                     let l_4_3 = kept_3 * g_4_3;
-                    let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-0.5).mul_add(t14, -w_4));
+                    let g_5_3 = (-g_3_2).mul_add(l_5_2, by(-0.5).mul_add(t14, -w_4));
                     let l_5_3 = kept_3 * g_5_3;
                     let w_6 = w[6];
                     let w_8 = w[8];
-                    let y_4_8 = lit(0.5) * sin_bar_2_angle * w_8;
-                    let t17 = lit(0.5) * (sin_bar_2_angle * y_4_8);
+                    let y_4_8 = by(0.5) * sin_bar_2_angle * w_8;
+                    let t17 = by(0.5) * (sin_bar_2_angle * y_4_8);
                     let t18 = w_6 + t17;
                     let t19 = t9 + t18;
-                    let r_4 = lit(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t19));
+                    let r_4 = by(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t19));
                     let growth_4 = (t19 * r_4).abs();
                     let t20 = most_growth.lt(growth_4);
                     let kept_4 = S::select(t20, lit(0.0), r_4);
-                    let t21 = lit(-0.5) * cos_bar_2_angle;
+                    let t21 = by(-0.5) * cos_bar_2_angle;
                     let y_5_8 = t21 * w_8;
                     let t22 = sin_bar_2_angle * y_5_8;
-                    let g_5_4 = (-g_4_3).mul_add(l_5_3, (-g_4_2).mul_add(l_5_2, lit(0.5) * (t13 + t22)));
+                    let g_5_4 = (-g_4_3).mul_add(l_5_3, (-g_4_2).mul_add(l_5_2, by(0.5) * (t13 + t22)));
                     let l_5_4 = kept_4 * g_5_4;
                     let g_6_4 = t17 - w_6;
                     let l_6_4 = g_6_4 * kept_4;
-                    let g_7_4 = lit(0.5) * t22;
+                    let g_7_4 = by(0.5) * t22;
                     let l_7_4 = g_7_4 * kept_4;
                     let w_7 = w[7];
                     let t23 = cos_bar_2_angle * y_5_8;
-                    let t24 = lit(-0.5).mul_add(t23, w_7);
+                    let t24 = by(-0.5).mul_add(t23, w_7);
                     let t25 = t15 + t24;
-                    let r_5 = lit(1.0)
+                    let r_5 = by(1.0)
                         / (-g_5_4).mul_add(l_5_4, (-g_5_3).mul_add(l_5_3, (-g_5_2).mul_add(l_5_2, t25)));
                     let growth_5 = (t25 * r_5).abs();
                     let t26 = most_growth.lt(growth_5);
                     let kept_5 = S::select(t26, lit(0.0), r_5);
                     let g_6_5 = (-g_5_4).mul_add(l_6_4, t21 * y_4_8);
                     let l_6_5 = kept_5 * g_6_5;
-                    let g_7_5 = (-g_5_4).mul_add(l_7_4, lit(-0.5).mul_add(t23, -w_7));
+                    let g_7_5 = (-g_5_4).mul_add(l_7_4, by(-0.5).mul_add(t23, -w_7));
                     let l_7_5 = kept_5 * g_7_5;
                     let w_9 = w[9];
                     let w_11 = w[11];
-                    let y_6_11 = lit(0.5) * sin_bar_3_angle * w_11;
-                    let t27 = lit(0.5) * (sin_bar_3_angle * y_6_11);
+                    let y_6_11 = by(0.5) * sin_bar_3_angle * w_11;
+                    let t27 = by(0.5) * (sin_bar_3_angle * y_6_11);
                     let t28 = w_9 + t27;
                     let t29 = t18 + t28;
-                    let r_6 = lit(1.0) / (-g_6_5).mul_add(l_6_5, (-g_6_4).mul_add(l_6_4, t29));
+                    let r_6 = by(1.0) / (-g_6_5).mul_add(l_6_5, (-g_6_4).mul_add(l_6_4, t29));
                     let growth_6 = (t29 * r_6).abs();
                     let t30 = most_growth.lt(growth_6);
                     let kept_6 = S::select(t30, lit(0.0), r_6);
-                    let t31 = lit(-0.5) * cos_bar_3_angle;
+                    let t31 = by(-0.5) * cos_bar_3_angle;
                     let y_7_11 = t31 * w_11;
                     let t32 = sin_bar_3_angle * y_7_11;
-                    let g_7_6 = (-g_6_5).mul_add(l_7_5, (-g_6_4).mul_add(l_7_4, lit(0.5) * (t22 + t32)));
+                    let g_7_6 = (-g_6_5).mul_add(l_7_5, (-g_6_4).mul_add(l_7_4, by(0.5) * (t22 + t32)));
                     let l_7_6 = kept_6 * g_7_6;
                     let g_8_6 = t27 - w_9;
                     let l_8_6 = g_8_6 * kept_6;
-                    let g_9_6 = lit(0.5) * t32;
+                    let g_9_6 = by(0.5) * t32;
                     let l_9_6 = g_9_6 * kept_6;
                     let w_10 = w[10];
                     let t33 = cos_bar_3_angle * y_7_11;
-                    let t34 = lit(-0.5).mul_add(t33, w_10);
+                    let t34 = by(-0.5).mul_add(t33, w_10);
                     let t35 = t24 + t34;
-                    let r_7 = lit(1.0)
+                    let r_7 = by(1.0)
                         / (-g_7_6).mul_add(l_7_6, (-g_7_5).mul_add(l_7_5, (-g_7_4).mul_add(l_7_4, t35)));
                     let growth_7 = (t35 * r_7).abs();
                     let t36 = most_growth.lt(growth_7);
                     let kept_7 = S::select(t36, lit(0.0), r_7);
                     let g_8_7 = (-g_7_6).mul_add(l_8_6, t31 * y_6_11);
                     let l_8_7 = kept_7 * g_8_7;
-                    let g_9_7 = (-g_7_6).mul_add(l_9_6, lit(-0.5).mul_add(t33, -w_10));
+                    let g_9_7 = (-g_7_6).mul_add(l_9_6, by(-0.5).mul_add(t33, -w_10));
                     let l_9_7 = kept_7 * g_9_7;
                     let w_12 = w[12];
                     let bar_4_angle = q[14];
                     let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
                     let w_14 = w[14];
-                    let t37 = lit(0.5) * sin_bar_4_angle;
+                    let t37 = by(0.5) * sin_bar_4_angle;
                     let y_8_14 = t37 * w_14;
                     let t38 = t37.mul_add(y_8_14, w_12) + t28;
-                    let r_8 = lit(1.0) / (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, t38));
+                    let r_8 = by(1.0) / (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, t38));
                     let growth_8 = (t38 * r_8).abs();
                     let t39 = most_growth.lt(growth_8);
                     let kept_8 = S::select(t39, lit(0.0), r_8);
-                    let y_9_14 = lit(-0.5) * cos_bar_4_angle * w_14;
+                    let y_9_14 = by(-0.5) * cos_bar_4_angle * w_14;
                     let g_9_8 = (-g_8_7).mul_add(
                         l_9_7,
-                        (-g_8_6).mul_add(l_9_6, lit(0.5) * sin_bar_4_angle.mul_add(y_9_14, t32)),
+                        (-g_8_6).mul_add(l_9_6, by(0.5) * sin_bar_4_angle.mul_add(y_9_14, t32)),
                     );
                     let l_9_8 = kept_8 * g_9_8;
                     let w_13 = w[13];
-                    let t40 = (-(lit(0.5) * cos_bar_4_angle)).mul_add(y_9_14, w_13) + t34;
-                    let r_9 = lit(1.0)
+                    let t40 = (-(by(0.5) * cos_bar_4_angle)).mul_add(y_9_14, w_13) + t34;
+                    let r_9 = by(1.0)
                         / (-g_9_8).mul_add(l_9_8, (-g_9_7).mul_add(l_9_7, (-g_9_6).mul_add(l_9_6, t40)));
                     let growth_9 = (t40 * r_9).abs();
                     let t41 = most_growth.lt(growth_9);
@@ -1071,7 +1073,7 @@ mod plm_chain_ {
                         .max(S::select(t36, lit(0.0), growth_7))
                         .max(S::select(t39, lit(0.0), growth_8))
                         .max(S::select(t41, lit(0.0), growth_9));
-                    lit(1.0) / t46
+                    by(1.0) / t46
                 })
             }
 
@@ -1560,9 +1562,10 @@ mod plm_chain_ {
                 let (mut force, mut x_dot) = ([S::lit(0.0); 15], [S::lit(0.0); 0]);
                 let bar_0_omega = x[17];
                 let lit = S::lit;
+                let by = rt::Factor;
                 force[0] = lit(0.0);
                 force[1] = lit(-9.81);
-                force[2] = lit(-0.1) * bar_0_omega;
+                force[2] = by(-0.1) * bar_0_omega;
                 force[3] = lit(0.0);
                 force[4] = lit(-9.81);
                 force[5] = lit(0.0);
@@ -1611,6 +1614,7 @@ mod plm_chain_ {
             #[inline(always)]
             fn motion(&self, t: S, u: &Held<S>, x: &[S; 10], dx: &mut [S; 10]) {
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Masses and forces along the coordinates: M a = Q
                 let bar_0_angle = x[0];
                 let bar_1_angle = x[1];
@@ -1621,15 +1625,15 @@ mod plm_chain_ {
                     [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
                 ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
                 let m_1_0 =
-                    lit(3.5) * sin_bar_0_angle.mul_add(sin_bar_1_angle, cos_bar_0_angle * cos_bar_1_angle);
+                    by(3.5) * sin_bar_0_angle.mul_add(sin_bar_1_angle, cos_bar_0_angle * cos_bar_1_angle);
                 let m_2_0 =
-                    lit(2.5) * sin_bar_0_angle.mul_add(sin_bar_2_angle, cos_bar_0_angle * cos_bar_2_angle);
+                    by(2.5) * sin_bar_0_angle.mul_add(sin_bar_2_angle, cos_bar_0_angle * cos_bar_2_angle);
                 let m_3_0 =
-                    lit(1.5) * sin_bar_0_angle.mul_add(sin_bar_3_angle, cos_bar_0_angle * cos_bar_3_angle);
+                    by(1.5) * sin_bar_0_angle.mul_add(sin_bar_3_angle, cos_bar_0_angle * cos_bar_3_angle);
                 let bar_4_angle = x[4];
                 let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
                 let m_4_0 =
-                    lit(0.5) * sin_bar_0_angle.mul_add(sin_bar_4_angle, cos_bar_0_angle * cos_bar_4_angle);
+                    by(0.5) * sin_bar_0_angle.mul_add(sin_bar_4_angle, cos_bar_0_angle * cos_bar_4_angle);
                 let bar_0_omega = x[5];
                 let bar_1_omega = x[6];
                 let t1 = bar_1_omega * bar_1_omega;
@@ -1642,14 +1646,14 @@ mod plm_chain_ {
                 let t6 = (-cos_bar_0_angle).mul_add(sin_bar_3_angle, sin_bar_0_angle * cos_bar_3_angle);
                 let bar_4_omega = x[9];
                 let t7 = (-cos_bar_0_angle).mul_add(sin_bar_4_angle, sin_bar_0_angle * cos_bar_4_angle);
-                let t8 = lit(2.5) * t3;
+                let t8 = by(2.5) * t3;
                 let t9 = (-t8).mul_add(
                     t4,
-                    (-(lit(3.5) * t1))
-                        .mul_add(t2, lit(-44.145).mul_add(cos_bar_0_angle, lit(-0.1) * bar_0_omega)),
+                    (-(by(3.5) * t1))
+                        .mul_add(t2, by(-44.145).mul_add(cos_bar_0_angle, by(-0.1) * bar_0_omega)),
                 );
-                let t10 = lit(1.5) * t5;
-                let t11 = lit(0.5) * (bar_4_omega * bar_4_omega);
+                let t10 = by(1.5) * t5;
+                let t11 = by(0.5) * (bar_4_omega * bar_4_omega);
                 let force_0 = (-t11).mul_add(t7, (-t10).mul_add(t6, t9));
                 let t12 = bar_0_omega * bar_0_omega;
                 let t13 = (-cos_bar_1_angle).mul_add(sin_bar_2_angle, sin_bar_1_angle * cos_bar_2_angle);
@@ -1657,46 +1661,42 @@ mod plm_chain_ {
                 let t15 = (-cos_bar_1_angle).mul_add(sin_bar_4_angle, sin_bar_1_angle * cos_bar_4_angle);
                 let t16 = (-t10).mul_add(
                     t14,
-                    (-t8).mul_add(t13, lit(-34.335).mul_add(cos_bar_1_angle, lit(3.5) * t12 * t2)),
+                    (-t8).mul_add(t13, by(-34.335).mul_add(cos_bar_1_angle, by(3.5) * t12 * t2)),
                 );
                 let t17 = (-cos_bar_2_angle).mul_add(sin_bar_3_angle, sin_bar_2_angle * cos_bar_3_angle);
                 let t18 = (-cos_bar_2_angle).mul_add(sin_bar_4_angle, sin_bar_2_angle * cos_bar_4_angle);
-                let t19 = (-t10).mul_add(
-                    t17,
-                    lit(-24.525).mul_add(cos_bar_2_angle, lit(2.5) * t1.mul_add(t13, t12 * t4)),
-                );
+                let t19 = (-t10)
+                    .mul_add(t17, by(-24.525).mul_add(cos_bar_2_angle, by(2.5) * t1.mul_add(t13, t12 * t4)));
                 let t20 = (-cos_bar_3_angle).mul_add(sin_bar_4_angle, sin_bar_3_angle * cos_bar_4_angle);
-                let t21 = lit(-14.715)
-                    .mul_add(cos_bar_3_angle, lit(1.5) * t3.mul_add(t17, t1.mul_add(t14, t12 * t6)));
-                let t22 = lit(0.5) * t5.mul_add(t20, t3.mul_add(t18, t1.mul_add(t15, t12 * t7)));
-                let l_1_0 = lit(0.23076923076923078) * m_1_0;
-                let l_2_0 = lit(0.23076923076923078) * m_2_0;
-                let l_3_0 = lit(0.23076923076923078) * m_3_0;
-                let l_4_0 = lit(0.23076923076923078) * m_4_0;
-                let r_1 = lit(1.0) / (-m_1_0).mul_add(l_1_0, lit(3.3333333333333335));
+                let t21 = by(-14.715)
+                    .mul_add(cos_bar_3_angle, by(1.5) * t3.mul_add(t17, t1.mul_add(t14, t12 * t6)));
+                let t22 = by(0.5) * t5.mul_add(t20, t3.mul_add(t18, t1.mul_add(t15, t12 * t7)));
+                let l_1_0 = by(0.23076923076923078) * m_1_0;
+                let l_2_0 = by(0.23076923076923078) * m_2_0;
+                let l_3_0 = by(0.23076923076923078) * m_3_0;
+                let l_4_0 = by(0.23076923076923078) * m_4_0;
+                let r_1 = by(1.0) / (-m_1_0).mul_add(l_1_0, lit(3.3333333333333335));
                 let g_2_1 = (-m_1_0).mul_add(
                     l_2_0,
-                    lit(2.5) * sin_bar_1_angle.mul_add(sin_bar_2_angle, cos_bar_1_angle * cos_bar_2_angle),
+                    by(2.5) * sin_bar_1_angle.mul_add(sin_bar_2_angle, cos_bar_1_angle * cos_bar_2_angle),
                 );
                 let l_2_1 = r_1 * g_2_1;
                 let g_3_1 = (-m_1_0).mul_add(
                     l_3_0,
-                    lit(1.5) * sin_bar_1_angle.mul_add(sin_bar_3_angle, cos_bar_1_angle * cos_bar_3_angle),
+                    by(1.5) * sin_bar_1_angle.mul_add(sin_bar_3_angle, cos_bar_1_angle * cos_bar_3_angle),
                 );
                 let l_3_1 = r_1 * g_3_1;
                 let g_4_1 = (-m_1_0).mul_add(
                     l_4_0,
-                    lit(0.5) * sin_bar_1_angle.mul_add(sin_bar_4_angle, cos_bar_1_angle * cos_bar_4_angle),
+                    by(0.5) * sin_bar_1_angle.mul_add(sin_bar_4_angle, cos_bar_1_angle * cos_bar_4_angle),
                 );
                 let l_4_1 = r_1 * g_4_1;
-                let r_2 =
-                    lit(1.0) / (-g_2_1).mul_add(l_2_1, (-m_2_0).mul_add(l_2_0, lit(2.3333333333333335)));
+                let r_2 = by(1.0) / (-g_2_1).mul_add(l_2_1, (-m_2_0).mul_add(l_2_0, lit(2.3333333333333335)));
                 let g_3_2 = (-g_2_1).mul_add(
                     l_3_1,
                     (-m_2_0).mul_add(
                         l_3_0,
-                        lit(1.5)
-                            * sin_bar_2_angle.mul_add(sin_bar_3_angle, cos_bar_2_angle * cos_bar_3_angle),
+                        by(1.5) * sin_bar_2_angle.mul_add(sin_bar_3_angle, cos_bar_2_angle * cos_bar_3_angle),
                     ),
                 );
                 let l_3_2 = r_2 * g_3_2;
@@ -1704,12 +1704,11 @@ mod plm_chain_ {
                     l_4_1,
                     (-m_2_0).mul_add(
                         l_4_0,
-                        lit(0.5)
-                            * sin_bar_2_angle.mul_add(sin_bar_4_angle, cos_bar_2_angle * cos_bar_4_angle),
+                        by(0.5) * sin_bar_2_angle.mul_add(sin_bar_4_angle, cos_bar_2_angle * cos_bar_4_angle),
                     ),
                 );
                 let l_4_2 = r_2 * g_4_2;
-                let r_3 = lit(1.0)
+                let r_3 = by(1.0)
                     / (-g_3_2).mul_add(
                         l_3_2,
                         (-g_3_1).mul_add(l_3_1, (-m_3_0).mul_add(l_3_0, lit(1.3333333333333333))),
@@ -1718,8 +1717,7 @@ mod plm_chain_ {
                     l_4_1,
                     (-m_3_0).mul_add(
                         l_4_0,
-                        lit(0.5)
-                            * sin_bar_3_angle.mul_add(sin_bar_4_angle, cos_bar_3_angle * cos_bar_4_angle),
+                        by(0.5) * sin_bar_3_angle.mul_add(sin_bar_4_angle, cos_bar_3_angle * cos_bar_4_angle),
                     ),
                 );
                 let g_4_3 = (-g_3_2).mul_add(l_4_2, t23);
@@ -1738,9 +1736,9 @@ mod plm_chain_ {
                 let t24 = (-l_4_2).mul_add(
                     b_2,
                     (-l_4_1)
-                        .mul_add(b_1, (-l_4_0).mul_add(force_0, lit(-4.905).mul_add(cos_bar_4_angle, t22))),
+                        .mul_add(b_1, (-l_4_0).mul_add(force_0, by(-4.905).mul_add(cos_bar_4_angle, t22))),
                 );
-                let bar_4_angle_acceleration = lit(1.0) / d_4 * (-l_4_3).mul_add(b_3, t24);
+                let bar_4_angle_acceleration = by(1.0) / d_4 * (-l_4_3).mul_add(b_3, t24);
                 let bar_3_angle_acceleration = (-l_4_3).mul_add(bar_4_angle_acceleration, r_3 * b_3);
                 let bar_2_angle_acceleration = (-l_4_2)
                     .mul_add(bar_4_angle_acceleration, (-l_3_2).mul_add(bar_3_angle_acceleration, r_2 * b_2));
@@ -1757,7 +1755,7 @@ mod plm_chain_ {
                         bar_3_angle_acceleration,
                         (-l_2_0).mul_add(
                             bar_2_angle_acceleration,
-                            (-l_1_0).mul_add(bar_1_angle_acceleration, lit(0.23076923076923078) * force_0),
+                            (-l_1_0).mul_add(bar_1_angle_acceleration, by(0.23076923076923078) * force_0),
                         ),
                     ),
                 );
@@ -1779,7 +1777,7 @@ mod plm_chain_ {
             /// 32 add, 30 mul, 5 sin_cos.
             #[inline]
             fn pose(&self, t: S, u: &Held<S>, x: &[S; 10], q: &mut [S; 15], v: &mut [S; 15]) {
-                let lit = S::lit;
+                let by = rt::Factor;
                 let bar_0_angle = x[0];
                 let bar_1_angle = x[1];
                 let bar_2_angle = x[2];
@@ -1788,66 +1786,66 @@ mod plm_chain_ {
                     [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
                     [cos_bar_0_angle, cos_bar_1_angle, cos_bar_2_angle, cos_bar_3_angle],
                 ) = S::sin_cos_all([bar_0_angle, bar_1_angle, bar_2_angle, bar_3_angle]);
-                let bar_0_x = lit(0.5) * cos_bar_0_angle;
+                let bar_0_x = by(0.5) * cos_bar_0_angle;
                 q[0] = bar_0_x;
-                let bar_0_y = lit(0.5) * sin_bar_0_angle;
+                let bar_0_y = by(0.5) * sin_bar_0_angle;
                 q[1] = bar_0_y;
                 q[2] = bar_0_angle;
-                let bar_1_x = lit(0.5).mul_add(cos_bar_0_angle + cos_bar_1_angle, bar_0_x);
+                let bar_1_x = by(0.5).mul_add(cos_bar_0_angle + cos_bar_1_angle, bar_0_x);
                 q[3] = bar_1_x;
-                let bar_1_y = lit(0.5).mul_add(sin_bar_0_angle + sin_bar_1_angle, bar_0_y);
+                let bar_1_y = by(0.5).mul_add(sin_bar_0_angle + sin_bar_1_angle, bar_0_y);
                 q[4] = bar_1_y;
                 q[5] = bar_1_angle;
-                let bar_2_x = lit(0.5).mul_add(cos_bar_1_angle + cos_bar_2_angle, bar_1_x);
+                let bar_2_x = by(0.5).mul_add(cos_bar_1_angle + cos_bar_2_angle, bar_1_x);
                 q[6] = bar_2_x;
-                let bar_2_y = lit(0.5).mul_add(sin_bar_1_angle + sin_bar_2_angle, bar_1_y);
+                let bar_2_y = by(0.5).mul_add(sin_bar_1_angle + sin_bar_2_angle, bar_1_y);
                 q[7] = bar_2_y;
                 q[8] = bar_2_angle;
-                let bar_3_x = lit(0.5).mul_add(cos_bar_2_angle + cos_bar_3_angle, bar_2_x);
+                let bar_3_x = by(0.5).mul_add(cos_bar_2_angle + cos_bar_3_angle, bar_2_x);
                 q[9] = bar_3_x;
-                let bar_3_y = lit(0.5).mul_add(sin_bar_2_angle + sin_bar_3_angle, bar_2_y);
+                let bar_3_y = by(0.5).mul_add(sin_bar_2_angle + sin_bar_3_angle, bar_2_y);
                 q[10] = bar_3_y;
                 q[11] = bar_3_angle;
                 let bar_4_angle = x[4];
                 let (sin_bar_4_angle, cos_bar_4_angle) = bar_4_angle.sin_cos();
-                q[12] = lit(0.5).mul_add(cos_bar_3_angle + cos_bar_4_angle, bar_3_x);
-                q[13] = lit(0.5).mul_add(sin_bar_3_angle + sin_bar_4_angle, bar_3_y);
+                q[12] = by(0.5).mul_add(cos_bar_3_angle + cos_bar_4_angle, bar_3_x);
+                q[13] = by(0.5).mul_add(sin_bar_3_angle + sin_bar_4_angle, bar_3_y);
                 q[14] = bar_4_angle;
                 let bar_0_omega = x[5];
                 let t1 = bar_0_omega * sin_bar_0_angle;
-                let bar_0_vx = lit(-0.5) * t1;
+                let bar_0_vx = by(-0.5) * t1;
                 v[0] = bar_0_vx;
                 let t2 = bar_0_omega * cos_bar_0_angle;
-                let bar_0_vy = lit(0.5) * t2;
+                let bar_0_vy = by(0.5) * t2;
                 v[1] = bar_0_vy;
                 v[2] = bar_0_omega;
                 let bar_1_omega = x[6];
                 let t3 = bar_1_omega * sin_bar_1_angle;
-                let bar_1_vx = lit(-0.5).mul_add(t1 + t3, bar_0_vx);
+                let bar_1_vx = by(-0.5).mul_add(t1 + t3, bar_0_vx);
                 v[3] = bar_1_vx;
                 let t4 = bar_1_omega * cos_bar_1_angle;
-                let bar_1_vy = lit(0.5).mul_add(t2 + t4, bar_0_vy);
+                let bar_1_vy = by(0.5).mul_add(t2 + t4, bar_0_vy);
                 v[4] = bar_1_vy;
                 v[5] = bar_1_omega;
                 let bar_2_omega = x[7];
                 let t5 = bar_2_omega * sin_bar_2_angle;
-                let bar_2_vx = lit(-0.5).mul_add(t3 + t5, bar_1_vx);
+                let bar_2_vx = by(-0.5).mul_add(t3 + t5, bar_1_vx);
                 v[6] = bar_2_vx;
                 let t6 = bar_2_omega * cos_bar_2_angle;
-                let bar_2_vy = lit(0.5).mul_add(t4 + t6, bar_1_vy);
+                let bar_2_vy = by(0.5).mul_add(t4 + t6, bar_1_vy);
                 v[7] = bar_2_vy;
                 v[8] = bar_2_omega;
                 let bar_3_omega = x[8];
                 let t7 = bar_3_omega * sin_bar_3_angle;
-                let bar_3_vx = lit(-0.5).mul_add(t5 + t7, bar_2_vx);
+                let bar_3_vx = by(-0.5).mul_add(t5 + t7, bar_2_vx);
                 v[9] = bar_3_vx;
                 let t8 = bar_3_omega * cos_bar_3_angle;
-                let bar_3_vy = lit(0.5).mul_add(t6 + t8, bar_2_vy);
+                let bar_3_vy = by(0.5).mul_add(t6 + t8, bar_2_vy);
                 v[10] = bar_3_vy;
                 v[11] = bar_3_omega;
                 let bar_4_omega = x[9];
-                v[12] = lit(-0.5).mul_add(bar_4_omega.mul_add(sin_bar_4_angle, t7), bar_3_vx);
-                v[13] = lit(0.5).mul_add(bar_4_omega.mul_add(cos_bar_4_angle, t8), bar_3_vy);
+                v[12] = by(-0.5).mul_add(bar_4_omega.mul_add(sin_bar_4_angle, t7), bar_3_vx);
+                v[13] = by(0.5).mul_add(bar_4_omega.mul_add(cos_bar_4_angle, t8), bar_3_vy);
                 v[14] = bar_4_omega;
             }
 
@@ -1872,6 +1870,7 @@ mod plm_chain_ {
             /// 60 add, 163 mul, 4 neg, 5 sin_cos.
             fn linearised(&self, t: S, u: &Held<S>, x: &[S; 10], dx: &[S; 10], c: &mut [S; 61]) {
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Derivatives of M a - Q and of the rates of the states
                 let bar_0_angle = x[0];
                 let bar_1_angle = x[1];
@@ -1907,15 +1906,15 @@ mod plm_chain_ {
                 let t14 = bar_4_omega * bar_4_omega;
                 let t15 = sin_bar_0_angle.mul_add(sin_bar_4_angle, cos_bar_0_angle * cos_bar_4_angle);
                 let t16 = (-t13).mul_add(acceleration_4, t14 * t15);
-                let t17 = lit(0.5).mul_add(
+                let t17 = by(0.5).mul_add(
                     t16,
-                    lit(1.5).mul_add(
+                    by(1.5).mul_add(
                         t12,
-                        lit(2.5).mul_add(t8, lit(-44.145).mul_add(sin_bar_0_angle, lit(3.5) * t4)),
+                        by(2.5).mul_add(t8, by(-44.145).mul_add(sin_bar_0_angle, by(3.5) * t4)),
                     ),
                 );
-                let t18 = lit(5.0) * bar_2_omega;
-                let t19 = lit(3.0) * bar_3_omega;
+                let t18 = by(5.0) * bar_2_omega;
+                let t19 = by(3.0) * bar_3_omega;
                 let acceleration_5 = dx[5];
                 let bar_0_omega = x[5];
                 let t20 = bar_0_omega * bar_0_omega;
@@ -1929,11 +1928,11 @@ mod plm_chain_ {
                 let t28 = (-cos_bar_1_angle).mul_add(sin_bar_4_angle, sin_bar_1_angle * cos_bar_4_angle);
                 let t29 = sin_bar_1_angle.mul_add(sin_bar_4_angle, cos_bar_1_angle * cos_bar_4_angle);
                 let t30 = (-t28).mul_add(acceleration_4, t14 * t29);
-                let t31 = lit(0.5).mul_add(
+                let t31 = by(0.5).mul_add(
                     t30,
-                    lit(1.5).mul_add(
+                    by(1.5).mul_add(
                         t27,
-                        lit(2.5).mul_add(t24, lit(-34.335).mul_add(sin_bar_1_angle, lit(3.5) * t21)),
+                        by(2.5).mul_add(t24, by(-34.335).mul_add(sin_bar_1_angle, by(3.5) * t21)),
                     ),
                 );
                 let t32 = t20.mul_add(t7, t5 * acceleration_5);
@@ -1944,9 +1943,9 @@ mod plm_chain_ {
                 let t37 = (-cos_bar_2_angle).mul_add(sin_bar_4_angle, sin_bar_2_angle * cos_bar_4_angle);
                 let t38 = sin_bar_2_angle.mul_add(sin_bar_4_angle, cos_bar_2_angle * cos_bar_4_angle);
                 let t39 = (-t37).mul_add(acceleration_4, t14 * t38);
-                let t40 = lit(2.5).mul_add(
+                let t40 = by(2.5).mul_add(
                     t32 + t33,
-                    lit(0.5).mul_add(t39, lit(-24.525).mul_add(sin_bar_2_angle, lit(1.5) * t36)),
+                    by(0.5).mul_add(t39, by(-24.525).mul_add(sin_bar_2_angle, by(1.5) * t36)),
                 );
                 let t41 = t20.mul_add(t11, t9 * acceleration_5);
                 let t42 = t2.mul_add(t26, t25 * acceleration);
@@ -1962,64 +1961,63 @@ mod plm_chain_ {
                 c[0] = t17;
                 c[1] = lit(0.1);
                 c[2] = lit(4.333333333333333);
-                c[3] = lit(-3.5) * t4;
-                c[4] = lit(7.0) * bar_1_omega * t1;
-                c[5] = lit(3.5) * t3;
-                c[6] = lit(-2.5) * t8;
+                c[3] = by(-3.5) * t4;
+                c[4] = by(7.0) * bar_1_omega * t1;
+                c[5] = by(3.5) * t3;
+                c[6] = by(-2.5) * t8;
                 c[7] = t18 * t5;
-                c[8] = lit(2.5) * t7;
-                c[9] = lit(-1.5) * t12;
+                c[8] = by(2.5) * t7;
+                c[9] = by(-1.5) * t12;
                 c[10] = t19 * t9;
-                c[11] = lit(1.5) * t11;
-                c[12] = lit(-0.5) * t16;
+                c[11] = by(1.5) * t11;
+                c[12] = by(-0.5) * t16;
                 c[13] = bar_4_omega * t13;
-                c[14] = lit(0.5) * t15;
-                c[15] = lit(-3.5) * t21;
-                c[16] = lit(-7.0) * bar_0_omega * t1;
+                c[14] = by(0.5) * t15;
+                c[15] = by(-3.5) * t21;
+                c[16] = by(-7.0) * bar_0_omega * t1;
                 c[17] = t31;
                 c[18] = lit(3.3333333333333335);
-                c[19] = lit(-2.5) * t24;
+                c[19] = by(-2.5) * t24;
                 c[20] = t18 * t22;
-                c[21] = lit(2.5) * t23;
-                c[22] = lit(-1.5) * t27;
+                c[21] = by(2.5) * t23;
+                c[22] = by(-1.5) * t27;
                 c[23] = t19 * t25;
-                c[24] = lit(1.5) * t26;
-                c[25] = lit(-0.5) * t30;
+                c[24] = by(1.5) * t26;
+                c[25] = by(-0.5) * t30;
                 c[26] = bar_4_omega * t28;
-                c[27] = lit(0.5) * t29;
-                c[28] = lit(-2.5) * t32;
-                c[29] = lit(-5.0) * bar_0_omega * t5;
-                c[30] = lit(-2.5) * t33;
-                c[31] = lit(-5.0) * bar_1_omega * t22;
+                c[27] = by(0.5) * t29;
+                c[28] = by(-2.5) * t32;
+                c[29] = by(-5.0) * bar_0_omega * t5;
+                c[30] = by(-2.5) * t33;
+                c[31] = by(-5.0) * bar_1_omega * t22;
                 c[32] = t40;
                 c[33] = lit(2.3333333333333335);
-                c[34] = lit(-1.5) * t36;
+                c[34] = by(-1.5) * t36;
                 c[35] = t19 * t34;
-                c[36] = lit(1.5) * t35;
-                c[37] = lit(-0.5) * t39;
+                c[36] = by(1.5) * t35;
+                c[37] = by(-0.5) * t39;
                 c[38] = bar_4_omega * t37;
-                c[39] = lit(0.5) * t38;
-                c[40] = lit(-1.5) * t41;
-                c[41] = lit(-3.0) * bar_0_omega * t9;
-                c[42] = lit(-1.5) * t42;
-                c[43] = lit(-3.0) * bar_1_omega * t25;
-                c[44] = lit(-1.5) * t43;
-                c[45] = lit(-3.0) * bar_2_omega * t34;
-                c[46] =
-                    lit(1.5).mul_add(t41 + t42 + t43, lit(-14.715).mul_add(sin_bar_3_angle, lit(0.5) * t46));
+                c[39] = by(0.5) * t38;
+                c[40] = by(-1.5) * t41;
+                c[41] = by(-3.0) * bar_0_omega * t9;
+                c[42] = by(-1.5) * t42;
+                c[43] = by(-3.0) * bar_1_omega * t25;
+                c[44] = by(-1.5) * t43;
+                c[45] = by(-3.0) * bar_2_omega * t34;
+                c[46] = by(1.5).mul_add(t41 + t42 + t43, by(-14.715).mul_add(sin_bar_3_angle, by(0.5) * t46));
                 c[47] = lit(1.3333333333333333);
-                c[48] = lit(-0.5) * t46;
+                c[48] = by(-0.5) * t46;
                 c[49] = bar_4_omega * t44;
-                c[50] = lit(0.5) * t45;
-                c[51] = lit(-0.5) * t47;
+                c[50] = by(0.5) * t45;
+                c[51] = by(-0.5) * t47;
                 c[52] = -(bar_0_omega * t13);
-                c[53] = lit(-0.5) * t48;
+                c[53] = by(-0.5) * t48;
                 c[54] = -(bar_1_omega * t28);
-                c[55] = lit(-0.5) * t49;
+                c[55] = by(-0.5) * t49;
                 c[56] = -(bar_2_omega * t37);
-                c[57] = lit(-0.5) * t50;
+                c[57] = by(-0.5) * t50;
                 c[58] = -(bar_3_omega * t44);
-                c[59] = lit(-4.905).mul_add(sin_bar_4_angle, lit(0.5) * (t47 + t48 + t49 + t50));
+                c[59] = by(-4.905).mul_add(sin_bar_4_angle, by(0.5) * (t47 + t48 + t49 + t50));
                 c[60] = lit(0.3333333333333333);
             }
         }

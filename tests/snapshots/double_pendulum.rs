@@ -126,18 +126,18 @@ mod plm_double_pendulum_ {
             pub fn arm_angle(&self) -> S {
                 let (q, _) = self.pose_();
                 let [_, _, arm_angle, ..] = q;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let arm_turns = S::of_turns(self.held.turns[0]);
-                lit(6.283185307179586).mul_add(arm_turns, arm_angle)
+                by(6.283185307179586).mul_add(arm_turns, arm_angle)
             }
 
             /// Output `forearm.angle`, rad.
             pub fn forearm_angle(&self) -> S {
                 let (q, _) = self.pose_();
                 let forearm_angle = q[5];
-                let lit = S::lit;
+                let by = rt::Factor;
                 let forearm_turns = S::of_turns(self.held.turns[1]);
-                lit(6.283185307179586).mul_add(forearm_turns, forearm_angle)
+                by(6.283185307179586).mul_add(forearm_turns, forearm_angle)
             }
 
             /// Output `shoulder.force`, N.
@@ -166,30 +166,30 @@ mod plm_double_pendulum_ {
             pub fn kinetic_energy(&self) -> S {
                 let (_, v) = self.pose_();
                 let [arm_vx, arm_vy, arm_omega, forearm_vx, forearm_vy, forearm_omega, ..] = v;
-                let lit = S::lit;
-                let t1 = lit(5.0)
+                let by = rt::Factor;
+                let t1 = by(5.0)
                     * forearm_vy.mul_add(
                         forearm_vy,
                         forearm_vx.mul_add(forearm_vx, arm_vy.mul_add(arm_vy, arm_vx * arm_vx)),
                     );
-                lit(0.005).mul_add(forearm_omega.mul_add(forearm_omega, arm_omega * arm_omega), t1)
+                by(0.005).mul_add(forearm_omega.mul_add(forearm_omega, arm_omega * arm_omega), t1)
             }
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
                 let (q, _) = self.pose_();
                 let [_, arm_y, _, _, forearm_y, ..] = q;
-                let lit = S::lit;
-                lit(98.1) * (arm_y + forearm_y)
+                let by = rt::Factor;
+                by(98.1) * (arm_y + forearm_y)
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
                 let (_, v) = self.pose_();
                 let [_, _, arm_omega, _, _, forearm_omega, ..] = v;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let t1 = arm_omega - forearm_omega;
-                lit(-9.54929658551372) * (-forearm_omega).mul_add(t1, arm_omega * (arm_omega + t1))
+                by(-9.54929658551372) * (-forearm_omega).mul_add(t1, arm_omega * (arm_omega + t1))
             }
 
             /// Which of the mirror images of its loops the mechanism is in: for each revolute between two bodies, how far
@@ -198,10 +198,10 @@ mod plm_double_pendulum_ {
                 let mut value = [S::lit(0.0); 1];
                 let (q, _) = self.pose_();
                 let [arm_x, arm_y, arm_angle, forearm_x, forearm_y, ..] = q;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
-                let t1 = lit(0.5).mul_add(sin_arm_angle, arm_y) - forearm_y;
-                let t2 = lit(0.5).mul_add(cos_arm_angle, arm_x) - forearm_x;
+                let t1 = by(0.5).mul_add(sin_arm_angle, arm_y) - forearm_y;
+                let t2 = by(0.5).mul_add(cos_arm_angle, arm_x) - forearm_x;
                 value[0] = (-cos_arm_angle)
                     .mul_add(t1, sin_arm_angle * t2)
                     .atan2(-sin_arm_angle.mul_add(t1, cos_arm_angle * t2));
@@ -517,13 +517,14 @@ mod plm_double_pendulum_ {
             fn phi_q_entries(&self, t: S, q: &[S; 6], phi_q: &mut [S; 12]) {
                 let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
                 let lit = S::lit;
+                let by = rt::Factor;
                 phi_q[0] = lit(1.0);
                 let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
                     S::sin_cos_all([arm_angle, forearm_angle]);
-                let t1 = lit(0.5) * sin_arm_angle;
+                let t1 = by(0.5) * sin_arm_angle;
                 phi_q[1] = t1;
                 phi_q[2] = lit(1.0);
-                let t2 = lit(-0.5) * cos_arm_angle;
+                let t2 = by(-0.5) * cos_arm_angle;
                 phi_q[3] = t2;
                 phi_q[4] = lit(-1.0);
                 phi_q[5] = t1;
@@ -548,12 +549,12 @@ mod plm_double_pendulum_ {
             fn phi(&self, t: S, q: &[S; 6]) -> [S; 4] {
                 let mut phi = [S::lit(0.0); 4];
                 let [arm_x, arm_y, arm_angle, forearm_x, forearm_y, forearm_angle, ..] = *q;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
                     S::sin_cos_all([arm_angle, forearm_angle]);
-                let t1 = lit(0.5) * cos_arm_angle;
+                let t1 = by(0.5) * cos_arm_angle;
                 phi[0] = arm_x - t1;
-                let t2 = lit(0.5) * sin_arm_angle;
+                let t2 = by(0.5) * sin_arm_angle;
                 phi[1] = arm_y - t2;
                 phi[2] = forearm_x - arm_x - t1 - cos_forearm_angle;
                 phi[3] = forearm_y - arm_y - t2 - sin_forearm_angle;
@@ -567,12 +568,12 @@ mod plm_double_pendulum_ {
                 let mut phi_dot = [S::lit(0.0); 4];
                 let [_, _, arm_angle, _, _, forearm_angle, ..] = *q;
                 let [arm_vx, arm_vy, arm_omega, forearm_vx, forearm_vy, forearm_omega, ..] = *v;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
                     S::sin_cos_all([arm_angle, forearm_angle]);
-                let t1 = lit(0.5) * (arm_omega * sin_arm_angle);
+                let t1 = by(0.5) * (arm_omega * sin_arm_angle);
                 phi_dot[0] = arm_vx + t1;
-                let t2 = lit(0.5) * (arm_omega * cos_arm_angle);
+                let t2 = by(0.5) * (arm_omega * cos_arm_angle);
                 phi_dot[1] = arm_vy - t2;
                 phi_dot[2] = forearm_omega.mul_add(sin_forearm_angle, forearm_vx - arm_vx + t1);
                 phi_dot[3] = (-forearm_omega).mul_add(cos_forearm_angle, forearm_vy - arm_vy - t2);
@@ -601,34 +602,35 @@ mod plm_double_pendulum_ {
             fn min_norm(&self, t: S, q: &[S; 6], w: &[S; 6], r: &[S; 4], dq: &mut [S; 6]) -> rt::Health<S> {
                 rt::Health({
                     let lit = S::lit;
+                    let by = rt::Factor;
                     // phi_q W phi_q^T = L D L^T
                     let w_0 = w[0];
                     let arm_angle = q[2];
                     let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
                     let w_2 = w[2];
-                    let y_0_2 = lit(0.5) * sin_arm_angle * w_2;
-                    let t1 = lit(0.5) * (sin_arm_angle * y_0_2);
+                    let y_0_2 = by(0.5) * sin_arm_angle * w_2;
+                    let t1 = by(0.5) * (sin_arm_angle * y_0_2);
                     let d_0 = w_0 + t1;
-                    let r_0 = lit(1.0) / d_0;
-                    let t2 = lit(-0.5) * cos_arm_angle;
+                    let r_0 = by(1.0) / d_0;
+                    let t2 = by(-0.5) * cos_arm_angle;
                     let y_1_2 = t2 * w_2;
-                    let g_1_0 = lit(0.5) * (sin_arm_angle * y_1_2);
+                    let g_1_0 = by(0.5) * (sin_arm_angle * y_1_2);
                     let l_1_0 = r_0 * g_1_0;
                     let g_2_0 = t1 - w_0;
                     let l_2_0 = r_0 * g_2_0;
                     let w_1 = w[1];
                     let t3 = cos_arm_angle * y_1_2;
-                    let t4 = lit(-0.5).mul_add(t3, w_1);
+                    let t4 = by(-0.5).mul_add(t3, w_1);
                     let t5 = g_1_0 * l_1_0;
                     let d_1 = t4 - t5;
-                    let r_1 = lit(1.0) / d_1;
+                    let r_1 = by(1.0) / d_1;
                     let growth_1 = (t4 * r_1).abs();
                     let most_growth = lit(S::MOST_GROWTH);
                     let t6 = most_growth.lt(growth_1);
                     let kept_1 = S::select(t6, lit(0.0), r_1);
                     let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
                     let l_2_1 = g_2_1 * kept_1;
-                    let g_3_1 = lit(-0.5).mul_add(t3, -w_1) - t5;
+                    let g_3_1 = by(-0.5).mul_add(t3, -w_1) - t5;
                     let l_3_1 = g_3_1 * kept_1;
                     let w_3 = w[3];
                     let forearm_angle = q[5];
@@ -636,7 +638,7 @@ mod plm_double_pendulum_ {
                     let w_5 = w[5];
                     let y_2_5 = sin_forearm_angle * w_5;
                     let t7 = sin_forearm_angle.mul_add(y_2_5, w_3) + d_0;
-                    let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t7));
+                    let r_2 = by(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t7));
                     let growth_2 = (t7 * r_2).abs();
                     let t8 = most_growth.lt(growth_2);
                     let kept_2 = S::select(t8, lit(0.0), r_2);
@@ -646,7 +648,7 @@ mod plm_double_pendulum_ {
                     let l_3_2 = kept_2 * g_3_2;
                     let w_4 = w[4];
                     let t9 = (-cos_forearm_angle).mul_add(y_3_5, w_4);
-                    let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t9);
+                    let r_3 = by(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t9);
                     let growth_3 = (r_3 * (t4 + t9)).abs();
                     let t10 = most_growth.lt(growth_3);
                     // (phi_q W phi_q^T) mu = r
@@ -673,7 +675,7 @@ mod plm_double_pendulum_ {
                     let t13 = S::select(t6, lit(0.0), growth_1)
                         .max(S::select(t8, lit(0.0), growth_2))
                         .max(S::select(t10, lit(0.0), growth_3));
-                    lit(1.0) / t13
+                    by(1.0) / t13
                 })
             }
 
@@ -1093,12 +1095,13 @@ mod plm_double_pendulum_ {
                 let arm_omega = x[8];
                 let forearm_omega = x[11];
                 let lit = S::lit;
+                let by = rt::Factor;
                 force[0] = lit(0.0);
                 force[1] = lit(-98.1);
-                force[2] = lit(-19.09859317102744).mul_add(arm_omega, lit(9.54929658551372) * forearm_omega);
+                force[2] = by(-19.09859317102744).mul_add(arm_omega, by(9.54929658551372) * forearm_omega);
                 force[3] = lit(0.0);
                 force[4] = lit(-98.1);
-                force[5] = lit(9.54929658551372) * (arm_omega - forearm_omega);
+                force[5] = by(9.54929658551372) * (arm_omega - forearm_omega);
                 let (q, _): ([S; 6], [S; 6]) = absolute::split(x);
                 absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
                     .into_iter()
@@ -1136,32 +1139,33 @@ mod plm_double_pendulum_ {
             fn motion(&self, t: S, u: &Held<S>, x: &[S; 4], dx: &mut [S; 4]) {
                 let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Masses and forces along the coordinates: M a = Q
                 let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
                     S::sin_cos_all([arm_angle, forearm_angle]);
                 let m_1_0 =
-                    lit(10.0) * sin_arm_angle.mul_add(sin_forearm_angle, cos_arm_angle * cos_forearm_angle);
+                    by(10.0) * sin_arm_angle.mul_add(sin_forearm_angle, cos_arm_angle * cos_forearm_angle);
                 let t1 = (-cos_arm_angle).mul_add(sin_forearm_angle, sin_arm_angle * cos_forearm_angle);
-                let force_0 = lit(-147.15).mul_add(
+                let force_0 = by(-147.15).mul_add(
                     cos_arm_angle,
-                    lit(-19.09859317102744).mul_add(
+                    by(-19.09859317102744).mul_add(
                         arm_omega,
-                        forearm_omega * (-(lit(10.0) * forearm_omega)).mul_add(t1, lit(9.54929658551372)),
+                        forearm_omega * (-(by(10.0) * forearm_omega)).mul_add(t1, lit(9.54929658551372)),
                     ),
                 );
-                let force_1 = lit(-98.1).mul_add(
+                let force_1 = by(-98.1).mul_add(
                     cos_forearm_angle,
-                    lit(-9.54929658551372).mul_add(
+                    by(-9.54929658551372).mul_add(
                         forearm_omega,
-                        arm_omega * (lit(10.0) * arm_omega).mul_add(t1, lit(9.54929658551372)),
+                        arm_omega * (by(10.0) * arm_omega).mul_add(t1, lit(9.54929658551372)),
                     ),
                 );
                 // Results
                 dx[0] = arm_omega;
                 dx[1] = forearm_omega;
-                let reciprocal = lit(1.0) / (-m_1_0).mul_add(m_1_0, lit(125.2251));
-                dx[2] = reciprocal * (-m_1_0).mul_add(force_1, lit(10.01) * force_0);
-                dx[3] = reciprocal * (-m_1_0).mul_add(force_0, lit(12.51) * force_1);
+                let reciprocal = by(1.0) / (-m_1_0).mul_add(m_1_0, lit(125.2251));
+                dx[2] = reciprocal * (-m_1_0).mul_add(force_1, by(10.01) * force_0);
+                dx[3] = reciprocal * (-m_1_0).mul_add(force_0, by(12.51) * force_1);
             }
 
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
@@ -1170,20 +1174,20 @@ mod plm_double_pendulum_ {
             #[inline]
             fn pose(&self, t: S, u: &Held<S>, x: &[S; 4], q: &mut [S; 6], v: &mut [S; 6]) {
                 let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
                     S::sin_cos_all([arm_angle, forearm_angle]);
-                let arm_x = lit(0.5) * cos_arm_angle;
+                let arm_x = by(0.5) * cos_arm_angle;
                 q[0] = arm_x;
-                let arm_y = lit(0.5) * sin_arm_angle;
+                let arm_y = by(0.5) * sin_arm_angle;
                 q[1] = arm_y;
                 q[2] = arm_angle;
                 q[3] = arm_x + cos_forearm_angle + arm_x;
                 q[4] = arm_y + sin_forearm_angle + arm_y;
                 q[5] = forearm_angle;
-                let arm_vx = lit(-0.5) * (arm_omega * sin_arm_angle);
+                let arm_vx = by(-0.5) * (arm_omega * sin_arm_angle);
                 v[0] = arm_vx;
-                let arm_vy = lit(0.5) * (arm_omega * cos_arm_angle);
+                let arm_vy = by(0.5) * (arm_omega * cos_arm_angle);
                 v[1] = arm_vy;
                 v[2] = arm_omega;
                 v[3] = (-forearm_omega).mul_add(sin_forearm_angle, arm_vx + arm_vx);
@@ -1198,34 +1202,35 @@ mod plm_double_pendulum_ {
             fn reactions(&self, t: S, u: &Held<S>, x: &[S; 4], a: &mut [S; 6], lambda: &mut [S; 4]) {
                 let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Masses and forces along the coordinates: M a = Q
                 let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
                     S::sin_cos_all([arm_angle, forearm_angle]);
                 let m_1_0 =
-                    lit(10.0) * sin_arm_angle.mul_add(sin_forearm_angle, cos_arm_angle * cos_forearm_angle);
+                    by(10.0) * sin_arm_angle.mul_add(sin_forearm_angle, cos_arm_angle * cos_forearm_angle);
                 let t1 = (-cos_arm_angle).mul_add(sin_forearm_angle, sin_arm_angle * cos_forearm_angle);
-                let force_0 = lit(-147.15).mul_add(
+                let force_0 = by(-147.15).mul_add(
                     cos_arm_angle,
-                    lit(-19.09859317102744).mul_add(
+                    by(-19.09859317102744).mul_add(
                         arm_omega,
-                        forearm_omega * (-(lit(10.0) * forearm_omega)).mul_add(t1, lit(9.54929658551372)),
+                        forearm_omega * (-(by(10.0) * forearm_omega)).mul_add(t1, lit(9.54929658551372)),
                     ),
                 );
-                let force_1 = lit(-98.1).mul_add(
+                let force_1 = by(-98.1).mul_add(
                     cos_forearm_angle,
-                    lit(-9.54929658551372).mul_add(
+                    by(-9.54929658551372).mul_add(
                         forearm_omega,
-                        arm_omega * (lit(10.0) * arm_omega).mul_add(t1, lit(9.54929658551372)),
+                        arm_omega * (by(10.0) * arm_omega).mul_add(t1, lit(9.54929658551372)),
                     ),
                 );
                 // Accelerations of the bodies, from the ground outwards
                 let t2 = arm_omega * arm_omega;
-                let reciprocal = lit(1.0) / (-m_1_0).mul_add(m_1_0, lit(125.2251));
-                let arm_angle_acceleration = reciprocal * (-m_1_0).mul_add(force_1, lit(10.01) * force_0);
-                let arm_ax = lit(-0.5) * sin_arm_angle.mul_add(arm_angle_acceleration, cos_arm_angle * t2);
-                let arm_ay = lit(-0.5) * (-cos_arm_angle).mul_add(arm_angle_acceleration, sin_arm_angle * t2);
+                let reciprocal = by(1.0) / (-m_1_0).mul_add(m_1_0, lit(125.2251));
+                let arm_angle_acceleration = reciprocal * (-m_1_0).mul_add(force_1, by(10.01) * force_0);
+                let arm_ax = by(-0.5) * sin_arm_angle.mul_add(arm_angle_acceleration, cos_arm_angle * t2);
+                let arm_ay = by(-0.5) * (-cos_arm_angle).mul_add(arm_angle_acceleration, sin_arm_angle * t2);
                 let t3 = forearm_omega * forearm_omega;
-                let forearm_angle_acceleration = reciprocal * (-m_1_0).mul_add(force_0, lit(12.51) * force_1);
+                let forearm_angle_acceleration = reciprocal * (-m_1_0).mul_add(force_0, by(12.51) * force_1);
                 let forearm_ax = (-sin_forearm_angle)
                     .mul_add(forearm_angle_acceleration, (-cos_forearm_angle).mul_add(t3, arm_ax))
                     + arm_ax;
@@ -1234,8 +1239,8 @@ mod plm_double_pendulum_ {
                     + arm_ay
                     + arm_ay;
                 // From the tips inwards: phi_q^T lambda = Q - M a
-                let forearm_left_x = lit(-10.0) * forearm_ax;
-                let forearm_left_y = lit(-10.0).mul_add(forearm_ay, lit(-98.1));
+                let forearm_left_x = by(-10.0) * forearm_ax;
+                let forearm_left_y = by(-10.0).mul_add(forearm_ay, lit(-98.1));
                 // Results
                 a[0] = arm_ax;
                 a[1] = arm_ay;
@@ -1243,8 +1248,8 @@ mod plm_double_pendulum_ {
                 a[3] = forearm_ax;
                 a[4] = forearm_ay;
                 a[5] = forearm_angle_acceleration;
-                lambda[0] = lit(-10.0).mul_add(arm_ax, forearm_left_x);
-                lambda[1] = lit(-10.0).mul_add(arm_ay, forearm_left_y) - lit(98.1);
+                lambda[0] = by(-10.0).mul_add(arm_ax, forearm_left_x);
+                lambda[1] = by(-10.0).mul_add(arm_ay, forearm_left_y) - lit(98.1);
                 lambda[2] = forearm_left_x;
                 lambda[3] = forearm_left_y;
             }
@@ -1266,6 +1271,7 @@ mod plm_double_pendulum_ {
                 let [_, _, acceleration_2, acceleration, ..] = *dx;
                 let [arm_angle, forearm_angle, arm_omega, forearm_omega, ..] = *x;
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Derivatives of M a - Q and of the rates of the states
                 let ([sin_arm_angle, sin_forearm_angle], [cos_arm_angle, cos_forearm_angle]) =
                     S::sin_cos_all([arm_angle, forearm_angle]);
@@ -1274,15 +1280,15 @@ mod plm_double_pendulum_ {
                 let t3 = (-t2).mul_add(acceleration, forearm_omega * forearm_omega * t1);
                 let t4 = t2.mul_add(acceleration_2, arm_omega * arm_omega * t1);
                 // Results
-                c[0] = lit(-147.15).mul_add(sin_arm_angle, lit(10.0) * t3);
+                c[0] = by(-147.15).mul_add(sin_arm_angle, by(10.0) * t3);
                 c[1] = lit(19.09859317102744);
                 c[2] = lit(12.51);
-                c[3] = lit(-10.0) * t3;
-                c[4] = (lit(20.0) * forearm_omega).mul_add(t2, lit(-9.54929658551372));
-                c[5] = lit(10.0) * t1;
-                c[6] = lit(-10.0) * t4;
-                c[7] = (-(lit(20.0) * arm_omega)).mul_add(t2, lit(-9.54929658551372));
-                c[8] = lit(-98.1).mul_add(sin_forearm_angle, lit(10.0) * t4);
+                c[3] = by(-10.0) * t3;
+                c[4] = (by(20.0) * forearm_omega).mul_add(t2, lit(-9.54929658551372));
+                c[5] = by(10.0) * t1;
+                c[6] = by(-10.0) * t4;
+                c[7] = (-(by(20.0) * arm_omega)).mul_add(t2, lit(-9.54929658551372));
+                c[8] = by(-98.1).mul_add(sin_forearm_angle, by(10.0) * t4);
                 c[9] = lit(9.54929658551372);
                 c[10] = lit(10.01);
             }

@@ -178,17 +178,17 @@ mod plm_driven_crank_ {
                     slider_omega,
                     ..,
                 ] = v;
-                let lit = S::lit;
-                let t1 = lit(0.0005).mul_add(
+                let by = rt::Factor;
+                let t1 = by(0.0005).mul_add(
                     slider_omega.mul_add(slider_omega, crank_omega * crank_omega),
-                    lit(0.1).mul_add(
+                    by(0.1).mul_add(
                         crank_vy.mul_add(crank_vy, crank_vx * crank_vx),
-                        lit(0.009) * rod_omega * rod_omega,
+                        by(0.009) * rod_omega * rod_omega,
                     ),
                 );
-                let t2 = lit(0.25).mul_add(
+                let t2 = by(0.25).mul_add(
                     slider_vy.mul_add(slider_vy, slider_vx * slider_vx),
-                    lit(0.3).mul_add(rod_vy.mul_add(rod_vy, rod_vx * rod_vx), t1),
+                    by(0.3).mul_add(rod_vy.mul_add(rod_vy, rod_vx * rod_vx), t1),
                 );
                 t2
             }
@@ -197,8 +197,8 @@ mod plm_driven_crank_ {
             pub fn gravity_energy(&self) -> S {
                 let (q, _) = self.pose_();
                 let [_, crank_y, _, _, rod_y, _, _, slider_y, ..] = q;
-                let lit = S::lit;
-                lit(4.905).mul_add(slider_y, lit(5.886).mul_add(rod_y, lit(1.962) * crank_y))
+                let by = rt::Factor;
+                by(4.905).mul_add(slider_y, by(5.886).mul_add(rod_y, by(1.962) * crank_y))
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
@@ -213,13 +213,13 @@ mod plm_driven_crank_ {
                 let mut value = [S::lit(0.0); 1];
                 let (q, _) = self.pose_();
                 let [crank_x, crank_y, crank_angle, rod_x, rod_y, rod_angle, ..] = q;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
                     S::sin_cos_all([crank_angle, rod_angle]);
-                let t1 = lit(-0.3).mul_add(sin_rod_angle, lit(0.1).mul_add(sin_crank_angle, crank_y) - rod_y);
-                let t2 = lit(-0.3).mul_add(cos_rod_angle, lit(0.1).mul_add(cos_crank_angle, crank_x) - rod_x);
-                let t3 = (lit(-0.2) * (-sin_crank_angle).mul_add(t2, cos_crank_angle * t1))
-                    .atan2(lit(-0.2) * sin_crank_angle.mul_add(t1, cos_crank_angle * t2));
+                let t1 = by(-0.3).mul_add(sin_rod_angle, by(0.1).mul_add(sin_crank_angle, crank_y) - rod_y);
+                let t2 = by(-0.3).mul_add(cos_rod_angle, by(0.1).mul_add(cos_crank_angle, crank_x) - rod_x);
+                let t3 = (by(-0.2) * (-sin_crank_angle).mul_add(t2, cos_crank_angle * t1))
+                    .atan2(by(-0.2) * sin_crank_angle.mul_add(t1, cos_crank_angle * t2));
                 value[0] = t3;
                 [("crank_pin", value[0])]
             }
@@ -713,23 +713,24 @@ mod plm_driven_crank_ {
             fn phi_q_entries(&self, t: S, q: &[S; 9], phi_q: &mut [S; 21]) {
                 let [_, _, crank_angle, _, _, rod_angle, ..] = *q;
                 let lit = S::lit;
+                let by = rt::Factor;
                 phi_q[0] = lit(1.0);
                 let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
                     S::sin_cos_all([crank_angle, rod_angle]);
-                let t1 = lit(0.1) * sin_crank_angle;
+                let t1 = by(0.1) * sin_crank_angle;
                 phi_q[1] = t1;
                 phi_q[2] = lit(1.0);
-                let t2 = lit(-0.1) * cos_crank_angle;
+                let t2 = by(-0.1) * cos_crank_angle;
                 phi_q[3] = t2;
                 phi_q[4] = lit(-1.0);
                 phi_q[5] = t1;
                 phi_q[6] = lit(1.0);
-                let t3 = lit(0.3) * sin_rod_angle;
+                let t3 = by(0.3) * sin_rod_angle;
                 phi_q[7] = t3;
                 phi_q[8] = lit(-1.0);
                 phi_q[9] = t2;
                 phi_q[10] = lit(1.0);
-                let t4 = lit(-0.3) * cos_rod_angle;
+                let t4 = by(-0.3) * cos_rod_angle;
                 phi_q[11] = t4;
                 phi_q[12] = lit(-1.0);
                 phi_q[13] = t3;
@@ -767,22 +768,23 @@ mod plm_driven_crank_ {
                     ..,
                 ] = *q;
                 let lit = S::lit;
+                let by = rt::Factor;
                 let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
                     S::sin_cos_all([crank_angle, rod_angle]);
-                let t1 = lit(0.1) * cos_crank_angle;
+                let t1 = by(0.1) * cos_crank_angle;
                 phi[0] = crank_x - t1;
                 let amplitude = self.amplitude;
-                let t2 = lit(0.1) * sin_crank_angle;
-                phi[1] = (-amplitude).mul_add((lit(20.0) * t).sin(), crank_y - t2);
-                let t3 = lit(0.3) * cos_rod_angle;
+                let t2 = by(0.1) * sin_crank_angle;
+                phi[1] = (-amplitude).mul_add((by(20.0) * t).sin(), crank_y - t2);
+                let t3 = by(0.3) * cos_rod_angle;
                 phi[2] = rod_x - crank_x - t1 - t3;
-                let t4 = lit(0.3) * sin_rod_angle;
+                let t4 = by(0.3) * sin_rod_angle;
                 phi[3] = rod_y - crank_y - t2 - t4;
                 phi[4] = slider_x - rod_x - t3;
                 phi[5] = slider_y - rod_y - t4;
                 phi[6] = -slider_y;
                 phi[7] = -slider_angle;
-                phi[8] = lit(-3.0).mul_add(t, crank_angle) - lit(1.0471975511965979);
+                phi[8] = by(-3.0).mul_add(t, crank_angle) - lit(1.0471975511965979);
                 phi
             }
 
@@ -805,16 +807,17 @@ mod plm_driven_crank_ {
                     ..,
                 ] = *v;
                 let lit = S::lit;
+                let by = rt::Factor;
                 let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
                     S::sin_cos_all([crank_angle, rod_angle]);
-                let t1 = lit(0.1) * (crank_omega * sin_crank_angle);
+                let t1 = by(0.1) * (crank_omega * sin_crank_angle);
                 phi_dot[0] = crank_vx + t1;
                 let amplitude = self.amplitude;
-                let t2 = lit(0.1) * (crank_omega * cos_crank_angle);
-                phi_dot[1] = (-(lit(20.0) * amplitude)).mul_add((lit(20.0) * t).cos(), crank_vy - t2);
-                let t3 = lit(0.3) * (rod_omega * sin_rod_angle);
+                let t2 = by(0.1) * (crank_omega * cos_crank_angle);
+                phi_dot[1] = (-(by(20.0) * amplitude)).mul_add((by(20.0) * t).cos(), crank_vy - t2);
+                let t3 = by(0.3) * (rod_omega * sin_rod_angle);
                 phi_dot[2] = rod_vx - crank_vx + t1 + t3;
-                let t4 = lit(0.3) * (rod_omega * cos_rod_angle);
+                let t4 = by(0.3) * (rod_omega * cos_rod_angle);
                 phi_dot[3] = rod_vy - crank_vy - t2 - t4;
                 phi_dot[4] = slider_vx - rod_vx + t3;
                 phi_dot[5] = slider_vy - rod_vy - t4;
@@ -849,70 +852,71 @@ mod plm_driven_crank_ {
             fn min_norm(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 9], dq: &mut [S; 9]) -> rt::Health<S> {
                 rt::Health({
                     let lit = S::lit;
+                    let by = rt::Factor;
                     // phi_q W phi_q^T = L D L^T
                     let w_8 = w[8];
                     let w_7 = w[7];
-                    let r_6 = lit(1.0) / w_7;
+                    let r_6 = by(1.0) / w_7;
                     let l_5_6 = -(w_7 * r_6);
                     let w_6 = w[6];
                     let w_3 = w[3];
                     let rod_angle = q[5];
                     let (sin_rod_angle, cos_rod_angle) = rod_angle.sin_cos();
                     let w_5 = w[5];
-                    let y_2_5 = lit(0.3) * sin_rod_angle * w_5;
-                    let t1 = lit(0.3) * (sin_rod_angle * y_2_5);
+                    let y_2_5 = by(0.3) * sin_rod_angle * w_5;
+                    let t1 = by(0.3) * (sin_rod_angle * y_2_5);
                     let t2 = w_3 + t1;
-                    let r_4 = lit(1.0) / (w_6 + t2);
+                    let r_4 = by(1.0) / (w_6 + t2);
                     let g_2_4 = t1 - w_3;
                     let l_2_4 = g_2_4 * r_4;
-                    let t3 = lit(-0.3) * cos_rod_angle;
+                    let t3 = by(-0.3) * cos_rod_angle;
                     let g_3_4 = t3 * y_2_5;
                     let l_3_4 = g_3_4 * r_4;
                     let y_3_5 = t3 * w_5;
-                    let g_5_4 = lit(0.3) * (sin_rod_angle * y_3_5);
+                    let g_5_4 = by(0.3) * (sin_rod_angle * y_3_5);
                     let l_5_4 = g_5_4 * r_4;
                     let w_4 = w[4];
                     let t4 = cos_rod_angle * y_3_5;
-                    let t5 = lit(-0.3).mul_add(t4, w_4);
+                    let t5 = by(-0.3).mul_add(t4, w_4);
                     let t6 = w_7 + t5;
-                    let r_5 = lit(1.0) / (-g_5_4).mul_add(l_5_4, w_7.mul_add(l_5_6, t6));
+                    let r_5 = by(1.0) / (-g_5_4).mul_add(l_5_4, w_7.mul_add(l_5_6, t6));
                     let growth_5 = (t6 * r_5).abs();
                     let most_growth = lit(S::MOST_GROWTH);
                     let t7 = most_growth.lt(growth_5);
                     let kept_5 = S::select(t7, lit(0.0), r_5);
                     let g_2_5 = (-g_2_4).mul_add(l_5_4, g_5_4);
                     let l_2_5 = kept_5 * g_2_5;
-                    let g_3_5 = (-g_3_4).mul_add(l_5_4, lit(-0.3).mul_add(t4, -w_4));
+                    let g_3_5 = (-g_3_4).mul_add(l_5_4, by(-0.3).mul_add(t4, -w_4));
                     let l_3_5 = kept_5 * g_3_5;
                     let w_0 = w[0];
                     let crank_angle = q[2];
                     let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
                     let w_2 = w[2];
-                    let y_0_2 = lit(0.1) * (sin_crank_angle * w_2);
-                    let t8 = lit(0.1) * (sin_crank_angle * y_0_2);
+                    let y_0_2 = by(0.1) * (sin_crank_angle * w_2);
+                    let t8 = by(0.1) * (sin_crank_angle * y_0_2);
                     let d_0 = w_0 + t8;
-                    let r_0 = lit(1.0) / d_0;
+                    let r_0 = by(1.0) / d_0;
                     let t9 = cos_crank_angle * w_2;
-                    let y_1_2 = lit(-0.1) * t9;
-                    let g_1_0 = lit(0.1) * (sin_crank_angle * y_1_2);
+                    let y_1_2 = by(-0.1) * t9;
+                    let g_1_0 = by(0.1) * (sin_crank_angle * y_1_2);
                     let l_1_0 = r_0 * g_1_0;
                     let g_2_0 = t8 - w_0;
                     let l_2_0 = r_0 * g_2_0;
                     let l_8_0 = y_0_2 * r_0;
                     let w_1 = w[1];
                     let t10 = cos_crank_angle * y_1_2;
-                    let t11 = lit(-0.1).mul_add(t10, w_1);
+                    let t11 = by(-0.1).mul_add(t10, w_1);
                     let t12 = g_1_0 * l_1_0;
                     let d_1 = t11 - t12;
-                    let r_1 = lit(1.0) / d_1;
+                    let r_1 = by(1.0) / d_1;
                     let growth_1 = (t11 * r_1).abs();
                     let t13 = most_growth.lt(growth_1);
                     let kept_1 = S::select(t13, lit(0.0), r_1);
-                    let g_2_1 = (-g_1_0).mul_add(l_2_0, lit(-0.1) * cos_crank_angle * y_0_2);
+                    let g_2_1 = (-g_1_0).mul_add(l_2_0, by(-0.1) * cos_crank_angle * y_0_2);
                     let l_2_1 = g_2_1 * kept_1;
-                    let g_3_1 = lit(-0.1).mul_add(t10, -w_1) - t12;
+                    let g_3_1 = by(-0.1).mul_add(t10, -w_1) - t12;
                     let l_3_1 = g_3_1 * kept_1;
-                    let t14 = g_1_0.mul_add(l_8_0, lit(0.1) * t9);
+                    let t14 = g_1_0.mul_add(l_8_0, by(0.1) * t9);
                     let g_8_1 = -t14;
                     let l_8_1 = g_8_1 * kept_1;
                     let t15 = d_0 + t2;
@@ -920,7 +924,7 @@ mod plm_driven_crank_ {
                         l_2_1,
                         (-g_2_5).mul_add(l_2_5, (-g_2_4).mul_add(l_2_4, (-g_2_0).mul_add(l_2_0, t15))),
                     );
-                    let r_2 = lit(1.0) / d_2;
+                    let r_2 = by(1.0) / d_2;
                     let growth_2 = (t15 * r_2).abs();
                     let t16 = most_growth.lt(growth_2);
                     let kept_2 = S::select(t16, lit(0.0), r_2);
@@ -936,7 +940,7 @@ mod plm_driven_crank_ {
                         l_3_2,
                         (-g_3_1).mul_add(l_3_1, (-g_3_5).mul_add(l_3_5, (-g_3_4).mul_add(l_3_4, t5 + d_1))),
                     );
-                    let r_3 = lit(1.0) / d_3;
+                    let r_3 = by(1.0) / d_3;
                     let growth_3 = (r_3 * (t11 + t5)).abs();
                     let t17 = most_growth.lt(growth_3);
                     let kept_3 = S::select(t17, lit(0.0), r_3);
@@ -946,7 +950,7 @@ mod plm_driven_crank_ {
                         l_8_3,
                         (-g_8_2).mul_add(l_8_2, (-g_8_1).mul_add(l_8_1, (-y_0_2).mul_add(l_8_0, w_2))),
                     );
-                    let r_8 = lit(1.0) / d_8;
+                    let r_8 = by(1.0) / d_8;
                     let growth_8 = (w_2 * r_8).abs();
                     let t18 = most_growth.lt(growth_8);
                     // (phi_q W phi_q^T) mu = r
@@ -994,11 +998,11 @@ mod plm_driven_crank_ {
                     dq[5] = y_3_5.mul_add(mu_3 + mu_5, y_2_5 * (mu_2 + mu_4));
                     dq[6] = w_6 * mu_4;
                     dq[7] = w_7 * (mu_5 - (-l_5_6).mul_add(mu_5, dphi_6 * r_6));
-                    dq[8] = -(w_8 * (dphi_7 * (lit(1.0) / w_8)));
+                    dq[8] = -(w_8 * (dphi_7 * (by(1.0) / w_8)));
                     let t21 = S::select(t7, lit(0.0), growth_5)
                         .max(S::select(t13, lit(0.0), growth_1))
                         .max(S::select(t16, lit(0.0), growth_2));
-                    lit(1.0)
+                    by(1.0)
                         / t21.max(S::select(t17, lit(0.0), growth_3)).max(S::select(t18, lit(0.0), growth_8))
                 })
             }
@@ -1539,26 +1543,27 @@ mod plm_driven_crank_ {
             #[inline(always)]
             fn dynamics(&self, t: S, u: &Held<S>, x: &[S; 18], dx: &mut [S; 18], lambda: &mut [S; 9]) -> S {
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Arms from G to each port: the entries of phi_q, and of phi_q M^-1
                 let crank_angle = x[2];
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
                 let rod_angle = x[5];
                 let (sin_rod_angle, cos_rod_angle) = rod_angle.sin_cos();
-                let y_0_2 = lit(100.0) * sin_crank_angle;
-                let y_1_2 = lit(-100.0) * cos_crank_angle;
-                let y_2_5 = lit(16.666666666666668) * sin_rod_angle;
-                let y_3_5 = lit(-16.666666666666668) * cos_rod_angle;
+                let y_0_2 = by(100.0) * sin_crank_angle;
+                let y_1_2 = by(-100.0) * cos_crank_angle;
+                let y_2_5 = by(16.666666666666668) * sin_rod_angle;
+                let y_3_5 = by(-16.666666666666668) * cos_rod_angle;
                 // phi_q M^-1 phi_q^T = L D L^T
-                let t1 = lit(0.3) * (sin_rod_angle * y_2_5);
-                let r_4 = lit(1.0) / (t1 + lit(3.6666666666666665));
+                let t1 = by(0.3) * (sin_rod_angle * y_2_5);
+                let r_4 = by(1.0) / (t1 + lit(3.6666666666666665));
                 let g_2_4 = t1 - lit(1.6666666666666667);
                 let l_2_4 = r_4 * g_2_4;
-                let g_3_4 = lit(-0.3) * cos_rod_angle * y_2_5;
+                let g_3_4 = by(-0.3) * cos_rod_angle * y_2_5;
                 let l_3_4 = r_4 * g_3_4;
-                let g_5_4 = lit(0.3) * (sin_rod_angle * y_3_5);
+                let g_5_4 = by(0.3) * (sin_rod_angle * y_3_5);
                 let l_5_4 = r_4 * g_5_4;
-                let t2 = lit(0.3) * (cos_rod_angle * y_3_5);
-                let r_5 = lit(1.0) / (-g_5_4).mul_add(l_5_4, lit(1.6666666666666667) - t2);
+                let t2 = by(0.3) * (cos_rod_angle * y_3_5);
+                let r_5 = by(1.0) / (-g_5_4).mul_add(l_5_4, lit(1.6666666666666667) - t2);
                 let growth_5 = ((t2 - lit(3.6666666666666665)) * r_5).abs();
                 let most_growth = lit(S::MOST_GROWTH);
                 let t3 = most_growth.lt(growth_5);
@@ -1567,24 +1572,24 @@ mod plm_driven_crank_ {
                 let l_2_5 = kept_5 * g_2_5;
                 let g_3_5 = (-g_3_4).mul_add(l_5_4, lit(-1.6666666666666667) - t2);
                 let l_3_5 = kept_5 * g_3_5;
-                let t4 = lit(0.1) * (sin_crank_angle * y_0_2);
-                let r_0 = lit(1.0) / (t4 + lit(5.0));
-                let g_1_0 = lit(0.1) * (sin_crank_angle * y_1_2);
+                let t4 = by(0.1) * (sin_crank_angle * y_0_2);
+                let r_0 = by(1.0) / (t4 + lit(5.0));
+                let g_1_0 = by(0.1) * (sin_crank_angle * y_1_2);
                 let l_1_0 = r_0 * g_1_0;
                 let g_2_0 = t4 - lit(5.0);
                 let l_2_0 = r_0 * g_2_0;
                 let l_8_0 = y_0_2 * r_0;
-                let t5 = lit(0.1) * (cos_crank_angle * y_1_2);
+                let t5 = by(0.1) * (cos_crank_angle * y_1_2);
                 let t6 = g_1_0.mul_add(l_1_0, t5);
-                let r_1 = lit(1.0) / (lit(5.0) - t6);
+                let r_1 = by(1.0) / (lit(5.0) - t6);
                 let growth_1 = ((t5 - lit(5.0)) * r_1).abs();
                 let t7 = most_growth.lt(growth_1);
                 let kept_1 = S::select(t7, lit(0.0), r_1);
-                let g_2_1 = (-g_1_0).mul_add(l_2_0, lit(-0.1) * cos_crank_angle * y_0_2);
+                let g_2_1 = (-g_1_0).mul_add(l_2_0, by(-0.1) * cos_crank_angle * y_0_2);
                 let l_2_1 = g_2_1 * kept_1;
                 let g_3_1 = lit(-5.0) - t6;
                 let l_3_1 = kept_1 * g_3_1;
-                let t8 = g_1_0.mul_add(l_8_0, lit(100.0) * cos_crank_angle);
+                let t8 = g_1_0.mul_add(l_8_0, by(100.0) * cos_crank_angle);
                 let g_8_1 = -t8;
                 let l_8_1 = g_8_1 * kept_1;
                 let t9 = t4 + t1 + lit(6.666666666666667);
@@ -1592,7 +1597,7 @@ mod plm_driven_crank_ {
                     l_2_1,
                     (-g_2_0).mul_add(l_2_0, (-g_2_5).mul_add(l_2_5, (-g_2_4).mul_add(l_2_4, t9))),
                 );
-                let r_2 = lit(1.0) / d_2;
+                let r_2 = by(1.0) / d_2;
                 let growth_2 = (t9 * r_2).abs();
                 let t10 = most_growth.lt(growth_2);
                 let kept_2 = S::select(t10, lit(0.0), r_2);
@@ -1608,7 +1613,7 @@ mod plm_driven_crank_ {
                     l_3_2,
                     (-g_3_1).mul_add(l_3_1, (-g_3_5).mul_add(l_3_5, (-g_3_4).mul_add(l_3_4, t11)) - t6),
                 );
-                let r_3 = lit(1.0) / d_3;
+                let r_3 = by(1.0) / d_3;
                 let growth_3 = (r_3 * (t5 - t11)).abs();
                 let t12 = most_growth.lt(growth_3);
                 let kept_3 = S::select(t12, lit(0.0), r_3);
@@ -1618,21 +1623,21 @@ mod plm_driven_crank_ {
                     l_8_3,
                     (-g_8_2).mul_add(l_8_2, (-g_8_1).mul_add(l_8_1, (-y_0_2).mul_add(l_8_0, lit(1000.0)))),
                 );
-                let r_8 = lit(1.0) / d_8;
-                let growth_8 = lit(1000.0) * r_8.abs();
+                let r_8 = by(1.0) / d_8;
+                let growth_8 = by(1000.0) * r_8.abs();
                 let t13 = most_growth.lt(growth_8);
                 // Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma
                 let rod_omega = x[14];
                 let t14 = rod_omega * rod_omega;
-                let b_4 = lit(0.3) * (cos_rod_angle * t14);
-                let t15 = lit(0.3) * (sin_rod_angle * t14);
+                let b_4 = by(0.3) * (cos_rod_angle * t14);
+                let t15 = by(0.3) * (sin_rod_angle * t14);
                 let b_5 = (-l_5_4).mul_add(b_4, t15) + lit(9.81);
                 let crank_omega = x[11];
                 let t16 = crank_omega * crank_omega;
-                let b_0 = lit(0.1) * (cos_crank_angle * t16);
+                let b_0 = by(0.1) * (cos_crank_angle * t16);
                 let amplitude = self.amplitude;
-                let t17 = (-l_1_0).mul_add(b_0, lit(0.1) * sin_crank_angle * t16);
-                let b_1 = (lit(400.0) * amplitude).mul_add((lit(20.0) * t).sin(), t17) - lit(9.81);
+                let t17 = (-l_1_0).mul_add(b_0, by(0.1) * sin_crank_angle * t16);
+                let b_1 = (by(400.0) * amplitude).mul_add((by(20.0) * t).sin(), t17) - lit(9.81);
                 let b_2 = (-l_2_1).mul_add(
                     b_1,
                     (-l_2_0).mul_add(b_0, (-l_2_5).mul_add(b_5, (-l_2_4).mul_add(b_4, b_4 + b_0))),
@@ -1672,21 +1677,20 @@ mod plm_driven_crank_ {
                 dx[6] = x[15];
                 dx[7] = x[16];
                 dx[8] = x[17];
-                dx[9] = lit(5.0) * (lambda_crank_pin_x - lambda_drive_x);
-                dx[10] = lit(5.0).mul_add(lambda_crank_pin_y - lambda_drive_y, lit(-9.81));
+                dx[9] = by(5.0) * (lambda_crank_pin_x - lambda_drive_x);
+                dx[10] = by(5.0).mul_add(lambda_crank_pin_y - lambda_drive_y, lit(-9.81));
                 dx[11] = (-y_1_2).mul_add(
                     t18,
-                    (-y_0_2).mul_add(lambda_crank_pin_x + lambda_drive_x, lit(-1000.0) * lambda_turns),
+                    (-y_0_2).mul_add(lambda_crank_pin_x + lambda_drive_x, by(-1000.0) * lambda_turns),
                 );
-                dx[12] = lit(-1.6666666666666667) * (lambda_crank_pin_x - lambda_wrist_pin_x);
-                dx[13] =
-                    lit(-1.6666666666666667).mul_add(lambda_crank_pin_y - lambda_wrist_pin_y, lit(-9.81));
+                dx[12] = by(-1.6666666666666667) * (lambda_crank_pin_x - lambda_wrist_pin_x);
+                dx[13] = by(-1.6666666666666667).mul_add(lambda_crank_pin_y - lambda_wrist_pin_y, lit(-9.81));
                 dx[14] = -y_3_5.mul_add(
                     lambda_crank_pin_y + lambda_wrist_pin_y,
                     y_2_5 * (lambda_crank_pin_x + lambda_wrist_pin_x),
                 );
-                dx[15] = lit(-2.0) * lambda_wrist_pin_x;
-                dx[16] = lit(-2.0) * (lambda_guide_normal - lambda_guide_normal);
+                dx[15] = by(-2.0) * lambda_wrist_pin_x;
+                dx[16] = by(-2.0) * (lambda_guide_normal - lambda_guide_normal);
                 dx[17] = lit(0.0);
                 lambda[0] = lambda_drive_x;
                 lambda[1] = lambda_drive_y;
@@ -1700,7 +1704,7 @@ mod plm_driven_crank_ {
                 let t19 = S::select(t3, lit(0.0), growth_5)
                     .max(S::select(t7, lit(0.0), growth_1))
                     .max(S::select(t10, lit(0.0), growth_2));
-                lit(1.0) / t19.max(S::select(t12, lit(0.0), growth_3)).max(S::select(t13, lit(0.0), growth_8))
+                by(1.0) / t19.max(S::select(t12, lit(0.0), growth_3)).max(S::select(t13, lit(0.0), growth_8))
             }
 
             /// Applied forces `Q` (N, N, N m per body) and `gamma`, for the rank-revealing solution.
@@ -1713,6 +1717,7 @@ mod plm_driven_crank_ {
                 let crank_omega = x[11];
                 let rod_omega = x[14];
                 let lit = S::lit;
+                let by = rt::Factor;
                 force[0] = lit(0.0);
                 force[1] = lit(-1.962);
                 force[2] = lit(0.0);
@@ -1725,15 +1730,15 @@ mod plm_driven_crank_ {
                 let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
                     S::sin_cos_all([crank_angle, rod_angle]);
                 let t1 = crank_omega * crank_omega;
-                let t2 = lit(-0.1) * (cos_crank_angle * t1);
+                let t2 = by(-0.1) * (cos_crank_angle * t1);
                 gamma[0] = t2;
                 let amplitude = self.amplitude;
-                let t3 = lit(0.1) * (sin_crank_angle * t1);
-                gamma[1] = (lit(-400.0) * amplitude).mul_add((lit(20.0) * t).sin(), -t3);
+                let t3 = by(0.1) * (sin_crank_angle * t1);
+                gamma[1] = (by(-400.0) * amplitude).mul_add((by(20.0) * t).sin(), -t3);
                 let t4 = rod_omega * rod_omega;
-                let t5 = lit(-0.3) * (cos_rod_angle * t4);
+                let t5 = by(-0.3) * (cos_rod_angle * t4);
                 gamma[2] = t5 + t2;
-                let t6 = lit(-0.3) * (sin_rod_angle * t4);
+                let t6 = by(-0.3) * (sin_rod_angle * t4);
                 gamma[3] = t6 - t3;
                 gamma[4] = t5;
                 gamma[5] = t6;
@@ -1758,13 +1763,14 @@ mod plm_driven_crank_ {
                 dx: &mut [S; 0],
             ) -> S {
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Results
                 let amplitude = self.amplitude;
-                let loop_0_y = lit(0.2).mul_add(
-                    lit(3.0).mul_add(t, lit(1.0471975511965979)).sin(),
-                    amplitude * (lit(20.0) * t).sin(),
+                let loop_0_y = by(0.2).mul_add(
+                    by(3.0).mul_add(t, lit(1.0471975511965979)).sin(),
+                    amplitude * (by(20.0) * t).sin(),
                 );
-                lit(2.7777777777777777) * (-loop_0_y).mul_add(loop_0_y, lit(0.36))
+                by(2.7777777777777777) * (-loop_0_y).mul_add(loop_0_y, lit(0.36))
             }
 
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
@@ -1780,57 +1786,58 @@ mod plm_driven_crank_ {
                 v: &mut [S; 9],
             ) -> S {
                 let lit = S::lit;
-                let crank_angle = lit(3.0).mul_add(t, lit(1.0471975511965979));
+                let by = rt::Factor;
+                let crank_angle = by(3.0).mul_add(t, lit(1.0471975511965979));
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
-                let crank_x = lit(0.1) * cos_crank_angle;
+                let crank_x = by(0.1) * cos_crank_angle;
                 q[0] = crank_x;
                 let amplitude = self.amplitude;
-                let t1 = lit(20.0) * t;
+                let t1 = by(20.0) * t;
                 let (sin_t1, cos_t1) = t1.sin_cos();
                 let t2 = amplitude * sin_t1;
-                let t3 = lit(0.1) * sin_crank_angle;
+                let t3 = by(0.1) * sin_crank_angle;
                 let crank_y = t2 + t3;
                 q[1] = crank_y;
                 q[2] = crank_angle;
-                let loop_0_y = lit(0.2).mul_add(sin_crank_angle, t2);
+                let loop_0_y = by(0.2).mul_add(sin_crank_angle, t2);
                 let square_0 = (-loop_0_y).mul_add(loop_0_y, lit(0.36));
                 let last_area_0 = m.determinants[0];
                 let area_0 =
                     lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
-                let t4 = lit(0.5) * area_0;
+                let t4 = by(0.5) * area_0;
                 q[3] = crank_x + t4 + crank_x;
-                let t5 = lit(0.5) * loop_0_y;
+                let t5 = by(0.5) * loop_0_y;
                 q[4] = t3 - t5 + crank_y;
                 let last_angle_2 = m.angles[1].angle;
                 let last_cosine_2 = m.angles[1].cos;
-                let rod_sin = lit(-1.6666666666666667) * loop_0_y;
+                let rod_sin = by(-1.6666666666666667) * loop_0_y;
                 let last_sine_2 = m.angles[1].sin;
-                let rod_cos = lit(1.6666666666666667) * area_0;
+                let rod_cos = by(1.6666666666666667) * area_0;
                 let t6 = last_angle_2
                     + (-last_sine_2)
                         .mul_add(rod_cos, last_cosine_2 * rod_sin)
                         .atan2(last_sine_2.mul_add(rod_sin, last_cosine_2 * rod_cos));
                 q[5] = t6;
-                q[6] = lit(0.2).mul_add(cos_crank_angle, area_0);
+                q[6] = by(0.2).mul_add(cos_crank_angle, area_0);
                 q[7] = lit(0.0);
                 q[8] = lit(0.0);
-                let crank_vx = lit(-0.3) * sin_crank_angle;
+                let crank_vx = by(-0.3) * sin_crank_angle;
                 v[0] = crank_vx;
-                let t7 = lit(20.0) * (amplitude * cos_t1);
-                let t8 = lit(0.3) * cos_crank_angle;
+                let t7 = by(20.0) * (amplitude * cos_t1);
+                let t8 = by(0.3) * cos_crank_angle;
                 let crank_vy = t7 + t8;
                 v[1] = crank_vy;
                 v[2] = lit(3.0);
-                let reciprocal_0 = lit(1.0) / area_0;
-                let t9 = lit(0.6).mul_add(cos_crank_angle, t7);
+                let reciprocal_0 = by(1.0) / area_0;
+                let t9 = by(0.6).mul_add(cos_crank_angle, t7);
                 let time_rate_0_0 = -(reciprocal_0 * t9);
                 v[3] = t5.mul_add(time_rate_0_0, crank_vx + crank_vx);
                 v[4] = t4.mul_add(time_rate_0_0, t8 + crank_vy);
                 v[5] = time_rate_0_0;
-                v[6] = reciprocal_0 * (-loop_0_y).mul_add(t9, lit(-0.6) * sin_crank_angle * area_0);
+                v[6] = reciprocal_0 * (-loop_0_y).mul_add(t9, by(-0.6) * sin_crank_angle * area_0);
                 v[7] = lit(0.0);
                 v[8] = lit(0.0);
-                lit(2.7777777777777777) * square_0
+                by(2.7777777777777777) * square_0
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
@@ -1849,28 +1856,29 @@ mod plm_driven_crank_ {
             ) -> S {
                 let [last_area_0, ..] = m.determinants;
                 let lit = S::lit;
+                let by = rt::Factor;
                 memory.time.last = t;
                 let amplitude = self.amplitude;
-                let t1 = lit(20.0) * t;
+                let t1 = by(20.0) * t;
                 let (sin_t1, cos_t1) = t1.sin_cos();
-                let crank_angle = lit(3.0).mul_add(t, lit(1.0471975511965979));
+                let crank_angle = by(3.0).mul_add(t, lit(1.0471975511965979));
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
-                let loop_0_y = lit(0.2).mul_add(sin_crank_angle, amplitude * sin_t1);
+                let loop_0_y = by(0.2).mul_add(sin_crank_angle, amplitude * sin_t1);
                 let square_0 = (-loop_0_y).mul_add(loop_0_y, lit(0.36));
                 let area_0 =
                     lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
-                let t2 = (lit(1.0) / area_0
-                    * lit(-0.6).mul_add(cos_crank_angle, lit(-20.0) * amplitude * cos_t1))
+                let t2 = (by(1.0) / area_0
+                    * by(-0.6).mul_add(cos_crank_angle, by(-20.0) * amplitude * cos_t1))
                 .abs();
-                memory.time.reach = lit(-0.1) / t2.max(lit(0.6) * t2 / square_0.sqrt());
+                memory.time.reach = by(-0.1) / t2.max(by(0.6) * t2 / square_0.sqrt());
                 memory.angles[0].angle = crank_angle;
                 memory.angles[0].cos = cos_crank_angle;
                 memory.angles[0].sin = sin_crank_angle;
                 let last_angle_2 = m.angles[1].angle;
                 let last_cosine_2 = m.angles[1].cos;
-                let rod_sin = lit(-1.6666666666666667) * loop_0_y;
+                let rod_sin = by(-1.6666666666666667) * loop_0_y;
                 let last_sine_2 = m.angles[1].sin;
-                let rod_cos = lit(1.6666666666666667) * area_0;
+                let rod_cos = by(1.6666666666666667) * area_0;
                 let t3 = last_angle_2
                     + (-last_sine_2)
                         .mul_add(rod_cos, last_cosine_2 * rod_sin)
@@ -1880,7 +1888,7 @@ mod plm_driven_crank_ {
                 memory.angles[1].cos = cos_t3;
                 memory.angles[1].sin = sin_t3;
                 memory.determinants[0] = area_0;
-                lit(2.7777777777777777) * square_0
+                by(2.7777777777777777) * square_0
             }
 
             /// The same of a pose and velocity.
@@ -1896,6 +1904,7 @@ mod plm_driven_crank_ {
             ) -> S {
                 let [_, _, crank_angle, _, _, rod_angle, ..] = *q;
                 let lit = S::lit;
+                let by = rt::Factor;
                 memory.time.last = t;
                 memory.time.reach = lit(0.0);
                 memory.angles[0].angle = crank_angle;
@@ -1906,7 +1915,7 @@ mod plm_driven_crank_ {
                 memory.angles[1].angle = rod_angle;
                 memory.angles[1].cos = cos_rod_angle;
                 memory.angles[1].sin = sin_rod_angle;
-                memory.determinants[0] = lit(0.6) * cos_rod_angle;
+                memory.determinants[0] = by(0.6) * cos_rod_angle;
                 cos_rod_angle * cos_rod_angle
             }
         }

@@ -172,25 +172,25 @@ mod plm_four_bar_ {
                     rocker_omega,
                     ..,
                 ] = v;
-                let lit = S::lit;
-                let t1 = (lit(0.014291666666666666) * rocker_omega).mul_add(
+                let by = rt::Factor;
+                let t1 = (by(0.014291666666666666) * rocker_omega).mul_add(
                     rocker_omega,
-                    (lit(0.030375) * coupler_omega)
-                        .mul_add(coupler_omega, lit(0.001125) * crank_omega * crank_omega),
+                    (by(0.030375) * coupler_omega)
+                        .mul_add(coupler_omega, by(0.001125) * crank_omega * crank_omega),
                 );
-                let t2 = lit(0.45).mul_add(
+                let t2 = by(0.45).mul_add(
                     coupler_vy.mul_add(coupler_vy, coupler_vx * coupler_vx),
-                    lit(0.15).mul_add(crank_vy.mul_add(crank_vy, crank_vx * crank_vx), t1),
+                    by(0.15).mul_add(crank_vy.mul_add(crank_vy, crank_vx * crank_vx), t1),
                 );
-                lit(0.35).mul_add(rocker_vy.mul_add(rocker_vy, rocker_vx * rocker_vx), t2)
+                by(0.35).mul_add(rocker_vy.mul_add(rocker_vy, rocker_vx * rocker_vx), t2)
             }
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
                 let (q, _) = self.pose_();
                 let [_, crank_y, _, _, coupler_y, _, _, rocker_y, ..] = q;
-                let lit = S::lit;
-                lit(6.867).mul_add(rocker_y, lit(8.829).mul_add(coupler_y, lit(2.943) * crank_y))
+                let by = rt::Factor;
+                by(6.867).mul_add(rocker_y, by(8.829).mul_add(coupler_y, by(2.943) * crank_y))
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
@@ -216,22 +216,22 @@ mod plm_four_bar_ {
                     rocker_angle,
                     ..,
                 ] = q;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let (
                     [sin_crank_angle, sin_coupler_angle, sin_rocker_angle],
                     [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
                 ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
-                let t1 = lit(0.45).mul_add(sin_coupler_angle, coupler_y);
-                let t2 = lit(0.15).mul_add(sin_crank_angle, crank_y) - t1;
-                let t3 = lit(0.45).mul_add(cos_coupler_angle, coupler_x);
-                let t4 = lit(0.15).mul_add(cos_crank_angle, crank_x) - t3;
-                let t5 = (lit(-0.3) * (-sin_crank_angle).mul_add(t4, cos_crank_angle * t2))
-                    .atan2(lit(-0.3) * sin_crank_angle.mul_add(t2, cos_crank_angle * t4));
+                let t1 = by(0.45).mul_add(sin_coupler_angle, coupler_y);
+                let t2 = by(0.15).mul_add(sin_crank_angle, crank_y) - t1;
+                let t3 = by(0.45).mul_add(cos_coupler_angle, coupler_x);
+                let t4 = by(0.15).mul_add(cos_crank_angle, crank_x) - t3;
+                let t5 = (by(-0.3) * (-sin_crank_angle).mul_add(t4, cos_crank_angle * t2))
+                    .atan2(by(-0.3) * sin_crank_angle.mul_add(t2, cos_crank_angle * t4));
                 value[0] = t5;
-                let t6 = lit(0.35).mul_add(sin_rocker_angle, -rocker_y) + t1;
-                let t7 = lit(0.35).mul_add(cos_rocker_angle, -rocker_x) + t3;
-                let t8 = (lit(-0.9) * (-sin_coupler_angle).mul_add(t7, cos_coupler_angle * t6))
-                    .atan2(lit(-0.9) * sin_coupler_angle.mul_add(t6, cos_coupler_angle * t7));
+                let t6 = by(0.35).mul_add(sin_rocker_angle, -rocker_y) + t1;
+                let t7 = by(0.35).mul_add(cos_rocker_angle, -rocker_x) + t3;
+                let t8 = (by(-0.9) * (-sin_coupler_angle).mul_add(t7, cos_coupler_angle * t6))
+                    .atan2(by(-0.9) * sin_coupler_angle.mul_add(t6, cos_coupler_angle * t7));
                 value[1] = t8;
                 [("crank_coupler", value[0]), ("coupler_rocker", value[1])]
             }
@@ -514,14 +514,15 @@ mod plm_four_bar_ {
                 let x: &[Two<S>; 1] = &[Two([first_0, second_0])];
                 let [crank_angle, ..] = *x;
                 let lit = Two::<S>::lit;
+                let by = rt::Factor;
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
-                let loop_0_x = lit(0.3).mul_add(cos_crank_angle, lit(-1.0));
-                let loop_0_y = lit(0.3) * sin_crank_angle;
+                let loop_0_x = by(0.3).mul_add(cos_crank_angle, lit(-1.0));
+                let loop_0_y = by(0.3) * sin_crank_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
-                let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
-                let inverse_0 = lit(1.0) / distance_0;
+                let along_0 = by(-0.5) * (distance_0 - lit(0.32));
+                let inverse_0 = by(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
-                let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
+                let square_0 = (-along_0).mul_add(along_0, by(0.49) * distance_0);
                 let last_area_0 = Two::both(m.determinants[0]);
                 let area_0 = lit(0.0).max(square_0).sqrt()
                     * Two::<S>::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
@@ -530,35 +531,35 @@ mod plm_four_bar_ {
                 let t1 = cos_crank_angle - lit(0.3);
                 let cross_0_0 = (-t1).mul_add(way_0_y, sin_crank_angle * way_0_x);
                 let cross_0_1 = sin_crank_angle + cross_0_0;
-                let reciprocal_0 = lit(1.0) / area_0;
-                let ratio_0_0 = lit(0.3) * cross_0_1 * reciprocal_0;
-                let ratio_0_1 = lit(0.3) * cross_0_0 * reciprocal_0;
-                let still_0 = (-(lit(4.4145) * -(loop_0_x + rocker_arm_x))).mul_add(
+                let reciprocal_0 = by(1.0) / area_0;
+                let ratio_0_0 = by(0.3) * cross_0_1 * reciprocal_0;
+                let ratio_0_1 = by(0.3) * cross_0_0 * reciprocal_0;
+                let still_0 = (-(by(4.4145) * -(loop_0_x + rocker_arm_x))).mul_add(
                     ratio_0_1,
-                    lit(-3.09015).mul_add(cos_crank_angle, lit(3.4335) * rocker_arm_x * ratio_0_0),
+                    by(-3.09015).mul_add(cos_crank_angle, by(3.4335) * rocker_arm_x * ratio_0_0),
                 );
-                let momentum_0_1 = lit(0.11433333333333333) * ratio_0_0;
+                let momentum_0_1 = by(0.11433333333333333) * ratio_0_0;
                 let t2 = ratio_0_1 * ratio_0_1;
                 let dot_0_0 = -sin_crank_angle.mul_add(way_0_y, t1 * way_0_x);
                 let dot_0_1 = dot_0_0 - t1;
                 let t3 = along_0 + lit(0.49);
                 let t4 = ratio_0_0 * ratio_0_0;
-                let momentum_0_2 = lit(-0.135).mul_add(dot_0_1, lit(0.243) * ratio_0_1);
-                let t5 = lit(0.135) * ratio_0_1;
+                let momentum_0_2 = by(-0.135).mul_add(dot_0_1, by(0.243) * ratio_0_1);
+                let t5 = by(0.135) * ratio_0_1;
                 let t6 = momentum_0_2.mul_add(
-                    reciprocal_0 * lit(-0.49).mul_add(t4, lit(-0.3).mul_add(dot_0_0, t3 * t2)),
+                    reciprocal_0 * by(-0.49).mul_add(t4, by(-0.3).mul_add(dot_0_0, t3 * t2)),
                     momentum_0_1
-                        * (reciprocal_0 * (-t3).mul_add(t4, lit(-0.3).mul_add(dot_0_1, lit(0.81) * t2))),
+                        * (reciprocal_0 * (-t3).mul_add(t4, by(-0.3).mul_add(dot_0_1, by(0.81) * t2))),
                 );
                 [
                     still_0,
                     (-(cross_0_1 * ratio_0_1)).mul_add(lit(0.135) - t5, t6),
-                    lit(1.0)
+                    by(1.0)
                         / ratio_0_1.mul_add(
                             momentum_0_2,
                             ratio_0_0.mul_add(momentum_0_1, (-t5).mul_add(dot_0_1, lit(0.09))),
                         ),
-                    lit(2.5195263290501386) * square_0,
+                    by(2.5195263290501386) * square_0,
                 ]
             }
 
@@ -873,38 +874,39 @@ mod plm_four_bar_ {
                 let coupler_angle = q[5];
                 let rocker_angle = q[8];
                 let lit = S::lit;
+                let by = rt::Factor;
                 phi_q[0] = lit(1.0);
                 let (
                     [sin_crank_angle, sin_coupler_angle, sin_rocker_angle],
                     [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
                 ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
-                let t1 = lit(0.15) * sin_crank_angle;
+                let t1 = by(0.15) * sin_crank_angle;
                 phi_q[1] = t1;
                 phi_q[2] = lit(1.0);
-                let t2 = lit(-0.15) * cos_crank_angle;
+                let t2 = by(-0.15) * cos_crank_angle;
                 phi_q[3] = t2;
                 phi_q[4] = lit(-1.0);
                 phi_q[5] = t1;
                 phi_q[6] = lit(1.0);
-                let t3 = lit(0.45) * sin_coupler_angle;
+                let t3 = by(0.45) * sin_coupler_angle;
                 phi_q[7] = t3;
                 phi_q[8] = lit(-1.0);
                 phi_q[9] = t2;
                 phi_q[10] = lit(1.0);
-                let t4 = lit(-0.45) * cos_coupler_angle;
+                let t4 = by(-0.45) * cos_coupler_angle;
                 phi_q[11] = t4;
                 phi_q[12] = lit(-1.0);
                 phi_q[13] = t3;
                 phi_q[14] = lit(1.0);
-                phi_q[15] = lit(-0.35) * sin_rocker_angle;
+                phi_q[15] = by(-0.35) * sin_rocker_angle;
                 phi_q[16] = lit(-1.0);
                 phi_q[17] = t4;
                 phi_q[18] = lit(1.0);
-                phi_q[19] = lit(0.35) * cos_rocker_angle;
+                phi_q[19] = by(0.35) * cos_rocker_angle;
                 phi_q[20] = lit(1.0);
-                phi_q[21] = lit(0.35) * sin_rocker_angle;
+                phi_q[21] = by(0.35) * sin_rocker_angle;
                 phi_q[22] = lit(1.0);
-                phi_q[23] = lit(-0.35) * cos_rocker_angle;
+                phi_q[23] = by(-0.35) * cos_rocker_angle;
             }
         }
 
@@ -932,21 +934,22 @@ mod plm_four_bar_ {
                     ..,
                 ] = *q;
                 let lit = S::lit;
+                let by = rt::Factor;
                 let (
                     [sin_crank_angle, sin_coupler_angle, sin_rocker_angle],
                     [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
                 ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
-                let t1 = lit(0.15) * cos_crank_angle;
+                let t1 = by(0.15) * cos_crank_angle;
                 phi[0] = crank_x - t1;
-                let t2 = lit(0.15) * sin_crank_angle;
+                let t2 = by(0.15) * sin_crank_angle;
                 phi[1] = crank_y - t2;
-                let t3 = lit(0.45) * cos_coupler_angle;
+                let t3 = by(0.45) * cos_coupler_angle;
                 phi[2] = coupler_x - crank_x - t1 - t3;
-                let t4 = lit(0.45) * sin_coupler_angle;
+                let t4 = by(0.45) * sin_coupler_angle;
                 phi[3] = coupler_y - crank_y - t2 - t4;
-                let t5 = lit(0.35) * cos_rocker_angle;
+                let t5 = by(0.35) * cos_rocker_angle;
                 phi[4] = rocker_x - coupler_x - t3 + t5;
-                let t6 = lit(0.35) * sin_rocker_angle;
+                let t6 = by(0.35) * sin_rocker_angle;
                 phi[5] = rocker_y - coupler_y - t4 + t6;
                 phi[6] = rocker_x - t5 - lit(1.0);
                 phi[7] = rocker_y - t6;
@@ -973,22 +976,22 @@ mod plm_four_bar_ {
                     rocker_omega,
                     ..,
                 ] = *v;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let (
                     [sin_crank_angle, sin_coupler_angle, sin_rocker_angle],
                     [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
                 ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
-                let t1 = lit(0.15) * (crank_omega * sin_crank_angle);
+                let t1 = by(0.15) * (crank_omega * sin_crank_angle);
                 phi_dot[0] = crank_vx + t1;
-                let t2 = lit(0.15) * (crank_omega * cos_crank_angle);
+                let t2 = by(0.15) * (crank_omega * cos_crank_angle);
                 phi_dot[1] = crank_vy - t2;
-                let t3 = lit(0.45) * (coupler_omega * sin_coupler_angle);
+                let t3 = by(0.45) * (coupler_omega * sin_coupler_angle);
                 phi_dot[2] = coupler_vx - crank_vx + t1 + t3;
-                let t4 = lit(0.45) * (coupler_omega * cos_coupler_angle);
+                let t4 = by(0.45) * (coupler_omega * cos_coupler_angle);
                 phi_dot[3] = coupler_vy - crank_vy - t2 - t4;
-                let t5 = lit(0.35) * (rocker_omega * sin_rocker_angle);
+                let t5 = by(0.35) * (rocker_omega * sin_rocker_angle);
                 phi_dot[4] = rocker_vx - coupler_vx + t3 - t5;
-                let t6 = lit(0.35) * (rocker_omega * cos_rocker_angle);
+                let t6 = by(0.35) * (rocker_omega * cos_rocker_angle);
                 phi_dot[5] = rocker_vy - coupler_vy - t4 + t6;
                 phi_dot[6] = rocker_vx + t5;
                 phi_dot[7] = rocker_vy - t6;
@@ -1020,50 +1023,51 @@ mod plm_four_bar_ {
             fn min_norm(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 8], dq: &mut [S; 9]) -> rt::Health<S> {
                 rt::Health({
                     let lit = S::lit;
+                    let by = rt::Factor;
                     // phi_q W phi_q^T = L D L^T
                     let w_0 = w[0];
                     let crank_angle = q[2];
                     let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
                     let w_2 = w[2];
-                    let y_0_2 = lit(0.15) * sin_crank_angle * w_2;
-                    let t1 = lit(0.15) * (sin_crank_angle * y_0_2);
+                    let y_0_2 = by(0.15) * sin_crank_angle * w_2;
+                    let t1 = by(0.15) * (sin_crank_angle * y_0_2);
                     let d_0 = w_0 + t1;
-                    let r_0 = lit(1.0) / d_0;
-                    let t2 = lit(-0.15) * cos_crank_angle;
+                    let r_0 = by(1.0) / d_0;
+                    let t2 = by(-0.15) * cos_crank_angle;
                     let y_1_2 = t2 * w_2;
-                    let g_1_0 = lit(0.15) * (sin_crank_angle * y_1_2);
+                    let g_1_0 = by(0.15) * (sin_crank_angle * y_1_2);
                     let l_1_0 = r_0 * g_1_0;
                     let g_2_0 = t1 - w_0;
                     let l_2_0 = r_0 * g_2_0;
                     let w_1 = w[1];
                     let t3 = cos_crank_angle * y_1_2;
-                    let t4 = lit(-0.15).mul_add(t3, w_1);
+                    let t4 = by(-0.15).mul_add(t3, w_1);
                     let t5 = g_1_0 * l_1_0;
                     let d_1 = t4 - t5;
-                    let r_1 = lit(1.0) / d_1;
+                    let r_1 = by(1.0) / d_1;
                     let growth_1 = (t4 * r_1).abs();
                     let most_growth = lit(S::MOST_GROWTH);
                     let t6 = most_growth.lt(growth_1);
                     let kept_1 = S::select(t6, lit(0.0), r_1);
                     let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
                     let l_2_1 = g_2_1 * kept_1;
-                    let g_3_1 = lit(-0.15).mul_add(t3, -w_1) - t5;
+                    let g_3_1 = by(-0.15).mul_add(t3, -w_1) - t5;
                     let l_3_1 = g_3_1 * kept_1;
                     let w_3 = w[3];
                     let coupler_angle = q[5];
                     let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
                     let w_5 = w[5];
-                    let y_2_5 = lit(0.45) * sin_coupler_angle * w_5;
-                    let t7 = lit(0.45) * (sin_coupler_angle * y_2_5);
+                    let y_2_5 = by(0.45) * sin_coupler_angle * w_5;
+                    let t7 = by(0.45) * (sin_coupler_angle * y_2_5);
                     let t8 = w_3 + t7;
                     let t9 = d_0 + t8;
-                    let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t9));
+                    let r_2 = by(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t9));
                     let growth_2 = (t9 * r_2).abs();
                     let t10 = most_growth.lt(growth_2);
                     let kept_2 = S::select(t10, lit(0.0), r_2);
-                    let t11 = lit(-0.45) * cos_coupler_angle;
+                    let t11 = by(-0.45) * cos_coupler_angle;
                     let y_3_5 = t11 * w_5;
-                    let g_5_2 = lit(0.45) * (sin_coupler_angle * y_3_5);
+                    let g_5_2 = by(0.45) * (sin_coupler_angle * y_3_5);
                     let g_3_2 = (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, g_1_0 + g_5_2));
                     let l_3_2 = kept_2 * g_3_2;
                     let g_4_2 = t7 - w_3;
@@ -1071,62 +1075,62 @@ mod plm_four_bar_ {
                     let l_5_2 = g_5_2 * kept_2;
                     let w_4 = w[4];
                     let t12 = cos_coupler_angle * y_3_5;
-                    let t13 = lit(-0.45).mul_add(t12, w_4);
-                    let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t13);
+                    let t13 = by(-0.45).mul_add(t12, w_4);
+                    let r_3 = by(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t13);
                     let growth_3 = (r_3 * (t4 + t13)).abs();
                     let t14 = most_growth.lt(growth_3);
                     let kept_3 = S::select(t14, lit(0.0), r_3);
                     let g_4_3 = (-g_3_2).mul_add(l_4_2, t11 * y_2_5);
                     let l_4_3 = kept_3 * g_4_3;
-                    let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-0.45).mul_add(t12, -w_4));
+                    let g_5_3 = (-g_3_2).mul_add(l_5_2, by(-0.45).mul_add(t12, -w_4));
                     let l_5_3 = kept_3 * g_5_3;
                     let w_6 = w[6];
                     let rocker_angle = q[8];
                     let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
                     let w_8 = w[8];
                     let t15 = sin_rocker_angle * w_8;
-                    let y_4_8 = lit(-0.35) * t15;
-                    let t16 = lit(0.35) * sin_rocker_angle;
+                    let y_4_8 = by(-0.35) * t15;
+                    let t16 = by(0.35) * sin_rocker_angle;
                     let t17 = (-t16).mul_add(y_4_8, w_6) + t8;
-                    let r_4 = lit(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t17));
+                    let r_4 = by(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t17));
                     let growth_4 = (t17 * r_4).abs();
                     let t18 = most_growth.lt(growth_4);
                     let kept_4 = S::select(t18, lit(0.0), r_4);
                     let t19 = cos_rocker_angle * w_8;
-                    let y_5_8 = lit(0.35) * t19;
+                    let y_5_8 = by(0.35) * t19;
                     let g_5_4 =
                         (-g_4_3).mul_add(l_5_3, (-g_4_2).mul_add(l_5_2, (-t16).mul_add(y_5_8, g_5_2)));
                     let l_5_4 = kept_4 * g_5_4;
-                    let y_6_8 = lit(0.35) * t15;
-                    let t20 = lit(0.35) * (sin_rocker_angle * y_6_8);
+                    let y_6_8 = by(0.35) * t15;
+                    let t20 = by(0.35) * (sin_rocker_angle * y_6_8);
                     let g_6_4 = w_6 - t20;
                     let l_6_4 = g_6_4 * kept_4;
-                    let y_7_8 = lit(-0.35) * t19;
+                    let y_7_8 = by(-0.35) * t19;
                     let t21 = sin_rocker_angle * y_7_8;
-                    let g_7_4 = lit(-0.35) * t21;
+                    let g_7_4 = by(-0.35) * t21;
                     let l_7_4 = g_7_4 * kept_4;
                     let w_7 = w[7];
-                    let t22 = lit(0.35) * cos_rocker_angle;
+                    let t22 = by(0.35) * cos_rocker_angle;
                     let t23 = t22.mul_add(y_5_8, w_7) + t13;
-                    let r_5 = lit(1.0)
+                    let r_5 = by(1.0)
                         / (-g_5_4).mul_add(l_5_4, (-g_5_3).mul_add(l_5_3, (-g_5_2).mul_add(l_5_2, t23)));
                     let growth_5 = (t23 * r_5).abs();
                     let t24 = most_growth.lt(growth_5);
                     let kept_5 = S::select(t24, lit(0.0), r_5);
                     let g_6_5 = (-g_5_4).mul_add(l_6_4, t22 * y_6_8);
                     let l_6_5 = kept_5 * g_6_5;
-                    let t25 = lit(0.35) * (cos_rocker_angle * y_7_8);
+                    let t25 = by(0.35) * (cos_rocker_angle * y_7_8);
                     let g_7_5 = (-g_5_4).mul_add(l_7_4, w_7 + t25);
                     let l_7_5 = kept_5 * g_7_5;
                     let t26 = w_6 + t20;
-                    let r_6 = lit(1.0) / (-g_6_5).mul_add(l_6_5, (-g_6_4).mul_add(l_6_4, t26));
+                    let r_6 = by(1.0) / (-g_6_5).mul_add(l_6_5, (-g_6_4).mul_add(l_6_4, t26));
                     let growth_6 = (t26 * r_6).abs();
                     let t27 = most_growth.lt(growth_6);
                     let kept_6 = S::select(t27, lit(0.0), r_6);
-                    let g_7_6 = (-g_6_5).mul_add(l_7_5, (-g_6_4).mul_add(l_7_4, lit(0.35) * t21));
+                    let g_7_6 = (-g_6_5).mul_add(l_7_5, (-g_6_4).mul_add(l_7_4, by(0.35) * t21));
                     let l_7_6 = kept_6 * g_7_6;
                     let t28 = w_7 - t25;
-                    let r_7 = lit(1.0)
+                    let r_7 = by(1.0)
                         / (-g_7_6).mul_add(l_7_6, (-g_7_5).mul_add(l_7_5, (-g_7_4).mul_add(l_7_4, t28)));
                     let growth_7 = (t28 * r_7).abs();
                     let t29 = most_growth.lt(growth_7);
@@ -1175,7 +1179,7 @@ mod plm_four_bar_ {
                         .max(S::select(t18, lit(0.0), growth_4))
                         .max(S::select(t24, lit(0.0), growth_5))
                         .max(S::select(t27, lit(0.0), growth_6));
-                    lit(1.0) / t33.max(S::select(t29, lit(0.0), growth_7))
+                    by(1.0) / t33.max(S::select(t29, lit(0.0), growth_7))
                 })
             }
 
@@ -1707,6 +1711,7 @@ mod plm_four_bar_ {
             #[inline(always)]
             fn dynamics(&self, t: S, u: &Held<S>, x: &[S; 18], dx: &mut [S; 18], lambda: &mut [S; 8]) -> S {
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Arms from G to each port: the entries of phi_q, and of phi_q M^-1
                 let crank_angle = x[2];
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
@@ -1714,107 +1719,107 @@ mod plm_four_bar_ {
                 let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
                 let rocker_angle = x[8];
                 let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
-                let t1 = lit(0.35) * cos_rocker_angle;
-                let t2 = lit(0.35) * sin_rocker_angle;
-                let y_0_2 = lit(66.66666666666667) * sin_crank_angle;
-                let y_1_2 = lit(-66.66666666666667) * cos_crank_angle;
-                let y_2_5 = lit(7.407407407407407) * sin_coupler_angle;
-                let y_3_5 = lit(-7.407407407407407) * cos_coupler_angle;
-                let y_4_8 = lit(-12.244897959183673) * sin_rocker_angle;
-                let y_5_8 = lit(12.244897959183673) * cos_rocker_angle;
-                let y_6_8 = lit(12.244897959183673) * sin_rocker_angle;
-                let y_7_8 = lit(-12.244897959183673) * cos_rocker_angle;
+                let t1 = by(0.35) * cos_rocker_angle;
+                let t2 = by(0.35) * sin_rocker_angle;
+                let y_0_2 = by(66.66666666666667) * sin_crank_angle;
+                let y_1_2 = by(-66.66666666666667) * cos_crank_angle;
+                let y_2_5 = by(7.407407407407407) * sin_coupler_angle;
+                let y_3_5 = by(-7.407407407407407) * cos_coupler_angle;
+                let y_4_8 = by(-12.244897959183673) * sin_rocker_angle;
+                let y_5_8 = by(12.244897959183673) * cos_rocker_angle;
+                let y_6_8 = by(12.244897959183673) * sin_rocker_angle;
+                let y_7_8 = by(-12.244897959183673) * cos_rocker_angle;
                 // phi_q M^-1 phi_q^T = L D L^T
-                let t3 = lit(0.15) * (sin_crank_angle * y_0_2);
-                let r_0 = lit(1.0) / (t3 + lit(3.3333333333333335));
-                let g_1_0 = lit(0.15) * (sin_crank_angle * y_1_2);
+                let t3 = by(0.15) * (sin_crank_angle * y_0_2);
+                let r_0 = by(1.0) / (t3 + lit(3.3333333333333335));
+                let g_1_0 = by(0.15) * (sin_crank_angle * y_1_2);
                 let l_1_0 = r_0 * g_1_0;
                 let g_2_0 = t3 - lit(3.3333333333333335);
                 let l_2_0 = r_0 * g_2_0;
-                let t4 = lit(0.15) * (cos_crank_angle * y_1_2);
+                let t4 = by(0.15) * (cos_crank_angle * y_1_2);
                 let t5 = g_1_0.mul_add(l_1_0, t4);
-                let r_1 = lit(1.0) / (lit(3.3333333333333335) - t5);
+                let r_1 = by(1.0) / (lit(3.3333333333333335) - t5);
                 let growth_1 = ((t4 - lit(3.3333333333333335)) * r_1).abs();
                 let most_growth = lit(S::MOST_GROWTH);
                 let t6 = most_growth.lt(growth_1);
                 let kept_1 = S::select(t6, lit(0.0), r_1);
-                let g_2_1 = (-g_1_0).mul_add(l_2_0, lit(-0.15) * cos_crank_angle * y_0_2);
+                let g_2_1 = (-g_1_0).mul_add(l_2_0, by(-0.15) * cos_crank_angle * y_0_2);
                 let l_2_1 = g_2_1 * kept_1;
                 let g_3_1 = lit(-3.3333333333333335) - t5;
                 let l_3_1 = kept_1 * g_3_1;
-                let t7 = lit(0.45) * (sin_coupler_angle * y_2_5);
+                let t7 = by(0.45) * (sin_coupler_angle * y_2_5);
                 let t8 = t3 + t7 + lit(4.444444444444445);
-                let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t8));
+                let r_2 = by(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t8));
                 let growth_2 = (t8 * r_2).abs();
                 let t9 = most_growth.lt(growth_2);
                 let kept_2 = S::select(t9, lit(0.0), r_2);
-                let g_5_2 = lit(0.45) * (sin_coupler_angle * y_3_5);
+                let g_5_2 = by(0.45) * (sin_coupler_angle * y_3_5);
                 let g_3_2 = (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, g_1_0 + g_5_2));
                 let l_3_2 = kept_2 * g_3_2;
                 let g_4_2 = t7 - lit(1.1111111111111112);
                 let l_4_2 = g_4_2 * kept_2;
                 let l_5_2 = g_5_2 * kept_2;
-                let t10 = lit(0.45) * (cos_coupler_angle * y_3_5);
+                let t10 = by(0.45) * (cos_coupler_angle * y_3_5);
                 let t11 = lit(4.444444444444445) - t10;
-                let r_3 = lit(1.0) / (-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, t11 - t5));
+                let r_3 = by(1.0) / (-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, t11 - t5));
                 let growth_3 = (r_3 * (t4 - t11)).abs();
                 let t12 = most_growth.lt(growth_3);
                 let kept_3 = S::select(t12, lit(0.0), r_3);
-                let g_4_3 = (-g_3_2).mul_add(l_4_2, lit(-0.45) * cos_coupler_angle * y_2_5);
+                let g_4_3 = (-g_3_2).mul_add(l_4_2, by(-0.45) * cos_coupler_angle * y_2_5);
                 let l_4_3 = kept_3 * g_4_3;
                 let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-1.1111111111111112) - t10);
                 let l_5_3 = kept_3 * g_5_3;
                 let t13 = (-t2).mul_add(y_4_8, t7) + lit(2.5396825396825395);
-                let r_4 = lit(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t13));
+                let r_4 = by(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t13));
                 let growth_4 = (t13 * r_4).abs();
                 let t14 = most_growth.lt(growth_4);
                 let kept_4 = S::select(t14, lit(0.0), r_4);
                 let g_5_4 = (-g_4_3).mul_add(l_5_3, (-g_4_2).mul_add(l_5_2, (-t2).mul_add(y_5_8, g_5_2)));
                 let l_5_4 = kept_4 * g_5_4;
-                let t15 = lit(0.35) * (sin_rocker_angle * y_6_8);
+                let t15 = by(0.35) * (sin_rocker_angle * y_6_8);
                 let g_6_4 = lit(1.4285714285714286) - t15;
                 let l_6_4 = g_6_4 * kept_4;
                 let t16 = sin_rocker_angle * y_7_8;
-                let g_7_4 = lit(-0.35) * t16;
+                let g_7_4 = by(-0.35) * t16;
                 let l_7_4 = g_7_4 * kept_4;
                 let t17 = (-t1).mul_add(y_5_8, t10) - lit(2.5396825396825395);
-                let r_5 = lit(1.0) / -g_5_4.mul_add(l_5_4, g_5_3.mul_add(l_5_3, g_5_2.mul_add(l_5_2, t17)));
+                let r_5 = by(1.0) / -g_5_4.mul_add(l_5_4, g_5_3.mul_add(l_5_3, g_5_2.mul_add(l_5_2, t17)));
                 let growth_5 = (t17 * r_5).abs();
                 let t18 = most_growth.lt(growth_5);
                 let kept_5 = S::select(t18, lit(0.0), r_5);
                 let g_6_5 = (-g_5_4).mul_add(l_6_4, t1 * y_6_8);
                 let l_6_5 = kept_5 * g_6_5;
-                let t19 = lit(0.35) * (cos_rocker_angle * y_7_8);
+                let t19 = by(0.35) * (cos_rocker_angle * y_7_8);
                 let g_7_5 = (-g_5_4).mul_add(l_7_4, t19) + lit(1.4285714285714286);
                 let l_7_5 = kept_5 * g_7_5;
                 let t20 = t15 + lit(1.4285714285714286);
-                let r_6 = lit(1.0) / (-g_6_5).mul_add(l_6_5, (-g_6_4).mul_add(l_6_4, t20));
+                let r_6 = by(1.0) / (-g_6_5).mul_add(l_6_5, (-g_6_4).mul_add(l_6_4, t20));
                 let growth_6 = (t20 * r_6).abs();
                 let t21 = most_growth.lt(growth_6);
                 let kept_6 = S::select(t21, lit(0.0), r_6);
-                let g_7_6 = (-g_6_5).mul_add(l_7_5, (-g_6_4).mul_add(l_7_4, lit(0.35) * t16));
+                let g_7_6 = (-g_6_5).mul_add(l_7_5, (-g_6_4).mul_add(l_7_4, by(0.35) * t16));
                 let l_7_6 = kept_6 * g_7_6;
                 let t22 = t19 - lit(1.4285714285714286);
-                let r_7 = lit(1.0) / -g_7_6.mul_add(l_7_6, g_7_5.mul_add(l_7_5, g_7_4.mul_add(l_7_4, t22)));
+                let r_7 = by(1.0) / -g_7_6.mul_add(l_7_6, g_7_5.mul_add(l_7_5, g_7_4.mul_add(l_7_4, t22)));
                 let growth_7 = (t22 * r_7).abs();
                 let t23 = most_growth.lt(growth_7);
                 // Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma
                 let crank_omega = x[11];
                 let t24 = crank_omega * crank_omega;
-                let b_0 = lit(0.15) * (cos_crank_angle * t24);
-                let t25 = (-l_1_0).mul_add(b_0, lit(0.15) * sin_crank_angle * t24);
+                let b_0 = by(0.15) * (cos_crank_angle * t24);
+                let t25 = (-l_1_0).mul_add(b_0, by(0.15) * sin_crank_angle * t24);
                 let b_1 = t25 - lit(9.81);
                 let coupler_omega = x[14];
                 let t26 = coupler_omega * coupler_omega;
-                let t27 = lit(0.45) * (cos_coupler_angle * t26);
+                let t27 = by(0.45) * (cos_coupler_angle * t26);
                 let b_2 = (-l_2_1).mul_add(b_1, (-l_2_0).mul_add(b_0, b_0 + t27));
-                let t28 = lit(0.45) * (sin_coupler_angle * t26);
+                let t28 = by(0.45) * (sin_coupler_angle * t26);
                 let b_3 = (-l_3_2).mul_add(b_2, (-l_3_1).mul_add(b_1, t25 + t28));
                 let rocker_omega = x[17];
                 let t29 = rocker_omega * rocker_omega;
-                let t30 = lit(0.35) * (cos_rocker_angle * t29);
+                let t30 = by(0.35) * (cos_rocker_angle * t29);
                 let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, t27 - t30));
-                let t31 = lit(0.35) * (sin_rocker_angle * t29);
+                let t31 = by(0.35) * (sin_rocker_angle * t29);
                 let b_5 = (-l_5_4).mul_add(b_4, (-l_5_3).mul_add(b_3, (-l_5_2).mul_add(b_2, t28 - t31)));
                 let b_6 = (-l_6_5).mul_add(b_5, (-l_6_4).mul_add(b_4, t30));
                 let lambda_pivot_y = S::select(t23, lit(0.0), r_7)
@@ -1852,19 +1857,19 @@ mod plm_four_bar_ {
                 dx[6] = x[15];
                 dx[7] = x[16];
                 dx[8] = rocker_omega;
-                dx[9] = lit(3.3333333333333335) * (lambda_crank_coupler_x - lambda_drive_x);
-                dx[10] = lit(3.3333333333333335).mul_add(lambda_crank_coupler_y - lambda_drive_y, lit(-9.81));
+                dx[9] = by(3.3333333333333335) * (lambda_crank_coupler_x - lambda_drive_x);
+                dx[10] = by(3.3333333333333335).mul_add(lambda_crank_coupler_y - lambda_drive_y, lit(-9.81));
                 dx[11] = -y_1_2.mul_add(t32, y_0_2 * (lambda_crank_coupler_x + lambda_drive_x));
-                dx[12] = lit(1.1111111111111112) * (lambda_coupler_rocker_x - lambda_crank_coupler_x);
-                dx[13] = lit(1.1111111111111112)
+                dx[12] = by(1.1111111111111112) * (lambda_coupler_rocker_x - lambda_crank_coupler_x);
+                dx[13] = by(1.1111111111111112)
                     .mul_add(lambda_coupler_rocker_y - lambda_crank_coupler_y, lit(-9.81));
                 dx[14] = -y_3_5.mul_add(
                     lambda_coupler_rocker_y + lambda_crank_coupler_y,
                     y_2_5 * (lambda_coupler_rocker_x + lambda_crank_coupler_x),
                 );
-                dx[15] = lit(-1.4285714285714286) * (lambda_pivot_x + lambda_coupler_rocker_x);
+                dx[15] = by(-1.4285714285714286) * (lambda_pivot_x + lambda_coupler_rocker_x);
                 dx[16] =
-                    lit(-1.4285714285714286).mul_add(lambda_pivot_y + lambda_coupler_rocker_y, lit(-9.81));
+                    by(-1.4285714285714286).mul_add(lambda_pivot_y + lambda_coupler_rocker_y, lit(-9.81));
                 dx[17] = -y_7_8.mul_add(
                     lambda_pivot_y,
                     y_6_8.mul_add(
@@ -1887,7 +1892,7 @@ mod plm_four_bar_ {
                     .max(S::select(t14, lit(0.0), growth_4))
                     .max(S::select(t18, lit(0.0), growth_5))
                     .max(S::select(t21, lit(0.0), growth_6));
-                lit(1.0) / t34.max(S::select(t23, lit(0.0), growth_7))
+                by(1.0) / t34.max(S::select(t23, lit(0.0), growth_7))
             }
 
             /// Applied forces `Q` (N, N, N m per body) and `gamma`, for the rank-revealing solution.
@@ -1902,6 +1907,7 @@ mod plm_four_bar_ {
                 let coupler_omega = x[14];
                 let rocker_omega = x[17];
                 let lit = S::lit;
+                let by = rt::Factor;
                 force[0] = lit(0.0);
                 force[1] = lit(-2.943);
                 force[2] = lit(0.0);
@@ -1916,22 +1922,22 @@ mod plm_four_bar_ {
                     [cos_crank_angle, cos_coupler_angle, cos_rocker_angle],
                 ) = S::sin_cos_all([crank_angle, coupler_angle, rocker_angle]);
                 let t1 = crank_omega * crank_omega;
-                let t2 = lit(-0.15) * (cos_crank_angle * t1);
+                let t2 = by(-0.15) * (cos_crank_angle * t1);
                 gamma[0] = t2;
-                let t3 = lit(-0.15) * (sin_crank_angle * t1);
+                let t3 = by(-0.15) * (sin_crank_angle * t1);
                 gamma[1] = t3;
                 let t4 = coupler_omega * coupler_omega;
-                let t5 = lit(0.45) * (cos_coupler_angle * t4);
+                let t5 = by(0.45) * (cos_coupler_angle * t4);
                 gamma[2] = t2 - t5;
-                let t6 = lit(0.45) * (sin_coupler_angle * t4);
+                let t6 = by(0.45) * (sin_coupler_angle * t4);
                 gamma[3] = t3 - t6;
                 let t7 = rocker_omega * rocker_omega;
                 let t8 = cos_rocker_angle * t7;
-                gamma[4] = lit(0.35).mul_add(t8, -t5);
+                gamma[4] = by(0.35).mul_add(t8, -t5);
                 let t9 = sin_rocker_angle * t7;
-                gamma[5] = lit(0.35).mul_add(t9, -t6);
-                gamma[6] = lit(-0.35) * t8;
-                gamma[7] = lit(-0.35) * t9;
+                gamma[5] = by(0.35).mul_add(t9, -t6);
+                gamma[6] = by(-0.35) * t8;
+                gamma[7] = by(-0.35) * t9;
             }
         }
 
@@ -1952,53 +1958,54 @@ mod plm_four_bar_ {
                 let [last_area_0, ..] = m.determinants;
                 let [crank_angle, crank_omega, ..] = *x;
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Masses and forces along the coordinates: M a = Q
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
                 let t1 = cos_crank_angle - lit(0.3);
-                let loop_0_x = lit(0.3).mul_add(cos_crank_angle, lit(-1.0));
-                let loop_0_y = lit(0.3) * sin_crank_angle;
+                let loop_0_x = by(0.3).mul_add(cos_crank_angle, lit(-1.0));
+                let loop_0_y = by(0.3) * sin_crank_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
-                let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
-                let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
+                let along_0 = by(-0.5) * (distance_0 - lit(0.32));
+                let square_0 = (-along_0).mul_add(along_0, by(0.49) * distance_0);
                 let area_0 =
                     lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
-                let inverse_0 = lit(1.0) / distance_0;
+                let inverse_0 = by(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
                 let cross_0_0 = (-t1).mul_add(way_0_y, sin_crank_angle * way_0_x);
                 let cross_0_1 = sin_crank_angle + cross_0_0;
-                let reciprocal_0 = lit(1.0) / area_0;
-                let ratio_0_0 = lit(0.3) * cross_0_1 * reciprocal_0;
-                let momentum_0_1 = lit(0.11433333333333333) * ratio_0_0;
-                let ratio_0_1 = lit(0.3) * cross_0_0 * reciprocal_0;
+                let reciprocal_0 = by(1.0) / area_0;
+                let ratio_0_0 = by(0.3) * cross_0_1 * reciprocal_0;
+                let momentum_0_1 = by(0.11433333333333333) * ratio_0_0;
+                let ratio_0_1 = by(0.3) * cross_0_0 * reciprocal_0;
                 let dot_0_0 = -sin_crank_angle.mul_add(way_0_y, t1 * way_0_x);
                 let dot_0_1 = dot_0_0 - t1;
-                let t2 = lit(0.135) * ratio_0_1;
-                let momentum_0_2 = lit(-0.135).mul_add(dot_0_1, lit(0.243) * ratio_0_1);
+                let t2 = by(0.135) * ratio_0_1;
+                let momentum_0_2 = by(-0.135).mul_add(dot_0_1, by(0.243) * ratio_0_1);
                 let rocker_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
-                let still_0 = (-(lit(4.4145) * -(loop_0_x + rocker_arm_x))).mul_add(
+                let still_0 = (-(by(4.4145) * -(loop_0_x + rocker_arm_x))).mul_add(
                     ratio_0_1,
-                    lit(-3.09015).mul_add(cos_crank_angle, lit(3.4335) * rocker_arm_x * ratio_0_0),
+                    by(-3.09015).mul_add(cos_crank_angle, by(3.4335) * rocker_arm_x * ratio_0_0),
                 );
                 let t3 = ratio_0_1 * ratio_0_1;
                 let t4 = along_0 + lit(0.49);
                 let t5 = ratio_0_0 * ratio_0_0;
                 let t6 = momentum_0_2.mul_add(
-                    reciprocal_0 * lit(-0.49).mul_add(t5, lit(-0.3).mul_add(dot_0_0, t4 * t3)),
+                    reciprocal_0 * by(-0.49).mul_add(t5, by(-0.3).mul_add(dot_0_0, t4 * t3)),
                     momentum_0_1
-                        * (reciprocal_0 * (-t4).mul_add(t5, lit(-0.3).mul_add(dot_0_1, lit(0.81) * t3))),
+                        * (reciprocal_0 * (-t4).mul_add(t5, by(-0.3).mul_add(dot_0_1, by(0.81) * t3))),
                 );
                 // Results
                 dx[0] = crank_omega;
                 let crank_angle_acceleration = (-(crank_omega * crank_omega))
                     .mul_add((-(cross_0_1 * ratio_0_1)).mul_add(lit(0.135) - t2, t6), still_0)
-                    * (lit(1.0)
+                    * (by(1.0)
                         / ratio_0_1.mul_add(
                             momentum_0_2,
                             ratio_0_0.mul_add(momentum_0_1, (-t2).mul_add(dot_0_1, lit(0.09))),
                         ));
                 dx[1] = crank_angle_acceleration;
-                lit(2.5195263290501386) * square_0
+                by(2.5195263290501386) * square_0
             }
 
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
@@ -2014,72 +2021,73 @@ mod plm_four_bar_ {
                 v: &mut [S; 9],
             ) -> S {
                 let lit = S::lit;
+                let by = rt::Factor;
                 let crank_angle = x[0];
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
-                let crank_x = lit(0.15) * cos_crank_angle;
+                let crank_x = by(0.15) * cos_crank_angle;
                 q[0] = crank_x;
-                let crank_y = lit(0.15) * sin_crank_angle;
+                let crank_y = by(0.15) * sin_crank_angle;
                 q[1] = crank_y;
                 q[2] = crank_angle;
-                let loop_0_x = lit(0.3).mul_add(cos_crank_angle, lit(-1.0));
-                let loop_0_y = lit(0.3) * sin_crank_angle;
+                let loop_0_x = by(0.3).mul_add(cos_crank_angle, lit(-1.0));
+                let loop_0_y = by(0.3) * sin_crank_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
-                let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
-                let inverse_0 = lit(1.0) / distance_0;
+                let along_0 = by(-0.5) * (distance_0 - lit(0.32));
+                let inverse_0 = by(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
-                let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
+                let square_0 = (-along_0).mul_add(along_0, by(0.49) * distance_0);
                 let last_area_0 = m.determinants[0];
                 let area_0 =
                     lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
                 let way_0_y = area_0 * inverse_0;
                 let rocker_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
                 let coupler_arm_x = -(loop_0_x + rocker_arm_x);
-                let t1 = lit(0.5) * coupler_arm_x;
+                let t1 = by(0.5) * coupler_arm_x;
                 q[3] = crank_x + t1 + crank_x;
                 let rocker_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
                 let coupler_arm_y = -(loop_0_y + rocker_arm_y);
-                let t2 = lit(0.5) * coupler_arm_y;
+                let t2 = by(0.5) * coupler_arm_y;
                 q[4] = crank_y + t2 + crank_y;
                 let last_angle_2 = m.angles[2].angle;
                 let last_cosine_2 = m.angles[2].cos;
-                let coupler_sin = lit(1.1111111111111112) * coupler_arm_y;
+                let coupler_sin = by(1.1111111111111112) * coupler_arm_y;
                 let last_sine_2 = m.angles[2].sin;
-                let coupler_cos = lit(1.1111111111111112) * coupler_arm_x;
+                let coupler_cos = by(1.1111111111111112) * coupler_arm_x;
                 let t3 = last_angle_2
                     + (-last_sine_2)
                         .mul_add(coupler_cos, last_cosine_2 * coupler_sin)
                         .atan2(last_sine_2.mul_add(coupler_sin, last_cosine_2 * coupler_cos));
                 q[5] = t3;
-                q[6] = lit(-0.5).mul_add(rocker_arm_x, lit(1.0));
-                q[7] = lit(-0.5) * rocker_arm_y;
+                q[6] = by(-0.5).mul_add(rocker_arm_x, lit(1.0));
+                q[7] = by(-0.5) * rocker_arm_y;
                 let last_angle_1 = m.angles[1].angle;
                 let last_cosine_1 = m.angles[1].cos;
-                let rocker_sin = lit(-1.4285714285714286) * rocker_arm_y;
+                let rocker_sin = by(-1.4285714285714286) * rocker_arm_y;
                 let last_sine_1 = m.angles[1].sin;
-                let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
+                let rocker_cos = by(-1.4285714285714286) * rocker_arm_x;
                 let t4 = last_angle_1
                     + (-last_sine_1)
                         .mul_add(rocker_cos, last_cosine_1 * rocker_sin)
                         .atan2(last_sine_1.mul_add(rocker_sin, last_cosine_1 * rocker_cos));
                 q[8] = t4;
                 let crank_omega = x[1];
-                let crank_vx = lit(-0.15) * (crank_omega * sin_crank_angle);
+                let crank_vx = by(-0.15) * (crank_omega * sin_crank_angle);
                 v[0] = crank_vx;
-                let crank_vy = lit(0.15) * (crank_omega * cos_crank_angle);
+                let crank_vy = by(0.15) * (crank_omega * cos_crank_angle);
                 v[1] = crank_vy;
                 v[2] = crank_omega;
                 let cross_0_0 = (-(cos_crank_angle - lit(0.3))).mul_add(way_0_y, sin_crank_angle * way_0_x);
-                let reciprocal_0 = lit(1.0) / area_0;
-                let coupler_angle_rate = crank_omega * (lit(0.3) * cross_0_0 * reciprocal_0);
+                let reciprocal_0 = by(1.0) / area_0;
+                let coupler_angle_rate = crank_omega * (by(0.3) * cross_0_0 * reciprocal_0);
                 v[3] = (-t2).mul_add(coupler_angle_rate, crank_vx + crank_vx);
                 v[4] = t1.mul_add(coupler_angle_rate, crank_vy + crank_vy);
                 v[5] = coupler_angle_rate;
                 let rocker_angle_rate =
-                    crank_omega * (lit(0.3) * (sin_crank_angle + cross_0_0) * reciprocal_0);
-                v[6] = lit(0.5) * rocker_arm_y * rocker_angle_rate;
-                v[7] = lit(-0.5) * rocker_arm_x * rocker_angle_rate;
+                    crank_omega * (by(0.3) * (sin_crank_angle + cross_0_0) * reciprocal_0);
+                v[6] = by(0.5) * rocker_arm_y * rocker_angle_rate;
+                v[7] = by(-0.5) * rocker_arm_x * rocker_angle_rate;
                 v[8] = rocker_angle_rate;
-                lit(2.5195263290501386) * square_0
+                by(2.5195263290501386) * square_0
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
@@ -2100,28 +2108,29 @@ mod plm_four_bar_ {
                 memory: &mut rt::charts::Continuation<S, 1, 3, 1, 0>,
             ) -> S {
                 let lit = S::lit;
+                let by = rt::Factor;
                 let crank_angle = x[0];
                 memory.coordinates[0].last = crank_angle;
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
-                let loop_0_x = lit(0.3).mul_add(cos_crank_angle, lit(-1.0));
-                let loop_0_y = lit(0.3) * sin_crank_angle;
+                let loop_0_x = by(0.3).mul_add(cos_crank_angle, lit(-1.0));
+                let loop_0_y = by(0.3) * sin_crank_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
-                let along_0 = lit(-0.5) * (distance_0 - lit(0.32));
-                let square_0 = (-along_0).mul_add(along_0, lit(0.49) * distance_0);
+                let along_0 = by(-0.5) * (distance_0 - lit(0.32));
+                let square_0 = (-along_0).mul_add(along_0, by(0.49) * distance_0);
                 let last_area_0 = m.determinants[0];
                 let area_0 =
                     lit(0.0).max(square_0).sqrt() * S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0));
-                let inverse_0 = lit(1.0) / distance_0;
+                let inverse_0 = by(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
                 let cross_0_0 = (-(cos_crank_angle - lit(0.3))).mul_add(way_0_y, sin_crank_angle * way_0_x);
-                let reciprocal_0 = lit(1.0) / area_0;
-                let ratio_0_1 = lit(0.3) * cross_0_0 * reciprocal_0;
-                let ratio_0_0 = lit(0.3) * (sin_crank_angle + cross_0_0) * reciprocal_0;
-                let t1 = lit(0.1)
+                let reciprocal_0 = by(1.0) / area_0;
+                let ratio_0_1 = by(0.3) * cross_0_0 * reciprocal_0;
+                let ratio_0_0 = by(0.3) * (sin_crank_angle + cross_0_0) * reciprocal_0;
+                let t1 = by(0.1)
                     / lit(1.0).max(
                         ratio_0_1.abs().max(
-                            (lit(0.63) * lit(1.0).max((ratio_0_0 - ratio_0_1).abs()) / square_0.sqrt())
+                            (by(0.63) * lit(1.0).max((ratio_0_0 - ratio_0_1).abs()) / square_0.sqrt())
                                 .max(ratio_0_0.abs()),
                         ),
                     );
@@ -2134,10 +2143,10 @@ mod plm_four_bar_ {
                 let last_angle_1 = m.angles[1].angle;
                 let last_cosine_1 = m.angles[1].cos;
                 let rocker_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
-                let rocker_sin = lit(-1.4285714285714286) * rocker_arm_y;
+                let rocker_sin = by(-1.4285714285714286) * rocker_arm_y;
                 let last_sine_1 = m.angles[1].sin;
                 let rocker_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
-                let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
+                let rocker_cos = by(-1.4285714285714286) * rocker_arm_x;
                 let t2 = last_angle_1
                     + (-last_sine_1)
                         .mul_add(rocker_cos, last_cosine_1 * rocker_sin)
@@ -2148,9 +2157,9 @@ mod plm_four_bar_ {
                 memory.angles[1].sin = sin_t2;
                 let last_angle_2 = m.angles[2].angle;
                 let last_cosine_2 = m.angles[2].cos;
-                let coupler_sin = lit(1.1111111111111112) * -(loop_0_y + rocker_arm_y);
+                let coupler_sin = by(1.1111111111111112) * -(loop_0_y + rocker_arm_y);
                 let last_sine_2 = m.angles[2].sin;
-                let coupler_cos = lit(1.1111111111111112) * -(loop_0_x + rocker_arm_x);
+                let coupler_cos = by(1.1111111111111112) * -(loop_0_x + rocker_arm_x);
                 let t3 = last_angle_2
                     + (-last_sine_2)
                         .mul_add(coupler_cos, last_cosine_2 * coupler_sin)
@@ -2160,7 +2169,7 @@ mod plm_four_bar_ {
                 memory.angles[2].cos = cos_t3;
                 memory.angles[2].sin = sin_t3;
                 memory.determinants[0] = area_0;
-                lit(2.5195263290501386) * square_0
+                by(2.5195263290501386) * square_0
             }
 
             /// The same of a pose and velocity.
@@ -2178,6 +2187,7 @@ mod plm_four_bar_ {
                 let coupler_angle = q[5];
                 let rocker_angle = q[8];
                 let lit = S::lit;
+                let by = rt::Factor;
                 memory.coordinates[0].last = crank_angle;
                 memory.coordinates[0].reach = lit(0.0);
                 memory.time.last = t;
@@ -2196,7 +2206,7 @@ mod plm_four_bar_ {
                 memory.angles[2].cos = cos_coupler_angle;
                 memory.angles[2].sin = sin_coupler_angle;
                 let t1 = (-sin_coupler_angle).mul_add(cos_rocker_angle, cos_coupler_angle * sin_rocker_angle);
-                memory.determinants[0] = lit(0.63) * t1;
+                memory.determinants[0] = by(0.63) * t1;
                 t1 * t1
             }
 
@@ -2216,49 +2226,50 @@ mod plm_four_bar_ {
                 let [last_area_0, ..] = m.determinants;
                 let [rocker_angle, rocker_omega, ..] = *x;
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Masses and forces along the coordinates: M a = Q
                 let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
                 let t1 = cos_rocker_angle + lit(0.7);
-                let loop_0_x = lit(-0.7).mul_add(cos_rocker_angle, lit(-1.0));
-                let loop_0_y = lit(-0.7) * sin_rocker_angle;
+                let loop_0_x = by(-0.7).mul_add(cos_rocker_angle, lit(-1.0));
+                let loop_0_y = by(-0.7) * sin_rocker_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
-                let along_0 = lit(-0.5) * (distance_0 - lit(0.72));
-                let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
+                let along_0 = by(-0.5) * (distance_0 - lit(0.72));
+                let square_0 = (-along_0).mul_add(along_0, by(0.09) * distance_0);
                 let area_0 =
                     S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
-                let inverse_0 = lit(1.0) / distance_0;
+                let inverse_0 = by(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
                 let cross_0_0 = (-t1).mul_add(way_0_y, sin_rocker_angle * way_0_x);
-                let reciprocal_0 = lit(1.0) / area_0;
-                let ratio_0_0 = lit(-0.7) * (sin_rocker_angle + cross_0_0) * reciprocal_0;
+                let reciprocal_0 = by(1.0) / area_0;
+                let ratio_0_0 = by(-0.7) * (sin_rocker_angle + cross_0_0) * reciprocal_0;
                 let t2 = along_0 + lit(0.09);
-                let ratio_0_1 = lit(-0.7) * cross_0_0 * reciprocal_0;
-                let t3 = lit(0.45) * t2;
-                let momentum_0_0 = (-t3).mul_add(ratio_0_1, lit(0.09) * ratio_0_0);
-                let momentum_0_2 = (-t3).mul_add(ratio_0_0, lit(0.243) * ratio_0_1);
+                let ratio_0_1 = by(-0.7) * cross_0_0 * reciprocal_0;
+                let t3 = by(0.45) * t2;
+                let momentum_0_0 = (-t3).mul_add(ratio_0_1, by(0.09) * ratio_0_0);
+                let momentum_0_2 = (-t3).mul_add(ratio_0_0, by(0.243) * ratio_0_1);
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
-                let still_0 = (-(lit(4.4145) * -(loop_0_x + crank_arm_x))).mul_add(
+                let still_0 = (-(by(4.4145) * -(loop_0_x + crank_arm_x))).mul_add(
                     ratio_0_1,
-                    (-(lit(10.3005) * crank_arm_x)).mul_add(ratio_0_0, lit(-2.40345) * cos_rocker_angle),
+                    (-(by(10.3005) * crank_arm_x)).mul_add(ratio_0_0, by(-2.40345) * cos_rocker_angle),
                 );
                 let t4 = ratio_0_1 * ratio_0_1;
                 let dot_0_0 = -sin_rocker_angle.mul_add(way_0_y, t1 * way_0_x);
                 let t5 = ratio_0_0 * ratio_0_0;
                 let t6 = momentum_0_0
-                    * (reciprocal_0 * (-t2).mul_add(t5, lit(0.7).mul_add(dot_0_0 - t1, lit(0.81) * t4)));
+                    * (reciprocal_0 * (-t2).mul_add(t5, by(0.7).mul_add(dot_0_0 - t1, by(0.81) * t4)));
                 let t7 = momentum_0_2
-                    .mul_add(reciprocal_0 * t2.mul_add(t4, lit(-0.09).mul_add(t5, lit(0.7) * dot_0_0)), t6);
+                    .mul_add(reciprocal_0 * t2.mul_add(t4, by(-0.09).mul_add(t5, by(0.7) * dot_0_0)), t6);
                 let t8 = rocker_omega
                     * rocker_omega
-                    * (lit(0.45) * area_0 * ratio_0_0 * ratio_0_1).mul_add(ratio_0_0 - ratio_0_1, t7);
+                    * (by(0.45) * area_0 * ratio_0_0 * ratio_0_1).mul_add(ratio_0_0 - ratio_0_1, t7);
                 // Results
                 dx[0] = rocker_omega;
                 dx[1] = (still_0 - t8)
-                    * (lit(1.0)
+                    * (by(1.0)
                         / (ratio_0_1.mul_add(momentum_0_2, ratio_0_0 * momentum_0_0)
                             + lit(0.11433333333333333)));
-                lit(13.717421124828531) * square_0
+                by(13.717421124828531) * square_0
             }
 
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
@@ -2274,72 +2285,73 @@ mod plm_four_bar_ {
                 v: &mut [S; 9],
             ) -> S {
                 let lit = S::lit;
+                let by = rt::Factor;
                 let rocker_angle = x[0];
                 let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
-                let loop_0_x = lit(-0.7).mul_add(cos_rocker_angle, lit(-1.0));
-                let loop_0_y = lit(-0.7) * sin_rocker_angle;
+                let loop_0_x = by(-0.7).mul_add(cos_rocker_angle, lit(-1.0));
+                let loop_0_y = by(-0.7) * sin_rocker_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
-                let along_0 = lit(-0.5) * (distance_0 - lit(0.72));
-                let inverse_0 = lit(1.0) / distance_0;
+                let along_0 = by(-0.5) * (distance_0 - lit(0.72));
+                let inverse_0 = by(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
                 let last_area_0 = m.determinants[0];
-                let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
+                let square_0 = (-along_0).mul_add(along_0, by(0.09) * distance_0);
                 let area_0 =
                     S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
                 let way_0_y = area_0 * inverse_0;
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
-                let crank_x = lit(0.5) * crank_arm_x;
+                let crank_x = by(0.5) * crank_arm_x;
                 q[0] = crank_x;
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
-                let crank_y = lit(0.5) * crank_arm_y;
+                let crank_y = by(0.5) * crank_arm_y;
                 q[1] = crank_y;
                 let last_angle_0 = m.angles[0].angle;
                 let last_cosine_0 = m.angles[0].cos;
-                let crank_sin = lit(3.3333333333333335) * crank_arm_y;
+                let crank_sin = by(3.3333333333333335) * crank_arm_y;
                 let last_sine_0 = m.angles[0].sin;
-                let crank_cos = lit(3.3333333333333335) * crank_arm_x;
+                let crank_cos = by(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
                     + (-last_sine_0)
                         .mul_add(crank_cos, last_cosine_0 * crank_sin)
                         .atan2(last_sine_0.mul_add(crank_sin, last_cosine_0 * crank_cos));
                 q[2] = t1;
                 let coupler_arm_x = -(loop_0_x + crank_arm_x);
-                q[3] = lit(0.5).mul_add(crank_arm_x + coupler_arm_x, crank_x);
+                q[3] = by(0.5).mul_add(crank_arm_x + coupler_arm_x, crank_x);
                 let coupler_arm_y = -(loop_0_y + crank_arm_y);
-                q[4] = lit(0.5).mul_add(crank_arm_y + coupler_arm_y, crank_y);
+                q[4] = by(0.5).mul_add(crank_arm_y + coupler_arm_y, crank_y);
                 let last_angle_2 = m.angles[2].angle;
                 let last_cosine_2 = m.angles[2].cos;
-                let coupler_sin = lit(1.1111111111111112) * coupler_arm_y;
+                let coupler_sin = by(1.1111111111111112) * coupler_arm_y;
                 let last_sine_2 = m.angles[2].sin;
-                let coupler_cos = lit(1.1111111111111112) * coupler_arm_x;
+                let coupler_cos = by(1.1111111111111112) * coupler_arm_x;
                 let t2 = last_angle_2
                     + (-last_sine_2)
                         .mul_add(coupler_cos, last_cosine_2 * coupler_sin)
                         .atan2(last_sine_2.mul_add(coupler_sin, last_cosine_2 * coupler_cos));
                 q[5] = t2;
-                q[6] = lit(0.35).mul_add(cos_rocker_angle, lit(1.0));
-                q[7] = lit(0.35) * sin_rocker_angle;
+                q[6] = by(0.35).mul_add(cos_rocker_angle, lit(1.0));
+                q[7] = by(0.35) * sin_rocker_angle;
                 q[8] = rocker_angle;
                 let rocker_omega = x[1];
                 let cross_0_0 = (-(cos_rocker_angle + lit(0.7))).mul_add(way_0_y, sin_rocker_angle * way_0_x);
-                let reciprocal_0 = lit(1.0) / area_0;
+                let reciprocal_0 = by(1.0) / area_0;
                 let crank_angle_rate =
-                    rocker_omega * (lit(-0.7) * (sin_rocker_angle + cross_0_0) * reciprocal_0);
+                    rocker_omega * (by(-0.7) * (sin_rocker_angle + cross_0_0) * reciprocal_0);
                 let t3 = crank_arm_y * crank_angle_rate;
-                let crank_vx = lit(-0.5) * t3;
+                let crank_vx = by(-0.5) * t3;
                 v[0] = crank_vx;
                 let t4 = crank_arm_x * crank_angle_rate;
-                let crank_vy = lit(0.5) * t4;
+                let crank_vy = by(0.5) * t4;
                 v[1] = crank_vy;
                 v[2] = crank_angle_rate;
-                let coupler_angle_rate = rocker_omega * (lit(-0.7) * cross_0_0 * reciprocal_0);
-                v[3] = lit(-0.5).mul_add(coupler_arm_y.mul_add(coupler_angle_rate, t3), crank_vx);
-                v[4] = lit(0.5).mul_add(coupler_arm_x.mul_add(coupler_angle_rate, t4), crank_vy);
+                let coupler_angle_rate = rocker_omega * (by(-0.7) * cross_0_0 * reciprocal_0);
+                v[3] = by(-0.5).mul_add(coupler_arm_y.mul_add(coupler_angle_rate, t3), crank_vx);
+                v[4] = by(0.5).mul_add(coupler_arm_x.mul_add(coupler_angle_rate, t4), crank_vy);
                 v[5] = coupler_angle_rate;
-                v[6] = lit(-0.35) * rocker_omega * sin_rocker_angle;
-                v[7] = lit(0.35) * rocker_omega * cos_rocker_angle;
+                v[6] = by(-0.35) * rocker_omega * sin_rocker_angle;
+                v[7] = by(0.35) * rocker_omega * cos_rocker_angle;
                 v[8] = rocker_omega;
-                lit(13.717421124828531) * square_0
+                by(13.717421124828531) * square_0
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
@@ -2360,28 +2372,29 @@ mod plm_four_bar_ {
                 memory: &mut rt::charts::Continuation<S, 1, 3, 1, 0>,
             ) -> S {
                 let lit = S::lit;
+                let by = rt::Factor;
                 let rocker_angle = x[0];
                 memory.coordinates[0].last = rocker_angle;
                 let (sin_rocker_angle, cos_rocker_angle) = rocker_angle.sin_cos();
                 let last_area_0 = m.determinants[0];
-                let loop_0_x = lit(-0.7).mul_add(cos_rocker_angle, lit(-1.0));
-                let loop_0_y = lit(-0.7) * sin_rocker_angle;
+                let loop_0_x = by(-0.7).mul_add(cos_rocker_angle, lit(-1.0));
+                let loop_0_y = by(-0.7) * sin_rocker_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
-                let along_0 = lit(-0.5) * (distance_0 - lit(0.72));
-                let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
+                let along_0 = by(-0.5) * (distance_0 - lit(0.72));
+                let square_0 = (-along_0).mul_add(along_0, by(0.09) * distance_0);
                 let area_0 =
                     S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
-                let inverse_0 = lit(1.0) / distance_0;
+                let inverse_0 = by(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
                 let cross_0_0 = (-(cos_rocker_angle + lit(0.7))).mul_add(way_0_y, sin_rocker_angle * way_0_x);
-                let reciprocal_0 = lit(1.0) / area_0;
-                let ratio_0_1 = lit(-0.7) * cross_0_0 * reciprocal_0;
-                let ratio_0_0 = lit(-0.7) * (sin_rocker_angle + cross_0_0) * reciprocal_0;
-                let t1 = lit(0.1)
+                let reciprocal_0 = by(1.0) / area_0;
+                let ratio_0_1 = by(-0.7) * cross_0_0 * reciprocal_0;
+                let ratio_0_0 = by(-0.7) * (sin_rocker_angle + cross_0_0) * reciprocal_0;
+                let t1 = by(0.1)
                     / lit(1.0).max(
                         ratio_0_1.abs().max(
-                            (lit(0.27) * lit(1.0).max((ratio_0_0 - ratio_0_1).abs()) / square_0.sqrt())
+                            (by(0.27) * lit(1.0).max((ratio_0_0 - ratio_0_1).abs()) / square_0.sqrt())
                                 .max(ratio_0_0.abs()),
                         ),
                     );
@@ -2391,10 +2404,10 @@ mod plm_four_bar_ {
                 let last_angle_0 = m.angles[0].angle;
                 let last_cosine_0 = m.angles[0].cos;
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
-                let crank_sin = lit(3.3333333333333335) * crank_arm_y;
+                let crank_sin = by(3.3333333333333335) * crank_arm_y;
                 let last_sine_0 = m.angles[0].sin;
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
-                let crank_cos = lit(3.3333333333333335) * crank_arm_x;
+                let crank_cos = by(3.3333333333333335) * crank_arm_x;
                 let t2 = last_angle_0
                     + (-last_sine_0)
                         .mul_add(crank_cos, last_cosine_0 * crank_sin)
@@ -2408,9 +2421,9 @@ mod plm_four_bar_ {
                 memory.angles[1].sin = sin_rocker_angle;
                 let last_angle_2 = m.angles[2].angle;
                 let last_cosine_2 = m.angles[2].cos;
-                let coupler_sin = lit(1.1111111111111112) * -(loop_0_y + crank_arm_y);
+                let coupler_sin = by(1.1111111111111112) * -(loop_0_y + crank_arm_y);
                 let last_sine_2 = m.angles[2].sin;
-                let coupler_cos = lit(1.1111111111111112) * -(loop_0_x + crank_arm_x);
+                let coupler_cos = by(1.1111111111111112) * -(loop_0_x + crank_arm_x);
                 let t3 = last_angle_2
                     + (-last_sine_2)
                         .mul_add(coupler_cos, last_cosine_2 * coupler_sin)
@@ -2420,7 +2433,7 @@ mod plm_four_bar_ {
                 memory.angles[2].cos = cos_t3;
                 memory.angles[2].sin = sin_t3;
                 memory.determinants[0] = area_0;
-                lit(13.717421124828531) * square_0
+                by(13.717421124828531) * square_0
             }
 
             /// The same of a pose and velocity.
@@ -2438,6 +2451,7 @@ mod plm_four_bar_ {
                 let coupler_angle = q[5];
                 let rocker_angle = q[8];
                 let lit = S::lit;
+                let by = rt::Factor;
                 memory.coordinates[0].last = rocker_angle;
                 memory.coordinates[0].reach = lit(0.0);
                 memory.time.last = t;
@@ -2456,7 +2470,7 @@ mod plm_four_bar_ {
                 memory.angles[2].cos = cos_coupler_angle;
                 memory.angles[2].sin = sin_coupler_angle;
                 let t1 = (-cos_crank_angle).mul_add(sin_coupler_angle, sin_crank_angle * cos_coupler_angle);
-                memory.determinants[0] = lit(-0.27) * t1;
+                memory.determinants[0] = by(-0.27) * t1;
                 t1 * t1
             }
 
@@ -2476,54 +2490,55 @@ mod plm_four_bar_ {
                 let [last_area_0, ..] = m.determinants;
                 let [coupler_angle, coupler_omega, ..] = *x;
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Masses and forces along the coordinates: M a = Q
                 let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
                 let t1 = cos_coupler_angle - lit(0.9);
-                let loop_0_x = lit(0.9).mul_add(cos_coupler_angle, lit(-1.0));
-                let loop_0_y = lit(0.9) * sin_coupler_angle;
+                let loop_0_x = by(0.9).mul_add(cos_coupler_angle, lit(-1.0));
+                let loop_0_y = by(0.9) * sin_coupler_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
-                let along_0 = lit(-0.5) * (distance_0 - lit(0.4));
-                let inverse_0 = lit(1.0) / distance_0;
+                let along_0 = by(-0.5) * (distance_0 - lit(0.4));
+                let inverse_0 = by(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
-                let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
+                let square_0 = (-along_0).mul_add(along_0, by(0.09) * distance_0);
                 let area_0 =
                     S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
                 let way_0_y = area_0 * inverse_0;
                 let dot_0_0 = -sin_coupler_angle.mul_add(way_0_y, t1 * way_0_x);
                 let cross_0_0 = (-t1).mul_add(way_0_y, sin_coupler_angle * way_0_x);
-                let reciprocal_0 = lit(1.0) / area_0;
-                let ratio_0_0 = lit(0.9) * (sin_coupler_angle + cross_0_0) * reciprocal_0;
-                let t2 = lit(0.405) * dot_0_0;
-                let momentum_0_0 = lit(0.09).mul_add(ratio_0_0, t2);
-                let ratio_0_1 = lit(0.9) * cross_0_0 * reciprocal_0;
-                let momentum_0_1 = lit(0.11433333333333333) * ratio_0_1;
+                let reciprocal_0 = by(1.0) / area_0;
+                let ratio_0_0 = by(0.9) * (sin_coupler_angle + cross_0_0) * reciprocal_0;
+                let t2 = by(0.405) * dot_0_0;
+                let momentum_0_0 = by(0.09).mul_add(ratio_0_0, t2);
+                let ratio_0_1 = by(0.9) * cross_0_0 * reciprocal_0;
+                let momentum_0_1 = by(0.11433333333333333) * ratio_0_1;
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
-                let still_0 = (-(lit(10.3005) * crank_arm_x)).mul_add(
+                let still_0 = (-(by(10.3005) * crank_arm_x)).mul_add(
                     ratio_0_0,
-                    lit(-3.97305)
-                        .mul_add(cos_coupler_angle, lit(3.4335) * -(loop_0_x + crank_arm_x) * ratio_0_1),
+                    by(-3.97305)
+                        .mul_add(cos_coupler_angle, by(3.4335) * -(loop_0_x + crank_arm_x) * ratio_0_1),
                 );
                 let t3 = ratio_0_1 * ratio_0_1;
                 let t4 = along_0 + lit(0.09);
                 let t5 = ratio_0_0 * ratio_0_0;
                 let t6 = momentum_0_0
-                    * (reciprocal_0 * (-t4).mul_add(t5, lit(-0.9).mul_add(dot_0_0 - t1, lit(0.49) * t3)));
+                    * (reciprocal_0 * (-t4).mul_add(t5, by(-0.9).mul_add(dot_0_0 - t1, by(0.49) * t3)));
                 let t7 = momentum_0_1
-                    .mul_add(reciprocal_0 * lit(-0.09).mul_add(t5, lit(-0.9).mul_add(dot_0_0, t4 * t3)), t6);
+                    .mul_add(reciprocal_0 * by(-0.09).mul_add(t5, by(-0.9).mul_add(dot_0_0, t4 * t3)), t6);
                 let force_0 = (-(coupler_omega * coupler_omega)).mul_add(
-                    (cross_0_0 * ratio_0_0).mul_add(lit(-0.405).mul_add(ratio_0_0, lit(0.405)), t7),
+                    (cross_0_0 * ratio_0_0).mul_add(by(-0.405).mul_add(ratio_0_0, lit(0.405)), t7),
                     still_0,
                 );
                 // Results
                 dx[0] = coupler_omega;
-                let coupler_angle_acceleration = lit(1.0)
+                let coupler_angle_acceleration = by(1.0)
                     / ratio_0_1.mul_add(
                         momentum_0_1,
                         ratio_0_0.mul_add(momentum_0_0, t2.mul_add(ratio_0_0, lit(0.243))),
                     )
                     * force_0;
                 dx[1] = coupler_angle_acceleration;
-                lit(22.675736961451246) * square_0
+                by(22.675736961451246) * square_0
             }
 
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
@@ -2539,47 +2554,48 @@ mod plm_four_bar_ {
                 v: &mut [S; 9],
             ) -> S {
                 let lit = S::lit;
+                let by = rt::Factor;
                 let coupler_angle = x[0];
                 let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
-                let loop_0_x = lit(0.9).mul_add(cos_coupler_angle, lit(-1.0));
-                let loop_0_y = lit(0.9) * sin_coupler_angle;
+                let loop_0_x = by(0.9).mul_add(cos_coupler_angle, lit(-1.0));
+                let loop_0_y = by(0.9) * sin_coupler_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
-                let along_0 = lit(-0.5) * (distance_0 - lit(0.4));
-                let inverse_0 = lit(1.0) / distance_0;
+                let along_0 = by(-0.5) * (distance_0 - lit(0.4));
+                let inverse_0 = by(1.0) / distance_0;
                 let way_0_x = along_0 * inverse_0;
                 let last_area_0 = m.determinants[0];
-                let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
+                let square_0 = (-along_0).mul_add(along_0, by(0.09) * distance_0);
                 let area_0 =
                     S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
                 let way_0_y = area_0 * inverse_0;
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
-                let crank_x = lit(0.5) * crank_arm_x;
+                let crank_x = by(0.5) * crank_arm_x;
                 q[0] = crank_x;
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
-                let crank_y = lit(0.5) * crank_arm_y;
+                let crank_y = by(0.5) * crank_arm_y;
                 q[1] = crank_y;
                 let last_angle_0 = m.angles[0].angle;
                 let last_cosine_0 = m.angles[0].cos;
-                let crank_sin = lit(3.3333333333333335) * crank_arm_y;
+                let crank_sin = by(3.3333333333333335) * crank_arm_y;
                 let last_sine_0 = m.angles[0].sin;
-                let crank_cos = lit(3.3333333333333335) * crank_arm_x;
+                let crank_cos = by(3.3333333333333335) * crank_arm_x;
                 let t1 = last_angle_0
                     + (-last_sine_0)
                         .mul_add(crank_cos, last_cosine_0 * crank_sin)
                         .atan2(last_sine_0.mul_add(crank_sin, last_cosine_0 * crank_cos));
                 q[2] = t1;
-                q[3] = lit(0.45).mul_add(cos_coupler_angle, crank_x) + crank_x;
-                q[4] = lit(0.45).mul_add(sin_coupler_angle, crank_y) + crank_y;
+                q[3] = by(0.45).mul_add(cos_coupler_angle, crank_x) + crank_x;
+                q[4] = by(0.45).mul_add(sin_coupler_angle, crank_y) + crank_y;
                 q[5] = coupler_angle;
                 let rocker_arm_x = -(loop_0_x + crank_arm_x);
-                q[6] = lit(-0.5).mul_add(rocker_arm_x, lit(1.0));
+                q[6] = by(-0.5).mul_add(rocker_arm_x, lit(1.0));
                 let rocker_arm_y = -(loop_0_y + crank_arm_y);
-                q[7] = lit(-0.5) * rocker_arm_y;
+                q[7] = by(-0.5) * rocker_arm_y;
                 let last_angle_1 = m.angles[1].angle;
                 let last_cosine_1 = m.angles[1].cos;
-                let rocker_sin = lit(-1.4285714285714286) * rocker_arm_y;
+                let rocker_sin = by(-1.4285714285714286) * rocker_arm_y;
                 let last_sine_1 = m.angles[1].sin;
-                let rocker_cos = lit(-1.4285714285714286) * rocker_arm_x;
+                let rocker_cos = by(-1.4285714285714286) * rocker_arm_x;
                 let t2 = last_angle_1
                     + (-last_sine_1)
                         .mul_add(rocker_cos, last_cosine_1 * rocker_sin)
@@ -2588,23 +2604,23 @@ mod plm_four_bar_ {
                 let coupler_omega = x[1];
                 let cross_0_0 =
                     (-(cos_coupler_angle - lit(0.9))).mul_add(way_0_y, sin_coupler_angle * way_0_x);
-                let reciprocal_0 = lit(1.0) / area_0;
+                let reciprocal_0 = by(1.0) / area_0;
                 let crank_angle_rate =
-                    coupler_omega * (lit(0.9) * (sin_coupler_angle + cross_0_0) * reciprocal_0);
-                let crank_vx = lit(-0.5) * (crank_arm_y * crank_angle_rate);
+                    coupler_omega * (by(0.9) * (sin_coupler_angle + cross_0_0) * reciprocal_0);
+                let crank_vx = by(-0.5) * (crank_arm_y * crank_angle_rate);
                 v[0] = crank_vx;
-                let crank_vy = lit(0.5) * (crank_arm_x * crank_angle_rate);
+                let crank_vy = by(0.5) * (crank_arm_x * crank_angle_rate);
                 v[1] = crank_vy;
                 v[2] = crank_angle_rate;
-                let t3 = lit(0.45) * coupler_omega;
+                let t3 = by(0.45) * coupler_omega;
                 v[3] = (-t3).mul_add(sin_coupler_angle, crank_vx) + crank_vx;
                 v[4] = t3.mul_add(cos_coupler_angle, crank_vy) + crank_vy;
                 v[5] = coupler_omega;
-                let rocker_angle_rate = coupler_omega * (lit(0.9) * cross_0_0 * reciprocal_0);
-                v[6] = lit(0.5) * rocker_arm_y * rocker_angle_rate;
-                v[7] = lit(-0.5) * rocker_arm_x * rocker_angle_rate;
+                let rocker_angle_rate = coupler_omega * (by(0.9) * cross_0_0 * reciprocal_0);
+                v[6] = by(0.5) * rocker_arm_y * rocker_angle_rate;
+                v[7] = by(-0.5) * rocker_arm_x * rocker_angle_rate;
                 v[8] = rocker_angle_rate;
-                lit(22.675736961451246) * square_0
+                by(22.675736961451246) * square_0
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
@@ -2625,29 +2641,30 @@ mod plm_four_bar_ {
                 memory: &mut rt::charts::Continuation<S, 1, 3, 1, 0>,
             ) -> S {
                 let lit = S::lit;
+                let by = rt::Factor;
                 let coupler_angle = x[0];
                 memory.coordinates[0].last = coupler_angle;
                 let (sin_coupler_angle, cos_coupler_angle) = coupler_angle.sin_cos();
                 let last_area_0 = m.determinants[0];
-                let loop_0_x = lit(0.9).mul_add(cos_coupler_angle, lit(-1.0));
-                let loop_0_y = lit(0.9) * sin_coupler_angle;
+                let loop_0_x = by(0.9).mul_add(cos_coupler_angle, lit(-1.0));
+                let loop_0_y = by(0.9) * sin_coupler_angle;
                 let distance_0 = loop_0_y.mul_add(loop_0_y, loop_0_x * loop_0_x);
-                let along_0 = lit(-0.5) * (distance_0 - lit(0.4));
-                let square_0 = (-along_0).mul_add(along_0, lit(0.09) * distance_0);
+                let along_0 = by(-0.5) * (distance_0 - lit(0.4));
+                let square_0 = (-along_0).mul_add(along_0, by(0.09) * distance_0);
                 let area_0 =
                     S::select(last_area_0.lt(lit(0.0)), lit(-1.0), lit(1.0)) * lit(0.0).max(square_0).sqrt();
-                let inverse_0 = lit(1.0) / distance_0;
+                let inverse_0 = by(1.0) / distance_0;
                 let way_0_y = area_0 * inverse_0;
                 let way_0_x = along_0 * inverse_0;
                 let cross_0_0 =
                     (-(cos_coupler_angle - lit(0.9))).mul_add(way_0_y, sin_coupler_angle * way_0_x);
-                let reciprocal_0 = lit(1.0) / area_0;
-                let ratio_0_1 = lit(0.9) * cross_0_0 * reciprocal_0;
-                let ratio_0_0 = lit(0.9) * (sin_coupler_angle + cross_0_0) * reciprocal_0;
-                let t1 = lit(0.1)
+                let reciprocal_0 = by(1.0) / area_0;
+                let ratio_0_1 = by(0.9) * cross_0_0 * reciprocal_0;
+                let ratio_0_0 = by(0.9) * (sin_coupler_angle + cross_0_0) * reciprocal_0;
+                let t1 = by(0.1)
                     / lit(1.0).max(
                         ratio_0_1.abs().max(
-                            (lit(0.21) * lit(1.0).max((ratio_0_0 - ratio_0_1).abs()) / square_0.sqrt())
+                            (by(0.21) * lit(1.0).max((ratio_0_0 - ratio_0_1).abs()) / square_0.sqrt())
                                 .max(ratio_0_0.abs()),
                         ),
                     );
@@ -2657,10 +2674,10 @@ mod plm_four_bar_ {
                 let last_angle_0 = m.angles[0].angle;
                 let last_cosine_0 = m.angles[0].cos;
                 let crank_arm_y = loop_0_y.mul_add(way_0_x, loop_0_x * way_0_y);
-                let crank_sin = lit(3.3333333333333335) * crank_arm_y;
+                let crank_sin = by(3.3333333333333335) * crank_arm_y;
                 let last_sine_0 = m.angles[0].sin;
                 let crank_arm_x = (-loop_0_y).mul_add(way_0_y, loop_0_x * way_0_x);
-                let crank_cos = lit(3.3333333333333335) * crank_arm_x;
+                let crank_cos = by(3.3333333333333335) * crank_arm_x;
                 let t2 = last_angle_0
                     + (-last_sine_0)
                         .mul_add(crank_cos, last_cosine_0 * crank_sin)
@@ -2671,9 +2688,9 @@ mod plm_four_bar_ {
                 memory.angles[0].sin = sin_t2;
                 let last_angle_1 = m.angles[1].angle;
                 let last_cosine_1 = m.angles[1].cos;
-                let rocker_sin = lit(-1.4285714285714286) * -(loop_0_y + crank_arm_y);
+                let rocker_sin = by(-1.4285714285714286) * -(loop_0_y + crank_arm_y);
                 let last_sine_1 = m.angles[1].sin;
-                let rocker_cos = lit(-1.4285714285714286) * -(loop_0_x + crank_arm_x);
+                let rocker_cos = by(-1.4285714285714286) * -(loop_0_x + crank_arm_x);
                 let t3 = last_angle_1
                     + (-last_sine_1)
                         .mul_add(rocker_cos, last_cosine_1 * rocker_sin)
@@ -2686,7 +2703,7 @@ mod plm_four_bar_ {
                 memory.angles[2].cos = cos_coupler_angle;
                 memory.angles[2].sin = sin_coupler_angle;
                 memory.determinants[0] = area_0;
-                lit(22.675736961451246) * square_0
+                by(22.675736961451246) * square_0
             }
 
             /// The same of a pose and velocity.
@@ -2704,6 +2721,7 @@ mod plm_four_bar_ {
                 let coupler_angle = q[5];
                 let rocker_angle = q[8];
                 let lit = S::lit;
+                let by = rt::Factor;
                 memory.coordinates[0].last = coupler_angle;
                 memory.coordinates[0].reach = lit(0.0);
                 memory.time.last = t;
@@ -2722,7 +2740,7 @@ mod plm_four_bar_ {
                 memory.angles[2].cos = cos_coupler_angle;
                 memory.angles[2].sin = sin_coupler_angle;
                 let t1 = (-cos_crank_angle).mul_add(sin_rocker_angle, sin_crank_angle * cos_rocker_angle);
-                memory.determinants[0] = lit(0.21) * t1;
+                memory.determinants[0] = by(0.21) * t1;
                 t1 * t1
             }
         }

@@ -167,14 +167,14 @@ mod plm_plate_on_three_pins_ {
                 let (q, _) = self.pose_();
                 let lambda_slot_2_normal = lambda[8];
                 let plate_angle = q[11];
-                let lit = S::lit;
+                let by = rt::Factor;
                 let (sin_plate_angle, cos_plate_angle) = plate_angle.sin_cos();
                 value[0] = lambda_slot_2_normal
-                    * lit(-0.17364817766693033)
-                        .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
+                    * by(-0.17364817766693033)
+                        .mul_add(sin_plate_angle, by(0.984807753012208) * cos_plate_angle);
                 value[1] = lambda_slot_2_normal
-                    * lit(0.984807753012208)
-                        .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
+                    * by(0.984807753012208)
+                        .mul_add(sin_plate_angle, by(0.17364817766693033) * cos_plate_angle);
                 value
             }
 
@@ -196,7 +196,7 @@ mod plm_plate_on_three_pins_ {
                     plate_omega,
                     ..,
                 ] = v;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let t1 = crank_2_vx.mul_add(
                     crank_2_vx,
                     crank_1_vy.mul_add(
@@ -205,11 +205,11 @@ mod plm_plate_on_three_pins_ {
                             .mul_add(crank_1_vx, crank_0_vy.mul_add(crank_0_vy, crank_0_vx * crank_0_vx)),
                     ),
                 );
-                let t2 = lit(0.15).mul_add(
+                let t2 = by(0.15).mul_add(
                     plate_omega.mul_add(plate_omega, crank_2_vy.mul_add(crank_2_vy, t1)),
                     plate_vy.mul_add(plate_vy, plate_vx * plate_vx),
                 );
-                lit(0.005).mul_add(
+                by(0.005).mul_add(
                     crank_2_omega.mul_add(
                         crank_2_omega,
                         crank_1_omega.mul_add(crank_1_omega, crank_0_omega * crank_0_omega),
@@ -225,8 +225,8 @@ mod plm_plate_on_three_pins_ {
                 let crank_1_y = q[4];
                 let crank_2_y = q[7];
                 let plate_y = q[10];
-                let lit = S::lit;
-                lit(2.943).mul_add(crank_0_y + crank_1_y + crank_2_y, lit(19.62) * plate_y)
+                let by = rt::Factor;
+                by(2.943).mul_add(crank_0_y + crank_1_y + crank_2_y, by(19.62) * plate_y)
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
@@ -262,26 +262,26 @@ mod plm_plate_on_three_pins_ {
                     plate_omega,
                     ..,
                 ] = v;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let ([sin_plate_angle, sin_crank_0_angle], [cos_plate_angle, cos_crank_0_angle]) =
                     S::sin_cos_all([plate_angle, crank_0_angle]);
-                let t1 = lit(-0.573576436351046)
-                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
-                let t2 = lit(-0.3).mul_add(sin_plate_angle, lit(0.4) * cos_plate_angle);
-                let t3 = lit(0.8191520442889918)
-                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
-                let t4 = lit(0.4).mul_add(sin_plate_angle, lit(0.3) * cos_plate_angle);
+                let t1 =
+                    by(-0.573576436351046).mul_add(sin_plate_angle, by(0.8191520442889918) * cos_plate_angle);
+                let t2 = by(-0.3).mul_add(sin_plate_angle, by(0.4) * cos_plate_angle);
+                let t3 =
+                    by(0.8191520442889918).mul_add(sin_plate_angle, by(0.573576436351046) * cos_plate_angle);
+                let t4 = by(0.4).mul_add(sin_plate_angle, by(0.3) * cos_plate_angle);
                 let t5 = t3.mul_add(
-                    lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) - plate_y + t4,
-                    t1 * (lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) - plate_x + t2),
+                    by(0.1).mul_add(sin_crank_0_angle, crank_0_y) - plate_y + t4,
+                    t1 * (by(0.1).mul_add(cos_crank_0_angle, crank_0_x) - plate_x + t2),
                 );
                 let t6 = t5.mul_add(
                     t3.mul_add(crank_0_vy - plate_vy, t1 * (crank_0_vx - plate_vx)),
                     plate_omega * (t5 * (-t4).mul_add(t1, t2 * t3)),
                 );
-                let t7 = lit(-100.0).mul_add(
+                let t7 = by(-100.0).mul_add(
                     t6,
-                    lit(-10.0)
+                    by(-10.0)
                         * crank_0_omega
                         * (t5 * (-sin_crank_0_angle).mul_add(t1, cos_crank_0_angle * t3)),
                 );
@@ -563,20 +563,20 @@ mod plm_plate_on_three_pins_ {
             fn of_two_poses(m: &rt::charts::Continuation<S, 0, 4, 1, 4>, t: Two<S>) -> [Two<S>; 1] {
                 let x: &[Two<S>; 0] = &[];
                 let lit = Two::<S>::lit;
-                let crank_0_angle = lit(0.4) * (lit(3.0) * t).sin();
+                let by = rt::Factor;
+                let crank_0_angle = by(0.4) * (by(3.0) * t).sin();
                 let (sin_crank_0_angle, cos_crank_0_angle) = crank_0_angle.sin_cos();
-                let crank_1_angle = lit(0.3) * (lit(2.0) * t).cos();
+                let crank_1_angle = by(0.3) * (by(2.0) * t).cos();
                 let (sin_crank_1_angle, cos_crank_1_angle) = crank_1_angle.sin_cos();
-                let loop_0_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_1_angle, lit(-1.0));
+                let loop_0_x = by(0.2).mul_add(cos_crank_0_angle - cos_crank_1_angle, lit(-1.0));
                 let last_cosine_3 = Two::both(m.angles[3].cos);
                 let last_0 = Two::both(m.time.last);
                 let since_remembered = t - last_0;
                 let last_rate_3 = Two::both(m.iterated[0].rate);
                 let last_bend_3 = Two::both(m.iterated[0].bend);
                 let t1 = since_remembered * last_bend_3.mul_add(since_remembered, last_rate_3);
-                let plate_angle_expected_tangent =
-                    t1 * (lit(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
-                let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
+                let plate_angle_expected_tangent = t1 * (by(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
+                let plate_angle_expected_sine = by(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
                 let last_sine_3 = Two::both(m.angles[3].sin);
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
@@ -585,69 +585,69 @@ mod plm_plate_on_three_pins_ {
                     (-last_sine_3).mul_add(plate_angle_expected_tangent, last_cosine_3),
                     last_sine_3,
                 );
-                let t2 = lit(0.8191520442889918)
-                    .mul_add(plate_angle_expected_sin, lit(0.573576436351046) * plate_angle_expected_cos);
-                let t3 = lit(0.984807753012208)
-                    .mul_add(plate_angle_expected_sin, lit(0.17364817766693033) * plate_angle_expected_cos);
-                let t4 = lit(-0.573576436351046)
-                    .mul_add(plate_angle_expected_sin, lit(0.8191520442889918) * plate_angle_expected_cos);
-                let t5 = lit(-0.17364817766693033)
-                    .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
+                let t2 = by(0.8191520442889918)
+                    .mul_add(plate_angle_expected_sin, by(0.573576436351046) * plate_angle_expected_cos);
+                let t3 = by(0.984807753012208)
+                    .mul_add(plate_angle_expected_sin, by(0.17364817766693033) * plate_angle_expected_cos);
+                let t4 = by(-0.573576436351046)
+                    .mul_add(plate_angle_expected_sin, by(0.8191520442889918) * plate_angle_expected_cos);
+                let t5 = by(-0.17364817766693033)
+                    .mul_add(plate_angle_expected_sin, by(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t4.mul_add(t5, t2 * t3);
                 let last_value_4 = Two::both(m.iterated[1].value);
                 let last_rate_4 = Two::both(m.iterated[1].rate);
                 let last_bend_4 = Two::both(m.iterated[1].bend);
-                let slot_0_displacement_expected = lit(0.4)
+                let slot_0_displacement_expected = by(0.4)
                     * since_remembered
                         .mul_add(last_bend_4.mul_add(since_remembered, last_rate_4), last_value_4);
                 let last_value_5 = Two::both(m.iterated[2].value);
                 let last_rate_5 = Two::both(m.iterated[2].rate);
                 let last_bend_5 = Two::both(m.iterated[2].bend);
-                let slot_1_displacement_expected = lit(0.4)
+                let slot_1_displacement_expected = by(0.4)
                     * since_remembered
                         .mul_add(last_bend_5.mul_add(since_remembered, last_rate_5), last_value_5);
-                let t6 = lit(0.8191520442889918) * slot_0_displacement_expected;
-                let t7 = lit(0.766044443118978).mul_add(slot_1_displacement_expected, t6) - lit(0.8);
-                let t8 = lit(0.573576436351046) * slot_0_displacement_expected;
-                let t9 = lit(-0.6427876096865393).mul_add(slot_1_displacement_expected, t8);
+                let t6 = by(0.8191520442889918) * slot_0_displacement_expected;
+                let t7 = by(0.766044443118978).mul_add(slot_1_displacement_expected, t6) - lit(0.8);
+                let t8 = by(0.573576436351046) * slot_0_displacement_expected;
+                let t9 = by(-0.6427876096865393).mul_add(slot_1_displacement_expected, t8);
                 let arm0_0_4_x = (-t7).mul_add(plate_angle_expected_cos, t9 * plate_angle_expected_sin);
-                let t10 = lit(0.6427876096865393)
-                    .mul_add(plate_angle_expected_sin, lit(0.766044443118978) * plate_angle_expected_cos);
+                let t10 = by(0.6427876096865393)
+                    .mul_add(plate_angle_expected_sin, by(0.766044443118978) * plate_angle_expected_cos);
                 let arm0_0_4_y = -t9.mul_add(plate_angle_expected_cos, t7 * plate_angle_expected_sin);
-                let t11 = lit(-0.766044443118978)
-                    .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
+                let t11 = by(-0.766044443118978)
+                    .mul_add(plate_angle_expected_sin, by(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t10, arm0_0_4_y * t11);
                 let j0_0_across_0_1 = t4.mul_add(t11, t2 * t10);
                 let last_value_6 = Two::both(m.iterated[3].value);
                 let last_rate_6 = Two::both(m.iterated[3].rate);
                 let last_bend_6 = Two::both(m.iterated[3].bend);
-                let slot_2_displacement_expected = lit(0.4)
+                let slot_2_displacement_expected = by(0.4)
                     * since_remembered
                         .mul_add(last_bend_6.mul_add(since_remembered, last_rate_6), last_value_6);
-                let t12 = lit(0.17364817766693033).mul_add(slot_2_displacement_expected, t6) - lit(0.4);
-                let t13 = lit(-0.984807753012208).mul_add(slot_2_displacement_expected, t8) - lit(0.7);
+                let t12 = by(0.17364817766693033).mul_add(slot_2_displacement_expected, t6) - lit(0.4);
+                let t13 = by(-0.984807753012208).mul_add(slot_2_displacement_expected, t8) - lit(0.7);
                 let arm0_1_4_x = (-t12).mul_add(plate_angle_expected_cos, t13 * plate_angle_expected_sin);
                 let arm0_1_4_y = -t13.mul_add(plate_angle_expected_cos, t12 * plate_angle_expected_sin);
                 let j0_0_across_1_0 = (-t3).mul_add(arm0_1_4_x, t5 * arm0_1_4_y);
                 let j0_0_reciprocal =
-                    lit(1.0) / (-j0_0_across_0_1).mul_add(j0_0_across_1_0, j0_0_across_1_1 * j0_0_across_0_0);
+                    by(1.0) / (-j0_0_across_0_1).mul_add(j0_0_across_1_0, j0_0_across_1_1 * j0_0_across_0_0);
                 let j0_0_inverse_0_0 = j0_0_across_1_1 * j0_0_reciprocal;
-                let loop_0_y = lit(0.2) * (sin_crank_0_angle - sin_crank_1_angle);
+                let loop_0_y = by(0.2) * (sin_crank_0_angle - sin_crank_1_angle);
                 let gap0_0_y = loop_0_y + arm0_0_4_y;
                 let gap0_0_x = loop_0_x + arm0_0_4_x;
                 let j0_0_step_0_across_0 = -t11.mul_add(gap0_0_x, t10 * gap0_0_y);
                 let j0_0_inverse_0_1 = -(j0_0_across_0_1 * j0_0_reciprocal);
-                let crank_2_angle = lit(0.2).mul_add((lit(4.0) * t).sin(), lit(-0.1));
+                let crank_2_angle = by(0.2).mul_add((by(4.0) * t).sin(), lit(-0.1));
                 let (sin_crank_2_angle, cos_crank_2_angle) = crank_2_angle.sin_cos();
-                let loop_1_y = lit(0.2).mul_add(sin_crank_0_angle - sin_crank_2_angle, lit(-0.9));
+                let loop_1_y = by(0.2).mul_add(sin_crank_0_angle - sin_crank_2_angle, lit(-0.9));
                 let gap0_1_y = arm0_1_4_y + loop_1_y;
-                let loop_1_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_2_angle, lit(-0.5));
+                let loop_1_x = by(0.2).mul_add(cos_crank_0_angle - cos_crank_2_angle, lit(-0.5));
                 let gap0_1_x = arm0_1_4_x + loop_1_x;
                 let j0_0_step_0_across_1 = -t5.mul_add(gap0_1_x, t3 * gap0_1_y);
                 let j0_0_step_0_0 =
                     j0_0_inverse_0_1.mul_add(j0_0_step_0_across_1, j0_0_inverse_0_0 * j0_0_step_0_across_0);
-                let plate_angle_0_tangent = lit(-0.5) * j0_0_step_0_0;
-                let plate_angle_0_sine = lit(2.0) * plate_angle_0_tangent
+                let plate_angle_0_tangent = by(-0.5) * j0_0_step_0_0;
+                let plate_angle_0_sine = by(2.0) * plate_angle_0_tangent
                     / plate_angle_0_tangent.mul_add(plate_angle_0_tangent, lit(1.0));
                 let plate_angle_0_cos = (-plate_angle_0_sine).mul_add(
                     plate_angle_expected_cos.mul_add(plate_angle_0_tangent, plate_angle_expected_sin),
@@ -662,42 +662,42 @@ mod plm_plate_on_three_pins_ {
                 let j0_0_step_0_1 =
                     j0_0_step_0_across_1.mul_add(j0_0_inverse_1_1, j0_0_step_0_across_0 * j0_0_inverse_1_0);
                 let slot_0_displacement_0 = slot_0_displacement_expected - j0_0_step_0_1;
-                let j0_0_along_0_0 = lit(1.0000000000000002) * arm0_0_4_x.mul_add(t11, t10 * arm0_0_4_y);
-                let j0_0_along_0_1 = lit(1.0000000000000002) * (-t2).mul_add(t11, t4 * t10);
+                let j0_0_along_0_0 = by(1.0000000000000002) * arm0_0_4_x.mul_add(t11, t10 * arm0_0_4_y);
+                let j0_0_along_0_1 = by(1.0000000000000002) * (-t2).mul_add(t11, t4 * t10);
                 let j0_0_step_0_2 = (-j0_0_step_0_1).mul_add(
                     j0_0_along_0_1,
                     (-j0_0_step_0_0).mul_add(
                         j0_0_along_0_0,
-                        lit(-1.0000000000000002) * (-t11).mul_add(gap0_0_y, t10 * gap0_0_x),
+                        by(-1.0000000000000002) * (-t11).mul_add(gap0_0_y, t10 * gap0_0_x),
                     ),
                 );
                 let slot_1_displacement_0 = slot_1_displacement_expected - j0_0_step_0_2;
-                let t14 = lit(0.8191520442889918) * slot_0_displacement_0;
-                let t15 = lit(0.766044443118978).mul_add(slot_1_displacement_0, t14) - lit(0.8);
-                let t16 = lit(0.573576436351046) * slot_0_displacement_0;
-                let t17 = lit(-0.6427876096865393).mul_add(slot_1_displacement_0, t16);
+                let t14 = by(0.8191520442889918) * slot_0_displacement_0;
+                let t15 = by(0.766044443118978).mul_add(slot_1_displacement_0, t14) - lit(0.8);
+                let t16 = by(0.573576436351046) * slot_0_displacement_0;
+                let t17 = by(-0.6427876096865393).mul_add(slot_1_displacement_0, t16);
                 let gap1_0_y = loop_0_y + -plate_angle_0_cos.mul_add(t17, plate_angle_0_sin * t15);
                 let gap1_0_x = loop_0_x + (-plate_angle_0_cos).mul_add(t15, plate_angle_0_sin * t17);
                 let j0_0_step_1_across_0 = -t11.mul_add(gap1_0_x, t10 * gap1_0_y);
-                let j0_0_along_1_0 = lit(1.0000000000000002) * t5.mul_add(arm0_1_4_x, t3 * arm0_1_4_y);
-                let j0_0_along_1_1 = lit(1.0000000000000002) * (-t2).mul_add(t5, t3 * t4);
+                let j0_0_along_1_0 = by(1.0000000000000002) * t5.mul_add(arm0_1_4_x, t3 * arm0_1_4_y);
+                let j0_0_along_1_1 = by(1.0000000000000002) * (-t2).mul_add(t5, t3 * t4);
                 let j0_0_step_0_3 = (-j0_0_step_0_1).mul_add(
                     j0_0_along_1_1,
                     (-j0_0_step_0_0).mul_add(
                         j0_0_along_1_0,
-                        lit(-1.0000000000000002) * (-t5).mul_add(gap0_1_y, t3 * gap0_1_x),
+                        by(-1.0000000000000002) * (-t5).mul_add(gap0_1_y, t3 * gap0_1_x),
                     ),
                 );
                 let slot_2_displacement_0 = slot_2_displacement_expected - j0_0_step_0_3;
-                let t18 = lit(0.17364817766693033).mul_add(slot_2_displacement_0, t14) - lit(0.4);
-                let t19 = lit(-0.984807753012208).mul_add(slot_2_displacement_0, t16) - lit(0.7);
+                let t18 = by(0.17364817766693033).mul_add(slot_2_displacement_0, t14) - lit(0.4);
+                let t19 = by(-0.984807753012208).mul_add(slot_2_displacement_0, t16) - lit(0.7);
                 let gap1_1_y = loop_1_y + -plate_angle_0_cos.mul_add(t19, plate_angle_0_sin * t18);
                 let gap1_1_x = loop_1_x + (-plate_angle_0_cos).mul_add(t18, plate_angle_0_sin * t19);
                 let j0_0_step_1_across_1 = -t5.mul_add(gap1_1_x, t3 * gap1_1_y);
                 let j0_0_step_1_0 =
                     j0_0_inverse_0_1.mul_add(j0_0_step_1_across_1, j0_0_inverse_0_0 * j0_0_step_1_across_0);
-                let plate_angle_1_tangent = lit(-0.5) * j0_0_step_1_0;
-                let plate_angle_1_sine = lit(2.0) * plate_angle_1_tangent
+                let plate_angle_1_tangent = by(-0.5) * j0_0_step_1_0;
+                let plate_angle_1_sine = by(2.0) * plate_angle_1_tangent
                     / plate_angle_1_tangent.mul_add(plate_angle_1_tangent, lit(1.0));
                 let plate_angle_1_cos = (-plate_angle_1_sine).mul_add(
                     plate_angle_0_cos.mul_add(plate_angle_1_tangent, plate_angle_0_sin),
@@ -707,14 +707,14 @@ mod plm_plate_on_three_pins_ {
                     (-plate_angle_0_sin).mul_add(plate_angle_1_tangent, plate_angle_0_cos),
                     plate_angle_0_sin,
                 );
-                let t20 = lit(0.8191520442889918)
-                    .mul_add(plate_angle_1_sin, lit(0.573576436351046) * plate_angle_1_cos);
-                let t21 = lit(0.984807753012208)
-                    .mul_add(plate_angle_1_sin, lit(0.17364817766693033) * plate_angle_1_cos);
-                let t22 = lit(-0.573576436351046)
-                    .mul_add(plate_angle_1_sin, lit(0.8191520442889918) * plate_angle_1_cos);
-                let t23 = lit(-0.17364817766693033)
-                    .mul_add(plate_angle_1_sin, lit(0.984807753012208) * plate_angle_1_cos);
+                let t20 = by(0.8191520442889918)
+                    .mul_add(plate_angle_1_sin, by(0.573576436351046) * plate_angle_1_cos);
+                let t21 = by(0.984807753012208)
+                    .mul_add(plate_angle_1_sin, by(0.17364817766693033) * plate_angle_1_cos);
+                let t22 = by(-0.573576436351046)
+                    .mul_add(plate_angle_1_sin, by(0.8191520442889918) * plate_angle_1_cos);
+                let t23 = by(-0.17364817766693033)
+                    .mul_add(plate_angle_1_sin, by(0.984807753012208) * plate_angle_1_cos);
                 let j2_0_across_1_1 = t22.mul_add(t23, t20 * t21);
                 let j0_0_step_1_1 =
                     j0_0_inverse_1_1.mul_add(j0_0_step_1_across_1, j0_0_inverse_1_0 * j0_0_step_1_across_0);
@@ -723,37 +723,37 @@ mod plm_plate_on_three_pins_ {
                     j0_0_step_1_1,
                     (-j0_0_along_0_0).mul_add(
                         j0_0_step_1_0,
-                        lit(-1.0000000000000002) * (-t11).mul_add(gap1_0_y, t10 * gap1_0_x),
+                        by(-1.0000000000000002) * (-t11).mul_add(gap1_0_y, t10 * gap1_0_x),
                     ),
                 );
                 let slot_1_displacement_1 = slot_1_displacement_0 - j0_0_step_1_2;
-                let t24 = lit(0.8191520442889918) * slot_0_displacement_1;
-                let t25 = lit(0.766044443118978).mul_add(slot_1_displacement_1, t24) - lit(0.8);
-                let t26 = lit(0.573576436351046) * slot_0_displacement_1;
-                let t27 = lit(-0.6427876096865393).mul_add(slot_1_displacement_1, t26);
+                let t24 = by(0.8191520442889918) * slot_0_displacement_1;
+                let t25 = by(0.766044443118978).mul_add(slot_1_displacement_1, t24) - lit(0.8);
+                let t26 = by(0.573576436351046) * slot_0_displacement_1;
+                let t27 = by(-0.6427876096865393).mul_add(slot_1_displacement_1, t26);
                 let arm2_0_4_x = (-plate_angle_1_cos).mul_add(t25, plate_angle_1_sin * t27);
-                let t28 = lit(0.6427876096865393)
-                    .mul_add(plate_angle_1_sin, lit(0.766044443118978) * plate_angle_1_cos);
+                let t28 = by(0.6427876096865393)
+                    .mul_add(plate_angle_1_sin, by(0.766044443118978) * plate_angle_1_cos);
                 let arm2_0_4_y = -plate_angle_1_cos.mul_add(t27, plate_angle_1_sin * t25);
-                let t29 = lit(-0.766044443118978)
-                    .mul_add(plate_angle_1_sin, lit(0.6427876096865393) * plate_angle_1_cos);
+                let t29 = by(-0.766044443118978)
+                    .mul_add(plate_angle_1_sin, by(0.6427876096865393) * plate_angle_1_cos);
                 let j2_0_across_0_0 = (-arm2_0_4_x).mul_add(t28, arm2_0_4_y * t29);
                 let j2_0_across_0_1 = t22.mul_add(t29, t20 * t28);
                 let j0_0_step_1_3 = (-j0_0_along_1_1).mul_add(
                     j0_0_step_1_1,
                     (-j0_0_along_1_0).mul_add(
                         j0_0_step_1_0,
-                        lit(-1.0000000000000002) * (-t5).mul_add(gap1_1_y, t3 * gap1_1_x),
+                        by(-1.0000000000000002) * (-t5).mul_add(gap1_1_y, t3 * gap1_1_x),
                     ),
                 );
                 let slot_2_displacement_1 = slot_2_displacement_0 - j0_0_step_1_3;
-                let t30 = lit(0.17364817766693033).mul_add(slot_2_displacement_1, t24) - lit(0.4);
-                let t31 = lit(-0.984807753012208).mul_add(slot_2_displacement_1, t26) - lit(0.7);
+                let t30 = by(0.17364817766693033).mul_add(slot_2_displacement_1, t24) - lit(0.4);
+                let t31 = by(-0.984807753012208).mul_add(slot_2_displacement_1, t26) - lit(0.7);
                 let arm2_1_4_x = (-plate_angle_1_cos).mul_add(t30, plate_angle_1_sin * t31);
                 let arm2_1_4_y = -plate_angle_1_cos.mul_add(t31, plate_angle_1_sin * t30);
                 let j2_0_across_1_0 = (-t21).mul_add(arm2_1_4_x, t23 * arm2_1_4_y);
                 let j2_0_reciprocal =
-                    lit(1.0) / (-j2_0_across_0_1).mul_add(j2_0_across_1_0, j2_0_across_1_1 * j2_0_across_0_0);
+                    by(1.0) / (-j2_0_across_0_1).mul_add(j2_0_across_1_0, j2_0_across_1_1 * j2_0_across_0_0);
                 let gap2_0_y = loop_0_y + arm2_0_4_y;
                 let gap2_0_x = loop_0_x + arm2_0_4_x;
                 let j2_0_step_2_across_0 = -t29.mul_add(gap2_0_x, t28 * gap2_0_y);
@@ -762,8 +762,8 @@ mod plm_plate_on_three_pins_ {
                 let j2_0_step_2_across_1 = -t23.mul_add(gap2_1_x, t21 * gap2_1_y);
                 let j2_0_step_2_0 = (-(j2_0_across_0_1 * j2_0_reciprocal))
                     .mul_add(j2_0_step_2_across_1, j2_0_across_1_1 * j2_0_reciprocal * j2_0_step_2_across_0);
-                let plate_angle_2_tangent = lit(-0.5) * j2_0_step_2_0;
-                let plate_angle_2_sine = lit(2.0) * plate_angle_2_tangent
+                let plate_angle_2_tangent = by(-0.5) * j2_0_step_2_0;
+                let plate_angle_2_sine = by(2.0) * plate_angle_2_tangent
                     / plate_angle_2_tangent.mul_add(plate_angle_2_tangent, lit(1.0));
                 let plate_angle_2_cos = (-plate_angle_2_sine).mul_add(
                     plate_angle_1_cos.mul_add(plate_angle_2_tangent, plate_angle_1_sin),
@@ -775,31 +775,31 @@ mod plm_plate_on_three_pins_ {
                 );
                 let slot_0_displacement_2 = slot_0_displacement_1 - j2_0_step_2_1;
                 let t32 = (-j2_0_step_2_0).mul_add(
-                    lit(1.0000000000000002) * arm2_0_4_x.mul_add(t29, t28 * arm2_0_4_y),
-                    lit(-1.0000000000000002) * (-t29).mul_add(gap2_0_y, t28 * gap2_0_x),
+                    by(1.0000000000000002) * arm2_0_4_x.mul_add(t29, t28 * arm2_0_4_y),
+                    by(-1.0000000000000002) * (-t29).mul_add(gap2_0_y, t28 * gap2_0_x),
                 );
                 let slot_1_displacement_2 = slot_1_displacement_1
-                    - (-j2_0_step_2_1).mul_add(lit(1.0000000000000002) * (-t20).mul_add(t29, t22 * t28), t32);
-                let t33 = lit(0.8191520442889918) * slot_0_displacement_2;
-                let t34 = lit(0.766044443118978).mul_add(slot_1_displacement_2, t33) - lit(0.8);
+                    - (-j2_0_step_2_1).mul_add(by(1.0000000000000002) * (-t20).mul_add(t29, t22 * t28), t32);
+                let t33 = by(0.8191520442889918) * slot_0_displacement_2;
+                let t34 = by(0.766044443118978).mul_add(slot_1_displacement_2, t33) - lit(0.8);
                 let plate_angle_2_sin = plate_angle_2_sine.mul_add(
                     (-plate_angle_1_sin).mul_add(plate_angle_2_tangent, plate_angle_1_cos),
                     plate_angle_1_sin,
                 );
-                let t35 = lit(0.573576436351046) * slot_0_displacement_2;
-                let t36 = lit(-0.6427876096865393).mul_add(slot_1_displacement_2, t35);
+                let t35 = by(0.573576436351046) * slot_0_displacement_2;
+                let t36 = by(-0.6427876096865393).mul_add(slot_1_displacement_2, t35);
                 let arm_0_4_x = (-plate_angle_2_cos).mul_add(t34, plate_angle_2_sin * t36);
                 let gap_0_x = loop_0_x + arm_0_4_x;
                 let arm_0_4_y = -plate_angle_2_cos.mul_add(t36, t34 * plate_angle_2_sin);
                 let gap_0_y = loop_0_y + arm_0_4_y;
                 let t37 = (-j2_0_step_2_0).mul_add(
-                    lit(1.0000000000000002) * t23.mul_add(arm2_1_4_x, t21 * arm2_1_4_y),
-                    lit(-1.0000000000000002) * (-t23).mul_add(gap2_1_y, t21 * gap2_1_x),
+                    by(1.0000000000000002) * t23.mul_add(arm2_1_4_x, t21 * arm2_1_4_y),
+                    by(-1.0000000000000002) * (-t23).mul_add(gap2_1_y, t21 * gap2_1_x),
                 );
                 let slot_2_displacement_2 = slot_2_displacement_1
-                    - (-j2_0_step_2_1).mul_add(lit(1.0000000000000002) * (-t20).mul_add(t23, t21 * t22), t37);
-                let t38 = lit(0.17364817766693033).mul_add(slot_2_displacement_2, t33) - lit(0.4);
-                let t39 = lit(-0.984807753012208).mul_add(slot_2_displacement_2, t35) - lit(0.7);
+                    - (-j2_0_step_2_1).mul_add(by(1.0000000000000002) * (-t20).mul_add(t23, t21 * t22), t37);
+                let t38 = by(0.17364817766693033).mul_add(slot_2_displacement_2, t33) - lit(0.4);
+                let t39 = by(-0.984807753012208).mul_add(slot_2_displacement_2, t35) - lit(0.7);
                 let arm_1_4_x = (-plate_angle_2_cos).mul_add(t38, plate_angle_2_sin * t39);
                 let gap_1_x = loop_1_x + arm_1_4_x;
                 let arm_1_4_y = -plate_angle_2_cos.mul_add(t39, plate_angle_2_sin * t38);
@@ -807,20 +807,20 @@ mod plm_plate_on_three_pins_ {
                 let precision = lit(S::PRECISION);
                 let t40 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
-                    .lt(lit(2684354.5600000005) * precision * precision);
-                let t41 = lit(0.6427876096865393)
-                    .mul_add(plate_angle_2_sin, lit(0.766044443118978) * plate_angle_2_cos);
-                let t42 = lit(-0.766044443118978)
-                    .mul_add(plate_angle_2_sin, lit(0.6427876096865393) * plate_angle_2_cos);
+                    .lt(by(2684354.5600000005) * precision * precision);
+                let t41 = by(0.6427876096865393)
+                    .mul_add(plate_angle_2_sin, by(0.766044443118978) * plate_angle_2_cos);
+                let t42 = by(-0.766044443118978)
+                    .mul_add(plate_angle_2_sin, by(0.6427876096865393) * plate_angle_2_cos);
                 let j_0_across_0_0 = (-arm_0_4_x).mul_add(t41, arm_0_4_y * t42);
-                let t43 = lit(0.8191520442889918)
-                    .mul_add(plate_angle_2_sin, lit(0.573576436351046) * plate_angle_2_cos);
-                let t44 = lit(0.984807753012208)
-                    .mul_add(plate_angle_2_sin, lit(0.17364817766693033) * plate_angle_2_cos);
-                let t45 = lit(-0.573576436351046)
-                    .mul_add(plate_angle_2_sin, lit(0.8191520442889918) * plate_angle_2_cos);
-                let t46 = lit(-0.17364817766693033)
-                    .mul_add(plate_angle_2_sin, lit(0.984807753012208) * plate_angle_2_cos);
+                let t43 = by(0.8191520442889918)
+                    .mul_add(plate_angle_2_sin, by(0.573576436351046) * plate_angle_2_cos);
+                let t44 = by(0.984807753012208)
+                    .mul_add(plate_angle_2_sin, by(0.17364817766693033) * plate_angle_2_cos);
+                let t45 = by(-0.573576436351046)
+                    .mul_add(plate_angle_2_sin, by(0.8191520442889918) * plate_angle_2_cos);
+                let t46 = by(-0.17364817766693033)
+                    .mul_add(plate_angle_2_sin, by(0.984807753012208) * plate_angle_2_cos);
                 let j_0_across_1_1 = t45.mul_add(t46, t43 * t44);
                 let j_0_across_0_1 = t42.mul_add(t45, t41 * t43);
                 let j_0_across_1_0 = (-arm_1_4_x).mul_add(t44, arm_1_4_y * t46);
@@ -1108,6 +1108,7 @@ mod plm_plate_on_three_pins_ {
             #[cold]
             fn phi_q_entries(&self, t: S, q: &[S; 12], phi_q: &mut [S; 33]) {
                 let lit = S::lit;
+                let by = rt::Factor;
                 phi_q[0] = lit(1.0);
                 let crank_0_angle = q[2];
                 let crank_1_angle = q[5];
@@ -1117,39 +1118,39 @@ mod plm_plate_on_three_pins_ {
                     [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
                     [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
                 ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
-                let t1 = lit(0.1) * sin_crank_0_angle;
+                let t1 = by(0.1) * sin_crank_0_angle;
                 phi_q[1] = t1;
                 phi_q[2] = lit(1.0);
-                let t2 = lit(-0.1) * cos_crank_0_angle;
+                let t2 = by(-0.1) * cos_crank_0_angle;
                 phi_q[3] = t2;
                 phi_q[4] = lit(1.0);
-                let t3 = lit(0.1) * sin_crank_1_angle;
+                let t3 = by(0.1) * sin_crank_1_angle;
                 phi_q[5] = t3;
                 phi_q[6] = lit(1.0);
-                let t4 = lit(-0.1) * cos_crank_1_angle;
+                let t4 = by(-0.1) * cos_crank_1_angle;
                 phi_q[7] = t4;
                 phi_q[8] = lit(1.0);
-                let t5 = lit(0.1) * sin_crank_2_angle;
+                let t5 = by(0.1) * sin_crank_2_angle;
                 phi_q[9] = t5;
                 phi_q[10] = lit(1.0);
-                let t6 = lit(-0.1) * cos_crank_2_angle;
+                let t6 = by(-0.1) * cos_crank_2_angle;
                 phi_q[11] = t6;
-                let t7 = lit(0.8191520442889918)
-                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
+                let t7 =
+                    by(0.8191520442889918).mul_add(sin_plate_angle, by(0.573576436351046) * cos_plate_angle);
                 phi_q[12] = t7;
-                let t8 = lit(-0.573576436351046)
-                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                let t8 =
+                    by(-0.573576436351046).mul_add(sin_plate_angle, by(0.8191520442889918) * cos_plate_angle);
                 phi_q[13] = -t8;
-                phi_q[14] = lit(-0.1) * cos_crank_0_angle.mul_add(t8, sin_crank_0_angle * t7);
+                phi_q[14] = by(-0.1) * cos_crank_0_angle.mul_add(t8, sin_crank_0_angle * t7);
                 phi_q[15] = -t7;
                 phi_q[16] = t8;
-                let t9 = lit(0.4) * cos_plate_angle;
-                let t10 = lit(0.3) * sin_plate_angle;
+                let t9 = by(0.4) * cos_plate_angle;
+                let t10 = by(0.3) * sin_plate_angle;
                 let t11 = t9 - t10;
                 let crank_0_x = q[0];
                 let plate_x = q[9];
-                let t12 = lit(0.3) * cos_plate_angle;
-                let t13 = lit(0.4) * sin_plate_angle;
+                let t12 = by(0.3) * cos_plate_angle;
+                let t13 = by(0.4) * sin_plate_angle;
                 let t14 = t12 + t13;
                 let crank_0_y = q[1];
                 let plate_y = q[10];
@@ -1158,13 +1159,13 @@ mod plm_plate_on_three_pins_ {
                     t8 * (crank_0_x - t2 - plate_x + t11 - t11),
                 );
                 phi_q[17] = t15;
-                let t16 = lit(-0.766044443118978)
-                    .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle);
+                let t16 =
+                    by(-0.766044443118978).mul_add(sin_plate_angle, by(0.6427876096865393) * cos_plate_angle);
                 phi_q[18] = t16;
-                let t17 = lit(0.6427876096865393)
-                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
+                let t17 =
+                    by(0.6427876096865393).mul_add(sin_plate_angle, by(0.766044443118978) * cos_plate_angle);
                 phi_q[19] = t17;
-                phi_q[20] = lit(-0.1) * (-cos_crank_1_angle).mul_add(t17, sin_crank_1_angle * t16);
+                phi_q[20] = by(-0.1) * (-cos_crank_1_angle).mul_add(t17, sin_crank_1_angle * t16);
                 phi_q[21] = -t16;
                 phi_q[22] = -t17;
                 let t18 = t9 + t10;
@@ -1176,13 +1177,13 @@ mod plm_plate_on_three_pins_ {
                     t16 * (crank_1_y + t3 - plate_y + t19 - t19),
                 );
                 phi_q[23] = t20;
-                let t21 = lit(-0.17364817766693033)
-                    .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
+                let t21 = by(-0.17364817766693033)
+                    .mul_add(sin_plate_angle, by(0.984807753012208) * cos_plate_angle);
                 phi_q[24] = t21;
-                let t22 = lit(0.984807753012208)
-                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
+                let t22 =
+                    by(0.984807753012208).mul_add(sin_plate_angle, by(0.17364817766693033) * cos_plate_angle);
                 phi_q[25] = t22;
-                phi_q[26] = lit(-0.1) * (-cos_crank_2_angle).mul_add(t22, sin_crank_2_angle * t21);
+                phi_q[26] = by(-0.1) * (-cos_crank_2_angle).mul_add(t22, sin_crank_2_angle * t21);
                 phi_q[27] = -t21;
                 phi_q[28] = -t22;
                 let crank_2_x = q[6];
@@ -1225,56 +1226,56 @@ mod plm_plate_on_three_pins_ {
                     ..,
                 ] = *q;
                 let lit = S::lit;
+                let by = rt::Factor;
                 let (
                     [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
                     [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
                 ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
-                let t1 = lit(0.1) * cos_crank_0_angle;
+                let t1 = by(0.1) * cos_crank_0_angle;
                 phi[0] = crank_0_x - t1;
-                let t2 = lit(0.1) * sin_crank_0_angle;
+                let t2 = by(0.1) * sin_crank_0_angle;
                 phi[1] = crank_0_y - t2;
-                let t3 = lit(0.1) * cos_crank_1_angle;
+                let t3 = by(0.1) * cos_crank_1_angle;
                 phi[2] = crank_1_x - t3 - lit(1.0);
-                let t4 = lit(0.1) * sin_crank_1_angle;
+                let t4 = by(0.1) * sin_crank_1_angle;
                 phi[3] = crank_1_y - t4;
-                let t5 = lit(0.1) * cos_crank_2_angle;
+                let t5 = by(0.1) * cos_crank_2_angle;
                 phi[4] = crank_2_x - t5 - lit(0.5);
-                let t6 = lit(0.1) * sin_crank_2_angle;
+                let t6 = by(0.1) * sin_crank_2_angle;
                 phi[5] = crank_2_y - t6 - lit(0.9);
-                let t7 = lit(0.3).mul_add(sin_plate_angle, plate_x);
-                let t8 = lit(0.4) * cos_plate_angle;
-                let t9 = lit(-0.3).mul_add(cos_plate_angle, plate_y);
-                let t10 = lit(0.4) * sin_plate_angle;
-                let t11 = (-lit(-0.573576436351046)
-                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle))
+                let t7 = by(0.3).mul_add(sin_plate_angle, plate_x);
+                let t8 = by(0.4) * cos_plate_angle;
+                let t9 = by(-0.3).mul_add(cos_plate_angle, plate_y);
+                let t10 = by(0.4) * sin_plate_angle;
+                let t11 = (-by(-0.573576436351046)
+                    .mul_add(sin_plate_angle, by(0.8191520442889918) * cos_plate_angle))
                 .mul_add(
                     crank_0_y + t2 + t10 - t9,
-                    lit(0.8191520442889918)
-                        .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle)
+                    by(0.8191520442889918).mul_add(sin_plate_angle, by(0.573576436351046) * cos_plate_angle)
                         * (crank_0_x + t1 + t8 - t7),
                 );
                 phi[6] = t11;
-                let t12 = lit(0.6427876096865393)
-                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle)
+                let t12 = by(0.6427876096865393)
+                    .mul_add(sin_plate_angle, by(0.766044443118978) * cos_plate_angle)
                     .mul_add(
                         crank_1_y + t4 - t10 - t9,
-                        lit(-0.766044443118978)
-                            .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle)
+                        by(-0.766044443118978)
+                            .mul_add(sin_plate_angle, by(0.6427876096865393) * cos_plate_angle)
                             * (crank_1_x + t3 - t8 - t7),
                     );
                 phi[7] = t12;
-                let t13 = lit(0.984807753012208)
-                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle)
+                let t13 = by(0.984807753012208)
+                    .mul_add(sin_plate_angle, by(0.17364817766693033) * cos_plate_angle)
                     .mul_add(
                         crank_2_y + t6 - plate_y - t8,
-                        lit(-0.17364817766693033)
-                            .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle)
+                        by(-0.17364817766693033)
+                            .mul_add(sin_plate_angle, by(0.984807753012208) * cos_plate_angle)
                             * (crank_2_x + t5 - plate_x + t10),
                     );
                 phi[8] = t13;
-                phi[9] = lit(-0.4).mul_add((lit(3.0) * t).sin(), crank_0_angle);
-                phi[10] = lit(-0.3).mul_add((lit(2.0) * t).cos(), crank_1_angle);
-                phi[11] = lit(-0.2).mul_add((lit(4.0) * t).sin(), crank_2_angle) + lit(0.1);
+                phi[9] = by(-0.4).mul_add((by(3.0) * t).sin(), crank_0_angle);
+                phi[10] = by(-0.3).mul_add((by(2.0) * t).cos(), crank_1_angle);
+                phi[11] = by(-0.2).mul_add((by(4.0) * t).sin(), crank_2_angle) + lit(0.1);
                 phi
             }
 
@@ -1283,7 +1284,7 @@ mod plm_plate_on_three_pins_ {
             /// 70 add, 70 mul, 7 sin_cos.
             fn phi_dot(&self, t: S, q: &[S; 12], v: &[S; 12]) -> [S; 12] {
                 let mut phi_dot = [S::lit(0.0); 12];
-                let lit = S::lit;
+                let by = rt::Factor;
                 let crank_0_vx = v[0];
                 let crank_0_omega = v[2];
                 let crank_0_angle = q[2];
@@ -1294,82 +1295,82 @@ mod plm_plate_on_three_pins_ {
                     [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
                     [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
                 ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
-                let t1 = lit(0.1) * (crank_0_omega * sin_crank_0_angle);
+                let t1 = by(0.1) * (crank_0_omega * sin_crank_0_angle);
                 phi_dot[0] = crank_0_vx + t1;
                 let crank_0_vy = v[1];
-                let t2 = lit(0.1) * (crank_0_omega * cos_crank_0_angle);
+                let t2 = by(0.1) * (crank_0_omega * cos_crank_0_angle);
                 phi_dot[1] = crank_0_vy - t2;
                 let crank_1_vx = v[3];
                 let crank_1_omega = v[5];
-                let t3 = lit(0.1) * (crank_1_omega * sin_crank_1_angle);
+                let t3 = by(0.1) * (crank_1_omega * sin_crank_1_angle);
                 phi_dot[2] = crank_1_vx + t3;
                 let crank_1_vy = v[4];
-                let t4 = lit(0.1) * (crank_1_omega * cos_crank_1_angle);
+                let t4 = by(0.1) * (crank_1_omega * cos_crank_1_angle);
                 phi_dot[3] = crank_1_vy - t4;
                 let crank_2_vx = v[6];
                 let crank_2_omega = v[8];
-                let t5 = lit(0.1) * (crank_2_omega * sin_crank_2_angle);
+                let t5 = by(0.1) * (crank_2_omega * sin_crank_2_angle);
                 phi_dot[4] = crank_2_vx + t5;
                 let crank_2_vy = v[7];
-                let t6 = lit(0.1) * (crank_2_omega * cos_crank_2_angle);
+                let t6 = by(0.1) * (crank_2_omega * cos_crank_2_angle);
                 phi_dot[5] = crank_2_vy - t6;
                 let plate_omega = v[11];
                 let t7 = plate_omega * sin_plate_angle;
                 let t8 = plate_omega * cos_plate_angle;
                 let crank_0_x = q[0];
                 let plate_x = q[9];
-                let t9 = lit(0.3).mul_add(sin_plate_angle, plate_x);
-                let t10 = lit(0.4) * cos_plate_angle;
-                let t11 = lit(-0.8191520442889918).mul_add(t8, lit(0.573576436351046) * t7)
-                    * (lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t10 - t9);
+                let t9 = by(0.3).mul_add(sin_plate_angle, plate_x);
+                let t10 = by(0.4) * cos_plate_angle;
+                let t11 = by(-0.8191520442889918).mul_add(t8, by(0.573576436351046) * t7)
+                    * (by(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t10 - t9);
                 let plate_vx = v[9];
-                let t12 = lit(0.3).mul_add(t8, plate_vx);
-                let t13 = lit(0.4) * t7;
+                let t12 = by(0.3).mul_add(t8, plate_vx);
+                let t13 = by(0.4) * t7;
                 let crank_0_y = q[1];
                 let plate_y = q[10];
-                let t14 = lit(-0.3).mul_add(cos_plate_angle, plate_y);
-                let t15 = lit(0.4) * sin_plate_angle;
-                let t16 = lit(0.573576436351046).mul_add(t8, lit(0.8191520442889918) * t7)
-                    * (lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t15 - t14);
+                let t14 = by(-0.3).mul_add(cos_plate_angle, plate_y);
+                let t15 = by(0.4) * sin_plate_angle;
+                let t16 = by(0.573576436351046).mul_add(t8, by(0.8191520442889918) * t7)
+                    * (by(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t15 - t14);
                 let plate_vy = v[10];
-                let t17 = lit(0.3).mul_add(t7, plate_vy);
-                let t18 = lit(0.4) * t8;
-                let t19 = lit(0.8191520442889918)
-                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle)
+                let t17 = by(0.3).mul_add(t7, plate_vy);
+                let t18 = by(0.4) * t8;
+                let t19 = by(0.8191520442889918)
+                    .mul_add(sin_plate_angle, by(0.573576436351046) * cos_plate_angle)
                     .mul_add(crank_0_vx - t1 - t13 - t12, -t11);
-                let t20 = (-lit(-0.573576436351046)
-                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle))
+                let t20 = (-by(-0.573576436351046)
+                    .mul_add(sin_plate_angle, by(0.8191520442889918) * cos_plate_angle))
                 .mul_add(crank_0_vy + t2 + t18 - t17, t19 + t16);
                 phi_dot[6] = t20;
                 let crank_1_x = q[3];
-                let t21 = lit(0.766044443118978).mul_add(t8, lit(0.6427876096865393) * t7)
-                    * (lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t10 - t9);
+                let t21 = by(0.766044443118978).mul_add(t8, by(0.6427876096865393) * t7)
+                    * (by(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t10 - t9);
                 let crank_1_y = q[4];
-                let t22 = lit(-0.6427876096865393).mul_add(t8, lit(0.766044443118978) * t7)
-                    * (lit(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t15 - t14);
-                let t23 = lit(-0.766044443118978)
-                    .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle)
+                let t22 = by(-0.6427876096865393).mul_add(t8, by(0.766044443118978) * t7)
+                    * (by(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t15 - t14);
+                let t23 = by(-0.766044443118978)
+                    .mul_add(sin_plate_angle, by(0.6427876096865393) * cos_plate_angle)
                     .mul_add(crank_1_vx + t13 - t3 - t12, -t21);
-                let t24 = lit(0.6427876096865393)
-                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle)
+                let t24 = by(0.6427876096865393)
+                    .mul_add(sin_plate_angle, by(0.766044443118978) * cos_plate_angle)
                     .mul_add(crank_1_vy - t18 + t4 - t17, t23 - t22);
                 phi_dot[7] = t24;
                 let crank_2_x = q[6];
-                let t25 = (lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t15)
-                    * lit(0.17364817766693033).mul_add(t8, lit(0.984807753012208) * t7);
+                let t25 = (by(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t15)
+                    * by(0.17364817766693033).mul_add(t8, by(0.984807753012208) * t7);
                 let crank_2_y = q[7];
-                let t26 = (lit(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t10)
-                    * lit(-0.984807753012208).mul_add(t8, lit(0.17364817766693033) * t7);
-                let t27 = lit(-0.17364817766693033)
-                    .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle)
+                let t26 = (by(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t10)
+                    * by(-0.984807753012208).mul_add(t8, by(0.17364817766693033) * t7);
+                let t27 = by(-0.17364817766693033)
+                    .mul_add(sin_plate_angle, by(0.984807753012208) * cos_plate_angle)
                     .mul_add(crank_2_vx - plate_vx + t18 - t5, -t25);
-                let t28 = lit(0.984807753012208)
-                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle)
+                let t28 = by(0.984807753012208)
+                    .mul_add(sin_plate_angle, by(0.17364817766693033) * cos_plate_angle)
                     .mul_add(crank_2_vy - plate_vy + t13 + t6, t27 - t26);
                 phi_dot[8] = t28;
-                phi_dot[9] = lit(-1.2).mul_add((lit(3.0) * t).cos(), crank_0_omega);
-                phi_dot[10] = lit(0.6).mul_add((lit(2.0) * t).sin(), crank_1_omega);
-                phi_dot[11] = lit(-0.8).mul_add((lit(4.0) * t).cos(), crank_2_omega);
+                phi_dot[9] = by(-1.2).mul_add((by(3.0) * t).cos(), crank_0_omega);
+                phi_dot[10] = by(0.6).mul_add((by(2.0) * t).sin(), crank_1_omega);
+                phi_dot[11] = by(-0.8).mul_add((by(4.0) * t).cos(), crank_2_omega);
                 phi_dot
             }
 
@@ -1406,6 +1407,7 @@ mod plm_plate_on_three_pins_ {
             ) -> rt::Health<S> {
                 rt::Health({
                     let lit = S::lit;
+                    let by = rt::Factor;
                     // phi_q W phi_q^T = L D L^T
                     let w_0 = w[0];
                     let crank_0_angle = q[2];
@@ -1417,26 +1419,26 @@ mod plm_plate_on_three_pins_ {
                         [cos_crank_0_angle, cos_plate_angle, cos_crank_1_angle, cos_crank_2_angle],
                     ) = S::sin_cos_all([crank_0_angle, plate_angle, crank_1_angle, crank_2_angle]);
                     let w_2 = w[2];
-                    let t1 = lit(0.1) * sin_crank_0_angle;
+                    let t1 = by(0.1) * sin_crank_0_angle;
                     let y_0_2 = t1 * w_2;
-                    let r_0 = lit(1.0) / t1.mul_add(y_0_2, w_0);
-                    let y_1_2 = lit(-0.1) * (cos_crank_0_angle * w_2);
+                    let r_0 = by(1.0) / t1.mul_add(y_0_2, w_0);
+                    let y_1_2 = by(-0.1) * (cos_crank_0_angle * w_2);
                     let g_1_0 = t1 * y_1_2;
                     let l_1_0 = r_0 * g_1_0;
-                    let t2 = lit(0.8191520442889918)
-                        .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
+                    let t2 = by(0.8191520442889918)
+                        .mul_add(sin_plate_angle, by(0.573576436351046) * cos_plate_angle);
                     let y_6_0 = t2 * w_0;
-                    let t3 = lit(-0.573576436351046)
-                        .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                    let t3 = by(-0.573576436351046)
+                        .mul_add(sin_plate_angle, by(0.8191520442889918) * cos_plate_angle);
                     let t4 = cos_crank_0_angle.mul_add(t3, sin_crank_0_angle * t2);
-                    let y_6_2 = lit(-0.1) * (t4 * w_2);
+                    let y_6_2 = by(-0.1) * (t4 * w_2);
                     let g_6_0 = t1.mul_add(y_6_2, y_6_0);
                     let l_6_0 = r_0 * g_6_0;
                     let l_9_0 = y_0_2 * r_0;
                     let w_1 = w[1];
-                    let t5 = lit(0.1) * cos_crank_0_angle;
+                    let t5 = by(0.1) * cos_crank_0_angle;
                     let t6 = (-t5).mul_add(y_1_2, w_1);
-                    let r_1 = lit(1.0) / (-g_1_0).mul_add(l_1_0, t6);
+                    let r_1 = by(1.0) / (-g_1_0).mul_add(l_1_0, t6);
                     let growth_1 = (t6 * r_1).abs();
                     let most_growth = lit(S::MOST_GROWTH);
                     let t7 = most_growth.lt(growth_1);
@@ -1446,7 +1448,7 @@ mod plm_plate_on_three_pins_ {
                     let l_6_1 = g_6_1 * kept_1;
                     let g_9_1 = (-g_1_0).mul_add(l_9_0, y_1_2);
                     let l_9_1 = g_9_1 * kept_1;
-                    let r_9 = lit(1.0) / (-g_9_1).mul_add(l_9_1, (-y_0_2).mul_add(l_9_0, w_2));
+                    let r_9 = by(1.0) / (-g_9_1).mul_add(l_9_1, (-y_0_2).mul_add(l_9_0, w_2));
                     let growth_9 = (w_2 * r_9).abs();
                     let t8 = most_growth.lt(growth_9);
                     let kept_9 = S::select(t8, lit(0.0), r_9);
@@ -1456,13 +1458,13 @@ mod plm_plate_on_three_pins_ {
                     let y_6_9 = -(t2 * w_9);
                     let w_10 = w[10];
                     let y_6_10 = t3 * w_10;
-                    let t9 = lit(0.4) * cos_plate_angle;
-                    let t10 = lit(0.3) * sin_plate_angle;
+                    let t9 = by(0.4) * cos_plate_angle;
+                    let t10 = by(0.3) * sin_plate_angle;
                     let t11 = t9 - t10;
                     let crank_0_x = q[0];
                     let plate_x = q[9];
-                    let t12 = lit(0.3) * cos_plate_angle;
-                    let t13 = lit(0.4) * sin_plate_angle;
+                    let t12 = by(0.3) * cos_plate_angle;
+                    let t13 = by(0.4) * sin_plate_angle;
                     let t14 = t12 + t13;
                     let crank_0_y = q[1];
                     let plate_y = q[10];
@@ -1473,25 +1475,25 @@ mod plm_plate_on_three_pins_ {
                     let w_11 = w[11];
                     let y_6_11 = w_11 * t15;
                     let t16 = (-t2)
-                        .mul_add(y_6_9, (-(lit(0.1) * t4)).mul_add(y_6_2, (-t3).mul_add(y_6_1, t2 * y_6_0)));
+                        .mul_add(y_6_9, (-(by(0.1) * t4)).mul_add(y_6_2, (-t3).mul_add(y_6_1, t2 * y_6_0)));
                     let t17 = t15.mul_add(y_6_11, t3.mul_add(y_6_10, t16));
-                    let r_6 = lit(1.0)
+                    let r_6 = by(1.0)
                         / (-g_6_9).mul_add(l_6_9, (-g_6_1).mul_add(l_6_1, (-g_6_0).mul_add(l_6_0, t17)));
                     let growth_6 = (t17 * r_6).abs();
                     let t18 = most_growth.lt(growth_6);
                     let kept_6 = S::select(t18, lit(0.0), r_6);
-                    let t19 = lit(-0.766044443118978)
-                        .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle);
+                    let t19 = by(-0.766044443118978)
+                        .mul_add(sin_plate_angle, by(0.6427876096865393) * cos_plate_angle);
                     let y_7_9 = -(t19 * w_9);
-                    let t20 = lit(0.6427876096865393)
-                        .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
+                    let t20 = by(0.6427876096865393)
+                        .mul_add(sin_plate_angle, by(0.766044443118978) * cos_plate_angle);
                     let y_7_10 = -(t20 * w_10);
                     let t21 = t9 + t10;
                     let crank_1_x = q[3];
-                    let t22 = lit(0.1) * cos_crank_1_angle;
+                    let t22 = by(0.1) * cos_crank_1_angle;
                     let t23 = t12 - t13;
                     let crank_1_y = q[4];
-                    let t24 = lit(0.1) * sin_crank_1_angle;
+                    let t24 = by(0.1) * sin_crank_1_angle;
                     let t25 = (-t19).mul_add(
                         crank_1_y + t24 - plate_y + t23 - t23,
                         t20 * (t21 + (crank_1_x + t22 - plate_x - t21)),
@@ -1499,16 +1501,16 @@ mod plm_plate_on_three_pins_ {
                     let y_7_11 = -(w_11 * t25);
                     let g_7_6 = t15.mul_add(y_7_11, (-t2).mul_add(y_7_9, t3 * y_7_10));
                     let l_7_6 = kept_6 * g_7_6;
-                    let t26 = lit(-0.17364817766693033)
-                        .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
+                    let t26 = by(-0.17364817766693033)
+                        .mul_add(sin_plate_angle, by(0.984807753012208) * cos_plate_angle);
                     let y_8_9 = -(t26 * w_9);
-                    let t27 = lit(0.984807753012208)
-                        .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
+                    let t27 = by(0.984807753012208)
+                        .mul_add(sin_plate_angle, by(0.17364817766693033) * cos_plate_angle);
                     let y_8_10 = -(t27 * w_10);
                     let crank_2_x = q[6];
-                    let t28 = lit(0.1) * cos_crank_2_angle;
+                    let t28 = by(0.1) * cos_crank_2_angle;
                     let crank_2_y = q[7];
-                    let t29 = lit(0.1) * sin_crank_2_angle;
+                    let t29 = by(0.1) * sin_crank_2_angle;
                     let t30 = (-t26).mul_add(
                         t9 + (crank_2_y + t29 - plate_y - t9),
                         t27 * (crank_2_x + t28 - plate_x + t13 - t13),
@@ -1519,19 +1521,19 @@ mod plm_plate_on_three_pins_ {
                     let w_3 = w[3];
                     let w_5 = w[5];
                     let y_2_5 = t24 * w_5;
-                    let r_2 = lit(1.0) / t24.mul_add(y_2_5, w_3);
-                    let y_3_5 = lit(-0.1) * (cos_crank_1_angle * w_5);
+                    let r_2 = by(1.0) / t24.mul_add(y_2_5, w_3);
+                    let y_3_5 = by(-0.1) * (cos_crank_1_angle * w_5);
                     let g_3_2 = t24 * y_3_5;
                     let l_3_2 = r_2 * g_3_2;
                     let y_7_3 = t19 * w_3;
                     let t31 = (-cos_crank_1_angle).mul_add(t20, sin_crank_1_angle * t19);
-                    let y_7_5 = lit(-0.1) * (t31 * w_5);
+                    let y_7_5 = by(-0.1) * (t31 * w_5);
                     let g_7_2 = t24.mul_add(y_7_5, y_7_3);
                     let l_7_2 = r_2 * g_7_2;
                     let l_10_2 = y_2_5 * r_2;
                     let w_4 = w[4];
                     let t32 = (-t22).mul_add(y_3_5, w_4);
-                    let r_3 = lit(1.0) / (-g_3_2).mul_add(l_3_2, t32);
+                    let r_3 = by(1.0) / (-g_3_2).mul_add(l_3_2, t32);
                     let growth_3 = (t32 * r_3).abs();
                     let t33 = most_growth.lt(growth_3);
                     let kept_3 = S::select(t33, lit(0.0), r_3);
@@ -1540,20 +1542,20 @@ mod plm_plate_on_three_pins_ {
                     let l_7_3 = g_7_3 * kept_3;
                     let g_10_3 = (-g_3_2).mul_add(l_10_2, y_3_5);
                     let l_10_3 = g_10_3 * kept_3;
-                    let r_10 = lit(1.0) / (-g_10_3).mul_add(l_10_3, (-y_2_5).mul_add(l_10_2, w_5));
+                    let r_10 = by(1.0) / (-g_10_3).mul_add(l_10_3, (-y_2_5).mul_add(l_10_2, w_5));
                     let growth_10 = (w_5 * r_10).abs();
                     let t34 = most_growth.lt(growth_10);
                     let kept_10 = S::select(t34, lit(0.0), r_10);
                     let g_7_10 = (-g_7_3).mul_add(l_10_3, (-g_7_2).mul_add(l_10_2, y_7_5));
                     let l_7_10 = kept_10 * g_7_10;
                     let t35 = (-t19)
-                        .mul_add(y_7_9, (-(lit(0.1) * t31)).mul_add(y_7_5, t20.mul_add(y_7_4, t19 * y_7_3)));
+                        .mul_add(y_7_9, (-(by(0.1) * t31)).mul_add(y_7_5, t20.mul_add(y_7_4, t19 * y_7_3)));
                     let t36 = (-t25).mul_add(y_7_11, (-t20).mul_add(y_7_10, t35));
                     let d_7 = (-g_7_10).mul_add(
                         l_7_10,
                         (-g_7_3).mul_add(l_7_3, (-g_7_6).mul_add(l_7_6, (-g_7_2).mul_add(l_7_2, t36))),
                     );
-                    let r_7 = lit(1.0) / d_7;
+                    let r_7 = by(1.0) / d_7;
                     let growth_7 = (t36 * r_7).abs();
                     let t37 = most_growth.lt(growth_7);
                     let kept_7 = S::select(t37, lit(0.0), r_7);
@@ -1562,19 +1564,19 @@ mod plm_plate_on_three_pins_ {
                     let w_6 = w[6];
                     let w_8 = w[8];
                     let y_4_8 = t29 * w_8;
-                    let r_4 = lit(1.0) / t29.mul_add(y_4_8, w_6);
-                    let y_5_8 = lit(-0.1) * (cos_crank_2_angle * w_8);
+                    let r_4 = by(1.0) / t29.mul_add(y_4_8, w_6);
+                    let y_5_8 = by(-0.1) * (cos_crank_2_angle * w_8);
                     let g_5_4 = t29 * y_5_8;
                     let l_5_4 = r_4 * g_5_4;
                     let y_8_6 = t26 * w_6;
                     let t38 = (-cos_crank_2_angle).mul_add(t27, sin_crank_2_angle * t26);
-                    let y_8_8 = lit(-0.1) * (t38 * w_8);
+                    let y_8_8 = by(-0.1) * (t38 * w_8);
                     let g_8_4 = t29.mul_add(y_8_8, y_8_6);
                     let l_8_4 = r_4 * g_8_4;
                     let l_11_4 = y_4_8 * r_4;
                     let w_7 = w[7];
                     let t39 = (-t28).mul_add(y_5_8, w_7);
-                    let r_5 = lit(1.0) / (-g_5_4).mul_add(l_5_4, t39);
+                    let r_5 = by(1.0) / (-g_5_4).mul_add(l_5_4, t39);
                     let growth_5 = (t39 * r_5).abs();
                     let t40 = most_growth.lt(growth_5);
                     let kept_5 = S::select(t40, lit(0.0), r_5);
@@ -1584,19 +1586,19 @@ mod plm_plate_on_three_pins_ {
                     let g_11_5 = (-g_5_4).mul_add(l_11_4, y_5_8);
                     let l_11_5 = g_11_5 * kept_5;
                     let t41 = (-t26)
-                        .mul_add(y_8_9, (-(lit(0.1) * t38)).mul_add(y_8_8, t27.mul_add(y_8_7, t26 * y_8_6)));
+                        .mul_add(y_8_9, (-(by(0.1) * t38)).mul_add(y_8_8, t27.mul_add(y_8_7, t26 * y_8_6)));
                     let t42 = (-t30).mul_add(y_8_11, (-t27).mul_add(y_8_10, t41));
                     let d_8 = (-g_8_5).mul_add(
                         l_8_5,
                         (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, (-g_8_4).mul_add(l_8_4, t42))),
                     );
-                    let r_8 = lit(1.0) / d_8;
+                    let r_8 = by(1.0) / d_8;
                     let growth_8 = (t42 * r_8).abs();
                     let t43 = most_growth.lt(growth_8);
                     let kept_8 = S::select(t43, lit(0.0), r_8);
                     let g_11_8 = (-g_8_5).mul_add(l_11_5, (-g_8_4).mul_add(l_11_4, y_8_8));
                     let l_11_8 = kept_8 * g_11_8;
-                    let r_11 = lit(1.0)
+                    let r_11 = by(1.0)
                         / (-g_11_8).mul_add(l_11_8, (-g_11_5).mul_add(l_11_5, (-y_4_8).mul_add(l_11_4, w_8)));
                     let growth_11 = (w_8 * r_11).abs();
                     let t44 = most_growth.lt(growth_11);
@@ -1667,7 +1669,7 @@ mod plm_plate_on_three_pins_ {
                         .max(S::select(t40, lit(0.0), growth_5))
                         .max(S::select(t43, lit(0.0), growth_8))
                         .max(S::select(t44, lit(0.0), growth_11));
-                    lit(1.0) / t47
+                    by(1.0) / t47
                 })
             }
 
@@ -2228,32 +2230,33 @@ mod plm_plate_on_three_pins_ {
                     ..,
                 ] = *x;
                 let lit = S::lit;
+                let by = rt::Factor;
                 let ([sin_plate_angle, sin_crank_0_angle], [cos_plate_angle, cos_crank_0_angle]) =
                     S::sin_cos_all([plate_angle, crank_0_angle]);
-                let t1 = lit(-0.573576436351046)
-                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
-                let t2 = lit(-0.3).mul_add(sin_plate_angle, lit(0.4) * cos_plate_angle);
-                let t3 = lit(0.8191520442889918)
-                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
-                let t4 = lit(0.4).mul_add(sin_plate_angle, lit(0.3) * cos_plate_angle);
+                let t1 =
+                    by(-0.573576436351046).mul_add(sin_plate_angle, by(0.8191520442889918) * cos_plate_angle);
+                let t2 = by(-0.3).mul_add(sin_plate_angle, by(0.4) * cos_plate_angle);
+                let t3 =
+                    by(0.8191520442889918).mul_add(sin_plate_angle, by(0.573576436351046) * cos_plate_angle);
+                let t4 = by(0.4).mul_add(sin_plate_angle, by(0.3) * cos_plate_angle);
                 let t5 = t3.mul_add(
-                    lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) - plate_y + t4,
-                    t1 * (lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) - plate_x + t2),
+                    by(0.1).mul_add(sin_crank_0_angle, crank_0_y) - plate_y + t4,
+                    t1 * (by(0.1).mul_add(cos_crank_0_angle, crank_0_x) - plate_x + t2),
                 );
                 let t6 = t1 * t5;
-                force[0] = lit(-100.0) * t6;
-                let t7 = lit(100.0) * (t3 * t5);
+                force[0] = by(-100.0) * t6;
+                let t7 = by(100.0) * (t3 * t5);
                 force[1] = lit(-2.943) - t7;
-                force[2] = lit(-10.0) * t5 * (-sin_crank_0_angle).mul_add(t1, cos_crank_0_angle * t3);
+                force[2] = by(-10.0) * t5 * (-sin_crank_0_angle).mul_add(t1, cos_crank_0_angle * t3);
                 force[3] = lit(0.0);
                 force[4] = lit(-2.943);
                 force[5] = lit(0.0);
                 force[6] = lit(0.0);
                 force[7] = lit(-2.943);
                 force[8] = lit(0.0);
-                force[9] = lit(100.0) * t6;
+                force[9] = by(100.0) * t6;
                 force[10] = t7 - lit(19.62);
-                force[11] = lit(-100.0) * t5 * (-t4).mul_add(t1, t2 * t3);
+                force[11] = by(-100.0) * t5 * (-t4).mul_add(t1, t2 * t3);
                 let (q, _): ([S; 12], [S; 12]) = absolute::split(x);
                 absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force)
                     .into_iter()
@@ -2291,6 +2294,7 @@ mod plm_plate_on_three_pins_ {
             #[inline(always)]
             fn dynamics(&self, t: S, u: &Held<S>, x: &[S; 24], dx: &mut [S; 24], lambda: &mut [S; 12]) -> S {
                 let lit = S::lit;
+                let by = rt::Factor;
                 let (
                     sin_crank_0_angle,
                     cos_crank_0_angle,
@@ -2407,94 +2411,94 @@ mod plm_plate_on_three_pins_ {
                         [sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle, sin_plate_angle],
                         [cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle, cos_plate_angle],
                     ) = S::sin_cos_all([crank_0_angle, crank_1_angle, crank_2_angle, plate_angle]);
-                    let t1 = lit(0.1) * sin_crank_0_angle;
-                    let t2 = lit(0.1) * sin_crank_1_angle;
-                    let t3 = lit(0.1) * sin_crank_2_angle;
-                    let t4 = lit(0.8191520442889918)
-                        .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
-                    let t5 = lit(-0.573576436351046)
-                        .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                    let t1 = by(0.1) * sin_crank_0_angle;
+                    let t2 = by(0.1) * sin_crank_1_angle;
+                    let t3 = by(0.1) * sin_crank_2_angle;
+                    let t4 = by(0.8191520442889918)
+                        .mul_add(sin_plate_angle, by(0.573576436351046) * cos_plate_angle);
+                    let t5 = by(-0.573576436351046)
+                        .mul_add(sin_plate_angle, by(0.8191520442889918) * cos_plate_angle);
                     let t6 = cos_crank_0_angle.mul_add(t5, sin_crank_0_angle * t4);
-                    let t7 = lit(0.3) * cos_plate_angle;
-                    let t8 = lit(0.4) * sin_plate_angle;
+                    let t7 = by(0.3) * cos_plate_angle;
+                    let t8 = by(0.4) * sin_plate_angle;
                     let t9 = t7 + t8;
-                    let t10 = lit(0.4) * cos_plate_angle;
-                    let t11 = lit(0.3) * sin_plate_angle;
+                    let t10 = by(0.4) * cos_plate_angle;
+                    let t11 = by(0.3) * sin_plate_angle;
                     let t12 = t10 - t11;
                     let crank_0_x = x[0];
                     let plate_x = x[9];
-                    let t13 = lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) - plate_x + t12;
+                    let t13 = by(0.1).mul_add(cos_crank_0_angle, crank_0_x) - plate_x + t12;
                     let crank_0_y = x[1];
                     let plate_y = x[10];
                     let t14 = crank_0_y + t1 - plate_y + t9;
                     let t15 = t4.mul_add(t14, t5 * t13);
                     let t16 = (-t12).mul_add(t5, (-t9).mul_add(t4, t15));
-                    let t17 = lit(-0.766044443118978)
-                        .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle);
-                    let t18 = lit(0.6427876096865393)
-                        .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
+                    let t17 = by(-0.766044443118978)
+                        .mul_add(sin_plate_angle, by(0.6427876096865393) * cos_plate_angle);
+                    let t18 = by(0.6427876096865393)
+                        .mul_add(sin_plate_angle, by(0.766044443118978) * cos_plate_angle);
                     let t19 = (-cos_crank_1_angle).mul_add(t18, sin_crank_1_angle * t17);
                     let t20 = t10 + t11;
                     let crank_1_x = x[3];
-                    let t21 = lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - plate_x - t20;
+                    let t21 = by(0.1).mul_add(cos_crank_1_angle, crank_1_x) - plate_x - t20;
                     let t22 = t7 - t8;
                     let crank_1_y = x[4];
                     let t23 = crank_1_y + t2 - plate_y + t22;
                     let t24 = (-t17).mul_add(t23 - t22, t18 * (t20 + t21));
-                    let t25 = lit(-0.17364817766693033)
-                        .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
-                    let t26 = lit(0.984807753012208)
-                        .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
+                    let t25 = by(-0.17364817766693033)
+                        .mul_add(sin_plate_angle, by(0.984807753012208) * cos_plate_angle);
+                    let t26 = by(0.984807753012208)
+                        .mul_add(sin_plate_angle, by(0.17364817766693033) * cos_plate_angle);
                     let t27 = (-cos_crank_2_angle).mul_add(t26, sin_crank_2_angle * t25);
                     let crank_2_x = x[6];
-                    let t28 = lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t8;
+                    let t28 = by(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t8;
                     let crank_2_y = x[7];
                     let t29 = crank_2_y + t3 - plate_y - t10;
                     let t30 = (-t25).mul_add(t10 + t29, t26 * (t28 - t8));
-                    let y_0_2 = lit(10.0) * sin_crank_0_angle;
-                    let y_1_2 = lit(-10.0) * cos_crank_0_angle;
-                    let y_2_5 = lit(10.0) * sin_crank_1_angle;
-                    let y_3_5 = lit(-10.0) * cos_crank_1_angle;
-                    let y_4_8 = lit(10.0) * sin_crank_2_angle;
-                    let y_5_8 = lit(-10.0) * cos_crank_2_angle;
-                    let y_6_0 = lit(3.3333333333333335) * t4;
-                    let y_6_1 = lit(-3.3333333333333335) * t5;
-                    let y_6_2 = lit(-10.0) * t6;
-                    let y_6_9 = lit(-0.5) * t4;
-                    let y_6_10 = lit(0.5) * t5;
-                    let y_6_11 = lit(3.3333333333333335) * t16;
-                    let y_7_3 = lit(3.3333333333333335) * t17;
-                    let y_7_4 = lit(3.3333333333333335) * t18;
-                    let y_7_5 = lit(-10.0) * t19;
-                    let y_7_9 = lit(-0.5) * t17;
-                    let y_7_10 = lit(-0.5) * t18;
-                    let y_7_11 = lit(-3.3333333333333335) * t24;
-                    let y_8_6 = lit(3.3333333333333335) * t25;
-                    let y_8_7 = lit(3.3333333333333335) * t26;
-                    let y_8_8 = lit(-10.0) * t27;
-                    let y_8_9 = lit(-0.5) * t25;
-                    let y_8_10 = lit(-0.5) * t26;
-                    let y_8_11 = lit(-3.3333333333333335) * t30;
+                    let y_0_2 = by(10.0) * sin_crank_0_angle;
+                    let y_1_2 = by(-10.0) * cos_crank_0_angle;
+                    let y_2_5 = by(10.0) * sin_crank_1_angle;
+                    let y_3_5 = by(-10.0) * cos_crank_1_angle;
+                    let y_4_8 = by(10.0) * sin_crank_2_angle;
+                    let y_5_8 = by(-10.0) * cos_crank_2_angle;
+                    let y_6_0 = by(3.3333333333333335) * t4;
+                    let y_6_1 = by(-3.3333333333333335) * t5;
+                    let y_6_2 = by(-10.0) * t6;
+                    let y_6_9 = by(-0.5) * t4;
+                    let y_6_10 = by(0.5) * t5;
+                    let y_6_11 = by(3.3333333333333335) * t16;
+                    let y_7_3 = by(3.3333333333333335) * t17;
+                    let y_7_4 = by(3.3333333333333335) * t18;
+                    let y_7_5 = by(-10.0) * t19;
+                    let y_7_9 = by(-0.5) * t17;
+                    let y_7_10 = by(-0.5) * t18;
+                    let y_7_11 = by(-3.3333333333333335) * t24;
+                    let y_8_6 = by(3.3333333333333335) * t25;
+                    let y_8_7 = by(3.3333333333333335) * t26;
+                    let y_8_8 = by(-10.0) * t27;
+                    let y_8_9 = by(-0.5) * t25;
+                    let y_8_10 = by(-0.5) * t26;
+                    let y_8_11 = by(-3.3333333333333335) * t30;
                     // Accelerations without constraints, M^-1 Q
                     let t31 = t5 * t15;
-                    let free_crank_0_x = lit(-333.3333333333333) * t31;
+                    let free_crank_0_x = by(-333.3333333333333) * t31;
                     let t32 = t4 * t15;
-                    let free_crank_0_y = lit(-333.3333333333333).mul_add(t32, lit(-9.81));
+                    let free_crank_0_y = by(-333.3333333333333).mul_add(t32, lit(-9.81));
                     let free_crank_0_angle =
-                        lit(-1000.0) * t15 * (-sin_crank_0_angle).mul_add(t5, cos_crank_0_angle * t4);
-                    let free_plate_x = lit(50.0) * t31;
-                    let free_plate_y = lit(50.0).mul_add(t32, lit(-9.81));
-                    let free_plate_angle = lit(-333.3333333333333) * t15 * (-t9).mul_add(t5, t12 * t4);
+                        by(-1000.0) * t15 * (-sin_crank_0_angle).mul_add(t5, cos_crank_0_angle * t4);
+                    let free_plate_x = by(50.0) * t31;
+                    let free_plate_y = by(50.0).mul_add(t32, lit(-9.81));
+                    let free_plate_angle = by(-333.3333333333333) * t15 * (-t9).mul_add(t5, t12 * t4);
                     // phi_q M^-1 phi_q^T = L D L^T
-                    let r_0 = lit(1.0) / t1.mul_add(y_0_2, lit(3.3333333333333335));
+                    let r_0 = by(1.0) / t1.mul_add(y_0_2, lit(3.3333333333333335));
                     let g_1_0 = t1 * y_1_2;
                     let l_1_0 = r_0 * g_1_0;
                     let g_6_0 = t1.mul_add(y_6_2, y_6_0);
                     let l_6_0 = r_0 * g_6_0;
                     let l_9_0 = y_0_2 * r_0;
-                    let t33 = lit(0.1) * cos_crank_0_angle;
+                    let t33 = by(0.1) * cos_crank_0_angle;
                     let t34 = t33.mul_add(y_1_2, lit(-3.3333333333333335));
-                    let r_1 = lit(1.0) / -g_1_0.mul_add(l_1_0, t34);
+                    let r_1 = by(1.0) / -g_1_0.mul_add(l_1_0, t34);
                     let growth_1 = (t34 * r_1).abs();
                     let most_growth = lit(S::MOST_GROWTH);
                     let t35 = most_growth.lt(growth_1);
@@ -2503,19 +2507,19 @@ mod plm_plate_on_three_pins_ {
                     let l_6_1 = g_6_1 * kept_1;
                     let g_9_1 = (-g_1_0).mul_add(l_9_0, y_1_2);
                     let l_9_1 = g_9_1 * kept_1;
-                    let r_9 = lit(1.0) / (-g_9_1).mul_add(l_9_1, (-y_0_2).mul_add(l_9_0, lit(100.0)));
-                    let growth_9 = lit(100.0) * r_9.abs();
+                    let r_9 = by(1.0) / (-g_9_1).mul_add(l_9_1, (-y_0_2).mul_add(l_9_0, lit(100.0)));
+                    let growth_9 = by(100.0) * r_9.abs();
                     let t36 = most_growth.lt(growth_9);
                     let kept_9 = S::select(t36, lit(0.0), r_9);
                     let g_6_9 = (-g_6_1).mul_add(l_9_1, (-g_6_0).mul_add(l_9_0, y_6_2));
                     let l_6_9 = kept_9 * g_6_9;
-                    let t37 = lit(0.1) * t6;
+                    let t37 = by(0.1) * t6;
                     let t38 = t5.mul_add(
                         y_6_10,
                         (-t4).mul_add(y_6_9, (-t37).mul_add(y_6_2, (-t5).mul_add(y_6_1, t4 * y_6_0))),
                     );
                     let t39 = t16.mul_add(y_6_11, t38);
-                    let r_6 = lit(1.0)
+                    let r_6 = by(1.0)
                         / (-g_6_9).mul_add(l_6_9, (-g_6_1).mul_add(l_6_1, (-g_6_0).mul_add(l_6_0, t39)));
                     let growth_6 = (t39 * r_6).abs();
                     let t40 = most_growth.lt(growth_6);
@@ -2524,15 +2528,15 @@ mod plm_plate_on_three_pins_ {
                     let l_7_6 = kept_6 * g_7_6;
                     let g_8_6 = t16.mul_add(y_8_11, (-t4).mul_add(y_8_9, t5 * y_8_10));
                     let l_8_6 = kept_6 * g_8_6;
-                    let r_2 = lit(1.0) / t2.mul_add(y_2_5, lit(3.3333333333333335));
+                    let r_2 = by(1.0) / t2.mul_add(y_2_5, lit(3.3333333333333335));
                     let g_3_2 = t2 * y_3_5;
                     let l_3_2 = r_2 * g_3_2;
                     let g_7_2 = t2.mul_add(y_7_5, y_7_3);
                     let l_7_2 = r_2 * g_7_2;
                     let l_10_2 = y_2_5 * r_2;
-                    let t41 = lit(0.1) * cos_crank_1_angle;
+                    let t41 = by(0.1) * cos_crank_1_angle;
                     let t42 = t41.mul_add(y_3_5, lit(-3.3333333333333335));
-                    let r_3 = lit(1.0) / -g_3_2.mul_add(l_3_2, t42);
+                    let r_3 = by(1.0) / -g_3_2.mul_add(l_3_2, t42);
                     let growth_3 = (t42 * r_3).abs();
                     let t43 = most_growth.lt(growth_3);
                     let kept_3 = S::select(t43, lit(0.0), r_3);
@@ -2540,34 +2544,34 @@ mod plm_plate_on_three_pins_ {
                     let l_7_3 = g_7_3 * kept_3;
                     let g_10_3 = (-g_3_2).mul_add(l_10_2, y_3_5);
                     let l_10_3 = g_10_3 * kept_3;
-                    let r_10 = lit(1.0) / (-g_10_3).mul_add(l_10_3, (-y_2_5).mul_add(l_10_2, lit(100.0)));
-                    let growth_10 = lit(100.0) * r_10.abs();
+                    let r_10 = by(1.0) / (-g_10_3).mul_add(l_10_3, (-y_2_5).mul_add(l_10_2, lit(100.0)));
+                    let growth_10 = by(100.0) * r_10.abs();
                     let t44 = most_growth.lt(growth_10);
                     let kept_10 = S::select(t44, lit(0.0), r_10);
                     let g_7_10 = (-g_7_3).mul_add(l_10_3, (-g_7_2).mul_add(l_10_2, y_7_5));
                     let l_7_10 = kept_10 * g_7_10;
                     let t45 = (-t17)
-                        .mul_add(y_7_9, (-(lit(0.1) * t19)).mul_add(y_7_5, t18.mul_add(y_7_4, t17 * y_7_3)));
+                        .mul_add(y_7_9, (-(by(0.1) * t19)).mul_add(y_7_5, t18.mul_add(y_7_4, t17 * y_7_3)));
                     let t46 = (-t24).mul_add(y_7_11, (-t18).mul_add(y_7_10, t45));
                     let d_7 = (-g_7_10).mul_add(
                         l_7_10,
                         (-g_7_3).mul_add(l_7_3, (-g_7_6).mul_add(l_7_6, (-g_7_2).mul_add(l_7_2, t46))),
                     );
-                    let r_7 = lit(1.0) / d_7;
+                    let r_7 = by(1.0) / d_7;
                     let growth_7 = (t46 * r_7).abs();
                     let t47 = most_growth.lt(growth_7);
                     let kept_7 = S::select(t47, lit(0.0), r_7);
                     let g_8_7 = -g_7_6.mul_add(l_8_6, t24.mul_add(y_8_11, t18.mul_add(y_8_10, t17 * y_8_9)));
                     let l_8_7 = kept_7 * g_8_7;
-                    let r_4 = lit(1.0) / t3.mul_add(y_4_8, lit(3.3333333333333335));
+                    let r_4 = by(1.0) / t3.mul_add(y_4_8, lit(3.3333333333333335));
                     let g_5_4 = t3 * y_5_8;
                     let l_5_4 = r_4 * g_5_4;
                     let g_8_4 = t3.mul_add(y_8_8, y_8_6);
                     let l_8_4 = r_4 * g_8_4;
                     let l_11_4 = y_4_8 * r_4;
-                    let t48 = lit(0.1) * cos_crank_2_angle;
+                    let t48 = by(0.1) * cos_crank_2_angle;
                     let t49 = t48.mul_add(y_5_8, lit(-3.3333333333333335));
-                    let r_5 = lit(1.0) / -g_5_4.mul_add(l_5_4, t49);
+                    let r_5 = by(1.0) / -g_5_4.mul_add(l_5_4, t49);
                     let growth_5 = (t49 * r_5).abs();
                     let t50 = most_growth.lt(growth_5);
                     let kept_5 = S::select(t50, lit(0.0), r_5);
@@ -2576,7 +2580,7 @@ mod plm_plate_on_three_pins_ {
                     let g_11_5 = (-g_5_4).mul_add(l_11_4, y_5_8);
                     let l_11_5 = g_11_5 * kept_5;
                     let t51 = (-t25)
-                        .mul_add(y_8_9, (-(lit(0.1) * t27)).mul_add(y_8_8, t26.mul_add(y_8_7, t25 * y_8_6)));
+                        .mul_add(y_8_9, (-(by(0.1) * t27)).mul_add(y_8_8, t26.mul_add(y_8_7, t25 * y_8_6)));
                     (
                         sin_crank_0_angle,
                         cos_crank_0_angle,
@@ -2691,60 +2695,57 @@ mod plm_plate_on_three_pins_ {
                         l_8_5,
                         (-g_8_7).mul_add(l_8_7, (-g_8_6).mul_add(l_8_6, (-g_8_4).mul_add(l_8_4, t52))),
                     );
-                    let r_8 = lit(1.0) / d_8;
+                    let r_8 = by(1.0) / d_8;
                     let growth_8 = (t52 * r_8).abs();
                     let t53 = most_growth.lt(growth_8);
                     let kept_8 = S::select(t53, lit(0.0), r_8);
                     let g_11_8 = (-g_8_5).mul_add(l_11_5, (-g_8_4).mul_add(l_11_4, y_8_8));
                     let l_11_8 = kept_8 * g_11_8;
-                    let r_11 = lit(1.0)
+                    let r_11 = by(1.0)
                         / (-g_11_8)
                             .mul_add(l_11_8, (-g_11_5).mul_add(l_11_5, (-y_4_8).mul_add(l_11_4, lit(100.0))));
-                    let growth_11 = lit(100.0) * r_11.abs();
+                    let growth_11 = by(100.0) * r_11.abs();
                     let t54 = most_growth.lt(growth_11);
                     // Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma
                     let crank_0_omega = x[14];
                     let t55 = crank_0_omega * cos_crank_0_angle;
                     let t56 = crank_0_omega * t55;
                     let b_0 =
-                        lit(0.1).mul_add(sin_crank_0_angle.mul_add(free_crank_0_angle, t56), free_crank_0_x);
+                        by(0.1).mul_add(sin_crank_0_angle.mul_add(free_crank_0_angle, t56), free_crank_0_x);
                     let t57 = crank_0_omega * sin_crank_0_angle;
                     let t58 = crank_0_omega * t57;
-                    let b_1 = lit(0.1).mul_add(
+                    let b_1 = by(0.1).mul_add(
                         (-cos_crank_0_angle).mul_add(free_crank_0_angle, t58),
                         (-l_1_0).mul_add(b_0, free_crank_0_y),
                     );
                     let b_9 = (-l_9_1).mul_add(
                         b_1,
-                        (-l_9_0).mul_add(b_0, lit(3.6).mul_add((lit(3.0) * t).sin(), free_crank_0_angle)),
+                        (-l_9_0).mul_add(b_0, by(3.6).mul_add((by(3.0) * t).sin(), free_crank_0_angle)),
                     );
                     let plate_omega = x[23];
                     let t59 = plate_omega * sin_plate_angle;
                     let t60 = plate_omega * cos_plate_angle;
                     let crank_0_vx = x[12];
                     let plate_vx = x[21];
-                    let t61 = lit(0.3).mul_add(t60, plate_vx);
-                    let t62 = lit(0.4) * t59;
-                    let t63 = lit(-1.6383040885779836).mul_add(t60, lit(1.147152872702092) * t59)
-                        * (lit(-0.1).mul_add(t57, crank_0_vx) - t62 - t61);
+                    let t61 = by(0.3).mul_add(t60, plate_vx);
+                    let t62 = by(0.4) * t59;
+                    let t63 = by(-1.6383040885779836).mul_add(t60, by(1.147152872702092) * t59)
+                        * (by(-0.1).mul_add(t57, crank_0_vx) - t62 - t61);
                     let t64 = plate_omega * t60;
                     let t65 = plate_omega * t59;
                     let crank_0_vy = x[13];
                     let plate_vy = x[22];
-                    let t66 = lit(0.3).mul_add(t59, plate_vy);
-                    let t67 = lit(0.4) * t60;
-                    let t68 = lit(-1.147152872702092).mul_add(t60, lit(-1.6383040885779836) * t59)
-                        * (lit(0.1).mul_add(t55, crank_0_vy) + t67 - t66);
-                    let t69 = lit(0.3) * t64;
-                    let t70 = lit(0.4) * t65;
-                    let t71 = lit(0.4) * t64;
-                    let t72 = lit(0.3) * t65;
+                    let t66 = by(0.3).mul_add(t59, plate_vy);
+                    let t67 = by(0.4) * t60;
+                    let t68 = by(-1.147152872702092).mul_add(t60, by(-1.6383040885779836) * t59)
+                        * (by(0.1).mul_add(t55, crank_0_vy) + t67 - t66);
+                    let t69 = by(0.3) * t64;
+                    let t70 = by(0.4) * t65;
+                    let t71 = by(0.4) * t64;
+                    let t72 = by(0.3) * t65;
                     let t73 = (-t13).mul_add(
-                        lit(0.8191520442889918).mul_add(t65, lit(0.573576436351046) * t64),
-                        t14.mul_add(
-                            lit(-0.573576436351046).mul_add(t65, lit(0.8191520442889918) * t64),
-                            -t63,
-                        ),
+                        by(0.8191520442889918).mul_add(t65, by(0.573576436351046) * t64),
+                        t14.mul_add(by(-0.573576436351046).mul_add(t65, by(0.8191520442889918) * t64), -t63),
                     );
                     let t74 = (-l_6_1).mul_add(
                         b_1,
@@ -2754,35 +2755,34 @@ mod plm_plate_on_three_pins_ {
                         ),
                     );
                     let t75 = t5.mul_add(
-                        free_plate_y - free_crank_0_y + (lit(0.1).mul_add(t58, t69) + t70),
+                        free_plate_y - free_crank_0_y + (by(0.1).mul_add(t58, t69) + t70),
                         (-l_6_9).mul_add(b_9, t74),
                     );
-                    let b_6 = (-t4)
-                        .mul_add(free_plate_x - free_crank_0_x + (lit(0.1).mul_add(t56, t71) - t72), t75);
+                    let b_6 =
+                        (-t4).mul_add(free_plate_x - free_crank_0_x + (by(0.1).mul_add(t56, t71) - t72), t75);
                     let crank_1_omega = x[17];
                     let t76 = crank_1_omega * cos_crank_1_angle;
-                    let b_2 = lit(0.1) * (crank_1_omega * t76);
+                    let b_2 = by(0.1) * (crank_1_omega * t76);
                     let t77 = crank_1_omega * sin_crank_1_angle;
-                    let t78 = lit(0.1) * (crank_1_omega * t77);
+                    let t78 = by(0.1) * (crank_1_omega * t77);
                     let b_3 = (-l_3_2).mul_add(b_2, t78) - lit(9.81);
-                    let b_10 =
-                        (-l_10_3).mul_add(b_3, (-l_10_2).mul_add(b_2, lit(1.2) * (lit(2.0) * t).cos()));
+                    let b_10 = (-l_10_3).mul_add(b_3, (-l_10_2).mul_add(b_2, by(1.2) * (by(2.0) * t).cos()));
                     let crank_1_vx = x[15];
-                    let t79 = lit(1.532088886237956).mul_add(t60, lit(1.2855752193730785) * t59)
-                        * (lit(-0.1).mul_add(t77, crank_1_vx + t62) - t61);
+                    let t79 = by(1.532088886237956).mul_add(t60, by(1.2855752193730785) * t59)
+                        * (by(-0.1).mul_add(t77, crank_1_vx + t62) - t61);
                     let crank_1_vy = x[16];
-                    let t80 = lit(-1.2855752193730785).mul_add(t60, lit(1.532088886237956) * t59)
-                        * (lit(0.1).mul_add(t76, crank_1_vy - t67) - t66);
+                    let t80 = by(-1.2855752193730785).mul_add(t60, by(1.532088886237956) * t59)
+                        * (by(0.1).mul_add(t76, crank_1_vy - t67) - t66);
                     let t81 = (-t21).mul_add(
-                        lit(-0.766044443118978).mul_add(t65, lit(0.6427876096865393) * t64),
-                        lit(-6.305746451024951)
-                            .mul_add(sin_plate_angle, lit(-7.514895986997175) * cos_plate_angle)
+                        by(-0.766044443118978).mul_add(t65, by(0.6427876096865393) * t64),
+                        by(-6.305746451024951)
+                            .mul_add(sin_plate_angle, by(-7.514895986997175) * cos_plate_angle)
                             - t79,
                     );
                     let t82 = (-t24).mul_add(
                         free_plate_angle,
                         (-t23).mul_add(
-                            lit(0.6427876096865393).mul_add(t65, lit(0.766044443118978) * t64),
+                            by(0.6427876096865393).mul_add(t65, by(0.766044443118978) * t64),
                             t81 - t80,
                         ),
                     );
@@ -2796,22 +2796,20 @@ mod plm_plate_on_three_pins_ {
                     );
                     let crank_2_omega = x[20];
                     let t84 = crank_2_omega * cos_crank_2_angle;
-                    let b_4 = lit(0.1) * (crank_2_omega * t84);
+                    let b_4 = by(0.1) * (crank_2_omega * t84);
                     let t85 = crank_2_omega * sin_crank_2_angle;
-                    let t86 = lit(0.1) * (crank_2_omega * t85);
+                    let t86 = by(0.1) * (crank_2_omega * t85);
                     let b_5 = (-l_5_4).mul_add(b_4, t86) - lit(9.81);
                     let crank_2_vx = x[18];
-                    let t87 = lit(-0.1).mul_add(t85, crank_2_vx - plate_vx + t67)
-                        * lit(0.34729635533386066).mul_add(t60, lit(1.969615506024416) * t59);
+                    let t87 = by(-0.1).mul_add(t85, crank_2_vx - plate_vx + t67)
+                        * by(0.34729635533386066).mul_add(t60, by(1.969615506024416) * t59);
                     let crank_2_vy = x[19];
-                    let t88 = lit(0.1).mul_add(t84, crank_2_vy - plate_vy + t62)
-                        * lit(-1.969615506024416).mul_add(t60, lit(0.34729635533386066) * t59);
+                    let t88 = by(0.1).mul_add(t84, crank_2_vy - plate_vy + t62)
+                        * by(-1.969615506024416).mul_add(t60, by(0.34729635533386066) * t59);
                     let t89 = t29.mul_add(
-                        lit(0.984807753012208).mul_add(t65, lit(0.17364817766693033) * t64),
-                        t28.mul_add(
-                            lit(-0.17364817766693033).mul_add(t65, lit(0.984807753012208) * t64),
-                            t87,
-                        ) + t88,
+                        by(0.984807753012208).mul_add(t65, by(0.17364817766693033) * t64),
+                        t28.mul_add(by(-0.17364817766693033).mul_add(t65, by(0.984807753012208) * t64), t87)
+                            + t88,
                     );
                     let t90 = l_8_4.mul_add(
                         b_4,
@@ -2824,7 +2822,7 @@ mod plm_plate_on_three_pins_ {
                     let b_8 = -t91;
                     let b_11 = (-l_11_8).mul_add(
                         b_8,
-                        (-l_11_5).mul_add(b_5, (-l_11_4).mul_add(b_4, lit(3.2) * (lit(4.0) * t).sin())),
+                        (-l_11_5).mul_add(b_5, (-l_11_4).mul_add(b_4, by(3.2) * (by(4.0) * t).sin())),
                     );
                     let lambda_third = S::select(t54, lit(0.0), r_11) * b_11;
                     let lambda_slot_2_normal = (-l_11_8).mul_add(lambda_third, kept_8 * b_8);
@@ -2866,44 +2864,42 @@ mod plm_plate_on_three_pins_ {
                     dx[11] = plate_omega;
                     dx[12] = (-y_6_0).mul_add(
                         lambda_slot_0_normal,
-                        lit(-3.3333333333333335).mul_add(lambda_o_0_x, free_crank_0_x),
+                        by(-3.3333333333333335).mul_add(lambda_o_0_x, free_crank_0_x),
                     );
                     dx[13] = (-y_6_1).mul_add(
                         lambda_slot_0_normal,
-                        lit(-3.3333333333333335).mul_add(lambda_o_0_y, free_crank_0_y),
+                        by(-3.3333333333333335).mul_add(lambda_o_0_y, free_crank_0_y),
                     );
                     let t92 = (-y_6_2).mul_add(
                         lambda_slot_0_normal,
                         (-y_1_2).mul_add(
                             lambda_o_0_y,
                             (-y_0_2)
-                                .mul_add(lambda_o_0_x, lit(-100.0).mul_add(lambda_first, free_crank_0_angle)),
+                                .mul_add(lambda_o_0_x, by(-100.0).mul_add(lambda_first, free_crank_0_angle)),
                         ),
                     );
                     dx[14] = t92;
-                    dx[15] = (-y_7_3).mul_add(lambda_slot_1_normal, lit(-3.3333333333333335) * lambda_o_1_x);
+                    dx[15] = (-y_7_3).mul_add(lambda_slot_1_normal, by(-3.3333333333333335) * lambda_o_1_x);
                     dx[16] = (-y_7_4).mul_add(
                         lambda_slot_1_normal,
-                        lit(-3.3333333333333335).mul_add(lambda_o_1_y, lit(-9.81)),
+                        by(-3.3333333333333335).mul_add(lambda_o_1_y, lit(-9.81)),
                     );
                     dx[17] = (-y_7_5).mul_add(
                         lambda_slot_1_normal,
                         (-y_3_5).mul_add(
                             lambda_o_1_y,
-                            (-y_2_5).mul_add(lambda_o_1_x, lit(-100.0) * lambda_second),
+                            (-y_2_5).mul_add(lambda_o_1_x, by(-100.0) * lambda_second),
                         ),
                     );
-                    dx[18] = (-y_8_6).mul_add(lambda_slot_2_normal, lit(-3.3333333333333335) * lambda_o_2_x);
+                    dx[18] = (-y_8_6).mul_add(lambda_slot_2_normal, by(-3.3333333333333335) * lambda_o_2_x);
                     dx[19] = (-y_8_7).mul_add(
                         lambda_slot_2_normal,
-                        lit(-3.3333333333333335).mul_add(lambda_o_2_y, lit(-9.81)),
+                        by(-3.3333333333333335).mul_add(lambda_o_2_y, lit(-9.81)),
                     );
                     dx[20] = (-y_8_8).mul_add(
                         lambda_slot_2_normal,
-                        (-y_5_8).mul_add(
-                            lambda_o_2_y,
-                            (-y_4_8).mul_add(lambda_o_2_x, lit(-100.0) * lambda_third),
-                        ),
+                        (-y_5_8)
+                            .mul_add(lambda_o_2_y, (-y_4_8).mul_add(lambda_o_2_x, by(-100.0) * lambda_third)),
                     );
                     dx[21] = (-y_8_9).mul_add(
                         lambda_slot_2_normal,
@@ -2951,7 +2947,7 @@ mod plm_plate_on_three_pins_ {
                         .max(S::select(t54, lit(0.0), growth_11));
                     t95
                 };
-                lit(1.0) / t95
+                by(1.0) / t95
             }
 
             /// Applied forces `Q` (N, N, N m per body) and `gamma`, for the rank-revealing solution.
@@ -2960,6 +2956,7 @@ mod plm_plate_on_three_pins_ {
             #[cold]
             fn free(&self, t: S, u: &Held<S>, x: &[S; 24], force: &mut [S; 12], gamma: &mut [S; 12]) {
                 let lit = S::lit;
+                let by = rt::Factor;
                 let plate_angle = x[11];
                 let crank_0_angle = x[2];
                 let crank_1_angle = x[5];
@@ -2968,128 +2965,128 @@ mod plm_plate_on_three_pins_ {
                     [sin_plate_angle, sin_crank_0_angle, sin_crank_1_angle, sin_crank_2_angle],
                     [cos_plate_angle, cos_crank_0_angle, cos_crank_1_angle, cos_crank_2_angle],
                 ) = S::sin_cos_all([plate_angle, crank_0_angle, crank_1_angle, crank_2_angle]);
-                let t1 = lit(-0.573576436351046)
-                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
+                let t1 =
+                    by(-0.573576436351046).mul_add(sin_plate_angle, by(0.8191520442889918) * cos_plate_angle);
                 let crank_0_x = x[0];
                 let plate_x = x[9];
-                let t2 = lit(0.4) * cos_plate_angle;
-                let t3 = lit(0.3) * sin_plate_angle;
+                let t2 = by(0.4) * cos_plate_angle;
+                let t3 = by(0.3) * sin_plate_angle;
                 let t4 = t2 - t3;
-                let t5 = lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) - plate_x + t4;
-                let t6 = lit(0.8191520442889918)
-                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
+                let t5 = by(0.1).mul_add(cos_crank_0_angle, crank_0_x) - plate_x + t4;
+                let t6 =
+                    by(0.8191520442889918).mul_add(sin_plate_angle, by(0.573576436351046) * cos_plate_angle);
                 let crank_0_y = x[1];
                 let plate_y = x[10];
-                let t7 = lit(0.3) * cos_plate_angle;
-                let t8 = lit(0.4) * sin_plate_angle;
+                let t7 = by(0.3) * cos_plate_angle;
+                let t8 = by(0.4) * sin_plate_angle;
                 let t9 = t7 + t8;
-                let t10 = lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) - plate_y + t9;
+                let t10 = by(0.1).mul_add(sin_crank_0_angle, crank_0_y) - plate_y + t9;
                 let t11 = t6.mul_add(t10, t1 * t5);
                 let t12 = t1 * t11;
-                force[0] = lit(-100.0) * t12;
-                let t13 = lit(100.0) * (t6 * t11);
+                force[0] = by(-100.0) * t12;
+                let t13 = by(100.0) * (t6 * t11);
                 force[1] = lit(-2.943) - t13;
-                force[2] = lit(-10.0) * t11 * (-sin_crank_0_angle).mul_add(t1, cos_crank_0_angle * t6);
+                force[2] = by(-10.0) * t11 * (-sin_crank_0_angle).mul_add(t1, cos_crank_0_angle * t6);
                 force[3] = lit(0.0);
                 force[4] = lit(-2.943);
                 force[5] = lit(0.0);
                 force[6] = lit(0.0);
                 force[7] = lit(-2.943);
                 force[8] = lit(0.0);
-                force[9] = lit(100.0) * t12;
+                force[9] = by(100.0) * t12;
                 force[10] = t13 - lit(19.62);
-                force[11] = lit(-100.0) * t11 * (-t9).mul_add(t1, t4 * t6);
+                force[11] = by(-100.0) * t11 * (-t9).mul_add(t1, t4 * t6);
                 let crank_0_omega = x[14];
                 let t14 = crank_0_omega * cos_crank_0_angle;
                 let t15 = crank_0_omega * t14;
-                gamma[0] = lit(-0.1) * t15;
+                gamma[0] = by(-0.1) * t15;
                 let t16 = crank_0_omega * sin_crank_0_angle;
                 let t17 = crank_0_omega * t16;
-                gamma[1] = lit(-0.1) * t17;
+                gamma[1] = by(-0.1) * t17;
                 let crank_1_omega = x[17];
                 let t18 = crank_1_omega * cos_crank_1_angle;
                 let t19 = crank_1_omega * t18;
-                gamma[2] = lit(-0.1) * t19;
+                gamma[2] = by(-0.1) * t19;
                 let t20 = crank_1_omega * sin_crank_1_angle;
-                let t21 = lit(-0.1) * (crank_1_omega * t20);
+                let t21 = by(-0.1) * (crank_1_omega * t20);
                 gamma[3] = t21;
                 let crank_2_omega = x[20];
                 let t22 = crank_2_omega * cos_crank_2_angle;
-                let t23 = lit(-0.1) * (crank_2_omega * t22);
+                let t23 = by(-0.1) * (crank_2_omega * t22);
                 gamma[4] = t23;
                 let t24 = crank_2_omega * sin_crank_2_angle;
                 let t25 = crank_2_omega * t24;
-                gamma[5] = lit(-0.1) * t25;
+                gamma[5] = by(-0.1) * t25;
                 let plate_omega = x[23];
                 let t26 = plate_omega * sin_plate_angle;
                 let t27 = plate_omega * cos_plate_angle;
                 let crank_0_vx = x[12];
                 let plate_vx = x[21];
-                let t28 = lit(0.3).mul_add(t27, plate_vx);
-                let t29 = lit(0.4) * t26;
-                let t30 = lit(-1.6383040885779836).mul_add(t27, lit(1.147152872702092) * t26)
-                    * (lit(-0.1).mul_add(t16, crank_0_vx) - t29 - t28);
+                let t28 = by(0.3).mul_add(t27, plate_vx);
+                let t29 = by(0.4) * t26;
+                let t30 = by(-1.6383040885779836).mul_add(t27, by(1.147152872702092) * t26)
+                    * (by(-0.1).mul_add(t16, crank_0_vx) - t29 - t28);
                 let t31 = plate_omega * t27;
                 let t32 = plate_omega * t26;
                 let crank_0_vy = x[13];
                 let plate_vy = x[22];
-                let t33 = lit(0.3).mul_add(t26, plate_vy);
-                let t34 = lit(0.4) * t27;
-                let t35 = lit(-1.147152872702092).mul_add(t27, lit(-1.6383040885779836) * t26)
-                    * (lit(0.1).mul_add(t14, crank_0_vy) + t34 - t33);
-                let t36 = lit(0.4) * t31;
-                let t37 = lit(0.3) * t32;
-                let t38 = lit(0.3) * t31;
-                let t39 = lit(0.4) * t32;
+                let t33 = by(0.3).mul_add(t26, plate_vy);
+                let t34 = by(0.4) * t27;
+                let t35 = by(-1.147152872702092).mul_add(t27, by(-1.6383040885779836) * t26)
+                    * (by(0.1).mul_add(t14, crank_0_vy) + t34 - t33);
+                let t36 = by(0.4) * t31;
+                let t37 = by(0.3) * t32;
+                let t38 = by(0.3) * t31;
+                let t39 = by(0.4) * t32;
                 let t40 = (-t10).mul_add(
-                    lit(-0.573576436351046).mul_add(t32, lit(0.8191520442889918) * t31),
-                    t5.mul_add(lit(0.8191520442889918).mul_add(t32, lit(0.573576436351046) * t31), t30) + t35,
+                    by(-0.573576436351046).mul_add(t32, by(0.8191520442889918) * t31),
+                    t5.mul_add(by(0.8191520442889918).mul_add(t32, by(0.573576436351046) * t31), t30) + t35,
                 );
                 let t41 = (-t1).mul_add(
-                    lit(0.1).mul_add(t17, t38) + t39,
-                    t6.mul_add(lit(0.1).mul_add(t15, t36) - t37, t40),
+                    by(0.1).mul_add(t17, t38) + t39,
+                    t6.mul_add(by(0.1).mul_add(t15, t36) - t37, t40),
                 );
                 gamma[6] = t41;
                 let crank_1_vx = x[15];
-                let t42 = lit(1.532088886237956).mul_add(t27, lit(1.2855752193730785) * t26)
-                    * (lit(-0.1).mul_add(t20, crank_1_vx + t29) - t28);
+                let t42 = by(1.532088886237956).mul_add(t27, by(1.2855752193730785) * t26)
+                    * (by(-0.1).mul_add(t20, crank_1_vx + t29) - t28);
                 let crank_1_vy = x[16];
-                let t43 = lit(-1.2855752193730785).mul_add(t27, lit(1.532088886237956) * t26)
-                    * (lit(0.1).mul_add(t18, crank_1_vy - t34) - t33);
+                let t43 = by(-1.2855752193730785).mul_add(t27, by(1.532088886237956) * t26)
+                    * (by(0.1).mul_add(t18, crank_1_vy - t34) - t33);
                 let crank_1_x = x[3];
-                let t44 = (lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - plate_x - t2 - t3)
-                    * lit(-0.766044443118978).mul_add(t32, lit(0.6427876096865393) * t31);
+                let t44 = (by(0.1).mul_add(cos_crank_1_angle, crank_1_x) - plate_x - t2 - t3)
+                    * by(-0.766044443118978).mul_add(t32, by(0.6427876096865393) * t31);
                 let crank_1_y = x[4];
-                let t45 = (lit(0.1).mul_add(sin_crank_1_angle, crank_1_y) - plate_y + t7 - t8)
-                    * lit(0.6427876096865393).mul_add(t32, lit(0.766044443118978) * t31);
-                let t46 = lit(-0.766044443118978)
-                    .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle)
-                    .mul_add(lit(0.1).mul_add(t19, -t36) - t37, t42 + t43 + t44);
-                let t47 = lit(0.6427876096865393)
-                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle)
+                let t45 = (by(0.1).mul_add(sin_crank_1_angle, crank_1_y) - plate_y + t7 - t8)
+                    * by(0.6427876096865393).mul_add(t32, by(0.766044443118978) * t31);
+                let t46 = by(-0.766044443118978)
+                    .mul_add(sin_plate_angle, by(0.6427876096865393) * cos_plate_angle)
+                    .mul_add(by(0.1).mul_add(t19, -t36) - t37, t42 + t43 + t44);
+                let t47 = by(0.6427876096865393)
+                    .mul_add(sin_plate_angle, by(0.766044443118978) * cos_plate_angle)
                     .mul_add(t38 - t39 - t21, t46 + t45);
                 gamma[7] = t47;
                 let crank_2_vx = x[18];
-                let t48 = lit(-0.1).mul_add(t24, crank_2_vx - plate_vx + t34)
-                    * lit(0.34729635533386066).mul_add(t27, lit(1.969615506024416) * t26);
+                let t48 = by(-0.1).mul_add(t24, crank_2_vx - plate_vx + t34)
+                    * by(0.34729635533386066).mul_add(t27, by(1.969615506024416) * t26);
                 let crank_2_x = x[6];
-                let t49 = (lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t8)
-                    * lit(-0.17364817766693033).mul_add(t32, lit(0.984807753012208) * t31);
+                let t49 = (by(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t8)
+                    * by(-0.17364817766693033).mul_add(t32, by(0.984807753012208) * t31);
                 let crank_2_vy = x[19];
-                let t50 = lit(0.1).mul_add(t22, crank_2_vy - plate_vy + t29)
-                    * lit(-1.969615506024416).mul_add(t27, lit(0.34729635533386066) * t26);
+                let t50 = by(0.1).mul_add(t22, crank_2_vy - plate_vy + t29)
+                    * by(-1.969615506024416).mul_add(t27, by(0.34729635533386066) * t26);
                 let crank_2_y = x[7];
-                let t51 = (lit(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t2)
-                    * lit(0.984807753012208).mul_add(t32, lit(0.17364817766693033) * t31);
-                let t52 = lit(-0.17364817766693033)
-                    .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle)
+                let t51 = (by(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t2)
+                    * by(0.984807753012208).mul_add(t32, by(0.17364817766693033) * t31);
+                let t52 = by(-0.17364817766693033)
+                    .mul_add(sin_plate_angle, by(0.984807753012208) * cos_plate_angle)
                     .mul_add(t39 - t23, t48 + t49 + t50 + t51);
-                gamma[8] = lit(0.984807753012208)
-                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle)
-                    .mul_add(lit(0.1).mul_add(t25, -t36), t52);
-                gamma[9] = lit(-3.6) * (lit(3.0) * t).sin();
-                gamma[10] = lit(-1.2) * (lit(2.0) * t).cos();
-                gamma[11] = lit(-3.2) * (lit(4.0) * t).sin();
+                gamma[8] = by(0.984807753012208)
+                    .mul_add(sin_plate_angle, by(0.17364817766693033) * cos_plate_angle)
+                    .mul_add(by(0.1).mul_add(t25, -t36), t52);
+                gamma[9] = by(-3.6) * (by(3.0) * t).sin();
+                gamma[10] = by(-1.2) * (by(2.0) * t).cos();
+                gamma[11] = by(-3.2) * (by(4.0) * t).sin();
             }
         }
 
@@ -3108,21 +3105,21 @@ mod plm_plate_on_three_pins_ {
                 dx: &mut [S; 0],
             ) -> S {
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Results
-                let crank_0_angle = lit(0.4) * (lit(3.0) * t).sin();
+                let crank_0_angle = by(0.4) * (by(3.0) * t).sin();
                 let (sin_crank_0_angle, cos_crank_0_angle) = crank_0_angle.sin_cos();
-                let crank_1_angle = lit(0.3) * (lit(2.0) * t).cos();
+                let crank_1_angle = by(0.3) * (by(2.0) * t).cos();
                 let (sin_crank_1_angle, cos_crank_1_angle) = crank_1_angle.sin_cos();
-                let loop_0_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_1_angle, lit(-1.0));
+                let loop_0_x = by(0.2).mul_add(cos_crank_0_angle - cos_crank_1_angle, lit(-1.0));
                 let last_cosine_3 = m.angles[3].cos;
                 let last_0 = m.time.last;
                 let since_remembered = t - last_0;
                 let last_rate_3 = m.iterated[0].rate;
                 let last_bend_3 = m.iterated[0].bend;
                 let t1 = since_remembered * last_bend_3.mul_add(since_remembered, last_rate_3);
-                let plate_angle_expected_tangent =
-                    t1 * (lit(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
-                let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
+                let plate_angle_expected_tangent = t1 * (by(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
+                let plate_angle_expected_sine = by(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
                 let last_sine_3 = m.angles[3].sin;
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
@@ -3131,69 +3128,69 @@ mod plm_plate_on_three_pins_ {
                     (-last_sine_3).mul_add(plate_angle_expected_tangent, last_cosine_3),
                     last_sine_3,
                 );
-                let t2 = lit(0.8191520442889918)
-                    .mul_add(plate_angle_expected_sin, lit(0.573576436351046) * plate_angle_expected_cos);
-                let t3 = lit(0.984807753012208)
-                    .mul_add(plate_angle_expected_sin, lit(0.17364817766693033) * plate_angle_expected_cos);
-                let t4 = lit(-0.573576436351046)
-                    .mul_add(plate_angle_expected_sin, lit(0.8191520442889918) * plate_angle_expected_cos);
-                let t5 = lit(-0.17364817766693033)
-                    .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
+                let t2 = by(0.8191520442889918)
+                    .mul_add(plate_angle_expected_sin, by(0.573576436351046) * plate_angle_expected_cos);
+                let t3 = by(0.984807753012208)
+                    .mul_add(plate_angle_expected_sin, by(0.17364817766693033) * plate_angle_expected_cos);
+                let t4 = by(-0.573576436351046)
+                    .mul_add(plate_angle_expected_sin, by(0.8191520442889918) * plate_angle_expected_cos);
+                let t5 = by(-0.17364817766693033)
+                    .mul_add(plate_angle_expected_sin, by(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t4.mul_add(t5, t2 * t3);
                 let last_value_4 = m.iterated[1].value;
                 let last_rate_4 = m.iterated[1].rate;
                 let last_bend_4 = m.iterated[1].bend;
-                let slot_0_displacement_expected = lit(0.4)
+                let slot_0_displacement_expected = by(0.4)
                     * since_remembered
                         .mul_add(last_bend_4.mul_add(since_remembered, last_rate_4), last_value_4);
                 let last_value_5 = m.iterated[2].value;
                 let last_rate_5 = m.iterated[2].rate;
                 let last_bend_5 = m.iterated[2].bend;
-                let slot_1_displacement_expected = lit(0.4)
+                let slot_1_displacement_expected = by(0.4)
                     * since_remembered
                         .mul_add(last_bend_5.mul_add(since_remembered, last_rate_5), last_value_5);
-                let t6 = lit(0.8191520442889918) * slot_0_displacement_expected;
-                let t7 = lit(0.766044443118978).mul_add(slot_1_displacement_expected, t6) - lit(0.8);
-                let t8 = lit(0.573576436351046) * slot_0_displacement_expected;
-                let t9 = lit(-0.6427876096865393).mul_add(slot_1_displacement_expected, t8);
+                let t6 = by(0.8191520442889918) * slot_0_displacement_expected;
+                let t7 = by(0.766044443118978).mul_add(slot_1_displacement_expected, t6) - lit(0.8);
+                let t8 = by(0.573576436351046) * slot_0_displacement_expected;
+                let t9 = by(-0.6427876096865393).mul_add(slot_1_displacement_expected, t8);
                 let arm0_0_4_x = (-t7).mul_add(plate_angle_expected_cos, t9 * plate_angle_expected_sin);
-                let t10 = lit(0.6427876096865393)
-                    .mul_add(plate_angle_expected_sin, lit(0.766044443118978) * plate_angle_expected_cos);
+                let t10 = by(0.6427876096865393)
+                    .mul_add(plate_angle_expected_sin, by(0.766044443118978) * plate_angle_expected_cos);
                 let arm0_0_4_y = -t9.mul_add(plate_angle_expected_cos, t7 * plate_angle_expected_sin);
-                let t11 = lit(-0.766044443118978)
-                    .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
+                let t11 = by(-0.766044443118978)
+                    .mul_add(plate_angle_expected_sin, by(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t10, arm0_0_4_y * t11);
                 let j0_0_across_0_1 = t4.mul_add(t11, t2 * t10);
                 let last_value_6 = m.iterated[3].value;
                 let last_rate_6 = m.iterated[3].rate;
                 let last_bend_6 = m.iterated[3].bend;
-                let slot_2_displacement_expected = lit(0.4)
+                let slot_2_displacement_expected = by(0.4)
                     * since_remembered
                         .mul_add(last_bend_6.mul_add(since_remembered, last_rate_6), last_value_6);
-                let t12 = lit(0.17364817766693033).mul_add(slot_2_displacement_expected, t6) - lit(0.4);
-                let t13 = lit(-0.984807753012208).mul_add(slot_2_displacement_expected, t8) - lit(0.7);
+                let t12 = by(0.17364817766693033).mul_add(slot_2_displacement_expected, t6) - lit(0.4);
+                let t13 = by(-0.984807753012208).mul_add(slot_2_displacement_expected, t8) - lit(0.7);
                 let arm0_1_4_x = (-t12).mul_add(plate_angle_expected_cos, t13 * plate_angle_expected_sin);
                 let arm0_1_4_y = -t13.mul_add(plate_angle_expected_cos, t12 * plate_angle_expected_sin);
                 let j0_0_across_1_0 = (-t3).mul_add(arm0_1_4_x, t5 * arm0_1_4_y);
                 let j0_0_reciprocal =
-                    lit(1.0) / (-j0_0_across_0_1).mul_add(j0_0_across_1_0, j0_0_across_1_1 * j0_0_across_0_0);
+                    by(1.0) / (-j0_0_across_0_1).mul_add(j0_0_across_1_0, j0_0_across_1_1 * j0_0_across_0_0);
                 let j0_0_inverse_0_0 = j0_0_across_1_1 * j0_0_reciprocal;
-                let loop_0_y = lit(0.2) * (sin_crank_0_angle - sin_crank_1_angle);
+                let loop_0_y = by(0.2) * (sin_crank_0_angle - sin_crank_1_angle);
                 let gap0_0_y = loop_0_y + arm0_0_4_y;
                 let gap0_0_x = loop_0_x + arm0_0_4_x;
                 let j0_0_step_0_across_0 = -t11.mul_add(gap0_0_x, t10 * gap0_0_y);
                 let j0_0_inverse_0_1 = -(j0_0_across_0_1 * j0_0_reciprocal);
-                let crank_2_angle = lit(0.2).mul_add((lit(4.0) * t).sin(), lit(-0.1));
+                let crank_2_angle = by(0.2).mul_add((by(4.0) * t).sin(), lit(-0.1));
                 let (sin_crank_2_angle, cos_crank_2_angle) = crank_2_angle.sin_cos();
-                let loop_1_y = lit(0.2).mul_add(sin_crank_0_angle - sin_crank_2_angle, lit(-0.9));
+                let loop_1_y = by(0.2).mul_add(sin_crank_0_angle - sin_crank_2_angle, lit(-0.9));
                 let gap0_1_y = arm0_1_4_y + loop_1_y;
-                let loop_1_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_2_angle, lit(-0.5));
+                let loop_1_x = by(0.2).mul_add(cos_crank_0_angle - cos_crank_2_angle, lit(-0.5));
                 let gap0_1_x = arm0_1_4_x + loop_1_x;
                 let j0_0_step_0_across_1 = -t5.mul_add(gap0_1_x, t3 * gap0_1_y);
                 let j0_0_step_0_0 =
                     j0_0_inverse_0_1.mul_add(j0_0_step_0_across_1, j0_0_inverse_0_0 * j0_0_step_0_across_0);
-                let plate_angle_0_tangent = lit(-0.5) * j0_0_step_0_0;
-                let plate_angle_0_sine = lit(2.0) * plate_angle_0_tangent
+                let plate_angle_0_tangent = by(-0.5) * j0_0_step_0_0;
+                let plate_angle_0_sine = by(2.0) * plate_angle_0_tangent
                     / plate_angle_0_tangent.mul_add(plate_angle_0_tangent, lit(1.0));
                 let plate_angle_0_cos = (-plate_angle_0_sine).mul_add(
                     plate_angle_expected_cos.mul_add(plate_angle_0_tangent, plate_angle_expected_sin),
@@ -3208,42 +3205,42 @@ mod plm_plate_on_three_pins_ {
                 let j0_0_step_0_1 =
                     j0_0_step_0_across_1.mul_add(j0_0_inverse_1_1, j0_0_step_0_across_0 * j0_0_inverse_1_0);
                 let slot_0_displacement_0 = slot_0_displacement_expected - j0_0_step_0_1;
-                let j0_0_along_0_0 = lit(1.0000000000000002) * arm0_0_4_x.mul_add(t11, t10 * arm0_0_4_y);
-                let j0_0_along_0_1 = lit(1.0000000000000002) * (-t2).mul_add(t11, t4 * t10);
+                let j0_0_along_0_0 = by(1.0000000000000002) * arm0_0_4_x.mul_add(t11, t10 * arm0_0_4_y);
+                let j0_0_along_0_1 = by(1.0000000000000002) * (-t2).mul_add(t11, t4 * t10);
                 let j0_0_step_0_2 = (-j0_0_step_0_1).mul_add(
                     j0_0_along_0_1,
                     (-j0_0_step_0_0).mul_add(
                         j0_0_along_0_0,
-                        lit(-1.0000000000000002) * (-t11).mul_add(gap0_0_y, t10 * gap0_0_x),
+                        by(-1.0000000000000002) * (-t11).mul_add(gap0_0_y, t10 * gap0_0_x),
                     ),
                 );
                 let slot_1_displacement_0 = slot_1_displacement_expected - j0_0_step_0_2;
-                let t14 = lit(0.8191520442889918) * slot_0_displacement_0;
-                let t15 = lit(0.766044443118978).mul_add(slot_1_displacement_0, t14) - lit(0.8);
-                let t16 = lit(0.573576436351046) * slot_0_displacement_0;
-                let t17 = lit(-0.6427876096865393).mul_add(slot_1_displacement_0, t16);
+                let t14 = by(0.8191520442889918) * slot_0_displacement_0;
+                let t15 = by(0.766044443118978).mul_add(slot_1_displacement_0, t14) - lit(0.8);
+                let t16 = by(0.573576436351046) * slot_0_displacement_0;
+                let t17 = by(-0.6427876096865393).mul_add(slot_1_displacement_0, t16);
                 let gap1_0_y = loop_0_y + -plate_angle_0_cos.mul_add(t17, plate_angle_0_sin * t15);
                 let gap1_0_x = loop_0_x + (-plate_angle_0_cos).mul_add(t15, plate_angle_0_sin * t17);
                 let j0_0_step_1_across_0 = -t11.mul_add(gap1_0_x, t10 * gap1_0_y);
-                let j0_0_along_1_0 = lit(1.0000000000000002) * t5.mul_add(arm0_1_4_x, t3 * arm0_1_4_y);
-                let j0_0_along_1_1 = lit(1.0000000000000002) * (-t2).mul_add(t5, t3 * t4);
+                let j0_0_along_1_0 = by(1.0000000000000002) * t5.mul_add(arm0_1_4_x, t3 * arm0_1_4_y);
+                let j0_0_along_1_1 = by(1.0000000000000002) * (-t2).mul_add(t5, t3 * t4);
                 let j0_0_step_0_3 = (-j0_0_step_0_1).mul_add(
                     j0_0_along_1_1,
                     (-j0_0_step_0_0).mul_add(
                         j0_0_along_1_0,
-                        lit(-1.0000000000000002) * (-t5).mul_add(gap0_1_y, t3 * gap0_1_x),
+                        by(-1.0000000000000002) * (-t5).mul_add(gap0_1_y, t3 * gap0_1_x),
                     ),
                 );
                 let slot_2_displacement_0 = slot_2_displacement_expected - j0_0_step_0_3;
-                let t18 = lit(0.17364817766693033).mul_add(slot_2_displacement_0, t14) - lit(0.4);
-                let t19 = lit(-0.984807753012208).mul_add(slot_2_displacement_0, t16) - lit(0.7);
+                let t18 = by(0.17364817766693033).mul_add(slot_2_displacement_0, t14) - lit(0.4);
+                let t19 = by(-0.984807753012208).mul_add(slot_2_displacement_0, t16) - lit(0.7);
                 let gap1_1_y = loop_1_y + -plate_angle_0_cos.mul_add(t19, plate_angle_0_sin * t18);
                 let gap1_1_x = loop_1_x + (-plate_angle_0_cos).mul_add(t18, plate_angle_0_sin * t19);
                 let j0_0_step_1_across_1 = -t5.mul_add(gap1_1_x, t3 * gap1_1_y);
                 let j0_0_step_1_0 =
                     j0_0_inverse_0_1.mul_add(j0_0_step_1_across_1, j0_0_inverse_0_0 * j0_0_step_1_across_0);
-                let plate_angle_1_tangent = lit(-0.5) * j0_0_step_1_0;
-                let plate_angle_1_sine = lit(2.0) * plate_angle_1_tangent
+                let plate_angle_1_tangent = by(-0.5) * j0_0_step_1_0;
+                let plate_angle_1_sine = by(2.0) * plate_angle_1_tangent
                     / plate_angle_1_tangent.mul_add(plate_angle_1_tangent, lit(1.0));
                 let plate_angle_1_cos = (-plate_angle_1_sine).mul_add(
                     plate_angle_0_cos.mul_add(plate_angle_1_tangent, plate_angle_0_sin),
@@ -3253,14 +3250,14 @@ mod plm_plate_on_three_pins_ {
                     (-plate_angle_0_sin).mul_add(plate_angle_1_tangent, plate_angle_0_cos),
                     plate_angle_0_sin,
                 );
-                let t20 = lit(0.8191520442889918)
-                    .mul_add(plate_angle_1_sin, lit(0.573576436351046) * plate_angle_1_cos);
-                let t21 = lit(0.984807753012208)
-                    .mul_add(plate_angle_1_sin, lit(0.17364817766693033) * plate_angle_1_cos);
-                let t22 = lit(-0.573576436351046)
-                    .mul_add(plate_angle_1_sin, lit(0.8191520442889918) * plate_angle_1_cos);
-                let t23 = lit(-0.17364817766693033)
-                    .mul_add(plate_angle_1_sin, lit(0.984807753012208) * plate_angle_1_cos);
+                let t20 = by(0.8191520442889918)
+                    .mul_add(plate_angle_1_sin, by(0.573576436351046) * plate_angle_1_cos);
+                let t21 = by(0.984807753012208)
+                    .mul_add(plate_angle_1_sin, by(0.17364817766693033) * plate_angle_1_cos);
+                let t22 = by(-0.573576436351046)
+                    .mul_add(plate_angle_1_sin, by(0.8191520442889918) * plate_angle_1_cos);
+                let t23 = by(-0.17364817766693033)
+                    .mul_add(plate_angle_1_sin, by(0.984807753012208) * plate_angle_1_cos);
                 let j2_0_across_1_1 = t22.mul_add(t23, t20 * t21);
                 let j0_0_step_1_1 =
                     j0_0_inverse_1_1.mul_add(j0_0_step_1_across_1, j0_0_inverse_1_0 * j0_0_step_1_across_0);
@@ -3269,37 +3266,37 @@ mod plm_plate_on_three_pins_ {
                     j0_0_step_1_1,
                     (-j0_0_along_0_0).mul_add(
                         j0_0_step_1_0,
-                        lit(-1.0000000000000002) * (-t11).mul_add(gap1_0_y, t10 * gap1_0_x),
+                        by(-1.0000000000000002) * (-t11).mul_add(gap1_0_y, t10 * gap1_0_x),
                     ),
                 );
                 let slot_1_displacement_1 = slot_1_displacement_0 - j0_0_step_1_2;
-                let t24 = lit(0.8191520442889918) * slot_0_displacement_1;
-                let t25 = lit(0.766044443118978).mul_add(slot_1_displacement_1, t24) - lit(0.8);
-                let t26 = lit(0.573576436351046) * slot_0_displacement_1;
-                let t27 = lit(-0.6427876096865393).mul_add(slot_1_displacement_1, t26);
+                let t24 = by(0.8191520442889918) * slot_0_displacement_1;
+                let t25 = by(0.766044443118978).mul_add(slot_1_displacement_1, t24) - lit(0.8);
+                let t26 = by(0.573576436351046) * slot_0_displacement_1;
+                let t27 = by(-0.6427876096865393).mul_add(slot_1_displacement_1, t26);
                 let arm2_0_4_x = (-plate_angle_1_cos).mul_add(t25, plate_angle_1_sin * t27);
-                let t28 = lit(0.6427876096865393)
-                    .mul_add(plate_angle_1_sin, lit(0.766044443118978) * plate_angle_1_cos);
+                let t28 = by(0.6427876096865393)
+                    .mul_add(plate_angle_1_sin, by(0.766044443118978) * plate_angle_1_cos);
                 let arm2_0_4_y = -plate_angle_1_cos.mul_add(t27, plate_angle_1_sin * t25);
-                let t29 = lit(-0.766044443118978)
-                    .mul_add(plate_angle_1_sin, lit(0.6427876096865393) * plate_angle_1_cos);
+                let t29 = by(-0.766044443118978)
+                    .mul_add(plate_angle_1_sin, by(0.6427876096865393) * plate_angle_1_cos);
                 let j2_0_across_0_0 = (-arm2_0_4_x).mul_add(t28, arm2_0_4_y * t29);
                 let j2_0_across_0_1 = t22.mul_add(t29, t20 * t28);
                 let j0_0_step_1_3 = (-j0_0_along_1_1).mul_add(
                     j0_0_step_1_1,
                     (-j0_0_along_1_0).mul_add(
                         j0_0_step_1_0,
-                        lit(-1.0000000000000002) * (-t5).mul_add(gap1_1_y, t3 * gap1_1_x),
+                        by(-1.0000000000000002) * (-t5).mul_add(gap1_1_y, t3 * gap1_1_x),
                     ),
                 );
                 let slot_2_displacement_1 = slot_2_displacement_0 - j0_0_step_1_3;
-                let t30 = lit(0.17364817766693033).mul_add(slot_2_displacement_1, t24) - lit(0.4);
-                let t31 = lit(-0.984807753012208).mul_add(slot_2_displacement_1, t26) - lit(0.7);
+                let t30 = by(0.17364817766693033).mul_add(slot_2_displacement_1, t24) - lit(0.4);
+                let t31 = by(-0.984807753012208).mul_add(slot_2_displacement_1, t26) - lit(0.7);
                 let arm2_1_4_x = (-plate_angle_1_cos).mul_add(t30, plate_angle_1_sin * t31);
                 let arm2_1_4_y = -plate_angle_1_cos.mul_add(t31, plate_angle_1_sin * t30);
                 let j2_0_across_1_0 = (-t21).mul_add(arm2_1_4_x, t23 * arm2_1_4_y);
                 let j2_0_reciprocal =
-                    lit(1.0) / (-j2_0_across_0_1).mul_add(j2_0_across_1_0, j2_0_across_1_1 * j2_0_across_0_0);
+                    by(1.0) / (-j2_0_across_0_1).mul_add(j2_0_across_1_0, j2_0_across_1_1 * j2_0_across_0_0);
                 let gap2_0_y = loop_0_y + arm2_0_4_y;
                 let gap2_0_x = loop_0_x + arm2_0_4_x;
                 let j2_0_step_2_across_0 = -t29.mul_add(gap2_0_x, t28 * gap2_0_y);
@@ -3308,8 +3305,8 @@ mod plm_plate_on_three_pins_ {
                 let j2_0_step_2_across_1 = -t23.mul_add(gap2_1_x, t21 * gap2_1_y);
                 let j2_0_step_2_0 = (-(j2_0_across_0_1 * j2_0_reciprocal))
                     .mul_add(j2_0_step_2_across_1, j2_0_across_1_1 * j2_0_reciprocal * j2_0_step_2_across_0);
-                let plate_angle_2_tangent = lit(-0.5) * j2_0_step_2_0;
-                let plate_angle_2_sine = lit(2.0) * plate_angle_2_tangent
+                let plate_angle_2_tangent = by(-0.5) * j2_0_step_2_0;
+                let plate_angle_2_sine = by(2.0) * plate_angle_2_tangent
                     / plate_angle_2_tangent.mul_add(plate_angle_2_tangent, lit(1.0));
                 let plate_angle_2_cos = (-plate_angle_2_sine).mul_add(
                     plate_angle_1_cos.mul_add(plate_angle_2_tangent, plate_angle_1_sin),
@@ -3321,31 +3318,31 @@ mod plm_plate_on_three_pins_ {
                 );
                 let slot_0_displacement_2 = slot_0_displacement_1 - j2_0_step_2_1;
                 let t32 = (-j2_0_step_2_0).mul_add(
-                    lit(1.0000000000000002) * arm2_0_4_x.mul_add(t29, t28 * arm2_0_4_y),
-                    lit(-1.0000000000000002) * (-t29).mul_add(gap2_0_y, t28 * gap2_0_x),
+                    by(1.0000000000000002) * arm2_0_4_x.mul_add(t29, t28 * arm2_0_4_y),
+                    by(-1.0000000000000002) * (-t29).mul_add(gap2_0_y, t28 * gap2_0_x),
                 );
                 let slot_1_displacement_2 = slot_1_displacement_1
-                    - (-j2_0_step_2_1).mul_add(lit(1.0000000000000002) * (-t20).mul_add(t29, t22 * t28), t32);
-                let t33 = lit(0.8191520442889918) * slot_0_displacement_2;
-                let t34 = lit(0.766044443118978).mul_add(slot_1_displacement_2, t33) - lit(0.8);
+                    - (-j2_0_step_2_1).mul_add(by(1.0000000000000002) * (-t20).mul_add(t29, t22 * t28), t32);
+                let t33 = by(0.8191520442889918) * slot_0_displacement_2;
+                let t34 = by(0.766044443118978).mul_add(slot_1_displacement_2, t33) - lit(0.8);
                 let plate_angle_2_sin = plate_angle_2_sine.mul_add(
                     (-plate_angle_1_sin).mul_add(plate_angle_2_tangent, plate_angle_1_cos),
                     plate_angle_1_sin,
                 );
-                let t35 = lit(0.573576436351046) * slot_0_displacement_2;
-                let t36 = lit(-0.6427876096865393).mul_add(slot_1_displacement_2, t35);
+                let t35 = by(0.573576436351046) * slot_0_displacement_2;
+                let t36 = by(-0.6427876096865393).mul_add(slot_1_displacement_2, t35);
                 let arm_0_4_x = (-plate_angle_2_cos).mul_add(t34, plate_angle_2_sin * t36);
                 let gap_0_x = loop_0_x + arm_0_4_x;
                 let arm_0_4_y = -plate_angle_2_cos.mul_add(t36, t34 * plate_angle_2_sin);
                 let gap_0_y = loop_0_y + arm_0_4_y;
                 let t37 = (-j2_0_step_2_0).mul_add(
-                    lit(1.0000000000000002) * t23.mul_add(arm2_1_4_x, t21 * arm2_1_4_y),
-                    lit(-1.0000000000000002) * (-t23).mul_add(gap2_1_y, t21 * gap2_1_x),
+                    by(1.0000000000000002) * t23.mul_add(arm2_1_4_x, t21 * arm2_1_4_y),
+                    by(-1.0000000000000002) * (-t23).mul_add(gap2_1_y, t21 * gap2_1_x),
                 );
                 let slot_2_displacement_2 = slot_2_displacement_1
-                    - (-j2_0_step_2_1).mul_add(lit(1.0000000000000002) * (-t20).mul_add(t23, t21 * t22), t37);
-                let t38 = lit(0.17364817766693033).mul_add(slot_2_displacement_2, t33) - lit(0.4);
-                let t39 = lit(-0.984807753012208).mul_add(slot_2_displacement_2, t35) - lit(0.7);
+                    - (-j2_0_step_2_1).mul_add(by(1.0000000000000002) * (-t20).mul_add(t23, t21 * t22), t37);
+                let t38 = by(0.17364817766693033).mul_add(slot_2_displacement_2, t33) - lit(0.4);
+                let t39 = by(-0.984807753012208).mul_add(slot_2_displacement_2, t35) - lit(0.7);
                 let arm_1_4_x = (-plate_angle_2_cos).mul_add(t38, plate_angle_2_sin * t39);
                 let gap_1_x = loop_1_x + arm_1_4_x;
                 let arm_1_4_y = -plate_angle_2_cos.mul_add(t39, plate_angle_2_sin * t38);
@@ -3353,20 +3350,20 @@ mod plm_plate_on_three_pins_ {
                 let precision = lit(S::PRECISION);
                 let t40 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
-                    .lt(lit(2684354.5600000005) * precision * precision);
-                let t41 = lit(0.6427876096865393)
-                    .mul_add(plate_angle_2_sin, lit(0.766044443118978) * plate_angle_2_cos);
-                let t42 = lit(-0.766044443118978)
-                    .mul_add(plate_angle_2_sin, lit(0.6427876096865393) * plate_angle_2_cos);
+                    .lt(by(2684354.5600000005) * precision * precision);
+                let t41 = by(0.6427876096865393)
+                    .mul_add(plate_angle_2_sin, by(0.766044443118978) * plate_angle_2_cos);
+                let t42 = by(-0.766044443118978)
+                    .mul_add(plate_angle_2_sin, by(0.6427876096865393) * plate_angle_2_cos);
                 let j_0_across_0_0 = (-arm_0_4_x).mul_add(t41, arm_0_4_y * t42);
-                let t43 = lit(0.8191520442889918)
-                    .mul_add(plate_angle_2_sin, lit(0.573576436351046) * plate_angle_2_cos);
-                let t44 = lit(0.984807753012208)
-                    .mul_add(plate_angle_2_sin, lit(0.17364817766693033) * plate_angle_2_cos);
-                let t45 = lit(-0.573576436351046)
-                    .mul_add(plate_angle_2_sin, lit(0.8191520442889918) * plate_angle_2_cos);
-                let t46 = lit(-0.17364817766693033)
-                    .mul_add(plate_angle_2_sin, lit(0.984807753012208) * plate_angle_2_cos);
+                let t43 = by(0.8191520442889918)
+                    .mul_add(plate_angle_2_sin, by(0.573576436351046) * plate_angle_2_cos);
+                let t44 = by(0.984807753012208)
+                    .mul_add(plate_angle_2_sin, by(0.17364817766693033) * plate_angle_2_cos);
+                let t45 = by(-0.573576436351046)
+                    .mul_add(plate_angle_2_sin, by(0.8191520442889918) * plate_angle_2_cos);
+                let t46 = by(-0.17364817766693033)
+                    .mul_add(plate_angle_2_sin, by(0.984807753012208) * plate_angle_2_cos);
                 let j_0_across_1_1 = t45.mul_add(t46, t43 * t44);
                 let j_0_across_0_1 = t42.mul_add(t45, t41 * t43);
                 let j_0_across_1_0 = (-arm_1_4_x).mul_add(t44, arm_1_4_y * t46);
@@ -3391,30 +3388,31 @@ mod plm_plate_on_three_pins_ {
                 v: &mut [S; 12],
             ) -> S {
                 let lit = S::lit;
-                let t1 = lit(3.0) * t;
+                let by = rt::Factor;
+                let t1 = by(3.0) * t;
                 let (sin_t1, cos_t1) = t1.sin_cos();
-                let crank_0_angle = lit(0.4) * sin_t1;
+                let crank_0_angle = by(0.4) * sin_t1;
                 let (sin_crank_0_angle, cos_crank_0_angle) = crank_0_angle.sin_cos();
-                let crank_0_x = lit(0.1) * cos_crank_0_angle;
+                let crank_0_x = by(0.1) * cos_crank_0_angle;
                 q[0] = crank_0_x;
-                let crank_0_y = lit(0.1) * sin_crank_0_angle;
+                let crank_0_y = by(0.1) * sin_crank_0_angle;
                 q[1] = crank_0_y;
                 q[2] = crank_0_angle;
-                let t2 = lit(2.0) * t;
+                let t2 = by(2.0) * t;
                 let (sin_t2, cos_t2) = t2.sin_cos();
-                let crank_1_angle = lit(0.3) * cos_t2;
+                let crank_1_angle = by(0.3) * cos_t2;
                 let (sin_crank_1_angle, cos_crank_1_angle) = crank_1_angle.sin_cos();
-                let t3 = lit(0.1) * cos_crank_1_angle;
+                let t3 = by(0.1) * cos_crank_1_angle;
                 q[3] = t3 + lit(1.0);
-                q[4] = lit(0.1) * sin_crank_1_angle;
+                q[4] = by(0.1) * sin_crank_1_angle;
                 q[5] = crank_1_angle;
-                let t4 = lit(4.0) * t;
+                let t4 = by(4.0) * t;
                 let (sin_t4, cos_t4) = t4.sin_cos();
-                let crank_2_angle = lit(0.2).mul_add(sin_t4, lit(-0.1));
+                let crank_2_angle = by(0.2).mul_add(sin_t4, lit(-0.1));
                 let (sin_crank_2_angle, cos_crank_2_angle) = crank_2_angle.sin_cos();
-                let t5 = lit(0.1) * cos_crank_2_angle;
+                let t5 = by(0.1) * cos_crank_2_angle;
                 q[6] = t5 + lit(0.5);
-                q[7] = lit(0.1).mul_add(sin_crank_2_angle, lit(0.9));
+                q[7] = by(0.1).mul_add(sin_crank_2_angle, lit(0.9));
                 q[8] = crank_2_angle;
                 let last_cosine_3 = m.angles[3].cos;
                 let last_0 = m.time.last;
@@ -3422,9 +3420,8 @@ mod plm_plate_on_three_pins_ {
                 let last_rate_3 = m.iterated[0].rate;
                 let last_bend_3 = m.iterated[0].bend;
                 let t6 = since_remembered * last_bend_3.mul_add(since_remembered, last_rate_3);
-                let plate_angle_expected_tangent =
-                    t6 * (lit(0.041666666666666664) * t6).mul_add(t6, lit(0.5));
-                let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
+                let plate_angle_expected_tangent = t6 * (by(0.041666666666666664) * t6).mul_add(t6, lit(0.5));
+                let plate_angle_expected_sine = by(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
                 let last_sine_3 = m.angles[3].sin;
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
@@ -3433,68 +3430,68 @@ mod plm_plate_on_three_pins_ {
                     (-last_sine_3).mul_add(plate_angle_expected_tangent, last_cosine_3),
                     last_sine_3,
                 );
-                let t7 = lit(0.8191520442889918)
-                    .mul_add(plate_angle_expected_sin, lit(0.573576436351046) * plate_angle_expected_cos);
-                let t8 = lit(0.984807753012208)
-                    .mul_add(plate_angle_expected_sin, lit(0.17364817766693033) * plate_angle_expected_cos);
-                let t9 = lit(-0.573576436351046)
-                    .mul_add(plate_angle_expected_sin, lit(0.8191520442889918) * plate_angle_expected_cos);
-                let t10 = lit(-0.17364817766693033)
-                    .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
+                let t7 = by(0.8191520442889918)
+                    .mul_add(plate_angle_expected_sin, by(0.573576436351046) * plate_angle_expected_cos);
+                let t8 = by(0.984807753012208)
+                    .mul_add(plate_angle_expected_sin, by(0.17364817766693033) * plate_angle_expected_cos);
+                let t9 = by(-0.573576436351046)
+                    .mul_add(plate_angle_expected_sin, by(0.8191520442889918) * plate_angle_expected_cos);
+                let t10 = by(-0.17364817766693033)
+                    .mul_add(plate_angle_expected_sin, by(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t9.mul_add(t10, t7 * t8);
                 let last_value_4 = m.iterated[1].value;
                 let last_rate_4 = m.iterated[1].rate;
                 let last_bend_4 = m.iterated[1].bend;
-                let slot_0_displacement_expected = lit(0.4)
+                let slot_0_displacement_expected = by(0.4)
                     * since_remembered
                         .mul_add(last_bend_4.mul_add(since_remembered, last_rate_4), last_value_4);
                 let last_value_5 = m.iterated[2].value;
                 let last_rate_5 = m.iterated[2].rate;
                 let last_bend_5 = m.iterated[2].bend;
-                let slot_1_displacement_expected = lit(0.4)
+                let slot_1_displacement_expected = by(0.4)
                     * since_remembered
                         .mul_add(last_bend_5.mul_add(since_remembered, last_rate_5), last_value_5);
-                let t11 = lit(0.8191520442889918) * slot_0_displacement_expected;
-                let t12 = lit(0.766044443118978).mul_add(slot_1_displacement_expected, t11) - lit(0.8);
-                let t13 = lit(0.573576436351046) * slot_0_displacement_expected;
-                let t14 = lit(-0.6427876096865393).mul_add(slot_1_displacement_expected, t13);
+                let t11 = by(0.8191520442889918) * slot_0_displacement_expected;
+                let t12 = by(0.766044443118978).mul_add(slot_1_displacement_expected, t11) - lit(0.8);
+                let t13 = by(0.573576436351046) * slot_0_displacement_expected;
+                let t14 = by(-0.6427876096865393).mul_add(slot_1_displacement_expected, t13);
                 let arm0_0_4_x = (-t12).mul_add(plate_angle_expected_cos, t14 * plate_angle_expected_sin);
-                let t15 = lit(0.6427876096865393)
-                    .mul_add(plate_angle_expected_sin, lit(0.766044443118978) * plate_angle_expected_cos);
+                let t15 = by(0.6427876096865393)
+                    .mul_add(plate_angle_expected_sin, by(0.766044443118978) * plate_angle_expected_cos);
                 let arm0_0_4_y = -t14.mul_add(plate_angle_expected_cos, t12 * plate_angle_expected_sin);
-                let t16 = lit(-0.766044443118978)
-                    .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
+                let t16 = by(-0.766044443118978)
+                    .mul_add(plate_angle_expected_sin, by(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t15, arm0_0_4_y * t16);
                 let j0_0_across_0_1 = t9.mul_add(t16, t7 * t15);
                 let last_value_6 = m.iterated[3].value;
                 let last_rate_6 = m.iterated[3].rate;
                 let last_bend_6 = m.iterated[3].bend;
-                let slot_2_displacement_expected = lit(0.4)
+                let slot_2_displacement_expected = by(0.4)
                     * since_remembered
                         .mul_add(last_bend_6.mul_add(since_remembered, last_rate_6), last_value_6);
-                let t17 = lit(0.17364817766693033).mul_add(slot_2_displacement_expected, t11) - lit(0.4);
-                let t18 = lit(-0.984807753012208).mul_add(slot_2_displacement_expected, t13) - lit(0.7);
+                let t17 = by(0.17364817766693033).mul_add(slot_2_displacement_expected, t11) - lit(0.4);
+                let t18 = by(-0.984807753012208).mul_add(slot_2_displacement_expected, t13) - lit(0.7);
                 let arm0_1_4_x = (-t17).mul_add(plate_angle_expected_cos, t18 * plate_angle_expected_sin);
                 let arm0_1_4_y = -t18.mul_add(plate_angle_expected_cos, t17 * plate_angle_expected_sin);
                 let j0_0_across_1_0 = (-t8).mul_add(arm0_1_4_x, t10 * arm0_1_4_y);
                 let j0_0_reciprocal =
-                    lit(1.0) / (-j0_0_across_0_1).mul_add(j0_0_across_1_0, j0_0_across_1_1 * j0_0_across_0_0);
+                    by(1.0) / (-j0_0_across_0_1).mul_add(j0_0_across_1_0, j0_0_across_1_1 * j0_0_across_0_0);
                 let j0_0_inverse_0_0 = j0_0_across_1_1 * j0_0_reciprocal;
-                let loop_0_y = lit(0.2) * (sin_crank_0_angle - sin_crank_1_angle);
+                let loop_0_y = by(0.2) * (sin_crank_0_angle - sin_crank_1_angle);
                 let gap0_0_y = loop_0_y + arm0_0_4_y;
-                let loop_0_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_1_angle, lit(-1.0));
+                let loop_0_x = by(0.2).mul_add(cos_crank_0_angle - cos_crank_1_angle, lit(-1.0));
                 let gap0_0_x = loop_0_x + arm0_0_4_x;
                 let j0_0_step_0_across_0 = -t16.mul_add(gap0_0_x, t15 * gap0_0_y);
                 let j0_0_inverse_0_1 = -(j0_0_across_0_1 * j0_0_reciprocal);
-                let loop_1_y = lit(0.2).mul_add(sin_crank_0_angle - sin_crank_2_angle, lit(-0.9));
+                let loop_1_y = by(0.2).mul_add(sin_crank_0_angle - sin_crank_2_angle, lit(-0.9));
                 let gap0_1_y = arm0_1_4_y + loop_1_y;
-                let loop_1_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_2_angle, lit(-0.5));
+                let loop_1_x = by(0.2).mul_add(cos_crank_0_angle - cos_crank_2_angle, lit(-0.5));
                 let gap0_1_x = arm0_1_4_x + loop_1_x;
                 let j0_0_step_0_across_1 = -t10.mul_add(gap0_1_x, t8 * gap0_1_y);
                 let j0_0_step_0_0 =
                     j0_0_inverse_0_1.mul_add(j0_0_step_0_across_1, j0_0_inverse_0_0 * j0_0_step_0_across_0);
-                let plate_angle_0_tangent = lit(-0.5) * j0_0_step_0_0;
-                let plate_angle_0_sine = lit(2.0) * plate_angle_0_tangent
+                let plate_angle_0_tangent = by(-0.5) * j0_0_step_0_0;
+                let plate_angle_0_sine = by(2.0) * plate_angle_0_tangent
                     / plate_angle_0_tangent.mul_add(plate_angle_0_tangent, lit(1.0));
                 let plate_angle_0_cos = (-plate_angle_0_sine).mul_add(
                     plate_angle_expected_cos.mul_add(plate_angle_0_tangent, plate_angle_expected_sin),
@@ -3509,42 +3506,42 @@ mod plm_plate_on_three_pins_ {
                 let j0_0_step_0_1 =
                     j0_0_step_0_across_1.mul_add(j0_0_inverse_1_1, j0_0_step_0_across_0 * j0_0_inverse_1_0);
                 let slot_0_displacement_0 = slot_0_displacement_expected - j0_0_step_0_1;
-                let j0_0_along_0_0 = lit(1.0000000000000002) * arm0_0_4_x.mul_add(t16, t15 * arm0_0_4_y);
-                let j0_0_along_0_1 = lit(1.0000000000000002) * (-t7).mul_add(t16, t9 * t15);
+                let j0_0_along_0_0 = by(1.0000000000000002) * arm0_0_4_x.mul_add(t16, t15 * arm0_0_4_y);
+                let j0_0_along_0_1 = by(1.0000000000000002) * (-t7).mul_add(t16, t9 * t15);
                 let j0_0_step_0_2 = (-j0_0_step_0_1).mul_add(
                     j0_0_along_0_1,
                     (-j0_0_step_0_0).mul_add(
                         j0_0_along_0_0,
-                        lit(-1.0000000000000002) * (-t16).mul_add(gap0_0_y, t15 * gap0_0_x),
+                        by(-1.0000000000000002) * (-t16).mul_add(gap0_0_y, t15 * gap0_0_x),
                     ),
                 );
                 let slot_1_displacement_0 = slot_1_displacement_expected - j0_0_step_0_2;
-                let t19 = lit(0.8191520442889918) * slot_0_displacement_0;
-                let t20 = lit(0.766044443118978).mul_add(slot_1_displacement_0, t19) - lit(0.8);
-                let t21 = lit(0.573576436351046) * slot_0_displacement_0;
-                let t22 = lit(-0.6427876096865393).mul_add(slot_1_displacement_0, t21);
+                let t19 = by(0.8191520442889918) * slot_0_displacement_0;
+                let t20 = by(0.766044443118978).mul_add(slot_1_displacement_0, t19) - lit(0.8);
+                let t21 = by(0.573576436351046) * slot_0_displacement_0;
+                let t22 = by(-0.6427876096865393).mul_add(slot_1_displacement_0, t21);
                 let gap1_0_y = loop_0_y + -plate_angle_0_cos.mul_add(t22, plate_angle_0_sin * t20);
                 let gap1_0_x = loop_0_x + (-plate_angle_0_cos).mul_add(t20, plate_angle_0_sin * t22);
                 let j0_0_step_1_across_0 = -t16.mul_add(gap1_0_x, t15 * gap1_0_y);
-                let j0_0_along_1_0 = lit(1.0000000000000002) * t10.mul_add(arm0_1_4_x, t8 * arm0_1_4_y);
-                let j0_0_along_1_1 = lit(1.0000000000000002) * (-t7).mul_add(t10, t8 * t9);
+                let j0_0_along_1_0 = by(1.0000000000000002) * t10.mul_add(arm0_1_4_x, t8 * arm0_1_4_y);
+                let j0_0_along_1_1 = by(1.0000000000000002) * (-t7).mul_add(t10, t8 * t9);
                 let j0_0_step_0_3 = (-j0_0_step_0_1).mul_add(
                     j0_0_along_1_1,
                     (-j0_0_step_0_0).mul_add(
                         j0_0_along_1_0,
-                        lit(-1.0000000000000002) * (-t10).mul_add(gap0_1_y, t8 * gap0_1_x),
+                        by(-1.0000000000000002) * (-t10).mul_add(gap0_1_y, t8 * gap0_1_x),
                     ),
                 );
                 let slot_2_displacement_0 = slot_2_displacement_expected - j0_0_step_0_3;
-                let t23 = lit(0.17364817766693033).mul_add(slot_2_displacement_0, t19) - lit(0.4);
-                let t24 = lit(-0.984807753012208).mul_add(slot_2_displacement_0, t21) - lit(0.7);
+                let t23 = by(0.17364817766693033).mul_add(slot_2_displacement_0, t19) - lit(0.4);
+                let t24 = by(-0.984807753012208).mul_add(slot_2_displacement_0, t21) - lit(0.7);
                 let gap1_1_y = loop_1_y + -plate_angle_0_cos.mul_add(t24, plate_angle_0_sin * t23);
                 let gap1_1_x = loop_1_x + (-plate_angle_0_cos).mul_add(t23, plate_angle_0_sin * t24);
                 let j0_0_step_1_across_1 = -t10.mul_add(gap1_1_x, t8 * gap1_1_y);
                 let j0_0_step_1_0 =
                     j0_0_inverse_0_1.mul_add(j0_0_step_1_across_1, j0_0_inverse_0_0 * j0_0_step_1_across_0);
-                let plate_angle_1_tangent = lit(-0.5) * j0_0_step_1_0;
-                let plate_angle_1_sine = lit(2.0) * plate_angle_1_tangent
+                let plate_angle_1_tangent = by(-0.5) * j0_0_step_1_0;
+                let plate_angle_1_sine = by(2.0) * plate_angle_1_tangent
                     / plate_angle_1_tangent.mul_add(plate_angle_1_tangent, lit(1.0));
                 let plate_angle_1_cos = (-plate_angle_1_sine).mul_add(
                     plate_angle_0_cos.mul_add(plate_angle_1_tangent, plate_angle_0_sin),
@@ -3554,14 +3551,14 @@ mod plm_plate_on_three_pins_ {
                     (-plate_angle_0_sin).mul_add(plate_angle_1_tangent, plate_angle_0_cos),
                     plate_angle_0_sin,
                 );
-                let t25 = lit(0.8191520442889918)
-                    .mul_add(plate_angle_1_sin, lit(0.573576436351046) * plate_angle_1_cos);
-                let t26 = lit(0.984807753012208)
-                    .mul_add(plate_angle_1_sin, lit(0.17364817766693033) * plate_angle_1_cos);
-                let t27 = lit(-0.573576436351046)
-                    .mul_add(plate_angle_1_sin, lit(0.8191520442889918) * plate_angle_1_cos);
-                let t28 = lit(-0.17364817766693033)
-                    .mul_add(plate_angle_1_sin, lit(0.984807753012208) * plate_angle_1_cos);
+                let t25 = by(0.8191520442889918)
+                    .mul_add(plate_angle_1_sin, by(0.573576436351046) * plate_angle_1_cos);
+                let t26 = by(0.984807753012208)
+                    .mul_add(plate_angle_1_sin, by(0.17364817766693033) * plate_angle_1_cos);
+                let t27 = by(-0.573576436351046)
+                    .mul_add(plate_angle_1_sin, by(0.8191520442889918) * plate_angle_1_cos);
+                let t28 = by(-0.17364817766693033)
+                    .mul_add(plate_angle_1_sin, by(0.984807753012208) * plate_angle_1_cos);
                 let j2_0_across_1_1 = t27.mul_add(t28, t25 * t26);
                 let j0_0_step_1_1 =
                     j0_0_inverse_1_1.mul_add(j0_0_step_1_across_1, j0_0_inverse_1_0 * j0_0_step_1_across_0);
@@ -3570,37 +3567,37 @@ mod plm_plate_on_three_pins_ {
                     j0_0_step_1_1,
                     (-j0_0_along_0_0).mul_add(
                         j0_0_step_1_0,
-                        lit(-1.0000000000000002) * (-t16).mul_add(gap1_0_y, t15 * gap1_0_x),
+                        by(-1.0000000000000002) * (-t16).mul_add(gap1_0_y, t15 * gap1_0_x),
                     ),
                 );
                 let slot_1_displacement_1 = slot_1_displacement_0 - j0_0_step_1_2;
-                let t29 = lit(0.8191520442889918) * slot_0_displacement_1;
-                let t30 = lit(0.766044443118978).mul_add(slot_1_displacement_1, t29) - lit(0.8);
-                let t31 = lit(0.573576436351046) * slot_0_displacement_1;
-                let t32 = lit(-0.6427876096865393).mul_add(slot_1_displacement_1, t31);
+                let t29 = by(0.8191520442889918) * slot_0_displacement_1;
+                let t30 = by(0.766044443118978).mul_add(slot_1_displacement_1, t29) - lit(0.8);
+                let t31 = by(0.573576436351046) * slot_0_displacement_1;
+                let t32 = by(-0.6427876096865393).mul_add(slot_1_displacement_1, t31);
                 let arm2_0_4_x = (-plate_angle_1_cos).mul_add(t30, plate_angle_1_sin * t32);
-                let t33 = lit(0.6427876096865393)
-                    .mul_add(plate_angle_1_sin, lit(0.766044443118978) * plate_angle_1_cos);
+                let t33 = by(0.6427876096865393)
+                    .mul_add(plate_angle_1_sin, by(0.766044443118978) * plate_angle_1_cos);
                 let arm2_0_4_y = -plate_angle_1_cos.mul_add(t32, plate_angle_1_sin * t30);
-                let t34 = lit(-0.766044443118978)
-                    .mul_add(plate_angle_1_sin, lit(0.6427876096865393) * plate_angle_1_cos);
+                let t34 = by(-0.766044443118978)
+                    .mul_add(plate_angle_1_sin, by(0.6427876096865393) * plate_angle_1_cos);
                 let j2_0_across_0_0 = (-arm2_0_4_x).mul_add(t33, arm2_0_4_y * t34);
                 let j2_0_across_0_1 = t27.mul_add(t34, t25 * t33);
                 let j0_0_step_1_3 = (-j0_0_along_1_1).mul_add(
                     j0_0_step_1_1,
                     (-j0_0_along_1_0).mul_add(
                         j0_0_step_1_0,
-                        lit(-1.0000000000000002) * (-t10).mul_add(gap1_1_y, t8 * gap1_1_x),
+                        by(-1.0000000000000002) * (-t10).mul_add(gap1_1_y, t8 * gap1_1_x),
                     ),
                 );
                 let slot_2_displacement_1 = slot_2_displacement_0 - j0_0_step_1_3;
-                let t35 = lit(0.17364817766693033).mul_add(slot_2_displacement_1, t29) - lit(0.4);
-                let t36 = lit(-0.984807753012208).mul_add(slot_2_displacement_1, t31) - lit(0.7);
+                let t35 = by(0.17364817766693033).mul_add(slot_2_displacement_1, t29) - lit(0.4);
+                let t36 = by(-0.984807753012208).mul_add(slot_2_displacement_1, t31) - lit(0.7);
                 let arm2_1_4_x = (-plate_angle_1_cos).mul_add(t35, plate_angle_1_sin * t36);
                 let arm2_1_4_y = -plate_angle_1_cos.mul_add(t36, plate_angle_1_sin * t35);
                 let j2_0_across_1_0 = (-t26).mul_add(arm2_1_4_x, t28 * arm2_1_4_y);
                 let j2_0_reciprocal =
-                    lit(1.0) / (-j2_0_across_0_1).mul_add(j2_0_across_1_0, j2_0_across_1_1 * j2_0_across_0_0);
+                    by(1.0) / (-j2_0_across_0_1).mul_add(j2_0_across_1_0, j2_0_across_1_1 * j2_0_across_0_0);
                 let gap2_0_y = loop_0_y + arm2_0_4_y;
                 let gap2_0_x = loop_0_x + arm2_0_4_x;
                 let j2_0_step_2_across_0 = -t34.mul_add(gap2_0_x, t33 * gap2_0_y);
@@ -3609,8 +3606,8 @@ mod plm_plate_on_three_pins_ {
                 let j2_0_step_2_across_1 = -t28.mul_add(gap2_1_x, t26 * gap2_1_y);
                 let j2_0_step_2_0 = (-(j2_0_across_0_1 * j2_0_reciprocal))
                     .mul_add(j2_0_step_2_across_1, j2_0_across_1_1 * j2_0_reciprocal * j2_0_step_2_across_0);
-                let plate_angle_2_tangent = lit(-0.5) * j2_0_step_2_0;
-                let plate_angle_2_sine = lit(2.0) * plate_angle_2_tangent
+                let plate_angle_2_tangent = by(-0.5) * j2_0_step_2_0;
+                let plate_angle_2_sine = by(2.0) * plate_angle_2_tangent
                     / plate_angle_2_tangent.mul_add(plate_angle_2_tangent, lit(1.0));
                 let plate_angle_2_cos = (-plate_angle_2_sine).mul_add(
                     plate_angle_1_cos.mul_add(plate_angle_2_tangent, plate_angle_1_sin),
@@ -3621,13 +3618,13 @@ mod plm_plate_on_three_pins_ {
                     j2_0_step_2_across_0 * -(j2_0_across_1_0 * j2_0_reciprocal),
                 );
                 let slot_0_displacement_2 = slot_0_displacement_1 - j2_0_step_2_1;
-                let t37 = lit(0.8191520442889918) * slot_0_displacement_2;
+                let t37 = by(0.8191520442889918) * slot_0_displacement_2;
                 let t38 = t37 - lit(0.4);
                 let plate_angle_2_sin = plate_angle_2_sine.mul_add(
                     (-plate_angle_1_sin).mul_add(plate_angle_2_tangent, plate_angle_1_cos),
                     plate_angle_1_sin,
                 );
-                let t39 = lit(0.573576436351046) * slot_0_displacement_2;
+                let t39 = by(0.573576436351046) * slot_0_displacement_2;
                 let t40 = t39 - lit(0.3);
                 let t41 = (-plate_angle_2_sin).mul_add(t40, plate_angle_2_cos * t38);
                 q[9] = crank_0_x + crank_0_x - t41;
@@ -3639,65 +3636,65 @@ mod plm_plate_on_three_pins_ {
                         .mul_add(plate_angle_2_cos, last_cosine_3 * plate_angle_2_sin)
                         .atan2(last_sine_3.mul_add(plate_angle_2_sin, last_cosine_3 * plate_angle_2_cos));
                 q[11] = t43;
-                let crank_0_angle_rate = lit(1.2) * cos_t1;
-                let crank_0_vx = lit(-0.1) * (sin_crank_0_angle * crank_0_angle_rate);
+                let crank_0_angle_rate = by(1.2) * cos_t1;
+                let crank_0_vx = by(-0.1) * (sin_crank_0_angle * crank_0_angle_rate);
                 v[0] = crank_0_vx;
-                let crank_0_vy = lit(0.1) * (cos_crank_0_angle * crank_0_angle_rate);
+                let crank_0_vy = by(0.1) * (cos_crank_0_angle * crank_0_angle_rate);
                 v[1] = crank_0_vy;
                 v[2] = crank_0_angle_rate;
-                let crank_1_angle_rate = lit(-0.6) * sin_t2;
-                v[3] = lit(-0.1) * sin_crank_1_angle * crank_1_angle_rate;
+                let crank_1_angle_rate = by(-0.6) * sin_t2;
+                v[3] = by(-0.1) * sin_crank_1_angle * crank_1_angle_rate;
                 v[4] = t3 * crank_1_angle_rate;
                 v[5] = crank_1_angle_rate;
-                let crank_2_angle_rate = lit(0.8) * cos_t4;
-                v[6] = lit(-0.1) * sin_crank_2_angle * crank_2_angle_rate;
+                let crank_2_angle_rate = by(0.8) * cos_t4;
+                v[6] = by(-0.1) * sin_crank_2_angle * crank_2_angle_rate;
                 v[7] = t5 * crank_2_angle_rate;
                 v[8] = crank_2_angle_rate;
-                let t44 = lit(0.24) * (cos_t1 * cos_crank_0_angle);
-                let t45 = lit(0.12) * sin_t2;
-                let t46 = lit(0.6427876096865393)
-                    .mul_add(plate_angle_2_sin, lit(0.766044443118978) * plate_angle_2_cos);
-                let t47 = lit(0.24) * (cos_t1 * sin_crank_0_angle);
-                let t48 = lit(-0.766044443118978)
-                    .mul_add(plate_angle_2_sin, lit(0.6427876096865393) * plate_angle_2_cos);
+                let t44 = by(0.24) * (cos_t1 * cos_crank_0_angle);
+                let t45 = by(0.12) * sin_t2;
+                let t46 = by(0.6427876096865393)
+                    .mul_add(plate_angle_2_sin, by(0.766044443118978) * plate_angle_2_cos);
+                let t47 = by(0.24) * (cos_t1 * sin_crank_0_angle);
+                let t48 = by(-0.766044443118978)
+                    .mul_add(plate_angle_2_sin, by(0.6427876096865393) * plate_angle_2_cos);
                 let j_0_time_rate_across_0 = (-t45.mul_add(cos_crank_1_angle, t44))
                     .mul_add(t46, t45.mul_add(sin_crank_1_angle, t47) * t48);
-                let t49 = lit(0.984807753012208)
-                    .mul_add(plate_angle_2_sin, lit(0.17364817766693033) * plate_angle_2_cos);
+                let t49 = by(0.984807753012208)
+                    .mul_add(plate_angle_2_sin, by(0.17364817766693033) * plate_angle_2_cos);
                 let t50 = (-j2_0_step_2_0).mul_add(
-                    lit(1.0000000000000002) * t28.mul_add(arm2_1_4_x, t26 * arm2_1_4_y),
-                    lit(-1.0000000000000002) * (-t28).mul_add(gap2_1_y, t26 * gap2_1_x),
+                    by(1.0000000000000002) * t28.mul_add(arm2_1_4_x, t26 * arm2_1_4_y),
+                    by(-1.0000000000000002) * (-t28).mul_add(gap2_1_y, t26 * gap2_1_x),
                 );
                 let slot_2_displacement_2 = slot_2_displacement_1
-                    - (-j2_0_step_2_1).mul_add(lit(1.0000000000000002) * (-t25).mul_add(t28, t26 * t27), t50);
-                let t51 = lit(-0.984807753012208).mul_add(slot_2_displacement_2, t39) - lit(0.7);
-                let t52 = lit(0.17364817766693033).mul_add(slot_2_displacement_2, t38);
+                    - (-j2_0_step_2_1).mul_add(by(1.0000000000000002) * (-t25).mul_add(t28, t26 * t27), t50);
+                let t51 = by(-0.984807753012208).mul_add(slot_2_displacement_2, t39) - lit(0.7);
+                let t52 = by(0.17364817766693033).mul_add(slot_2_displacement_2, t38);
                 let arm_1_4_x = (-plate_angle_2_cos).mul_add(t52, plate_angle_2_sin * t51);
-                let t53 = lit(-0.17364817766693033)
-                    .mul_add(plate_angle_2_sin, lit(0.984807753012208) * plate_angle_2_cos);
+                let t53 = by(-0.17364817766693033)
+                    .mul_add(plate_angle_2_sin, by(0.984807753012208) * plate_angle_2_cos);
                 let arm_1_4_y = -plate_angle_2_sin.mul_add(t52, plate_angle_2_cos * t51);
                 let j_0_across_1_0 = (-t49).mul_add(arm_1_4_x, t53 * arm_1_4_y);
                 let t54 = (-j2_0_step_2_0).mul_add(
-                    lit(1.0000000000000002) * arm2_0_4_x.mul_add(t34, t33 * arm2_0_4_y),
-                    lit(-1.0000000000000002) * (-t34).mul_add(gap2_0_y, t33 * gap2_0_x),
+                    by(1.0000000000000002) * arm2_0_4_x.mul_add(t34, t33 * arm2_0_4_y),
+                    by(-1.0000000000000002) * (-t34).mul_add(gap2_0_y, t33 * gap2_0_x),
                 );
                 let slot_1_displacement_2 = slot_1_displacement_1
-                    - (-j2_0_step_2_1).mul_add(lit(1.0000000000000002) * (-t25).mul_add(t34, t27 * t33), t54);
-                let t55 = lit(0.766044443118978).mul_add(slot_1_displacement_2, t37) - lit(0.8);
-                let t56 = lit(-0.6427876096865393).mul_add(slot_1_displacement_2, t39);
+                    - (-j2_0_step_2_1).mul_add(by(1.0000000000000002) * (-t25).mul_add(t34, t27 * t33), t54);
+                let t55 = by(0.766044443118978).mul_add(slot_1_displacement_2, t37) - lit(0.8);
+                let t56 = by(-0.6427876096865393).mul_add(slot_1_displacement_2, t39);
                 let arm_0_4_x = (-plate_angle_2_cos).mul_add(t55, plate_angle_2_sin * t56);
                 let arm_0_4_y = -plate_angle_2_cos.mul_add(t56, t55 * plate_angle_2_sin);
                 let j_0_across_0_0 = (-arm_0_4_x).mul_add(t46, arm_0_4_y * t48);
-                let t57 = lit(0.8191520442889918)
-                    .mul_add(plate_angle_2_sin, lit(0.573576436351046) * plate_angle_2_cos);
-                let t58 = lit(-0.573576436351046)
-                    .mul_add(plate_angle_2_sin, lit(0.8191520442889918) * plate_angle_2_cos);
+                let t57 = by(0.8191520442889918)
+                    .mul_add(plate_angle_2_sin, by(0.573576436351046) * plate_angle_2_cos);
+                let t58 = by(-0.573576436351046)
+                    .mul_add(plate_angle_2_sin, by(0.8191520442889918) * plate_angle_2_cos);
                 let j_0_across_1_1 = t58.mul_add(t53, t57 * t49);
                 let j_0_across_0_1 = t48.mul_add(t58, t46 * t57);
                 let j_0_determinant =
                     (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_1_1);
-                let j_0_reciprocal = lit(1.0) / j_0_determinant;
-                let t59 = lit(0.16) * cos_t4;
+                let j_0_reciprocal = by(1.0) / j_0_determinant;
+                let t59 = by(0.16) * cos_t4;
                 let j_0_time_rate_across_1 = (-(-t59).mul_add(cos_crank_2_angle, t44))
                     .mul_add(t49, (-t59).mul_add(sin_crank_2_angle, t47) * t53);
                 let j_0_time_rate_1 = j_0_time_rate_across_1.mul_add(
@@ -3712,13 +3709,13 @@ mod plm_plate_on_three_pins_ {
                 );
                 v[9] = (-t42).mul_add(
                     j_0_time_rate_0,
-                    lit(-0.573576436351046)
-                        .mul_add(t61, lit(0.8191520442889918).mul_add(t60, crank_0_vx + crank_0_vx)),
+                    by(-0.573576436351046)
+                        .mul_add(t61, by(0.8191520442889918).mul_add(t60, crank_0_vx + crank_0_vx)),
                 );
                 v[10] = t41.mul_add(
                     j_0_time_rate_0,
-                    lit(0.8191520442889918)
-                        .mul_add(t61, lit(0.573576436351046).mul_add(t60, crank_0_vy + crank_0_vy)),
+                    by(0.8191520442889918)
+                        .mul_add(t61, by(0.573576436351046).mul_add(t60, crank_0_vy + crank_0_vy)),
                 );
                 v[11] = -j_0_time_rate_0;
                 let gap_0_x = loop_0_x + arm_0_4_x;
@@ -3728,7 +3725,7 @@ mod plm_plate_on_three_pins_ {
                 let precision = lit(S::PRECISION);
                 let t62 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
-                    .lt(lit(2684354.5600000005) * precision * precision);
+                    .lt(by(2684354.5600000005) * precision * precision);
                 let t63 = j_0_determinant * j_0_determinant
                     / (j_0_across_1_1.mul_add(j_0_across_1_1, j_0_across_0_1 * j_0_across_0_1)
                         * j_0_across_1_0.mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_0_0));
@@ -3750,6 +3747,7 @@ mod plm_plate_on_three_pins_ {
                 memory: &mut rt::charts::Continuation<S, 0, 4, 1, 4>,
             ) -> S {
                 let lit = S::lit;
+                let by = rt::Factor;
                 memory.time.last = t;
                 let last_cosine_3 = m.angles[3].cos;
                 let last_0 = m.time.last;
@@ -3757,9 +3755,8 @@ mod plm_plate_on_three_pins_ {
                 let last_rate_3 = m.iterated[0].rate;
                 let last_bend_3 = m.iterated[0].bend;
                 let t1 = since_remembered * last_bend_3.mul_add(since_remembered, last_rate_3);
-                let plate_angle_expected_tangent =
-                    t1 * (lit(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
-                let plate_angle_expected_sine = lit(2.0) * plate_angle_expected_tangent
+                let plate_angle_expected_tangent = t1 * (by(0.041666666666666664) * t1).mul_add(t1, lit(0.5));
+                let plate_angle_expected_sine = by(2.0) * plate_angle_expected_tangent
                     / plate_angle_expected_tangent.mul_add(plate_angle_expected_tangent, lit(1.0));
                 let last_sine_3 = m.angles[3].sin;
                 let plate_angle_expected_cos = (-plate_angle_expected_sine)
@@ -3768,80 +3765,80 @@ mod plm_plate_on_three_pins_ {
                     (-last_sine_3).mul_add(plate_angle_expected_tangent, last_cosine_3),
                     last_sine_3,
                 );
-                let t2 = lit(0.8191520442889918)
-                    .mul_add(plate_angle_expected_sin, lit(0.573576436351046) * plate_angle_expected_cos);
-                let t3 = lit(0.984807753012208)
-                    .mul_add(plate_angle_expected_sin, lit(0.17364817766693033) * plate_angle_expected_cos);
-                let t4 = lit(-0.573576436351046)
-                    .mul_add(plate_angle_expected_sin, lit(0.8191520442889918) * plate_angle_expected_cos);
-                let t5 = lit(-0.17364817766693033)
-                    .mul_add(plate_angle_expected_sin, lit(0.984807753012208) * plate_angle_expected_cos);
+                let t2 = by(0.8191520442889918)
+                    .mul_add(plate_angle_expected_sin, by(0.573576436351046) * plate_angle_expected_cos);
+                let t3 = by(0.984807753012208)
+                    .mul_add(plate_angle_expected_sin, by(0.17364817766693033) * plate_angle_expected_cos);
+                let t4 = by(-0.573576436351046)
+                    .mul_add(plate_angle_expected_sin, by(0.8191520442889918) * plate_angle_expected_cos);
+                let t5 = by(-0.17364817766693033)
+                    .mul_add(plate_angle_expected_sin, by(0.984807753012208) * plate_angle_expected_cos);
                 let j0_0_across_1_1 = t4.mul_add(t5, t2 * t3);
                 let last_value_4 = m.iterated[1].value;
                 let last_rate_4 = m.iterated[1].rate;
                 let last_bend_4 = m.iterated[1].bend;
-                let slot_0_displacement_expected = lit(0.4)
+                let slot_0_displacement_expected = by(0.4)
                     * since_remembered
                         .mul_add(last_bend_4.mul_add(since_remembered, last_rate_4), last_value_4);
                 let last_value_5 = m.iterated[2].value;
                 let last_rate_5 = m.iterated[2].rate;
                 let last_bend_5 = m.iterated[2].bend;
-                let slot_1_displacement_expected = lit(0.4)
+                let slot_1_displacement_expected = by(0.4)
                     * since_remembered
                         .mul_add(last_bend_5.mul_add(since_remembered, last_rate_5), last_value_5);
-                let t6 = lit(0.8191520442889918) * slot_0_displacement_expected;
-                let t7 = lit(0.766044443118978).mul_add(slot_1_displacement_expected, t6) - lit(0.8);
-                let t8 = lit(0.573576436351046) * slot_0_displacement_expected;
-                let t9 = lit(-0.6427876096865393).mul_add(slot_1_displacement_expected, t8);
+                let t6 = by(0.8191520442889918) * slot_0_displacement_expected;
+                let t7 = by(0.766044443118978).mul_add(slot_1_displacement_expected, t6) - lit(0.8);
+                let t8 = by(0.573576436351046) * slot_0_displacement_expected;
+                let t9 = by(-0.6427876096865393).mul_add(slot_1_displacement_expected, t8);
                 let arm0_0_4_x = (-t7).mul_add(plate_angle_expected_cos, t9 * plate_angle_expected_sin);
-                let t10 = lit(0.6427876096865393)
-                    .mul_add(plate_angle_expected_sin, lit(0.766044443118978) * plate_angle_expected_cos);
+                let t10 = by(0.6427876096865393)
+                    .mul_add(plate_angle_expected_sin, by(0.766044443118978) * plate_angle_expected_cos);
                 let arm0_0_4_y = -t9.mul_add(plate_angle_expected_cos, t7 * plate_angle_expected_sin);
-                let t11 = lit(-0.766044443118978)
-                    .mul_add(plate_angle_expected_sin, lit(0.6427876096865393) * plate_angle_expected_cos);
+                let t11 = by(-0.766044443118978)
+                    .mul_add(plate_angle_expected_sin, by(0.6427876096865393) * plate_angle_expected_cos);
                 let j0_0_across_0_0 = (-arm0_0_4_x).mul_add(t10, arm0_0_4_y * t11);
                 let j0_0_across_0_1 = t4.mul_add(t11, t2 * t10);
                 let last_value_6 = m.iterated[3].value;
                 let last_rate_6 = m.iterated[3].rate;
                 let last_bend_6 = m.iterated[3].bend;
-                let slot_2_displacement_expected = lit(0.4)
+                let slot_2_displacement_expected = by(0.4)
                     * since_remembered
                         .mul_add(last_bend_6.mul_add(since_remembered, last_rate_6), last_value_6);
-                let t12 = lit(0.17364817766693033).mul_add(slot_2_displacement_expected, t6) - lit(0.4);
-                let t13 = lit(-0.984807753012208).mul_add(slot_2_displacement_expected, t8) - lit(0.7);
+                let t12 = by(0.17364817766693033).mul_add(slot_2_displacement_expected, t6) - lit(0.4);
+                let t13 = by(-0.984807753012208).mul_add(slot_2_displacement_expected, t8) - lit(0.7);
                 let arm0_1_4_x = (-t12).mul_add(plate_angle_expected_cos, t13 * plate_angle_expected_sin);
                 let arm0_1_4_y = -t13.mul_add(plate_angle_expected_cos, t12 * plate_angle_expected_sin);
                 let j0_0_across_1_0 = (-t3).mul_add(arm0_1_4_x, t5 * arm0_1_4_y);
                 let j0_0_reciprocal =
-                    lit(1.0) / (-j0_0_across_0_1).mul_add(j0_0_across_1_0, j0_0_across_1_1 * j0_0_across_0_0);
+                    by(1.0) / (-j0_0_across_0_1).mul_add(j0_0_across_1_0, j0_0_across_1_1 * j0_0_across_0_0);
                 let j0_0_inverse_0_0 = j0_0_across_1_1 * j0_0_reciprocal;
-                let t14 = lit(3.0) * t;
+                let t14 = by(3.0) * t;
                 let (sin_t14, cos_t14) = t14.sin_cos();
-                let crank_0_angle = lit(0.4) * sin_t14;
+                let crank_0_angle = by(0.4) * sin_t14;
                 let (sin_crank_0_angle, cos_crank_0_angle) = crank_0_angle.sin_cos();
-                let t15 = lit(2.0) * t;
+                let t15 = by(2.0) * t;
                 let (sin_t15, cos_t15) = t15.sin_cos();
-                let crank_1_angle = lit(0.3) * cos_t15;
+                let crank_1_angle = by(0.3) * cos_t15;
                 let (sin_crank_1_angle, cos_crank_1_angle) = crank_1_angle.sin_cos();
-                let loop_0_y = lit(0.2) * (sin_crank_0_angle - sin_crank_1_angle);
+                let loop_0_y = by(0.2) * (sin_crank_0_angle - sin_crank_1_angle);
                 let gap0_0_y = loop_0_y + arm0_0_4_y;
-                let loop_0_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_1_angle, lit(-1.0));
+                let loop_0_x = by(0.2).mul_add(cos_crank_0_angle - cos_crank_1_angle, lit(-1.0));
                 let gap0_0_x = loop_0_x + arm0_0_4_x;
                 let j0_0_step_0_across_0 = -t11.mul_add(gap0_0_x, t10 * gap0_0_y);
                 let j0_0_inverse_0_1 = -(j0_0_across_0_1 * j0_0_reciprocal);
-                let t16 = lit(4.0) * t;
+                let t16 = by(4.0) * t;
                 let (sin_t16, cos_t16) = t16.sin_cos();
-                let crank_2_angle = lit(0.2).mul_add(sin_t16, lit(-0.1));
+                let crank_2_angle = by(0.2).mul_add(sin_t16, lit(-0.1));
                 let (sin_crank_2_angle, cos_crank_2_angle) = crank_2_angle.sin_cos();
-                let loop_1_y = lit(0.2).mul_add(sin_crank_0_angle - sin_crank_2_angle, lit(-0.9));
+                let loop_1_y = by(0.2).mul_add(sin_crank_0_angle - sin_crank_2_angle, lit(-0.9));
                 let gap0_1_y = arm0_1_4_y + loop_1_y;
-                let loop_1_x = lit(0.2).mul_add(cos_crank_0_angle - cos_crank_2_angle, lit(-0.5));
+                let loop_1_x = by(0.2).mul_add(cos_crank_0_angle - cos_crank_2_angle, lit(-0.5));
                 let gap0_1_x = arm0_1_4_x + loop_1_x;
                 let j0_0_step_0_across_1 = -t5.mul_add(gap0_1_x, t3 * gap0_1_y);
                 let j0_0_step_0_0 =
                     j0_0_inverse_0_1.mul_add(j0_0_step_0_across_1, j0_0_inverse_0_0 * j0_0_step_0_across_0);
-                let plate_angle_0_tangent = lit(-0.5) * j0_0_step_0_0;
-                let plate_angle_0_sine = lit(2.0) * plate_angle_0_tangent
+                let plate_angle_0_tangent = by(-0.5) * j0_0_step_0_0;
+                let plate_angle_0_sine = by(2.0) * plate_angle_0_tangent
                     / plate_angle_0_tangent.mul_add(plate_angle_0_tangent, lit(1.0));
                 let plate_angle_0_cos = (-plate_angle_0_sine).mul_add(
                     plate_angle_expected_cos.mul_add(plate_angle_0_tangent, plate_angle_expected_sin),
@@ -3856,42 +3853,42 @@ mod plm_plate_on_three_pins_ {
                 let j0_0_step_0_1 =
                     j0_0_step_0_across_1.mul_add(j0_0_inverse_1_1, j0_0_step_0_across_0 * j0_0_inverse_1_0);
                 let slot_0_displacement_0 = slot_0_displacement_expected - j0_0_step_0_1;
-                let j0_0_along_0_0 = lit(1.0000000000000002) * arm0_0_4_x.mul_add(t11, t10 * arm0_0_4_y);
-                let j0_0_along_0_1 = lit(1.0000000000000002) * (-t2).mul_add(t11, t4 * t10);
+                let j0_0_along_0_0 = by(1.0000000000000002) * arm0_0_4_x.mul_add(t11, t10 * arm0_0_4_y);
+                let j0_0_along_0_1 = by(1.0000000000000002) * (-t2).mul_add(t11, t4 * t10);
                 let j0_0_step_0_2 = (-j0_0_step_0_1).mul_add(
                     j0_0_along_0_1,
                     (-j0_0_step_0_0).mul_add(
                         j0_0_along_0_0,
-                        lit(-1.0000000000000002) * (-t11).mul_add(gap0_0_y, t10 * gap0_0_x),
+                        by(-1.0000000000000002) * (-t11).mul_add(gap0_0_y, t10 * gap0_0_x),
                     ),
                 );
                 let slot_1_displacement_0 = slot_1_displacement_expected - j0_0_step_0_2;
-                let t17 = lit(0.8191520442889918) * slot_0_displacement_0;
-                let t18 = lit(0.766044443118978).mul_add(slot_1_displacement_0, t17) - lit(0.8);
-                let t19 = lit(0.573576436351046) * slot_0_displacement_0;
-                let t20 = lit(-0.6427876096865393).mul_add(slot_1_displacement_0, t19);
+                let t17 = by(0.8191520442889918) * slot_0_displacement_0;
+                let t18 = by(0.766044443118978).mul_add(slot_1_displacement_0, t17) - lit(0.8);
+                let t19 = by(0.573576436351046) * slot_0_displacement_0;
+                let t20 = by(-0.6427876096865393).mul_add(slot_1_displacement_0, t19);
                 let gap1_0_y = loop_0_y + -plate_angle_0_cos.mul_add(t20, plate_angle_0_sin * t18);
                 let gap1_0_x = loop_0_x + (-plate_angle_0_cos).mul_add(t18, plate_angle_0_sin * t20);
                 let j0_0_step_1_across_0 = -t11.mul_add(gap1_0_x, t10 * gap1_0_y);
-                let j0_0_along_1_0 = lit(1.0000000000000002) * t5.mul_add(arm0_1_4_x, t3 * arm0_1_4_y);
-                let j0_0_along_1_1 = lit(1.0000000000000002) * (-t2).mul_add(t5, t3 * t4);
+                let j0_0_along_1_0 = by(1.0000000000000002) * t5.mul_add(arm0_1_4_x, t3 * arm0_1_4_y);
+                let j0_0_along_1_1 = by(1.0000000000000002) * (-t2).mul_add(t5, t3 * t4);
                 let j0_0_step_0_3 = (-j0_0_step_0_1).mul_add(
                     j0_0_along_1_1,
                     (-j0_0_step_0_0).mul_add(
                         j0_0_along_1_0,
-                        lit(-1.0000000000000002) * (-t5).mul_add(gap0_1_y, t3 * gap0_1_x),
+                        by(-1.0000000000000002) * (-t5).mul_add(gap0_1_y, t3 * gap0_1_x),
                     ),
                 );
                 let slot_2_displacement_0 = slot_2_displacement_expected - j0_0_step_0_3;
-                let t21 = lit(0.17364817766693033).mul_add(slot_2_displacement_0, t17) - lit(0.4);
-                let t22 = lit(-0.984807753012208).mul_add(slot_2_displacement_0, t19) - lit(0.7);
+                let t21 = by(0.17364817766693033).mul_add(slot_2_displacement_0, t17) - lit(0.4);
+                let t22 = by(-0.984807753012208).mul_add(slot_2_displacement_0, t19) - lit(0.7);
                 let gap1_1_y = loop_1_y + -plate_angle_0_cos.mul_add(t22, plate_angle_0_sin * t21);
                 let gap1_1_x = loop_1_x + (-plate_angle_0_cos).mul_add(t21, plate_angle_0_sin * t22);
                 let j0_0_step_1_across_1 = -t5.mul_add(gap1_1_x, t3 * gap1_1_y);
                 let j0_0_step_1_0 =
                     j0_0_inverse_0_1.mul_add(j0_0_step_1_across_1, j0_0_inverse_0_0 * j0_0_step_1_across_0);
-                let plate_angle_1_tangent = lit(-0.5) * j0_0_step_1_0;
-                let plate_angle_1_sine = lit(2.0) * plate_angle_1_tangent
+                let plate_angle_1_tangent = by(-0.5) * j0_0_step_1_0;
+                let plate_angle_1_sine = by(2.0) * plate_angle_1_tangent
                     / plate_angle_1_tangent.mul_add(plate_angle_1_tangent, lit(1.0));
                 let plate_angle_1_cos = (-plate_angle_1_sine).mul_add(
                     plate_angle_0_cos.mul_add(plate_angle_1_tangent, plate_angle_0_sin),
@@ -3901,14 +3898,14 @@ mod plm_plate_on_three_pins_ {
                     (-plate_angle_0_sin).mul_add(plate_angle_1_tangent, plate_angle_0_cos),
                     plate_angle_0_sin,
                 );
-                let t23 = lit(0.8191520442889918)
-                    .mul_add(plate_angle_1_sin, lit(0.573576436351046) * plate_angle_1_cos);
-                let t24 = lit(0.984807753012208)
-                    .mul_add(plate_angle_1_sin, lit(0.17364817766693033) * plate_angle_1_cos);
-                let t25 = lit(-0.573576436351046)
-                    .mul_add(plate_angle_1_sin, lit(0.8191520442889918) * plate_angle_1_cos);
-                let t26 = lit(-0.17364817766693033)
-                    .mul_add(plate_angle_1_sin, lit(0.984807753012208) * plate_angle_1_cos);
+                let t23 = by(0.8191520442889918)
+                    .mul_add(plate_angle_1_sin, by(0.573576436351046) * plate_angle_1_cos);
+                let t24 = by(0.984807753012208)
+                    .mul_add(plate_angle_1_sin, by(0.17364817766693033) * plate_angle_1_cos);
+                let t25 = by(-0.573576436351046)
+                    .mul_add(plate_angle_1_sin, by(0.8191520442889918) * plate_angle_1_cos);
+                let t26 = by(-0.17364817766693033)
+                    .mul_add(plate_angle_1_sin, by(0.984807753012208) * plate_angle_1_cos);
                 let j2_0_across_1_1 = t25.mul_add(t26, t23 * t24);
                 let j0_0_step_1_1 =
                     j0_0_inverse_1_1.mul_add(j0_0_step_1_across_1, j0_0_inverse_1_0 * j0_0_step_1_across_0);
@@ -3917,37 +3914,37 @@ mod plm_plate_on_three_pins_ {
                     j0_0_step_1_1,
                     (-j0_0_along_0_0).mul_add(
                         j0_0_step_1_0,
-                        lit(-1.0000000000000002) * (-t11).mul_add(gap1_0_y, t10 * gap1_0_x),
+                        by(-1.0000000000000002) * (-t11).mul_add(gap1_0_y, t10 * gap1_0_x),
                     ),
                 );
                 let slot_1_displacement_1 = slot_1_displacement_0 - j0_0_step_1_2;
-                let t27 = lit(0.8191520442889918) * slot_0_displacement_1;
-                let t28 = lit(0.766044443118978).mul_add(slot_1_displacement_1, t27) - lit(0.8);
-                let t29 = lit(0.573576436351046) * slot_0_displacement_1;
-                let t30 = lit(-0.6427876096865393).mul_add(slot_1_displacement_1, t29);
+                let t27 = by(0.8191520442889918) * slot_0_displacement_1;
+                let t28 = by(0.766044443118978).mul_add(slot_1_displacement_1, t27) - lit(0.8);
+                let t29 = by(0.573576436351046) * slot_0_displacement_1;
+                let t30 = by(-0.6427876096865393).mul_add(slot_1_displacement_1, t29);
                 let arm2_0_4_x = (-plate_angle_1_cos).mul_add(t28, plate_angle_1_sin * t30);
-                let t31 = lit(0.6427876096865393)
-                    .mul_add(plate_angle_1_sin, lit(0.766044443118978) * plate_angle_1_cos);
+                let t31 = by(0.6427876096865393)
+                    .mul_add(plate_angle_1_sin, by(0.766044443118978) * plate_angle_1_cos);
                 let arm2_0_4_y = -plate_angle_1_cos.mul_add(t30, plate_angle_1_sin * t28);
-                let t32 = lit(-0.766044443118978)
-                    .mul_add(plate_angle_1_sin, lit(0.6427876096865393) * plate_angle_1_cos);
+                let t32 = by(-0.766044443118978)
+                    .mul_add(plate_angle_1_sin, by(0.6427876096865393) * plate_angle_1_cos);
                 let j2_0_across_0_0 = (-arm2_0_4_x).mul_add(t31, arm2_0_4_y * t32);
                 let j2_0_across_0_1 = t25.mul_add(t32, t23 * t31);
                 let j0_0_step_1_3 = (-j0_0_along_1_1).mul_add(
                     j0_0_step_1_1,
                     (-j0_0_along_1_0).mul_add(
                         j0_0_step_1_0,
-                        lit(-1.0000000000000002) * (-t5).mul_add(gap1_1_y, t3 * gap1_1_x),
+                        by(-1.0000000000000002) * (-t5).mul_add(gap1_1_y, t3 * gap1_1_x),
                     ),
                 );
                 let slot_2_displacement_1 = slot_2_displacement_0 - j0_0_step_1_3;
-                let t33 = lit(0.17364817766693033).mul_add(slot_2_displacement_1, t27) - lit(0.4);
-                let t34 = lit(-0.984807753012208).mul_add(slot_2_displacement_1, t29) - lit(0.7);
+                let t33 = by(0.17364817766693033).mul_add(slot_2_displacement_1, t27) - lit(0.4);
+                let t34 = by(-0.984807753012208).mul_add(slot_2_displacement_1, t29) - lit(0.7);
                 let arm2_1_4_x = (-plate_angle_1_cos).mul_add(t33, plate_angle_1_sin * t34);
                 let arm2_1_4_y = -plate_angle_1_cos.mul_add(t34, plate_angle_1_sin * t33);
                 let j2_0_across_1_0 = (-t24).mul_add(arm2_1_4_x, t26 * arm2_1_4_y);
                 let j2_0_reciprocal =
-                    lit(1.0) / (-j2_0_across_0_1).mul_add(j2_0_across_1_0, j2_0_across_1_1 * j2_0_across_0_0);
+                    by(1.0) / (-j2_0_across_0_1).mul_add(j2_0_across_1_0, j2_0_across_1_1 * j2_0_across_0_0);
                 let gap2_0_y = loop_0_y + arm2_0_4_y;
                 let gap2_0_x = loop_0_x + arm2_0_4_x;
                 let j2_0_step_2_across_0 = -t32.mul_add(gap2_0_x, t31 * gap2_0_y);
@@ -3956,8 +3953,8 @@ mod plm_plate_on_three_pins_ {
                 let j2_0_step_2_across_1 = -t26.mul_add(gap2_1_x, t24 * gap2_1_y);
                 let j2_0_step_2_0 = (-(j2_0_across_0_1 * j2_0_reciprocal))
                     .mul_add(j2_0_step_2_across_1, j2_0_across_1_1 * j2_0_reciprocal * j2_0_step_2_across_0);
-                let plate_angle_2_tangent = lit(-0.5) * j2_0_step_2_0;
-                let plate_angle_2_sine = lit(2.0) * plate_angle_2_tangent
+                let plate_angle_2_tangent = by(-0.5) * j2_0_step_2_0;
+                let plate_angle_2_sine = by(2.0) * plate_angle_2_tangent
                     / plate_angle_2_tangent.mul_add(plate_angle_2_tangent, lit(1.0));
                 let plate_angle_2_cos = (-plate_angle_2_sine).mul_add(
                     plate_angle_1_cos.mul_add(plate_angle_2_tangent, plate_angle_1_sin),
@@ -3967,14 +3964,14 @@ mod plm_plate_on_three_pins_ {
                     (-plate_angle_1_sin).mul_add(plate_angle_2_tangent, plate_angle_1_cos),
                     plate_angle_1_sin,
                 );
-                let t35 = lit(0.8191520442889918)
-                    .mul_add(plate_angle_2_sin, lit(0.573576436351046) * plate_angle_2_cos);
-                let t36 = lit(0.984807753012208)
-                    .mul_add(plate_angle_2_sin, lit(0.17364817766693033) * plate_angle_2_cos);
-                let t37 = lit(-0.573576436351046)
-                    .mul_add(plate_angle_2_sin, lit(0.8191520442889918) * plate_angle_2_cos);
-                let t38 = lit(-0.17364817766693033)
-                    .mul_add(plate_angle_2_sin, lit(0.984807753012208) * plate_angle_2_cos);
+                let t35 = by(0.8191520442889918)
+                    .mul_add(plate_angle_2_sin, by(0.573576436351046) * plate_angle_2_cos);
+                let t36 = by(0.984807753012208)
+                    .mul_add(plate_angle_2_sin, by(0.17364817766693033) * plate_angle_2_cos);
+                let t37 = by(-0.573576436351046)
+                    .mul_add(plate_angle_2_sin, by(0.8191520442889918) * plate_angle_2_cos);
+                let t38 = by(-0.17364817766693033)
+                    .mul_add(plate_angle_2_sin, by(0.984807753012208) * plate_angle_2_cos);
                 let j_0_across_1_1 = t37.mul_add(t38, t35 * t36);
                 let j2_0_step_2_1 = j2_0_step_2_across_1.mul_add(
                     j2_0_across_0_0 * j2_0_reciprocal,
@@ -3982,44 +3979,44 @@ mod plm_plate_on_three_pins_ {
                 );
                 let slot_0_displacement_2 = slot_0_displacement_1 - j2_0_step_2_1;
                 let t39 = (-j2_0_step_2_0).mul_add(
-                    lit(1.0000000000000002) * arm2_0_4_x.mul_add(t32, t31 * arm2_0_4_y),
-                    lit(-1.0000000000000002) * (-t32).mul_add(gap2_0_y, t31 * gap2_0_x),
+                    by(1.0000000000000002) * arm2_0_4_x.mul_add(t32, t31 * arm2_0_4_y),
+                    by(-1.0000000000000002) * (-t32).mul_add(gap2_0_y, t31 * gap2_0_x),
                 );
                 let slot_1_displacement_2 = slot_1_displacement_1
-                    - (-j2_0_step_2_1).mul_add(lit(1.0000000000000002) * (-t23).mul_add(t32, t25 * t31), t39);
-                let t40 = lit(0.8191520442889918) * slot_0_displacement_2;
-                let t41 = lit(0.766044443118978).mul_add(slot_1_displacement_2, t40) - lit(0.8);
-                let t42 = lit(0.573576436351046) * slot_0_displacement_2;
-                let t43 = lit(-0.6427876096865393).mul_add(slot_1_displacement_2, t42);
+                    - (-j2_0_step_2_1).mul_add(by(1.0000000000000002) * (-t23).mul_add(t32, t25 * t31), t39);
+                let t40 = by(0.8191520442889918) * slot_0_displacement_2;
+                let t41 = by(0.766044443118978).mul_add(slot_1_displacement_2, t40) - lit(0.8);
+                let t42 = by(0.573576436351046) * slot_0_displacement_2;
+                let t43 = by(-0.6427876096865393).mul_add(slot_1_displacement_2, t42);
                 let arm_0_4_x = (-plate_angle_2_cos).mul_add(t41, plate_angle_2_sin * t43);
-                let t44 = lit(0.6427876096865393)
-                    .mul_add(plate_angle_2_sin, lit(0.766044443118978) * plate_angle_2_cos);
+                let t44 = by(0.6427876096865393)
+                    .mul_add(plate_angle_2_sin, by(0.766044443118978) * plate_angle_2_cos);
                 let arm_0_4_y = -plate_angle_2_cos.mul_add(t43, t41 * plate_angle_2_sin);
-                let t45 = lit(-0.766044443118978)
-                    .mul_add(plate_angle_2_sin, lit(0.6427876096865393) * plate_angle_2_cos);
+                let t45 = by(-0.766044443118978)
+                    .mul_add(plate_angle_2_sin, by(0.6427876096865393) * plate_angle_2_cos);
                 let j_0_across_0_0 = (-arm_0_4_x).mul_add(t44, arm_0_4_y * t45);
                 let j_0_across_0_1 = t45.mul_add(t37, t44 * t35);
                 let t46 = (-j2_0_step_2_0).mul_add(
-                    lit(1.0000000000000002) * t26.mul_add(arm2_1_4_x, t24 * arm2_1_4_y),
-                    lit(-1.0000000000000002) * (-t26).mul_add(gap2_1_y, t24 * gap2_1_x),
+                    by(1.0000000000000002) * t26.mul_add(arm2_1_4_x, t24 * arm2_1_4_y),
+                    by(-1.0000000000000002) * (-t26).mul_add(gap2_1_y, t24 * gap2_1_x),
                 );
                 let slot_2_displacement_2 = slot_2_displacement_1
-                    - (-j2_0_step_2_1).mul_add(lit(1.0000000000000002) * (-t23).mul_add(t26, t24 * t25), t46);
-                let t47 = lit(0.17364817766693033).mul_add(slot_2_displacement_2, t40) - lit(0.4);
-                let t48 = lit(-0.984807753012208).mul_add(slot_2_displacement_2, t42) - lit(0.7);
+                    - (-j2_0_step_2_1).mul_add(by(1.0000000000000002) * (-t23).mul_add(t26, t24 * t25), t46);
+                let t47 = by(0.17364817766693033).mul_add(slot_2_displacement_2, t40) - lit(0.4);
+                let t48 = by(-0.984807753012208).mul_add(slot_2_displacement_2, t42) - lit(0.7);
                 let arm_1_4_x = (-plate_angle_2_cos).mul_add(t47, plate_angle_2_sin * t48);
                 let arm_1_4_y = -plate_angle_2_cos.mul_add(t48, plate_angle_2_sin * t47);
                 let j_0_across_1_0 = (-arm_1_4_x).mul_add(t36, arm_1_4_y * t38);
                 let j_0_determinant =
                     (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_1_1);
-                let j_0_reciprocal = lit(1.0) / j_0_determinant;
-                let t49 = lit(0.24) * (cos_t14 * cos_crank_0_angle);
-                let t50 = lit(0.12) * sin_t15;
+                let j_0_reciprocal = by(1.0) / j_0_determinant;
+                let t49 = by(0.24) * (cos_t14 * cos_crank_0_angle);
+                let t50 = by(0.12) * sin_t15;
                 let t51 = t50.mul_add(cos_crank_1_angle, t49);
-                let t52 = lit(0.24) * (cos_t14 * sin_crank_0_angle);
+                let t52 = by(0.24) * (cos_t14 * sin_crank_0_angle);
                 let t53 = t50.mul_add(sin_crank_1_angle, t52);
                 let j_0_time_rate_across_0 = (-t51).mul_add(t44, t53 * t45);
-                let t54 = lit(0.16) * cos_t16;
+                let t54 = by(0.16) * cos_t16;
                 let t55 = (-t54).mul_add(cos_crank_2_angle, t49);
                 let t56 = (-t54).mul_add(sin_crank_2_angle, t52);
                 let j_0_time_rate_across_1 = (-t55).mul_add(t36, t56 * t38);
@@ -4035,35 +4032,35 @@ mod plm_plate_on_three_pins_ {
                 let precision = lit(S::PRECISION);
                 let t58 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
-                    .lt(lit(2684354.5600000005) * precision * precision);
+                    .lt(by(2684354.5600000005) * precision * precision);
                 let t59 = j_0_determinant * j_0_determinant
                     / (j_0_across_1_0.mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_0_0)
                         * j_0_across_1_1.mul_add(j_0_across_1_1, j_0_across_0_1 * j_0_across_0_1));
                 let t60 = S::select(t58, t59, lit(-1.0));
                 let t61 = t60.sqrt();
-                let t62 = lit(1.0) / t61;
+                let t62 = by(1.0) / t61;
                 let j_0_time_rate_1 = j_0_time_rate_across_1.mul_add(
                     j_0_across_0_0 * j_0_reciprocal,
                     j_0_time_rate_across_0 * -(j_0_across_1_0 * j_0_reciprocal),
                 );
                 let t63 = (-j_0_time_rate_0).mul_add(
-                    lit(1.0000000000000002) * arm_1_4_x.mul_add(t38, arm_1_4_y * t36),
-                    lit(1.0000000000000002) * t55.mul_add(t38, t56 * t36),
+                    by(1.0000000000000002) * arm_1_4_x.mul_add(t38, arm_1_4_y * t36),
+                    by(1.0000000000000002) * t55.mul_add(t38, t56 * t36),
                 );
-                let j_0_time_rate_3 = (-(lit(1.0000000000000002) * (-t35).mul_add(t38, t36 * t37)))
+                let j_0_time_rate_3 = (-(by(1.0000000000000002) * (-t35).mul_add(t38, t36 * t37)))
                     .mul_add(j_0_time_rate_1, t63);
-                let t64 = lit(2.5) * t62;
+                let t64 = by(2.5) * t62;
                 let t65 = (-j_0_time_rate_0).mul_add(
-                    lit(1.0000000000000002) * arm_0_4_x.mul_add(t45, arm_0_4_y * t44),
-                    lit(1.0000000000000002) * t51.mul_add(t45, t53 * t44),
+                    by(1.0000000000000002) * arm_0_4_x.mul_add(t45, arm_0_4_y * t44),
+                    by(1.0000000000000002) * t51.mul_add(t45, t53 * t44),
                 );
                 let j_0_time_rate_2 =
-                    (-j_0_time_rate_1).mul_add(lit(1.0000000000000002) * (-t45).mul_add(t35, t44 * t37), t65);
+                    (-j_0_time_rate_1).mul_add(by(1.0000000000000002) * (-t45).mul_add(t35, t44 * t37), t65);
                 let t66 = t57
                     .max((t64 * j_0_time_rate_3.abs()).max(
                         (t64 * j_0_time_rate_2.abs()).max((t57 * t62).max(t64 * j_0_time_rate_1.abs())),
                     ));
-                memory.time.reach = lit(-0.1) / t66;
+                memory.time.reach = by(-0.1) / t66;
                 memory.angles[0].angle = crank_0_angle;
                 memory.angles[0].cos = cos_crank_0_angle;
                 memory.angles[0].sin = sin_crank_0_angle;
@@ -4086,14 +4083,14 @@ mod plm_plate_on_three_pins_ {
                 memory.iterated[0].value = t67;
                 memory.iterated[0].rate = -j_0_time_rate_0;
                 memory.iterated[0].bend = lit(0.0);
-                memory.iterated[1].value = lit(2.5) * slot_0_displacement_2;
-                memory.iterated[1].rate = lit(-2.5) * j_0_time_rate_1;
+                memory.iterated[1].value = by(2.5) * slot_0_displacement_2;
+                memory.iterated[1].rate = by(-2.5) * j_0_time_rate_1;
                 memory.iterated[1].bend = lit(0.0);
-                memory.iterated[2].value = lit(2.5) * slot_1_displacement_2;
-                memory.iterated[2].rate = lit(-2.5) * j_0_time_rate_2;
+                memory.iterated[2].value = by(2.5) * slot_1_displacement_2;
+                memory.iterated[2].rate = by(-2.5) * j_0_time_rate_2;
                 memory.iterated[2].bend = lit(0.0);
-                memory.iterated[3].value = lit(2.5) * slot_2_displacement_2;
-                memory.iterated[3].rate = lit(-2.5) * j_0_time_rate_3;
+                memory.iterated[3].value = by(2.5) * slot_2_displacement_2;
+                memory.iterated[3].rate = by(-2.5) * j_0_time_rate_3;
                 memory.iterated[3].bend = lit(0.0);
                 t60
             }
@@ -4110,6 +4107,7 @@ mod plm_plate_on_three_pins_ {
                 memory: &mut rt::charts::Continuation<S, 0, 4, 1, 4>,
             ) -> S {
                 let lit = S::lit;
+                let by = rt::Factor;
                 memory.time.last = t;
                 memory.time.reach = lit(0.0);
                 let crank_0_angle = q[2];
@@ -4132,57 +4130,57 @@ mod plm_plate_on_three_pins_ {
                 memory.angles[3].angle = plate_angle;
                 memory.angles[3].cos = cos_plate_angle;
                 memory.angles[3].sin = sin_plate_angle;
-                let t1 = lit(0.8191520442889918)
-                    .mul_add(sin_plate_angle, lit(0.573576436351046) * cos_plate_angle);
-                let t2 = lit(0.6427876096865393)
-                    .mul_add(sin_plate_angle, lit(0.766044443118978) * cos_plate_angle);
-                let t3 = lit(-0.573576436351046)
-                    .mul_add(sin_plate_angle, lit(0.8191520442889918) * cos_plate_angle);
-                let t4 = lit(-0.766044443118978)
-                    .mul_add(sin_plate_angle, lit(0.6427876096865393) * cos_plate_angle);
+                let t1 =
+                    by(0.8191520442889918).mul_add(sin_plate_angle, by(0.573576436351046) * cos_plate_angle);
+                let t2 =
+                    by(0.6427876096865393).mul_add(sin_plate_angle, by(0.766044443118978) * cos_plate_angle);
+                let t3 =
+                    by(-0.573576436351046).mul_add(sin_plate_angle, by(0.8191520442889918) * cos_plate_angle);
+                let t4 =
+                    by(-0.766044443118978).mul_add(sin_plate_angle, by(0.6427876096865393) * cos_plate_angle);
                 let j_0_across_0_1 = t3.mul_add(t4, t1 * t2);
-                let t5 = lit(0.984807753012208)
-                    .mul_add(sin_plate_angle, lit(0.17364817766693033) * cos_plate_angle);
-                let t6 = lit(-0.17364817766693033)
-                    .mul_add(sin_plate_angle, lit(0.984807753012208) * cos_plate_angle);
+                let t5 =
+                    by(0.984807753012208).mul_add(sin_plate_angle, by(0.17364817766693033) * cos_plate_angle);
+                let t6 = by(-0.17364817766693033)
+                    .mul_add(sin_plate_angle, by(0.984807753012208) * cos_plate_angle);
                 let j_0_across_1_1 = t3.mul_add(t6, t1 * t5);
                 let crank_0_x = q[0];
                 let plate_x = q[9];
-                let t7 = lit(0.3).mul_add(sin_plate_angle, plate_x);
-                let t8 = lit(0.4) * cos_plate_angle;
-                let t9 = lit(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t8 - t7;
+                let t7 = by(0.3).mul_add(sin_plate_angle, plate_x);
+                let t8 = by(0.4) * cos_plate_angle;
+                let t9 = by(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t8 - t7;
                 let crank_0_y = q[1];
                 let plate_y = q[10];
-                let t10 = lit(-0.3).mul_add(cos_plate_angle, plate_y);
-                let t11 = lit(0.4) * sin_plate_angle;
-                let t12 = lit(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t11 - t10;
+                let t10 = by(-0.3).mul_add(cos_plate_angle, plate_y);
+                let t11 = by(0.4) * sin_plate_angle;
+                let t12 = by(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t11 - t10;
                 let t13 = t1.mul_add(t12, t3 * t9);
                 let crank_1_x = q[3];
-                let t14 = lit(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t8 - t7;
+                let t14 = by(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t8 - t7;
                 let t15 = t2 * t14;
                 let crank_1_y = q[4];
-                let t16 = lit(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t11 - t10;
+                let t16 = by(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t11 - t10;
                 let t17 = t4 * t16;
-                let t18 = lit(0.8191520442889918) * t13;
-                let t19 = lit(-0.766044443118978).mul_add(lit(0.9999999999999999).mul_add(t15, -t17), t18)
-                    - lit(0.8);
+                let t18 = by(0.8191520442889918) * t13;
+                let t19 =
+                    by(-0.766044443118978).mul_add(by(0.9999999999999999).mul_add(t15, -t17), t18) - lit(0.8);
                 let t20 = t15 - t17;
-                let t21 = lit(0.573576436351046) * t13;
-                let t22 = lit(0.6427876096865393).mul_add(t20, t21);
+                let t21 = by(0.573576436351046) * t13;
+                let t22 = by(0.6427876096865393).mul_add(t20, t21);
                 let j_0_across_0_0 = (-t2).mul_add(
                     (-cos_plate_angle).mul_add(t19, sin_plate_angle * t22),
                     t4 * -cos_plate_angle.mul_add(t22, sin_plate_angle * t19),
                 );
                 let crank_2_x = q[6];
-                let t23 = lit(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t11;
+                let t23 = by(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t11;
                 let t24 = t5 * t23;
                 let crank_2_y = q[7];
-                let t25 = lit(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t8;
+                let t25 = by(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t8;
                 let t26 = t6 * t25;
-                let t27 = lit(-0.17364817766693033).mul_add(lit(0.9999999999999999).mul_add(t24, -t26), t18)
+                let t27 = by(-0.17364817766693033).mul_add(by(0.9999999999999999).mul_add(t24, -t26), t18)
                     - lit(0.4);
                 let t28 = t24 - t26;
-                let t29 = lit(0.984807753012208).mul_add(t28, t21) - lit(0.7);
+                let t29 = by(0.984807753012208).mul_add(t28, t21) - lit(0.7);
                 let j_0_across_1_0 = (-t5).mul_add(
                     (-cos_plate_angle).mul_add(t27, sin_plate_angle * t29),
                     t6 * -cos_plate_angle.mul_add(t29, sin_plate_angle * t27),
@@ -4197,58 +4195,58 @@ mod plm_plate_on_three_pins_ {
                 let plate_omega = v[11];
                 memory.iterated[0].rate = plate_omega;
                 memory.iterated[0].bend = lit(0.0);
-                memory.iterated[1].value = lit(2.5) * t13;
+                memory.iterated[1].value = by(2.5) * t13;
                 let t31 = plate_omega * sin_plate_angle;
                 let t32 = plate_omega * cos_plate_angle;
                 let crank_0_vx = v[0];
                 let crank_0_omega = v[2];
                 let plate_vx = v[9];
-                let t33 = lit(0.3).mul_add(t32, plate_vx);
-                let t34 = lit(0.1) * crank_0_omega;
-                let t35 = lit(0.4) * t31;
+                let t33 = by(0.3).mul_add(t32, plate_vx);
+                let t34 = by(0.1) * crank_0_omega;
+                let t35 = by(0.4) * t31;
                 let crank_0_vy = v[1];
                 let plate_vy = v[10];
-                let t36 = lit(0.3).mul_add(t31, plate_vy);
-                let t37 = lit(0.4) * t32;
+                let t36 = by(0.3).mul_add(t31, plate_vy);
+                let t37 = by(0.4) * t32;
                 let t38 = (-t3).mul_add(
                     (-t34).mul_add(sin_crank_0_angle, crank_0_vx) - t35 - t33,
-                    lit(0.573576436351046).mul_add(t32, lit(0.8191520442889918) * t31) * t9,
+                    by(0.573576436351046).mul_add(t32, by(0.8191520442889918) * t31) * t9,
                 );
                 let t39 = (-t1).mul_add(
                     t34.mul_add(cos_crank_0_angle, crank_0_vy) + t37 - t36,
-                    lit(-0.8191520442889918).mul_add(t32, lit(0.573576436351046) * t31).mul_add(t12, t38),
+                    by(-0.8191520442889918).mul_add(t32, by(0.573576436351046) * t31).mul_add(t12, t38),
                 );
-                memory.iterated[1].rate = lit(-2.5) * t39;
+                memory.iterated[1].rate = by(-2.5) * t39;
                 memory.iterated[1].bend = lit(0.0);
-                memory.iterated[2].value = lit(-2.5) * t20;
+                memory.iterated[2].value = by(-2.5) * t20;
                 let crank_1_vx = v[3];
                 let crank_1_omega = v[5];
-                let t40 = lit(0.1) * crank_1_omega;
+                let t40 = by(0.1) * crank_1_omega;
                 let crank_1_vy = v[4];
                 let t41 = (-t2).mul_add(
                     (-t40).mul_add(sin_crank_1_angle, crank_1_vx + t35) - t33,
-                    lit(-0.6427876096865393).mul_add(t32, lit(0.766044443118978) * t31) * t14,
+                    by(-0.6427876096865393).mul_add(t32, by(0.766044443118978) * t31) * t14,
                 );
                 let t42 = t4.mul_add(
                     t40.mul_add(cos_crank_1_angle, crank_1_vy - t37) - t36,
-                    (-lit(0.766044443118978).mul_add(t32, lit(0.6427876096865393) * t31)).mul_add(t16, t41),
+                    (-by(0.766044443118978).mul_add(t32, by(0.6427876096865393) * t31)).mul_add(t16, t41),
                 );
-                memory.iterated[2].rate = lit(2.5) * t42;
+                memory.iterated[2].rate = by(2.5) * t42;
                 memory.iterated[2].bend = lit(0.0);
-                memory.iterated[3].value = lit(-2.5) * t28;
+                memory.iterated[3].value = by(-2.5) * t28;
                 let crank_2_vx = v[6];
                 let crank_2_omega = v[8];
-                let t43 = lit(0.1) * crank_2_omega;
+                let t43 = by(0.1) * crank_2_omega;
                 let crank_2_vy = v[7];
                 let t44 = (-t5).mul_add(
                     (-t43).mul_add(sin_crank_2_angle, crank_2_vx - plate_vx + t37),
-                    t23 * lit(-0.984807753012208).mul_add(t32, lit(0.17364817766693033) * t31),
+                    t23 * by(-0.984807753012208).mul_add(t32, by(0.17364817766693033) * t31),
                 );
                 let t45 = t6.mul_add(
                     t43.mul_add(cos_crank_2_angle, crank_2_vy - plate_vy + t35),
-                    (-t25).mul_add(lit(0.17364817766693033).mul_add(t32, lit(0.984807753012208) * t31), t44),
+                    (-t25).mul_add(by(0.17364817766693033).mul_add(t32, by(0.984807753012208) * t31), t44),
                 );
-                memory.iterated[3].rate = lit(2.5) * t45;
+                memory.iterated[3].rate = by(2.5) * t45;
                 memory.iterated[3].bend = lit(0.0);
                 t30
             }

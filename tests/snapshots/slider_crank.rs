@@ -161,25 +161,25 @@ mod plm_slider_crank_ {
                     slider_omega,
                     ..,
                 ] = v;
-                let lit = S::lit;
-                let t1 = (lit(0.0005) * slider_omega).mul_add(
+                let by = rt::Factor;
+                let t1 = (by(0.0005) * slider_omega).mul_add(
                     slider_omega,
-                    (lit(0.009) * rod_omega)
-                        .mul_add(rod_omega, lit(0.0003333333333333333) * crank_omega * crank_omega),
+                    (by(0.009) * rod_omega)
+                        .mul_add(rod_omega, by(0.0003333333333333333) * crank_omega * crank_omega),
                 );
-                let t2 = lit(0.3).mul_add(
+                let t2 = by(0.3).mul_add(
                     rod_vy.mul_add(rod_vy, rod_vx * rod_vx),
-                    lit(0.1).mul_add(crank_vy.mul_add(crank_vy, crank_vx * crank_vx), t1),
+                    by(0.1).mul_add(crank_vy.mul_add(crank_vy, crank_vx * crank_vx), t1),
                 );
-                lit(0.25).mul_add(slider_vy.mul_add(slider_vy, slider_vx * slider_vx), t2)
+                by(0.25).mul_add(slider_vy.mul_add(slider_vy, slider_vx * slider_vx), t2)
             }
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
                 let (q, _) = self.pose_();
                 let [_, crank_y, _, _, rod_y, _, _, slider_y, ..] = q;
-                let lit = S::lit;
-                lit(4.905).mul_add(slider_y, lit(5.886).mul_add(rod_y, lit(1.962) * crank_y))
+                let by = rt::Factor;
+                by(4.905).mul_add(slider_y, by(5.886).mul_add(rod_y, by(1.962) * crank_y))
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
@@ -194,13 +194,13 @@ mod plm_slider_crank_ {
                 let mut value = [S::lit(0.0); 1];
                 let (q, _) = self.pose_();
                 let [crank_x, crank_y, crank_angle, rod_x, rod_y, rod_angle, ..] = q;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
                     S::sin_cos_all([crank_angle, rod_angle]);
-                let t1 = lit(-0.3).mul_add(sin_rod_angle, lit(0.1).mul_add(sin_crank_angle, crank_y) - rod_y);
-                let t2 = lit(-0.3).mul_add(cos_rod_angle, lit(0.1).mul_add(cos_crank_angle, crank_x) - rod_x);
-                let t3 = (lit(-0.2) * (-sin_crank_angle).mul_add(t2, cos_crank_angle * t1))
-                    .atan2(lit(-0.2) * sin_crank_angle.mul_add(t1, cos_crank_angle * t2));
+                let t1 = by(-0.3).mul_add(sin_rod_angle, by(0.1).mul_add(sin_crank_angle, crank_y) - rod_y);
+                let t2 = by(-0.3).mul_add(cos_rod_angle, by(0.1).mul_add(cos_crank_angle, crank_x) - rod_x);
+                let t3 = (by(-0.2) * (-sin_crank_angle).mul_add(t2, cos_crank_angle * t1))
+                    .atan2(by(-0.2) * sin_crank_angle.mul_add(t1, cos_crank_angle * t2));
                 value[0] = t3;
                 [("crank_pin", value[0])]
             }
@@ -612,23 +612,24 @@ mod plm_slider_crank_ {
             fn phi_q_entries(&self, t: S, q: &[S; 9], phi_q: &mut [S; 20]) {
                 let [_, _, crank_angle, _, _, rod_angle, ..] = *q;
                 let lit = S::lit;
+                let by = rt::Factor;
                 phi_q[0] = lit(1.0);
                 let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
                     S::sin_cos_all([crank_angle, rod_angle]);
-                let t1 = lit(0.1) * sin_crank_angle;
+                let t1 = by(0.1) * sin_crank_angle;
                 phi_q[1] = t1;
                 phi_q[2] = lit(1.0);
-                let t2 = lit(-0.1) * cos_crank_angle;
+                let t2 = by(-0.1) * cos_crank_angle;
                 phi_q[3] = t2;
                 phi_q[4] = lit(-1.0);
                 phi_q[5] = t1;
                 phi_q[6] = lit(1.0);
-                let t3 = lit(0.3) * sin_rod_angle;
+                let t3 = by(0.3) * sin_rod_angle;
                 phi_q[7] = t3;
                 phi_q[8] = lit(-1.0);
                 phi_q[9] = t2;
                 phi_q[10] = lit(1.0);
-                let t4 = lit(-0.3) * cos_rod_angle;
+                let t4 = by(-0.3) * cos_rod_angle;
                 phi_q[11] = t4;
                 phi_q[12] = lit(-1.0);
                 phi_q[13] = t3;
@@ -664,16 +665,16 @@ mod plm_slider_crank_ {
                     slider_angle,
                     ..,
                 ] = *q;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
                     S::sin_cos_all([crank_angle, rod_angle]);
-                let t1 = lit(0.1) * cos_crank_angle;
+                let t1 = by(0.1) * cos_crank_angle;
                 phi[0] = crank_x - t1;
-                let t2 = lit(0.1) * sin_crank_angle;
+                let t2 = by(0.1) * sin_crank_angle;
                 phi[1] = crank_y - t2;
-                let t3 = lit(0.3) * cos_rod_angle;
+                let t3 = by(0.3) * cos_rod_angle;
                 phi[2] = rod_x - crank_x - t1 - t3;
-                let t4 = lit(0.3) * sin_rod_angle;
+                let t4 = by(0.3) * sin_rod_angle;
                 phi[3] = rod_y - crank_y - t2 - t4;
                 phi[4] = slider_x - rod_x - t3;
                 phi[5] = slider_y - rod_y - t4;
@@ -700,16 +701,16 @@ mod plm_slider_crank_ {
                     slider_omega,
                     ..,
                 ] = *v;
-                let lit = S::lit;
+                let by = rt::Factor;
                 let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
                     S::sin_cos_all([crank_angle, rod_angle]);
-                let t1 = lit(0.1) * (crank_omega * sin_crank_angle);
+                let t1 = by(0.1) * (crank_omega * sin_crank_angle);
                 phi_dot[0] = crank_vx + t1;
-                let t2 = lit(0.1) * (crank_omega * cos_crank_angle);
+                let t2 = by(0.1) * (crank_omega * cos_crank_angle);
                 phi_dot[1] = crank_vy - t2;
-                let t3 = lit(0.3) * (rod_omega * sin_rod_angle);
+                let t3 = by(0.3) * (rod_omega * sin_rod_angle);
                 phi_dot[2] = rod_vx - crank_vx + t1 + t3;
-                let t4 = lit(0.3) * (rod_omega * cos_rod_angle);
+                let t4 = by(0.3) * (rod_omega * cos_rod_angle);
                 phi_dot[3] = rod_vy - crank_vy - t2 - t4;
                 phi_dot[4] = slider_vx - rod_vx + t3;
                 phi_dot[5] = slider_vy - rod_vy - t4;
@@ -743,54 +744,55 @@ mod plm_slider_crank_ {
             fn min_norm(&self, t: S, q: &[S; 9], w: &[S; 9], r: &[S; 8], dq: &mut [S; 9]) -> rt::Health<S> {
                 rt::Health({
                     let lit = S::lit;
+                    let by = rt::Factor;
                     // phi_q W phi_q^T = L D L^T
                     let w_8 = w[8];
                     let w_7 = w[7];
-                    let r_6 = lit(1.0) / w_7;
+                    let r_6 = by(1.0) / w_7;
                     let l_5_6 = -(w_7 * r_6);
                     let w_0 = w[0];
                     let crank_angle = q[2];
                     let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
                     let w_2 = w[2];
-                    let y_0_2 = lit(0.1) * sin_crank_angle * w_2;
-                    let t1 = lit(0.1) * (sin_crank_angle * y_0_2);
+                    let y_0_2 = by(0.1) * sin_crank_angle * w_2;
+                    let t1 = by(0.1) * (sin_crank_angle * y_0_2);
                     let d_0 = w_0 + t1;
-                    let r_0 = lit(1.0) / d_0;
-                    let t2 = lit(-0.1) * cos_crank_angle;
+                    let r_0 = by(1.0) / d_0;
+                    let t2 = by(-0.1) * cos_crank_angle;
                     let y_1_2 = t2 * w_2;
-                    let g_1_0 = lit(0.1) * (sin_crank_angle * y_1_2);
+                    let g_1_0 = by(0.1) * (sin_crank_angle * y_1_2);
                     let l_1_0 = r_0 * g_1_0;
                     let g_2_0 = t1 - w_0;
                     let l_2_0 = r_0 * g_2_0;
                     let w_1 = w[1];
                     let t3 = cos_crank_angle * y_1_2;
-                    let t4 = lit(-0.1).mul_add(t3, w_1);
+                    let t4 = by(-0.1).mul_add(t3, w_1);
                     let t5 = g_1_0 * l_1_0;
                     let d_1 = t4 - t5;
-                    let r_1 = lit(1.0) / d_1;
+                    let r_1 = by(1.0) / d_1;
                     let growth_1 = (t4 * r_1).abs();
                     let most_growth = lit(S::MOST_GROWTH);
                     let t6 = most_growth.lt(growth_1);
                     let kept_1 = S::select(t6, lit(0.0), r_1);
                     let g_2_1 = (-g_1_0).mul_add(l_2_0, t2 * y_0_2);
                     let l_2_1 = g_2_1 * kept_1;
-                    let g_3_1 = lit(-0.1).mul_add(t3, -w_1) - t5;
+                    let g_3_1 = by(-0.1).mul_add(t3, -w_1) - t5;
                     let l_3_1 = g_3_1 * kept_1;
                     let w_3 = w[3];
                     let rod_angle = q[5];
                     let (sin_rod_angle, cos_rod_angle) = rod_angle.sin_cos();
                     let w_5 = w[5];
-                    let y_2_5 = lit(0.3) * sin_rod_angle * w_5;
-                    let t7 = lit(0.3) * (sin_rod_angle * y_2_5);
+                    let y_2_5 = by(0.3) * sin_rod_angle * w_5;
+                    let t7 = by(0.3) * (sin_rod_angle * y_2_5);
                     let t8 = w_3 + t7;
                     let t9 = d_0 + t8;
-                    let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t9));
+                    let r_2 = by(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t9));
                     let growth_2 = (t9 * r_2).abs();
                     let t10 = most_growth.lt(growth_2);
                     let kept_2 = S::select(t10, lit(0.0), r_2);
-                    let t11 = lit(-0.3) * cos_rod_angle;
+                    let t11 = by(-0.3) * cos_rod_angle;
                     let y_3_5 = t11 * w_5;
-                    let g_5_2 = lit(0.3) * (sin_rod_angle * y_3_5);
+                    let g_5_2 = by(0.3) * (sin_rod_angle * y_3_5);
                     let g_3_2 = (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, g_1_0 + g_5_2));
                     let l_3_2 = kept_2 * g_3_2;
                     let g_4_2 = t7 - w_3;
@@ -798,18 +800,18 @@ mod plm_slider_crank_ {
                     let l_5_2 = g_5_2 * kept_2;
                     let w_4 = w[4];
                     let t12 = cos_rod_angle * y_3_5;
-                    let t13 = lit(-0.3).mul_add(t12, w_4);
-                    let r_3 = lit(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t13);
+                    let t13 = by(-0.3).mul_add(t12, w_4);
+                    let r_3 = by(1.0) / ((-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, d_1)) + t13);
                     let growth_3 = (r_3 * (t4 + t13)).abs();
                     let t14 = most_growth.lt(growth_3);
                     let kept_3 = S::select(t14, lit(0.0), r_3);
                     let g_4_3 = (-g_3_2).mul_add(l_4_2, t11 * y_2_5);
                     let l_4_3 = kept_3 * g_4_3;
-                    let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-0.3).mul_add(t12, -w_4));
+                    let g_5_3 = (-g_3_2).mul_add(l_5_2, by(-0.3).mul_add(t12, -w_4));
                     let l_5_3 = kept_3 * g_5_3;
                     let w_6 = w[6];
                     let t15 = w_6 + t8;
-                    let r_4 = lit(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t15));
+                    let r_4 = by(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t15));
                     let growth_4 = (t15 * r_4).abs();
                     let t16 = most_growth.lt(growth_4);
                     let kept_4 = S::select(t16, lit(0.0), r_4);
@@ -820,7 +822,7 @@ mod plm_slider_crank_ {
                         l_5_4,
                         (-g_5_3).mul_add(l_5_3, (-g_5_2).mul_add(l_5_2, w_7.mul_add(l_5_6, t17))),
                     );
-                    let r_5 = lit(1.0) / d_5;
+                    let r_5 = by(1.0) / d_5;
                     let growth_5 = (t17 * r_5).abs();
                     let t18 = most_growth.lt(growth_5);
                     // (phi_q W phi_q^T) mu = r
@@ -858,11 +860,11 @@ mod plm_slider_crank_ {
                     dq[5] = y_3_5.mul_add(mu_5 + mu_3, y_2_5 * (mu_4 + mu_2));
                     dq[6] = w_6 * mu_4;
                     dq[7] = w_7 * (mu_5 - (-l_5_6).mul_add(mu_5, dphi_6 * r_6));
-                    dq[8] = -(w_8 * (dphi_7 * (lit(1.0) / w_8)));
+                    dq[8] = -(w_8 * (dphi_7 * (by(1.0) / w_8)));
                     let t21 = S::select(t6, lit(0.0), growth_1)
                         .max(S::select(t10, lit(0.0), growth_2))
                         .max(S::select(t14, lit(0.0), growth_3));
-                    lit(1.0)
+                    by(1.0)
                         / t21.max(S::select(t16, lit(0.0), growth_4)).max(S::select(t18, lit(0.0), growth_5))
                 })
             }
@@ -1386,63 +1388,64 @@ mod plm_slider_crank_ {
             #[inline(always)]
             fn dynamics(&self, t: S, u: &Held<S>, x: &[S; 18], dx: &mut [S; 18], lambda: &mut [S; 8]) -> S {
                 let lit = S::lit;
+                let by = rt::Factor;
                 // Arms from G to each port: the entries of phi_q, and of phi_q M^-1
                 let crank_angle = x[2];
                 let (sin_crank_angle, cos_crank_angle) = crank_angle.sin_cos();
                 let rod_angle = x[5];
                 let (sin_rod_angle, cos_rod_angle) = rod_angle.sin_cos();
-                let y_0_2 = lit(150.0) * sin_crank_angle;
-                let y_1_2 = lit(-150.0) * cos_crank_angle;
-                let y_2_5 = lit(16.666666666666668) * sin_rod_angle;
-                let y_3_5 = lit(-16.666666666666668) * cos_rod_angle;
+                let y_0_2 = by(150.0) * sin_crank_angle;
+                let y_1_2 = by(-150.0) * cos_crank_angle;
+                let y_2_5 = by(16.666666666666668) * sin_rod_angle;
+                let y_3_5 = by(-16.666666666666668) * cos_rod_angle;
                 // phi_q M^-1 phi_q^T = L D L^T
-                let t1 = lit(0.1) * (sin_crank_angle * y_0_2);
-                let r_0 = lit(1.0) / (t1 + lit(5.0));
-                let g_1_0 = lit(0.1) * (sin_crank_angle * y_1_2);
+                let t1 = by(0.1) * (sin_crank_angle * y_0_2);
+                let r_0 = by(1.0) / (t1 + lit(5.0));
+                let g_1_0 = by(0.1) * (sin_crank_angle * y_1_2);
                 let l_1_0 = r_0 * g_1_0;
                 let g_2_0 = t1 - lit(5.0);
                 let l_2_0 = r_0 * g_2_0;
-                let t2 = lit(0.1) * (cos_crank_angle * y_1_2);
+                let t2 = by(0.1) * (cos_crank_angle * y_1_2);
                 let t3 = g_1_0.mul_add(l_1_0, t2);
-                let r_1 = lit(1.0) / (lit(5.0) - t3);
+                let r_1 = by(1.0) / (lit(5.0) - t3);
                 let growth_1 = ((t2 - lit(5.0)) * r_1).abs();
                 let most_growth = lit(S::MOST_GROWTH);
                 let t4 = most_growth.lt(growth_1);
                 let kept_1 = S::select(t4, lit(0.0), r_1);
-                let g_2_1 = (-g_1_0).mul_add(l_2_0, lit(-0.1) * cos_crank_angle * y_0_2);
+                let g_2_1 = (-g_1_0).mul_add(l_2_0, by(-0.1) * cos_crank_angle * y_0_2);
                 let l_2_1 = g_2_1 * kept_1;
                 let g_3_1 = lit(-5.0) - t3;
                 let l_3_1 = kept_1 * g_3_1;
-                let t5 = lit(0.3) * (sin_rod_angle * y_2_5);
+                let t5 = by(0.3) * (sin_rod_angle * y_2_5);
                 let t6 = t1 + t5 + lit(6.666666666666667);
-                let r_2 = lit(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t6));
+                let r_2 = by(1.0) / (-g_2_1).mul_add(l_2_1, (-g_2_0).mul_add(l_2_0, t6));
                 let growth_2 = (t6 * r_2).abs();
                 let t7 = most_growth.lt(growth_2);
                 let kept_2 = S::select(t7, lit(0.0), r_2);
-                let g_5_2 = lit(0.3) * (sin_rod_angle * y_3_5);
+                let g_5_2 = by(0.3) * (sin_rod_angle * y_3_5);
                 let g_3_2 = (-g_2_1).mul_add(l_3_1, (-l_1_0).mul_add(g_2_0, g_1_0 + g_5_2));
                 let l_3_2 = kept_2 * g_3_2;
                 let g_4_2 = t5 - lit(1.6666666666666667);
                 let l_4_2 = g_4_2 * kept_2;
                 let l_5_2 = g_5_2 * kept_2;
-                let t8 = lit(0.3) * (cos_rod_angle * y_3_5);
+                let t8 = by(0.3) * (cos_rod_angle * y_3_5);
                 let t9 = lit(6.666666666666667) - t8;
-                let r_3 = lit(1.0) / (-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, t9 - t3));
+                let r_3 = by(1.0) / (-g_3_2).mul_add(l_3_2, (-g_3_1).mul_add(l_3_1, t9 - t3));
                 let growth_3 = (r_3 * (t2 - t9)).abs();
                 let t10 = most_growth.lt(growth_3);
                 let kept_3 = S::select(t10, lit(0.0), r_3);
-                let g_4_3 = (-g_3_2).mul_add(l_4_2, lit(-0.3) * cos_rod_angle * y_2_5);
+                let g_4_3 = (-g_3_2).mul_add(l_4_2, by(-0.3) * cos_rod_angle * y_2_5);
                 let l_4_3 = kept_3 * g_4_3;
                 let g_5_3 = (-g_3_2).mul_add(l_5_2, lit(-1.6666666666666667) - t8);
                 let l_5_3 = kept_3 * g_5_3;
                 let t11 = t5 + lit(3.6666666666666665);
-                let r_4 = lit(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t11));
+                let r_4 = by(1.0) / (-g_4_3).mul_add(l_4_3, (-g_4_2).mul_add(l_4_2, t11));
                 let growth_4 = (t11 * r_4).abs();
                 let t12 = most_growth.lt(growth_4);
                 let kept_4 = S::select(t12, lit(0.0), r_4);
                 let g_5_4 = (-g_4_3).mul_add(l_5_3, (-g_4_2).mul_add(l_5_2, g_5_2));
                 let l_5_4 = kept_4 * g_5_4;
-                let r_5 = lit(1.0)
+                let r_5 = by(1.0)
                     / (-g_5_4).mul_add(
                         l_5_4,
                         (-g_5_3).mul_add(l_5_3, (-g_5_2).mul_add(l_5_2, lit(1.6666666666666667) - t8)),
@@ -1452,15 +1455,15 @@ mod plm_slider_crank_ {
                 // Multipliers: (phi_q M^-1 phi_q^T) lambda = phi_q M^-1 Q - gamma
                 let crank_omega = x[11];
                 let t14 = crank_omega * crank_omega;
-                let b_0 = (lit(0.1) * cos_crank_angle).mul_add(t14, y_0_2);
-                let t15 = (-(lit(0.1) * sin_crank_angle))
-                    .mul_add(t14, l_1_0.mul_add(b_0, lit(150.0) * cos_crank_angle));
+                let b_0 = (by(0.1) * cos_crank_angle).mul_add(t14, y_0_2);
+                let t15 = (-(by(0.1) * sin_crank_angle))
+                    .mul_add(t14, l_1_0.mul_add(b_0, by(150.0) * cos_crank_angle));
                 let b_1 = lit(-9.81) - t15;
                 let rod_omega = x[14];
                 let t16 = rod_omega * rod_omega;
-                let t17 = lit(0.3) * (cos_rod_angle * t16);
+                let t17 = by(0.3) * (cos_rod_angle * t16);
                 let b_2 = (-l_2_1).mul_add(b_1, (-l_2_0).mul_add(b_0, b_0 + t17));
-                let t18 = lit(0.3) * (sin_rod_angle * t16);
+                let t18 = by(0.3) * (sin_rod_angle * t16);
                 let b_3 = (-l_3_2).mul_add(b_2, (-l_3_1).mul_add(b_1, t18 - t15));
                 let b_4 = (-l_4_3).mul_add(b_3, (-l_4_2).mul_add(b_2, t17));
                 let lambda_wrist_pin_y = S::select(t13, lit(0.0), r_5)
@@ -1487,18 +1490,18 @@ mod plm_slider_crank_ {
                 dx[6] = x[15];
                 dx[7] = x[16];
                 dx[8] = x[17];
-                dx[9] = lit(5.0) * (lambda_crank_pin_x - lambda_drive_x);
-                dx[10] = lit(5.0).mul_add(lambda_crank_pin_y - lambda_drive_y, lit(-9.81));
+                dx[9] = by(5.0) * (lambda_crank_pin_x - lambda_drive_x);
+                dx[10] = by(5.0).mul_add(lambda_crank_pin_y - lambda_drive_y, lit(-9.81));
                 dx[11] =
                     (-y_1_2).mul_add(t19, (-y_0_2).mul_add(lambda_crank_pin_x + lambda_drive_x, lit(1500.0)));
-                dx[12] = lit(1.6666666666666667) * (lambda_wrist_pin_x - lambda_crank_pin_x);
-                dx[13] = lit(1.6666666666666667).mul_add(lambda_wrist_pin_y - lambda_crank_pin_y, lit(-9.81));
+                dx[12] = by(1.6666666666666667) * (lambda_wrist_pin_x - lambda_crank_pin_x);
+                dx[13] = by(1.6666666666666667).mul_add(lambda_wrist_pin_y - lambda_crank_pin_y, lit(-9.81));
                 dx[14] = -y_3_5.mul_add(
                     lambda_wrist_pin_y + lambda_crank_pin_y,
                     y_2_5 * (lambda_wrist_pin_x + lambda_crank_pin_x),
                 );
-                dx[15] = lit(-2.0) * lambda_wrist_pin_x;
-                dx[16] = lit(-2.0) * (lambda_guide_normal - lambda_guide_normal);
+                dx[15] = by(-2.0) * lambda_wrist_pin_x;
+                dx[16] = by(-2.0) * (lambda_guide_normal - lambda_guide_normal);
                 dx[17] = lit(0.0);
                 lambda[0] = lambda_drive_x;
                 lambda[1] = lambda_drive_y;
@@ -1511,7 +1514,7 @@ mod plm_slider_crank_ {
                 let t20 = S::select(t4, lit(0.0), growth_1)
                     .max(S::select(t7, lit(0.0), growth_2))
                     .max(S::select(t10, lit(0.0), growth_3));
-                lit(1.0) / t20.max(S::select(t12, lit(0.0), growth_4)).max(S::select(t13, lit(0.0), growth_5))
+                by(1.0) / t20.max(S::select(t12, lit(0.0), growth_4)).max(S::select(t13, lit(0.0), growth_5))
             }
 
             /// Applied forces `Q` (N, N, N m per body) and `gamma`, for the rank-revealing solution.
@@ -1524,6 +1527,7 @@ mod plm_slider_crank_ {
                 let crank_omega = x[11];
                 let rod_omega = x[14];
                 let lit = S::lit;
+                let by = rt::Factor;
                 force[0] = lit(0.0);
                 force[1] = lit(-1.962);
                 force[2] = lit(1.0);
@@ -1536,17 +1540,17 @@ mod plm_slider_crank_ {
                 let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
                     S::sin_cos_all([crank_angle, rod_angle]);
                 let t1 = crank_omega * crank_omega;
-                let t2 = lit(-0.1) * (cos_crank_angle * t1);
+                let t2 = by(-0.1) * (cos_crank_angle * t1);
                 gamma[0] = t2;
-                let t3 = lit(-0.1) * (sin_crank_angle * t1);
+                let t3 = by(-0.1) * (sin_crank_angle * t1);
                 gamma[1] = t3;
                 let t4 = rod_omega * rod_omega;
                 let t5 = cos_rod_angle * t4;
-                gamma[2] = lit(-0.3).mul_add(t5, t2);
+                gamma[2] = by(-0.3).mul_add(t5, t2);
                 let t6 = sin_rod_angle * t4;
-                gamma[3] = lit(-0.3).mul_add(t6, t3);
-                gamma[4] = lit(-0.3) * t5;
-                gamma[5] = lit(-0.3) * t6;
+                gamma[3] = by(-0.3).mul_add(t6, t3);
+                gamma[4] = by(-0.3) * t5;
+                gamma[5] = by(-0.3) * t6;
                 gamma[6] = lit(0.0);
                 gamma[7] = lit(0.0);
             }

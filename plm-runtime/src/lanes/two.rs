@@ -110,6 +110,18 @@ impl<S: Scalar> Scalar for Two<S> {
         Self([x.mul_add(a, b), y.mul_add(c, d)])
     }
     #[inline(always)]
+    fn scaled(self, by: f64) -> Self {
+        self.each(|s| s.scaled(by))
+    }
+    #[inline(always)]
+    fn scaled_add(self, by: f64, b: Self) -> Self {
+        self.join(b, |s, b| s.scaled_add(by, b))
+    }
+    #[inline(always)]
+    fn dividing(self, constant: f64) -> Self {
+        self.each(|s| s.dividing(constant))
+    }
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let (sines, cosines) = S::sin_cos_all(self.0);
         (Self(sines), Self(cosines))

@@ -91,7 +91,7 @@ impl<'a, M: System> Context<'a, M> {
 
     /// The same of recorded numbers as values.
     pub(super) fn rate_value(&mut self, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
-        if !M::S::IS_RECORDED {
+        if !M::S::AT_ONCE.has_steps() {
             return self.rate(t, x, dx);
         }
         let health = value((self.system, &self.held), t, x, dx);

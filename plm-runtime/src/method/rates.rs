@@ -100,8 +100,10 @@ impl<const VECTORS: usize> Computation for OfState<VECTORS> {
     const FROM_RATE: bool = false;
 
     #[inline]
-    fn map<X: Copy + Debug, Y: Copy + Debug>(made: &X, mut each: impl FnMut(&X) -> Y) -> Y {
-        each(made)
+    fn map<X: Copy + Debug, Y: Copy + Debug>(made: &X, blank: Y, mut each: impl FnMut(&X, &mut Y)) -> Y {
+        let mut own = blank;
+        each(made, &mut own);
+        own
     }
 
     #[allow(clippy::inline_always, reason = "it is the rate")]
@@ -127,7 +129,7 @@ pub(super) fn evaluate<M: System>(
     x: &M::X,
     dx: &mut M::X,
 ) -> Health<M::S> {
-    if M::S::IS_RECORDED {
+    if M::S::AT_ONCE.has_rates() {
         let (rate, health) = system.compute::<OfState<1>>((t, M::S::ZERO), held, (x, x));
         *dx = rate;
         return health;
@@ -172,7 +174,7 @@ impl<M: System> Rates<M> for &mut Evaluated<'_, M> {
     #[allow(clippy::inline_always, reason = "as `Watched`")]
     #[inline(always)]
     fn pair(&mut self, t: [M::S; 2], x: [&M::X; 2], dx: &mut [M::X; 2], second: impl FnOnce(&M::X) -> M::X) {
-        if M::S::IS_RECORDED {
+        if M::S::AT_ONCE.has_rates() {
             let ([t, later], [x, _], [first, last]) = (t, x, dx);
             self.at(t, x, first);
             self.at(later, &second(first), last);

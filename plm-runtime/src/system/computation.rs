@@ -9,10 +9,11 @@ pub trait Computation {
     /// The vectors.
     type Made<X: Copy + Debug>: Copy + Debug;
 
-    /// Other vectors.
+    /// Other vectors, each written over a `blank` one: large ones are not moved.
     fn map<X: Copy + Debug, Y: Copy + Debug>(
         made: &Self::Made<X>,
-        each: impl FnMut(&X) -> Y,
+        blank: Y,
+        each: impl FnMut(&X, &mut Y),
     ) -> Self::Made<Y>;
 
     /// How many of them, the first ones, have derivatives where numbers are recorded; the others are values.

@@ -5,7 +5,7 @@ use plm_math::exact::Split;
 use super::Traced;
 use super::operation::make;
 use crate::scalar::chain_rule::by_chain_rule;
-use crate::scalar::{Operation, Real, Scalar};
+use crate::scalar::{AtOnce, Operation, Real, Scalar};
 
 impl<S: Real> Scalar for Traced<'_, S> {
     type Mask = bool;
@@ -16,7 +16,7 @@ impl<S: Real> Scalar for Traced<'_, S> {
     const AGREEMENT: f64 = S::AGREEMENT;
     const PRECISION: f64 = S::PRECISION;
     const HAS_DERIVATIVES: bool = true;
-    const IS_RECORDED: bool = true;
+    const AT_ONCE: AtOnce = AtOnce::Rates;
 
     by_chain_rule!(chain);
 

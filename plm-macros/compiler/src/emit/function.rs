@@ -38,13 +38,15 @@ pub(super) fn body(
     arguments: &[&str],
     (function, origin): (&Function, Origin),
 ) -> (TokenStream, TokenStream) {
-    let reserved = [arguments, &["lit"]].concat();
+    let reserved = [arguments, &["lit", "by"]].concat();
     let direct: Option<Vec<Expr>> = match origin {
         Origin::Rate(chart) => Some(direct_angles(chart).map(|(_, angle)| angle).collect_vec()),
         _ => None,
     };
     let (direct, rerolled) = (direct.as_deref(), emission.rerolled);
-    let around = lower::Around { reserved: &reserved, by_reference: true, scalar: "S", direct, rerolled };
+    let constants = lower::Constants::Factors;
+    let around =
+        lower::Around { reserved: &reserved, by_reference: true, scalar: "S", constants, direct, rerolled };
     let (body, count) = lower::statements(function, &emission.bindings(origin), &around);
     let count = if count.total() > 0 { format!("\n\n{count}.") } else { String::new() };
     (docs::docs(emission, &format!("{docs}{count}")), emission.text(body))

@@ -106,7 +106,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
     ) -> Result<Trial<M::X>, Fault> {
         let (t, x) = (context.time, context.x);
         if !self.was_unhealthy {
-            let (end, worst) = if M::S::IS_RECORDED {
+            let (end, worst) = if M::S::AT_ONCE.has_steps() {
                 Self::computed::<true>((context, t, &x), rate, h, k)
             } else {
                 let mut rates = Evaluated::new(context.system, &context.held);
@@ -131,7 +131,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         k: &mut P::Stages<M::X>,
     ) -> Result<Trial<M::X>, Fault> {
         let (t, x, mut first) = (context.time, context.x, *rate);
-        if M::S::IS_RECORDED {
+        if M::S::AT_ONCE.has_steps() {
             context.rate(t, &x, &mut first)?;
         }
         let (before, mut outcome) = (context.stats.by_rank, Ok(()));

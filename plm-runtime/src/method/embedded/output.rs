@@ -12,7 +12,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
     /// The last step as the search for events sees it: of recorded numbers by values, unless all of it has derivatives.
     fn seen(&self) -> Option<Span<M::S, M::X>> {
         self.span.map(|span| match self.known {
-            Known::Values if M::S::IS_RECORDED => span.values(),
+            Known::Values if M::S::AT_ONCE.has_steps() => span.values(),
             _ => span,
         })
     }
@@ -40,7 +40,7 @@ impl<M: System<S: Real> + Copy, P: Pair> DenseOutput<M> for Embedded<M, P> {
 
     fn derive(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         if let (true, Known::Values, Some(step), Some(mut k)) =
-            (M::S::IS_RECORDED, self.known, self.span, self.stages)
+            (M::S::AT_ONCE.has_steps(), self.known, self.span, self.stages)
         {
             // A step by rank has them.
             if !self.was_unhealthy {

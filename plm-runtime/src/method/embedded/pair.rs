@@ -28,11 +28,12 @@ pub trait Pair: Copy + Debug {
     /// How many stages are kept.
     const KEPT: usize;
 
-    /// Stages in other states.
+    /// Writes stages in other states.
     fn map<X: Copy + Debug, Y: Copy + Debug>(
         k: &Self::Stages<X>,
-        each: impl FnMut(&X) -> Y,
-    ) -> Self::Stages<Y>;
+        to: &mut Self::Stages<Y>,
+        each: impl FnMut(&X, &mut Y),
+    );
 
     /// Stages to write to.
     fn blank<X: Copy + Debug>(x: X) -> Self::Stages<X>;

@@ -26,9 +26,13 @@ impl<P: Pair, const VALUES: bool> Computation for OfPair<P, VALUES> {
     #[inline]
     fn map<X: Copy + Debug, Y: Copy + Debug>(
         (end, stages): &(X, P::Stages<X>),
-        mut each: impl FnMut(&X) -> Y,
+        blank: Y,
+        mut each: impl FnMut(&X, &mut Y),
     ) -> (Y, P::Stages<Y>) {
-        (each(end), P::map(stages, each))
+        let mut all = (blank, P::blank(blank));
+        each(end, &mut all.0);
+        P::map(stages, &mut all.1, each);
+        all
     }
 
     #[allow(clippy::inline_always, reason = "as the stages")]

@@ -71,9 +71,12 @@ macro_rules! pair {
             #[inline]
             fn map<X: Copy + core::fmt::Debug, Y: Copy + core::fmt::Debug>(
                 k: &[X; $kept_count],
-                each: impl FnMut(&X) -> Y,
-            ) -> [Y; $kept_count] {
-                k.each_ref().map(each)
+                to: &mut [Y; $kept_count],
+                mut each: impl FnMut(&X, &mut Y),
+            ) {
+                for (k, to) in k.iter().zip(to) {
+                    each(k, to);
+                }
             }
 
             fn blank<X: Copy + core::fmt::Debug>(x: X) -> [X; $kept_count] {

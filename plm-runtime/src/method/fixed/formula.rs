@@ -94,7 +94,7 @@ pub(super) fn formula<F: Formula, M: System<S: Real>>(
     {
         return (whole.health, whole.spread <= M::S::ZERO);
     }
-    if M::S::IS_RECORDED {
+    if M::S::AT_ONCE.has_steps() {
         return recorded::step::<F, M>((system, u), (t, h), x);
     }
     evaluated::<F, M, _>((system, u), (t, h), x, |x, stages| are_near::<F, M>(system, h, x, stages))

@@ -21,9 +21,13 @@ impl<F: Formula> Computation for OfFormula<F> {
     #[inline]
     fn map<X: Copy + Debug, Y: Copy + Debug>(
         (end, spread): &(X, X),
-        mut each: impl FnMut(&X) -> Y,
+        blank: Y,
+        mut each: impl FnMut(&X, &mut Y),
     ) -> (Y, Y) {
-        (each(end), each(spread))
+        let mut all = (blank, blank);
+        each(end, &mut all.0);
+        each(spread, &mut all.1);
+        all
     }
 
     #[allow(clippy::inline_always, reason = "as the formula")]

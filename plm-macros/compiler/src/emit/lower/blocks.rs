@@ -36,7 +36,7 @@ pub(super) fn body(lines: &Lines, indent: usize) -> String {
     text
 }
 
-/// [`body`] with `lit` in front if it holds constants. What is read of arrays stands at the top of what can be seen at once;
+/// [`body`] with `lit` and `by` in front if it holds constants. What is read of arrays stands at the top of what can be seen at once;
 /// in longer code where it is used first, which is near, and takes fewer registers.
 pub(super) fn with_literals(mut lines: Lines, around: &Around) -> String {
     let mut text = String::new();
@@ -58,10 +58,20 @@ pub(super) fn with_literals(mut lines: Lines, around: &Around) -> String {
         line(&mut arrays, 0, &format!("let mut {name} = [lit(0.0); {length}];"));
     }
     let body = arrays + &body(&lines, 0);
-    if body.contains("lit(") {
+    if calls(&body, "lit") {
         line(&mut text, 0, &format!("let lit = {}::lit;", around.scalar));
     }
+    if calls(&body, "by") {
+        line(&mut text, 0, "let by = rt::Factor;");
+    }
     text + &body
+}
+
+/// Does a text call the function of this name?
+fn calls(text: &str, name: &str) -> bool {
+    let is_whole =
+        |at: usize| !text[..at].ends_with(|last: char| last.is_alphanumeric() || "_.:".contains(last));
+    text.match_indices(&format!("{name}(")).any(|(at, _)| is_whole(at))
 }
 
 /// `let [arm_x, _, arm_angle, ..] = *q;`, or a line for each where few of many are read.

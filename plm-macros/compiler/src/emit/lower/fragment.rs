@@ -31,6 +31,14 @@ impl Fragment {
         Fragment { text, strength: 4, terms: 1, reads: Vec::new() }
     }
 
+    /// A constant as a factor, `by(2.0)`; all else as it is.
+    pub(super) fn as_factor(&self) -> Fragment {
+        match self.text.strip_prefix("lit(").and_then(|rest| rest.strip_suffix(')')) {
+            Some(value) if !value.contains(')') => Fragment { text: format!("by({value})"), ..self.clone() },
+            _ => self.clone(),
+        }
+    }
+
     /// In brackets, unless it binds at least this strongly.
     pub(super) fn within(&self, strength: u8) -> String {
         if self.strength >= strength { self.text.clone() } else { format!("({})", self.text) }

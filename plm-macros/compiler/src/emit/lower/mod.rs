@@ -30,6 +30,15 @@ pub(crate) const MOST_TERMS: usize = 8;
 /// Source text of every symbol that a function may read, e.g. `x[2]`, `self.damping`.
 pub(super) type Bindings = SortedMap<Expr, String>;
 
+/// How constants that multiply or are divided are written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Constants {
+    /// As every constant, `lit(2.0)`: a number of the scalar.
+    Numbers,
+    /// As `by(2.0)`: of numbers with derivatives each takes one product then.
+    Factors,
+}
+
 /// Surroundings of the statements of a function.
 pub(super) struct Around<'a> {
     /// The names of its arguments.
@@ -38,6 +47,7 @@ pub(super) struct Around<'a> {
     pub(super) by_reference: bool,
     /// The type of the numbers.
     pub(super) scalar: &'a str,
+    pub(super) constants: Constants,
     /// Where it has an argument `DIRECT`: angles that this tells of, whether their sines and cosines need no branch.
     pub(super) direct: Option<&'a [Expr]>,
     /// Is what repeats itself written as loops?
@@ -59,8 +69,14 @@ pub(super) fn inline(expr: Expr, bindings: &Bindings) -> String {
     }
     let function = Function::of_results(vec![(Place::Value, expr)]);
     let reserved: Vec<&str> = bindings.values().map(String::as_str).chain(["lit"]).collect_vec();
-    let around =
-        Around { reserved: &reserved, by_reference: true, scalar: "S", direct: None, rerolled: false };
+    let around = Around {
+        reserved: &reserved,
+        by_reference: true,
+        scalar: "S",
+        constants: Constants::Numbers,
+        direct: None,
+        rerolled: false,
+    };
     let lines = lower(&function, bindings, &around);
     match (&lines.value, lines.statements.is_empty()) {
         (Some((value, _)), true) => value.clone(),
@@ -99,6 +115,7 @@ struct Lowering<'a> {
     tape: &'a Tape,
     bindings: &'a Bindings,
     scalar: &'a str,
+    constants: Constants,
     /// Angles that `DIRECT` tells of.
     direct: Option<&'a [Expr]>,
     names: Names,
@@ -125,7 +142,7 @@ struct Lowering<'a> {
 
 impl<'a> Lowering<'a> {
     fn new(tape: &'a Tape, results: &[usize], bindings: &'a Bindings, around: &Around<'a>) -> Self {
-        let &Around { reserved, direct, scalar, .. } = around;
+        let &Around { reserved, direct, scalar, constants, .. } = around;
         let known = SortedMap::new();
         let uses = uses(tape, results, &known);
         let groups = angle_groups(tape, &uses);
@@ -149,6 +166,7 @@ impl<'a> Lowering<'a> {
             tape,
             bindings,
             scalar,
+            constants,
             direct,
             names,
             uses,
@@ -266,17 +284,17 @@ impl<'a> Lowering<'a> {
                 Fragment::atom(self.bindings.get(&symbol).cloned().unwrap_or_else(|| "()".to_owned()))
             }
             Op::Add(a, b) => match (self.product(a), self.product(b)) {
-                (_, Some([x, y])) => at(x).called("mul_add", &[at(y), at(a)]),
-                (Some([x, y]), None) => at(x).called("mul_add", &[at(y), at(b)]),
+                (_, Some([x, y])) => self.factor(at(x)).called("mul_add", &[at(y), at(a)]),
+                (Some([x, y]), None) => self.factor(at(x)).called("mul_add", &[at(y), at(b)]),
                 (None, None) => at(a).joined(" + ", at(b), 1),
             },
             Op::Sub(a, b) => match (self.product(a), self.product(b)) {
-                (_, Some([x, y])) => self.negative(x).called("mul_add", &[at(y), at(a)]),
-                (Some([x, y]), None) => at(x).called("mul_add", &[at(y), &self.negative(b)]),
+                (_, Some([x, y])) => self.factor(&self.negative(x)).called("mul_add", &[at(y), at(a)]),
+                (Some([x, y]), None) => self.factor(at(x)).called("mul_add", &[at(y), &self.negative(b)]),
                 (None, None) => at(a).joined(" - ", at(b), 1),
             },
-            Op::Mul(a, b) => at(a).joined(" * ", at(b), 2),
-            Op::Div(a, b) => at(a).joined(" / ", at(b), 2),
+            Op::Mul(a, b) => self.factor(at(a)).joined(" * ", at(b), 2),
+            Op::Div(a, b) => self.factor(at(a)).joined(" / ", at(b), 2),
             Op::Neg(a) => self.negative(a),
             Op::Sqrt(a) => match self.above_zero(a) {
                 Some(a) => at(a).called("root_by::<DIRECT>", &[]),
@@ -298,6 +316,14 @@ impl<'a> Lowering<'a> {
             Op::Select(c, a, b) => {
                 Fragment::call(&format!("{}::select", self.scalar), &[at(c), at(a), at(b)])
             }
+        }
+    }
+
+    /// The text of an operand that multiplies or is divided.
+    fn factor(&self, operand: &Fragment) -> Fragment {
+        match self.constants {
+            Constants::Numbers => operand.clone(),
+            Constants::Factors => operand.as_factor(),
         }
     }
 
