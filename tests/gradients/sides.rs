@@ -181,11 +181,11 @@ fn of_a_friction_at_its_limit_there_is_none_to_both_sides() {
         Ok::<_, Fault>(sim.block().x.tangents[0])
     };
     let fault = started(30.0, By::Parameter("push")).unwrap_err();
-    assert_eq!((fault.cause.clone(), fault.part), (Cause::AtLimit, "slip"));
+    assert_eq!((fault.cause, fault.part), (Cause::AtLimit, "slip"));
     assert!(fault.to_string().contains("at its limit"), "{fault}");
     // Recorded as well, where it may depend on what the run is derived by.
     let recorded = |by| {
-        let (mut terms, by) = ([Term::EMPTY; 10_000], [by]);
+        let (mut terms, by) = (vec![Term::EMPTY; 10_000], [by]);
         let trace = Trace::new(&mut terms, 1);
         with_trace(&Pushed::new(), &by, &trace).unwrap().start().map(|_| ()).map_err(|fault| fault.cause)
     };
