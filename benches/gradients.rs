@@ -1,5 +1,6 @@
 //! Runs with derivatives beside runs without: time of each, and what one and eight directions cost; backward, by eight variables, with a
-//! trace that holds the whole run, and with one that holds a few steps.
+//! trace that holds the whole run, and with one that holds a few steps. Scenes are derived by start values, on which a step depends through
+//! its state alone, and one by eight parameters.
 //!
 //! ```text
 //! cargo bench --bench gradients
@@ -35,6 +36,29 @@ plm::mechanism! {
     }
 }
 
+plm::mechanism! {
+    /// A double pendulum with eight parameters.
+    pub Parametric {
+        param m1: kg = 1 kg;
+        param m2: kg = 1 kg;
+        param l1: m = 1 m;
+        param l2: m = 1 m;
+        param i1: kg*m^2 = 0.1 kg*m^2;
+        param i2: kg*m^2 = 0.1 kg*m^2;
+        param a1: rad = 1 rad;
+        param a2: rad = 1.2 rad;
+        gravity: 9.81 m/s^2;
+        ground { port o: (0, 0) m; }
+        body one {
+            mass: m1; inertia: i1; port a: (0 m, 0.5*l1); port b: (0 m, -0.5*l1);
+            start angle: a1, locked;
+        }
+        body two { mass: m2; inertia: i2; port a: (0 m, 0.5*l2); start angle: a2, locked; }
+        revolute shoulder(ground.o, one.a);
+        revolute elbow(one.b, two.a);
+    }
+}
+
 /// Times that every run is made, in turn, so that all see the same machine.
 const ROUNDS: u32 = 30;
 
@@ -54,7 +78,7 @@ struct Store {
 macro_rules! runs {
     ($name:literal, $mechanism:expr, $until:literal, $by:expr, $method:ident, $setting:literal, $parts:literal) => {{
         let mechanism = $mechanism;
-        let by: [By<'_>; 8] = $by.map(By::Start);
+        let by: [By<'_>; 8] = $by;
         let mut best = [f64::INFINITY; 5];
         let mut stores = [WHOLE, $parts]
             .map(|count| Store { terms: vec![Term::EMPTY; count], adjoints: vec![[0.0]; count] });
@@ -138,15 +162,17 @@ fn time(run: impl FnOnce()) -> f64 {
 
 fn main() {
     println!("{:<10} {:>9} {:>6} {:>6} {:>6} {:>6}", "scene", "run, us", "one", "eight", "whole", "parts");
-    let of_two = |a, b| [a, b, a, b, a, b, a, b];
+    let of_two = |a, b| [a, b, a, b, a, b, a, b].map(By::Start);
     runs!("S1", s1::DoublePendulum::new(), 2.0, of_two("arm.angle", "arm.omega"), Dop853, 1e-9, 2_000);
     runs!("S2", s2::FourBar::new(), 2.0, of_two("crank.angle", "crank.omega"), Dop853, 1e-9, 8_000);
     runs!("S6", s6::SliderCrank::new(), 2.0, of_two("crank.angle", "crank.omega"), Dop853, 1e-9, 8_000);
     runs!("knocker", Knocker::new(), 4.0, of_two("arm.angle", "arm.omega"), Dop853, 1e-9, 8_000);
     runs!("chain 16", Chain16::new(), 1.0, of_two("bar[0].angle", "bar[0].omega"), Dop853, 1e-9, 100_000);
+    let eight = ["m1", "m2", "l1", "l2", "i1", "i2", "a1", "a2"].map(By::Parameter);
+    runs!("parameters", Parametric::new(), 2.0, eight, Dop853, 1e-9, 8_000);
     println!("by Rk4 with 1 ms");
     runs!("S1", s1::DoublePendulum::new(), 2.0, of_two("arm.angle", "arm.omega"), Rk4, 1e-3, 2_000);
     runs!("S2", s2::FourBar::new(), 2.0, of_two("crank.angle", "crank.omega"), Rk4, 1e-3, 8_000);
     runs!("S6", s6::SliderCrank::new(), 2.0, of_two("crank.angle", "crank.omega"), Rk4, 1e-3, 8_000);
-    runs!("knocker", Knocker::new(), 4.0, of_two("arm.angle", "arm.omega"), Rk4, 1e-3, 8_000);
+    runs!("knocker", Knocker::new(), 4.0, of_two("arm.angle", "arm.omega"), Rk4, 1e-3, 16_000);
 }

@@ -123,10 +123,10 @@ pub(crate) fn same_bits<M: Described<S = f64>, I: Method<M>>(
     by: (I, &str),
     intervals: Intervals,
 ) {
-    match beside(mechanism, by, intervals) {
-        Ok(course) => assert!(!course.moments.is_empty(), "{:?}", course.fault),
-        Err(difference) => panic!("{difference}"),
-    }
+    let found = beside(mechanism, by, intervals);
+    let has_begun = found.as_ref().is_ok_and(|course| !course.moments.is_empty());
+    let why = || found.map_or_else(|difference| difference, |course| format!("{:?}", course.fault));
+    assert!(has_begun, "{}", why());
 }
 
 /// Compares runs of mechanisms with their declared values by `Dop853` over an interval, s, in four parts. Each has the stack of a

@@ -11,7 +11,7 @@ use crate::dual::Dual;
 use crate::scalar::{Operation, Real};
 
 /// Directions in which all derivatives cost less than the record of single operations.
-const MOST: usize = 8;
+const MOST: usize = 12;
 
 /// Arguments that depend on variables, in their order.
 struct Active<'t, S> {
@@ -99,6 +99,7 @@ pub(super) fn make<'t, S: Real, O: Operation<Traced<'t, S>>>(operation: O) -> O:
     match count {
         0..=2 => active.derive::<O, 2>(operation, trace),
         3..=4 => active.derive::<O, 4>(operation, trace),
-        _ => active.derive::<O, 8>(operation, trace),
+        5..=8 => active.derive::<O, 8>(operation, trace),
+        _ => active.derive::<O, MOST>(operation, trace),
     }
 }
