@@ -4,9 +4,10 @@ use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::thread;
 
-use plm_compiler::lowered::{Operation, Register, Routine, Step, Target};
+use plm_compiler::lowered::{Register, Routine, Step, Target};
 use plm_runtime::Scalar;
 
+use crate::evaluation::{evaluate, factors};
 use crate::native::{Element, Function, Input, MachineCode, Tier, Translator};
 use crate::places::{Argument, Array, List, Place, Room, in_state, of_scalar};
 use crate::recorded::{Recorded, repeat};
@@ -15,6 +16,8 @@ use crate::recorded::{Recorded, repeat};
 #[derive(Debug)]
 pub(crate) struct Code {
     steps: &'static [Step],
+    /// The constant that a step multiplies or divides, if it does one.
+    factors: Vec<Option<f64>>,
     registers: usize,
     arguments: Vec<Argument>,
     /// Results that are elements of the outputs.
@@ -53,6 +56,7 @@ impl Code {
             routine.sources.iter().map(|source| Argument::of(source, room)).collect();
         let mut code = Code {
             steps: &routine.steps,
+            factors: factors(&routine.steps),
             registers: routine.registers,
             inputs: Inputs::new(&arguments),
             arguments,
@@ -94,6 +98,7 @@ impl Code {
         returned: Register,
     ) -> Code {
         Code {
+            factors: factors(&steps),
             steps: Vec::leak(steps),
             registers,
             inputs: Inputs::new(&arguments),
@@ -158,8 +163,8 @@ impl Code {
         mut other: impl FnMut(Place, S),
     ) -> Option<S> {
         with_room(self.registers, |registers| {
-            for step in self.steps {
-                evaluate(step, registers, |k| {
+            for (step, factor) in self.steps.iter().zip(&self.factors) {
+                evaluate((step, *factor), registers, |k| {
                     self.arguments.get(k).map_or(S::ZERO, |place| argument(*place))
                 });
             }
@@ -332,42 +337,4 @@ pub(crate) fn with_room<S: Scalar, R>(count: usize, work: impl FnOnce(&mut [S]) 
     } else {
         work(&mut vec![S::ZERO; count])
     }
-}
-
-/// One step.
-fn evaluate<S: Scalar>(step: &Step, registers: &mut [S], argument: impl Fn(usize) -> S) {
-    use Operation as O;
-    let at = |register: u32| registers[register as usize];
-    let value = match step.operation {
-        O::Number(value) => S::lit(value),
-        O::Argument(k) => argument(k as usize),
-        O::Add(a, b) => at(a) + at(b),
-        O::Sub(a, b) => at(a) - at(b),
-        O::Mul(a, b) => at(a) * at(b),
-        O::Div(a, b) => at(a) / at(b),
-        O::Neg(a) => -at(a),
-        O::MulAdd(a, b, c) => at(a).mul_add(at(b), at(c)),
-        O::NegMulAdd(a, b, c) => (-at(a)).mul_add(at(b), at(c)),
-        O::MulSub(a, b, c) => at(a).mul_add(at(b), -at(c)),
-        O::Sqrt(a) => at(a).sqrt(),
-        O::SinCos(a, cosine) => {
-            let (sin, cos) = at(a).sin_cos();
-            registers[cosine as usize] = cos;
-            sin
-        }
-        O::Sin(a) => at(a).sin(),
-        O::Cos(a) => at(a).cos(),
-        O::Asin(a) => at(a).asin(),
-        O::Acos(a) => at(a).acos(),
-        O::Atan2(y, x) => at(y).atan2(at(x)),
-        O::Exp(a) => at(a).exp(),
-        O::Ln(a) => at(a).ln(),
-        O::Abs(a) => at(a).abs(),
-        O::Sign(a) => at(a).signum0(),
-        O::Floor(a) => at(a).floor(),
-        O::Min(a, b) => at(a).min(at(b)),
-        O::Max(a, b) => at(a).max(at(b)),
-        O::Select(a, b, c, d) => S::select(at(a).lt(at(b)), at(c), at(d)),
-    };
-    registers[step.to as usize] = value;
 }

@@ -10,6 +10,7 @@ mod code;
 mod column;
 mod contact;
 mod description;
+mod evaluation;
 mod gradient;
 mod handle;
 mod kept;

@@ -13,7 +13,7 @@ use super::events::{Thrown, Yard, bounced, stuck};
 use super::loops::{FourBar, rocker};
 
 /// Values and gradients of results of a run, with memory for so many saved states; a row of each result.
-fn gradient<'t, P: Copy, const R: usize>(
+pub(super) fn gradient<'t, P: Copy, const R: usize>(
     trace: &'t Trace<'t>,
     saved: usize,
     start: P,

@@ -4,9 +4,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use plm::runtime::Seen;
 use plm::runtime::gradient::set_input;
-use plm::{By, Dop853, Dual, Rk4, Sim, mechanism, with_derivatives};
+use plm::{By, Dop853, Dual, Rk4, Sim, Term, Trace, mechanism, with_derivatives, with_trace};
 
-use super::adjoint::Cart;
+use super::adjoint::{Cart, gradient};
 
 mechanism! {
     part spring_to_origin(on: body) {
@@ -107,4 +107,27 @@ fn by_an_input_that_begins_later() {
     for (k, found) in sim.cart().x.tangents.into_iter().enumerate() {
         assert!((found - k as f64 * by_push).abs() < 1e-10, "{k}: {found}");
     }
+}
+
+/// What is named twice has its derivatives in both directions, forward and backward.
+#[test]
+fn of_names_that_stand_twice() {
+    let by =
+        [By::Parameter("stiffness"), By::Start("ball.x"), By::Parameter("stiffness"), By::Start("ball.x")];
+    let mut sim = with_derivatives(&Ball::new(), by).unwrap().start_with(Dop853::new(1e-12.into())).unwrap();
+    sim.step_to(0.4.into()).unwrap();
+    let [by_stiffness, by_start, again, start_again] = sim.ball().x.tangents;
+    // x = cos(sqrt(c) t) before the wall.
+    assert!(
+        (by_stiffness + 0.4 / 6.0 * f64::sin(1.2)).abs() < 1e-10 && (by_start - f64::cos(1.2)).abs() < 1e-10
+    );
+    assert_eq!([again, start_again], [by_stiffness, by_start]);
+
+    let mut terms = vec![Term::EMPTY; 100_000];
+    let trace = Trace::new(&mut terms, 4);
+    let start = with_trace(&Ball::new(), &by, &trace).unwrap().start_with(Dop853::new(1e-12.into())).unwrap();
+    let advance = |sim: &mut _| Sim::step_towards(sim, 0.4.into());
+    let (_, [backward]) = gradient(&trace, 1, start, advance, |sim| [sim.ball().x]).unwrap();
+    let forward = [by_stiffness, by_start, again, start_again];
+    assert!(backward.iter().zip(forward).all(|(a, b)| (a - b).abs() < 1e-12), "{backward:?} {forward:?}");
 }

@@ -40,6 +40,13 @@ fn of_a_cart_by_its_state_an_input_and_parameters() {
     }
     assert_eq!(names, ["rail.displacement", "rail.speed", "way"]);
     assert_eq!((jacobian.column(3), jacobian.column(6)), (Some(By::Input("push")), None));
+    // A name that stands twice has its derivatives twice.
+    let twice = [by[0], by[3], by[4], by[0], by[3], by[4]];
+    let twice = Jacobian::<Cart, 6>::of_step(sim.state(), 0.7, Dop853::new(1e-13.into()), twice).unwrap();
+    for (row, once) in twice.matrix::<3>().into_iter().zip(jacobian.matrix::<3>()) {
+        let expected = [once[0], once[3], once[4], once[0], once[3], once[4]];
+        assert!(row.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-13), "{row:?} {expected:?}");
+    }
     // Outputs have theirs as well.
     are_slopes(jacobian.moment().way().tangents, |p| pushed(p, 0.7)[2], at, 1e-10);
 }

@@ -12,6 +12,7 @@ use crate::described::Described;
 use crate::dual::Dual;
 use crate::linear::Linear;
 use crate::one_sided::{OneSided, Side};
+use crate::scalar::Scalar;
 use crate::start::{StartValues, follow};
 use crate::statics::Statics;
 use crate::trace::{Trace, Traced};
@@ -136,7 +137,8 @@ fn vary<'a, M: Described + Statics>(
     vary_parameters(own, by, &variable)?;
     let after = own.declared_starts();
     follow(own.starts_mut(), before, after);
-    for (index, by) in by.iter().enumerate() {
+    let all = by;
+    for (index, by) in all.iter().enumerate() {
         let name = match *by {
             By::Parameter(_) => continue,
             By::Start(name) => name,
@@ -146,7 +148,7 @@ fn vary<'a, M: Described + Statics>(
         let mut found = false;
         own.starts_mut().each(&mut |known, start| {
             if known == name {
-                start.value = variable(start.value, index);
+                start.value = varied(start.value, all, index, &variable);
                 found = true;
             }
         });
@@ -157,17 +159,23 @@ fn vary<'a, M: Described + Statics>(
     Ok(())
 }
 
+/// A number as the variable with this index. What `by` has twice goes along both.
+fn varied<S: Scalar>(number: S, by: &[By<'_>], index: usize, variable: impl Fn(S, usize) -> S) -> S {
+    let is_again = by.iter().take(index).any(|before| by.get(index) == Some(before));
+    if is_again { number + variable(S::ZERO, index) } else { variable(number, index) }
+}
+
 /// The same of parameters alone.
 fn vary_parameters<'a, M: Described>(
     own: &mut M,
     by: &[By<'a>],
     variable: impl Fn(M::S, usize) -> M::S,
 ) -> Result<(), Unknown<'a>> {
-    for (index, by) in by.iter().enumerate() {
-        let By::Parameter(name) = *by else { continue };
+    for (index, of) in by.iter().enumerate() {
+        let By::Parameter(name) = *of else { continue };
         let number = own.tables().parameters.iter().position(|parameter| parameter.name == name);
-        let place = number.and_then(|number| own.parameter_mut(number)).ok_or(Unknown(*by))?;
-        *place = variable(*place, index);
+        let place = number.and_then(|number| own.parameter_mut(number)).ok_or(Unknown(*of))?;
+        *place = varied(*place, by, index, &variable);
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::{By, Unknown, vary_parameters};
+use super::{By, Unknown, varied, vary_parameters};
 use crate::described::Described;
 use crate::dual::Dual;
 use crate::fault::Fault;
@@ -76,6 +76,7 @@ where
     let mut x = <M::Lifted<K> as Rate>::X::from_fn(|i| Dual::constant(state.x().at(i)));
     let variable = |number: Dual<M::S, K>, direction| Dual::variable(number.value, direction);
     vary_parameters(&mut lifted, &by, variable)?;
+    let own = |number, direction| varied(number, &by, direction, variable);
     for (direction, by) in by.into_iter().enumerate() {
         match by {
             By::Parameter(_) => {}
@@ -83,10 +84,10 @@ where
             By::State(name) => {
                 let is_it = |i: &usize| state.mechanism().name_in_chart(&state.held(), *i) == name;
                 let index = (0..M::X::LEN).find(is_it).ok_or(Unknown(by))?;
-                x.set(index, variable(x.at(index), direction));
+                x.set(index, own(x.at(index), direction));
             }
             By::Input(name) => {
-                put_input(&lifted, &mut held, name, |input| variable(input, direction)).ok_or(Unknown(by))?;
+                put_input(&lifted, &mut held, name, |input| own(input, direction)).ok_or(Unknown(by))?;
             }
         }
     }
