@@ -239,7 +239,7 @@ test("what was pulled and set of a live mechanism is undone", { skip: skipLive }
   await page.keyboard.press("Control+KeyZ");
   await settle(page);
   assert.equal(await setting(page, "parameter", 0), usual);
-  assert.equal(Number(await page.inputValue("#parameter-0")), 1000 * usual, "the field has it again");
+  await until(page, async () => Number(await page.inputValue("#parameter-0")) === 1000 * usual, "the field has it again");
   await pressKey(page, "Shift+O");
   await pressKey(page, "Shift+I");
   await settle(page);
