@@ -13,7 +13,7 @@ const TIME: f64 = 0.5;
 
 const PLM: &str = env!("CARGO_MANIFEST_DIR");
 
-/// What the programs have found: how many runs were compared, how many of them end with a fault, how many do not begin, and how many differ.
+/// Counts of runs: compared, and of these ended with a fault, not begun, different.
 pub type Found = [u64; 4];
 
 /// Builds the programs of numbered declarations, and runs them.

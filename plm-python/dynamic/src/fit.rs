@@ -1,4 +1,4 @@
-//! What an identification has found.
+//! Result of an identification.
 
 use plm_cli::{Found, with_values};
 use plm_dynamic::Dynamic;
@@ -44,7 +44,7 @@ impl<D: Integration<Small>> Motion for (Fitted<Small>, D) {
     }
 }
 
-/// What an identification has found.
+/// Result of an identification.
 #[pyclass(frozen)]
 pub(crate) struct Fit {
     shown: Shown,

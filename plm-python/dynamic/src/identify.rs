@@ -1,9 +1,8 @@
 //! Parameters and start values from measurements.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, mpsc};
 use std::thread;
-use std::time::Duration;
 
 use plm_cli::value;
 use plm_dynamic::{Integrator, Mechanism};
@@ -15,11 +14,9 @@ use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
 use crate::fit::{Fit, Shown, Small, failed};
+use crate::interrupt::next;
 use crate::text::{Text, unstarted};
 use crate::{By, Numbers};
-
-/// How often Ctrl+C is looked at.
-const ASKS: Duration = Duration::from_millis(50);
 
 /// An unknown as Python gives it, SI.
 #[derive(FromPyObject)]
@@ -163,17 +160,6 @@ fn on_a_thread<T: Send>(stop: &AtomicBool, search: impl FnOnce() -> T + Send) ->
     thread::scope(|scope| {
         let work = move || drop(sender.send(search()));
         thread::Builder::new().spawn_scoped(scope, work).map_err(|why| ended(why.to_string()))?;
-        let mut interrupt = Ok(());
-        loop {
-            match receiver.recv_timeout(ASKS) {
-                Ok(found) => return interrupt.map(|()| found),
-                Err(mpsc::RecvTimeoutError::Disconnected) => return Err(ended("it panicked".to_owned())),
-                Err(mpsc::RecvTimeoutError::Timeout) if interrupt.is_ok() => {
-                    interrupt = Python::attach(|py| py.check_signals());
-                    stop.store(interrupt.is_err(), Ordering::Relaxed);
-                }
-                Err(mpsc::RecvTimeoutError::Timeout) => {}
-            }
-        }
+        next(&receiver, stop)?.ok_or_else(|| ended("it panicked".to_owned()))
     })
 }

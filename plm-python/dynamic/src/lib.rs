@@ -5,6 +5,7 @@
 mod fit;
 mod gradient;
 mod identify;
+mod interrupt;
 mod library;
 mod page;
 mod rollouts;

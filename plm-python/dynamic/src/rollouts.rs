@@ -3,7 +3,6 @@
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
-use std::time::Duration;
 
 use plm_dynamic::{Error, Integrator};
 use plm_foreign::Kind;
@@ -13,6 +12,7 @@ use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyByteArray;
 
+use crate::interrupt::next;
 use crate::run::Own;
 use crate::text::{Text, unstarted};
 use crate::{By, bytes, error};
@@ -26,8 +26,6 @@ type Ended = Result<(Record, Result<(), Fault>), Error>;
 
 /// Stack of a thread: that of a mechanism of 64 bodies with contact.
 const STACK: usize = 16 << 20;
-/// How often Ctrl+C is looked at.
-const ASKS: Duration = Duration::from_millis(50);
 
 /// Everything that runs have in common, and what they differ by.
 struct Plan<'a> {
@@ -86,14 +84,14 @@ pub(crate) fn rollouts<'py>(
 
 /// All runs, in their order.
 fn all(plan: &Plan, count: usize, threads: usize) -> PyResult<Vec<Ended>> {
-    let (next, stop) = (AtomicUsize::new(0), AtomicBool::new(false));
+    let (due, stop) = (AtomicUsize::new(0), &AtomicBool::new(false));
     let (sender, receiver) = mpsc::channel();
     thread::scope(|scope| {
         for _ in 0..threads {
-            let (sender, next, stop) = (sender.clone(), &next, &stop);
+            let (sender, due) = (sender.clone(), &due);
             let work = move || {
                 while !stop.load(Ordering::Relaxed) {
-                    let number = next.fetch_add(1, Ordering::Relaxed);
+                    let number = due.fetch_add(1, Ordering::Relaxed);
                     if number >= count || sender.send((number, plan.run(number, stop))).is_err() {
                         break;
                     }
@@ -107,17 +105,8 @@ fn all(plan: &Plan, count: usize, threads: usize) -> PyResult<Vec<Ended>> {
         }
         drop(sender);
         let mut ended: Vec<Option<Ended>> = (0..count).map(|_| None).collect();
-        loop {
-            match receiver.recv_timeout(ASKS) {
-                Ok((number, run)) => ended[number] = Some(run),
-                Err(mpsc::RecvTimeoutError::Disconnected) => break,
-                Err(mpsc::RecvTimeoutError::Timeout) => {
-                    if let Err(interrupt) = Python::attach(|py| py.check_signals()) {
-                        stop.store(true, Ordering::Relaxed);
-                        return Err(interrupt);
-                    }
-                }
-            }
+        while let Some((number, run)) = next(&receiver, stop)? {
+            ended[number] = Some(run);
         }
         Ok(ended.into_iter().flatten().collect())
     })

@@ -1,10 +1,10 @@
-//! What events of contact rows did.
+//! Outcome of an event of contact rows.
 
 use super::impact::Doubts;
 use super::modes::{Mode, Modes};
 use crate::scalar::Scalar;
 
-/// What an event did.
+/// Outcome of an event: counts of what changed, and doubts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Outcome {
     /// Impacts.

@@ -114,21 +114,21 @@ impl fmt::Display for Cause {
     }
 }
 
-/// Why a run has no derivatives beyond an event.
+/// Why a run has no derivatives from here on.
 fn underivable(f: &mut fmt::Formatter<'_>, cause: &Cause) -> fmt::Result {
-    if *cause == Cause::AtLimit {
-        return f.write_str(
+    match cause {
+        Cause::AtLimit => f.write_str(
             "there are other derivatives to either side: it is at its limit, and what the run is derived by says whether it holds",
-        );
-    }
-    f.write_str("no derivatives go beyond this event: ")?;
-    if let Cause::AtOnce { other } = cause {
-        return write!(
+        ),
+        Cause::AtOnce { other } => write!(
             f,
-            "`{other}` happens at the same time, and what the run is derived by says which of the two is first"
-        );
+            "no derivatives go beyond this event: `{other}` happens at the same time, and what the run is derived by says which of the two \
+             is first"
+        ),
+        _ => f.write_str(
+            "no derivatives go beyond this event: the motion touches its boundary and does not cross it",
+        ),
     }
-    f.write_str("the motion touches its boundary and does not cross it")
 }
 
 /// How long an interval is that is none.

@@ -137,23 +137,22 @@ fn vary<'a, M: Described + Statics>(
     vary_parameters(own, by, &variable)?;
     let after = own.declared_starts();
     follow(own.starts_mut(), before, after);
-    let all = by;
-    for (index, by) in all.iter().enumerate() {
-        let name = match *by {
+    for (index, of) in by.iter().enumerate() {
+        let name = match *of {
             By::Parameter(_) => continue,
             By::Start(name) => name,
             By::Input(name) if own.input_names().iter().any(|(input, _)| *input == name) => continue,
-            By::State(_) | By::Input(_) => return Err(Unknown(*by)),
+            By::State(_) | By::Input(_) => return Err(Unknown(*of)),
         };
         let mut found = false;
         own.starts_mut().each(&mut |known, start| {
             if known == name {
-                start.value = varied(start.value, all, index, &variable);
+                start.value = varied(start.value, by, index, &variable);
                 found = true;
             }
         });
         if !found {
-            return Err(Unknown(*by));
+            return Err(Unknown(*of));
         }
     }
     Ok(())

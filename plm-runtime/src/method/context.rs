@@ -89,7 +89,7 @@ impl<'a, M: System> Context<'a, M> {
         self.watch(health, t, x, dx)
     }
 
-    /// The same of recorded numbers as values.
+    /// The same as values, where steps are made at once.
     pub(super) fn rate_value(&mut self, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
         if !M::S::AT_ONCE.has_steps() {
             return self.rate(t, x, dx);

@@ -68,8 +68,8 @@ pub trait DenseOutput<M: System> {
         Ok(())
     }
 
-    /// Gives what [`densify`](Self::densify) and [`interpolate`](Self::interpolate) read the derivatives of recorded numbers, where a step
-    /// keeps values alone: its record is the shorter.
+    /// Gives what [`densify`](Self::densify) and [`interpolate`](Self::interpolate) read the derivatives, where a step that was made at
+    /// once keeps values alone.
     ///
     /// # Errors
     /// When an evaluation fails.

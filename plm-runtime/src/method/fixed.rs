@@ -1,7 +1,7 @@
 //! What the fixed-step methods share: dividing an interval, health, drift.
 
+mod at_once;
 mod formula;
-mod recorded;
 mod whole;
 
 use core::marker::PhantomData;
@@ -18,7 +18,7 @@ use super::{
     rate,
 };
 use crate::fault::Fault;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Real;
 use crate::stats::Stats;
 use crate::system::{Drift, System};
 use crate::vector::Vector;
@@ -246,7 +246,7 @@ impl<M: System<S: Real>, F: Formula> FixedLength<M> for FixedStep<M::S, F> {
         to: &mut M::X,
     ) -> Option<FastStep<M::S>> {
         let h = Partition::one_step(t, end, self.longest_step).filter(|_| !self.was_unhealthy)?;
-        let (health, are_near) = if M::WHOLE || M::S::AT_ONCE.has_steps() {
+        let (health, are_near) = if M::WHOLE {
             let from = *to;
             formula::<F, M>((system, held), (t, h), (&from, to))
         } else {

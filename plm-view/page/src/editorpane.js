@@ -110,10 +110,6 @@ export class EditorPane {
   /** What is wrong with a text, which moves if nothing is. @param {Problem[]} problems @param {string} text */
   show(problems, text) {
     const errors = problems.filter(({ severity }) => severity === 1).length;
-    if (text === this.waiting) {
-      this.waiting = null;
-      if (errors === 0) void this.exchange.declare(text);
-    }
     this.editor.mark(problems);
     const warnings = problems.length - errors;
     const counted = (/** @type {number} */ count, /** @type {string} */ what) => (count === 0 ? [] : [`${count} ${what}${count === 1 ? "" : "s"}`]);
@@ -131,6 +127,10 @@ export class EditorPane {
         return item;
       }),
     );
+    if (text !== this.waiting) return;
+    this.waiting = null;
+    // What was told is drawn first.
+    if (errors === 0) setTimeout(() => void this.exchange.declare(text));
   }
 
   /** What mends it, as buttons. @param {Problem} problem @param {HTMLElement} item */

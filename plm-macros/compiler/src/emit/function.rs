@@ -44,9 +44,7 @@ pub(super) fn body(
         _ => None,
     };
     let (direct, rerolled) = (direct.as_deref(), emission.rerolled);
-    let constants = lower::Constants::Factors;
-    let around =
-        lower::Around { reserved: &reserved, by_reference: true, scalar: "S", constants, direct, rerolled };
+    let around = lower::Around { reserved: &reserved, by_reference: true, scalar: "S", direct, rerolled };
     let (body, count) = lower::statements(function, &emission.bindings(origin), &around);
     let count = if count.total() > 0 { format!("\n\n{count}.") } else { String::new() };
     (docs::docs(emission, &format!("{docs}{count}")), emission.text(body))

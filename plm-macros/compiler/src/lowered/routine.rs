@@ -2,7 +2,8 @@
 //!
 //! The steps are those of the emitted function: the operations of its tape in their order, with products fused into sums where the
 //! emitted text has `mul_add`. So `f64` and `f32` give the bits of compiled code; so do dual numbers, but where emitted text has loops or
-//! roots of differences that are never negative, which fuse otherwise in rare places.
+//! roots of differences that are never negative, which fuse otherwise in rare places, and if a constant that stands first in a product or a
+//! quotient is a factor, without derivatives.
 
 use plm_cas::{Expr, Op, Ref, Tape};
 

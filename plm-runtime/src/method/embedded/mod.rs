@@ -1,10 +1,10 @@
 //! Embedded pairs with step control, dense output, and projection where the constraints drift.
 
+mod at_once;
 mod control;
 mod dense;
 mod output;
 mod pair;
-mod recorded;
 mod stages;
 mod start;
 pub(super) mod tableau;
@@ -13,9 +13,9 @@ mod words;
 pub use self::pair::{Limits, Pair};
 pub(super) use self::stages::{Rows, stages};
 
+use self::at_once::Known;
 use self::control::Control;
 pub(super) use self::dense::Span;
-use self::recorded::Known;
 pub(super) use self::start::first_step;
 pub(super) use self::tableau::pair;
 use super::adaptive::{Steady, builders, ensure_moves, next_step, rate_here};

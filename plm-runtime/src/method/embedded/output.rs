@@ -1,6 +1,6 @@
 //! The dense output of the last step.
 
-use super::recorded::Known;
+use super::at_once::Known;
 use super::{Embedded, Pair, Span};
 use crate::fault::Fault;
 use crate::method::{Context, DenseOutput, Path};
@@ -9,7 +9,7 @@ use crate::system::System;
 use crate::vector::Vector;
 
 impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
-    /// The last step as the search for events sees it: of recorded numbers by values, unless all of it has derivatives.
+    /// The last step as the search for events sees it: of one that was made at once by values, unless all of it has derivatives.
     fn seen(&self) -> Option<Span<M::S, M::X>> {
         self.span.map(|span| match self.known {
             Known::Values if M::S::AT_ONCE.has_steps() => span.values(),

@@ -1,6 +1,6 @@
 //! Formulas of fixed-step methods: one step, whatever its numbers are.
 
-use super::recorded;
+use super::at_once;
 use crate::method::estimate::Estimate;
 use crate::method::length::{are_near, spread};
 use crate::method::{Evaluated, Rates, Watched};
@@ -95,7 +95,7 @@ pub(super) fn formula<F: Formula, M: System<S: Real>>(
         return (whole.health, whole.spread <= M::S::ZERO);
     }
     if M::S::AT_ONCE.has_steps() {
-        return recorded::step::<F, M>((system, u), (t, h), x);
+        return at_once::step::<F, M>((system, u), (t, h), x);
     }
     evaluated::<F, M, _>((system, u), (t, h), x, |x, stages| are_near::<F, M>(system, h, x, stages))
 }

@@ -8,7 +8,7 @@ use proc_macro2::TokenStream;
 use quote::format_ident;
 
 use super::super::bindings::Origin;
-use super::super::lower::{Around, Constants, Part, Parts, parts};
+use super::super::lower::{Around, Part, Parts, parts};
 use super::super::{Emission, Form, Sizes, number};
 use super::rate;
 use crate::formulate::{Chart, Function, Place};
@@ -46,14 +46,8 @@ fn of_rate(emission: &Emission) -> Option<Parts> {
     let bindings = emission.bindings(origin);
     let of_two = bindings.iter().map(|(&symbol, text)| (symbol, in_both(text))).collect();
     let reserved = ["t", "u", "m", "x", "dx", "shared", "lit", "by"];
-    let around = |scalar| Around {
-        reserved: &reserved,
-        by_reference: true,
-        scalar,
-        constants: Constants::Factors,
-        direct: None,
-        rerolled: false,
-    };
+    let around =
+        |scalar| Around { reserved: &reserved, by_reference: true, scalar, direct: None, rerolled: false };
     let parts =
         parts(&rate, (&moving, ".of::<SECOND>()"), (&of_two, &around("Two::<S>")), (&bindings, &around("S")));
     let pays = parts.still.count.total() > CALL + LEAST * parts.shared;

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
 use super::super::bindings::Origin;
-use super::super::lower::{Around, Bindings, Constants, statements};
+use super::super::lower::{Around, Bindings, statements};
 use super::super::{Emission, docs, indexed_accessors, number, table_compression};
 use super::state::unwrapped_pose;
 use crate::formulate::Function;
@@ -186,14 +186,7 @@ fn user_output(emission: &Emission, bindings: &Bindings, index: usize) -> TokenS
 fn body(emission: &Emission, bindings: &Bindings, function: &Function) -> TokenStream {
     let reserved = ["lit", "by", "value", "a", "lambda", "q", "v", "contact"];
     let rerolled = emission.rerolled;
-    let around = Around {
-        reserved: &reserved,
-        by_reference: false,
-        scalar: "S",
-        constants: Constants::Factors,
-        direct: None,
-        rerolled,
-    };
+    let around = Around { reserved: &reserved, by_reference: false, scalar: "S", direct: None, rerolled };
     let (text, _) = statements(function, bindings, &around);
     let solved = arrays(&text, ["a", "lambda"], "self.solved_()");
     let pose = arrays(&text, ["q", "v"], "self.pose_()");

@@ -7,6 +7,7 @@ use crate::collect::CollectVec;
 use crate::sorted::SortedMap;
 use plm_cas::{Count, Expr, Op, Ref, Tape};
 
+mod around;
 mod blocks;
 mod fragment;
 pub(crate) mod names;
@@ -15,6 +16,8 @@ mod rerolling;
 mod sines;
 mod statement;
 
+pub(super) use self::around::Around;
+use self::around::Constants;
 use self::fragment::{Fragment, literal};
 use self::names::Names;
 pub(super) use self::parts::{Part, Parts, parts};
@@ -30,34 +33,10 @@ pub(crate) const MOST_TERMS: usize = 8;
 /// Source text of every symbol that a function may read, e.g. `x[2]`, `self.damping`.
 pub(super) type Bindings = SortedMap<Expr, String>;
 
-/// How constants that multiply or are divided are written.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Constants {
-    /// As every constant, `lit(2.0)`: a number of the scalar.
-    Numbers,
-    /// As `by(2.0)`: of numbers with derivatives each takes one product then.
-    Factors,
-}
-
-/// Surroundings of the statements of a function.
-pub(super) struct Around<'a> {
-    /// The names of its arguments.
-    pub(super) reserved: &'a [&'a str],
-    /// Arrays among them are references, or values.
-    pub(super) by_reference: bool,
-    /// The type of the numbers.
-    pub(super) scalar: &'a str,
-    pub(super) constants: Constants,
-    /// Where it has an argument `DIRECT`: angles that this tells of, whether their sines and cosines need no branch.
-    pub(super) direct: Option<&'a [Expr]>,
-    /// Is what repeats itself written as loops?
-    pub(super) rerolled: bool,
-}
-
 /// The statements of a function and its operations.
 pub(super) fn statements(function: &Function, bindings: &Bindings, around: &Around) -> (String, Count) {
     let rerolled = around.rerolled.then(|| rerolling::lower(function, bindings, around)).flatten();
-    let lines = rerolled.unwrap_or_else(|| lower(function, bindings, around));
+    let lines = rerolled.unwrap_or_else(|| lower((function, Constants::Factors), bindings, around));
     let count = lines.count;
     (blocks::with_literals(lines, around), count)
 }
@@ -69,27 +48,21 @@ pub(super) fn inline(expr: Expr, bindings: &Bindings) -> String {
     }
     let function = Function::of_results(vec![(Place::Value, expr)]);
     let reserved: Vec<&str> = bindings.values().map(String::as_str).chain(["lit"]).collect_vec();
-    let around = Around {
-        reserved: &reserved,
-        by_reference: true,
-        scalar: "S",
-        constants: Constants::Numbers,
-        direct: None,
-        rerolled: false,
-    };
-    let lines = lower(&function, bindings, &around);
+    let around =
+        Around { reserved: &reserved, by_reference: true, scalar: "S", direct: None, rerolled: false };
+    let lines = lower((&function, Constants::Numbers), bindings, &around);
     match (&lines.value, lines.statements.is_empty()) {
         (Some((value, _)), true) => value.clone(),
         _ => format!("{{\n{}}}", blocks::body(&lines, 4)),
     }
 }
 
-/// Lowers a function.
-fn lower(function: &Function, bindings: &Bindings, around: &Around) -> Lines {
+/// Lowers a function, with its constants written so.
+fn lower((function, constants): (&Function, Constants), bindings: &Bindings, around: &Around) -> Lines {
     let tape = function.tape();
     let first_result = tape.outputs.len() - function.results.len();
     let results: Vec<usize> = tape.outputs[first_result..].iter().map(|result| result.index()).collect_vec();
-    let mut lowering = Lowering::new(&tape, &results, bindings, around);
+    let mut lowering = Lowering { constants, ..Lowering::new(&tape, &results, bindings, around) };
     let mut root = 0;
     let mut done = 0;
     for section in &function.sections {
@@ -142,7 +115,7 @@ struct Lowering<'a> {
 
 impl<'a> Lowering<'a> {
     fn new(tape: &'a Tape, results: &[usize], bindings: &'a Bindings, around: &Around<'a>) -> Self {
-        let &Around { reserved, direct, scalar, constants, .. } = around;
+        let &Around { reserved, direct, scalar, .. } = around;
         let known = SortedMap::new();
         let uses = uses(tape, results, &known);
         let groups = angle_groups(tape, &uses);
@@ -166,7 +139,7 @@ impl<'a> Lowering<'a> {
             tape,
             bindings,
             scalar,
-            constants,
+            constants: Constants::Factors,
             direct,
             names,
             uses,

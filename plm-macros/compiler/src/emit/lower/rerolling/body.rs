@@ -169,10 +169,8 @@ impl Writer<'_> {
         let now = carried.iter().filter(|((_, back), _)| *back == 1);
         let now = now.filter_map(|((offset, _), _)| pattern.values[*offset]);
         let results = pattern.stored.iter().map(|(_, value)| *value).chain(now).collect_vec();
-        let Lowering { scalar, constants, .. } = self.lowering;
-        let bindings = Bindings::new();
-        let around =
-            Around { reserved: &[], by_reference: true, scalar, constants, direct: None, rerolled: false };
+        let (scalar, bindings) = (self.lowering.scalar, Bindings::new());
+        let around = Around { reserved: &[], by_reference: true, scalar, direct: None, rerolled: false };
         let mut body = Lowering::new(&pattern.tape, &results, &bindings, &around);
         let named = pattern.named(&body.uses, &body.is_result);
         body.known_names = Some(&named);

@@ -1,4 +1,4 @@
-//! Steps on numbers that are recorded.
+//! Steps that are made at once.
 
 use core::fmt::Debug;
 use core::marker::PhantomData;
@@ -8,7 +8,7 @@ use crate::method::{Context, Evaluated};
 use crate::scalar::Real;
 use crate::system::{Computation, Health, System};
 
-/// What a dense output has of numbers that are recorded: most steps are asked for values alone.
+/// What a dense output has of such a step: most are asked for values alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Known {
     Values,
@@ -50,7 +50,7 @@ impl<P: Pair, const VALUES: bool> Computation for OfPair<P, VALUES> {
 }
 
 impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
-    /// The step as one computation, for numbers that are recorded. By itself: its copies of the stages would take room on every stack.
+    /// The step as one computation. By itself: its copies of the stages would take room on every stack.
     #[inline(never)]
     pub(super) fn computed<const VALUES: bool>(
         (context, time, x): (&Context<'_, M>, M::S, &M::X),

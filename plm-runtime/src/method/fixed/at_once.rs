@@ -1,4 +1,4 @@
-//! Steps of explicit formulas on numbers that are recorded: each is one computation.
+//! Steps of explicit formulas that are made at once: each is one computation.
 
 use core::fmt::Debug;
 use core::marker::PhantomData;

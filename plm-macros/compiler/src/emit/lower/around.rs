@@ -1,0 +1,26 @@
+//! Surroundings of statements.
+
+use plm_cas::Expr;
+
+/// Surroundings of the statements of a function.
+pub(in crate::emit) struct Around<'a> {
+    /// The names of its arguments.
+    pub(in crate::emit) reserved: &'a [&'a str],
+    /// Arrays among them are references, or values.
+    pub(in crate::emit) by_reference: bool,
+    /// The type of the numbers.
+    pub(in crate::emit) scalar: &'a str,
+    /// Where it has an argument `DIRECT`: angles that this tells of, whether their sines and cosines need no branch.
+    pub(in crate::emit) direct: Option<&'a [Expr]>,
+    /// Is what repeats itself written as loops?
+    pub(in crate::emit) rerolled: bool,
+}
+
+/// Form of constants that multiply or are divided.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Constants {
+    /// Numbers of the scalar, `lit(2.0)`, as all other constants.
+    Numbers,
+    /// Factors, `by(2.0)`: numbers with derivatives take one product of each.
+    Factors,
+}
