@@ -1,0 +1,124 @@
+//! Sweeps by name, and what their cases come to.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::ops::Range;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use crate::draw::Draw;
+use crate::resets;
+
+/// All sweeps.
+pub(crate) const SWEEPS: &[Sweep] =
+    &[Sweep { name: "resets", title: "states that a `when` sets", quick: 200, case: resets::case }];
+
+/// Random cases of one kind.
+pub(crate) struct Sweep {
+    pub(crate) name: &'static str,
+    pub(crate) title: &'static str,
+    /// As many cases as the tests run: some ten seconds.
+    pub(crate) quick: u64,
+    /// Draws a case, runs it, and compares it.
+    pub(crate) case: fn(&mut Draw) -> Case,
+}
+
+/// A case with what came of it.
+pub(crate) struct Case {
+    /// What distinguishes it from others of its sweep, for the table.
+    pub(crate) family: String,
+    /// The declaration, and all else that repeats it by hand.
+    pub(crate) text: String,
+    pub(crate) verdict: Verdict,
+}
+
+/// What the comparison says.
+pub(crate) enum Verdict {
+    /// Within so many times the bound; at most 1.
+    Right(f64),
+    /// The run stopped with a true cause.
+    Stopped(String),
+    /// Nothing that is independent says what is right.
+    Undecided(String),
+    Wrong(String),
+}
+
+/// The verdicts of many cases.
+pub(crate) struct Table {
+    /// Right, stopped, undecided, wrong, by family.
+    rows: BTreeMap<String, [u64; 4]>,
+    /// The number, the verdict and the text of those that are wrong; of all where there are few.
+    shown: Vec<(u64, Case)>,
+}
+
+impl Table {
+    /// Runs cases on all cores. The table does not depend on their number.
+    pub(crate) fn of(sweep: &Sweep, seed: u64, cases: Range<u64>) -> Self {
+        let next = AtomicU64::new(cases.start);
+        let done = Mutex::new(Vec::new());
+        let few = cases.end - cases.start == 1;
+        let threads = std::thread::available_parallelism().map_or(1, usize::from);
+        std::thread::scope(|scope| {
+            for _ in 0..threads {
+                scope.spawn(|| {
+                    while let Some(number) =
+                        Some(next.fetch_add(1, Ordering::Relaxed)).filter(|n| *n < cases.end)
+                    {
+                        let case = (sweep.case)(&mut Draw::new(seed, number));
+                        if let Ok(mut done) = done.lock() {
+                            done.push((number, case));
+                        }
+                    }
+                });
+            }
+        });
+        let mut done = done.into_inner().unwrap_or_default();
+        done.sort_by_key(|(number, _)| *number);
+        let mut rows: BTreeMap<String, [u64; 4]> = BTreeMap::new();
+        for (_, case) in &done {
+            rows.entry(case.family.clone()).or_default()[case.verdict.column()] += 1;
+        }
+        done.retain(|(_, case)| few || matches!(case.verdict, Verdict::Wrong(_)));
+        Self { rows, shown: done }
+    }
+
+    /// Is no case wrong?
+    pub(crate) fn holds(&self) -> bool {
+        self.rows.values().all(|[.., wrong]| *wrong == 0)
+    }
+
+    /// The table, above it the first cases that are wrong.
+    pub(crate) fn shown(&self, all: bool) -> String {
+        let mut lines: Vec<String> = Vec::new();
+        for (number, case) in self.shown.iter().take(if all { usize::MAX } else { 5 }) {
+            lines.push(format!("case {number}: {}\n{}", case.verdict, case.text));
+        }
+        lines.push(format!("{:32} {:>7} {:>7} {:>9} {:>7}", "", "right", "stopped", "undecided", "wrong"));
+        for (family, [right, stopped, undecided, wrong]) in &self.rows {
+            lines.push(format!("{family:32} {right:>7} {stopped:>7} {undecided:>9} {wrong:>7}"));
+        }
+        lines.join("\n")
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Right(share) => write!(f, "right, {share:.3} of the bound"),
+            Self::Stopped(why) => write!(f, "stopped: {why}"),
+            Self::Undecided(why) => write!(f, "undecided: {why}"),
+            Self::Wrong(why) => write!(f, "WRONG: {why}"),
+        }
+    }
+}
+
+impl Verdict {
+    fn column(&self) -> usize {
+        match self {
+            Self::Right(_) => 0,
+            Self::Stopped(_) => 1,
+            Self::Undecided(_) => 2,
+            Self::Wrong(_) => 3,
+        }
+    }
+}
