@@ -5,6 +5,8 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
+use crate::replace::replace_file;
+
 /// A file that could not be written: which one, and why.
 ///
 /// Its `Debug` reads like its `Display`, since a `main` that returns it shows that one.
@@ -39,7 +41,7 @@ impl std::error::Error for Error {
 }
 
 /// Writes `contents` to the file `path`, makes the folders above it where they are missing, and names the
-/// file in the error.
+/// file in the error. A file that is there stays as it was until the new one is whole.
 ///
 /// # Errors
 /// `contents`, or a file that cannot be written.
@@ -49,7 +51,7 @@ pub fn write_file(path: &Path, contents: io::Result<Vec<u8>>) -> Result<(), Erro
             if let Some(folder) = path.parent() {
                 fs::create_dir_all(folder)?;
             }
-            fs::write(path, bytes)
+            replace_file(path, &bytes)
         })
         .map_err(|source| Error { path: path.to_owned(), source })
 }

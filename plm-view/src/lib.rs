@@ -34,6 +34,7 @@ pub mod package;
 mod page;
 mod recorder;
 mod recording;
+mod replace;
 mod results;
 pub mod serve;
 #[doc(hidden)]
@@ -47,6 +48,7 @@ pub use page::{Page, playground_link};
 pub use plm_runtime::Operations;
 pub use recorder::Recorder;
 pub use recording::{About, Column, Event, Fault, Recording, Role, Row};
+pub use replace::replace_file;
 pub use results::{
     Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report, Results, Shape,
 };

@@ -10,6 +10,7 @@ use plm_compiler::span::Span;
 use plm_compiler::token::Sources;
 use plm_compiler::{Assembled, Oracle};
 use plm_import::{Exported, Place, PlaceOf};
+use plm_view::replace_file;
 
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
@@ -190,7 +191,7 @@ fn write(files: &[(PathBuf, &str)], overwrites: bool, streams: &mut Streams) -> 
     for (path, text) in files {
         let unwritten = |why: std::io::Error| format!("{}: {why}", path.display());
         fs::create_dir_all(path.parent().unwrap_or(Path::new(""))).map_err(unwritten)?;
-        fs::write(path, text).map_err(unwritten)?;
+        replace_file(path, text.as_bytes()).map_err(unwritten)?;
         writeln!(streams.output, "written: {}", path.display())?;
     }
     Ok(())

@@ -1,6 +1,8 @@
 //! `plm fmt`: declarations in their layout.
 
-use std::fs;
+use std::path::Path;
+
+use plm_view::replace_file;
 
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
@@ -41,7 +43,10 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
             Ok(made) if name == "-" => write!(streams.output, "{made}")?,
             // A file that is as it should be keeps its time.
             Ok(made) if made != file.text => {
-                fs::write(&name, made).map_err(|why| format!("{name}: {why}"))?;
+                if let Err(why) = replace_file(Path::new(&name), made.as_bytes()) {
+                    writeln!(streams.errors, "plm: {name}: {why}; it is as it was")?;
+                    outcome = Outcome::Failed;
+                }
             }
             Ok(_) => {}
         }

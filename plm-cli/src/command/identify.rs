@@ -1,7 +1,5 @@
 //! `plm identify`: parameters and start values of a declaration from measurements.
 
-use std::io::Write;
-
 use plm_dynamic::{Dynamic, Integrator, Mechanism};
 use plm_optimise::{ByDop853, ByRadau, Error, Fit, Identification, Integration};
 use plm_view::{Page, Recording, Results};
@@ -9,7 +7,7 @@ use plm_view::{Page, Recording, Results};
 mod asked;
 
 use self::asked::{Asked, Unknowns};
-use super::run::{file_to, refused, setting};
+use super::run::{refused, setting, write_whole};
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
 use crate::excerpt::is_rust;
@@ -155,8 +153,7 @@ fn declaration(
             file.name
         )?;
     }
-    file_to(path, streams.output)?.write_all(text.as_bytes())?;
-    Ok(())
+    write_whole(path, text.as_bytes(), streams.output)
 }
 
 /// Tells of a column that is none of the mechanism how it is left out.

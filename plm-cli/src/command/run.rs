@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use plm_compiler::bug_message;
 use plm_dynamic::{Error, Integrator, Mechanism, Refused, Run, Sample};
+use plm_view::svg::write_file;
 
 mod recording;
 
@@ -101,8 +102,16 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
     outcome.map_or_else(|error| refused(error.into(), streams), |()| Ok(Outcome::Good))
 }
 
-/// The file of this name, with the folders above it; `-` is the standard output.
-pub(super) fn file_to<'a>(name: &str, output: &'a mut dyn Write) -> Result<Box<dyn Write + 'a>, Failure> {
+/// Writes a file as a whole, with the folders above it, or leaves it as it was; `-` is the standard output.
+pub(super) fn write_whole(name: &str, contents: &[u8], output: &mut dyn Write) -> Result<(), Failure> {
+    if name == "-" {
+        return Ok(output.write_all(contents)?);
+    }
+    Ok(write_file(Path::new(name), Ok(contents.to_vec()))?)
+}
+
+/// The file of this name, with the folders above it, to which rows are written as they come; `-` is the standard output.
+fn file_to<'a>(name: &str, output: &'a mut dyn Write) -> Result<Box<dyn Write + 'a>, Failure> {
     if name == "-" {
         return Ok(Box::new(output));
     }

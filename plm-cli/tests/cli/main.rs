@@ -5,6 +5,7 @@ mod check;
 mod export;
 mod export_models;
 mod extension;
+mod files;
 mod fmt;
 mod identify;
 mod import;

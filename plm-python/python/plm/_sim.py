@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, NoReturn, Optional, Union
 
@@ -79,8 +80,14 @@ class Show:
         self.html = page
 
     def write(self, path: Union[str, Path]) -> None:
-        """Writes the page as a file."""
-        Path(path).write_text(self.html, encoding="utf-8")
+        """Writes the page as a file; one that is there stays as it was until the new one is whole."""
+        path = Path(path)
+        part = path.with_name(f".{path.name}.{os.getpid()}.part")
+        try:
+            part.write_text(self.html, encoding="utf-8")
+            part.replace(path)
+        finally:
+            part.unlink(missing_ok=True)
 
     def _repr_html_(self) -> str:
         style = "width: 100%; height: 480px; border: 0"

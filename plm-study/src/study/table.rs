@@ -110,8 +110,13 @@ fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) ->
         }
         let mut file = BufWriter::new(File::create(&part)?);
         write(&mut file)?;
-        file.flush()?;
+        // Some file systems tell only then that they are full.
+        file.into_inner()?.sync_all()?;
         fs::rename(&part, path)
     };
-    done().map_err(|error| Problem::file(path, error))
+    done().map_err(|error| {
+        // The first error is the one to tell.
+        let _ = fs::remove_file(&part);
+        Problem::file(path, error)
+    })
 }

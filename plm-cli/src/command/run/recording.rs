@@ -1,12 +1,12 @@
 //! Files of a recorded run: a results file, a page, CSV.
 
-use std::io::{BufWriter, Write};
+use std::io::Write;
 
 use plm_dynamic::{Error, OnRun, Run, Sample};
 use plm_runtime::{BodyState, Described, Fault, Method, Moment, Sim};
 use plm_view::{Page, Recorder, Recording, Results};
 
-use super::{Asked, Failure, columns, file_to, row};
+use super::{Asked, Failure, columns, row, write_whole};
 use crate::table::{csv_headings, csv_row};
 
 /// Records until a time, s, so often, s, as compiled programs do.
@@ -38,12 +38,12 @@ pub(super) fn write(asked: &Asked, run: &mut Run, to: &mut dyn Write) -> Result<
     }
     if let Some(path) = &asked.csv {
         let (columns, headings) = columns(run, true);
-        let mut to = BufWriter::new(file_to(path, to)?);
-        csv_headings(&headings, &mut to)?;
+        let mut text = Vec::new();
+        csv_headings(&headings, &mut text)?;
         for sample in samples(&recording) {
-            csv_row(&row(&columns, &sample), &mut to)?;
+            csv_row(&row(&columns, &sample), &mut text)?;
         }
-        to.flush()?;
+        write_whole(path, &text, to)?;
     }
     if let Some(path) = &asked.view {
         let results = Results { runs: vec![recording], ..Results::default() };
