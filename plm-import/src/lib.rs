@@ -6,6 +6,7 @@
 //! [`to_mjcf`] and [`to_urdf`] write a compiled mechanism as a file for other programs.
 //! [`outline`] turns a DXF drawing into the contour of a body.
 
+mod drake;
 mod dxf;
 mod export;
 mod mimic;
@@ -32,15 +33,17 @@ pub use self::notice::{Level, Notice, Place};
 use self::names::Names;
 use self::notice::Notices;
 use self::planar::Planar;
-use self::spatial::Spatial;
+use self::spatial::{Joint, Spatial};
 
-/// Elements that are left out on request.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// What of a file is left out, and what is held, on request.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Options {
     /// Joints get no limits.
     pub without_limits: bool,
     /// Joints get no dry friction.
     pub without_friction: bool,
+    /// Links that are joined to the world where the file draws them, by their names in the file.
+    pub fixed: Vec<String>,
 }
 
 /// Result of an import.
@@ -58,7 +61,7 @@ pub struct Imported {
 pub fn mechanism(
     name: &str,
     text: &str,
-    options: Options,
+    options: &Options,
     read: &mut dyn FnMut(&str) -> Result<String, String>,
 ) -> Imported {
     let mut notices = Notices::default();
@@ -69,7 +72,7 @@ pub fn mechanism(
 fn declared(
     name: &str,
     text: &str,
-    options: Options,
+    options: &Options,
     read: &mut dyn FnMut(&str) -> Result<String, String>,
     notices: &mut Notices,
 ) -> Option<String> {
@@ -94,6 +97,9 @@ fn declared(
     };
     let mut spatial = spatial.filter(|_| !notices.has_errors())?;
     prepare(&mut spatial, options, notices);
+    if notices.has_errors() {
+        return None;
+    }
     let mut names = Names::default();
     let planar = Planar::of(&spatial, &mut names, notices)?;
     Some(write::declaration(&planar, &spatial, &mut names, file_name(name), format))
@@ -104,8 +110,23 @@ fn file_name(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
-/// Leaves out what is asked for, and moves starts that lie outside of their limits to them.
-fn prepare(spatial: &mut Spatial, options: Options, notices: &mut Notices) {
+/// Joins a link to the world.
+fn fix(spatial: &mut Spatial, name: &str, notices: &mut Notices) {
+    let own = name.replace("::", "_");
+    let Some(number) = spatial.links.iter().position(|link| link.name == own) else {
+        let known: Vec<&str> = spatial.links.iter().map(|link| link.name.as_str()).collect();
+        let message = format!("there is no link `{name}` to fix; links: {}", known.join(", "));
+        return notices.error(&spatial.place, message);
+    };
+    let (place, at) = (spatial.links[number].place.clone(), spatial.links[number].pose.at);
+    spatial.joints.push(Joint::fixed(&format!("{own}_held"), &place, [None, Some(number)], at));
+}
+
+/// Leaves out and holds what is asked for, and moves starts that lie outside of their limits to them.
+fn prepare(spatial: &mut Spatial, options: &Options, notices: &mut Notices) {
+    for name in &options.fixed {
+        fix(spatial, name, notices);
+    }
     for joint in &mut spatial.joints {
         if options.without_limits {
             (joint.lower, joint.upper) = (None, None);

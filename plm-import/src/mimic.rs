@@ -13,7 +13,7 @@ pub(crate) fn read(
     spatial: &mut Spatial,
     notices: &mut Notices,
 ) {
-    let Some(mimic) = element.child("mimic") else { return };
+    let Some(mimic) = element.child("mimic").or_else(|| element.child("drake:mimic")) else { return };
     let name = mimic.get("joint").unwrap_or_default();
     let Some(of) = number_of(name) else {
         notices.error(&mimic.place, format!("<mimic>: there is no joint `{name}`"));

@@ -57,6 +57,7 @@ const TAKEN: &[&str] = &[
     "plate",
     "round",
     "free_slide",
+    "halfway_bushing",
 ];
 
 /// Members of a body, which no port can be called.

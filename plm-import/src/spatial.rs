@@ -16,6 +16,7 @@ pub(crate) struct Spatial {
     pub(crate) joints: Vec<Joint>,
     pub(crate) drives: Vec<Drive>,
     pub(crate) couplings: Vec<Coupling>,
+    pub(crate) ties: Vec<Tie>,
 }
 
 impl Spatial {
@@ -29,6 +30,7 @@ impl Spatial {
             joints: Vec::new(),
             drives: Vec::new(),
             couplings: Vec::new(),
+            ties: Vec::new(),
         }
     }
 }
@@ -43,6 +45,8 @@ pub(crate) struct Link {
     pub(crate) shapes: Vec<Shape>,
     /// Named frames, in the axes of the link.
     pub(crate) points: Vec<(String, Pose)>,
+    /// Whether it could touch others: contacts are left out.
+    pub(crate) touches: bool,
 }
 
 /// Mass, centre of gravity, and inertia about it, in the axes of the link.
@@ -198,4 +202,23 @@ pub(crate) struct Coupling {
     pub(crate) joint: usize,
     pub(crate) of: Option<usize>,
     pub(crate) coefficients: [f64; 5],
+}
+
+/// Springs and dampers between two frames.
+#[derive(Clone, Debug)]
+pub(crate) struct Tie {
+    pub(crate) name: String,
+    pub(crate) place: Place,
+    /// Link (none is the world) and the pose of the frame in the world.
+    pub(crate) ends: [(Option<usize>, Pose); 2],
+    pub(crate) law: TieLaw,
+}
+
+/// The law of a tie.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum TieLaw {
+    /// Along the line between both points.
+    Spring { free_length: f64, stiffness: f64, damping: f64 },
+    /// Along and about the three axes that stand halfway between both frames.
+    Bushing { stiffness: Vector, damping: Vector, turning_stiffness: Vector, turning_damping: Vector },
 }

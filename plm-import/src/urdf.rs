@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::notice::Notices;
+use crate::drake::{self, Frame};
+use crate::notice::{Notices, Told};
 use crate::space::{IDENTITY, Pose, Vector, roll_pitch_yaw, turned, unit};
 use crate::spatial::{Drive, Inertial, Joint, Kind, Link, Quantity, Shape, Solid, Spatial};
 use crate::xml::Element;
@@ -35,14 +36,67 @@ pub(crate) fn read(robot: &Element, notices: &mut Notices) -> Option<Spatial> {
         super::mimic::read(drawn.element, held + k, |name| names.get(name).copied(), &mut spatial, notices);
     }
     drives(robot, &names, &joints, &mut spatial, notices);
+    for frame in robot.all("frame") {
+        self::frame(frame, &numbers, &mut spatial, notices);
+    }
     for element in &robot.children {
-        match element.name.as_str() {
-            "link" | "joint" | "transmission" | "material" => {}
-            "frame" => frame(element, &numbers, &mut spatial, notices),
-            _ => notices.warn(&element.place, format!("{} is not taken", element.shown())),
-        }
+        other(element, &names, &mut spatial, notices);
     }
     Some(spatial)
+}
+
+/// An element that is no link, joint or frame.
+fn other(element: &Element, joints: &BTreeMap<String, usize>, spatial: &mut Spatial, notices: &mut Notices) {
+    let frames = frames(spatial);
+    let frame_of = |asking: &Element, name: &str, notices: &mut Notices| {
+        frames.get(name).copied().ok_or_else(|| {
+            notices.error(&asking.place, format!("{}: there is no link or frame `{name}`", asking.shown()));
+            Told
+        })
+    };
+    match element.name.as_str() {
+        "link" | "joint" | "transmission" | "material" | "frame" => {}
+        "gazebo" => gazebo(element, notices),
+        name if name.starts_with("xacro:") => {
+            let why = "the file is a template, which `xacro` expands first";
+            notices.error(&element.place, format!("{}: {why}", element.shown()));
+        }
+        _ if drake::tie(element, &frame_of, spatial, notices) => {}
+        _ => {
+            let is_link = |name: &str| frames.contains_key(name);
+            drake::left_out(element, &is_link, &|name| joints.contains_key(name), notices);
+        }
+    }
+}
+
+/// Links and frames by their names, each with its pose in the world.
+fn frames(spatial: &Spatial) -> BTreeMap<String, Frame> {
+    let mut frames = BTreeMap::from([("world".to_owned(), (None, Pose::HERE))]);
+    for (k, link) in spatial.links.iter().enumerate() {
+        let points = link.points.iter().map(|(name, pose)| (name.clone(), (Some(k), link.pose.of(pose))));
+        frames.extend(points);
+        frames.insert(link.name.clone(), (Some(k), link.pose));
+    }
+    frames
+}
+
+/// What Gazebo adds: an error where it holds or moves something, of which its joints close loops.
+fn gazebo(element: &Element, notices: &mut Notices) {
+    let acts = |child: &&Element| {
+        let is_on = matches!(child.text.as_str(), "true" | "1");
+        match child.name.as_str() {
+            "joint" | "link" | "model" | "include" => true,
+            "turnGravityOff" | "kinematic" | "static" => is_on,
+            "gravity" => !is_on,
+            "springStiffness" => child.text.parse() != Ok(0.0),
+            "plugin" => child.attributes.iter().any(|attribute| attribute.value.contains("mimic")),
+            _ => false,
+        }
+    };
+    match element.children.iter().find(acts) {
+        Some(child) => notices.error(&child.place, format!("{} of <gazebo> is not taken", child.shown())),
+        None => notices.warn(&element.place, format!("{} is not taken", element.shown())),
+    }
 }
 
 fn link(element: &Element, notices: &mut Notices) -> Link {
@@ -68,6 +122,7 @@ fn link(element: &Element, notices: &mut Notices) -> Link {
         inertial: element.child("inertial").and_then(|inertial| self::inertial(inertial, notices)),
         shapes,
         points: Vec::new(),
+        touches: element.child("collision").is_some(),
     }
 }
 
@@ -278,6 +333,7 @@ fn drives(
             |tag| actuator.and_then(|actuator| actuator.child(tag)).or_else(|| transmission.child(tag));
         let gear = within("mechanicalReduction").and_then(|reduction| reduction.text_numbers::<1>(notices));
         let name = actuator.and_then(|actuator| actuator.get("name")).unwrap_or(name);
+        spatial.joints[joint].armature += actuator.map_or(0.0, |actuator| drake::rotor(actuator, notices));
         let effort = effort(drawn[joint - offset].element, notices);
         spatial.drives.push(drive(name, transmission, joint, gear.map_or(1.0, |[gear]| gear), effort));
     }

@@ -40,10 +40,16 @@ pub(crate) fn parse(file: &Rc<str>, text: &str) -> Result<Element, (Place, Strin
         let at = why.pos();
         (Place { file: file.clone(), line: at.row, column: at.col }, format!("this is no XML: {why}"))
     })?;
-    element(document.root_element(), file, 0)
+    element(document.root_element(), text, file, 0)
 }
 
-fn element(node: roxmltree::Node<'_, '_>, file: &Rc<str>, depth: usize) -> Result<Element, (Place, String)> {
+/// An element of the plain text; `text` is the file's own, in which its tag has its colon at the same place.
+fn element(
+    node: roxmltree::Node<'_, '_>,
+    text: &str,
+    file: &Rc<str>,
+    depth: usize,
+) -> Result<Element, (Place, String)> {
     let at = |position: usize| {
         let at = node.document().text_pos_at(position);
         Place { file: file.clone(), line: at.row, column: at.col }
@@ -57,14 +63,16 @@ fn element(node: roxmltree::Node<'_, '_>, file: &Rc<str>, depth: usize) -> Resul
         value: attribute.value().trim().to_owned(),
         place: at(attribute.range().start),
     });
-    let text: String =
+    let inner: String =
         node.children().filter(roxmltree::Node::is_text).filter_map(|text| text.text()).collect();
     let children = node.children().filter(roxmltree::Node::is_element);
+    let plain = node.tag_name().name();
+    let start = node.range().start + 1;
     Ok(Element {
-        name: node.tag_name().name().to_owned(),
+        name: text.get(start..start + plain.len()).unwrap_or(plain).to_owned(),
         attributes: attributes.collect(),
-        children: children.map(|child| element(child, file, depth + 1)).collect::<Result<_, _>>()?,
-        text: text.trim().to_owned(),
+        children: children.map(|child| element(child, text, file, depth + 1)).collect::<Result<_, _>>()?,
+        text: inner.trim().to_owned(),
         place,
     })
 }

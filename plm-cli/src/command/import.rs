@@ -11,12 +11,12 @@ use crate::read;
 
 pub(super) const COMMAND: Command = Command {
     name: "import",
-    usage: "FILE [--without PARTS]",
+    usage: "FILE …",
     title: "writes the declaration of a URDF, SDF or MJCF file, the contour of a DXF file",
-    options: &[(
-        "--without PARTS",
-        "leaves out `limits` of joints or their dry `friction`; as often as wanted",
-    )],
+    options: &[
+        ("--without PARTS", "leaves out `limits` of joints or their dry `friction`; as often as wanted"),
+        ("--fix LINK", "joins a link to the world, where contact holds it in the file; as often as wanted"),
+    ],
     run,
 };
 
@@ -29,13 +29,14 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
             other => return Err(format!("--without wants `limits` or `friction`, not `{other}`").into()),
         }
     }
+    options.fixed = words.values("--fix");
     let file = read::file(&words.file()?, streams.input)?;
     let is_drawing = Path::new(&file.name).extension().is_some_and(|end| end.eq_ignore_ascii_case("dxf"));
     let imported = if is_drawing {
         plm_import::outline(&file.name, &file.text)
     } else {
         let mut included = |name: &str| read::named(name, &file.name);
-        plm_import::mechanism(&file.name, &file.text, options, &mut included)
+        plm_import::mechanism(&file.name, &file.text, &options, &mut included)
     };
     for notice in &imported.notices {
         writeln!(streams.errors, "{notice}")?;

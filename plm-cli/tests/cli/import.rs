@@ -345,7 +345,7 @@ fn damaged_files_are_refused_or_taken() {
             let imported = if name == "plate.dxf" {
                 plm_import::outline(name, &text)
             } else {
-                plm_import::mechanism(name, &text, Options::default(), &mut |_| Err("no file".to_owned()))
+                plm_import::mechanism(name, &text, &Options::default(), &mut |_| Err("no file".to_owned()))
             };
             let is_refused = imported.notices.iter().any(|notice| notice.level == Level::Error);
             assert_eq!(imported.text.is_none(), is_refused, "{text}");

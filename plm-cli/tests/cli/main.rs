@@ -9,6 +9,7 @@ mod files;
 mod fmt;
 mod identify;
 mod import;
+mod import_loops;
 mod json;
 mod lsp;
 mod modes;

@@ -52,10 +52,14 @@ impl Reader<'_> {
         }
     }
 
-    fn touches(&mut self, geom: &Element) {
+    fn touches(&mut self, geom: &Element, link: Option<usize>) {
         let mut number = |name| geom.number(name, self.notices).unwrap_or(1.0);
-        if number("contype") != 0.0 || number("conaffinity") != 0.0 {
-            self.touching.push(geom.place.clone());
+        if number("contype") == 0.0 && number("conaffinity") == 0.0 {
+            return;
+        }
+        self.touching.push(geom.place.clone());
+        if let Some(link) = link.filter(|_| self.compiler.has(Effect::Contact)) {
+            self.spatial.links[link].touches = true;
         }
     }
 
@@ -105,13 +109,14 @@ impl Reader<'_> {
             inertial: None,
             shapes: Vec::new(),
             points: Vec::new(),
+            touches: false,
         });
     }
 
     /// The shape of a geom, and its mass.
     fn shape(&mut self, element: &Element, around: &Around, parts: &mut Vec<Inertial>) {
         let geom = self.defaults.styled(element, around.class.as_deref(), self.notices);
-        self.touches(&geom);
+        self.touches(&geom, around.link);
         let Some(link) = around.link else { return };
         let Some((mut shape, inertial)) = self.geom(&geom) else { return };
         shape.pose = around.frame.of(&shape.pose);

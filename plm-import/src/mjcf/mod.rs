@@ -111,7 +111,10 @@ impl Reader<'_> {
                             .get(name)
                             .is_some_and(|text| text.split_whitespace().any(|word| word.parse() != Ok(0.0)))
                     };
-                    if ["stiffness", "damping", "frictionloss", "armature"].into_iter().any(acts) {
+                    let is_bounded = tendon.get("range").is_some() && tendon.get("limited") != Some("false");
+                    if is_bounded
+                        || ["stiffness", "damping", "frictionloss", "armature"].into_iter().any(acts)
+                    {
                         self.notices.error(
                             &tendon.place,
                             format!("{}: tendons are not taken, and this one acts", tendon.shown()),

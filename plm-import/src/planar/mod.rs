@@ -5,12 +5,15 @@ mod chain;
 mod hosts;
 mod pairs;
 mod start;
+mod ties;
 
 use crate::names::Names;
 use crate::notice::Notices;
 use crate::outline::Outline;
 use crate::plane::Plane;
 use crate::spatial::Spatial;
+
+pub(crate) use self::ties::{PlanarLaw, PlanarTie};
 
 /// A mechanism in its plane.
 #[derive(Debug)]
@@ -22,6 +25,7 @@ pub(crate) struct Planar {
     ground_names: Names,
     pub(crate) bodies: Vec<Body>,
     pub(crate) pairs: Vec<Pair>,
+    pub(crate) ties: Vec<PlanarTie>,
     /// A group of bodies has no joint to the ground.
     pub(crate) floats: bool,
 }
@@ -104,14 +108,16 @@ impl Planar {
             gravity: plane.flat(spatial.gravity),
             plane,
             ground: Vec::new(),
-            ground_names: Names::default(),
+            ground_names: Names::of_ports(),
             bodies: Vec::new(),
             pairs: Vec::new(),
+            ties: Vec::new(),
             floats: false,
         };
         let hosts = hosts::Hosts::of(spatial);
         bodies::add(&mut planar, spatial, &hosts, names, notices);
         pairs::add(&mut planar, spatial, &hosts, names, notices);
+        ties::add(&mut planar, spatial, &hosts, names, notices);
         planar.find_driven(spatial, notices);
         if planar.bodies.is_empty() && !notices.has_errors() {
             notices.error(&spatial.place, "nothing in it moves");
@@ -119,7 +125,9 @@ impl Planar {
         if notices.has_errors() {
             return None;
         }
-        start::set(&mut planar, spatial);
+        for body in start::set(&mut planar, spatial) {
+            planar.tell_of_fall(body, spatial, &hosts, notices);
+        }
         planar.size_up(spatial, notices);
         Some(planar)
     }
@@ -138,6 +146,46 @@ impl Planar {
                 );
             }
         }
+    }
+
+    /// Tells of a group of bodies that nothing but contact holds, of which `first` is one: contacts are left out.
+    fn tell_of_fall(&self, first: usize, spatial: &Spatial, hosts: &hosts::Hosts, notices: &mut Notices) {
+        let bodies = self.group(first);
+        let touches = |link: &usize| {
+            let host = pairs::host(hosts, Some(*link));
+            spatial.links[*link].touches && matches!(host, Some(Host::Body(body)) if bodies.contains(&body))
+        };
+        let is_pulled = self.gravity.iter().any(|part| part.abs() > 1e-9);
+        let Some(link) = (0..spatial.links.len()).find(touches).filter(|_| is_pulled) else { return };
+        // What is fixed is best the link from which the others hang.
+        let root =
+            (0..spatial.links.len()).find(|link| pairs::host(hosts, Some(*link)) == Some(Host::Body(first)));
+        let (link, root) = (&spatial.links[link], &spatial.links[root.unwrap_or(link)].name);
+        let message = format!(
+            "nothing but contact holds `{root}`, and contacts are left out: it falls; `--fix {root}` joins it to the world"
+        );
+        notices.warn(&link.place, message);
+    }
+
+    /// The bodies that joints and ties hold together with this one, without the ground.
+    fn group(&self, first: usize) -> Vec<usize> {
+        let mut group = vec![first];
+        let ties = self.ties.iter().map(|tie| [tie.a.host, tie.b.host]);
+        let links: Vec<[Host; 2]> =
+            self.pairs.iter().map(|pair| [pair.a.host, pair.b.host]).chain(ties).collect();
+        let mut next = 0;
+        while let Some(&body) = group.get(next) {
+            next += 1;
+            for hosts in links.iter().filter(|hosts| hosts.contains(&Host::Body(body))) {
+                for host in hosts {
+                    match host {
+                        Host::Body(other) if !group.contains(other) => group.push(*other),
+                        _ => {}
+                    }
+                }
+            }
+        }
+        group
     }
 
     pub(crate) fn port(&self, end: End) -> &Port {

@@ -8,6 +8,14 @@ use crate::notice::Notices;
 use crate::space::{dot, norm, sub};
 use crate::spatial::{Joint, Kind, Spatial};
 
+/// The owner of the ports of a link; none of a link between two joints.
+pub(super) fn host(hosts: &Hosts, link: Option<usize>) -> Option<Host> {
+    let Some(carrier) = hosts.carrier(link) else { return Some(Host::Ground) };
+    let is_body = |link: &usize| hosts.roles[*link] == Role::Body;
+    // Bodies have the order of their links.
+    is_body(&carrier).then(|| Host::Body((0..carrier).filter(is_body).count()))
+}
+
 /// Adds the pairs, in the order of the joints.
 pub(super) fn add(
     planar: &mut Planar,
@@ -16,12 +24,7 @@ pub(super) fn add(
     names: &mut Names,
     notices: &mut Notices,
 ) {
-    let carriers: Vec<usize> =
-        (0..spatial.links.len()).filter(|&link| hosts.roles[link] == Role::Body).collect();
-    let host = |link: Option<usize>| match hosts.carrier(link) {
-        None => Some(Host::Ground),
-        Some(carrier) => carriers.iter().position(|&known| known == carrier).map(Host::Body),
-    };
+    let host = |link: Option<usize>| host(hosts, link);
     let mut done = vec![false; spatial.joints.len()];
     for (number, joint) in spatial.joints.iter().enumerate() {
         let (Some(a), false) = (host(joint.parent), done[number]) else { continue };

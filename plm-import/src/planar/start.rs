@@ -37,8 +37,9 @@ impl Shift {
 }
 
 /// Sets the starts of all bodies. In a tree the coordinate of each joint is locked; where there are loops nothing is, and the
-/// positions are given too, so that assembly begins with the pose that is drawn.
-pub(super) fn set(planar: &mut Planar, spatial: &Spatial) {
+/// positions are given too, so that assembly begins with the pose that is drawn. Gives the first body of each group that no joint holds.
+pub(super) fn set(planar: &mut Planar, spatial: &Spatial) -> Vec<usize> {
+    let mut free = Vec::new();
     let mut shifts: Vec<Option<Shift>> = vec![None; planar.bodies.len()];
     // Slides that only act hold nothing.
     let mut used: Vec<bool> = planar.pairs.iter().map(|pair| pair.kind == PairKind::Slide).collect();
@@ -56,6 +57,7 @@ pub(super) fn set(planar: &mut Planar, spatial: &Spatial) {
         planar.bodies[next].locked = [true; 3];
         planar.bodies[next].given = [true; 3];
         planar.floats = true;
+        free.push(next);
     }
     let is_tree = used.iter().all(|used| *used) && spatial.couplings.is_empty();
     for (body, shift) in planar.bodies.iter_mut().zip(shifts) {
@@ -66,6 +68,7 @@ pub(super) fn set(planar: &mut Planar, spatial: &Spatial) {
             (body.given, body.locked) = ([true; 3], [false; 3]);
         }
     }
+    free
 }
 
 /// Where one body of a pair has its shift and the other one none, gives it one.

@@ -6,6 +6,7 @@ mod link;
 use std::collections::BTreeMap;
 
 use self::frames::{Declared, Frames, Kind as Named};
+use crate::drake;
 use crate::notice::{Notices, Told};
 use crate::space::{turned, unit};
 use crate::spatial::{Joint, Kind, Link, Spatial};
@@ -94,12 +95,46 @@ const WITHOUT_NOTICE: &[&str] = &[
     "world",
 ];
 
+/// Elements of a model that are read elsewhere, or say nothing of its motion.
+const OF_A_MODEL: &[&str] = &[
+    "link",
+    "joint",
+    "model",
+    "frame",
+    "pose",
+    "static",
+    "self_collide",
+    "allow_auto_disable",
+    "enable_wind",
+];
+
 impl<'a> Reader<'a> {
     fn tell(&mut self, element: &Element, of: &str) {
         match element.name.as_str() {
             "include" => self.notices.error(&element.place, "<include>: models of other files are not taken"),
             _ => self.notices.warn(&element.place, format!("{} of {of} is not taken", element.shown())),
         }
+    }
+
+    /// An element of a model that is no link, joint or frame.
+    fn other(&mut self, element: &Element, scope: &str) {
+        if element.name == "include" {
+            return self.tell(element, "a model");
+        }
+        let (frames, links, joints) = (&self.frames, &self.links, &self.joints);
+        let frame_of = |asking: &Element, name: &str, notices: &mut Notices| {
+            let link = frames.link(scope, name, asking, notices)?.and_then(|link| links.get(&link).copied());
+            Ok((link, frames.pose(scope, name, asking, notices).ok_or(Told)?))
+        };
+        if drake::tie(element, &frame_of, &mut self.spatial, self.notices) {
+            return;
+        }
+        let is_link = |name: &str| {
+            name == "world"
+                || frames.get(scope, name).is_some_and(|own| matches!(own.kind, Named::Link | Named::Frame))
+        };
+        let is_joint = |name: &str| joints.contains_key(&format!("{scope}{name}"));
+        drake::left_out(element, &is_link, &is_joint, self.notices);
     }
 
     fn links(&mut self, model: &Element, scope: &str, is_static: bool) {
@@ -115,9 +150,8 @@ impl<'a> Reader<'a> {
                     let inner = format!("{scope}{}::", element.get("name").unwrap_or("model"));
                     self.links(element, &inner, is_static);
                 }
-                "pose" | "joint" | "frame" | "static" | "self_collide" | "allow_auto_disable"
-                | "enable_wind" => {}
-                _ => self.tell(element, &model.shown()),
+                // Joints, and what ties links to each other, are read when all links are known.
+                _ => {}
             }
         }
     }
@@ -135,7 +169,8 @@ impl<'a> Reader<'a> {
             self.spatial.joints.push(held);
         }
         self.links.insert(full, number);
-        self.spatial.links.push(Link { name, place, pose, inertial, shapes, points: Vec::new() });
+        let touches = element.child("collision").is_some();
+        self.spatial.links.push(Link { name, place, pose, inertial, shapes, points: Vec::new(), touches });
     }
 
     /// Is a link welded to the world, so that its mass does not matter?
@@ -158,6 +193,10 @@ impl<'a> Reader<'a> {
                 }
                 _ => {}
             }
+        }
+        let is_other = |element: &&Element| !OF_A_MODEL.contains(&element.name.as_str());
+        for element in model.children.iter().filter(is_other) {
+            self.other(element, scope);
         }
     }
 
@@ -195,7 +234,7 @@ impl<'a> Reader<'a> {
             return;
         }
         for child in &element.children {
-            if !matches!(child.name.as_str(), "parent" | "child" | "pose" | "axis") {
+            if !matches!(child.name.as_str(), "parent" | "child" | "pose" | "axis" | "drake:mimic") {
                 self.tell(child, &element.shown());
             }
         }
@@ -208,7 +247,9 @@ impl<'a> Reader<'a> {
             let name = self.spatial.joints[number].name.clone();
             self.spatial.drives.push(drive(&name, element, number, 1.0, Some(effort)));
         }
+        self.spatial.joints[number].armature += drake::rotor(axis, self.notices);
         self.axes.push((axis, number, scope.to_owned()));
+        self.axes.push((element, number, scope.to_owned()));
     }
 
     /// Joints that follow others, which may be declared behind them.

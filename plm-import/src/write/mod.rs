@@ -2,6 +2,7 @@
 
 mod drive;
 mod joint;
+mod tie;
 
 use crate::names::{Names, mechanism};
 use crate::number::{angle, coarse, drawn, length, short};
@@ -108,6 +109,7 @@ pub(crate) fn declaration(
         if planar.pairs.iter().any(|pair| pair.kind == PairKind::Slide) {
             lines.lines(SLIDE);
         }
+        tie::parts(planar, lines);
         drives.inputs(lines);
         if !planar.ground.is_empty() {
             lines.block("ground", |lines| {
@@ -117,6 +119,7 @@ pub(crate) fn declaration(
         planar.bodies.iter().for_each(|body| self::body(body, lines));
         joint::pairs(planar, spatial, &drives, names, lines);
         joint::couplings(planar, spatial, names, lines);
+        tie::ties(planar, lines);
         planar.bodies.iter().for_each(|body| outlines(body, names, lines));
         joint::outputs(planar, lines);
     });
