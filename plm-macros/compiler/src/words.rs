@@ -6,7 +6,7 @@ use crate::model::{Formulation, Impacts, Repetitions, Step};
 use crate::resolve::{FUNCTIONS, Member, Owner, RESERVED};
 use crate::sorted::SortedSet;
 use crate::syntax::{BODY_WORDS, INNER_WORDS, item_words};
-use crate::units;
+use crate::units::{self, MAY_BE_NAMES, is_unit};
 
 /// Words that begin an item of a mechanism or of a part.
 pub fn items() -> Vec<&'static str> {
@@ -24,6 +24,11 @@ pub fn inner() -> Vec<&'static str> {
     let all = INNER_WORDS.iter().chain(RESERVED).filter(|word| !items.contains(word));
     let words: SortedSet<&'static str> = all.copied().filter(|word| !constants().contains(word)).collect();
     words.into_iter().collect_vec()
+}
+
+/// May nothing be called so? A word of the language, or the name of a unit.
+pub fn is_taken(name: &str) -> bool {
+    RESERVED.contains(&name) || is_unit(name) && !MAY_BE_NAMES.contains(&name)
 }
 
 /// Names that always have a value.

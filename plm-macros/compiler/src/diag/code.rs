@@ -107,6 +107,7 @@ catalogue! {
     Idle = "W0006", "a part does nothing", hint;
     Unread = "W0007", "nothing reads a name", hint;
     Renamed = "W0008", "the former name of an item";
+    UnitOrName = "W0009", "a unit that is the name of a value too";
 }
 
 impl core::fmt::Display for Code {

@@ -228,6 +228,10 @@ impl Port {
                 &mut angle
             } else if on_ground && input.peek(kw::depth) {
                 &mut depth
+            } else if input.peek_number() || input.peek(Token![-]) {
+                let name = &name.ident.text;
+                let help = format!("a point stands in brackets: `port {name}: (x, y) m;`");
+                return Err(input.expected_but("`angle`", &help));
             } else {
                 return Err(input.expected(if on_ground { "`angle` or `depth`" } else { "`angle`" }));
             };

@@ -5,6 +5,7 @@
 //! ```
 
 use proc_macro2::Delimiter;
+use syn::buffer::Cursor;
 use syn::ext::IdentExt;
 use syn::{Token, token};
 
@@ -72,6 +73,9 @@ impl Assignment {
             input.error(Code::UnexpectedToken, input.here(), message).help(help);
             return Err(Reported);
         }
+        if let Some(operator) = compound(input.cursor()) {
+            return Err(set_by_compound(input, operator));
+        }
         let target = Expr::parse(input)?;
         if let ExprKind::Chain(left, links) = &target.kind
             && let [Link { operator: Operator::Equal, operand }] = &links[..]
@@ -84,4 +88,36 @@ impl Assignment {
         input.expect(Token![=], "`=`")?;
         Ok(Assignment { target, value: input.last_value()? })
     }
+}
+
+/// The operator of `target += value`, if that is how the assignment here is written.
+fn compound(mut cursor: Cursor) -> Option<char> {
+    loop {
+        let (mark, behind) = match cursor.punct() {
+            Some((mark, behind)) => (mark.as_char(), behind),
+            None => {
+                cursor = cursor.token_tree()?.1;
+                continue;
+            }
+        };
+        let is_equals = behind.punct().is_some_and(|(mark, _)| mark.as_char() == '=');
+        match mark {
+            '+' | '-' | '*' | '/' if is_equals => return Some(mark),
+            '=' | ';' => return None,
+            _ => cursor = behind,
+        }
+    }
+}
+
+/// Says how `target += value` is written here.
+fn set_by_compound(input: Input, operator: char) -> Reported {
+    let start = input.position();
+    input.advance_to(|input| compound(input.cursor()).is_some() && input.next() == operator.to_string());
+    let target = input.text_of(input.span_from(start));
+    let span = input.here();
+    input.advance_to(|input| input.peek(Token![;]));
+    input
+        .error(Code::UnexpectedToken, span, format!("`{operator}=` is no operator here"))
+        .help(format!("write `{target} = {target} {operator} …;`"));
+    Reported
 }

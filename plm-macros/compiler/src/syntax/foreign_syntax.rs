@@ -284,7 +284,8 @@ pub(super) fn instead_of_item(word: &str) -> Option<&'static str> {
 pub(super) fn behind_value(text: &str) -> Option<&'static str> {
     Some(match text {
         "?" => "a choice is written `if a < b then c else d`",
-        "%" => "there is no remainder",
+        "%" => "five per cent are `0.05`, and the remainder is `mod(x, period)`",
+        "in" => "`in` is a word of the language: an inch is `25.4 mm`",
         "," => "an item ends with `;`",
         "locked" => "a comma stands before it: `30 deg, locked`",
         "°" => "write `deg`",

@@ -8,6 +8,7 @@ use syn::buffer::Cursor;
 use syn::parse::{ParseBuffer, ParseStream, Parser, Peek};
 use syn::{Token, token};
 
+use super::foreign_syntax::behind_value;
 use crate::collect::MapEach;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::span::Span;
@@ -195,7 +196,10 @@ impl<'a> Input<'a> {
         let content = Input { stream: &inside, reading: self.reading };
         let mut result = rule(content);
         if result.is_ok() && !content.is_empty() {
-            result = Err(content.expected("the closing bracket"));
+            result = Err(match behind_value(content.next()).filter(|_| content.next() != ",") {
+                Some(help) => content.expected_but("the closing bracket", help),
+                None => content.expected("the closing bracket"),
+            });
         }
         let _ = self.stream.step(|cursor| match cursor.group(delimiter) {
             Some((_, _, behind)) => Ok(((), behind)),

@@ -206,7 +206,10 @@ impl ItemKind {
             return Load::parse(input).map(ItemKind::Load);
         }
         if !input.peek(syn::Ident::peek_any) {
-            return Err(input.expected("an item"));
+            return Err(match input.next() {
+                "#" => input.expected_but("an item", "a comment begins with `//`"),
+                _ => input.expected("an item"),
+            });
         }
         let name = renamed(input).unwrap_or(input.next());
         let Some((word, place, read)) = WORDS.iter().find(|(word, ..)| *word == name) else {

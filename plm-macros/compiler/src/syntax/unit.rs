@@ -230,6 +230,21 @@ pub(crate) fn unit_help(name: &str) -> Option<String> {
         "mg" => "1e-3 gram",
         "µm" | "μm" => "um",
         "inch" | "inches" => "25.4 mm",
+        "amp" | "amps" | "amperes" | "A" => "ampere",
+        "volts" | "V" => "volt",
+        "ohms" | "Ω" => "ohm",
+        "henries" | "H" => "henry",
+        "joule" | "joules" => "J",
+        "watt" | "watts" => "W",
+        "pascal" | "pascals" => "Pa",
+        "kelvin" => "K",
+        "ml" | "mL" => "1e-3 L",
+        "degc" | "celsius" | "degreec" => {
+            return Some("temperatures are absolute: 20 degrees Celsius are `293.15 K`".to_string());
+        }
+        "degf" | "fahrenheit" => {
+            return Some("temperatures are absolute: 68 degrees Fahrenheit are `293.15 K`".to_string());
+        }
         "g" => {
             let help = "grams are `gram`, and the acceleration of gravity is `9.81 m/s^2`";
             return Some(help.to_string());

@@ -140,8 +140,14 @@ impl Dimension {
     }
 
     fn base_units(self) -> String {
-        let bases =
-            [("kg", self.kg), ("m", self.m), ("A", self.a), ("K", self.k), ("rad", self.rad), ("s", self.s)];
+        let bases = [
+            ("kg", self.kg),
+            ("m", self.m),
+            ("ampere", self.a),
+            ("K", self.k),
+            ("rad", self.rad),
+            ("s", self.s),
+        ];
         let mut text = String::new();
         let mut below = String::new();
         for (unit, exponent) in bases {

@@ -10,4 +10,4 @@ mod table;
 
 pub use dimension::Dimension;
 pub use display::{DisplayUnit, UnitFactor};
-pub use table::{Unit, is_unit, names, unit};
+pub use table::{MAY_BE_NAMES, Unit, is_unit, names, unit};

@@ -2,7 +2,7 @@
 //! contains.
 
 use crate::collect::{CollectVec, PushAll};
-use crate::diag::{Code, help_similar};
+use crate::diag::{Code, help_similar, nearest};
 use crate::resolve::Resolver;
 use crate::resolve::declarations::branch::{BRANCH, tells_branches};
 use crate::resolve::finalise::compliance::WORDS;
@@ -89,8 +89,7 @@ impl<'a> Resolver<'a> {
             let name = format!("{}.{path}", self.names.instances[id].name);
             self.switch_requirement(outer, name, field);
         }
-        known.extend(required);
-        if !known.contains(&text) {
+        if !known.contains(&text) && !required.contains(&text) {
             let message = format!("the part `{}` has no `{text}` to set", definition.name.text);
             let diagnostic = self.error(outer, Code::UnknownField, last.ident.span, message);
             let meant = ELSEWHERE.iter().find(|(word, here)| *word == text && known.contains(here));
@@ -101,6 +100,12 @@ impl<'a> Resolver<'a> {
                 }
                 (None, Some((_, how))) => {
                     diagnostic.help(*how);
+                }
+                (None, None) if text == WHEN => {
+                    diagnostic.help(NO_JOINT_LETS_GO);
+                }
+                (None, None) if nearest(text, required.iter().copied()).is_some() => {
+                    help_similar(diagnostic, text, "requirement", "requirements", &required);
                 }
                 (None, None) => help_similar(diagnostic, text, "parameter", "parameters", &known),
             }
@@ -146,6 +151,10 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("moment", "torque"),
     ("tau", "torque"),
 ];
+
+/// Where a part that is no joint is asked to let go.
+const NO_JOINT_LETS_GO: &str = "joints and rows of your own take a `when`; of another part a parameter changes by a condition, \
+                                `if t < 1 s then 10 N/m else 0 N/m`";
 
 /// Fields of joints in other programs, and how they are written here.
 const INSTEAD: &[(&[&str], &str)] = &[

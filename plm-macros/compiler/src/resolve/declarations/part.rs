@@ -16,6 +16,9 @@ use crate::units::DisplayUnit;
 /// Parts may contain parts this deeply.
 const MAX_DEPTH: usize = 32;
 
+/// Parts of one dimension that are looked for between two points, and those that stand there.
+const BETWEEN_POINTS: &[(&str, &str)] = &[("cylinder", "jack")];
+
 /// So many parts may be in use, with all that they contain: a few lines can ask for 2^32.
 const MAX_INSTANCES: usize = 1 << 14;
 
@@ -167,8 +170,12 @@ impl<'a> Resolver<'a> {
         if wanted != found && is_read {
             let names: Vec<&str> = definition.arguments.iter().map(|of| of.name.text.as_str()).collect_vec();
             let message = format!("`{}` joins {wanted} ports, found {found}", definition.name.text);
-            self.error(outer, Code::WrongCount, ast.name.ident.span, message)
-                .note(format!("its ports: {}", names.join(", ")));
+            let between = BETWEEN_POINTS.iter().find(|(kind, _)| *kind == definition.name.text && found == 2);
+            let diagnostic = self.error(outer, Code::WrongCount, ast.name.ident.span, message);
+            diagnostic.note(format!("its ports: {}", names.join(", ")));
+            if let Some((_, meant)) = between {
+                diagnostic.help(format!("between points of two bodies stands a `{meant}`"));
+            }
         }
         for (k, argument) in definition.arguments.iter().enumerate() {
             let wanted = self.wanted_at(inside, &argument.kind).unwrap_or(Wanted::Anything);

@@ -18,7 +18,7 @@ use crate::resolve::values::lazy::Lazy;
 use crate::resolve::values::{Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::span::Span;
 use crate::syntax::ast::{self, Ident, IndexedName};
-use crate::units::{Dimension, unit};
+use crate::units::{Dimension, MAY_BE_NAMES, unit};
 
 /// Names that the language has taken.
 pub(crate) const RESERVED: &[&str] =
@@ -86,7 +86,8 @@ impl<'a> Resolver<'a> {
     /// The dimension that it is to stand for tells which name would do.
     pub(crate) fn refuse_unit_name(&mut self, scope: ScopeId, name: &IndexedName, of: Option<Dimension>) {
         let text = &name.ident.text;
-        if let Some(unit) = unit(text).filter(|_| name.indices.is_empty()) {
+        let is_free = MAY_BE_NAMES.contains(&text.as_str());
+        if let Some(unit) = unit(text).filter(|_| name.indices.is_empty() && !is_free) {
             let message = format!("`{text}` is {}", unit.word);
             let help = format!("try `{}`", instead_of(of.unwrap_or(unit.dimension)));
             self.error(scope, Code::UnitAsName, name.ident.span, message).help(help);
@@ -143,7 +144,10 @@ impl<'a> Resolver<'a> {
         };
         match self.names.scopes[home].rows.get(key.as_ref()) {
             Some((row, _)) => Ok(*row),
-            None => Err(self.unknown_row(scope, name.ident.span, &key, home, instance)),
+            None => match self.part_of_name(scope, &key).filter(|_| instance.is_none()) {
+                Some(part) => Err(self.part_for_row(scope, expr, part)),
+                None => Err(self.unknown_row(scope, name.ident.span, &key, home, instance)),
+            },
         }
     }
 
@@ -159,6 +163,28 @@ impl<'a> Resolver<'a> {
             value = self.member(scope, &value, member)?;
         }
         Ok(if let Value::Instance(instance) = value { Some(instance) } else { None })
+    }
+
+    /// The part in use of a name, as its own declaration has it.
+    fn part_of_name(&self, scope: ScopeId, key: &str) -> Option<usize> {
+        let home = self.names.home(scope);
+        self.names.instances.iter().position(|part| part.name == key && self.names.home(part.outer) == home)
+    }
+
+    /// A part where one of its rows is wanted.
+    fn part_for_row(&mut self, scope: ScopeId, expr: &ast::Expr, part: usize) -> Failed {
+        let (inside, name) = (self.names.instances[part].scope, self.names.instances[part].name.clone());
+        let rows = self.names.scopes[inside].rows.keys();
+        let rows: Vec<String> = rows.map(|row| format!("`{name}.{row}`")).collect_vec();
+        let message = format!("`{name}` is a part, and a reaction is that of a row");
+        let diagnostic = self.error(scope, Code::UnknownRow, expr.span, message);
+        if rows.is_empty() {
+            diagnostic
+                .help(format!("`{name}` has no row of its own; what it shows is an output: `{name}.…`"));
+        } else {
+            diagnostic.help(format!("name one of its rows: {}", rows.join(", ")));
+        }
+        Failed
     }
 
     fn unknown_row(

@@ -10,7 +10,7 @@ use crate::resolve::values::expect::whole_number;
 use crate::resolve::values::{Additive, Condition, Eval, Failed, Form, Nature, Quantity, Reads, Value};
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, Link, Operator};
-use crate::units::{Dimension, DisplayUnit};
+use crate::units::{self, Dimension, DisplayUnit, MAY_BE_NAMES};
 
 /// Definitions and expressions may need each other this deeply.
 const MAX_DEPTH: u32 = 200;
@@ -72,8 +72,25 @@ impl<'a> Resolver<'a> {
         }
     }
 
+    /// `10 N/L`, where `L` is a value as well: the unit is read.
+    fn warn_of_unit_that_is_a_name(&mut self, scope: ScopeId, inner: &ast::Expr, unit: &DisplayUnit) {
+        let mut factors =
+            unit.text.split(['*', '/', '(', ')']).map(|of| of.split('^').next().unwrap_or_default());
+        factors.next();
+        let is_value = |name: &str| MAY_BE_NAMES.contains(&name) && self.names.find(scope, name).is_some();
+        if let Some(name) = factors.find(|name| is_value(name)) {
+            let word = units::unit(name).map_or("a unit", |unit| unit.word);
+            let message =
+                format!("`{}` is read as a unit, with {word}, and `{name}` is a value here too", unit.text);
+            self.sink.warning(Code::UnitOrName, inner.span, message).help(format!(
+                "the value stands in front: `{name}*…` or `1/{name}*…`; where the unit is meant, call the value otherwise"
+            ));
+        }
+    }
+
     /// A literal with a unit, in SI.
     fn quantity(&mut self, scope: ScopeId, inner: &'a ast::Expr, unit: &DisplayUnit) -> Eval<Value> {
+        self.warn_of_unit_that_is_a_name(scope, inner, unit);
         match self.eval(scope, inner)? {
             Value::Scalar(found) if found.nature.dimension != Dimension::NUMBER => {
                 let message = format!("a unit behind {}", found.nature.dimension.describe());
