@@ -65,7 +65,7 @@ pub extern "C" fn plm_message() -> *const u8 {
 pub extern "C" fn plm_answer() -> *const u8 {
     with(|page| {
         let message = String::from_utf8_lossy(&page.room).into_owned();
-        let answers = page.language.message(&message).unwrap_or_default();
+        let answers = page.language.message(&message);
         keep(page, format!("[{}]", answers.join(",")))
     })
 }

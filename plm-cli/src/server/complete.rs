@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::document::{Declaration, Document};
 use super::names::{Kind, Names};
-use super::parts::{Part, Role};
+use super::parts::{Part, Role, ports};
 use super::path::{begin, path, tokens_around};
 use crate::lexer::{Kind as TokenKind, Token};
 
@@ -23,23 +23,48 @@ enum Sort {
     Constant = 21,
 }
 
+/// `InsertTextFormat` of the protocol.
+const SNIPPET: u8 = 2;
+
+/// Items with their places to fill in.
+const SNIPPETS: [(&str, &str); 4] = [
+    (
+        "body",
+        "body ${1:name} {\n    mass: ${2:1 kg};\n    inertia: ${3:0.1 kg*m^2};\n    port ${4:a}: (${5:0}, ${6:0}) m;\n}",
+    ),
+    ("ground", "ground { port ${1:o}: (${2:0}, ${3:0}) m; }"),
+    ("gravity", "gravity: ${1:9.81 m/s^2};"),
+    ("repeat", "repeat ${1:i} in 0..${2:8} {\n    $0\n}"),
+];
+
 /// A word that may stand there.
 struct Choice {
     label: String,
     sort: Sort,
     detail: String,
     docs: String,
+    /// What is inserted where an editor takes places to fill in.
+    snippet: Option<String>,
 }
 
 fn choice(label: &str, sort: Sort, detail: &str, docs: &str) -> Choice {
-    Choice { label: label.to_owned(), sort, detail: detail.to_owned(), docs: docs.to_owned() }
+    Choice { label: label.to_owned(), sort, detail: detail.to_owned(), docs: docs.to_owned(), snippet: None }
 }
 
-/// The words that may stand at a place.
-pub(super) fn completion(document: &Document, at: usize) -> Vec<Value> {
+/// The words that may stand at a place, in the order of what is likely there; as snippets where the editor takes such.
+pub(super) fn completion(document: &Document, at: usize, with_snippets: bool) -> Vec<Value> {
     let choices = document.declaration(at).and_then(|declaration| choices(document, declaration, at));
-    let shown = choices.into_iter().flatten().map(|of| {
-        json!({ "label": of.label, "kind": of.sort as u8, "detail": of.detail, "documentation": of.docs })
+    let shown = choices.into_iter().flatten().enumerate().map(|(place, of)| {
+        let mut shown = json!({
+            "label": of.label, "kind": of.sort as u8, "detail": of.detail, "documentation": of.docs,
+            // An editor sorts by letters where nothing says otherwise.
+            "sortText": format!("{place:04}"),
+        });
+        if let Some(snippet) = of.snippet.filter(|_| with_snippets) {
+            shown["insertText"] = json!(snippet);
+            shown["insertTextFormat"] = json!(SNIPPET);
+        }
+        shown
     });
     shown.collect()
 }
@@ -112,9 +137,9 @@ fn members(text: &str, before: &[Token], names: &Names, at: usize) -> Vec<Choice
             names.part(kind).map_or(Vec::new(), |part| of_part(names, &part, rest, &[Role::Read, Role::Set]))
         }
         Some(Kind::Body) if rest.is_empty() => {
-            [ports(names, owner), of_words(&words::members_of_bodies(), Sort::Property)].concat_all()
+            [ports_of(names, owner), of_words(&words::members_of_bodies(), Sort::Property)].concat_all()
         }
-        None if owner == "ground" && rest.is_empty() => ports(names, owner),
+        None if owner == "ground" && rest.is_empty() => ports_of(names, owner),
         // The field of a part in use: a part inside of it.
         None if owner != "ground" => match names.instance_around(at).map(|name| &name.kind) {
             Some(Kind::Instance(kind)) => {
@@ -150,7 +175,7 @@ fn of_words(words: &[&str], sort: Sort) -> Vec<Choice> {
     words.iter().map(|word| choice(word, sort, "", "")).collect()
 }
 
-fn ports(names: &Names, owner: &str) -> Vec<Choice> {
+fn ports_of(names: &Names, owner: &str) -> Vec<Choice> {
     let ports = names.all.iter().filter(|name| name.owner.as_deref() == Some(owner));
     ports.map(|port| choice(&port.text, Sort::Field, &port.written, "")).collect()
 }
@@ -203,13 +228,36 @@ fn block<'a>(text: &str, before: &'a [Token]) -> Option<&'a [Token]> {
 /// Words that begin an item, and the parts.
 fn items(names: &Names) -> Vec<Choice> {
     let mut all = of_words(&words::items(), Sort::Keyword);
-    all.extend(names.parts.iter().map(|(name, part)| choice(name, Sort::Class, &part.head, &part.docs)));
-    all.extend(
-        words::parts()
-            .iter()
-            .map(|(name, text)| choice(name, Sort::Class, "a part of the library", first_line(text))),
-    );
+    for item in &mut all {
+        let snippet = SNIPPETS.iter().find(|(word, _)| *word == item.label);
+        item.snippet = snippet.map(|(_, snippet)| (*snippet).to_owned());
+    }
+    let own = names.parts.iter().map(|(name, part)| Choice {
+        snippet: Some(use_of(name, &part.head)),
+        ..choice(name, Sort::Class, &part.head, &part.docs)
+    });
+    all.extend(own);
+    let of_library = words::parts().iter().map(|(name, text)| Choice {
+        snippet: Some(use_of(name, head(text))),
+        ..choice(name, Sort::Class, "a part of the library", first_line(text))
+    });
+    all.extend(of_library);
     all
+}
+
+/// The use of a part, with its name and its ports to fill in.
+fn use_of(name: &str, head: &str) -> String {
+    let port = |(k, port): (usize, &str)| {
+        format!("${{{}:{}}}", k + 2, port.split(':').next().unwrap_or_default().trim())
+    };
+    let ports: Vec<String> = ports(head).enumerate().map(port).collect();
+    format!("{name} ${{1:name}}({});$0", ports.join(", "))
+}
+
+/// The head of a part of the library: up to its brackets.
+fn head(text: &str) -> &str {
+    let is_head = |line: &&str| line.starts_with("part ") || line.starts_with("joint ");
+    text.lines().find(is_head).unwrap_or_default()
 }
 
 /// The first line of the documentation that a text begins with.

@@ -157,14 +157,14 @@ pub(super) fn hover(document: &Document, at: usize) -> Option<(String, Range<usi
 }
 
 /// The value of a full name.
-fn value<'a>(values: &'a [StartValue], name: &str) -> Option<&'a StartValue> {
+pub(super) fn value<'a>(values: &'a [StartValue], name: &str) -> Option<&'a StartValue> {
     let of_let = format!("{VALUE_OF}{name}");
     let found = values.iter().find(|value| value.name == name || value.name == of_let)?;
     found.values.iter().all(|value| value.is_finite()).then_some(found)
 }
 
 /// A value with its unit: `(0.5, 0) m`.
-fn shown(value: &StartValue) -> String {
+pub(super) fn shown(value: &StartValue) -> String {
     let numbers: Vec<String> = value.values.iter().map(|value| rounded(*value)).collect();
     let numbers = if numbers.len() > 1 { format!("({})", numbers.join(", ")) } else { numbers.concat() };
     format!("{numbers} {}", value.unit).trim_end().to_owned()

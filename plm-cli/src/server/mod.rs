@@ -1,15 +1,19 @@
-//! A language server: diagnostics, hover, completion, definitions, layout, quick fixes.
+//! A language server: diagnostics, hover, completion, definitions, references, outline, layout, quick fixes.
 //!
 //! The messages are those of the Language Server Protocol 3.17.
 
 mod complete;
 mod document;
+mod hints;
 mod meaning;
 mod names;
 mod parts;
 mod path;
+mod signature;
 mod streams;
+mod symbols;
 mod text;
+mod uses;
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -31,18 +35,21 @@ pub struct Server {
     documents: BTreeMap<String, Document>,
     /// Texts that have changed since they were compiled.
     stale: Vec<String>,
+    /// Does the editor take snippets?
+    with_snippets: bool,
 }
 
 impl Server {
     /// Takes one message of the protocol as JSON, and gives what follows from it, until texts have been compiled: answers and
-    /// diagnostics, as JSON each.
-    ///
-    /// # Errors
-    /// The message is none of the protocol.
-    pub fn message(&mut self, text: &str) -> Result<Vec<String>, serde_json::Error> {
-        let mut answers: Vec<Message> = match serde_json::from_str(text)? {
+    /// diagnostics, as JSON each. A text that is no message of the protocol has the protocol's error for it.
+    pub fn message(&mut self, text: &str) -> Vec<String> {
+        let message = match serde_json::from_str(text) {
+            Ok(message) => message,
+            Err(error) => return vec![unread(&error).to_string()],
+        };
+        let mut answers: Vec<Message> = match message {
             Message::Request(Request { id, method, params }) if method == "initialize" => {
-                vec![Response::new_ok(id, greeting(&params)).into()]
+                vec![Response::new_ok(id, self.greet(&params)).into()]
             }
             Message::Request(request) => vec![self.answer(request).into()],
             Message::Notification(notification) => {
@@ -53,7 +60,14 @@ impl Server {
         while let Some(shown) = self.check() {
             answers.push(shown.into());
         }
-        answers.iter().map(serde_json::to_string).collect()
+        answers.iter().filter_map(|answer| serde_json::to_string(answer).ok()).collect()
+    }
+
+    /// Notes what an editor can, and says what the server can.
+    fn greet(&mut self, params: &Value) -> Value {
+        let completion = &params["capabilities"]["textDocument"]["completion"];
+        self.with_snippets = completion["completionItem"]["snippetSupport"] == true;
+        greeting(params)
     }
 
     /// Compiles one text that has changed, if there is one: its diagnostics.
@@ -92,10 +106,32 @@ impl Server {
             return Response::new_err(id, ErrorCode::InvalidParams as i32, format!("{uri} is not open"));
         };
         let at = text::offset(&document.text, &params["position"]);
+        if method == "textDocument/rename" {
+            let name = params["newName"].as_str().unwrap_or_default();
+            let renamed = without_panic(|| uses::rename(document, at, name));
+            return match renamed.unwrap_or_else(|what| Err(plm_compiler::bug_message(&what))) {
+                Ok(edits) => Response::new_ok(id, edits),
+                Err(why) => Response::new_err(id, ErrorCode::InvalidParams as i32, why),
+            };
+        }
         let result = without_panic(|| match method.as_str() {
             "textDocument/hover" => Some(at.and_then(|at| show(document, at)).unwrap_or_default()),
             "textDocument/definition" => Some(at.and_then(|at| definition(document, at)).unwrap_or_default()),
-            "textDocument/completion" => Some(json!(at.map(|at| complete::completion(document, at)))),
+            "textDocument/completion" => {
+                Some(json!(at.map(|at| complete::completion(document, at, self.with_snippets))))
+            }
+            "textDocument/documentSymbol" => Some(symbols::symbols(document)),
+            "textDocument/references" => {
+                let with_declaration = params["context"]["includeDeclaration"] == true;
+                Some(at.and_then(|at| uses::references(document, at, with_declaration)).unwrap_or_default())
+            }
+            "textDocument/prepareRename" => {
+                Some(at.and_then(|at| uses::renamed(document, at)).unwrap_or_default())
+            }
+            "textDocument/signatureHelp" => {
+                Some(at.and_then(|at| signature::signature(document, at)).unwrap_or_default())
+            }
+            "textDocument/inlayHint" => Some(inlay(document, &params["range"])),
             "textDocument/formatting" => Some(layout(document)),
             "textDocument/codeAction" => Some(fixes(document, &params["range"])),
             "plm/package" => Some(package(document)),
@@ -122,6 +158,11 @@ fn greeting(params: &Value) -> Value {
         "documentFormattingProvider": !asks_for_languages(params),
         "codeActionProvider": { "codeActionKinds": ["quickfix"] },
         "completionProvider": { "triggerCharacters": ["."] },
+        "documentSymbolProvider": true,
+        "referencesProvider": true,
+        "renameProvider": { "prepareProvider": true },
+        "signatureHelpProvider": { "triggerCharacters": ["(", ","] },
+        "inlayHintProvider": true,
     });
     let info = json!({ "name": "plm", "version": env!("CARGO_PKG_VERSION") });
     json!({ "capabilities": capabilities, "serverInfo": info })
@@ -130,6 +171,18 @@ fn greeting(params: &Value) -> Value {
 /// Does an editor ask of which languages there is a layout? Rust files have a formatter; such an editor hears of declarations alone.
 fn asks_for_languages(params: &Value) -> bool {
     params["capabilities"]["textDocument"]["formatting"]["dynamicRegistration"] == true
+}
+
+/// The protocol's error for what cannot be read (JSON-RPC 2.0, 5.1).
+fn unread(error: &serde_json::Error) -> Value {
+    let code = if error.is_data() { ErrorCode::InvalidRequest } else { ErrorCode::ParseError };
+    json!({ "jsonrpc": "2.0", "id": null, "error": { "code": code as i32, "message": error.to_string() } })
+}
+
+fn inlay(document: &Document, range: &Value) -> Value {
+    let [start, end] = ["start", "end"].map(|of| text::offset(&document.text, &range[of]));
+    let all = 0..document.text.len();
+    hints::hints(document, &(start.unwrap_or(all.start)..end.unwrap_or(all.end)))
 }
 
 fn published(uri: &str, problems: &[Value]) -> Notification {
@@ -209,7 +262,7 @@ mod tests {
 
     /// Answers to a message.
     fn said(server: &mut Server, message: &Value) -> Vec<Value> {
-        let answers = server.message(&message.to_string()).unwrap_or_default();
+        let answers = server.message(&message.to_string());
         answers.iter().filter_map(|text| serde_json::from_str(text).ok()).collect()
     }
 
@@ -243,6 +296,7 @@ mod tests {
         let closed = json!({ "method": "textDocument/didClose", "params": { "textDocument": document } });
         let [shown] = &said(&mut server, &closed)[..] else { unreachable!() };
         assert_eq!(shown["params"]["diagnostics"], json!([]));
-        assert!(server.message("no message").is_err());
+        let [unread] = &server.message("no message")[..] else { unreachable!() };
+        assert!(unread.contains("-32700"), "{unread}");
     }
 }

@@ -60,9 +60,21 @@ impl Part {
         }
     }
 
+    /// The ports that it joins, each with its kind: `a: frame`.
+    pub(super) fn ports(&self) -> impl Iterator<Item = &str> {
+        ports(&self.head)
+    }
+
     pub(super) fn member(&self, name: &str) -> Option<&Member> {
         self.members.iter().find(|member| member.name == name)
     }
+}
+
+/// The ports in the head of a part.
+pub(super) fn ports(head: &str) -> impl Iterator<Item = &str> {
+    let inside =
+        head.split_once('(').and_then(|(_, rest)| rest.rsplit_once(')')).map_or("", |(inside, _)| inside);
+    inside.split(',').map(str::trim).filter(|port| !port.is_empty())
 }
 
 fn members(item: &Item, source: &Source) -> Vec<Member> {

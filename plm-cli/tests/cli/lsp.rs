@@ -36,6 +36,8 @@ struct Client {
     count: i64,
     /// Diagnostics of the text that came last.
     published: Vec<Value>,
+    /// Of the completion that came last.
+    snippets: Vec<String>,
 }
 
 /// One message in its frame.
@@ -74,8 +76,11 @@ impl Client {
                 }
             }
         });
-        let mut client = Client { child, input, output, count: 0, published: Vec::new() };
-        let capabilities = client.ask("initialize", &json!({ "capabilities": {} }));
+        let mut client =
+            Client { child, input, output, count: 0, published: Vec::new(), snippets: Vec::new() };
+        let snippets = json!({ "completion": { "completionItem": { "snippetSupport": true } } });
+        let able = json!({ "capabilities": { "textDocument": snippets } });
+        let capabilities = client.ask("initialize", &able);
         assert_eq!(capabilities["capabilities"]["hoverProvider"], true);
         assert_eq!(capabilities["serverInfo"]["version"], env!("CARGO_PKG_VERSION"));
         client.tell("initialized", &json!({}));
@@ -154,7 +159,11 @@ impl Client {
             json!({ "textDocument": { "uri": URI, "version": 2 }, "contentChanges": [{ "text": text }] });
         self.tell("textDocument/didChange", &changed);
         let found = self.at("completion", URI, &text, at + typed.len());
-        found.as_array().unwrap().iter().map(|item| item["label"].as_str().unwrap().to_owned()).collect()
+        let items = found.as_array().unwrap();
+        assert!(items.is_sorted_by_key(|item| item["sortText"].as_str().unwrap().to_owned()));
+        self.snippets =
+            items.iter().filter_map(|item| item["insertText"].as_str().map(str::to_owned)).collect();
+        items.iter().map(|item| item["label"].as_str().unwrap().to_owned()).collect()
     }
 
     fn stop(mut self) {
@@ -310,6 +319,11 @@ fn completion_knows_what_may_stand_there() {
     has("length/2", "le", &["length", "half", "bar", "sin", "pi", "ground"], &["pull", "kg"]);
     has("(pull, 0 N)", "(", &["pull", "a"], &["kg"]);
     has("/// Length of the bar.", "/// Le", &[], &["length"]);
+    client.complete("gravity: 9.81 m/s^2;", "re");
+    for snippet in ["revolute ${1:name}(${2:a}, ${3:b});$0", "magnet ${1:name}(${2:a});$0"] {
+        assert!(client.snippets.iter().any(|found| found == snippet), "{:?}", client.snippets);
+    }
+    assert!(client.snippets.iter().any(|found| found.starts_with("body ${1:name} {\n    mass:")));
     client.stop();
 }
 
@@ -351,7 +365,75 @@ fn what_is_half_typed_or_no_text_is_answered() {
     }
     let unknown = client.at("hover", "file:///other.plm", "", 0);
     assert_eq!(unknown["code"], -32602);
-    let unknown = client.ask("textDocument/rename", &json!({ "textDocument": { "uri": URI } }));
+    let unknown = client.ask("textDocument/moniker", &json!({ "textDocument": { "uri": URI } }));
     assert_eq!(unknown["code"], -32601);
+    client.stop();
+}
+
+#[test]
+fn a_text_that_is_no_message_has_the_protocols_error() {
+    let mut client = Client::start();
+    for (text, code) in [("{ no json", -32700), ("[1, 2]", -32600)] {
+        write!(client.input, "Content-Length: {}\r\n\r\n{text}", text.len()).unwrap();
+        client.input.flush().unwrap();
+        let error = client.receive();
+        assert_eq!((&error["error"]["code"], &error["id"]), (&json!(code), &Value::Null), "{error}");
+    }
+    client.open(URI, PENDULUM);
+    client.stop();
+}
+
+#[test]
+fn a_name_is_found_and_changed_wherever_it_stands() {
+    let mut client = Client::start();
+    client.open(URI, PENDULUM);
+    let at = |words: &str| PENDULUM.find(words).unwrap();
+    for (words, others) in [("length:", 3), ("bar {", 4), ("tip: (0", 2), ("hinge(", 2), ("magnet(a", 2)] {
+        let params = json!({
+            "textDocument": { "uri": URI }, "position": position(PENDULUM, at(words)),
+            "context": { "includeDeclaration": true },
+        });
+        let found = client.ask("textDocument/references", &params);
+        let name = words.split(|c: char| !c.is_alphanumeric()).next().unwrap();
+        let places = found.as_array().unwrap_or_else(|| panic!("{words}: {found}"));
+        assert_eq!(places.len(), others, "{words}: {found}");
+        assert!(places.iter().all(|place| part(PENDULUM, &place["range"]) == name), "{words}: {found}");
+    }
+    let renamed = |client: &mut Client, name: &str| {
+        let place = position(PENDULUM, at("half)"));
+        let params = json!({ "textDocument": { "uri": URI }, "position": place, "newName": name });
+        client.ask("textDocument/rename", &params)
+    };
+    let edits = renamed(&mut client, "middle");
+    assert_eq!(edits["changes"][URI].as_array().map(Vec::len), Some(3), "{edits}");
+    for taken in ["t", "m", "two words", "3d", ""] {
+        assert_eq!(renamed(&mut client, taken)["code"], -32602, "{taken}");
+    }
+    client.stop();
+}
+
+#[test]
+fn outline_ports_and_values_are_shown() {
+    let mut client = Client::start();
+    client.open(URI, PENDULUM);
+    let outline = client.ask("textDocument/documentSymbol", &json!({ "textDocument": { "uri": URI } }));
+    let names = |of: &Value| -> Vec<String> {
+        of.as_array().unwrap().iter().map(|symbol| symbol["name"].as_str().unwrap().to_owned()).collect()
+    };
+    assert_eq!(names(&outline), ["Pendulum"]);
+    let inside = &outline[0]["children"];
+    assert_eq!(names(inside), ["length", "half", "bar", "magnet", "hinge", "low"], "{outline}");
+    assert_eq!(names(&inside[2]["children"]), ["top", "tip"]);
+
+    let at = PENDULUM.find("bar.top)").unwrap();
+    let help = client.at("signatureHelp", URI, PENDULUM, at);
+    assert_eq!(help["signatures"][0]["label"], "joint revolute(a: frame, b: frame)", "{help}");
+    assert_eq!(help["activeParameter"], 1);
+
+    let whole = json!({ "start": position(PENDULUM, 0), "end": position(PENDULUM, PENDULUM.len()) });
+    let hints =
+        client.ask("textDocument/inlayHint", &json!({ "textDocument": { "uri": URI }, "range": whole }));
+    assert_eq!(hints.as_array().map(Vec::len), Some(1), "{hints}");
+    assert_eq!(hints[0]["label"], "= 0.4 m");
     client.stop();
 }
