@@ -40,8 +40,10 @@ impl<M: Foreign, R: Run<M>> BlockBy<M, R> {
     /// Alignment of its address.
     pub const ALIGN: usize = align_of::<Self>();
 
-    /// Mark in the first bytes of an object: a number of the declaration and of the size.
-    pub(crate) const MARK: u64 = fnv(M::DECLARATION.as_bytes()) ^ (Self::SIZE as u64).rotate_left(32);
+    /// Mark in the first bytes of an object: a number of the declaration, of the size, and of the methods.
+    pub(crate) const MARK: u64 = fnv(M::DECLARATION.as_bytes())
+        ^ (Self::SIZE as u64).rotate_left(32)
+        ^ R::METHODS.wrapping_mul(0x9e37_79b9_7f4a_7c15);
 }
 
 /// Makes an object of a mechanism that is not started, in `size` bytes at `memory`.

@@ -58,6 +58,12 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
         self.choose(Choice { longest_step, ..self.choice }, longest_step > 0.0)
     }
 
+    /// The relative tolerance, if one was set.
+    #[cfg(feature = "fmi")]
+    pub(crate) fn tolerance(&self) -> Option<f64> {
+        Some(self.choice.rtol).filter(|rtol| !rtol.is_nan())
+    }
+
     fn choose(&mut self, choice: Choice, is_good: bool) -> Result<(), Error> {
         if !is_good {
             return Err(Status::Choice.into());
@@ -202,7 +208,10 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
         let found = match kind {
             Kind::Parameter => self.set_parameter(index, value),
             Kind::Input => {
-                set_input::<M>(self.run.as_mut().ok_or(Status::NotStarted)?.state_mut(), index, value)
+                let run = self.run.as_mut().ok_or(Status::NotStarted)?;
+                // A state that may be changed makes the method begin anew.
+                let state = with_input::<M>(run.state(), index, value);
+                state.map(|state| *run.state_mut() = state).is_some()
             }
             Kind::Start => each_start(&mut self.mechanism, index, |start| *start = value),
             Kind::State | Kind::Output | Kind::Body | Kind::Integrated | Kind::Rate | Kind::Contact => {
@@ -357,10 +366,9 @@ fn each_start<M: Foreign>(mechanism: &mut M, index: usize, mut each: impl FnMut(
     found
 }
 
-fn set_input<M: Foreign>(state: &mut M::State, index: usize, value: M::S) -> bool {
+/// A state with another value of an input, if there is one of this number.
+fn with_input<M: Foreign>(state: &M::State, index: usize, value: M::S) -> Option<M::State> {
     let (mechanism, mut held, time, x) = (*state.mechanism(), state.held(), state.time(), *state.x());
-    let Some(input) = M::input(M::inputs(&mut held), index) else { return false };
-    *input = value;
-    *state = M::State::new(mechanism, held, time, x);
-    true
+    *M::input(M::inputs(&mut held), index)? = value;
+    Some(M::State::new(mechanism, held, time, x))
 }

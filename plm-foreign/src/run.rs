@@ -136,6 +136,8 @@ pub trait Chosen<M: Foreign>: Method<M> + InWords {
 pub trait Run<M: Foreign>: Copy + InWords {
     /// The usual method, with which an object begins.
     const USUAL: By;
+    /// A number of the methods and of their order: objects of other ones have other bytes.
+    const METHODS: u64;
 
     /// Is this method among them?
     fn has(by: By) -> bool;
@@ -170,6 +172,7 @@ pub trait Run<M: Foreign>: Copy + InWords {
 
 impl<M: Foreign, I: Chosen<M>> Run<M> for Sim<M, I> {
     const USUAL: By = I::BY;
+    const METHODS: u64 = I::BY as u64 + 1;
 
     fn has(by: By) -> bool {
         by == I::BY
@@ -225,6 +228,7 @@ macro_rules! whichever {
 
 impl<M: Foreign, A: Run<M>, B: Run<M>> Run<M> for Either<A, B> {
     const USUAL: By = A::USUAL;
+    const METHODS: u64 = A::METHODS.wrapping_mul(0x0100_0000_01b3) ^ B::METHODS.rotate_left(17);
 
     fn has(by: By) -> bool {
         A::has(by) || B::has(by)

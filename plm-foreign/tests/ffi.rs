@@ -11,7 +11,8 @@ use std::ffi::{CStr, c_char};
 use std::mem::MaybeUninit;
 use std::ptr::null_mut;
 
-use plm_foreign::{Foreign, Kind, Status, ffi, ffi::Block};
+use plm::{Dop853, Rk4, Sim};
+use plm_foreign::{Either, Foreign, Kind, Status, ffi, ffi::Block};
 
 plm::mechanism! {
     Pendulum {
@@ -90,6 +91,52 @@ fn a_saved_run_goes_on_in_another_object() {
         }
     }
     assert_eq!(get(object, Kind::Output, 0).to_bits(), get(other, Kind::Output, 0).to_bits());
+}
+
+/// Also of a run that is under way: what its method remembers decides later bits.
+#[test]
+fn a_set_that_fails_changes_no_byte() {
+    let mut memory = memory();
+    let object = started(&mut memory);
+    assert_eq!(unsafe { ffi::step(object, 0.1) }, 0);
+    let saved = || unsafe {
+        let mut size = 0;
+        assert_eq!(ffi::saved_size(object, &raw mut size), 0);
+        let mut bytes = vec![0_u8; size];
+        assert_eq!(ffi::save(object, (bytes.as_mut_ptr(), size)), 0);
+        bytes
+    };
+    let mut failed = 0;
+    for (kind, index, value) in (0..11).flat_map(|kind| (0..8).map(move |index| (kind, index, 0.77))).chain([
+        (Kind::Input as i32, 0, f64::NAN),
+        (Kind::Parameter as i32, 0, f64::INFINITY),
+        (Kind::Start as i32, 0, f64::NAN),
+    ]) {
+        let before = saved();
+        if unsafe { ffi::set(object, kind, index, value) } != 0 {
+            failed += 1;
+            assert_eq!(before, saved(), "kind {kind}, {index}: {value}");
+        }
+    }
+    // Of 91 a parameter, an input and six start values can be set.
+    assert_eq!(failed, 83);
+}
+
+/// A library of the same declaration with its methods in another order has objects of the same size.
+#[test]
+fn an_object_of_other_methods_is_none() {
+    type Dop = Sim<Pendulum, Dop853<Pendulum>>;
+    type Rk = Sim<Pendulum, Rk4<f64>>;
+    type Own = ffi::BlockBy<Pendulum, Either<Dop, Rk>>;
+    type Other = ffi::BlockBy<Pendulum, Either<Rk, Dop>>;
+    assert_eq!(Own::SIZE, Other::SIZE);
+    let mut memory = [MaybeUninit::<Own>::zeroed()];
+    let object: *mut Own = memory.as_mut_ptr().cast();
+    unsafe {
+        assert_eq!(ffi::init(object, Own::SIZE, Pendulum::new()), 0);
+        assert_eq!(ffi::start(object.cast::<Other>()), Status::NoObject as i32);
+        assert_eq!(ffi::start(object), 0);
+    }
 }
 
 #[test]
