@@ -249,6 +249,30 @@ fn fmpy_finds_nothing_wrong_with_an_fmu_and_the_numbers_of_rust() {
     succeeds(Command::new(python).arg(check).args([two, file, rows]));
 }
 
+plm::mechanism! {
+    /// A box that is thrown on a floor: it bounces, slides, and sticks.
+    pub Bounce {
+        gravity: 10 m/s^2;
+        param e: 1 = 0.5;
+        param mu: 1 = 0.2;
+        body ball { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; start y: 1 m, locked; start vx: 3 m/s, locked; }
+        constraint upright: ball.angle = 0 rad;
+        unilateral floor: ball.o.y >= 0 m { restitution: e; }
+        friction rub: rate(ball.o.x) within mu*reaction(floor);
+        output ball.o.position, ball.o.velocity;
+    }
+}
+
+/// By CVode and by Euler's steps; `tests/fmu/contact.py` says what is looked at.
+#[test]
+fn an_fmu_with_contact_bounces_slides_and_sticks() {
+    let Some(python) = python() else { return };
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fmu/bounce.fmu");
+    plm::view::fmu(&Bounce::new(), &file).unwrap();
+    let check = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fmu/contact.py");
+    succeeds(Command::new(python).arg(check).arg(file));
+}
+
 #[path = "../examples/co_simulation/mechanisms.rs"]
 mod mechanisms;
 

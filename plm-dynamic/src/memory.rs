@@ -1,8 +1,9 @@
 //! What is remembered of loops, of as many numbers as a mechanism has.
 
 use plm_compiler::lowered::Loops;
-use plm_runtime::Scalar;
 use plm_runtime::charts::{Angle, Continuation, ContinuationData, Iterated, Reach};
+use plm_runtime::words::{InWords, Words};
+use plm_runtime::{Real, Scalar};
 
 /// Continuation data with room for `N` of each kind.
 #[derive(Clone, Copy, Debug)]
@@ -183,6 +184,19 @@ impl<S: Scalar, const N: usize> ContinuationData<S> for Memory<S, N> {
             if let Some(to) = self.number_mut(k) {
                 put(to, one.number(k));
             }
+        }
+    }
+}
+
+/// All that there is room for, and how many of these there are.
+impl<S: Real, const N: usize> InWords for Memory<S, N> {
+    fn each(&mut self, words: &mut impl Words) {
+        self.numbers.each(words);
+        let Counts { coordinates, angles, determinants, iterated } = &mut self.counts;
+        for count in [coordinates, angles, determinants, iterated] {
+            let mut word = *count as u64;
+            words.word(&mut word);
+            *count = usize::try_from(word).map_or(N, |count| count.min(N));
         }
     }
 }

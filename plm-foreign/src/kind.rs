@@ -69,16 +69,16 @@ impl Kind {
     /// Gives `each` the names of this kind, in their order; `declared` is any mechanism of the type.
     pub fn names<M: Foreign>(self, declared: &M, each: &mut impl FnMut(&'static str)) {
         match self {
-            Self::Parameter => M::TABLES.parameters.iter().for_each(|row| each(row.name)),
-            Self::Input => M::TABLES.inputs.iter().for_each(|row| each(row.name)),
-            Self::State => M::TABLES.states.iter().for_each(|row| each(row.name)),
-            Self::Output => M::OBSERVED.iter().for_each(|(name, _)| each(name)),
+            Self::Parameter => declared.tables().parameters.iter().for_each(|row| each(row.name)),
+            Self::Input => declared.tables().inputs.iter().for_each(|row| each(row.name)),
+            Self::State => declared.tables().states.iter().for_each(|row| each(row.name)),
+            Self::Output => declared.observables().iter().for_each(|(name, _)| each(name)),
             Self::Start => {
                 let mut copy = *declared;
                 copy.starts_mut().each(&mut |name, _| each(name));
             }
-            Self::Body => M::TABLES.bodies.iter().for_each(|body| each(body.name)),
-            Self::Contact => (0..M::CONTACTS).for_each(|row| each(declared.contact_name(row))),
+            Self::Body => declared.tables().bodies.iter().for_each(|body| each(body.name)),
+            Self::Contact => (0..declared.contact_count()).for_each(|row| each(declared.contact_name(row))),
             Self::Integrated | Self::Rate => {
                 for index in 0..<M as Rate>::X::LEN {
                     each(declared.name_of_state(index));

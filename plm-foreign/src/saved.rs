@@ -9,7 +9,7 @@ use plm_runtime::words::{InWords, Words};
 use crate::{Error, Foreign, Status};
 
 const NAME: u64 = u64::from_le_bytes(*b"plm run\0");
-const VERSION: u64 = 2;
+const VERSION: u64 = 3;
 /// Bytes of a word.
 const WORD: usize = 8;
 /// Words before those of the run, and all that are not of it.

@@ -215,3 +215,31 @@ fn a_step_that_is_too_long_is_discarded_and_a_shorter_one_goes_on() {
         }
     }
 }
+
+#[test]
+fn messages_name_the_variable() {
+    let (own, mut heard) = (CString::new(token::<Shaft>().as_str()).unwrap(), Heard::new());
+    let listener = ffi::Listener::three(Some(hear), (&raw mut heard).cast());
+    let wrong = [
+        (references(|variable| variable == Variable::Input(0)).remove(0), f64::NAN),
+        (references(|variable| variable == Variable::Output(0)).remove(0), 1.0),
+        (9999, 1.0),
+    ];
+    unsafe {
+        let handle =
+            ffi::instantiate((Shaft::new(), Steps::none()), own.as_ptr(), (CO_SIMULATION, false), listener);
+        for (reference, value) in wrong {
+            assert_eq!(ffi::set(handle, (&raw const reference, 1), (&raw const value, 1)), ERROR);
+        }
+        ffi::free(handle);
+    }
+    let messages: Vec<&str> = heard.iter().map(|(_, _, message)| message.as_str()).collect();
+    assert_eq!(
+        messages,
+        [
+            "drive: the value is infinite or not a number",
+            "disc.angle: it can be read, not set",
+            "no variable has the value reference 9999"
+        ]
+    );
+}

@@ -150,6 +150,10 @@ impl<
         self.model.contacts.as_ref().map_or(0, |contacts| contacts.lowered.rows.len())
     }
 
+    fn guard_of_row(&self, _u: &Self::U, row: usize) -> usize {
+        self.model.lowered.switches.guards + contact::PER_ROW * row
+    }
+
     fn may_bend(&self) -> bool {
         let reactions = self.model.contacts.iter().flat_map(|contacts| &contacts.lowered.reactions);
         reactions.into_iter().any(|reaction| reaction.in_plane)

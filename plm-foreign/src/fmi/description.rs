@@ -6,6 +6,7 @@ mod variables;
 use alloc::string::String;
 use core::fmt::{self, Write};
 
+use plm_runtime::contact::Mode;
 use plm_runtime::described::Quantity;
 
 use self::units::Units;
@@ -18,8 +19,9 @@ use super::{Exchanged, Variable, Version};
 use crate::ffi::Block;
 use crate::{Names, Text};
 
-/// The type of the method's parameter; no name of a declaration has words in brackets.
+/// The types of the method's parameter and of what rows of contact do; no name of a declaration has words in brackets.
 const METHODS: &str = "plm(methods)";
+const MODES: &str = "plm(contact)";
 
 /// Tells FMUs apart: the name of the mechanism and a number of its declaration.
 pub fn token<M: Exchanged>() -> Text {
@@ -36,12 +38,18 @@ pub fn description<M: Exchanged>(version: Version, declared: &M, to: &mut impl W
         Row::new(declared, (reference, variable, name), &mut units).write(version, &mut variables)?;
     }
     writeln!(to, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>")?;
-    head::<M>(version, to)?;
+    head(version, declared, to)?;
     writeln!(to, "  <UnitDefinitions>")?;
     units.write(to)?;
     writeln!(to, "  </UnitDefinitions>\n  <TypeDefinitions>")?;
-    methods(version, to)?;
+    let methods = Choice::ALL.into_iter().map(|choice| (choice.number(), choice.words()));
+    enumeration(version, METHODS, methods, to)?;
+    if declared.contact_count() > 0 {
+        let modes = Mode::ALL.into_iter().map(|mode| (mode.number(), of_mode(mode)));
+        enumeration(version, MODES, modes, to)?;
+    }
     writeln!(to, "  </TypeDefinitions>\n  <LogCategories>")?;
+    writeln!(to, "    <Category name=\"logStatusWarning\"/>")?;
     writeln!(to, "    <Category name=\"logStatusDiscard\"/>\n    <Category name=\"logStatusError\"/>")?;
     let tolerance = Settings::usual::<M>().tolerance;
     writeln!(to, "  </LogCategories>\n  <DefaultExperiment startTime=\"0\" tolerance=\"{tolerance:?}\"/>")?;
@@ -51,13 +59,13 @@ pub fn description<M: Exchanged>(version: Version, declared: &M, to: &mut impl W
 }
 
 /// The mechanism, and what it can do.
-fn head<M: Exchanged>(version: Version, to: &mut impl Write) -> fmt::Result {
+fn head<M: Exchanged>(version: Version, declared: &M, to: &mut impl Write) -> fmt::Result {
     let (name, docs, token) = (M::TABLES.name, M::TABLES.docs, token::<M>());
     write!(to, "<fmiModelDescription fmiVersion=\"{}\" modelName=\"{}\"", version.number(), Xml(name))?;
     write!(to, " {}=\"{}\"", version.pick("guid", "instantiationToken"), Xml(token.as_str()))?;
     write!(to, " description=\"{}\" generationTool=\"plm {}\"", Xml(docs), env!("CARGO_PKG_VERSION"))?;
     if version == Version::Two {
-        write!(to, " numberOfEventIndicators=\"{}\"", follow::indicators::<M>())?;
+        write!(to, " numberOfEventIndicators=\"{}\"", follow::indicators(declared))?;
     }
     writeln!(to, " variableNamingConvention=\"flat\">")?;
     let own = version.pick(
@@ -76,19 +84,34 @@ fn head<M: Exchanged>(version: Version, to: &mut impl Write) -> fmt::Result {
     )
 }
 
-/// The methods of co-simulation.
-fn methods(version: Version, to: &mut impl Write) -> fmt::Result {
+/// A type of whole numbers: each with its name, and what it is.
+fn enumeration<N: fmt::Display>(
+    version: Version,
+    name: &str,
+    items: impl Iterator<Item = (N, (&'static str, &'static str))>,
+    to: &mut impl Write,
+) -> fmt::Result {
     let (begin, inner, end) = version.pick(
         ("SimpleType", "<Enumeration>", "    </Enumeration></SimpleType>"),
         ("EnumerationType", "", "    </EnumerationType>"),
     );
-    writeln!(to, "    <{begin} name=\"{METHODS}\">{inner}")?;
-    for choice in Choice::ALL {
-        let (name, what) = choice.words();
-        let number = choice.number();
+    writeln!(to, "    <{begin} name=\"{name}\">{inner}")?;
+    for (number, (name, what)) in items {
         writeln!(to, "      <Item name=\"{name}\" value=\"{number}\" description=\"{}\"/>", Xml(what))?;
     }
     writeln!(to, "{end}")
+}
+
+/// What a row of contact does: a name, and words.
+fn of_mode(mode: Mode) -> (&'static str, &'static str) {
+    match mode {
+        Mode::Open => ("open", "a gap is open"),
+        Mode::Closed => ("closed", "a gap is closed"),
+        Mode::Off => ("unloaded", "a friction has no normal force"),
+        Mode::Sticks => ("sticks", "a friction holds"),
+        Mode::Forwards => ("forwards", "a friction slips forwards"),
+        Mode::Backwards => ("backwards", "a friction slips backwards"),
+    }
 }
 
 /// The declared output of an observed quantity, if it is one.

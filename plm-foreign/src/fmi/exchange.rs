@@ -7,7 +7,8 @@ use plm_runtime::{Cause, Events, Fault, Method, Moment, Vector};
 
 use super::follow::{Way, has_loops};
 use super::instance::differs;
-use super::sides::LeftOver;
+use super::late::{Follows, Motion, Place};
+use super::sides::{LeftOver, NEAR};
 use super::{Exchanged, Instance, Interface};
 use crate::{Error, Status};
 
@@ -72,20 +73,24 @@ impl<M: Exchanged> Instance<M> {
             return Err(Fault::new(state.time(), Cause::NotFinite).into());
         }
         let leaves = self.look.is_some_and(|look| look.leaves);
-        let of_loops = has_loops::<M>().then_some(if leaves { -1.0 } else { 1.0 });
+        let of_loops = has_loops(self.declared()).then_some(if leaves { -1.0 } else { 1.0 });
         Ok((0..<M as Events>::G::LEN).map(|index| guards.at(index)).chain(of_loops).collect())
     }
 
     /// A solver has moved on: to a time, or to another state.
     ///
     /// # Errors
-    /// [`Status::NotFinite`]
+    /// [`Status::NotFinite`]; [`Status::Interval`]: a time before the last event.
     pub fn place(&mut self, time: Option<f64>, x: Option<M::X>) -> Result<(), Error> {
         if !(time.is_none_or(f64::is_finite) && x.is_none_or(|x| x.is_finite())) {
             return Err(Status::NotFinite.into());
         }
         let state = self.state()?;
         let (held, time) = (state.held(), time.unwrap_or(state.time()));
+        // Before the last event other modes were held; the times of a solver are sums.
+        if time < self.since - NEAR * self.since.abs().max(1.0) {
+            return Err(Status::Interval.into());
+        }
         self.hold(held, time, x.unwrap_or(*state.x()))
     }
 
@@ -109,8 +114,8 @@ impl<M: Exchanged> Instance<M> {
     fn strike(&mut self) -> Result<Update, Error> {
         let state = self.state()?;
         let (mut held, mut x) = (state.held(), *state.x());
-        if <M as Events>::CONTACTS > 0 {
-            LeftOver::none().switch(state.mechanism(), state.time(), &mut held, &mut x)?;
+        if state.mechanism().contact_count() > 0 {
+            LeftOver::none().switch(state.mechanism(), state.time(), (&mut held, &mut x), 0.0)?;
         }
         let (states_changed, time) = (differs(&x, state.x()), state.time());
         if states_changed || held != state.held() {
@@ -120,7 +125,7 @@ impl<M: Exchanged> Instance<M> {
     }
 
     fn follows_loops(&self) -> bool {
-        self.interface == Interface::ModelExchange && has_loops::<M>()
+        self.interface == Interface::ModelExchange && has_loops(self.declared())
     }
 
     /// Follows the loops to where the solver is.
@@ -163,6 +168,9 @@ impl<M: Exchanged> Instance<M> {
     pub fn accept(&mut self) -> Result<bool, Error> {
         self.catch_up()?;
         let (held, x, moved) = self.arrived()?;
+        if self.indicators()?.iter().take(<M as Events>::G::LEN).any(|indicator| *indicator < 0.0) {
+            return Ok(true);
+        }
         let sim = self.object.sim()?;
         let state = sim.state();
         let (mechanism, time) = (state.mechanism(), state.time());
@@ -195,22 +203,55 @@ impl<M: Exchanged> Instance<M> {
         if self.state()?.held() != held || differs(&before, self.state()?.x()) {
             self.looked()?;
         }
-        let (mut held, mut x, _) = self.arrived()?;
-        let state = self.state()?;
-        let (mechanism, time) = (*state.mechanism(), state.time());
-        let (sides, reached) = (held, x);
-        if self.instant.is_some_and(|instant| time >= instant) {
-            mechanism.switch_at_time(time, &mut held, &mut x)?;
-        }
-        let mut left_over = self.left_over;
-        left_over.switch(&mechanism, time, &mut held, &mut x)?;
-        if let Some(fault) = mechanism.jump(time, &sides, &reached, Some(&held)) {
-            return Err(fault.into());
-        }
-        self.hold(held, time, x)?;
+        let (held, x, _) = self.arrived()?;
+        let mechanism = *self.state()?.mechanism();
+        let here = (self.state()?.time(), x);
+        let late = self.left_over.late(&Motion { system: &mechanism, held: &held }, &here);
+        let due = self.left_over.of_open_gaps(&mechanism, &here, &held);
+        let Passed { since, mut held, mut x, left_over } = self.passed(held, &here, late)?;
+        let tolerance = self.object.tolerance().unwrap_or(0.0);
+        let mut follows = Follows { since, late, tolerance, lost: self.lost };
+        follows.end_flights(&mechanism, (here.0, &mut held, &mut x), &due)?;
+        self.hold(held, here.0, x)?;
+        // A gap that has closed away from zero is led there.
+        self.object.sim_mut()?.project()?;
+        (held, x) = (self.state()?.held(), *self.state()?.x());
         self.looked()?;
-        self.left_over = left_over;
-        self.instant = mechanism.next_time_event(time, &held).filter(|instant| *instant > time);
+        (self.left_over, self.since, self.lost) = (left_over, here.0, follows.lost);
+        self.instant = mechanism.next_time_event(here.0, &held).filter(|instant| *instant > here.0);
         Ok(Update { states_changed: differs(&before, &x), next: self.instant })
     }
+
+    /// What is due at a place has switched; `late` is about how long ago it was due, s.
+    fn passed(&self, held: M::U, here: &Place<M>, late: f64) -> Result<Passed<M>, Error> {
+        let (mechanism, is_due) = (self.state()?.mechanism(), self.instant.is_some_and(|at| here.0 >= at));
+        let motion = Motion { system: mechanism, held: &held };
+        let before = self.left_over.before(&motion, here, (late, self.since));
+        let Some(there) = before else {
+            let ((mut after, mut x), mut left_over) = ((held, here.1), self.left_over);
+            if is_due {
+                mechanism.switch_at_time(here.0, &mut after, &mut x)?;
+            }
+            left_over.switch(mechanism, here.0, (&mut after, &mut x), late)?;
+            let jump = mechanism.jump(here.0, &held, &here.1, Some(&after));
+            return jump
+                .map_or(Ok(Passed { since: here.0, held: after, x, left_over }), |fault| Err(fault.into()));
+        };
+        let state = motion.on(&there, here.0)?;
+        let (mut held, mut x) = (state.held(), *state.x());
+        if is_due {
+            mechanism.switch_at_time(here.0, &mut held, &mut x)?;
+        }
+        let left_over = LeftOver::behind(mechanism, (here.0, x), &held);
+        Ok(Passed { since: there.0, held, x, left_over })
+    }
+}
+
+/// Behind what has switched.
+struct Passed<M: Exchanged> {
+    /// Nothing had switched until then, s.
+    since: f64,
+    held: M::U,
+    x: M::X,
+    left_over: LeftOver<M::G>,
 }

@@ -12,9 +12,10 @@ mod values;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::ffi::{CStr, c_char};
+use core::mem::{Discriminant, discriminant};
 use core::{fmt, slice};
 
-use plm_runtime::Cause;
+use plm_runtime::{Cause, Notice};
 
 pub use self::listener::{Listener, Log, Log2};
 pub use self::states::{deserialize, forget, restore, save, serialize, serialized_size};
@@ -32,6 +33,7 @@ use self::listener::Severity;
 /// `fmi3Status`, `fmi2Status`
 pub type Outcome = i32;
 const OK: Outcome = 0;
+const WARNING: Outcome = 1;
 const DISCARD: Outcome = 2;
 const ERROR: Outcome = 3;
 
@@ -44,6 +46,8 @@ pub struct Handle<M: Exchanged> {
     /// Steps of co-simulation may return at events.
     returns_early: bool,
     listener: Listener,
+    /// Notices that were told.
+    told: Vec<Discriminant<Notice>>,
 }
 
 const MARK: u64 = 0x706c_6d5f_666d_6933;
@@ -67,7 +71,7 @@ pub unsafe fn instantiate<M: Exchanged>(
         return core::ptr::null_mut();
     }
     let instance = Instance::with_steps(declared, steps, interface);
-    let handle = Handle { mark: MARK, instance, returns_early, listener };
+    let handle = Handle { mark: MARK, instance, returns_early, listener, told: Vec::new() };
     Box::into_raw(Box::new(handle))
 }
 
@@ -145,7 +149,19 @@ unsafe fn opened<M: Exchanged, R: Reason>(
         return ERROR;
     }
     match work(handle) {
-        Ok(()) => call.into_iter().for_each(|call| handle.instance.pass(call)),
+        Ok(()) => {
+            if let Some(call) = call {
+                handle.instance.pass(call);
+            }
+            let is_known = |notice: &Notice| handle.told.contains(&discriminant(notice));
+            let goes_on = matches!(call, Some(Call::UpdateDiscreteStates | Call::DoStep));
+            let notice = handle.instance.notice().filter(|notice| goes_on && !is_known(notice));
+            if let Some(notice) = notice {
+                handle.told.push(discriminant(&notice));
+                // SAFETY: the simulator gave the listener.
+                unsafe { handle.listener.tell(Severity::Warning, notice) };
+            }
+        }
         Err(reason) => {
             let severity = severity(&reason, version, call, mode);
             // SAFETY: the simulator gave the listener.

@@ -12,13 +12,13 @@ use super::Exchanged;
 const NEAREST: f64 = 1.0 / 4096.0;
 
 /// Has it loops that are followed? Those of kinematics, dyads and iterations are.
-pub(super) fn has_loops<M: Exchanged>() -> bool {
-    matches!(M::TABLES.report.rung, 1 | 3 | 4)
+pub(super) fn has_loops<M: Exchanged>(declared: &M) -> bool {
+    matches!(declared.tables().report.rung, 1 | 3 | 4)
 }
 
 /// How many event indicators there are: those of conditions, and one of the loops.
-pub(super) fn indicators<M: Exchanged>() -> usize {
-    <M as Events>::G::LEN + usize::from(has_loops::<M>())
+pub(super) fn indicators<M: Exchanged>(declared: &M) -> usize {
+    <M as Events>::G::LEN + usize::from(has_loops(declared))
 }
 
 /// A way from the last look to where a solver is: time and state.

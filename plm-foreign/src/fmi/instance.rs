@@ -4,7 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use plm_runtime::words::{InWords, Words};
-use plm_runtime::{Moment, Vector};
+use plm_runtime::{Moment, Notice, Vector};
 
 use super::exchange::Look;
 use super::method::{Choice, NoMethod, Settings, Steps, Way, emitted, first_event, run};
@@ -31,6 +31,10 @@ pub struct Instance<M: Exchanged> {
     /// The next time at which conditions on it change, s.
     pub(super) instant: Option<f64>,
     pub(super) left_over: LeftOver<M::G>,
+    /// The time of the last event, or of the start, s.
+    pub(super) since: f64,
+    /// Events in a row at which a gap was negative that had not been struck.
+    pub(super) lost: u64,
     /// Of model exchange; none before the start.
     pub(super) look: Option<Look<M::X>>,
 }
@@ -50,11 +54,13 @@ impl<M: Exchanged> Instance<M> {
             object: Object::new(declared),
             steps,
             settings: Settings::usual::<M>(),
-            inputs: vec![None; M::TABLES.inputs.len()],
+            inputs: vec![None; declared.tables().inputs.len()],
             start_time: 0.0,
             is_stale: true,
             instant: None,
             left_over: LeftOver::none(),
+            since: 0.0,
+            lost: 0,
             look: None,
         }
     }
@@ -111,7 +117,7 @@ impl<M: Exchanged> Instance<M> {
         }
         // Sides of conditions may depend on inputs.
         self.object.start_at(self.start_time)?;
-        self.is_stale = false;
+        (self.is_stale, self.since, self.lost) = (false, self.start_time, 0);
         self.looked()
     }
 
@@ -136,7 +142,7 @@ impl<M: Exchanged> Instance<M> {
                 Ok(())
             }
             Variable::Step if !is_running => Err(Status::Choice.into()),
-            Variable::Method => Err(Status::NoSuch.into()),
+            Variable::Method | Variable::Contact(_) => Err(Status::NoSuch.into()),
             Variable::Input(index) if is_running => self.object.set(Kind::Input, index, value),
             Variable::Input(_) if !value.is_finite() => Err(Status::NotFinite.into()),
             Variable::Input(index) => {
@@ -156,7 +162,7 @@ impl<M: Exchanged> Instance<M> {
             Variable::Parameter(index) => return self.object.get(Kind::Parameter, index),
             Variable::Start(index) => return self.object.get(Kind::Start, index),
             Variable::Step => return Ok(self.settings.step),
-            Variable::Method => return Err(Status::NoSuch.into()),
+            Variable::Method | Variable::Contact(_) => return Err(Status::NoSuch.into()),
             _ => self.renew()?,
         }
         match variable {
@@ -170,6 +176,27 @@ impl<M: Exchanged> Instance<M> {
             Variable::Indicator(index) => self.indicators()?.get(index).copied().ok_or(Status::NoSuch.into()),
             _ => self.object.time(),
         }
+    }
+
+    /// The value of a variable that is a whole number: of the method, of what a row of contact does.
+    ///
+    /// # Errors
+    /// [`Status::NoSuch`] of all others; when the mechanism cannot be assembled.
+    pub fn integer(&mut self, variable: Variable) -> Result<i64, Error> {
+        match variable {
+            Variable::Method => Ok(self.settings.choice.number()),
+            Variable::Contact(row) => {
+                self.renew()?;
+                let mode = M::contacts(&self.state()?.held()).mode(row).ok_or(Status::NoSuch)?;
+                i64::try_from(mode.number()).map_err(|_| Status::NoSuch.into())
+            }
+            _ => Err(Status::NoSuch.into()),
+        }
+    }
+
+    /// What the user should know although the run goes on.
+    pub fn notice(&self) -> Option<Notice> {
+        self.object.sim().ok()?.notice()
     }
 
     /// The moment.
@@ -286,6 +313,8 @@ impl<M: Exchanged> InWords for Instance<M> {
         words.flag(&mut self.is_stale);
         words.perhaps(&mut self.instant, 0.0, Words::number);
         self.left_over.each(words);
+        words.number(&mut self.since);
+        words.word(&mut self.lost);
         words.perhaps(&mut self.look, Look::nowhere(), Look::each);
     }
 }

@@ -9,6 +9,7 @@ mod exchange;
 pub mod ffi;
 mod follow;
 mod instance;
+mod late;
 mod method;
 mod mode;
 mod names;

@@ -58,12 +58,13 @@ fn candidates<M: Exchanged>(declared: &M, variable: Variable) -> Vec<String> {
         Variable::Parameter(k) => (Kind::Parameter, "parameter", k),
         Variable::Input(k) => (Kind::Input, "input", k),
         Variable::Output(k) => (Kind::Output, "output", k),
+        Variable::Contact(k) => (Kind::Contact, "contact", k),
         Variable::Start(k) => (Kind::Start, "start", k),
     };
     let name = kind.name(declared, k).unwrap_or_default();
     let mut all = vec![name.to_string(), format!("{word}({name})"), numbered(word, k, name)];
-    if kind == Kind::Start {
-        // The name itself is that of a value of the run.
+    if matches!(kind, Kind::Start | Kind::Contact) {
+        // The name itself is that of a value of the run, or of a part.
         all.remove(0);
     }
     all

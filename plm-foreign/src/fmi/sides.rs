@@ -2,13 +2,32 @@
 
 use alloc::vec;
 
+use plm_runtime::contact::Mode;
 use plm_runtime::words::{InWords, Words};
 use plm_runtime::{Cause, Fault, System, Vector};
 
 use super::Exchanged;
+use super::late::{Motion, Place};
 
 /// A solver finds events to rounding, before or after: what would switch within this time, times that of the run, switches now.
-const NEAR: f64 = 1e-10;
+pub(super) const NEAR: f64 = 1e-10;
+
+fn near(t: f64) -> f64 {
+    NEAR * t.abs().max(1.0)
+}
+
+/// How long the motion may have gone on beyond a condition, s. A slip that was found to rounding may have turned by that; a gap was found
+/// where its guard says.
+fn step<M: Exchanged>(system: &M, (t, held): (f64, &M::U), (index, late): (usize, f64)) -> f64 {
+    let status = M::contacts(held);
+    let slips =
+        |row: usize| system.guard_of_row(held, row) == index && status.mode(row).is_some_and(Mode::slips);
+    match late > near(t) {
+        true => 2.0 * late,
+        false if (0..system.contact_count()).any(slips) => 2.0 * near(t),
+        false => 0.0,
+    }
+}
 
 /// How far conditions are beyond where they switch, because they were switched a little before.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +50,56 @@ impl<G: Vector<f64>> LeftOver<G> {
         self.0 = self.0.map2(&guards, |left_over, guard| if guard > 0.0 { 0.0 } else { left_over });
     }
 
-    /// Switches what is due, each condition once.
+    /// The event indicators of gaps that are open; 1 in the places of all others.
+    pub(super) fn of_open_gaps<M: Exchanged<G = G>>(&self, system: &M, (t, x): &Place<M>, held: &M::U) -> G {
+        let (mut open, indicators) = (G::fill(1.0), self.indicators(system, *t, held, x));
+        for row in (0..system.contact_count()).filter(|row| M::contacts(held).mode(*row) == Some(Mode::Open))
+        {
+            let guard = system.guard_of_row(held, row);
+            open.set(guard, indicators.at(guard));
+        }
+        open
+    }
+
+    /// How long ago the indicators that are negative were zero, s: about that, and zero where none is.
+    pub(super) fn late<M: Exchanged<G = G>>(&self, motion: &Motion<M>, here: &Place<M>) -> f64 {
+        let of = |(t, x): &Place<M>| self.indicators(motion.system, *t, motion.held, x);
+        let indicators = of(here);
+        if !(0..G::LEN).any(|index| indicators.at(index) < 0.0) {
+            return 0.0;
+        }
+        let slopes = motion.slopes(here, of).unwrap_or(G::fill(0.0));
+        let ago = |index: usize| {
+            let (beyond, slope) = (indicators.at(index), slopes.at(index));
+            // What comes back says nothing of when it has left.
+            if slope < 0.0 { beyond / slope } else { near(here.0) }
+        };
+        let due = (0..G::LEN).filter(|index| indicators.at(*index) < 0.0);
+        due.map(ago).fold(0.0, f64::max)
+    }
+
+    /// A place on the way to here where what is due had not passed its zero, if it has by more than rounding.
+    pub(super) fn before<M: Exchanged<G = G>>(
+        &self,
+        motion: &Motion<M>,
+        here: &Place<M>,
+        (late, since): (f64, f64),
+    ) -> Option<Place<M>> {
+        let of = |(t, x): &Place<M>| self.indicators(motion.system, *t, motion.held, x);
+        let due = of(here);
+        let holds = |at: &Place<M>| {
+            let indicators = of(at);
+            (0..G::LEN).all(|index| due.at(index) >= 0.0 || indicators.at(index) >= 0.0)
+        };
+        if late > near(here.0) { motion.before(here, (late, since), holds) } else { None }
+    }
+
+    /// Behind a run, which has switched what was due: what is beyond its zero is rounding.
+    pub(super) fn behind<M: Exchanged<G = G>>(system: &M, (t, x): Place<M>, held: &M::U) -> Self {
+        Self(beyond_band(system, t, held, &x).map(|guard| if guard < 0.0 { -2.0 * guard } else { 0.0 }))
+    }
+
+    /// Switches what is due, each condition once; `late` is about how long ago it was due, s.
     ///
     /// # Errors
     /// [`Cause::Required`]
@@ -39,8 +107,8 @@ impl<G: Vector<f64>> LeftOver<G> {
         &mut self,
         system: &M,
         t: f64,
-        held: &mut M::U,
-        x: &mut M::X,
+        (held, x): (&mut M::U, &mut M::X),
+        late: f64,
     ) -> Result<(), Fault> {
         let mut switched = vec![false; G::LEN];
         // A condition may switch another one.
@@ -52,7 +120,8 @@ impl<G: Vector<f64>> LeftOver<G> {
             if system.must_hold(index) {
                 return Err(Fault::of_part(t, system.guard_name(index), Cause::Required));
             }
-            system.switch(t, held, x, index)?;
+            let step = step(system, (t, held), (index, late));
+            system.switch_behind(t, held, x, (index, step))?;
             if let Some(done) = switched.get_mut(index) {
                 *done = true;
             }
@@ -66,7 +135,7 @@ impl<G: Vector<f64>> LeftOver<G> {
 
     /// The indicators now, or in a moment where they are less then.
     fn due<M: Exchanged<G = G>>(&self, system: &M, t: f64, held: &M::U, x: &M::X) -> G {
-        let (now, near, mut rate) = (self.indicators(system, t, held, x), NEAR * t.abs().max(1.0), *x);
+        let (now, near, mut rate) = (self.indicators(system, t, held, x), near(t), *x);
         if !system.rate(t, held, x, &mut rate).is_good() {
             return now;
         }

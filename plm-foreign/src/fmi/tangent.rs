@@ -10,13 +10,16 @@ use crate::{Error, Status};
 /// Derivatives of `unknowns` (rates and outputs) along `seeds` of `knowns` (time, states, inputs, parameters), exact but for rounding.
 ///
 /// # Errors
-/// [`Status::NoSuch`] for other variables; a fault where the rate needs a solution by rank.
+/// [`Status::NoSuch`] for other variables; [`Status::NotFinite`] for seeds that are no numbers; a fault where the rate needs a solution by rank.
 pub(super) fn along<M: Exchanged>(
     state: &M::State,
     knowns: &[(Variable, f64)],
     unknowns: &[Variable],
 ) -> Result<Vec<f64>, Error> {
     type Lifted<M> = <M as Linear>::Lifted<1>;
+    if !knowns.iter().all(|(_, seed)| seed.is_finite()) {
+        return Err(Status::NotFinite.into());
+    }
     let (mut lifted, mut held) = state.mechanism().lift::<1>(&state.held());
     let mut x =
         <<Lifted<M> as Rate>::X as Vector<Dual<f64, 1>>>::from_fn(|i| Dual::constant(state.x().at(i)));

@@ -29,6 +29,8 @@ pub enum Variable {
     Method,
     /// The step of methods with steps of fixed length, s.
     Step,
+    /// What a row of contact does, as [`Mode::number`](plm_runtime::contact::Mode::number) says.
+    Contact(usize),
 }
 
 /// A kind of variable, and how many there are.
@@ -36,18 +38,19 @@ type Count = (fn(usize) -> Variable, usize);
 
 impl Variable {
     /// How many there are of each, in the order of value references; the time is 0.
-    fn counts<M: Exchanged>(declared: &M) -> [Count; 9] {
+    fn counts<M: Exchanged>(declared: &M) -> [Count; 10] {
         let states = <M as Rate>::X::LEN;
         [
-            (Self::Parameter, M::TABLES.parameters.len()),
+            (Self::Parameter, declared.tables().parameters.len()),
             (Self::Start, Kind::Start.count(declared)),
-            (Self::Input, M::TABLES.inputs.len()),
-            (Self::Output, M::OBSERVED.len()),
+            (Self::Input, declared.tables().inputs.len()),
+            (Self::Output, declared.observables().len()),
             (Self::State, states),
             (Self::Rate, states),
-            (Self::Indicator, follow::indicators::<M>()),
+            (Self::Indicator, follow::indicators(declared)),
             (|_| Self::Method, 1),
             (|_| Self::Step, 1),
+            (Self::Contact, declared.contact_count()),
         ]
     }
 

@@ -165,6 +165,33 @@ fn what_a_push_depends_on_is_not_listed() {
     assert!(reads[..4].iter().all(Option::is_some) && reads[4..6].iter().all(Option::is_none), "{reads:?}");
 }
 
+/// Before it other modes were held.
+#[test]
+fn a_time_before_the_last_event_is_refused_and_so_are_seeds_that_are_no_numbers() {
+    let mut importer = Importer::new(exchanged(Thrown::new()), 1e-3, 1).unwrap();
+    importer.run(0.3).unwrap();
+    let instance = &mut importer.instance;
+    // The first impact is at 0.202 s.
+    let outcomes = [0.1, 0.25].map(|time| instance.place(Some(time), None).map_err(|error| error.status()));
+    assert_eq!(outcomes, [Err(Status::Interval), Ok(())]);
+    let along = |seed| [(Variable::Input(0), seed)];
+    let wrong = instance.tangents(&along(f64::NAN), &[Variable::Rate(2)]).unwrap_err();
+    assert_eq!(wrong.status(), Status::NotFinite);
+    assert!(instance.tangents(&along(1.0), &[Variable::Rate(2)]).is_ok());
+}
+
+/// Open in a flight, closed on the floor; off, slipping, and sticking.
+#[test]
+fn modes_of_rows_are_variables() {
+    let mut importer = Importer::new(exchanged(Thrown::new()), 1e-3, 1).unwrap();
+    for (until, modes) in [(0.1, [0, 2]), (2.4, [1, 3])] {
+        importer.run(until).unwrap();
+        let found = [0, 1].map(|row| importer.instance.integer(Variable::Contact(row)).unwrap());
+        assert_eq!(found, modes, "t = {until}");
+    }
+    assert_eq!(importer.instance.set(Variable::Contact(0), 1.0).unwrap_err().status(), Status::NoSuch);
+}
+
 /// By the pull: nothing moves while the block sticks, and friction takes it all; where it slides it is 1/m.
 #[test]
 fn derivatives_are_those_of_the_modes_held() {

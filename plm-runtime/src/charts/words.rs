@@ -5,12 +5,9 @@ use crate::scalar::Real;
 use crate::words::{InWords, Words};
 
 /// The chart, and what is remembered in it; or pose and velocity. What is not held is zero.
-impl<S: Real, const Y: usize, const T: usize, const A: usize, const F: usize, const NQ: usize> InWords
-    for OfLoops<Continuation<S, Y, T, A, F>, [S; NQ]>
-{
+impl<S: Real, C: ContinuationData<S> + InWords, const NQ: usize> InWords for OfLoops<C, [S; NQ]> {
     fn each(&mut self, words: &mut impl Words) {
-        let (mut place, mut continuation, mut pose) =
-            (0, Continuation::nothing(), ([S::ZERO; NQ], [S::ZERO; NQ]));
+        let (mut place, mut continuation, mut pose) = (0, C::nothing(), ([S::ZERO; NQ], [S::ZERO; NQ]));
         match *self {
             OfLoops::InChart { chart, continuation: held } => {
                 (place, continuation) = (chart as u64 + 1, held);

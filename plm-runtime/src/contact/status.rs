@@ -58,6 +58,12 @@ pub struct Status<'a> {
 }
 
 impl Status<'_> {
+    /// How many guards the rows have: [`guard_count`](super::guard_count) of the places that there are for them.
+    #[must_use]
+    pub fn guard_count(&self) -> usize {
+        if self.modes.is_empty() { 0 } else { super::guard_count(self.modes.len()) }
+    }
+
     /// What a row does; a row that others hold is closed, or sticks.
     #[must_use]
     pub fn mode(&self, row: usize) -> Option<Mode> {

@@ -154,6 +154,12 @@ pub trait Events: Rate {
         Self::CONTACTS
     }
 
+    /// The first guard of a contact row, that of its gap where it is open; the guards of contact stand behind all others.
+    #[inline]
+    fn guard_of_row(&self, u: &Self::U, row: usize) -> usize {
+        self.guard_count() - Self::contacts(u).guard_count() + contact::PER_ROW * row
+    }
+
     /// May contact forces bend sharply within a step? Those do that the size of a reaction in the plane bounds, where it passes near zero.
     const BENDS: bool = false;
 

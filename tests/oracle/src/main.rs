@@ -9,6 +9,7 @@
 //! Half of the numbers that a case draws are special ones ([`draw::Draw`]): 0, 1, equal, at rest, at a bound, closed as drawn.
 
 mod draw;
+mod late;
 #[path = "../../support/random.rs"]
 mod random;
 mod resets;

@@ -7,11 +7,18 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::draw::Draw;
-use crate::resets;
+use crate::{late, resets};
 
 /// All sweeps.
-pub(crate) const SWEEPS: &[Sweep] =
-    &[Sweep { name: "resets", title: "states that a `when` sets", quick: 200, case: resets::case }];
+pub(crate) const SWEEPS: &[Sweep] = &[
+    Sweep {
+        name: "late",
+        title: "contact and conditions in model exchange, by importers that are late",
+        quick: 100,
+        case: late::case,
+    },
+    Sweep { name: "resets", title: "states that a `when` sets", quick: 200, case: resets::case },
+];
 
 /// Random cases of one kind.
 pub(crate) struct Sweep {

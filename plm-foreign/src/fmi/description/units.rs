@@ -1,6 +1,7 @@
 //! Units: what variables have, and what all of them come from.
 
 use alloc::collections::BTreeMap;
+use alloc::format;
 use alloc::string::{String, ToString};
 use core::fmt::{self, Write};
 
@@ -67,6 +68,14 @@ impl Units {
         let Some(exponents) = exponents(unit) else { return Unit::default() };
         self.0.entry(unit.to_string()).or_insert((exponents, BTreeMap::new()));
         Unit { si: unit.to_string(), display: String::new() }
+    }
+
+    /// That of the rate of what has a unit.
+    pub(super) fn rate_of(&mut self, unit: &str) -> Unit {
+        match unit.strip_suffix("/s") {
+            Some(unit) => self.named(&format!("{unit}/s^2")),
+            None => self.named(&format!("{unit}/s")),
+        }
     }
 
     /// Writes all of them; both versions do it in the same words.

@@ -8,7 +8,7 @@ use plm_runtime::described::Quantity;
 use plm_runtime::{Rate, StartValues, Vector};
 
 use super::units::{Unit, Units};
-use super::{METHODS, Xml, output};
+use super::{METHODS, MODES, Xml, output};
 use crate::fmi::method::Settings;
 use crate::fmi::{Exchanged, Variable, Version};
 
@@ -25,7 +25,8 @@ pub(super) struct Row {
     nominal: Option<f64>,
     /// The reference of the state that it is the rate of.
     of_state: Option<usize>,
-    is_method: bool,
+    /// The type of a variable of whole numbers.
+    whole: Option<&'static str>,
     docs: &'static str,
 }
 
@@ -43,6 +44,11 @@ impl Row {
             (None, Variable::Time | Variable::Step) => units.named("s"),
             (None, Variable::Start(k)) if k < 6 * M::TABLES.bodies.len() => {
                 units.named(["m", "m", "rad", "m/s", "m/s", "rad/s"].get(k % 6).unwrap_or(&""))
+            }
+            (None, Variable::State(k)) => unit_of_state(declared, k, units),
+            (None, Variable::Rate(k)) => {
+                let unit = unit_of_state(declared, k, &mut Units::default()).si;
+                if unit.is_empty() { Unit::default() } else { units.rate_of(&unit) }
             }
             (None, _) => Unit::default(),
         };
@@ -66,7 +72,7 @@ impl Row {
             Variable::Start(k) => (parameter("fixed", number(start_value(declared, k))), None),
             Variable::Method => {
                 let (start, docs) = (Some(String::from("1")), "method of co-simulation");
-                (Self { is_method: true, docs, ..parameter("fixed", start) }, None)
+                (Self { whole: Some(METHODS), docs, ..parameter("fixed", start) }, None)
             }
             Variable::Step => {
                 let docs = "longest step of methods of co-simulation with steps of fixed length";
@@ -84,15 +90,19 @@ impl Row {
                 (Self { initial: "calculated", nominal, ..row("local") }, None)
             }
             Variable::Rate(_) | Variable::Indicator(_) => (row("local"), None),
+            Variable::Contact(_) => {
+                let (variability, docs) = ("discrete", "what the row of contact does");
+                (Self { whole: Some(MODES), variability, docs, ..row("local") }, None)
+            }
         }
     }
 
     /// Writes it as a version has it.
     pub(super) fn write(&self, version: Version, to: &mut String) -> fmt::Result {
-        let kind = match (version, self.is_method) {
-            (Version::Two, false) => "Real",
-            (Version::Three, false) => "Float64",
-            (_, true) => "Enumeration",
+        let kind = match (version, self.whole) {
+            (Version::Two, None) => "Real",
+            (Version::Three, None) => "Float64",
+            (_, Some(_)) => "Enumeration",
         };
         write!(to, "    <{}", version.pick("ScalarVariable", kind))?;
         self.of_variable(to)?;
@@ -116,8 +126,8 @@ impl Row {
 
     /// The attributes of its type.
     fn of_type(&self, version: Version, to: &mut String) -> fmt::Result {
-        let Self { start, unit, nominal, of_state, is_method, .. } = self;
-        perhaps(to, "declaredType", is_method.then_some(METHODS))?;
+        let Self { start, unit, nominal, of_state, whole, .. } = self;
+        perhaps(to, "declaredType", *whole)?;
         perhaps(to, "start", start.as_ref())?;
         perhaps(to, "unit", Some(&unit.si).filter(|unit| !unit.is_empty()))?;
         perhaps(to, "displayUnit", Some(&unit.display).filter(|unit| !unit.is_empty()))?;
@@ -131,6 +141,23 @@ impl Row {
 /// Writes an attribute that may not be there.
 fn perhaps(to: &mut String, attribute: &str, value: Option<impl AsRef<str>>) -> fmt::Result {
     value.map_or(Ok(()), |value| write!(to, " {attribute}=\"{}\"", Xml(value.as_ref())))
+}
+
+/// The unit of a state; none of a coordinate that is an angle in one chart and a length in another.
+fn unit_of_state<M: Exchanged>(declared: &M, index: usize, units: &mut Units) -> Unit {
+    if let Some(row) = index.checked_sub(2 * <M as Rate>::NQ).and_then(|k| declared.tables().states.get(k)) {
+        return units.of(row);
+    }
+    let unit = |name: &str| match name.rsplit('.').next() {
+        Some("angle") => "rad",
+        Some("omega") => "rad/s",
+        Some("x" | "y" | "displacement") => "m",
+        Some("vx" | "vy" | "speed") => "m/s",
+        _ => "",
+    };
+    let mut all = declared.name_of_state(index).split(" or ").map(unit);
+    let first = all.next().unwrap_or_default();
+    units.named(if all.all(|other| other == first) { first } else { "" })
 }
 
 /// A start value.

@@ -5,13 +5,15 @@ use alloc::vec::Vec;
 use core::ffi::{CStr, c_char, c_void};
 use core::fmt;
 
-use super::{DISCARD, ERROR, Outcome};
+use super::{DISCARD, ERROR, Outcome, WARNING};
 use crate::Text;
 use crate::fmi::Version;
 
-/// How bad it is that a function did nothing.
+/// How bad it is what a function tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Severity {
+    /// It was done; the user should know something of it.
+    Warning,
     /// Another step may do.
     Discard,
     /// It was called wrongly, or nothing else will do.
@@ -19,10 +21,11 @@ pub(super) enum Severity {
 }
 
 impl Severity {
-    pub(super) const ALL: [Self; 2] = [Self::Discard, Self::Error];
+    pub(super) const ALL: [Self; 3] = [Self::Warning, Self::Discard, Self::Error];
 
     pub(super) fn outcome(self) -> Outcome {
         match self {
+            Self::Warning => WARNING,
             Self::Discard => DISCARD,
             Self::Error => ERROR,
         }
@@ -31,6 +34,7 @@ impl Severity {
     /// The category of its messages.
     fn category(self) -> &'static CStr {
         match self {
+            Self::Warning => c"logStatusWarning",
             Self::Discard => c"logStatusDiscard",
             Self::Error => c"logStatusError",
         }
@@ -91,7 +95,7 @@ impl Listener {
         }
     }
 
-    /// Tells the simulator what is wrong.
+    /// Tells the simulator what is wrong, or to be known.
     ///
     /// # Safety
     /// The function may be called with the environment.
