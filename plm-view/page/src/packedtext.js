@@ -5,6 +5,8 @@ import { inflated } from "./zip.js";
 
 /** A longer one is no link to a declaration: what it unpacks to would fill the memory. */
 const LONGEST_LINK = 1 << 16;
+/** Bytes that a link may unpack to. */
+const LONGEST_TEXT = 1 << 22;
 
 /** @param {string} text */
 export async function packText(text) {
@@ -18,7 +20,7 @@ export async function unpackText(packed) {
   if (packed === "" || packed.length > LONGEST_LINK) return null;
   try {
     const letters = atob(packed.replaceAll("-", "+").replaceAll("_", "/"));
-    const bytes = await inflated(Uint8Array.from(letters, (letter) => letter.charCodeAt(0)));
+    const bytes = await inflated(Uint8Array.from(letters, (letter) => letter.charCodeAt(0)), LONGEST_TEXT);
     const text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
     return text === "" ? null : text;
   } catch {

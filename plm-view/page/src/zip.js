@@ -9,11 +9,13 @@ const END = 0x06054b50;
 const DESCRIPTOR = 0x08074b50;
 /** What stands in the place of a size that needs 64 bits. */
 const LARGE = 0xffffffff;
+/** Bytes that an archive may unpack to: a few packed ones can stand for more than a page has memory for. */
+const MOST_UNPACKED = 2 ** 30;
 
 /**
  * @param {Uint8Array} bytes
  * @returns {Promise<{entries: ZipEntry[], warnings: string[]}>}
- * @throws {Error} if the bytes are no zip archive
+ * @throws {Error} if the bytes are no zip archive, or of one that unpacks to more than there may be
  */
 export async function readZip(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -29,8 +31,10 @@ export async function readZip(bytes) {
     places = localPlaces(view);
   }
   const entries = [];
+  let left = MOST_UNPACKED;
   for (const place of places) {
-    const entry = await entryAt(bytes, place);
+    const entry = await entryAt(bytes, place, left);
+    left -= entry.bytes.length;
     if (!entry.whole) warnings.push(`${place.name} is damaged or cut off.`);
     entries.push(entry);
   }
@@ -156,34 +160,48 @@ function nextLocal(view, from) {
 /**
  * @param {Uint8Array} bytes
  * @param {ZipPlace} place
+ * @param {number} most bytes that it may unpack to
  * @returns {Promise<ZipEntry>}
  */
-async function entryAt(bytes, place) {
+async function entryAt(bytes, place, most) {
   const packed = bytes.subarray(place.start, place.start + place.size);
   const { name } = place;
   if (place.method !== 0 && place.method !== 8) return { name, bytes: new Uint8Array(0), whole: false };
-  const unpacked = place.method === 8 ? await inflated(packed) : packed;
+  if (place.full > most) throw new Error(TOO_LARGE_UNPACKED);
+  const unpacked = place.method === 8 ? await inflated(packed, most) : packed;
   const isComplete = place.full < 0 || unpacked.length === place.full;
   const whole = isComplete && (place.crc < 0 || checkSum(unpacked) === place.crc);
   return { name, bytes: unpacked, whole };
 }
 
+const TOO_LARGE_UNPACKED = "the file unpacks to more than 1 GB, for which a page has no memory";
+
 /**
  * All that can be unpacked; a stream that is cut off gives its beginning.
  * @param {Uint8Array} packed
+ * @param {number} [most] bytes that it may unpack to
+ * @throws {Error} where it unpacks to more
  */
-export async function inflated(packed) {
+export async function inflated(packed, most = MOST_UNPACKED) {
   const stream = new Blob([/** @type {Uint8Array<ArrayBuffer>} */ (packed)])
     .stream()
     .pipeThrough(new DecompressionStream("deflate-raw"));
   const reader = stream.getReader();
   const chunks = [];
+  let length = 0;
   try {
-    for (let part = await reader.read(); !part.done; part = await reader.read()) chunks.push(part.value);
+    for (let part = await reader.read(); !part.done && length <= most; part = await reader.read()) {
+      chunks.push(part.value);
+      length += part.value.length;
+    }
   } catch {
     // What came before is kept, and the length tells that something is missing.
   }
-  const out = new Uint8Array(chunks.reduce((length, chunk) => length + chunk.length, 0));
+  if (length > most) {
+    await reader.cancel();
+    throw new Error(TOO_LARGE_UNPACKED);
+  }
+  const out = new Uint8Array(length);
   let at = 0;
   for (const chunk of chunks) {
     out.set(chunk, at);

@@ -4,7 +4,9 @@ import { readContents } from "../src/format.js";
 import { readNpy } from "../src/npy.js";
 import { readResults } from "../src/results.js";
 import { givenText } from "../src/text.js";
-import { checkSum, readZip } from "../src/zip.js";
+import { packText, unpackText } from "../src/packedtext.js";
+import { deflated } from "../src/write.js";
+import { checkSum, inflated, readZip } from "../src/zip.js";
 import { makeNpy, makeNpz, makeZip, resultsFiles } from "./support/npz.js";
 import { doublePendulum, workshop } from "./support/scenes.js";
 
@@ -13,6 +15,15 @@ const bytesOf = (buffer) => new Uint8Array(buffer);
 test("the check sum is that of the standard", () => {
   // The check value of CRC-32/ISO-HDLC in the catalogue of G. Cook.
   assert.equal(checkSum(new TextEncoder().encode("123456789")), 0xcbf43926);
+});
+
+test("what unpacks to more than there may be is refused", async () => {
+  const packed = await deflated(new Uint8Array(1 << 20));
+  assert.ok(packed.length < 4096);
+  assert.equal((await inflated(packed, 1 << 20)).length, 1 << 20);
+  await assert.rejects(inflated(packed, (1 << 20) - 1), /more than 1 GB/);
+  assert.equal(await unpackText(await packText("a".repeat(1 << 23))), null);
+  assert.equal(await unpackText(await packText("pub A { }")), "pub A { }");
 });
 
 test("stored, deflated, streamed and large archives are read alike", async () => {
