@@ -33,7 +33,7 @@ xz --keep --force --format=lzma --lzma1=preset=9e,lc=4,pb=0 --stdout \
     target/playground/wasm32-unknown-unknown/release/plm_playground.wasm > "$made/module.lzma"
 page() {
     cargo run -q -p plm-cli --example playground -- "$@" \
-        "$made/module.lzma" "$made/editor.js" plm-program/examples/four_bar.rs \
+        "$made/module.lzma" "$made/editor.js" examples/playground/four_bar.plm \
         $machines/{watt,peaucellier,lambda,klann,whitworth,pumpjack,scissor,andrews,walschaerts,wiper}.rs examples/double_pendulum.rs
 }
 page target/plm/playground.html

@@ -61,7 +61,11 @@ impl<M: Described> Recorder<M> {
     /// `Sim` or of a state.
     pub fn new(of: &impl AsMoment<State: Moment<M = M>>) -> Self {
         let outputs = of.as_moment().mechanism().tables().outputs;
-        Self::of(of, outputs.iter().map(column), (0..outputs.len()).map(Taken::Output).collect())
+        Self::of(
+            of.as_moment().mechanism(),
+            outputs.iter().map(column),
+            (0..outputs.len()).map(Taken::Output).collect(),
+        )
     }
 
     /// Records the poses and these quantities of [`Described::observables`], SI.
@@ -76,12 +80,16 @@ impl<M: Described> Recorder<M> {
         let find = |name| known.iter().position(|(own, _)| *own == name).ok_or(name);
         let found: Vec<usize> = names.into_iter().map(find).collect::<Result<_, &str>>()?;
         let columns: Vec<(&str, &str)> = found.iter().map(|k| known[*k]).collect();
-        Ok(Self::of(of, columns, found.into_iter().map(Taken::Observed).collect()))
+        Ok(Self::of(of.as_moment().mechanism(), columns, found.into_iter().map(Taken::Observed).collect()))
     }
 
     /// Records the poses, the declared outputs in their units, and all other observed quantities in SI.
     pub fn observing_all(of: &impl AsMoment<State: Moment<M = M>>) -> Self {
-        let mechanism = of.as_moment().mechanism();
+        Self::describing(of.as_moment().mechanism())
+    }
+
+    /// The same of a mechanism that may have no start: its names, its shapes and its columns, before any row.
+    pub fn describing(mechanism: &M) -> Self {
         let all = by_number::shown(mechanism).zip(mechanism.observables()).enumerate();
         let (columns, quantities): (Vec<Column>, Vec<Taken>) = all
             .map(|(k, (output, observed))| match output {
@@ -89,15 +97,11 @@ impl<M: Described> Recorder<M> {
                 None => (Column::from(*observed), Taken::Observed(k)),
             })
             .unzip();
-        Self::of(of, columns, quantities)
+        Self::of(mechanism, columns, quantities)
     }
 
-    fn of<C: Into<Column>>(
-        of: &impl AsMoment<State: Moment<M = M>>,
-        columns: impl IntoIterator<Item = C>,
-        quantities: Vec<Taken>,
-    ) -> Self {
-        let recording = Recording::of(mechanism(of.as_moment().mechanism()), columns);
+    fn of<C: Into<Column>>(of: &M, columns: impl IntoIterator<Item = C>, quantities: Vec<Taken>) -> Self {
+        let recording = Recording::of(mechanism(of), columns);
         Self { recording, quantities, steps: false, mechanism: PhantomData }
     }
 

@@ -164,16 +164,17 @@ fn translate<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
     }
 }
 
-/// A results file of the start; empty where it cannot be assembled.
+/// A results file of the start; without a row where it cannot be assembled, so that its parameters can be turned until it can.
 fn results<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
     own: Dynamic<f64, NQ, NC, N, L>,
 ) -> Vec<u8>
 where
     Dynamic<f64, NQ, NC, N, L>: Statics<S = f64> + Described,
 {
-    let Ok(sim) = own.start() else { return Vec::new() };
-    let mut recorder = Recorder::observing_all(&sim);
-    recorder.take(sim.state());
+    let mut recorder = Recorder::describing(&own);
+    if let Ok(sim) = own.start() {
+        recorder.take(sim.state());
+    }
     let results = Results { runs: vec![recorder.into_recording()], ..Results::default() };
     results.to_bytes().unwrap_or_default()
 }

@@ -42,8 +42,10 @@ function completions(language) {
     if (!context.explicit && !follows && (word === null || word.from === word.to)) return null;
     const found = await language.complete(place(context.state.doc, context.pos));
     /** @type {Completion[]} */
-    const options = found.map(({ label, kind, detail, documentation }) => ({
+    const options = found.map(({ label, kind, detail, documentation }, index) => ({
       label,
+      // Of those that fit as well, in the order of the server.
+      boost: Math.max(-99, 99 - index),
       type: KINDS[kind] ?? "text",
       detail,
       ...(documentation === "" ? {} : { info: documentation }),
@@ -99,6 +101,7 @@ export function makeEditor(parent, text, language, changed) {
         foldGutter(),
         history(),
         drawSelection(),
+        EditorView.lineWrapping,
         highlightSpecialChars(),
         highlightActiveLine(),
         highlightSelectionMatches(),
@@ -127,6 +130,12 @@ export function makeEditor(parent, text, language, changed) {
         ]),
       ],
     }),
+  });
+  // A keyboard on the screen takes half of it: the line that is typed stays in sight.
+  globalThis.visualViewport?.addEventListener("resize", () => {
+    if (!view.hasFocus) return;
+    view.dispatch({ effects: EditorView.scrollIntoView(view.state.selection.main.head, { y: "center" }) });
+    view.dom.scrollIntoView({ block: "nearest" });
   });
   /** Marks what is wrong, with what mends it. @param {Problem[]} problems */
   const mark = (problems) => {

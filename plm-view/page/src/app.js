@@ -88,6 +88,8 @@ export class App {
     this.drag = null;
     /** @type {Grip | null} */
     this.grip = null;
+    /** Hears why the run that is shown stands still; empty words where it does not. @type {(words: string) => void} */
+    this.heardFault = () => {};
     /** Where the mouse is over the picture while nothing is held, in pixels. @type {{x: number, y: number} | null} */
     this.pointer = null;
     /** Whether the address told where to look from. */
@@ -183,7 +185,10 @@ export class App {
     this.layout = "one";
     this.selected = null;
     const names = new Set(this.run?.quantities().map(({ name }) => name));
+    const hadCurves = this.curves.length > 0;
     this.curves = this.curves.filter((name) => names.has(name));
+    // None of another mechanism's: its own usual ones.
+    if (hadCurves && this.curves.length === 0) this.curves = usualCurves(this.run);
     if (this.across !== null && !names.has(this.across)) this.across = null;
     [this.traces, this.usualTraces, this.isPathGiven] = [[], [], false];
     this.drawUsualPath(this.run);
@@ -229,16 +234,22 @@ export class App {
   /** Tells what ended the active run. */
   tellFault() {
     this.messages = this.messages.filter(({ kind }) => kind !== "fault");
+    const words = this.faultWords();
+    if (words !== "") this.tell("fault", words);
+    this.heardFault(words);
+  }
+
+  /** Why the run that is shown stands still; empty where it does not. */
+  faultWords() {
     const fault = this.run?.fault ?? null;
-    if (fault === null) return;
+    if (fault === null) return "";
     const opened = this.run === this.live?.run ? this.live?.opened : "";
-    if (opened) {
-      this.tell("fault", opened);
-      return;
-    }
+    if (opened) return opened;
+    const neverBegan = this.run === this.live?.run && this.live?.isAssembled === false;
     const what = this.run?.isLive ? "Stopped" : "The run ended";
     const where = fault.part === "" ? "" : `${fault.part}: `;
-    this.tell("fault", `${what} at ${timeText(fault.time, fault.time)}: ${where}${withShortNumbers(fault.text)}`);
+    const when = neverBegan ? "It does not start" : `${what} at ${timeText(fault.time, fault.time)}`;
+    return `${when}: ${where}${withShortNumbers(fault.text)}`;
   }
 
   updateBounds() {

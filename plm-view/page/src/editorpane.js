@@ -38,6 +38,8 @@ export class EditorPane {
     this.usual = gallery[0].text;
     /** The text that becomes a mechanism once nothing is wrong with it. @type {string | null} */
     this.waiting = null;
+    /** What the compiler says of the text. */
+    this.found = "";
     /** How many changes there were. */
     this.changes = 0;
     /** @type {HTMLButtonElement | undefined} */
@@ -59,6 +61,7 @@ export class EditorPane {
     this.language.change(text);
     this.follow(text);
     this.listenToFiles();
+    app.heardFault = (words) => this.tellFault(words);
   }
 
   /** @param {Example[]} gallery */
@@ -114,8 +117,10 @@ export class EditorPane {
     const warnings = problems.length - errors;
     const counted = (/** @type {number} */ count, /** @type {string} */ what) => (count === 0 ? [] : [`${count} ${what}${count === 1 ? "" : "s"}`]);
     const found = [...counted(errors, "error"), ...counted(warnings, "warning")].join(", ");
-    setText(this.state, found === "" ? "Nothing is wrong." : errors > 0 ? `${found}: the last text without an error moves.` : found);
+    this.found = found === "" ? "Nothing is wrong." : errors > 0 ? `${found}: the last text without an error moves.` : found;
+    setText(this.state, this.found);
     this.root.dataset["state"] = errors > 0 ? "errors" : "good";
+    if (errors === 0) this.tellFault(this.app.faultWords());
     this.problems.replaceChildren(
       ...problems.map((problem) => {
         const { range, severity, code, message } = problem;
@@ -130,7 +135,27 @@ export class EditorPane {
     if (text !== this.waiting) return;
     this.waiting = null;
     // What was told is drawn first.
-    if (errors === 0) setTimeout(() => void this.exchange.declare(text));
+    if (errors === 0) setTimeout(() => void this.declare(text));
+  }
+
+  /** Makes a mechanism of a text without errors; why it is none, or does not start, stands beside it. @param {string} text */
+  async declare(text) {
+    const isShown = await this.exchange.declare(text);
+    if (isShown === false) this.tellRefusal(this.exchange.why);
+  }
+
+  /** @param {string} why */
+  tellRefusal(why) {
+    setText(this.state, `This text is not what moves: ${why.split("\n")[0] || "the compiler has stopped"}.`);
+    this.root.dataset["state"] = "errors";
+  }
+
+  /** Why the mechanism stands still stands beside its text too. @param {string} words empty where it does not */
+  tellFault(words) {
+    if (this.root.dataset["state"] === "errors") return;
+    const neverBegan = words !== "" && this.app.live?.isAssembled === false;
+    this.root.dataset["state"] = neverBegan ? "fault" : "good";
+    setText(this.state, neverBegan ? words : this.found);
   }
 
   /** What mends it, as buttons. @param {Problem} problem @param {HTMLElement} item */

@@ -34,6 +34,8 @@ export class Exchange {
     this.timer = undefined;
     /** How many mechanisms have been shown. */
     this.count = 0;
+    /** Why the last text is no mechanism; empty where it is one. */
+    this.why = "";
   }
 
   /**
@@ -56,18 +58,22 @@ export class Exchange {
         this.spare ??= this.start();
         resolve(is);
       };
-      this.timer = setTimeout(() => end(false), LONGEST_COMPILATION);
+      const refuse = (/** @type {string} */ why) => {
+        this.why = why;
+        end(false);
+      };
+      this.timer = setTimeout(() => refuse(`it takes longer than ${LONGEST_COMPILATION / 1000} s`), LONGEST_COMPILATION);
       candidate.onmessage = async (/** @type {MessageEvent<FromWorker>} */ { data }) => {
         if (this.candidate !== candidate) end(null);
-        else if (data.kind !== "declared" || data.results === null || data.results.length === 0) end(false);
-        else {
+        else if (data.kind === "declared" && data.results !== null && data.results.length > 0) {
           const { runs } = await readResults(data.results);
           if (this.candidate !== candidate) end(null);
           else {
+            this.why = "";
             end(true);
             this.show(runs[0].head, candidate);
           }
-        }
+        } else refuse("text" in data ? data.text : "");
       };
       candidate.postMessage({ kind: "declare", module: this.module, text });
     });
@@ -90,6 +96,8 @@ export class Exchange {
     app.messages = [];
     const live = new Live(app, head, null, worker);
     app.live = live;
+    // What dragging does is that of the machine, unless somebody has chosen otherwise.
+    if (before !== null && app.mode === before.usualMode) app.mode = live.usualMode;
     app.replaceRuns([live.run]);
     if (before !== null) keepSettings(before, live);
     // A view that somebody has chosen stays as long as it is the same mechanism.

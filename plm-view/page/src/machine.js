@@ -255,6 +255,12 @@ export class LiveMachine {
     return { x: x + dx, y: y + dy, vx: vx - omega * dy, vy: vy + omega * dx };
   }
 
+  /** The turn that moves the end of an arm by the part of a distance that is across the arm, rad. @param {number[]} arm @param {number[]} by */
+  turnTo([u, v], [dx, dy]) {
+    const square = u * u + v * v;
+    return square > 0 ? (u * dy - v * dx) / square : 0;
+  }
+
   applyPull() {
     if (this.pull === null) return;
     const { body, point, target, stiffness, damping, force } = this.pull;
@@ -273,7 +279,8 @@ export class LiveMachine {
 
   /**
    * Places a body so that a point of it comes near a target, or turns it. All bodies give way when joints close, so that it
-   * comes a part of the way: the next trial asks for as much more as the last one fell short.
+   * comes a part of the way: the next trial asks for as much more as the last one fell short. Where a shift of its centre of gravity
+   * is taken back, as that of a link which is pinned there, it is turned about it.
    * @param {number} body
    * @param {number[]} point
    * @param {number[]} target
@@ -281,13 +288,14 @@ export class LiveMachine {
    */
   place(body, point, target, turn) {
     const goal = this.now[3 + 6 * body] + turn;
-    let gain = 1;
+    let [gain, turns] = [1, false];
     for (let left = 12; left > 0; left--) {
       const { x, y } = this.pointOf(body, point);
       const [gx, gy, angle] = this.now.subarray(1 + 6 * body, 4 + 6 * body);
       const rest = turn === 0 ? [target[0] - x, target[1] - y, 0] : [0, 0, goal - angle];
       if (Math.hypot(...rest) < 1e-9) break;
-      if (this.exports.plm_place(body, gx + gain * rest[0], gy + gain * rest[1], angle + gain * rest[2]) !== 1) {
+      const ask = turns ? [0, 0, this.turnTo([x - gx, y - gy], rest)] : rest;
+      if (this.exports.plm_place(body, gx + gain * ask[0], gy + gain * ask[1], angle + gain * ask[2]) !== 1) {
         if (gain === 1) break;
         gain = Math.max(1, gain / 4);
         continue;
@@ -297,7 +305,11 @@ export class LiveMachine {
       const moved = turn === 0 ? [after.x - x, after.y - y, 0] : [0, 0, this.now[3 + 6 * body] - angle];
       const along = moved.reduce((sum, part, at) => sum + part * rest[at], 0);
       // It goes no farther that way.
-      if (along < 1e-6 * Math.hypot(...rest) ** 2) break;
+      if (along < 1e-6 * Math.hypot(...rest) ** 2) {
+        if (turn !== 0 || turns) break;
+        [gain, turns] = [1, true];
+        continue;
+      }
       gain = Math.min(Math.max((gain * along) / Math.hypot(...moved) ** 2, 1), 30);
     }
     this.tellBegun();

@@ -7,19 +7,29 @@ use super::branch::not_found;
 use super::finite::{check_forces, check_rows};
 use super::positive::{check_limits, check_masses};
 use super::verdict::{Locks, contradiction, not_closed, redundant_joints, strained, too_many_locks};
-use crate::diag::Diagnostics;
+use crate::diag::{Diagnostics, Severity};
 use crate::model::Model;
 use crate::numeric::{Assembly, Scene, run};
 
 /// Reports what is wrong with the start as it was assembled.
 ///
-/// Where a dimension is a parameter the run can change it, so that only the run can judge; the report tells what the
-/// defaults give.
+/// Where a dimension is a parameter the run can change it, so that only the run can judge; what does not close with the defaults is told
+/// by a warning.
 pub(crate) fn check_start(scene: &Scene, found: &Assembly, diagnostics: &mut Diagnostics) {
     check_masses(scene, diagnostics);
     let limits_are_kept = check_limits(scene, diagnostics);
     let model = scene.model;
     if has_parameters(model) {
+        let has_start = found.rank.dependent.iter().all(|(row, _)| *row < model.rows.len());
+        let is_known = !model.params.iter().any(|param| param.required);
+        if !diagnostics.has_errors()
+            && has_start
+            && is_known
+            && found.phi.iter().all(|phi| phi.is_finite())
+            && !found.is_closed()
+        {
+            not_closed(model, found, (scene.length, Severity::Warning), diagnostics);
+        }
         return;
     }
     let rows = model.rows.len();
@@ -30,7 +40,7 @@ pub(crate) fn check_start(scene: &Scene, found: &Assembly, diagnostics: &mut Dia
     } else if found.phi.iter().any(|phi| !phi.is_finite()) {
         check_rows(scene, found, diagnostics);
     } else if !found.is_closed() {
-        not_closed(model, found, scene.length, diagnostics);
+        not_closed(model, found, (scene.length, Severity::Error), diagnostics);
     } else {
         not_found(scene, found, diagnostics);
         redundant_joints(model, &joints, diagnostics);

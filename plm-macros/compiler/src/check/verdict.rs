@@ -1,7 +1,7 @@
 //! Result of assembly in words: which locks are too many, which joint stays open, which is redundant.
 
 use crate::collect::CollectVec;
-use crate::diag::{Code, Diagnostics};
+use crate::diag::{Code, Diagnostics, Severity};
 use crate::model::{Model, Part, Row};
 use crate::numeric::Assembly;
 use crate::sorted::sort_by;
@@ -68,21 +68,26 @@ fn lock_name(model: &Model, k: usize, what: &str) -> String {
     format!("{body}.{}", names[k % 3])
 }
 
-/// Joints that cannot be closed together.
-pub(super) fn not_closed(model: &Model, found: &Assembly, length: f64, diagnostics: &mut Diagnostics) {
+/// Joints that cannot be closed together; a warning where parameters decide it, which are as declared here.
+pub(super) fn not_closed(
+    model: &Model,
+    found: &Assembly,
+    (length, severity): (f64, Severity),
+    diagnostics: &mut Diagnostics,
+) {
     let gaps = gaps(&model.rows, &found.phi, |row| found.closed[row]);
     let Some(widest) = gaps.first() else { return };
     let others: Vec<String> =
         gaps[1..].iter().map(|gap| format!("`{}` by {}", gap.joint(model), gap.text())).collect_vec();
-    let diagnostic = diagnostics.error(
-        Code::NotAssembled,
-        widest.row.span,
-        format!(
-            "the mechanism cannot be assembled: `{}` stays open by {}",
-            widest.joint(model),
-            widest.text()
-        ),
-    );
+    let open = format!("`{}` stays open by {}", widest.joint(model), widest.text());
+    let (span, cannot) = (widest.row.span, "the mechanism cannot be assembled");
+    let diagnostic = match severity {
+        Severity::Error => diagnostics.error(Code::NotAssembled, span, format!("{cannot}: {open}")),
+        Severity::Warning => {
+            let message = format!("{cannot} with its parameters as declared: {open}");
+            diagnostics.warning(Code::OpenDefaults, span, message)
+        }
+    };
     if let Some(searched) = found.searched {
         let tried = match searched.starts {
             1 => String::new(),

@@ -108,6 +108,7 @@ catalogue! {
     Unread = "W0007", "nothing reads a name", hint;
     Renamed = "W0008", "the former name of an item";
     UnitOrName = "W0009", "a unit that is the name of a value too";
+    OpenDefaults = "W0012", "the mechanism cannot be assembled with its parameters as declared";
 }
 
 impl core::fmt::Display for Code {
