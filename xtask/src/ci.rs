@@ -56,10 +56,7 @@ const STEPS: &[Step] = &[
         niceness: 19,
         parts: &[
             plain("book", "mdBook", chores::install_mdbook),
-            plain("oldest", "oldest Rust", lints::oldest_rust),
             plain("packages", "packages", packages::all),
-            plain("chain", "chain of 64 at opt-level 0 and 3", chores::chain),
-            plain("miri", "Miri", lints::miri),
         ],
     },
     Step::Here(part("formatting", "formatting", lints::formatting)),
@@ -80,16 +77,19 @@ const STEPS: &[Step] = &[
     Step::Here(part("manual", "manual", chores::manual)),
     Step::Here(part("page", "page", chores::page)),
     // Only here, so that no core is idle before.
-    Step::Join {
-        group: "others",
-        title: "mdBook, oldest Rust, packages, chain of 64 at opt-level 0 and 3, Miri",
-    },
+    Step::Join { group: "others", title: "mdBook, packages" },
     Step::Join { group: "random", title: "sweep" },
     Step::Join { group: "targets", title: "machines" },
 ];
 
 /// What takes longer, or needs more than a fresh machine has.
 const MORE: &[Step] = &[
+    Step::Here(plain("oldest", "oldest Rust", lints::oldest_rust)),
+    Step::Here(plain("chain", "chain of 64 at opt-level 0 and 3", chores::chain)),
+    Step::Here(plain("miri", "Miri", lints::miri)),
+    Step::Here(plain("oracle", "random mechanisms of special values", |place| {
+        place.command("cargo run --release -p plm-oracle -- all 10000 --seed 7").run()
+    })),
     Step::Here(plain("licences", "licences", chores::licences)),
     Step::Here(plain("systems", "Windows and macOS", lints::other_systems)),
     Step::Here(plain("docs-rs", "documentation as on docs.rs", lints::docs_rs)),
