@@ -9,6 +9,9 @@ use crate::excerpt::is_rust;
 /// More than any declaration has: the compiler's own library is a tenth of it.
 pub(crate) const LARGEST: u64 = 4 << 20;
 
+/// More than drawings of parts have.
+const LARGEST_DRAWING: u64 = 64 << 20;
+
 /// A text and its name.
 #[derive(Clone, Debug)]
 pub(crate) struct File {
@@ -30,6 +33,21 @@ pub(crate) fn file(name: &str, input: &mut dyn Read) -> Result<File, String> {
     text.map(|text| File { name: shown.to_owned(), text }).map_err(|why| format!("{shown}: {why}"))
 }
 
+/// The bytes of a drawing, or of the standard input, `-`.
+///
+/// # Errors
+/// It cannot be read, is a folder, or has more than 64 MiB: a message that names it.
+pub(crate) fn drawing(name: &str, input: &mut dyn Read) -> Result<Vec<u8>, String> {
+    let read = match name {
+        "-" => bytes(input, LARGEST_DRAWING),
+        name if Path::new(name).is_dir() => Err("is a folder".to_owned()),
+        name => fs::File::open(name)
+            .map_err(|why| why.to_string())
+            .and_then(|mut file| bytes(&mut file, LARGEST_DRAWING)),
+    };
+    read.map_err(|why| format!("{name}: {why}"))
+}
+
 fn text_of(path: &Path) -> Result<String, String> {
     if path.is_dir() {
         return Err("is a folder".to_owned());
@@ -38,12 +56,17 @@ fn text_of(path: &Path) -> Result<String, String> {
 }
 
 fn text(input: &mut dyn Read) -> Result<String, String> {
-    let mut bytes = Vec::new();
-    input.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|why| why.to_string())?;
-    if bytes.len() as u64 > LARGEST {
-        return Err(format!("has more than {} MiB", LARGEST >> 20));
-    }
+    let bytes = bytes(input, LARGEST)?;
     String::from_utf8(bytes).map_err(|why| format!("is not UTF-8 at byte {}", why.utf8_error().valid_up_to()))
+}
+
+fn bytes(input: &mut dyn Read, largest: u64) -> Result<Vec<u8>, String> {
+    let mut bytes = Vec::new();
+    input.take(largest + 1).read_to_end(&mut bytes).map_err(|why| why.to_string())?;
+    if bytes.len() as u64 > largest {
+        return Err(format!("has more than {} MiB", largest >> 20));
+    }
+    Ok(bytes)
 }
 
 /// A file that a declaration names, as the macro looks for it: from the folder of Cargo.toml for a Rust file, else from the folder of

@@ -26,7 +26,7 @@ mod xml;
 
 use std::rc::Rc;
 
-pub use self::dxf::outline;
+pub use self::dxf::{Selection, drawing_text, outline};
 pub use self::export::{Exported, PlaceOf, to_mjcf, to_urdf};
 pub use self::notice::{Level, Notice, Place};
 

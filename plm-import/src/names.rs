@@ -49,6 +49,7 @@ const TAKEN: &[&str] = &[
     "or",
     "not",
     "in",
+    "for",
     "self",
     "Self",
     "super",
@@ -58,6 +59,47 @@ const TAKEN: &[&str] = &[
     "round",
     "free_slide",
     "halfway_bushing",
+];
+
+/// Methods of emitted states and runs (`METHODS` of the compiler), which no body can be called, in whatever case.
+const METHODS: &[&str] = &[
+    "time",
+    "kinetic_energy",
+    "gravity_energy",
+    "load_power",
+    "outputs",
+    "undetermined",
+    "branches",
+    "starts",
+    "find",
+    "observed",
+    "step",
+    "step_to",
+    "step_rk4",
+    "step_semi_implicit_euler",
+    "step_linearly_implicit",
+    "at",
+    "reset",
+    "run",
+    "project",
+    "drift",
+    "state",
+    "method",
+    "method_mut",
+    "stats",
+    "notice",
+    "stop_at_change_points",
+    "watch_energy",
+    "count_states",
+    "state_count",
+    "save",
+    "resume",
+    "clone",
+    "clone_from",
+    "into",
+    "try_into",
+    "to_owned",
+    "start",
 ];
 
 /// Members of a body, which no port can be called.
@@ -82,7 +124,7 @@ const MEMBERS: &[&str] = &[
     "centre",
 ];
 
-/// Names that are given once.
+/// Names that are given once, whatever their case: code has some of them in small letters.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Names(BTreeSet<String>);
 
@@ -95,7 +137,10 @@ impl Names {
     /// A name that nothing else has, as near to `wanted` as it can be; `kind` is put behind one that is taken.
     pub(crate) fn give(&mut self, wanted: &str, kind: &str) -> String {
         let plain = identifier(wanted);
-        let is_free = |names: &BTreeSet<String>, name: &str| !TAKEN.contains(&name) && !names.contains(name);
+        let is_free = |names: &BTreeSet<String>, name: &str| {
+            let small = name.to_ascii_lowercase();
+            !TAKEN.contains(&name) && !METHODS.contains(&small.as_str()) && !names.contains(&small)
+        };
         let mut name = plain.clone();
         if !is_free(&self.0, &name) {
             name = format!("{plain}_{kind}");
@@ -105,7 +150,7 @@ impl Names {
             name = format!("{plain}_{kind}_{number}");
             number += 1;
         }
-        self.0.insert(name.clone());
+        self.0.insert(name.to_ascii_lowercase());
         name
     }
 }
@@ -126,5 +171,6 @@ pub(crate) fn mechanism(name: &str) -> String {
         made.push_str(&word[..1].to_ascii_uppercase());
         made.push_str(&word[1..]);
     }
-    if made.starts_with(|c: char| c.is_ascii_alphabetic()) { made } else { format!("Model{made}") }
+    let is_name = made.starts_with(|c: char| c.is_ascii_alphabetic()) && made != "Self";
+    if is_name { made } else { format!("Model{made}") }
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use plm_import::Options;
+use plm_import::{Options, Selection};
 
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
@@ -15,6 +15,9 @@ pub(super) const COMMAND: Command = Command {
     title: "writes the declaration of a URDF, SDF or MJCF file, the contour of a DXF file",
     options: &[
         ("--without PARTS", "leaves out `limits` of joints or their dry `friction`; as often as wanted"),
+        ("--layer NAME", "of a drawing this layer alone; as often as wanted"),
+        ("--part NUMBER", "of several bodies in a drawing this one, the largest first"),
+        ("--gap LENGTH", "ends of lines that are apart by no more meet, in the unit of the drawing"),
         ("--fix LINK", "joins a link to the world, where contact holds it in the file; as often as wanted"),
     ],
     run,
@@ -30,11 +33,15 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
         }
     }
     options.fixed = words.values("--fix");
-    let file = read::file(&words.file()?, streams.input)?;
-    let is_drawing = Path::new(&file.name).extension().is_some_and(|end| end.eq_ignore_ascii_case("dxf"));
+    let selection = selection(&mut words)?;
+    let name = words.file()?;
+    let is_drawing = Path::new(&name).extension().is_some_and(|end| end.eq_ignore_ascii_case("dxf"));
     let imported = if is_drawing {
-        plm_import::outline(&file.name, &file.text)
+        let bytes = read::drawing(&name, streams.input)?;
+        let text = plm_import::drawing_text(&bytes).map_err(|why| format!("{name}: {why}"))?;
+        plm_import::outline(&name, &text, &selection)
     } else {
+        let file = read::file(&name, streams.input)?;
         let mut included = |name: &str| read::named(name, &file.name);
         plm_import::mechanism(&file.name, &file.text, &options, &mut included)
     };
@@ -44,6 +51,22 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
     let Some(text) = imported.text else { return Ok(Outcome::Wrong) };
     write!(streams.output, "{text}")?;
     Ok(if is_drawing || is_right(&text, streams)? { Outcome::Good } else { Outcome::Wrong })
+}
+
+/// What of a drawing is asked for.
+fn selection(words: &mut Words) -> Result<Selection, Failure> {
+    let mut selection = Selection { layers: words.values("--layer"), ..Selection::default() };
+    if let Some(text) = words.value("--part") {
+        let wrong = || format!("--part wants the number of a part, as in `--part 1`, not `{text}`");
+        selection.part = Some(text.parse().ok().filter(|number| *number > 0).ok_or_else(wrong)?);
+    }
+    if let Some(text) = words.value("--gap") {
+        let wrong =
+            || format!("--gap wants a length in the unit of the drawing, as in `--gap 0.05`, not `{text}`");
+        let gap = text.parse().ok().filter(|gap: &f64| *gap >= 0.0 && gap.is_finite());
+        selection.gap = gap.ok_or_else(wrong)?;
+    }
+    Ok(selection)
 }
 
 /// Analyses the written declaration, and writes its diagnostics; false where one is an error.

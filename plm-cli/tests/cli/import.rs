@@ -308,12 +308,12 @@ fn a_drawing_becomes_contour_and_holes() {
         "pub P {{ ground {{ port o: (0, 0) m; }} body b {{ {body} port o: (60, 20) mm; }} revolute pin(ground.o, b.o); }}"
     );
     assert_eq!(plm(&["check", "-"], &text).errors, "");
-    let open = fs::read_to_string(models().join("plate.dxf")).unwrap().replace("0\nARC", "0\nSPLINE");
+    let open = fs::read_to_string(models().join("plate.dxf")).unwrap().replace("0\nARC", "0\nTEXT");
     let folder = folder();
     fs::write(folder.join("open.dxf"), open).unwrap();
     let Said { code, errors, .. } = plm_in(&folder, &["import", "open.dxf"], b"");
     assert!(
-        code == 1 && errors.contains("error: the outline is open at (60, 40)\n --> open.dxf:"),
+        code == 1 && errors.contains("error: the outline is open at (60, 0); the next end is 40 away"),
         "{errors}"
     );
 }
@@ -343,7 +343,7 @@ fn damaged_files_are_refused_or_taken() {
             }
             let text = damaged.concat();
             let imported = if name == "plate.dxf" {
-                plm_import::outline(name, &text)
+                plm_import::outline(name, &text, &plm_import::Selection::default())
             } else {
                 plm_import::mechanism(name, &text, &Options::default(), &mut |_| Err("no file".to_owned()))
             };

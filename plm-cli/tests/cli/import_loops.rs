@@ -83,6 +83,48 @@ fn no_loop_is_left_out() {
     }
 }
 
+/// Names that the language or emitted code has for itself, for links, joints and frames.
+#[test]
+fn names_that_are_taken_get_a_word_behind_them() {
+    let words = "x y theta t pi angle omega vx position mass inertia centre body frame force state param input port start when given repeat in \
+                 for if then else and not min turn dot cross rate clamp on from within contour friction fn type mod struct self Self crate m N kg s \
+                 rad deg ground alpha State time run step find at drift method notice clone spring revolute wheel free_slide halfway_bushing";
+    for word in words.split_whitespace() {
+        let text = format!(
+            "<robot name=\"{word}\"><link name=\"world\"/><link name=\"{word}\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\"/>\
+             </inertial></link><link name=\"Pole\"><inertial><origin xyz=\"0 0 -.5\"/><mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\"/></inertial></link>\
+             <joint name=\"{word}\" type=\"prismatic\"><parent link=\"world\"/><child link=\"{word}\"/><axis xyz=\"1 0 0\"/><limit effort=\"3\" lower=\"-1\" upper=\"1\"/>\
+             </joint><joint name=\"pole\" type=\"continuous\"><parent link=\"{word}\"/><child link=\"Pole\"/><axis xyz=\"0 -1 0\"/></joint>\
+             <frame name=\"{word}\" link=\"Pole\" xyz=\"0 0 1\"/></robot>"
+        );
+        let said = plm(&["import", "-"], &text);
+        assert_eq!((said.code, said.errors.as_str()), (0, ""), "{word}\n{}", said.output);
+    }
+}
+
+#[test]
+fn actuators_are_told_by_what_they_act() {
+    let text = |actuator: &str| {
+        format!(
+            "<mujoco><option><flag contact=\"disable\"/></option><worldbody><body name=\"a\"><joint name=\"p\" axis=\"0 1 0\"/><geom size=\"1\"/>\
+             <site name=\"tip\"/></body></worldbody><tendon><fixed name=\"rope\"><joint joint=\"p\" coef=\"1\"/></fixed></tendon>\
+             <actuator><motor name=\"pull\" {actuator}/></actuator></mujoco>"
+        )
+    };
+    for (actuator, told) in [
+        ("tendon=\"rope\"", "<motor> `pull` acts by the tendon `rope`, which is not taken"),
+        (
+            "slidersite=\"tip\" cranksite=\"tip\" cranklength=\"1\"",
+            "<motor> `pull` acts by a slider-crank on the site `tip`, which is not taken",
+        ),
+        ("site=\"tip\"", "<motor> `pull` acts at the site `tip`, which is not taken"),
+        ("joint=\"q\"", "<motor> `pull` drives the joint `q`, which is not known"),
+    ] {
+        let said = plm(&["import", "-"], &text(actuator));
+        assert!(said.code == 0 && said.errors.contains(told), "{said:?}");
+    }
+}
+
 #[test]
 fn a_base_that_contact_holds_is_told_and_can_be_fixed() {
     let text = "<sdf version=\"1.9\"><model name=\"m\"><link name=\"base\"><inertial><mass>1</mass></inertial>\

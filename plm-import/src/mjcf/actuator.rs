@@ -5,6 +5,22 @@ use super::compiler::Effect;
 use crate::spatial::{Drive, Quantity};
 use crate::xml::Element;
 
+/// By what an actuator acts that drives no joint.
+fn way(element: &Element) -> String {
+    let named = |what: &str, attribute: &str| element.get(attribute).map(|name| format!("{what} `{name}`"));
+    let slider = named("acts by a slider-crank on the site", "slidersite")
+        .or(named("acts by a slider-crank on the site", "cranksite"));
+    let known = named("acts by the tendon", "tendon")
+        .or(slider)
+        .or(named("acts at the site", "site"))
+        .or(named("acts at the body", "body"));
+    match (known, named("drives the joint", "joint")) {
+        (Some(way), _) => format!("{way}, which is not taken"),
+        (None, Some(joint)) => format!("{joint}, which is not known"),
+        (None, None) => "drives no joint".to_owned(),
+    }
+}
+
 impl Reader<'_> {
     pub(super) fn actuator(&mut self, element: &Element) {
         if !self.compiler.has(Effect::Actuation) {
@@ -13,7 +29,7 @@ impl Reader<'_> {
         }
         let element = self.defaults.styled(element, None, self.notices);
         let Some(&joint) = element.get("joint").and_then(|name| self.joints.get(name)) else {
-            let why = format!("{} drives no joint that is known", element.shown());
+            let why = format!("{} {}", element.shown(), way(&element));
             if is_without_bias(&element) {
                 self.notices.warn(&element.place, format!("{why}: its input is left out"));
             } else {
