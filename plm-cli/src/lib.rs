@@ -21,10 +21,12 @@ mod command;
 mod excerpt;
 #[cfg(feature = "identify")]
 mod fitted;
+mod interrupt;
 mod json;
 mod layout;
 mod lexer;
 mod package;
+mod quote;
 mod read;
 #[cfg(feature = "identify")]
 mod readings;
@@ -36,6 +38,7 @@ pub use command::{Outcome, Streams, run};
 pub use excerpt::declarations;
 #[cfg(feature = "identify")]
 pub use fitted::{Found, with_values};
+pub use interrupt::interrupt;
 pub use json::diagnostics;
 #[cfg(feature = "identify")]
 pub use readings::experiment;

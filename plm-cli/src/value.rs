@@ -26,6 +26,16 @@ pub fn value(text: &str, si: &str) -> Result<f64, String> {
     Ok(if number.starts_with('-') { -found } else { found })
 }
 
+/// The same of a quantity with a declared unit, whose values times `factor` are in SI: a number alone is in that unit.
+///
+/// # Errors
+/// As [`value`].
+pub(crate) fn declared_value(text: &str, si: &str, factor: f64) -> Result<f64, String> {
+    let is_alone = split(text.trim()).is_some_and(|(_, unit)| unit.is_empty());
+    // By one it keeps its sign of zero, and its bits.
+    value(text, si).map(|value| if is_alone { value * factor } else { value })
+}
+
 /// The longest number at the beginning, and the rest without blanks around it.
 fn split(text: &str) -> Option<(&str, &str)> {
     // Not `inf` or `nan`, which are numbers to Rust.

@@ -1,6 +1,6 @@
 //! Samples of a run: at equal intervals, before and after what switches, and where it fails.
 
-use core::cell::Cell;
+use core::cell::RefCell;
 use core::ops::ControlFlow;
 
 use plm_runtime::described::by_number;
@@ -18,8 +18,51 @@ pub struct Sample {
     pub values: Vec<f64>,
 }
 
-/// Takes a sample, and says whether the run goes on.
-pub(crate) type See<'a> = &'a mut dyn FnMut(&Sample) -> ControlFlow<()>;
+/// Why a sample is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// Its time is a multiple of the interval, or that of the start.
+    Interval,
+    /// Something switches at its time: it stands before or after that.
+    Event,
+    /// The run ends there.
+    End,
+}
+
+/// What follows a run on its way.
+pub trait Watch {
+    /// A sample.
+    fn sample(&mut self, sample: &Sample, reason: Reason);
+
+    /// Something switches at a time, s: the name of the condition, the part or the row.
+    fn event(&mut self, time: f64, what: &str) {
+        let _ = (time, what);
+    }
+
+    /// Does the run go on behind an internal step to this time, s?
+    fn goes_on(&mut self, time: f64) -> bool {
+        let _ = time;
+        true
+    }
+}
+
+/// Samples for a function, which says whether the run goes on.
+pub(crate) struct Seeing<F>(pub(crate) F, pub(crate) ControlFlow<()>);
+
+impl<F: FnMut(&Sample) -> ControlFlow<()>> Watch for Seeing<F> {
+    fn sample(&mut self, sample: &Sample, _: Reason) {
+        if self.1.is_continue() {
+            self.1 = (self.0)(sample);
+        }
+    }
+
+    fn goes_on(&mut self, _: f64) -> bool {
+        self.1.is_continue()
+    }
+}
+
+/// A time that is nearer to the end than this part of the interval is the end.
+const AT_END: f64 = 1e-9;
 
 impl Sample {
     fn of<M: Described<S = f64>>(state: &M::State) -> Self {
@@ -44,55 +87,69 @@ impl Sample {
 }
 
 /// Samples that were handed out, as the recorder of compiled programs chooses them.
-struct Samples<'a> {
-    see: See<'a>,
+struct Samples<'a, 'b> {
+    watch: &'a RefCell<&'b mut (dyn Watch + 'b)>,
     last: Option<Sample>,
     /// Time of what has switched, until a sample shows it.
     switched: Option<f64>,
-    goes_on: &'a Cell<bool>,
 }
 
-impl Samples<'_> {
+impl Samples<'_, '_> {
     /// Hands a moment out. What is seen for several reasons is one sample.
-    fn take<M: Described<S = f64>>(&mut self, state: &M::State) {
+    fn take<M: Described<S = f64>>(&mut self, state: &M::State, reason: Reason) {
         let sample = Sample::of::<M>(state);
         if self.last.as_ref().is_some_and(|last| last.is(&sample)) {
             return;
         }
         self.switched = None;
-        if self.goes_on.get() && (self.see)(&sample).is_break() {
-            self.goes_on.set(false);
-        }
+        self.watch.borrow_mut().sample(&sample, reason);
         self.last = Some(sample);
     }
 
     fn seen<M: Described<S = f64>>(&mut self, seen: Seen<'_, M::State>) {
         match seen {
-            Seen::Sample(state) | Seen::Switched(state) => self.take::<M>(state),
-            // Of what switches at one time there is one sample before it.
-            Seen::Condition(_, before) | Seen::Instant(before) => {
-                if self.switched.is_none_or(|time| time.to_bits() != before.time().to_bits()) {
-                    self.take::<M>(before);
-                }
-                self.switched = Some(before.time());
+            Seen::Sample(state) => self.take::<M>(state, Reason::Interval),
+            Seen::Switched(state) => self.take::<M>(state, Reason::Event),
+            Seen::Condition(index, before) => {
+                self.switches::<M>(before, before.mechanism().guard_name(index));
+            }
+            Seen::Instant(before) => {
+                self.switches::<M>(before, before.mechanism().instant_name(before.time(), &before.held()));
             }
             _ => {}
         }
     }
+
+    /// Something switches. Of what does so at one time there is one sample before it.
+    fn switches<M: Described<S = f64>>(&mut self, before: &M::State, what: &str) {
+        if self.switched.is_none_or(|time| time.to_bits() != before.time().to_bits()) {
+            self.take::<M>(before, Reason::Event);
+        }
+        self.switched = Some(before.time());
+        self.watch.borrow_mut().event(before.time(), what);
+    }
 }
 
-/// Runs until a time with a sample every so often, s; a run that fails has one where it ended.
+/// Runs until a time with a sample every so often, s; a run that fails has one where it ended, and one that `shows_end` too.
 pub(crate) fn record<M: Described<S = f64>, I: Method<M>>(
     sim: &mut Sim<M, I>,
     (until, every): (f64, f64),
-    see: See,
+    shows_end: bool,
+    watch: &mut dyn Watch,
 ) -> Result<(), Fault> {
-    let goes_on = Cell::new(true);
-    let mut samples = Samples { see, last: None, switched: None, goes_on: &goes_on };
-    let outcome =
-        Sim::watch_events_while(sim, until, every, |seen| samples.seen::<M>(seen), |_| goes_on.get());
-    if outcome.is_err() {
-        samples.take::<M>(sim.state());
+    let watch = RefCell::new(watch);
+    let mut samples = Samples { watch: &watch, last: None, switched: None };
+    let outcome = Sim::watch_events_while(
+        sim,
+        until,
+        every,
+        |seen| samples.seen::<M>(seen),
+        |time| watch.borrow_mut().goes_on(time),
+    );
+    let shown = samples.last.as_ref().map_or(f64::NEG_INFINITY, |last| last.time);
+    let is_missing = sim.state().time() - shown > AT_END * every;
+    if outcome.is_err() || (shows_end && is_missing) {
+        samples.take::<M>(sim.state(), Reason::End);
     }
     outcome
 }

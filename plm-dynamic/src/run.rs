@@ -7,13 +7,15 @@ use std::sync::Arc;
 
 use plm_compiler::lowered::{Lowered, Named};
 use plm_run::Integrator;
+use plm_runtime::contact::Counts;
+use plm_runtime::sim::Notice;
 use plm_runtime::{BodyState, Fault, Stats};
 
 use crate::column::Column;
 use crate::handle::Dynamic;
 use crate::native::Translator;
-use crate::record::Sample;
-use crate::running::{Counted, OnRun, Record, Running, SetInput, StepTo};
+use crate::record::{Sample, Seeing, Watch};
+use crate::running::{Counted, CountedContacts, Noticed, OnRun, Record, Running, SetInput, StepTo};
 use crate::sizes::{Given, Models};
 use crate::text::{Compiled, Refused};
 
@@ -269,9 +271,28 @@ impl Run {
         &mut self,
         until: f64,
         every: f64,
-        mut see: impl FnMut(&Sample) -> ControlFlow<()>,
+        see: impl FnMut(&Sample) -> ControlFlow<()>,
     ) -> Result<(), Error> {
-        Ok(self.then(Record((until, every), &mut see))?)
+        let watch = &mut Seeing(see, ControlFlow::Continue(()));
+        Ok(self.then(Record { times: (until, every), shows_end: false, watch })?)
+    }
+
+    /// Runs to a time, s, as [`record`](Self::record) does, shows more, and ends with a sample of where it ends.
+    ///
+    /// # Errors
+    /// [`Error::Fault`]; the last sample is where the run ended.
+    pub fn watch(&mut self, until: f64, every: f64, watch: &mut dyn Watch) -> Result<(), Error> {
+        Ok(self.then(Record { times: (until, every), shows_end: true, watch })?)
+    }
+
+    /// What the user should know although the run goes on.
+    pub fn notices(&mut self) -> Vec<Notice> {
+        self.sim.then(Noticed)
+    }
+
+    /// Counters of contact events.
+    pub fn contact_stats(&mut self) -> Counts {
+        self.sim.then(CountedContacts)
     }
 
     /// Does something with the simulation, whatever its size and its method: records it, looks for an equilibrium, linearises it.

@@ -1,11 +1,13 @@
 //! Runs of any size by any method, behind one type.
 
 use plm_run::{AnySim, OnSim};
+use plm_runtime::contact::Counts;
 use plm_runtime::described::by_number;
 use plm_runtime::held::Discrete;
+use plm_runtime::sim::Notice;
 use plm_runtime::{BodyState, Described, Dop853, Fault, Linear, Method, Moment, Rk4, Sim, Statics, Stats};
 
-use crate::record::{See, record};
+use crate::record::{Watch, record};
 use crate::sizes::{Large, PlainSmall, PlainTiny, PlainTinyStates, Small, Tiny};
 
 /// Work on a run of a mechanism from text, whatever room the mechanism takes, and whatever method it runs by.
@@ -117,14 +119,18 @@ impl OnRun for StepTo {
     }
 }
 
-/// Runs to a time, s, with samples so often, s.
-pub(crate) struct Record<'a>(pub(crate) (f64, f64), pub(crate) See<'a>);
+/// Runs to a time, s, with samples so often, s, and with one at the end.
+pub(crate) struct Record<'a> {
+    pub(crate) times: (f64, f64),
+    pub(crate) shows_end: bool,
+    pub(crate) watch: &'a mut dyn Watch,
+}
 
 impl OnRun for Record<'_> {
     type Output = Result<(), Fault>;
 
     fn on<M: Described<S = f64>, I: Method<M>>(self, sim: &mut Sim<M, I>) -> Self::Output {
-        record(sim, self.0, self.1)
+        record(sim, self.times, self.shows_end, self.watch)
     }
 }
 
@@ -147,5 +153,27 @@ impl OnRun for Counted {
 
     fn on<M: Described<S = f64>, I: Method<M>>(self, sim: &mut Sim<M, I>) -> Stats {
         sim.stats()
+    }
+}
+
+/// Gives what the user should know.
+pub(crate) struct Noticed;
+
+impl OnRun for Noticed {
+    type Output = Vec<Notice>;
+
+    fn on<M: Described<S = f64>, I: Method<M>>(self, sim: &mut Sim<M, I>) -> Vec<Notice> {
+        Sim::notices(sim).collect()
+    }
+}
+
+/// Gives the counters of contact.
+pub(crate) struct CountedContacts;
+
+impl OnRun for CountedContacts {
+    type Output = Counts;
+
+    fn on<M: Described<S = f64>, I: Method<M>>(self, sim: &mut Sim<M, I>) -> Counts {
+        sim.contact_stats()
     }
 }

@@ -103,6 +103,13 @@ impl Given {
     }
 }
 
+impl Compiled {
+    /// Is there room for it in the largest size?
+    pub(crate) fn fits_largest(&self) -> Result<(), Refused> {
+        Large::has_room(self)
+    }
+}
+
 impl Models {
     pub(crate) fn new(compiled: Compiled) -> Result<Models, Refused> {
         if Tiny::has_room(&compiled).is_ok() {

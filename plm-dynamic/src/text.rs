@@ -34,6 +34,8 @@ pub enum Refused {
         found: usize,
         /// The most that there is room for.
         most: usize,
+        /// The first for which there is none, by its name; empty where they have no names.
+        first: String,
     },
 }
 
@@ -41,8 +43,9 @@ impl fmt::Display for Refused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Mistakes(text) | Self::Bug(text) => f.write_str(text),
-            Self::TooLarge { what, found, most } => {
-                write!(f, "{found} {what}, and there is room for {most}")
+            Self::TooLarge { what, found, most, first } => {
+                write!(f, "{found} {what}, and a run of a text has room for {most}")?;
+                if first.is_empty() { Ok(()) } else { write!(f, ": `{first}` is the first without") }
             }
         }
     }
@@ -80,16 +83,27 @@ impl Compiled {
     /// Checks the capacities that all sizes have in common.
     fn with_room(name: &str, lowered: Lowered) -> Result<Compiled, Refused> {
         let contacts = lowered.contacts.as_ref();
-        within([
-            ("rows of contact", contacts.map_or(0, |contacts| contacts.places), ROWS),
-            ("conditions", lowered.switches.all.len(), SWITCHES),
-            ("guards of conditions and contact", guards(&lowered), SWITCHES),
-            ("events that set states", lowered.sets.events.len(), EVENTS),
-            ("parameters", lowered.parameters.len(), PARAMETERS),
-            ("inputs", lowered.inputs.len(), INPUTS),
-            ("kinks", lowered.switches.kinks, KINKS),
-        ])?;
+        within(
+            &lowered,
+            [
+                ("rows of contact", contacts.map_or(0, |contacts| contacts.places), ROWS),
+                ("conditions", lowered.switches.all.len(), SWITCHES),
+                ("guards of conditions and contact", guards(&lowered), SWITCHES),
+                ("events that set states", lowered.sets.events.len(), EVENTS),
+                ("parameters", lowered.parameters.len(), PARAMETERS),
+                ("inputs", lowered.inputs.len(), INPUTS),
+                ("kinks", lowered.switches.kinks, KINKS),
+            ],
+        )?;
         Ok(Compiled { name: name.to_owned(), lowered })
+    }
+
+    /// Is there room for a run of a mechanism that was compiled?
+    ///
+    /// # Errors
+    /// [`Refused::TooLarge`].
+    pub fn has_room(name: &str, lowered: Lowered) -> Result<(), Refused> {
+        Compiled::with_room(name, lowered)?.fits_largest()
     }
 
     /// The mechanism as declared, with room for `NQ` coordinates, `NC` rows and `N` numbers of a state; parameters without a default
@@ -126,16 +140,19 @@ impl Compiled {
         let contacts = self.lowered.contacts.as_ref();
         let conditional = contacts.and_then(|contacts| contacts.conditional.as_ref());
         let conditional = conditional.map_or(0, |conditional| conditional.rows.len());
-        within([
-            ("coordinates", self.lowered.coordinates.len(), NQ),
-            ("constraint rows", self.lowered.rows.len() + conditional, NC),
-            ("first-order states", self.lowered.states.len(), states),
-            ("numbers that loops remember of a kind", remembered, L),
-            ("inputs", self.lowered.inputs.len(), H),
-            ("conditions", self.lowered.switches.all.len(), H),
-            ("guards of conditions and contact", guards(&self.lowered), H),
-            ("rows of contact", contacts.map_or(0, |contacts| contacts.places), R),
-        ])
+        within(
+            &self.lowered,
+            [
+                ("coordinates", self.lowered.coordinates.len(), NQ),
+                ("constraint rows", self.lowered.rows.len() + conditional, NC),
+                ("first-order states", self.lowered.states.len(), states),
+                ("numbers that loops remember of a kind", remembered, L),
+                ("inputs", self.lowered.inputs.len(), H),
+                ("conditions", self.lowered.switches.all.len(), H),
+                ("guards of conditions and contact", guards(&self.lowered), H),
+                ("rows of contact", contacts.map_or(0, |contacts| contacts.places), R),
+            ],
+        )
     }
 }
 
@@ -145,9 +162,35 @@ fn guards(lowered: &Lowered) -> usize {
 }
 
 /// Is nothing larger than the most that there is room for: what, how much, and the most?
-fn within<const K: usize>(counts: [(&'static str, usize, usize); K]) -> Result<(), Refused> {
+fn within<const K: usize>(
+    lowered: &Lowered,
+    counts: [(&'static str, usize, usize); K],
+) -> Result<(), Refused> {
     match counts.into_iter().find(|(_, found, most)| found > most) {
-        Some((what, found, most)) => Err(Refused::TooLarge { what, found, most }),
+        Some((what, found, most)) => {
+            let first = name_of(lowered, what, most).unwrap_or_default();
+            Err(Refused::TooLarge { what, found, most, first })
+        }
         None => Ok(()),
     }
+}
+
+/// The name of what has this number among what there is too much of.
+fn name_of(lowered: &Lowered, what: &str, number: usize) -> Option<String> {
+    let contacts = lowered.contacts.as_ref();
+    let own = match what {
+        "rows of contact" => &contacts?.rows.get(number)?.name,
+        "conditions" => &lowered.switches.all.get(number)?.name,
+        "guards of conditions and contact" => match number.checked_sub(lowered.switches.guards) {
+            Some(behind) => contacts?.guard_names.get(behind)?,
+            None => &lowered.switches.all.get(number)?.name,
+        },
+        "parameters" => &lowered.parameters.get(number)?.name,
+        "inputs" => &lowered.inputs.get(number)?.name,
+        "constraint rows" => &lowered.rows.get(number)?.name,
+        "first-order states" => &lowered.states.get(number)?.name,
+        "coordinates" => lowered.bodies.get(number / 3)?,
+        _ => return None,
+    };
+    Some(own.clone())
 }

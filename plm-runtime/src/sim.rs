@@ -174,19 +174,6 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         Stats { longest_step: self.longest_step.to_f64(), ..self.stats }
     }
 
-    /// What the user should know although the run goes on.
-    pub fn notice(&self) -> Option<Notice> {
-        let alpha = self.state.mechanism().baumgarte_rate().unwrap_or_default();
-        let h_alpha = self.longest_step.to_f64() * alpha;
-        if h_alpha > 0.5 {
-            return Some(Notice::StiffStabilisation { h_alpha });
-        }
-        let conditions = self.stats.passed_over;
-        Notice::of_errors(&self.stats())
-            .or_else(|| (conditions > 0).then_some(Notice::PassedOver { conditions }))
-            .or_else(|| Notice::of_contacts(&self.contact_stats()))
-    }
-
     /// Ends the run, before the step, where a loop passes a pose in which it could go on in several ways; if not, the run
     /// goes on as the motion does, and the pose is counted.
     pub fn stop_at_change_points(&mut self, stop: bool) {

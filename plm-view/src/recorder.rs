@@ -47,6 +47,9 @@ pub struct Recorder<M> {
     mechanism: PhantomData<M>,
 }
 
+/// A row that is nearer to the end of a run than this part of the interval is there.
+const AT_END: f64 = 1e-9;
+
 /// Where a column comes from.
 #[derive(Clone, Copy, Debug)]
 enum Taken {
@@ -139,20 +142,38 @@ impl<M: Described> Recorder<M> {
         every: M::S,
         told: &mut impl FnMut(M::S),
     ) -> Result<(), Fault> {
+        self.run_while(sim, until, every, &mut |time| {
+            told(time);
+            true
+        })
+    }
+
+    /// Runs as [`run`](Self::run) does, as long as `goes_on` says so, which is asked with the time of every step. The last row is
+    /// where the run ends.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn run_while<I: Method<M>>(
+        &mut self,
+        sim: &mut Sim<M, I>,
+        until: M::S,
+        every: M::S,
+        goes_on: &mut impl FnMut(M::S) -> bool,
+    ) -> Result<(), Fault> {
         self.recording.about.method = method(sim.method());
         self.recording.about.fault = None;
-        let outcome = Sim::watch(sim, until, every, |seen| {
-            if let Seen::Step(state) = &seen {
-                told(state.time());
-            }
-            self.see(seen);
-        });
-        if let Err(fault) = &outcome {
-            // The moment of the fault, as far as it came.
+        let outcome = Sim::watch_while(sim, until, every, |seen| self.see(seen), goes_on);
+        let shown = self.recording.times().last().copied().unwrap_or(f64::NEG_INFINITY);
+        let is_missing = sim.state().time().to_f64() - shown > AT_END * every.to_f64();
+        if outcome.is_err() || is_missing {
+            // As far as it came.
             self.take(sim.state());
+        }
+        if let Err(fault) = &outcome {
             let (part, text) = (fault.part.to_owned(), fault.cause.to_string());
             self.recording.about.fault = Some(recording::Fault { time: fault.time, part, text });
         }
+        self.recording.about.notices = Sim::notices(sim).map(|notice| notice.to_string()).collect();
         outcome
     }
 

@@ -107,6 +107,9 @@ pub struct About {
     pub events: Vec<Event>,
     /// What ended the run.
     pub fault: Option<Fault>,
+    /// What the user should know although the run went on, in words.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notices: Vec<String>,
 }
 
 /// Numbers of one moment.

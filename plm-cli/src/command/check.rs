@@ -1,9 +1,13 @@
 //! `plm check`: diagnostics of declarations.
 
+use plm_dynamic::Compiled;
+
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
 use crate::checked::{Checked, Declarations};
+use crate::excerpt::is_rust;
 use crate::json;
+use crate::quote::too_large;
 use crate::read::{self, File};
 
 pub(super) const COMMAND: Command = Command {
@@ -50,6 +54,12 @@ fn check(file: &File, is_json: bool, streams: &mut Streams) -> Result<Outcome, F
         }
         if expansion.diagnostics.has_errors() {
             outcome = outcome.max(Outcome::Wrong);
+        } else if !is_rust(&file.name)
+            && let Some(lowered) = expansion.lower()
+            && let Err(refused) = Compiled::has_room(&file.name, lowered)
+        {
+            // Of compiled programs it is true no more.
+            write!(streams.errors, "{}", too_large(&refused, "warning", file))?;
         }
     }
     for what in &declarations.left_out {

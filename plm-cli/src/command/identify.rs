@@ -32,7 +32,7 @@ pub(super) const COMMAND: Command = Command {
         ("--expected NAME=VALUE..DEVIATION", "what is known beforehand, with its standard deviation"),
         ("--deviation OUTPUT=VALUE", "the standard deviation of a reading; without it residuals tell it"),
         ("--only NAMES", "the columns that are read; without it all"),
-        ("--set NAME=VALUE", "a parameter that is known, in SI or with a unit"),
+        ("--set NAME=VALUE", "a parameter that is known, in its declared unit or with one"),
         ("--input NAME=VALUE", "an input over all experiments"),
         ("--segments COUNT", "segments of each experiment, for long and unstable motions"),
         ("--method NAME[:NUMBER]", "Dop853 or RadauIia5 with its tolerance (Dop853:1e-10)"),
@@ -84,14 +84,14 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
 /// The identification that is asked for.
 fn problem(asked: &Asked, mut mechanism: Mechanism) -> Result<Identification<Small>, Failure> {
     for text in &asked.set {
-        let (name, value) = setting("--set", text, mechanism.parameters())?;
+        let (name, value) = setting("--set", text, mechanism.declared_parameters())?;
         mechanism.set_parameter(name, value)?;
     }
     let unknowns = Unknowns::new(asked, &mut mechanism)?;
     let inputs: Vec<(&str, f64)> = asked
         .input
         .iter()
-        .map(|text| setting("--input", text, mechanism.inputs()))
+        .map(|text| setting("--input", text, mechanism.declared_inputs()))
         .collect::<Result<_, _>>()?;
     let mut problem = Identification::new(mechanism.small()?);
     for unknown in unknowns.shared {

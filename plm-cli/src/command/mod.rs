@@ -102,7 +102,7 @@ fn dispatch(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure>
             Ok(Outcome::Failed)
         }
         Some("help") => {
-            let text = match words.command()? {
+            let text = match words.word() {
                 None => help(),
                 Some(of) => known(&of).map(Command::help).ok_or_else(|| unknown(&of))?,
             };

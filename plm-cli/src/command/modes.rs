@@ -20,8 +20,8 @@ pub(super) const COMMAND: Command = Command {
     usage: "FILE …",
     title: "frequencies, dampings and shapes of the modes near an equilibrium",
     options: &[
-        ("--set NAME=VALUE", "a parameter, in SI or with a unit"),
-        ("--input NAME=VALUE", "an input, in SI or with a unit"),
+        ("--set NAME=VALUE", "a parameter, in its declared unit or with one"),
+        ("--input NAME=VALUE", "an input, in its declared unit or with one"),
         ("--as-started", "at the start itself, which need not be an equilibrium"),
         ("--view FILE", "writes a page in which the mechanism swings along each mode (HTML)"),
     ],
@@ -46,11 +46,11 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
     let started = || -> Result<_, Failure> {
         let mut mechanism = Mechanism::from_named_text(&file.name, &file.text)?;
         for text in &set {
-            let (name, value) = setting("--set", text, mechanism.parameters())?;
+            let (name, value) = setting("--set", text, mechanism.declared_parameters())?;
             mechanism.set_parameter(name, value)?;
         }
         for text in &input {
-            let (name, value) = setting("--input", text, mechanism.inputs())?;
+            let (name, value) = setting("--input", text, mechanism.declared_inputs())?;
             mechanism.set_input(name, value)?;
         }
         Ok(mechanism.start()?)

@@ -2,21 +2,29 @@
 
 use std::fs;
 use std::io::{BufWriter, Write};
-use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use plm_compiler::bug_message;
-use plm_dynamic::{Error, Integrator, Mechanism, Refused, Run, Sample};
+use plm_dynamic::{Declared, Error, Mechanism, Reason, Refused, Run, Sample, Watch};
 use plm_view::svg::write_file;
 
+mod asked;
+mod fault;
+mod following;
 mod recording;
+mod told;
 
+use self::asked::{Asked, Rows};
+use self::following::Following;
+use self::told::Event;
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
 use crate::excerpt::is_rust;
-use crate::read;
+use crate::interrupt;
+use crate::quote::too_large;
+use crate::read::{self, File};
 use crate::table::{aligned, csv_headings, csv_row, heading};
-use crate::value::value;
+use crate::value::declared_value;
 
 pub(super) const COMMAND: Command = Command {
     name: "run",
@@ -25,60 +33,23 @@ pub(super) const COMMAND: Command = Command {
     options: &[
         ("--until SECONDS", "when the run ends"),
         ("--every SECONDS", "between samples; without it 20 in a table, 1000 in files"),
-        ("--set NAME=VALUE", "a parameter, in SI or with a unit (`--set length=20cm`); as often as wanted"),
-        ("--input NAME=VALUE", "an input over the run, in SI or with a unit; as often as wanted"),
+        (
+            "--set NAME=VALUE",
+            "a parameter, in its declared unit or with one (`--set length=20cm`); as often as wanted",
+        ),
+        ("--input NAME=VALUE", "an input over the run, in its declared unit or with one; as often as wanted"),
         ("--method NAME[:NUMBER]", "the method with its tolerance or its longest step (Dop853:1e-9)"),
+        (
+            "--sampled",
+            "rows of tables and CSV at multiples of `--every` alone: none where something switches or where it ends",
+        ),
+        ("--stats", "tells counts of steps and contacts, and what switched, on standard error"),
         ("--csv FILE", "writes all that compiled programs write as CSV; `-` is the standard output"),
         ("--view FILE", "writes a page that moves (HTML), as compiled programs do"),
         ("--out FILE", "writes a results file (.npz), as compiled programs do"),
     ],
     run,
 };
-
-/// Samples of a table, and of CSV as compiled programs have it.
-const SAMPLES: [f64; 2] = [20.0, 1000.0];
-/// More rows than anybody reads.
-const MOST_ROWS: f64 = 1e5;
-
-/// The words of the command.
-struct Asked {
-    until: f64,
-    every: f64,
-    set: Vec<String>,
-    input: Vec<String>,
-    method: Integrator,
-    csv: Option<String>,
-    view: Option<PathBuf>,
-    out: Option<PathBuf>,
-}
-
-impl Asked {
-    fn new(words: &mut Words) -> Result<Asked, Failure> {
-        let csv = words.value("--csv");
-        let [view, out] = ["--view", "--out"].map(|option| words.value(option).map(PathBuf::from));
-        let has_files = csv.is_some() || view.is_some() || out.is_some();
-        let until = time("--until", words.value("--until"))?;
-        let until = until.ok_or("a run needs its end: `--until SECONDS`")?;
-        let every = time("--every", words.value("--every"))?;
-        let every = every.unwrap_or(until / SAMPLES[usize::from(has_files)]);
-        if !has_files && until / every > MOST_ROWS {
-            return Err(format!(
-                "--every {every} makes a table of more than {MOST_ROWS} rows: with `--csv FILE`"
-            )
-            .into());
-        }
-        let method = words.value("--method").map(|text| text.parse()).transpose()?.unwrap_or_default();
-        let (set, input) = (words.values("--set"), words.values("--input"));
-        Ok(Asked { until, every, set, input, method, csv, view, out })
-    }
-}
-
-/// A positive time, s.
-fn time(option: &str, text: Option<String>) -> Result<Option<f64>, Failure> {
-    let Some(text) = text else { return Ok(None) };
-    let time = text.parse().ok().filter(|time| *time > 0.0 && f64::is_finite(*time));
-    Ok(Some(time.ok_or_else(|| format!("{option} wants a positive time in seconds, not `{text}`"))?))
-}
 
 fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
     let asked = Asked::new(&mut words)?;
@@ -90,16 +61,37 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
     }
     let mut run = match started(&asked, Mechanism::from_named_text(&file.name, &file.text)) {
         Ok(run) => run,
-        Err(error) => return refused(error, streams),
+        Err(failure) => return not_started(&asked, &file, failure, streams),
     };
-    let outcome = if asked.view.is_some() || asked.out.is_some() {
-        recording::write(&asked, &mut run, streams.output)?
+    let mut following = Following::new(&run, asked.method, asked.until, &mut *streams.errors);
+    let (outcome, events) = if asked.view.is_some() || asked.out.is_some() {
+        recording::write(&asked, &mut run, &mut following, streams.output)?
     } else if let Some(name) = &asked.csv {
-        as_csv(&asked, &mut run, &mut *file_to(name, streams.output)?)?
+        as_csv(&asked, &mut run, &mut following, &mut *file_to(name, streams.output)?)?
     } else {
-        as_table(&asked, &mut run, streams.output)?
+        as_table(&asked, &mut run, &mut following, streams.output)?
     };
-    outcome.map_or_else(|error| refused(error.into(), streams), |()| Ok(Outcome::Good))
+    following.end();
+    told::notices(&mut run, streams.errors)?;
+    if asked.stats {
+        told::stats(&mut run, &events, streams.errors)?;
+    }
+    match outcome {
+        Err(Error::Fault(fault)) => {
+            fault::ended(&fault, &file, streams.errors)?;
+            Ok(Outcome::Wrong)
+        }
+        Err(error) => refused(error.into(), streams),
+        Ok(()) if interrupt::came() => {
+            writeln!(
+                streams.errors,
+                "plm: ended at t = {} s by Ctrl+C: what came before is written",
+                run.time()
+            )?;
+            Ok(Outcome::Wrong)
+        }
+        Ok(()) => Ok(Outcome::Good),
+    }
 }
 
 /// Writes a file as a whole, with the folders above it, or leaves it as it was; `-` is the standard output.
@@ -127,11 +119,11 @@ fn started(asked: &Asked, mechanism: Result<Mechanism, Error>) -> Result<Run, Fa
     let mut mechanism = mechanism?;
     translate(&mechanism);
     for text in &asked.set {
-        let (name, value) = setting("--set", text, mechanism.parameters())?;
+        let (name, value) = setting("--set", text, mechanism.declared_parameters())?;
         mechanism.set_parameter(name, value)?;
     }
     for text in &asked.input {
-        let (name, value) = setting("--input", text, mechanism.inputs())?;
+        let (name, value) = setting("--input", text, mechanism.declared_inputs())?;
         mechanism.set_input(name, value)?;
     }
     Ok(mechanism.start_with(asked.method)?)
@@ -149,18 +141,38 @@ fn translate(mechanism: &Mechanism) {
 #[cfg(not(feature = "jit"))]
 fn translate(_: &Mechanism) {}
 
-/// Name and value, SI, of a setting of one of these quantities with their SI units. A name that is none of them has the value 0: to set
+/// Name and value, SI, of a setting of one of these quantities, in its declared unit or with one. A name that is none of them has the value 0: to set
 /// it is the mistake.
 pub(super) fn setting<'a, 'b>(
     option: &str,
     text: &'a str,
-    mut quantities: impl Iterator<Item = (&'b str, &'b str)>,
+    mut quantities: impl Iterator<Item = Declared<'b>>,
 ) -> Result<(&'a str, f64), Failure> {
     let wrong = || format!("{option} wants NAME=VALUE, as in `{option} length=20cm`, not `{text}`");
     let (name, given) = text.split_once('=').ok_or_else(wrong)?;
     let name = name.trim();
-    let Some((_, unit)) = quantities.find(|(known, _)| *known == name) else { return Ok((name, 0.0)) };
-    Ok((name, value(given, unit).map_err(|why| format!("{option} {name}: {why}"))?))
+    let Some(own) = quantities.find(|known| known.name == name) else { return Ok((name, 0.0)) };
+    Ok((name, declared_value(given, own.si, own.factor).map_err(|why| format!("{option} {name}: {why}"))?))
+}
+
+/// Tells why there is no run. What cannot be assembled is told as the compiler tells it.
+fn not_started(
+    asked: &Asked,
+    file: &File,
+    failure: Failure,
+    streams: &mut Streams,
+) -> Result<Outcome, Failure> {
+    if let Some(Error::Fault(fault)) = failure.downcast_ref::<Error>() {
+        fault::at_start(fault, file, &asked.set, streams.errors)?;
+        return Ok(Outcome::Wrong);
+    }
+    match failure.downcast_ref::<Error>() {
+        Some(Error::Refused(own @ Refused::TooLarge { .. })) => {
+            write!(streams.errors, "{}", too_large(own, "plm", file))?;
+            Ok(Outcome::Wrong)
+        }
+        _ => refused(failure, streams),
+    }
 }
 
 /// Tells why there is no run, or why it has ended.
@@ -219,31 +231,87 @@ fn row(columns: &[Number], sample: &Sample) -> Vec<f64> {
     std::iter::once(sample.time).chain(columns.iter().map(|column| column.of(sample))).collect()
 }
 
+/// Rows for a function, and what switches.
+struct Rowed<'a, 'b, F> {
+    following: &'a mut Following<'b>,
+    rows: Rows,
+    columns: &'a [Number],
+    row: F,
+    events: Vec<Event>,
+    /// The rows can be taken no more.
+    ends: bool,
+}
+
+impl<F: FnMut(Vec<f64>) -> bool> Watch for Rowed<'_, '_, F> {
+    fn sample(&mut self, sample: &Sample, reason: Reason) {
+        let is_wanted = self.rows == Rows::All || reason == Reason::Interval;
+        if is_wanted && !(self.row)(row(self.columns, sample)) {
+            self.ends = true;
+        }
+    }
+
+    fn event(&mut self, time: f64, what: &str) {
+        self.events.push((time, what.to_owned()));
+    }
+
+    fn goes_on(&mut self, time: f64) -> bool {
+        self.following.goes_on(time) && !self.ends
+    }
+}
+
+/// How a run has ended, and what switched in it.
+type Ended = (Result<(), Error>, Vec<Event>);
+
+/// Runs, and gives a function each row, which says whether the run goes on.
+fn rowed(
+    asked: &Asked,
+    run: &mut Run,
+    following: &mut Following,
+    columns: &[Number],
+    row: impl FnMut(Vec<f64>) -> bool,
+) -> Ended {
+    let mut watch = Rowed { following, rows: asked.rows, columns, row, events: Vec::new(), ends: false };
+    let outcome = run.watch(asked.until, asked.every, &mut watch);
+    (outcome, watch.events)
+}
+
 /// Writes a table when the run has ended; its outcome.
-fn as_table(asked: &Asked, run: &mut Run, to: &mut dyn Write) -> Result<Result<(), Error>, Failure> {
+fn as_table(
+    asked: &Asked,
+    run: &mut Run,
+    following: &mut Following,
+    to: &mut dyn Write,
+) -> Result<Ended, Failure> {
     let (columns, headings) = columns(run, false);
     let mut rows = Vec::new();
-    let outcome = run.record(asked.until, asked.every, |sample| {
-        rows.push(row(&columns, sample));
-        ControlFlow::Continue(())
+    let ended = rowed(asked, run, following, &columns, |row| {
+        rows.push(row);
+        true
     });
     let mut to = BufWriter::new(to);
     aligned(&headings, &rows, &mut to)?;
     to.flush()?;
-    Ok(outcome)
+    Ok(ended)
 }
 
 /// Writes CSV while it runs, as long as it can be written; the outcome of the run.
-fn as_csv(asked: &Asked, run: &mut Run, to: &mut dyn Write) -> Result<Result<(), Error>, Failure> {
+fn as_csv(
+    asked: &Asked,
+    run: &mut Run,
+    following: &mut Following,
+    to: &mut dyn Write,
+) -> Result<Ended, Failure> {
     let (columns, headings) = columns(run, true);
     let mut to = BufWriter::new(to);
     csv_headings(&headings, &mut to)?;
     let mut written = Ok(());
-    let outcome = run.record(asked.until, asked.every, |sample| {
-        written = csv_row(&row(&columns, sample), &mut to);
-        if written.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    let ended = rowed(asked, run, following, &columns, |row| {
+        if written.is_ok() {
+            written = csv_row(&row, &mut to);
+        }
+        written.is_ok()
     });
     written?;
     to.flush()?;
-    Ok(outcome)
+    Ok(ended)
 }

@@ -51,6 +51,9 @@ impl Words {
 
     /// The next word, as the name of a command.
     pub(super) fn command(&mut self) -> Result<Option<String>, Failure> {
+        if self.files.is_empty() && self.asks_for_help() {
+            return Ok(Some("help".to_owned()));
+        }
         match self.options.first().map(|(option, _)| option.as_str()) {
             Some("--version" | "-V") => return Ok(Some("version".to_owned())),
             Some("--help" | "-h") if self.files.is_empty() => return Ok(Some("help".to_owned())),
@@ -60,6 +63,11 @@ impl Words {
             _ => {}
         }
         Ok(self.files.pop_front())
+    }
+
+    /// The next word that is no option.
+    pub(super) fn word(&mut self) -> Option<String> {
+        self.files.pop_front()
     }
 
     pub(super) fn asks_for_help(&self) -> bool {

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod check;
+mod drawings;
 mod export;
 mod export_models;
 mod extension;
@@ -14,6 +15,7 @@ mod json;
 mod lsp;
 mod modes;
 mod run;
+mod told;
 
 use std::fs;
 use std::io::Write;

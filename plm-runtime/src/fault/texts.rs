@@ -67,7 +67,12 @@ impl fmt::Display for Cause {
                  rounding decides which way it goes on; make the lengths equal, or differ by more"
             ),
             Self::EnergyJump { by, of } => {
-                write!(f, "the energy jumps by {by:e} J, of {of:e} J that move, without work of any force")
+                write!(
+                    f,
+                    "the energy jumps by {} J, of {} J that move, without work of any force",
+                    Short(*by),
+                    Short(*of)
+                )
             }
             Self::TooManySteps { steps } => write!(f, "the interval needs more than {steps} steps"),
             Self::Required => write!(f, "this requirement does not hold any more"),
@@ -98,7 +103,9 @@ impl fmt::Display for Cause {
             }
             Self::Repeats { joints } => repeats(f, joints),
             Self::Disagree { gap, joints } => disagree(f, *gap, joints),
-            Self::Open { gap } => write!(f, "the mechanism cannot be assembled: {gap:e} m or rad stay open"),
+            Self::Open { gap } => {
+                write!(f, "the mechanism cannot be assembled: {} m or rad stay open", Short(*gap))
+            }
             Self::OtherBranch { first, second, left } => {
                 let (found, asked) = if *left { ("left", "right") } else { ("right", "left") };
                 write!(
@@ -108,9 +115,23 @@ impl fmt::Display for Cause {
                 )
             }
             Self::VelocityOpen { gap } => {
-                write!(f, "the start velocities contradict the joints by {gap:e} m/s or rad/s")
+                write!(f, "the start velocities contradict the joints by {} m/s or rad/s", Short(*gap))
             }
         }
+    }
+}
+
+/// A number with three digits: what is wrong is not told better by more.
+struct Short(f64);
+
+impl fmt::Display for Short {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (number, size) = (self.0, self.0.abs());
+        if !(1e-3..1e4).contains(&size) {
+            return write!(f, "{number:.2e}");
+        }
+        let decimals = [100.0, 10.0, 1.0, 0.1, 0.01].iter().take_while(|bound| size < **bound).count();
+        write!(f, "{number:.decimals$}")
     }
 }
 
@@ -162,9 +183,9 @@ fn disagree(f: &mut fmt::Formatter<'_>, gap: f64, joints: &Names) -> fmt::Result
 /// A requirement that does not hold, or is left at once.
 fn not_met(f: &mut fmt::Formatter<'_>, by: f64) -> fmt::Result {
     if by > 0.0 {
-        return write!(f, "this requirement does not hold, by {by:e} in SI units");
+        return write!(f, "this requirement does not hold, by {} in SI units", Short(by));
     }
-    write!(f, "the motion leaves this requirement at once, which holds by {:e} in SI units", by.abs())
+    write!(f, "the motion leaves this requirement at once, which holds by {} in SI units", Short(by.abs()))
 }
 
 /// What jumps, and what to do.
@@ -172,10 +193,11 @@ fn jump(f: &mut fmt::Formatter<'_>, by: f64, unit: &str, speed: bool) -> fmt::Re
     if speed {
         return write!(
             f,
-            "the speed that this row holds jumps by {by:e} {unit}/s; its sides must meet smoothly, as in `smooth_table`"
+            "the speed that this row holds jumps by {} {unit}/s; its sides must meet smoothly, as in `smooth_table`",
+            Short(by)
         );
     }
-    write!(f, "the place that this row holds jumps by {by:e} {unit}; its sides must agree")
+    write!(f, "the place that this row holds jumps by {} {unit}; its sides must agree", Short(by))
 }
 
 /// Which of the two residuals it is, and what to do.
@@ -230,14 +252,17 @@ fn drift(f: &mut fmt::Formatter<'_>, phi: f64, phi_dot: f64) -> fmt::Result {
     if phi < 1e-9 && phi < phi_dot {
         return write!(
             f,
-            "the pose is singular: this joint is closed, but {phi_dot:e} m/s or rad/s of its velocity cannot be taken away; \
-             shorter steps, or a `compliance` at this joint"
+            "the pose is singular: this joint is closed, but {} m/s or rad/s of its velocity cannot be taken away; \
+             shorter steps, or a `compliance` at this joint",
+            Short(phi_dot)
         );
     }
     write!(
         f,
-        "the joints come apart by {phi:e} m or rad, {phi_dot:e} m/s or rad/s, and cannot be closed again; shorter steps, \
-         or a `compliance` at this joint"
+        "the joints come apart by {} m or rad, {} m/s or rad/s, and cannot be closed again; shorter steps, \
+         or a `compliance` at this joint",
+        Short(phi),
+        Short(phi_dot)
     )
 }
 

@@ -4,7 +4,8 @@ use core::fmt;
 
 use super::{Sim, Snapshot};
 use crate::contact::Counts;
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Mechanism, Moment};
+use crate::method::Method;
 use crate::stats::Stats;
 
 /// The state and what was done; a method has hundreds of numbers of its own.
@@ -18,6 +19,30 @@ impl<M: Mechanism<State: fmt::Debug>, I> fmt::Debug for Sim<M, I> {
 impl<M: Mechanism<State: fmt::Debug>, I> fmt::Debug for Snapshot<M, I> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_tuple("Snapshot").field(&self.0).finish()
+    }
+}
+
+impl<M: Mechanism, I: Method<M>> Sim<M, I> {
+    /// The first of what the user should know of the motion although the run goes on.
+    pub fn notice(&self) -> Option<Notice> {
+        // Of undetermined forces the motion knows nothing.
+        Self::notices(self).find(|notice| !matches!(notice, Notice::UndeterminedContact { .. }))
+    }
+
+    /// All that the user should know although the run goes on, what weighs most first. To be called as `Sim::notices(&sim)`, so that it
+    /// hides no output of this name.
+    pub fn notices(this: &Self) -> impl Iterator<Item = Notice> + use<M, I> {
+        let stats = this.stats();
+        let alpha = this.state.mechanism().baumgarte_rate().unwrap_or_default();
+        let h_alpha = stats.longest_step * alpha;
+        let conditions = stats.passed_over;
+        let first = [
+            (h_alpha > 0.5).then_some(Notice::StiffStabilisation { h_alpha }),
+            Notice::of_errors(&stats),
+            (conditions > 0).then_some(Notice::PassedOver { conditions }),
+        ];
+        let contact = Notice::of_contacts(&this.contact_stats(), this.is_undetermined());
+        first.into_iter().chain(contact).flatten()
     }
 }
 
@@ -55,6 +80,12 @@ pub enum Notice {
         /// At how many events.
         events: u64,
     },
+    /// More contact rows rest than there are freedoms: the motion is unique, but pushes, frictions and reactions are one of many
+    /// solutions, as at a table on four legs.
+    UndeterminedContact {
+        /// From how many events on.
+        events: u64,
+    },
     /// Steps of fixed length are so long that a step errs by more than three thousandths of the size of a state, or all of them together
     /// by more than a tenth: the motion is a rough one, and may be another one. Shorter steps, or a method that chooses them by
     /// their error. Both are estimates of what the steps add; what a motion makes of that may be more or less.
@@ -70,20 +101,23 @@ pub enum Notice {
 
 impl Notice {
     /// What steps of fixed length were off by, where that is worth to be told.
-    pub(super) fn of_errors(stats: &Stats) -> Option<Self> {
+    fn of_errors(stats: &Stats) -> Option<Self> {
         let Stats { largest_error: largest, errors: sum, longest_step: step, .. } = *stats;
         (largest >= LARGE || sum >= SUM).then_some(Self::LongSteps { largest, sum, step })
     }
 
-    /// What contacts have left open, where they have.
-    pub(super) fn of_contacts(counts: &Counts) -> Option<Self> {
+    /// What contacts have left open, where they have; `is_undetermined` says so of the present modes.
+    fn of_contacts(counts: &Counts, is_undetermined: bool) -> [Option<Self>; 4] {
         let Counts { ambiguous, ambiguous_impacts, undetermined_impacts, .. } = *counts;
-        let all = [
-            (ambiguous, Self::AmbiguousContact { events: ambiguous }),
-            (ambiguous_impacts, Self::AmbiguousImpact { events: ambiguous_impacts }),
-            (undetermined_impacts, Self::UndeterminedImpact { events: undetermined_impacts }),
-        ];
-        all.into_iter().find(|(events, _)| *events > 0).map(|(_, notice)| notice)
+        // The modes of a start are no event.
+        let undetermined = counts.undetermined.max(u64::from(is_undetermined));
+        let told = |events: u64, notice| (events > 0).then_some(notice);
+        [
+            told(ambiguous, Self::AmbiguousContact { events: ambiguous }),
+            told(ambiguous_impacts, Self::AmbiguousImpact { events: ambiguous_impacts }),
+            told(undetermined_impacts, Self::UndeterminedImpact { events: undetermined_impacts }),
+            told(undetermined, Self::UndeterminedContact { events: undetermined }),
+        ]
     }
 }
 
@@ -119,6 +153,11 @@ impl fmt::Display for Notice {
                 f,
                 "impacts could share their impulses in many ways, of which restitution gives back a part, at {events} events: \
                  the motion is one of many"
+            ),
+            Self::UndeterminedContact { events } => write!(
+                f,
+                "more contacts rest than there are freedoms, from {events} events on: the motion is unique, pushes and frictions are one \
+                 of many; a `compliance` at a joint, or a contact that gives way"
             ),
             Self::LongSteps { largest, sum, step } => write!(
                 f,

@@ -23,7 +23,7 @@
  * @typedef {{time: number, what: string, row: number | null}} RunEvent
  * @typedef {{time: number, part: string, text: string}} RunFault
  * @typedef {{name: string, mechanism: Mechanism, method: string, columns: Column[], events: RunEvent[],
- *   fault: RunFault | null}} RunHead all of a run but its arrays
+ *   fault: RunFault | null, notices?: string[]}} RunHead all of a run but its arrays
  * @typedef {{format: string, version: number, made_by: string, runs: RunHead[]}} Contents
  */
 
@@ -84,6 +84,7 @@ export function readContents(bytes) {
 function fillRun(run) {
   run.events ??= [];
   run.fault ??= null;
+  run.notices ??= [];
   run.method ??= "";
   const { mechanism } = run;
   mechanism.doc ??= "";

@@ -74,6 +74,8 @@ export class Run {
     this.columns = head.columns;
     this.events = head.events;
     this.fault = head.fault;
+    /** What the user should know although the run went on. @type {string[]} */
+    this.notices = head.notices ?? [];
     this.time = tables.time;
     this.poses = tables.poses;
     this.values = tables.values;

@@ -30,6 +30,7 @@ export class Runs {
     this.root.replaceChildren(
       ...(this.app.runViews.length > 1 ? [this.layouts(), this.list()] : []),
       ...(run?.fault ? [this.fault(run.fault)] : []),
+      ...(run?.notices ?? []).map((notice) => element("div", { class: "message warning" }, element("p", {}, notice))),
       element("h2", {}, "Events"),
       this.events(),
     );

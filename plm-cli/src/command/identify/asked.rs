@@ -9,7 +9,7 @@ use plm_view::Recording;
 use super::super::Failure;
 use super::super::words::Words;
 use crate::readings::experiment;
-use crate::value::value;
+use crate::value::{declared_value, value};
 
 /// The words of the command.
 pub(super) struct Asked {
@@ -131,9 +131,10 @@ fn unknown(
     (option, text): (&str, &str),
 ) -> Result<Unknown, Failure> {
     let name = name_of(text);
-    let parameter = mechanism.parameters().find(|(own, _)| *own == name).map(|(_, unit)| unit.to_owned());
+    let own = mechanism.declared_parameters().find(|own| own.name == name);
+    let parameter = own.map(|own| (own.si.to_owned(), own.factor));
     let (mut unknown, unit) = match &parameter {
-        Some(unit) => (Unknown::parameter(name), unit.as_str()),
+        Some((unit, _)) => (Unknown::parameter(name), unit.as_str()),
         None if mechanism.starts().contains(&name) => (Unknown::start(name), unit_of_start(name)),
         None => {
             let parameters = mechanism.parameters().map(|(name, _)| name);
@@ -145,8 +146,10 @@ fn unknown(
             .into());
         }
     };
-    let read =
-        |option: &str, given: &str| value(given, unit).map_err(|why| format!("{option} {name}: {why}"));
+    let factor = parameter.as_ref().map_or(1.0, |(_, factor)| *factor);
+    let read = |option: &str, given: &str| {
+        declared_value(given, unit, factor).map_err(|why| format!("{option} {name}: {why}"))
+    };
     if let Some((_, given)) = text.split_once('=') {
         let guess = read(option, given)?;
         unknown = unknown.from(guess);

@@ -6,11 +6,15 @@ use plm_dynamic::{Error, OnRun, Run, Sample};
 use plm_runtime::{BodyState, Described, Fault, Method, Moment, Sim};
 use plm_view::{Page, Recorder, Recording, Results};
 
-use super::{Asked, Failure, columns, row, write_whole};
+use super::{Asked, Ended, Failure, Following, Rows, columns, row, write_whole};
 use crate::table::{csv_headings, csv_row};
 
 /// Records until a time, s, so often, s, as compiled programs do.
-struct Record(f64, f64);
+struct Record<'a, 'b> {
+    until: f64,
+    every: f64,
+    following: &'a mut Following<'b>,
+}
 
 /// A recorded run.
 struct Recorded {
@@ -20,19 +24,27 @@ struct Recorded {
     name: &'static str,
 }
 
-impl OnRun for Record {
+impl OnRun for Record<'_, '_> {
     type Output = Recorded;
 
     fn on<M: Described<S = f64>, I: Method<M>>(self, sim: &mut Sim<M, I>) -> Recorded {
         let (mut recorder, name) = (Recorder::observing_all(sim), sim.state().mechanism().tables().name);
-        let outcome = recorder.run(sim, self.0, self.1);
+        let outcome =
+            recorder.run_while(sim, self.until, self.every, &mut |time| self.following.goes_on(time));
         Recorded { outcome, recording: recorder.into_recording(), name }
     }
 }
 
 /// Runs, and writes the files that are asked for; the outcome of the run. What came before a fault is written all the same.
-pub(super) fn write(asked: &Asked, run: &mut Run, to: &mut dyn Write) -> Result<Result<(), Error>, Failure> {
-    let Recorded { outcome, recording, name } = run.then(Record(asked.until, asked.every));
+pub(super) fn write(
+    asked: &Asked,
+    run: &mut Run,
+    following: &mut Following,
+    to: &mut dyn Write,
+) -> Result<Ended, Failure> {
+    let (until, every) = (asked.until, asked.every);
+    let Recorded { outcome, recording, name } = run.then(Record { until, every, following });
+    let events = recording.about.events.iter().map(|event| (event.time, event.what.clone())).collect();
     if let Some(path) = &asked.out {
         recording.write(path)?;
     }
@@ -40,7 +52,7 @@ pub(super) fn write(asked: &Asked, run: &mut Run, to: &mut dyn Write) -> Result<
         let (columns, headings) = columns(run, true);
         let mut text = Vec::new();
         csv_headings(&headings, &mut text)?;
-        for sample in samples(&recording) {
+        for sample in samples(&recording).filter(|sample| is_wanted(asked, sample.time)) {
             csv_row(&row(&columns, &sample), &mut text)?;
         }
         write_whole(path, &text, to)?;
@@ -49,7 +61,13 @@ pub(super) fn write(asked: &Asked, run: &mut Run, to: &mut dyn Write) -> Result<
         let results = Results { runs: vec![recording], ..Results::default() };
         Page::new(&results.to_bytes()?, name).write_html(path)?;
     }
-    Ok(outcome.map_err(Error::from))
+    Ok((outcome.map_err(Error::from), events))
+}
+
+/// Is the row of this time, s, written?
+fn is_wanted(asked: &Asked, time: f64) -> bool {
+    let number = time / asked.every;
+    asked.rows == Rows::All || (number - number.round()).abs() < 1e-9
 }
 
 /// The rows of a recording.

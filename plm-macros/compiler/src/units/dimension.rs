@@ -111,7 +111,10 @@ impl Dimension {
 
     /// Its unit in SI: `N*m`, `kg*m^2`, `1` for a number.
     pub fn si_unit(self) -> String {
-        match KNOWN.iter().find(|known| known.dimension == self) {
+        let find = |dimension| KNOWN.iter().find(|known| known.dimension == dimension);
+        // A torque times an angular velocity is a power: the radian of what has a mass or a current cancels.
+        let is_mechanical = self.kg != 0 || self.a != 0;
+        match find(self).or_else(|| find(self.plain()).filter(|_| is_mechanical)) {
             Some(known) => known.unit.to_string(),
             None => self.base_units(),
         }

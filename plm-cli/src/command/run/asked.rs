@@ -1,0 +1,66 @@
+//! The words of `plm run`.
+
+use std::path::PathBuf;
+
+use plm_dynamic::Integrator;
+
+use super::super::words::Words;
+use super::Failure;
+
+/// Samples of a table, and of CSV as compiled programs have it.
+const SAMPLES: [f64; 2] = [20.0, 1000.0];
+/// More rows than anybody reads.
+const MOST_ROWS: f64 = 1e5;
+
+/// Which rows are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Rows {
+    /// Samples, those before and behind what switches, and the end.
+    All,
+    /// Samples alone.
+    Sampled,
+}
+
+/// The words of the command.
+pub(super) struct Asked {
+    pub(super) until: f64,
+    pub(super) every: f64,
+    pub(super) set: Vec<String>,
+    pub(super) input: Vec<String>,
+    pub(super) method: Integrator,
+    pub(super) rows: Rows,
+    /// Are counts and events told?
+    pub(super) stats: bool,
+    pub(super) csv: Option<String>,
+    pub(super) view: Option<PathBuf>,
+    pub(super) out: Option<PathBuf>,
+}
+
+impl Asked {
+    pub(super) fn new(words: &mut Words) -> Result<Asked, Failure> {
+        let csv = words.value("--csv");
+        let [view, out] = ["--view", "--out"].map(|option| words.value(option).map(PathBuf::from));
+        let has_files = csv.is_some() || view.is_some() || out.is_some();
+        let until = time("--until", words.value("--until"))?;
+        let until = until.ok_or("a run needs its end: `--until SECONDS`")?;
+        let every = time("--every", words.value("--every"))?;
+        let every = every.unwrap_or(until / SAMPLES[usize::from(has_files)]);
+        if !has_files && until / every > MOST_ROWS {
+            return Err(format!(
+                "--every {every} makes a table of more than {MOST_ROWS} rows: with `--csv FILE`"
+            )
+            .into());
+        }
+        let method = words.value("--method").map(|text| text.parse()).transpose()?.unwrap_or_default();
+        let (set, input) = (words.values("--set"), words.values("--input"));
+        let rows = if words.takes("--sampled") { Rows::Sampled } else { Rows::All };
+        Ok(Asked { until, every, set, input, method, rows, stats: words.takes("--stats"), csv, view, out })
+    }
+}
+
+/// A positive time, s.
+fn time(option: &str, text: Option<String>) -> Result<Option<f64>, Failure> {
+    let Some(text) = text else { return Ok(None) };
+    let time = text.parse().ok().filter(|time| *time > 0.0 && f64::is_finite(*time));
+    Ok(Some(time.ok_or_else(|| format!("{option} wants a positive time in seconds, not `{text}`"))?))
+}

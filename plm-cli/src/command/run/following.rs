@@ -1,0 +1,118 @@
+//! What is asked and counted on the way of a run: Ctrl+C, its steps, whether stability holds them short.
+
+use std::io::Write;
+use std::time::{Duration, Instant};
+
+use plm_dynamic::{Integrator, Run};
+
+use crate::interrupt;
+
+/// Steps between two looks at the clock.
+const LOOK: u64 = 64;
+/// A run is slow that has taken so long, ...
+const PATIENCE: Duration = Duration::from_secs(2);
+/// ... and has so many times as long before it.
+const AHEAD: f64 = 5.0;
+/// Fewer steps are no reason to think of another method.
+const MANY: u64 = 20_000;
+
+/// Follows a run.
+pub(super) struct Following<'a> {
+    /// The run at its start, of which stiffness is asked.
+    start: Run,
+    method: Integrator,
+    until: f64,
+    clock: Instant,
+    steps: u64,
+    /// The last step ends there, s.
+    time: f64,
+    has_told: bool,
+    /// Where it is told that the run is stiff, at once: a run may take hours.
+    errors: &'a mut dyn Write,
+}
+
+impl<'a> Following<'a> {
+    pub(super) fn new(run: &Run, method: Integrator, until: f64, errors: &'a mut dyn Write) -> Following<'a> {
+        interrupt::wait();
+        let (start, time) = (run.clone(), run.time());
+        Following { start, method, until, clock: Instant::now(), steps: 0, time, has_told: false, errors }
+    }
+
+    /// Does the run go on behind a step to this time, s?
+    pub(super) fn goes_on(&mut self, time: f64) -> bool {
+        self.steps += 1;
+        self.time = time;
+        if self.steps.is_multiple_of(LOOK) && !self.has_told {
+            let taken = self.clock.elapsed();
+            let begun = self.start.time();
+            let ahead = (self.until - time) / (time - begun).max(f64::MIN_POSITIVE);
+            if taken > PATIENCE && ahead > AHEAD {
+                self.tell();
+            }
+        }
+        !interrupt::came()
+    }
+
+    /// The run has ended.
+    pub(super) fn end(&mut self) {
+        if self.steps > MANY && !self.has_told {
+            self.tell();
+        }
+    }
+
+    /// Tells that the run is stiff, if it is.
+    fn tell(&mut self) {
+        self.has_told = true;
+        let step = (self.time - self.start.time()) / self.steps as f64;
+        if let Some(rate) = stiffness(&mut self.start, self.method, step) {
+            // Where messages cannot be written there is no place to say so.
+            let _ = writeln!(
+                self.errors,
+                "plm: notice: at t = {:.3e} s, after {:.1} s of work: stiff; something dies out at {rate:.1e} 1/s, which keeps steps at {step:.1e} s \
+                 whatever the tolerance; `--method RadauIia5` takes longer ones",
+                self.time,
+                self.clock.elapsed().as_secs_f64(),
+            );
+        }
+    }
+}
+
+/// The fastest decay at the start, 1/s, where stability by an explicit method holds steps as short as these, s.
+#[cfg(feature = "identify")]
+fn stiffness(start: &mut Run, method: Integrator, step: f64) -> Option<f64> {
+    let (Integrator::Dop853(tolerance)
+    | Integrator::Vern9(tolerance)
+    | Integrator::Adams(tolerance)
+    | Integrator::Dopri5(tolerance)) = method
+    else {
+        return None;
+    };
+    let choice = start.then(AtStart(tolerance));
+    // The boundary of stability of these methods lies at products between 0.2 (Adams) and 8.
+    (choice.stiff && choice.decay * step > 0.1).then_some(choice.decay)
+}
+
+/// Without eigenvalues nothing is known.
+#[cfg(not(feature = "identify"))]
+fn stiffness(_: &mut Run, _: Integrator, _: f64) -> Option<f64> {
+    None
+}
+
+/// The choice of a method by the eigenvalues at the start, for a relative tolerance.
+#[cfg(feature = "identify")]
+struct AtStart(f64);
+
+#[cfg(feature = "identify")]
+impl plm_dynamic::OnRun for AtStart {
+    type Output = plm_analysis::Choice;
+
+    fn on<M, I>(self, sim: &mut plm_runtime::Sim<M, I>) -> plm_analysis::Choice
+    where
+        M: plm_runtime::Described<S = f64, U: plm_runtime::held::Discrete>
+            + plm_runtime::Statics
+            + plm_runtime::Linear<Lifted<1>: plm_runtime::Described + plm_runtime::Statics>,
+        I: plm_runtime::Method<M>,
+    {
+        plm_analysis::Choice::at(sim.state(), self.0)
+    }
+}
