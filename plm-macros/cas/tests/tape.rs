@@ -151,6 +151,10 @@ fn sub_sums_are_shared_up_to_sign_and_scale() {
         // 3*y, x + 3*y, twice it, two sums, two outputs
         7
     );
+    // Quotients by the smallest numbers are all infinite, and so no scale: these sums are not one.
+    let tiny = "5e-324";
+    let texts = [format!("(+ {tiny} (* 2 x))"), format!("(+ {tiny} (* 3 x))")];
+    assert_eq!(shared(&texts.each_ref().map(String::as_str)).len(), 6);
     // The pair that is an expression of its own keeps its node.
     assert_eq!(
         shared(&["(- x y)", "(+ a (- x y))"]),

@@ -119,7 +119,10 @@ impl Number {
         if other.is_one() {
             return Some(self);
         }
-        other.recip().map(|inverse| self * inverse)
+        let inverse = other.recip()?;
+        // The smallest numbers have no reciprocal.
+        let has_digits = matches!(inverse, Self::Exact { .. }) || inverse.to_f64().is_normal();
+        Some(if has_digits { self * inverse } else { Self::from_f64(self.to_f64() / other.to_f64()) })
     }
 
     /// `1 / self`, or `None` for zero.

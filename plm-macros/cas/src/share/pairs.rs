@@ -74,8 +74,9 @@ impl Search<'_> {
 
     fn pair(&mut self, row: usize, first: usize, last: usize) {
         let (a, b) = (self.rows.items(row)[first], self.rows.items(row)[last]);
-        let ratio = self.rows.numbers.quotient(b.coefficient, a.coefficient);
-        self.note(Pair { a: a.id, b: b.id, ratio }, row as u32);
+        if let Some(ratio) = self.rows.numbers.ratio(b.coefficient, a.coefficient) {
+            self.note(Pair { a: a.id, b: b.id, ratio }, row as u32);
+        }
     }
 
     fn note(&mut self, pair: Pair, row: u32) {
@@ -148,7 +149,7 @@ impl Search<'_> {
         let first = items.iter().position(|item| item.id == pair.a)?;
         let second = first + 1 + items[first + 1..].iter().position(|item| item.id == pair.b)?;
         let (a, b) = (items[first], items[second]);
-        (self.rows.numbers.quotient(b.coefficient, a.coefficient) == pair.ratio).then_some((first, second))
+        (self.rows.numbers.ratio(b.coefficient, a.coefficient)? == pair.ratio).then_some((first, second))
     }
 
     /// Lets all rows read the pair from one row: the one that is nothing else, or a new one.

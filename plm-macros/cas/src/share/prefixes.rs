@@ -15,7 +15,7 @@ pub(super) fn nest(rows: &mut Rows) {
     let mut sums: Vec<Sum> = Vec::new();
     for row in 0..rows.len() {
         if rows.kind(row) == Kind::Sum && rows.items(row).len() > LONG {
-            sums.push(Sum::of(rows, row));
+            sums.extend(Sum::of(rows, row));
         }
     }
     sums.sort_by_key(|sum| sum.terms.len());
@@ -45,7 +45,8 @@ struct Sum {
 }
 
 impl Sum {
-    fn of(rows: &mut Rows, row: usize) -> Self {
+    /// None where its coefficients have no quotients.
+    fn of(rows: &mut Rows, row: usize) -> Option<Self> {
         let mut terms = rows.items(row).to_vec();
         let mut constant = Number::ZERO;
         if terms[0].id as usize == UNIT {
@@ -53,9 +54,9 @@ impl Sum {
         }
         let scale = terms[0].coefficient;
         for term in &mut terms {
-            term.coefficient = rows.numbers.quotient(term.coefficient, scale);
+            term.coefficient = rows.numbers.ratio(term.coefficient, scale)?;
         }
-        Self { row, constant, scale, terms }
+        Some(Self { row, constant, scale, terms })
     }
 
     /// Becomes a sum that this one begins with, and what is new.
