@@ -156,10 +156,8 @@ impl<
     /// The sides of conditions that apply where a run begins. Events that set states do not happen there.
     fn begin_sides(&self, t: S, held: &mut Held<S, NQ, L, H, R>, x: &mut [S; N]) -> Result<(), Fault> {
         let switches = &self.model.lowered.switches;
-        let contacts = self.model.contacts.as_ref();
-        // Contacts have their modes when all constraints that hold are closed.
-        let are_closed = contacts.is_none_or(|contacts| contacts.conditional.is_none());
-        if self.sets_states() || !are_closed {
+        // Contacts have their modes when all conditions have their sides, which gaps may read, and all constraints that hold are closed.
+        if self.sets_states() || self.has_contacts() {
             self.take_sides_at_time(t, held);
             self.take_sides(t, held, x);
             return Ok(());

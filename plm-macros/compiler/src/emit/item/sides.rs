@@ -3,7 +3,7 @@
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
-use super::super::contract::{sets, switches};
+use super::super::contract::{contact, sets, switches};
 use super::super::{Emission, number};
 
 /// Takes the sides of all conditions of the state, where no event sets states.
@@ -27,9 +27,12 @@ pub(super) fn sides(emission: &Emission) -> TokenStream {
             rt::events::begin::<Self, #count>(self, t, u, &x);
         };
     }
-    if emission.program.conditional.is_some() {
-        // Contacts have their modes when all constraints that hold are closed.
-        let (at_time, taken) = (at_time(), take_sides(emission, &quote!(u)));
+    if contact::are_there(emission) {
+        // Contacts have their modes when all conditions have their sides, which gaps may read, and all constraints that hold are closed.
+        if model.switches.is_empty() {
+            return TokenStream::new();
+        }
+        let (at_time, taken) = (at_time(), of_state.then(|| take_sides(emission, &quote!(u))));
         return quote! {
             let u = &mut held;
             #at_time
