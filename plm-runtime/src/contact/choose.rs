@@ -17,7 +17,12 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         u: &M::U,
         x: &M::X,
     ) -> Result<(Solution<M::S, N>, bool), Fault> {
-        let found = enumerate(rows, allowed, |solution, margins| self.broken(u, x, solution, margins));
+        let mut found = enumerate(rows, allowed, |solution, margins| self.broken(u, x, solution, margins));
+        if matches!(found, Found::Nothing) {
+            // Next to the bound below which a rate decides, an inequality may be decided by its value in one combination and by its rate in
+            // another, so that either breaks it. There are forces all the same where values alone are asked.
+            found = enumerate(rows, allowed, |_, margins| margins.broken());
+        }
         let touching = touching(allowed);
         let cause = match found {
             Found::Modes(solution, is_ambiguous) => {

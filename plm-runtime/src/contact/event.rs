@@ -33,10 +33,6 @@ const ROUNDED: f64 = 64.0;
 const LATE: f64 = 8.0;
 /// One that closes at an event that was located is led to zero from so far away.
 const NEAR: f64 = 1e-6;
-/// A flight of a height below so many roundings of the length is none.
-const LOWEST_FLIGHT: f64 = 1000.0;
-/// A row with a smaller fraction of the own entry of D says nothing of what pulls others.
-const LIGHT: f64 = 1e-6;
 /// A slip is none below this fraction of the speed that the free acceleration gives over the length of the mechanism.
 const NO_SLIP: f64 = 1e-10;
 
@@ -159,7 +155,7 @@ pub(super) struct Event<'a, M: Contacts<N>, const N: usize> {
     pub(super) t: M::S,
     pub(super) occasion: Occasion,
     /// The time since the guard may have passed zero, s.
-    step: M::S,
+    pub(super) step: M::S,
 }
 
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
@@ -180,7 +176,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
                 let load = below::<N>(load);
                 rows.load[load] = Load::Turned { negative: u.modes().negative[load] };
             }
-            let allowed = self.allowed(&laws, (none, struck.count), &rows, u);
+            let allowed = self.allowed(&laws, (none, struck.count), &rows, (u, x));
             let (solution, is_ambiguous) = self.choose(&rows, &allowed, u, x)?;
             let sinks = |i: usize, slow: M::S| {
                 allowed[i] == Allowed::Touching && rows.rate[i] < -slow && solution.opens(i)
@@ -278,15 +274,16 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         laws: &[Law<M::S>; N],
         (none, impacts): (M::S, u32),
         rows: &Rows<M::S, N>,
-        u: &M::U,
+        (u, x): (&M::U, &M::X),
     ) -> [Allowed; N] {
         let (touches, acceleration) = (self.touches(laws, rows, u), acceleration::<M, N>(rows, u));
+        let returns = self.returns_at_once(rows, (u, x), |i| laws[i].is_unilateral() && touches[i]);
         let is_due = |i: usize| self.occasion.row() == Some(i);
         let rests = |i: usize| {
             let short = if is_due(i) { self.short(rows, i) } else { M::S::ZERO };
             laws[i].is_unilateral()
                 && touches[i]
-                && rows.rate[i] <= self.resting(rows, i).max(none).max(short)
+                && (returns[i] || rows.rate[i] <= self.resting(rows, i).max(none).max(short))
         };
         let behind = behind_flights(rows, rests);
         core::array::from_fn(|i| {
@@ -311,33 +308,6 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
                 _ => Allowed::Resting,
             }
         })
-    }
-
-    /// Slower than this a row rests: its flight would be lower than rounding. What pulls it may be what pulls others: a block on a block
-    /// falls as fast as that, until it is held.
-    pub(super) fn resting(&self, rows: &Rows<M::S, N>, row: usize) -> M::S {
-        let row = below::<N>(row);
-        let own = rows.delassus[row][row];
-        let (mut pull, light) = (rows.free[row].abs(), M::S::lit(LIGHT) * own);
-        for j in 0..N {
-            if self.system.law(j).is_unilateral() && rows.delassus[j][j] > light {
-                pull = pull.max(rows.free[j].abs() * (own / rows.delassus[j][j]).sqrt());
-            }
-        }
-        (M::S::lit(2.0) * pull * self.lowest_flight()).sqrt()
-    }
-
-    /// A flight of a smaller height is none.
-    fn lowest_flight(&self) -> M::S {
-        M::S::lit(LOWEST_FLIGHT) * M::S::EPSILON * self.system.length()
-    }
-
-    /// Slower than this the flight of a row whose impact was not located would end within a step, or below zero where it has begun.
-    fn short(&self, rows: &Rows<M::S, N>, row: usize) -> M::S {
-        let row = below::<N>(row);
-        let (zero, pull) = (M::S::ZERO, rows.free[row].abs());
-        let depth = if self.step > zero { (-rows.gap[row]).max(zero) } else { zero };
-        (M::S::lit(0.5) * self.step * pull).max((M::S::lit(2.0) * pull * depth).sqrt())
     }
 
     /// Slower than this a friction does not slip.

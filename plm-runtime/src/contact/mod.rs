@@ -16,6 +16,7 @@ mod changed;
 mod choose;
 mod enclosed;
 mod event;
+mod flights;
 mod guards;
 mod held;
 mod impact;
