@@ -130,6 +130,7 @@ impl From<&Fault> for Status {
             | Cause::Sunk { .. } => Self::Pose,
             Cause::Required | Cause::NotMet { .. } => Self::Required,
             Cause::Zeno { .. }
+            | Cause::NotDecided
             | Cause::Jump { .. }
             | Cause::Pole { .. }
             | Cause::Domain { .. }

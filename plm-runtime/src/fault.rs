@@ -151,6 +151,9 @@ pub enum Cause {
         /// The conditions that took part, as they were written.
         conditions: Names,
     },
+    /// A condition stays so near to its boundary that its side is not decided, in many places of a step. The part is the condition, or the
+    /// row of contact.
+    NotDecided,
     /// Impacts have no end, or no impulses satisfy their law. The part is a row that approaches.
     Impact {
         /// Impacts that were tried at this time.

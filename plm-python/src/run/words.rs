@@ -51,6 +51,7 @@ mod tests {
             Cause::TooManySteps { steps: 10 },
             Cause::Required,
             Cause::Zeno { events: 101, within: 1e-9, conditions: names },
+            Cause::NotDecided,
             Cause::Impact { tried: 3 },
             Cause::NoMode { touching: 2, p: -0.1 },
             Cause::NotUnique { p: -1e-12 },

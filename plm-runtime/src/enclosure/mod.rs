@@ -205,13 +205,21 @@ impl<S: Real> Scalar for Enclosed<S> {
         let (b, a) = (self.value, x.value);
         let square = a.square() + b.square();
         let middle = self.middle.atan2(x.middle);
-        // The angle jumps by a turn on the negative x axis.
-        if b.contains(S::ZERO) && a.low <= S::ZERO {
+        let stands =
+            |s: &Self| s.value.low == S::ZERO && s.value.high == S::ZERO && s.slope.size() == S::ZERO;
+        // On the x axis, or at rest in the origin, it does not move.
+        if stands(&self) && (stands(&x) || !a.contains(S::ZERO)) {
+            return Self::constant(middle);
+        }
+        // The angle jumps by a turn where it passes the negative x axis, or the origin.
+        let passes_axis = b.low < S::ZERO && b.high >= S::ZERO && a.low < S::ZERO;
+        if passes_axis || b.contains(S::ZERO) && a.contains(S::ZERO) {
             let half = S::lit(core::f64::consts::PI);
             return Self { middle, value: Interval::outward(-half, half), slope: Interval::everything() };
         }
         // Seen from outside, a rectangle is widest between corners.
-        let corner = |y: S, x: S| Interval::point(y.atan2(x));
+        // Zero with a minus would be on the other side of the axis.
+        let corner = |y: S, x: S| Interval::point((y + S::ZERO).atan2(x));
         let left = corner(b.low, a.low).hull(corner(b.high, a.low));
         let corners = left.hull(corner(b.low, a.high)).hull(corner(b.high, a.high));
         let slope = (a * self.slope - b * x.slope) / square;

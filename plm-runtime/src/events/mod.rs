@@ -17,6 +17,8 @@ mod here;
 mod history;
 mod jumps;
 mod kinks;
+mod piece;
+mod quartic;
 mod relevant;
 mod root;
 mod rounding;
@@ -43,7 +45,7 @@ use self::sampled::Sampled;
 use self::search::{First, Found};
 pub use self::sets::{Sets, begin, change, take_sides, with_velocities};
 pub use self::violated::switch_where_due;
-use self::violated::{Switched, required, switch_violated};
+use self::violated::{Switched, required, switch_violated, undecided};
 pub(crate) use self::violated::{are_satisfied, switch_at_end, switch_each, violated};
 use crate::fault::Fault;
 use crate::method::{Context, Method};
@@ -253,6 +255,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             self.search(method, context, (start, end), enclosure.relevant)
         };
         let (ends, time) = match found {
+            (Found::Undecided(index), _) => return Err(undecided(context.system, start.time, index)),
             (Found::Crossing(index, _), time) => (Ends::Due(index), time),
             (Found::Open(_), time) if time - start.time > least => (Ends::Whole, time),
             _ => (Ends::Whole, context.time),
@@ -380,10 +383,11 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         };
         let asked = First { path: &path, residual: &self.residual, relevant };
         let found = context.system.ask(&context.held, asked);
-        match found {
-            Found::Crossing(_, theta) | Found::Open(theta) => (found, path.time(theta)),
-            Found::Nothing => (found, context.time),
-        }
+        let time = match found {
+            Found::Crossing(_, theta) | Found::Open(theta) => path.time(theta),
+            Found::Nothing | Found::Undecided(_) => context.time,
+        };
+        (found, time)
     }
 }
 

@@ -2,8 +2,10 @@
 //!
 //! A step is bisected from its beginning on until every guard is known to stay on its side, or to leave it once: by its
 //! range over the interval, by the sign of its slope ([`Enclosed`](crate::Enclosed)). Where a guard comes so near to zero that this stays open,
-//! bisection ends at a fraction of the step, [`FINEST`], that is shorter than anything that is promised to be found.
+//! bisection ends at a fraction of the step, [`FINEST`], that is shorter than anything that is promised to be found. In short pieces a guard
+//! whose enclosure says that it is smooth is decided by its values too (`piece`).
 
+use super::piece::{Depth, MANY, Piece, Verdict};
 use super::relevant::{Relevant, bit};
 use super::root::{Point, root};
 use super::rounding::rounding;
@@ -29,9 +31,10 @@ const REMEMBERED: usize = 4;
 const MOST: u32 = 4000;
 /// Four times the part of a step that intervals which all stay open get through.
 const LEAST: f64 = 0.002;
+/// Pieces that bisection ends at with nothing known of a guard: then it is not decided.
+const MOST_UNDECIDED: u32 = 1000;
 /// Halvings after which rounding is judged where it happens, and not at the beginning of the step.
 const LOCAL: u32 = 10;
-
 /// What became of the conditions in a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Found<S> {
@@ -41,17 +44,19 @@ pub(super) enum Found<S> {
     Crossing(usize, S),
     /// Nothing up to a fraction of the step; beyond, it took too long.
     Open(S),
+    /// Nothing is known of this one in many places.
+    Undecided(usize),
 }
 
 /// The guards over a step.
 pub(super) struct Search<'a, M: System> {
-    system: &'a M,
-    held: M::U,
-    path: Path<M::S, M::X>,
+    pub(super) system: &'a M,
+    pub(super) held: M::U,
+    pub(super) path: Path<M::S, M::X>,
     /// Where a guard passes this it leaves its side: zero, or what was left when it was switched last.
     base: M::G,
     /// Fraction of the step from which on a guard is looked at.
-    from: M::G,
+    pub(super) from: M::G,
     /// The guards at the beginning. Of a contact row that comes to its side at once this is its guard there.
     first: M::G,
     /// What rounding makes of a guard at the beginning.
@@ -60,25 +65,6 @@ pub(super) struct Search<'a, M: System> {
     relevant: Relevant,
     /// The one guard that is looked at, of all.
     only: Option<usize>,
-}
-
-/// What is known of an interval.
-enum Verdict<S> {
-    Clean,
-    Open,
-    Crossing(usize, S),
-}
-
-/// The ends of an interval and the guards there.
-struct Piece<S, G> {
-    from: S,
-    to: S,
-    left: G,
-    right: G,
-    /// Bisected so often that rounding is judged here.
-    is_local: bool,
-    /// What rounding makes of the guards.
-    noise: G,
 }
 
 /// What becomes of the conditions over a step first; `residual` is by how much each guard was violated when its event was committed.
@@ -97,6 +83,7 @@ impl<S: Real, X: Vector<S>, G: Vector<S>> Question<S> for First<'_, S, X, G> {
             Found::Nothing => Found::Nothing,
             Found::Crossing(index, theta) => Found::Crossing(index, value(theta)),
             Found::Open(theta) => Found::Open(value(theta)),
+            Found::Undecided(index) => Found::Undecided(index),
         }
     }
 }
@@ -144,7 +131,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
     }
 
     /// Is this guard looked at?
-    fn searches(&self, index: usize) -> bool {
+    pub(super) fn searches(&self, index: usize) -> bool {
         self.only.map_or(self.relevant.has(index), |only| only == index)
     }
 
@@ -154,7 +141,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
     }
 
     /// Below this a guard is violated, but for rounding.
-    fn edge(&self, index: usize) -> M::S {
+    pub(super) fn edge(&self, index: usize) -> M::S {
         self.base.at(index) - self.system.band(index)
     }
 
@@ -163,7 +150,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         let half = M::S::lit(0.5);
         let (mut level, mut index, mut width, mut spent) = (0_u32, 0_u32, M::S::lit(1.0), 0_u32);
         let (mut from, mut left, mut noise) = (M::S::ZERO, self.first, self.noise);
-        let mut resting = 0;
+        let (mut resting, mut undecided) = (0, 0);
         // By halvings, the last end and its guards.
         let mut ends: [(M::S, M::G); REMEMBERED] = [(M::S::ZERO, self.first); REMEMBERED];
         loop {
@@ -178,17 +165,18 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
             if level <= ROUGHEST {
                 resting = 0;
             }
-            let mut verdict = self.judge(&piece, level, resting);
-            if level == ROUGHEST && matches!(verdict, Verdict::Open) {
+            let depth = Depth { level, resting, is_long: spent > MANY };
+            let mut verdict = self.judge(&piece, depth);
+            if level == ROUGHEST && matches!(verdict, Verdict::Open(_)) {
                 resting = self.resting(&piece);
                 if resting != 0 {
-                    verdict = self.judge(&piece, level, resting);
+                    verdict = self.judge(&piece, Depth { resting, ..depth });
                 }
             }
             if let Verdict::Crossing(i, theta) = verdict {
                 return Found::Crossing(i, theta);
             }
-            if matches!(verdict, Verdict::Open) {
+            if let Verdict::Open(guard) = verdict {
                 if spent > MOST && from > M::S::lit(LEAST) {
                     return Found::Open(from);
                 }
@@ -202,6 +190,10 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
                 }
                 if let Some((i, theta)) = self.earliest(&piece) {
                     return Found::Crossing(i, theta);
+                }
+                undecided += u32::from(finest == FINEST);
+                if undecided > MOST_UNDECIDED {
+                    return Found::Undecided(guard);
                 }
             }
             (from, left, index) = (to, piece.right, index + 1);
@@ -217,64 +209,8 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         }
     }
 
-    /// Does every guard stay on its side over an interval, or leave it once? Those that are `resting` stay as long as they are not violated at
-    /// its end.
-    fn judge(&self, piece: &Piece<M::S, M::G>, level: u32, resting: u64) -> Verdict<M::S> {
-        let (mut open, mut crossed) = (false, false);
-        let ranges = self.ranges(piece, level, |i, range, slope| {
-            if !self.searches(i) || self.from.at(i) >= piece.to {
-                return;
-            }
-            if self.from.at(i) > piece.from {
-                open = true;
-                return;
-            }
-            // What is a little beyond zero may be rounding, and may be the edge of what is shorter than the interval.
-            let edge = self.edge(i);
-            let violated = edge - piece.noise.at(i);
-            let stay = if piece.is_local { violated } else { edge };
-            let (left, right) = (piece.left.at(i), piece.right.at(i));
-            if resting & bit(i) != 0 && right >= violated {
-                return;
-            }
-            let monotone = slope.low >= M::S::ZERO || slope.high <= M::S::ZERO;
-            if left.min(right) >= violated && (monotone || range.low >= stay) {
-                return;
-            }
-            let leaves = right < violated && slope.high <= M::S::ZERO;
-            crossed |= leaves;
-            open |= !leaves;
-        });
-        if open || !ranges {
-            return Verdict::Open;
-        }
-        let crossing = if crossed { self.earliest(piece) } else { None };
-        crossing.map_or(Verdict::Clean, |(i, theta)| Verdict::Crossing(i, theta))
-    }
-
-    /// Guards that rest on their edges over an interval: at its ends and in its middle they are there, and do not move, both but for
-    /// rounding. The guards of a motion are nearly polynomials: with six such conditions a quarter of a step leaves nothing between.
-    #[cold]
-    #[inline(never)]
-    fn resting(&self, piece: &Piece<M::S, M::G>) -> u64 {
-        let middle = M::S::lit(0.5) * (piece.from + piece.to);
-        [piece.from, middle, piece.to].into_iter().fold(u64::MAX, |resting, theta| {
-            let mut here = 0;
-            let (time, x) = self.path.around(theta, M::S::ZERO);
-            self.system.guards_within(time, &self.held, &x, &mut |i, guard: Enclosed<M::S>| {
-                if i < M::G::LEN {
-                    let (noise, away) = (piece.noise.at(i), guard.middle - self.edge(i));
-                    if away.abs() <= noise && guard.slope.size() <= noise {
-                        here |= bit(i);
-                    }
-                }
-            });
-            resting & here
-        })
-    }
-
     /// The guard that passes its base first in an interval, of those that are violated at its end.
-    fn earliest(&self, piece: &Piece<M::S, M::G>) -> Option<(usize, M::S)> {
+    pub(super) fn earliest(&self, piece: &Piece<M::S, M::G>) -> Option<(usize, M::S)> {
         let mut first: Option<(usize, M::S)> = None;
         for i in (0..M::G::LEN).filter(|i| self.searches(*i)) {
             let is_violated = piece.right.at(i) < self.edge(i) - piece.noise.at(i);
@@ -303,12 +239,12 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
     }
 
     /// The guards at a fraction of the step.
-    fn values(&self, theta: M::S) -> M::G {
+    pub(super) fn values(&self, theta: M::S) -> M::G {
         super::guards(self.system, self.path.time(theta), &self.held, &self.path.at(theta))
     }
 
     /// Gives the range and the slope of every guard over an interval; false if some are not known.
-    fn ranges(
+    pub(super) fn ranges(
         &self,
         piece: &Piece<M::S, M::G>,
         level: u32,

@@ -3,11 +3,15 @@
 use super::boundary::Boundary;
 use super::relevant::{bit, refresh};
 use super::{Timed, derive_time, guards, guards_here, hold, restore_time};
+use crate::contact;
 use crate::fault::{Cause, Fault};
 use crate::method::Context;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
+
+/// A gap that is negative by this fraction of the length of the mechanism has sunk in: by less, events are located.
+const SUNK: f64 = 1e-9;
 
 /// Switches every condition whose guard is past its band at the state `x`; how many did.
 ///
@@ -29,19 +33,36 @@ pub fn switch_where_due<M: System<S: Real>>(
 /// The same, where guards are violated below their `edges`; gives `each` that switches. A guard that its own event leaves violated, as
 /// that of a ball which has bounced, triggers it again only below where it was left. The guards have passed zero `within` this time; their
 /// values may be known.
+///
+/// Behind a step of fixed length a point has sunk in by what it has moved since it struck. A condition that would make another row begin
+/// below its surface there, as that of the riser of a stair, does not hold: the row that was struck leads the point out again. Those are
+/// given, one bit each.
 pub(crate) fn switch_each<M: System<S: Real>>(
     (system, mut edges, within): (&M, M::G, M::S),
     known: Option<&M::G>,
     (t, u, x): (M::S, &mut M::U, &mut M::X),
     mut each: impl FnMut(usize),
-) -> Result<(), Fault> {
+) -> Result<u64, Fault> {
     let changed = refresh(system, t, u, x);
     let mut here = known.filter(|_| changed == 0).map_or_else(|| guards(system, t, u, x), |here| *here);
+    let rows = system.guard_count().saturating_sub(guards_of_contact(system));
+    let mut left = 0;
     for _ in 0..=M::G::LEN {
         let mut any = false;
         for i in 0..M::G::LEN {
             if is_below(system, &here, &edges, i) {
-                system.switch_behind(t, u, x, (i, within))?;
+                let before = (*u, *x);
+                match system.switch_behind(t, u, x, (i, within)) {
+                    Err(Fault { cause: Cause::Sunk { .. }, .. })
+                        if i < rows && has_sunk((system, t), &before, &here, rows) =>
+                    {
+                        (*u, *x) = before;
+                        edges.set(i, here.at(i));
+                        left |= bit(i);
+                        continue;
+                    }
+                    outcome => outcome?,
+                }
                 here = guards(system, t, u, x);
                 edges.set(i, here.at(i).min(M::S::ZERO));
                 each(i);
@@ -52,7 +73,27 @@ pub(crate) fn switch_each<M: System<S: Real>>(
             break;
         }
     }
-    Ok(())
+    Ok(left)
+}
+
+/// Is a gap negative, behind a step of fixed length, or a row that holds away from its place? The guards of contact begin at `rows`.
+fn has_sunk<M: System<S: Real>>(
+    (system, t): (&M, M::S),
+    (u, x): &(M::U, M::X),
+    here: &M::G,
+    rows: usize,
+) -> bool {
+    let length = (0..system.coordinates()).fold(M::S::ZERO, |length, i| length.max(system.typical_at(i)));
+    let least = M::S::lit(SUNK) * length;
+    (rows..M::G::LEN).any(|i| here.at(i) < -least) || system.drift(t, u, x).phi > least
+}
+
+/// Guards of contact, which stand behind those of conditions.
+fn guards_of_contact<M: System>(system: &M) -> usize {
+    match system.contact_count() {
+        0 => 0,
+        rows => contact::guard_count(rows),
+    }
 }
 
 /// The guard `index` is beyond its band.
@@ -67,7 +108,7 @@ pub(super) fn is_below<M: System<S: Real>>(system: &M, g: &M::G, edges: &M::G, i
 
 /// Conditions that have switched.
 pub(super) struct Switched {
-    /// One bit for each condition.
+    /// One bit for each condition, of those too that were left beyond their guards.
     pub(super) conditions: u64,
     /// How many times.
     pub(super) count: u32,
@@ -108,10 +149,11 @@ pub(super) fn switch_violated<M: System<S: Real>>(
     let (mut after, mut x) = (context.held, context.x);
     let mut switched = Switched { conditions: 0, count: 0 };
     let moment = (context.time, &mut after, &mut x);
-    switch_each((context.system, edges, within), Some(here), moment, |index| {
+    let left = switch_each((context.system, edges, within), Some(here), moment, |index| {
         switched.conditions |= bit(index);
         switched.count += 1;
     })?;
+    switched.conditions |= left;
     if boundary.is_none() {
         hold(context, after)?;
     }
@@ -156,6 +198,12 @@ pub(super) fn required<M: System<S: Real>>(context: &Context<'_, M>, index: usiz
         return Err(Fault::of_part(time, name, Cause::Required));
     }
     context.system.end(index).map_or(Ok(()), |cause| Err(Fault::of_part(time, name, cause)))
+}
+
+/// The fault of a guard that is not decided in a step from a time on.
+#[cold]
+pub(super) fn undecided<M: System<S: Real>>(system: &M, time: M::S, index: usize) -> Fault {
+    Fault::of_part(time.to_f64(), system.guard_name(index), Cause::NotDecided)
 }
 
 /// The fault of a requirement that is not met where a run begins, or goes on after a change from outside.

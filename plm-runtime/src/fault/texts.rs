@@ -75,6 +75,10 @@ impl fmt::Display for Cause {
                 )
             }
             Self::TooManySteps { steps } => write!(f, "the interval needs more than {steps} steps"),
+            Self::NotDecided => f.write_str(
+                "it stays so near to its boundary that no part of a step tells its side: where it reads the direction of what is at rest, or a \
+                 difference that is rounding, let it begin a little away from there",
+            ),
             Self::Required => write!(f, "this requirement does not hold any more"),
             Self::NotMet { by } => not_met(f, *by),
             Self::Pole { by } => write!(f, "a pole: it divides by `{by}`, which passes zero"),

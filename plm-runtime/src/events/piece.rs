@@ -1,0 +1,158 @@
+//! An interval of a step: what its enclosures and its values tell of the guards.
+
+use super::quartic::{Course, VALUES, course};
+use super::relevant::bit;
+use super::rounding::ULPS;
+use super::search::Search;
+use crate::enclosure::{Enclosed, Interval};
+use crate::scalar::{Real, Scalar};
+use crate::system::System;
+use crate::vector::Vector;
+
+/// Halvings after which guards that stay open are looked at by their values.
+const BY_VALUES: u32 = 3;
+/// Such a guard bends in the whole step by at most so many times the size of its terms, so that nothing hides between values, ...
+const SMOOTH: f64 = 16.0;
+/// ... unless its enclosure tells nothing, or so many pieces have been looked at.
+pub(super) const MANY: u32 = 256;
+
+/// What is known of an interval.
+pub(super) enum Verdict<S> {
+    Clean,
+    /// Of this guard it is not known; of one at least.
+    Open(usize),
+    Crossing(usize, S),
+}
+
+/// How an interval is judged.
+#[derive(Clone, Copy)]
+pub(super) struct Depth {
+    /// Halvings of the step.
+    pub(super) level: u32,
+    /// Guards that rest on their edges there, one bit each.
+    pub(super) resting: u64,
+    /// So many pieces of the step have been looked at that values decide.
+    pub(super) is_long: bool,
+}
+
+/// The ends of an interval and the guards there.
+pub(super) struct Piece<S, G> {
+    pub(super) from: S,
+    pub(super) to: S,
+    pub(super) left: G,
+    pub(super) right: G,
+    /// Bisected so often that rounding is judged here.
+    pub(super) is_local: bool,
+    /// What rounding makes of the guards.
+    pub(super) noise: G,
+}
+
+impl<M: System<S: Real>> Search<'_, M> {
+    /// Does every guard stay on its side over an interval, or leave it once? Those that are `resting` stay as long as they are not violated at
+    /// its end.
+    pub(super) fn judge(&self, piece: &Piece<M::S, M::G>, depth: Depth) -> Verdict<M::S> {
+        let (mut open, mut by_values, mut crossed) = (None, 0, false);
+        let ranges = self.ranges(piece, depth.level, |i, range, slope| {
+            if !self.searches(i) || self.from.at(i) >= piece.to {
+                return;
+            }
+            if self.from.at(i) > piece.from {
+                open = open.or(Some(i));
+                return;
+            }
+            // What is a little beyond zero may be rounding, and may be the edge of what is shorter than the interval.
+            let edge = self.edge(i);
+            let violated = edge - piece.noise.at(i);
+            let stay = if piece.is_local { violated } else { edge };
+            let (left, right) = (piece.left.at(i), piece.right.at(i));
+            if depth.resting & bit(i) != 0 && right >= violated {
+                return;
+            }
+            let monotone = slope.low >= M::S::ZERO || slope.high <= M::S::ZERO;
+            if left.min(right) >= violated && (monotone || range.low >= stay) {
+                return;
+            }
+            if right < violated && slope.high <= M::S::ZERO {
+                crossed = true;
+            } else if bit(i) != 0 && self.is_told_by_values(piece, depth, (i, range, slope)) {
+                by_values |= bit(i);
+            } else {
+                open = open.or(Some(i));
+            }
+        });
+        if !ranges {
+            return Verdict::Open(open.unwrap_or(0));
+        }
+        if let Some(open) = open {
+            return Verdict::Open(open);
+        }
+        if by_values != 0 {
+            match self.by_values(piece, by_values) {
+                Ok(leaves) => crossed |= leaves,
+                Err(open) => return Verdict::Open(open),
+            }
+        }
+        let crossing = if crossed { self.earliest(piece) } else { None };
+        crossing.map_or(Verdict::Clean, |(i, theta)| Verdict::Crossing(i, theta))
+    }
+
+    /// Do a few values tell what a guard does over an interval, in which it has this range and this slope? Not if something may hide between
+    /// them: a feature that is narrow bends by more than what the guard is the sum of. What nothing encloses is known by values alone.
+    fn is_told_by_values(
+        &self,
+        piece: &Piece<M::S, M::G>,
+        depth: Depth,
+        (i, range, slope): (usize, Interval<M::S>, Interval<M::S>),
+    ) -> bool {
+        if depth.level < BY_VALUES {
+            return false;
+        }
+        let terms = piece.noise.at(i) / (M::S::lit(ULPS) * M::S::EPSILON);
+        let bends = (slope.high - slope.low) / (piece.to - piece.from);
+        let is_unknown = range.low == -M::S::INFINITY && slope.high == M::S::INFINITY;
+        is_unknown || depth.is_long || bends <= M::S::lit(SMOOTH) * terms
+    }
+
+    /// What these guards do over an interval, one bit each: whether one of them leaves its side, or the first of which that is not told.
+    #[cold]
+    #[inline(never)]
+    fn by_values(&self, piece: &Piece<M::S, M::G>, of: u64) -> Result<bool, usize> {
+        let part = M::S::lit(1.0 / (VALUES - 1) as f64) * (piece.to - piece.from);
+        let all: [M::G; VALUES] = core::array::from_fn(|k| match k {
+            0 => piece.left,
+            _ if k + 1 == VALUES => piece.right,
+            _ => self.values(M::S::lit(k as f64).mul_add(part, piece.from)),
+        });
+        let mut leaves = false;
+        for i in (0..M::G::LEN).filter(|i| of & bit(*i) != 0) {
+            let noise = piece.noise.at(i);
+            match course(&core::array::from_fn(|k| all[k].at(i)), (self.edge(i) - noise, noise)) {
+                Course::Stays => {}
+                Course::Leaves => leaves = true,
+                Course::Open => return Err(i),
+            }
+        }
+        Ok(leaves)
+    }
+
+    /// Guards that rest on their edges over an interval: at its ends and in its middle they are there, and do not move, both but for
+    /// rounding. The guards of a motion are nearly polynomials: with six such conditions a quarter of a step leaves nothing between.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn resting(&self, piece: &Piece<M::S, M::G>) -> u64 {
+        let middle = M::S::lit(0.5) * (piece.from + piece.to);
+        [piece.from, middle, piece.to].into_iter().fold(u64::MAX, |resting, theta| {
+            let mut here = 0;
+            let (time, x) = self.path.around(theta, M::S::ZERO);
+            self.system.guards_within(time, &self.held, &x, &mut |i, guard: Enclosed<M::S>| {
+                if i < M::G::LEN {
+                    let (noise, away) = (piece.noise.at(i), guard.middle - self.edge(i));
+                    if away.abs() <= noise && guard.slope.size() <= noise {
+                        here |= bit(i);
+                    }
+                }
+            });
+            resting & here
+        })
+    }
+}
