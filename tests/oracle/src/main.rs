@@ -8,6 +8,7 @@
 //!
 //! Half of the numbers that a case draws are special ones ([`draw::Draw`]): 0, 1, equal, at rest, at a bound, closed as drawn.
 
+mod bounded;
 mod draw;
 mod late;
 #[path = "../../support/random.rs"]

@@ -7,10 +7,16 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::draw::Draw;
-use crate::{late, resets};
+use crate::{bounded, late, resets};
 
 /// All sweeps.
 pub(crate) const SWEEPS: &[Sweep] = &[
+    Sweep {
+        name: "bounded",
+        title: "scenes that took time without bound, or stopped",
+        quick: 30,
+        case: bounded::case,
+    },
     Sweep {
         name: "late",
         title: "contact and conditions in model exchange, by importers that are late",

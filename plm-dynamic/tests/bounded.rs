@@ -1,0 +1,201 @@
+//! Runs that hung, took time without bound, or stopped although they can go on: special values of contact and of conditions.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+
+use plm_dynamic::{Mechanism, Run};
+
+/// A run by a method that is named.
+fn start(text: &str, method: &str) -> Run {
+    Mechanism::from_text(text).unwrap().start_with(method.parse().unwrap()).unwrap()
+}
+
+/// The page of `ground_profile`: the ground is a smooth table, whose piece depends on where the point is. Contact asks for its gap when
+/// that is known. The sled begins 0.167 m above the ground: until it lands it falls.
+#[test]
+fn a_gap_over_a_table_begins_in_the_piece_where_the_point_is() {
+    let text = "pub Sled {
+        gravity: 9.81 m/s^2;
+        ground { port o: (0, 0) m; }
+        body sled { mass: 20 kg; inertia: 1 kg*m^2; port p: (0, 0) m; start x: -2 m; start y: 1 m; }
+        ground_profile hill(ground.o, sled.p) {
+            height(x): smooth_table(x, (-3 m, 1 m), (0 m, 0 m), (2 m, 0.5 m), (5 m, -1 m));
+            friction: 0.1;
+        }
+        output sled.y, hill.push, hill.gap;
+    }";
+    for method in ["Dop853", "RadauIia5", "Rk4:1e-3", "MoreauJean:1e-3"] {
+        let mut run = start(text, method);
+        assert_eq!(run.output("hill.push").unwrap(), 0.0, "{method}");
+        run.step_to(0.1).unwrap();
+        let fallen = 1.0 - run.output("sled.y").unwrap();
+        // A step of MoreauJean is off by a half of the step times the speed.
+        assert!((fallen - 0.5 * 9.81 * 0.01).abs() < 0.6e-3, "{method}: {fallen}");
+        run.step_to(3.0).unwrap();
+        let gap = run.output("hill.gap").unwrap();
+        assert!(gap.abs() < 1e-2, "{method}: {gap}");
+    }
+}
+
+/// Steps, made or refused, for each event, at most.
+fn assert_few_steps(run: &Run, of: &str) {
+    let stats = run.stats();
+    assert!(stats.steps + stats.rejected < 20 * (stats.switches + 10), "{of}: {stats:?}");
+}
+
+/// Two equal masses on equal springs, of which one strikes the other: they go on side by side, and the gap between them falls with each
+/// impact, to rounding. Their centre swings on. The time to look at a step grew by 1/sqrt(e) with each impact.
+#[test]
+fn masses_of_one_frequency_go_on_side_by_side() {
+    for (restitution, law) in [(0.3, "poisson"), (0.8, "newton"), (0.5, "sequential"), (0.0, "poisson")] {
+        let text = format!(
+            "pub Springs {{ allow(W0002); impacts: {law}; ground {{ port o: (0, 0) m; }}
+            body b0 {{ mass: 1 kg; inertia: 1 kg*m^2; port p: (0, 0) m; start x: -0.5 m, locked; }}
+            body b1 {{ mass: 1 kg; inertia: 1 kg*m^2; port p: (0, 0) m; start x: 0 m, locked; }}
+            prismatic r0(ground.o, b0.p) {{ stiffness: 10 N/m; }}
+            prismatic r1(ground.o, b1.p) {{ stiffness: 10 N/m; }}
+            unilateral u0: b1.x - b0.x >= 0 {{ restitution: {restitution:?}; }} }}"
+        );
+        for method in ["Dop853:1e-9", "Vern9:1e-9"] {
+            let mut run = start(&text, method);
+            run.step_to(40.0).unwrap();
+            let [a, b] = ["b0", "b1"].map(|body| run.body(body).unwrap().x);
+            let expected = -0.5 * (10.0_f64.sqrt() * 40.0).cos();
+            assert!((a + b - expected).abs() < 1e-6, "{restitution} {law} {method}: {a} {b} {expected}");
+            assert_few_steps(&run, method);
+        }
+    }
+}
+
+/// The direction of what is at rest, or moves along an axis, is where it is.
+#[test]
+fn a_direction_of_what_is_at_rest_or_on_an_axis_stays() {
+    for (velocity, limit, expected) in
+        [("0", 40.0, 1.0), ("-1", 40.0, 1.0), ("1", 0.0, 1.0), ("-1", 180.0, 1.0)]
+    {
+        let text = format!(
+            "pub Rest {{
+            body b {{ mass: 1 kg; inertia: 1 kg*m^2; start vx: {velocity} m/s, locked; }}
+            discrete n: 1 = 1;
+            when atan2(b.vy, b.vx) < {limit:?} deg {{ n = 0; }}
+            output n;
+            allow(W0002); }}"
+        );
+        let mut run = start(&text, "Dop853");
+        run.step_to(10.0).unwrap();
+        assert_eq!(run.output("n").unwrap(), expected, "{velocity} m/s, {limit} deg");
+        assert!(run.stats().steps < 100, "{:?}", run.stats());
+    }
+}
+
+/// A movable pulley between two ropes: whatever it weighs, all accelerations are constant.
+#[test]
+fn a_light_pulley_takes_no_more_than_a_heavy_one() {
+    for wheel in [1e-1, 1e-3, 1e-6, 1e-9] {
+        let text = format!(
+            "pub Atwood {{
+            gravity: 9.81 m/s^2;
+            ground {{ port left: (-0.1, 2) m; port right: (0.1, 2) m; port rail: (0.1, 0) m, axis: 90 deg; }}
+            sliding_mass m1() {{ mass: 3 kg; x: -0.1 m; angle: 90 deg; start: 1 m; }}
+            body wheel {{
+                mass: {wheel:?} kg; inertia: 1e-12 kg*m^2; start x: 0.1 m; start y: 1.2 m, locked;
+                port top: (0, 0) m; port l: (-0.05, 0) m; port r: (0.05, 0) m; port c: (0, 0) m, angle: 90 deg;
+            }}
+            prismatic guide(ground.rail, wheel.c);
+            sliding_mass m2() {{ mass: 1 kg; x: 0.05 m; angle: 90 deg; start: 0.5 m; }}
+            sliding_mass m3() {{ mass: 2 kg; x: 0.15 m; angle: 90 deg; start: 0.6 m; }}
+            rope upper() {{ length: 1.8 m; }}
+            fall u1(upper.end, m1.frame, ground.left);
+            fall u2(upper.end, wheel.top, ground.right);
+            rope lower() {{ length: 1.3 m; }}
+            fall l1(lower.end, m2.frame, wheel.l);
+            fall l2(lower.end, m3.frame, wheel.r);
+            output y = m1.frame.position.y; }}"
+        );
+        let both = 2.0 * 1.0 * 2.0 / (1.0 + 2.0);
+        let acceleration = 9.81 * (3.0 - 2.0 * both - wheel) / (3.0 + 2.0 * both + wheel);
+        for method in ["Dop853:1e-6", "RadauIia5:1e-6", "Rk4:1e-2"] {
+            let mut run = start(&text, method);
+            run.step_to(0.1).unwrap();
+            let (y, expected) = (run.output("y").unwrap(), 1.0 - 0.005 * acceleration);
+            assert!((y - expected).abs() < 1e-6, "{wheel} {method}: {y} {expected}");
+            assert_few_steps(&run, method);
+        }
+    }
+}
+
+/// A pebble on stairs by fixed steps: where it has struck a tread it is below it by what it moves in a step, and so behind the riser.
+#[test]
+fn stairs_are_no_place_to_sink_into_by_fixed_steps() {
+    for (friction, restitution) in [(0.3, 0.5), (0.0, 0.5), (0.3, 0.0)] {
+        let text = format!(
+            "pub Stairs {{
+            gravity: 9.81 m/s^2;
+            ground {{ port o: (0, 0) m; }}
+            body pebble {{
+                mass: 0.1 kg; inertia: 1e-5 kg*m^2; port p: (0, 0) m; start x: -0.5 m; start y: 1 m; start vx: 1 m/s;
+            }}
+            point_on_polyline stairs(ground.o, pebble.p) {{
+                vertices: (-2, 0), (0, 0), (0, -0.3), (0.4, -0.3), (0.4, -0.6), (3, -0.6) m;
+                thickness: 0.2 m; restitution: {restitution:?}; friction: {friction:?};
+            }} }}"
+        );
+        let mut located = start(&text, "Dop853");
+        located.step_to(0.8).unwrap();
+        let expected = located.body("pebble").unwrap();
+        for method in ["Rk4:1e-2", "Rk4:1e-3", "SemiImplicitEuler:1e-3", "MoreauJean:1e-3"] {
+            let mut run = start(&text, method);
+            for k in 1..=20 {
+                run.step_to(0.04 * f64::from(k)).unwrap();
+            }
+            let found = run.body("pebble").unwrap();
+            let near = if method == "Rk4:1e-2" { 0.3 } else { 0.03 };
+            let apart = (found.x - expected.x).abs().max((found.y - expected.y).abs());
+            assert!(apart < near, "{method} {friction} {restitution}: {found:?} {expected:?}");
+        }
+    }
+}
+
+/// Joints that repeat each other where one of them holds by a condition, with a gap and a friction at the same place.
+#[test]
+fn rows_that_are_redundant_at_the_start_take_few_steps() {
+    let text = "pub Example { gravity: 9.81 m/s^2; ground { port o: (0, 0) m; port p: (1, 0) m; }
+        body arm { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 7 deg; }
+        body rod { mass: 0.1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; }
+        revolute shoulder(ground.o, arm.a); revolute elbow(arm.b, rod.a); revolute extra(rod.b, ground.p);
+        point_on_line foot(rod.b, ground.p) { friction: 0.3; }
+        friction grip: rate(arm.angle) within 0..3 N*m { static: 0..4 N*m; }
+        revolute hook2(rod.b, ground.p) { when: arm.omega > 0; } }";
+    let mut run = start(text, "Dop853");
+    run.step_to(0.01).unwrap();
+    let stats = run.stats();
+    assert!(stats.steps + stats.rejected < 100, "{stats:?}");
+}
+
+/// The smallest numbers are lengths like others: their quotients are infinite, and no scale of sums that are shared.
+#[test]
+fn the_smallest_lengths_are_nearly_none() {
+    let text = |length: &str| {
+        format!(
+            "pub Scene {{ allow(W0002); gravity: 9.81 m/s^2;
+            ground {{ port g0: (0.5, 0) m; port g1: ({length}, 0.2) m; port g3: (0.1, 0.55) m; port g4: (0.1, -0.9) m; port g2: (0, -0.06) m; }}
+            body arm {{ mass: 1 kg; inertia: 0.005 kg*m^2; port a: (-0.12, 0) m; port b: (0.12, 0) m; start angle: -120 deg, locked; }}
+            body link {{ mass: 1 kg; inertia: rod(1 kg, 1.23 m); port a: (-0.615, 0) m; port b: (0.615, 0) m; }}
+            body rod {{ mass: 0.5 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.87, 0) m; }}
+            body slider {{ mass: 0.2 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; }}
+            revolute j0(ground.g0, arm.a); revolute j1(ground.g1, link.a); pin_slot j2(link.a, arm.b); revolute j3(link.b, rod.a);
+            revolute j4(rod.b, slider.o); prismatic j5(ground.g2, slider.o);
+            spring s0(ground.g3, link.b) {{ stiffness: 200 N/m; free_length: 0.93 m; }}
+            spring s1(ground.g4, link.a) {{ stiffness: 200 N/m; free_length: 1.04 m; }} }}"
+        )
+    };
+    let places = |length: &str| {
+        let mut run = start(&text(length), "Dop853:1e-9");
+        run.step_to(0.01).unwrap();
+        ["arm", "link", "rod", "slider"].map(|body| run.body(body).unwrap().x)
+    };
+    let expected = places("0");
+    for length in ["5e-324", "-5e-324", "1e-310", "2e-308", "1e-300"] {
+        for (found, expected) in places(length).into_iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-9, "{length}: {found} {expected}");
+        }
+    }
+}
