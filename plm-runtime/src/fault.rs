@@ -95,7 +95,8 @@ pub enum Cause {
     },
     /// The bars of a loop lie in one line at rest: it can go on in several ways.
     Flat,
-    /// A pose was reached where the mechanism can go on in several ways, and the run was to stop there.
+    /// A pose was reached where the mechanism can go on in several ways, and the run was to stop there; or it is derived by lengths beside
+    /// which there is no such pose, so that it has no derivatives beyond.
     ChangePoint,
     /// The lengths of a loop differ so little from those with which it could go on in several ways that rounding decides.
     Undecided {

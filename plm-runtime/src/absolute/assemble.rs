@@ -11,7 +11,7 @@ use super::disagree::disagreement;
 use super::lack::lack;
 use super::newton::{assembly_step, refused};
 use super::placed::bring_nearer;
-use super::project::descend;
+use super::project::{derive, descend};
 use super::redundancy::{Dependencies, beside};
 use super::renew::open;
 use super::scale::Scale;
@@ -45,7 +45,8 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     let start = m.start_position();
     let free = freedoms(&start);
     let pose = close(m, t, &start, &free)?;
-    let pose = branch::find(m, t, pose, (&start, &free))?;
+    let mut pose = branch::find(m, t, pose, (&start, &free))?;
+    derive(&mut pose.q, |q| m.phi(t, q), |q, r| assembly_step(m, t, q, &free, r));
     let refined = m.refine(t, &pose.q);
     let q = refined.map_or(pose.q, |(q, _)| q);
     let here = Dependencies::at(m, t, &q, &free).ok_or_else(|| undecided(m, (t, &q), &free))?;
@@ -176,6 +177,7 @@ fn start_velocity<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: us
     let measure = (S::EPSILON, |r: &[S; NC]| scale.worst(m, r));
     let r = descend(measure, &mut v, |v| m.phi_dot(t, q, v), |_, r| assembly_step(m, t, q, &free, r));
     if Scale::of_velocity(m, q, &v).is_closed(m, &r) {
+        derive(&mut v, |v| m.phi_dot(t, q, v), |_, r| assembly_step(m, t, q, &free, r));
         return Ok(v);
     }
     let open = || open(t, &r, m.layout(), |gap| Cause::VelocityOpen { gap });

@@ -152,3 +152,19 @@ pub(super) fn descend<S: Real, const NQ: usize, const NC: usize>(
     }
     r
 }
+
+/// Gives `u`, whose violation is rounding, the derivatives of what corrections lead to: those of one more correction. A start that closes
+/// as it is has seen none; what [`descend`] has seen leaves derivatives open by as much as the last correction. The values stay, to the bit.
+pub(super) fn derive<S: Real, const NQ: usize, const NC: usize>(
+    u: &mut [S; NQ],
+    violation: impl Fn(&[S; NQ]) -> [S; NC],
+    correction: impl Fn(&[S; NQ], &[S; NC]) -> Option<[S; NQ]>,
+) {
+    if S::HAS_DERIVATIVES
+        && let Some(du) = correction(u, &violation(u))
+    {
+        for i in 0..NQ {
+            u[i] = (u[i] - du[i]).with_plain(u[i].plain());
+        }
+    }
+}

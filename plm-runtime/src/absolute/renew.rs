@@ -4,7 +4,7 @@ use super::assemble::{Pose, newton};
 use super::damped::Measure;
 use super::lack::lack;
 use super::newton::{assembly_step, refused};
-use super::project::{descend, widest};
+use super::project::{derive, descend, widest};
 use super::scale::Scale;
 use super::search::{nearest_turns, unwind};
 use super::{Absolute, Layout};
@@ -68,6 +68,7 @@ pub(crate) fn allow<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: 
             return Err(refused(m, (t, q), weights).unwrap_or_else(open));
         }
     }
+    derive(v, |v| m.phi_dot(t, q, v), |_, r| assembly_step(m, t, q, weights, r));
     Ok(())
 }
 

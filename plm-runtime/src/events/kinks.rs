@@ -76,12 +76,12 @@ pub(super) fn kink<M: System<S: Real>, I: Method<M>>(
 }
 
 /// The kinks over a step.
-struct Kinks<'a, M: System> {
-    system: &'a M,
-    held: M::U,
-    path: Path<M::S, M::X>,
+pub(super) struct Kinks<'a, M: System> {
+    pub(super) system: &'a M,
+    pub(super) held: M::U,
+    pub(super) path: Path<M::S, M::X>,
     /// Those that are looked at, one bit each.
-    relevant: u128,
+    pub(super) relevant: u128,
 }
 
 impl<M: System<S: Real>> Kinks<'_, M> {
@@ -132,6 +132,11 @@ impl<M: System<S: Real>> Kinks<'_, M> {
 
     /// The first fraction of the step after another at which a sign changes, and one shortly behind it.
     fn after(&self, begin: M::S) -> Option<(M::S, M::S)> {
+        self.found(begin).map(|(first, _)| (first, first + beside()))
+    }
+
+    /// The first fraction of the step after another at which a sign changes, and which.
+    pub(super) fn found(&self, begin: M::S) -> Option<(M::S, usize)> {
         let half = M::S::lit(0.5);
         let positive = self.signs(begin);
         let (mut level, mut index, mut width, mut spent) = (0_u32, 0_u32, M::S::lit(1.0), 0_u32);
@@ -179,19 +184,20 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         open || !known
     }
 
-    /// The earliest change of those that have changed over an interval, and a place behind it.
-    fn crossing(&self, from: M::S, to: M::S, changed: u128) -> (M::S, M::S) {
+    /// The earliest change of those that have changed over an interval.
+    fn crossing(&self, from: M::S, to: M::S, changed: u128) -> (M::S, usize) {
         let tolerance = M::S::EPSILON * M::S::lit(16.0);
-        let mut first = to;
+        let mut first = (to, changed.trailing_zeros() as usize);
         for i in (0..128).filter(|i| bit(*i).is_some_and(|bit| changed & bit != 0)) {
             let sign = if self.value(from, i) > M::S::ZERO { M::S::lit(1.0) } else { M::S::lit(-1.0) };
             let point = |at: M::S| Point { at, value: sign * self.value(at, i) };
             let (a, b) = (point(from), point(to));
             if a.value > M::S::ZERO {
-                first = first.min(root(a, b, tolerance, &mut |theta| sign * self.value(theta, i)));
+                let theta = root(a, b, tolerance, &mut |theta| sign * self.value(theta, i));
+                first = if theta < first.0 { (theta, i) } else { first };
             }
         }
-        (first, first + beside())
+        first
     }
 
     /// One of the numbers.

@@ -11,12 +11,14 @@ mod boundary;
 mod chattering;
 mod derived;
 mod enclosure;
+mod ends;
 mod fixed;
 mod guard_free;
 mod here;
 mod history;
 mod jumps;
 mod kinks;
+mod passing;
 mod piece;
 mod quartic;
 mod relevant;
@@ -26,26 +28,24 @@ mod sampled;
 mod search;
 mod sets;
 mod stays;
+mod touch;
 mod violated;
 mod words;
 
 use self::boundary::{Boundary, decide, meet, refine};
 use self::chattering::Chattering;
 use self::derived::{Timed, derive_time, moved_end, restore_time};
-use self::enclosure::Enclosure;
+use self::ends::Ends;
 use self::guard_free::GuardFree;
 use self::here::{guards, guards_here};
 pub(crate) use self::history::{Beginning, History};
 pub(crate) use self::jumps::{at_a_jump, before_projection, hold};
-use self::kinks::kink;
+use self::relevant::bit;
 pub use self::relevant::holds;
 pub(crate) use self::relevant::refresh;
-use self::relevant::{Relevant, bit};
-use self::sampled::Sampled;
-use self::search::{First, Found};
 pub use self::sets::{Sets, begin, change, take_sides, with_velocities};
 pub use self::violated::switch_where_due;
-use self::violated::{Switched, required, switch_violated, undecided};
+use self::violated::{Switched, required, switch_violated};
 pub(crate) use self::violated::{are_satisfied, switch_at_end, switch_each, violated};
 use crate::fault::Fault;
 use crate::method::{Context, Method};
@@ -55,18 +55,6 @@ use crate::vector::Vector;
 
 /// A step of so many units in the last place of the time is none.
 const LEAST_ULPS: f64 = 32.0;
-
-/// What a step ends with.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Ends {
-    /// Nothing that switches.
-    Whole,
-    /// This condition switches.
-    Due(usize),
-    /// A kink, before which a condition may switch: the dense output that says so goes over the kink, and knows little of what is
-    /// before it.
-    BeforeKink,
-}
 
 /// The event at the end of a step.
 #[derive(Clone, Copy, Debug)]
@@ -106,6 +94,8 @@ pub(crate) struct Detector<S, G> {
     guard_free: GuardFree<S>,
     /// Switches in a short time.
     chattering: Chattering<S>,
+    /// The last step of numbers with derivatives has gone over a kink.
+    has_passed: bool,
 }
 
 impl<S: Real, G: Vector<S>> Detector<S, G> {
@@ -115,6 +105,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             residual: G::fill(S::ZERO),
             guard_free: GuardFree::new(),
             chattering: Chattering::new(),
+            has_passed: false,
         }
     }
 
@@ -185,6 +176,9 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         method: &mut I,
         context: &mut Context<'_, M>,
     ) -> Result<Option<usize>, Fault> {
+        if M::S::HAS_DERIVATIVES && core::mem::take(&mut self.has_passed) {
+            method.restart();
+        }
         let (before, start): (I, Beginning<M>) =
             (*method, Beginning { time: context.time, held: context.held, x: context.x });
         method.advance(context)?;
@@ -215,6 +209,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
                 (*method, context.time, context.held, context.x) = (before, start.time, start.held, start.x);
                 advance_to(method, context, time + moved)?;
             }
+            self.has_passed = ends == Ends::BeyondKink;
             if ends != Ends::BeforeKink {
                 // A shorter step that is rejected all the same has not come as far: the next one will find the crossing again.
                 let mut due = due.filter(|_| context.time >= time);
@@ -228,46 +223,6 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             }
             beyond_kinks = true;
         }
-    }
-
-    /// Where the last step is to end, and why.
-    fn ends<M: System<S = S, G = G>, I: Method<M>>(
-        &self,
-        method: &mut I,
-        context: &mut Context<'_, M>,
-        (start, end): (&Beginning<M>, &G),
-        (least, beyond_kinks): (S, bool),
-    ) -> Result<(Ends, S), Fault> {
-        if context.system.contact_count() > 0 && self.stay(context, start, end) {
-            return Ok((Ends::Whole, context.time));
-        }
-        if context.system.guard_count() > 0 {
-            method.densify(context)?;
-        }
-        let path = method.path();
-        let enclosure = path.map_or_else(
-            || Enclosure::unknown(context.system, &context.held),
-            |path| Enclosure::over(context, &path),
-        );
-        let found = if enclosure.guards {
-            (Found::Nothing, context.time)
-        } else {
-            self.search(method, context, (start, end), enclosure.relevant)
-        };
-        let (ends, time) = match found {
-            (Found::Undecided(index), _) => return Err(undecided(context.system, start.time, index)),
-            (Found::Crossing(index, _), time) => (Ends::Due(index), time),
-            (Found::Open(_), time) if time - start.time > least => (Ends::Whole, time),
-            _ => (Ends::Whole, context.time),
-        };
-        let bends = enclosure.kinks != 0 && !beyond_kinks;
-        let crossing = matches!(ends, Ends::Due(_)).then_some(time);
-        let kink = if bends { kink(method, context, (start.time, crossing), enclosure.kinks)? } else { None };
-        Ok(match kink.filter(|kink| *kink < context.time) {
-            Some(kink) if time < kink => (Ends::BeforeKink, kink),
-            Some(kink) => (Ends::Whole, kink),
-            None => (ends, time),
-        })
     }
 
     /// Holds the other side of the condition that is due; without dense output of all that are past their
@@ -363,31 +318,6 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             |i: usize| if conditions & bit(i) == 0 { self.residual.at(i) } else { here.at(i).min(S::ZERO) };
         self.residual = G::from_fn(own);
         self.chattering.count(context, conditions, count)
-    }
-
-    /// Searches the dense output of the last step: what became of the conditions, and when.
-    fn search<M: System<S = S, G = G>, I: Method<M>>(
-        &self,
-        method: &mut I,
-        context: &mut Context<'_, M>,
-        (start, end): (&Beginning<M>, &G),
-        relevant: Relevant,
-    ) -> (Found<S>, S) {
-        if context.system.guard_count() == 0 {
-            return (Found::Nothing, context.time);
-        }
-        let Some(path) = method.path() else {
-            let began = guards(context.system, start.time, &start.held, &start.x);
-            let sampled = Sampled { method, context, start: start.time, residual: &self.residual, relevant };
-            return sampled.first(&began, end);
-        };
-        let asked = First { path: &path, residual: &self.residual, relevant };
-        let found = context.system.ask(&context.held, asked);
-        let time = match found {
-            Found::Crossing(_, theta) | Found::Open(theta) => path.time(theta),
-            Found::Nothing | Found::Undecided(_) => context.time,
-        };
-        (found, time)
     }
 }
 

@@ -16,9 +16,10 @@ impl<S: Real, G: Vector<S>> InWords for Detector<S, G> {
             Modes::Decided => 1,
             Modes::Unknown => 2,
             Modes::Known => 3,
-        };
+        } + if self.has_passed { 4 } else { 0 };
         words.word(&mut modes);
-        self.modes = match modes {
+        self.has_passed = modes >= 4;
+        self.modes = match modes % 4 {
             0 => Modes::New,
             1 => Modes::Decided,
             2 => Modes::Unknown,

@@ -12,7 +12,7 @@ use crate::described::Described;
 use crate::dual::Dual;
 use crate::linear::Linear;
 use crate::one_sided::{OneSided, Side};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use crate::start::{StartValues, follow};
 use crate::statics::Statics;
 use crate::trace::{Trace, Traced};
@@ -67,9 +67,11 @@ impl core::error::Error for Unknown<'_> {}
 
 /// The same mechanism in numbers with derivatives: in direction k by what `by` has there, per SI unit.
 ///
-/// Its run makes the same steps to the same bits, and every quantity has its derivatives, exact for the steps that were made; of times of
-/// events, impacts and changes of modes as well. A run ends with [`Cause::Grazes`](crate::Cause::Grazes),
+/// Its run makes the same steps to the same bits, but that steps which are chosen end where derivatives of the rate jump (`max`, `abs`, an
+/// `if` without a jump); every quantity has its derivatives, exact for the steps that were made; of times of events, impacts and changes of
+/// modes as well. A run ends with [`Cause::Grazes`](crate::Cause::Grazes),
 /// [`Cause::AtOnce`](crate::Cause::AtOnce) or [`Cause::AtLimit`](crate::Cause::AtLimit) where there are none; [`with_side`] has those of either side.
+/// One by lengths ends with [`Cause::ChangePoint`](crate::Cause::ChangePoint) where a loop goes through a pose that it has by these lengths alone.
 ///
 /// # Errors
 /// The first name that the mechanism does not have.
@@ -88,7 +90,7 @@ where
 
 /// The same mechanism in numbers that are recorded: variable k of the trace is what `by` has there, in SI units.
 ///
-/// Its run makes the same steps to the same bits, and ends as that of [`with_derivatives`] where there are none.
+/// Its run makes the steps of [`with_derivatives`] to the same bits, and ends as that where there are none.
 /// [`adjoint`](crate::adjoint::adjoint) derives it. Two events at one time end it, since whether they stay together is not known on the way.
 ///
 /// # Errors
@@ -128,7 +130,7 @@ where
 }
 
 /// Makes variables of what `by` has, with their indices.
-fn vary<'a, M: Described + Statics>(
+fn vary<'a, M: Described<S: Real> + Statics>(
     own: &mut M,
     by: &[By<'a>],
     variable: impl Fn(M::S, usize) -> M::S,
@@ -147,7 +149,9 @@ fn vary<'a, M: Described + Statics>(
         let mut found = false;
         own.starts_mut().each(&mut |known, start| {
             if known == name {
-                start.value = varied(start.value, by, index, &variable);
+                // It keeps what it has of parameters that declare it, and what they give does not take its place again.
+                let moves = variable(M::S::ZERO, index);
+                *start = start.at((start.value + moves).with_plain(start.value.plain()));
                 found = true;
             }
         });

@@ -18,6 +18,8 @@ pub(super) enum Refused<S> {
     Opens(S),
     /// The joints would open by so little, m, that rounding decides where the motion goes on.
     Undecided(S),
+    /// It is derived by lengths with which there is no such pose.
+    HasNoDerivative,
     /// The step is too long, or a node is too near to the pose.
     NotFound,
 }

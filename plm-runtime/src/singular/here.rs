@@ -39,7 +39,7 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
         here.look(context);
         let open = &mut here.equations.open;
         here.meeting = Meeting::of(context, (&here.full, here.singularity.as_ref()), open)?;
-        if matches!(here.meeting, Meeting::Reached) {
+        if here.meeting.is_reached() {
             here.look(context);
         }
         Ok(here)

@@ -7,17 +7,22 @@ use super::{ExtendedPrecision, size};
 use crate::absolute::split;
 use crate::double_double::DoubleDouble;
 use crate::fault::Fault;
-use crate::linalg::largest;
+use crate::linalg::{dot, largest};
 use crate::method::Context;
 use crate::scalar::Real;
 use crate::tolerances::{NEARBY, UNCERTAIN};
 use crate::vector::Vector;
+
+/// Derivatives of what joints are open by at a singular pose, over the mechanism's length, that are not rounding.
+const MISSED: f64 = 1e-6;
 
 /// How a mechanism meets a singular pose.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Meeting {
     /// It comes to the pose, with joints that are open by less than the lengths are rounded.
     Reached,
+    /// It comes to the pose, and would miss it with the lengths beside these by which the run is derived.
+    ReachedByChance,
     /// It passes the pose by.
     Missed,
     /// No such pose was found.
@@ -25,6 +30,11 @@ pub(super) enum Meeting {
 }
 
 impl Meeting {
+    /// Does it come to the pose?
+    pub(super) fn is_reached(self) -> bool {
+        matches!(self, Self::Reached | Self::ReachedByChance)
+    }
+
     /// At a state in absolute coordinates. What joints are open by at a pose that is reached is left in `open`, m and rad.
     ///
     /// # Errors
@@ -73,7 +83,9 @@ impl Meeting {
         Ok(match critical {
             Some(critical) => {
                 *open = critical.open;
-                Self::Reached
+                let missed = dot(&critical.combination, &rows.in_metres(&critical.open));
+                let is_chance = missed.largest_derivative() > MISSED * system.length().to_f64();
+                if is_chance { Self::ReachedByChance } else { Self::Reached }
             }
             // With rows that repeat others it may be the pose of those that are left alone.
             None if rows.repeat() => Self::Unknown,

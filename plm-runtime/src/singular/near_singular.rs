@@ -107,9 +107,11 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
                     let from = context.time;
                     let time = (from + h).min(context.end);
                     let full = polynomial.at((time - from) / h);
-                    self.passed = flat
-                        .filter(|flat| from + *flat <= time)
-                        .map(|_| context.system.flat_part(from, &here.full));
+                    let passed = flat.filter(|flat| from + *flat <= time);
+                    if passed.is_some() && matches!(here.meeting, Meeting::ReachedByChance) {
+                        return Err(Refused::HasNoDerivative);
+                    }
+                    self.passed = passed.map(|_| context.system.flat_part(from, &here.full));
                     self.over = Some((from, polynomial));
                     self.undecided = 0;
                     self.around.restart();
@@ -173,6 +175,7 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
                 gap: self.opens.max(here.equations.gap(context.time, &here.full)).to_f64(),
             },
             Refused::NotFound => Cause::Flat,
+            Refused::HasNoDerivative => Cause::ChangePoint,
         };
         Fault::of_part(context.time.to_f64(), context.system.flat_part(context.time, &here.full), cause)
     }
@@ -189,6 +192,9 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
         let mut here = Here::before(context)?;
         self.open = here.equations.open;
         let Some(singularity) = here.singularity else {
+            if matches!(here.meeting, Meeting::ReachedByChance) {
+                return Err(self.fault(context, &here, Refused::HasNoDerivative));
+            }
             return self.leave(context, &here);
         };
         if !here.follow() {
@@ -201,6 +207,9 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
             Some(distance) if distance < NEARER.of::<M::S>() * self.tried => {
                 match self.meet(context, &here, (&singularity, distance)) {
                     Ok(()) => return Ok(()),
+                    Err(refused @ Refused::HasNoDerivative) => {
+                        return Err(self.fault(context, &here, refused));
+                    }
                     Err(refused @ Refused::Undecided(_)) if self.undecided == TRIALS => {
                         return Err(self.fault(context, &here, refused));
                     }

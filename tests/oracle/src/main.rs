@@ -10,6 +10,7 @@
 
 mod bounded;
 mod draw;
+mod gradients;
 mod late;
 #[path = "../../support/random.rs"]
 mod random;

@@ -7,7 +7,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::draw::Draw;
-use crate::{bounded, late, resets};
+use crate::{bounded, gradients, late, resets};
 
 /// All sweeps.
 pub(crate) const SWEEPS: &[Sweep] = &[
@@ -16,6 +16,12 @@ pub(crate) const SWEEPS: &[Sweep] = &[
         title: "scenes that took time without bound, or stopped",
         quick: 30,
         case: bounded::case,
+    },
+    Sweep {
+        name: "gradients",
+        title: "derivatives of machines that close as drawn",
+        quick: 14,
+        case: gradients::case,
     },
     Sweep {
         name: "late",
