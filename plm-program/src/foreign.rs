@@ -97,5 +97,9 @@ fn build<M: Foreign>(name: &str, source: &str) -> Result<Vec<u8>, Box<dyn Error>
     let plm = &package::plm();
     let (output, files, features) = (Output::Shared, M::FILES, &["fmi"]);
     let package = Package { name, output, source, files, plm, features, bare: None };
-    Ok(package.build(&Path::new("target/plm/packages").join(format!("{name}-fmu")))?)
+    let folder = Path::new("target/plm/packages");
+    if !folder.join("target/release").exists() {
+        eprintln!("building plm and {name} in {}: the first FMU takes some minutes", folder.display());
+    }
+    Ok(package.build(&folder.join(format!("{name}-fmu")))?)
 }

@@ -6,9 +6,9 @@ use std::thread;
 
 use plm_dynamic::{Error, Integrator};
 use plm_foreign::Kind;
-use plm_python::run::{Asked, Record, Running, method};
+use plm_python::run::{Asked, Record, Running, method, room, rows};
 use plm_runtime::Fault;
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::exceptions::{PyMemoryError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyByteArray;
 
@@ -69,6 +69,9 @@ pub(crate) fn rollouts<'py>(
     let quantities: Vec<(Kind, usize)> =
         kinds.collect::<Result<_, _>>().map_err(|trouble| error(py, trouble))?;
     let (time, until, every) = times;
+    let columns = 1 + quantities.len() + if poses { 6 * text.mechanism.tables().bodies.len() } else { 0 };
+    room(count as f64 * rows((time, until), every), columns)
+        .map_err(|why| PyMemoryError::new_err(why.to_string().replace('`', "'")))?;
     let plan = Plan {
         text,
         method,

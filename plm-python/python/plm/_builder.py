@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import keyword
 from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple, Optional, Union
@@ -163,10 +164,11 @@ def _method(builder: Builder, of: Part) -> Any:
 
     told = [f"    {name}: {unit or kind}. {docs}".rstrip(". ") for name, (kind, docs, unit) in of.settings.items()]
     use.__name__, use.__doc__ = of.name, "\n".join([of.docs, "", "Can be set:", *told] if told else [of.docs])
-    positional, keyword = inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.KEYWORD_ONLY
+    positional, named = inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.KEYWORD_ONLY
     first = [inspect.Parameter(name, positional) for name in ("name", *of.arguments)]
     # Blocks of a part may set the same name in several cases.
-    given = [inspect.Parameter(name, keyword, default=None) for name in of.settings if name.isidentifier()]
+    free = (name for name in of.settings if name.isidentifier() and not keyword.iskeyword(name))
+    given = [inspect.Parameter(name, named, default=None) for name in free]
     setattr(use, "__signature__", inspect.Signature([*first, *given], return_annotation=Expression))
     return use
 

@@ -129,14 +129,56 @@ class Mechanism:
         *,
         poses: bool = False,
         progress: Union[bool, Callable[[float], object], None] = None,
-        **start: Any,
+        parameters: Optional[Mapping[str, Value]] = None,
+        inputs: Optional[Mapping[str, Value]] = None,
+        start: Optional[Mapping[str, Value]] = None,
+        method: str = "dop853",
+        tolerance: Optional[float] = None,
+        longest_step: Optional[float] = None,
+        time: float = 0.0,
     ) -> Results:
-        """Starts it, with all that `start` takes, and runs until a time as `Sim.run` does."""
-        return self.start(**start).run(until, every, outputs, progress, poses)
+        """Starts it at a time, s, and runs until another one, s, with a row every so often, s: 1000 times if that is not said.
 
-    def show(self, until: float, every: Optional[float] = None, **start: Any) -> Show:
-        """Starts it, with all that `start` takes, and gives the page of a run, as `Sim.show` does."""
-        return self.start(**start).show(until, every)
+        `parameters`, `inputs` and `start` stand in place of what is declared: numbers in SI, or texts with a unit. `method` is a name,
+        as "dop853", "radauiia5" or "rk4"; `tolerance` is relative; `longest_step`, s, is the step of methods with steps of fixed
+        length. `outputs` are names of outputs, inputs, states or parameters; with `poses` the results have those of all bodies.
+        `progress` is called now and then with the time, or shows a line if it is True.
+        """
+        sim = self.start(
+            parameters=parameters,
+            inputs=inputs,
+            start=start,
+            method=method,
+            tolerance=tolerance,
+            longest_step=longest_step,
+            time=time,
+        )
+        return sim.run(until, every, outputs, progress, poses)
+
+    def show(
+        self,
+        until: float,
+        every: Optional[float] = None,
+        *,
+        parameters: Optional[Mapping[str, Value]] = None,
+        inputs: Optional[Mapping[str, Value]] = None,
+        start: Optional[Mapping[str, Value]] = None,
+        method: str = "dop853",
+        tolerance: Optional[float] = None,
+        longest_step: Optional[float] = None,
+        time: float = 0.0,
+    ) -> Show:
+        """Starts it as `run` does, and gives the page of a run, as `Sim.show` does."""
+        sim = self.start(
+            parameters=parameters,
+            inputs=inputs,
+            start=start,
+            method=method,
+            tolerance=tolerance,
+            longest_step=longest_step,
+            time=time,
+        )
+        return sim.show(until, every)
 
     def rollouts(
         self,

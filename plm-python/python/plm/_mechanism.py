@@ -206,6 +206,7 @@ class Mechanism:
             (Event(*event) for event in events),
             {name: np.column_stack(arrays[at : at + 6]) for name, at in of_bodies},
             self.stats(),
+            self._run.notices(),
         )
         if error is not None:
             error.results = results

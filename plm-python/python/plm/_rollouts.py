@@ -49,6 +49,7 @@ def rollouts(
 ) -> Rollouts:
     """Runs a mechanism for each element of arrays: of parameters, starts and inputs, each with all that there are."""
     count = _count({name: array for _, given in varied for name, array in given.items()})
+    threads = None if threads is None else _threads(threads)
     values: Any = [
         [(list(rows).index(name), np.broadcast_to(array, (count,)).tolist()) for name, array in given.items()]
         for rows, given in varied
@@ -109,8 +110,20 @@ def _array(what: str, rows: Mapping[str, Quantity], name: str, values: Any) -> A
     return array
 
 
+def _threads(threads: int) -> int:
+    """A number of threads, at least one."""
+    if not isinstance(threads, (int, np.integer)) or isinstance(threads, bool):
+        raise TypeError(f"threads must be a whole number, not {threads!r}")
+    if threads < 1:
+        raise ValueError(f"threads must be at least 1: {threads}")
+    return int(threads)
+
+
 def _count(given: Mapping[str, Any]) -> int:
     """The number of runs."""
+    empty = [name for name, array in given.items() if array.size == 0]
+    if empty:
+        raise ValueError(f"{', '.join(empty)} must have a value for each run, and has none")
     sizes = {name: array.size for name, array in given.items() if array.size != 1}
     if len(set(sizes.values())) > 1:
         raise ValueError(f"arrays have several lengths: {', '.join(f'{name} {size}' for name, size in sizes.items())}")

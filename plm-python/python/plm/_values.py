@@ -79,6 +79,8 @@ class Results(Dict[str, Array]):
     poses: dict[str, Array]
     #: Counters of the run, from its start on: `Mechanism.stats`.
     stats: dict[str, float]
+    #: What should be known although the run went on: contact that could go on in several ways, steps that are too long.
+    notices: tuple[str, ...]
 
     def __init__(
         self,
@@ -87,9 +89,11 @@ class Results(Dict[str, Array]):
         events: Iterable[Event] = (),
         poses: Optional[Mapping[str, Array]] = None,
         stats: Optional[Mapping[str, float]] = None,
+        notices: Iterable[str] = (),
     ) -> None:
         super().__init__(columns)
         self.units, self.events, self.poses, self.stats = dict(units), tuple(events), dict(poses or {}), dict(stats or {})
+        self.notices = tuple(notices)
 
     def __missing__(self, name: object) -> Array:
         raise KeyError(unknown("column", name, self))
@@ -106,6 +110,7 @@ class Results(Dict[str, Array]):
         rows = [(name, self.units[name], *_range(column)) for name, column in self.items()]
         count = self["time"].size
         title = f"{count} row{'s' * (count != 1)}, {len(self.events)} event{'s' * (len(self.events) != 1)}"
+        title = "; ".join((title, *self.notices))
         return _show.table(title, ("", "unit", "from", "to", "least", "greatest"), rows)
 
 

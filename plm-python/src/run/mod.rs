@@ -17,7 +17,7 @@ use plm_runtime::{Described, Linear, Method, Moment, Sim, StartValues, Statics};
 
 pub use method::method;
 pub use plm_run::{BadOption, Integrator};
-pub use record::{Asked, Record};
+pub use record::{Asked, NoRoom, Record, room, rows};
 pub use running::{Running, Work};
 pub use words::words;
 

@@ -1,5 +1,7 @@
 //! A run that is recorded: columns of quantities, and what has switched.
 
+use std::fmt;
+
 use plm_foreign::Kind;
 use plm_runtime::{Fault, Method, Moment, Seen, Sim};
 
@@ -17,6 +19,45 @@ pub struct Asked<'a> {
     /// Are there the poses and velocities of all bodies behind them: x, y, angle, vx, vy, omega of each?
     pub poses: bool,
 }
+
+/// More numbers than there is memory for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NoRoom {
+    rows: f64,
+    columns: usize,
+}
+
+impl fmt::Display for NoRoom {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { rows, columns } = *self;
+        let gigabytes = 8e-9 * rows * columns as f64;
+        write!(
+            f,
+            "{rows:.3e} rows of {columns} numbers take {gigabytes:.3e} GB, more than there is: a longer `every`, fewer outputs, or \
+             several runs one after the other"
+        )
+    }
+}
+
+/// Is there memory for so many rows, and for copies of them in other languages? Nothing of it is taken.
+///
+/// # Errors
+/// [`NoRoom`]
+pub fn room(rows: f64, columns: usize) -> Result<(), NoRoom> {
+    let numbers = COPIES * rows * columns as f64;
+    let is_there = numbers <= MOST && Vec::<f64>::new().try_reserve_exact(numbers.max(0.0) as usize).is_ok();
+    if is_there { Ok(()) } else { Err(NoRoom { rows, columns }) }
+}
+
+/// The rows of a run between two times, s, with one every so often, s.
+pub fn rows((from, until): (f64, f64), every: f64) -> f64 {
+    ((until - from) / every).max(0.0).ceil() + 1.0
+}
+
+/// Numbers stand as columns, as bytes, and as what the other language has of these.
+const COPIES: f64 = 3.0;
+/// No machine has memory for so many: a terabyte. Some systems promise any amount.
+const MOST: f64 = 1.3e11;
 
 /// What a run has come to.
 pub struct Record {

@@ -3,9 +3,9 @@
 use plm_analysis::{DMatrix, Linearisation, linearise};
 use plm_foreign::{Error, Kind, Status};
 use plm_runtime::described::by_number;
-use plm_runtime::{Fault, Method, Moment, Sim, Stats};
+use plm_runtime::{Fault, Method, Moment, Notice, Sim, Stats};
 
-use super::record::{Asked, Record, record};
+use super::record::{Asked, NoRoom, Record, record, room, rows};
 use super::state;
 use super::{Runnable, finite, found, number};
 
@@ -59,6 +59,8 @@ work!(Rates {} -> Result<Vec<f64>, Fault>, |sim| state::rates::<M>(sim.state()))
 work!(Jacobian {} -> Result<[DMatrix<f64>; 4], Fault>, |sim| state::jacobian::<M>(sim.state()));
 work!(Linearised {} -> Result<Linearisation, Fault>, |sim| linearise(sim.state()));
 work!(Counted {} -> Stats, |sim| sim.stats());
+work!(Bodies {} -> usize, |sim| sim.state().mechanism().tables().bodies.len());
+work!(Noticed {} -> Vec<Notice>, |sim| Sim::notices(sim).collect());
 
 /// A run by number.
 pub trait Running {
@@ -108,10 +110,25 @@ pub trait Running {
         self.then(Step { dt, goes_on })
     }
 
+    /// Is there memory for what a run will have?
+    ///
+    /// # Errors
+    /// [`NoRoom`]
+    fn has_room(&mut self, asked: &Asked<'_>) -> Result<(), NoRoom> {
+        let bodies = if asked.poses { self.then(Bodies {}) } else { 0 };
+        let columns = 1 + asked.quantities.len() + 6 * bodies;
+        room(rows((self.time(), asked.until), asked.every), columns)
+    }
+
     /// Runs until a time with the bits of [`Sim::run`], as long as `goes_on` says so. Gives what is asked for, what has switched, and
     /// how it ended. Where it ended early the last row is where it came to, and it can go on from there.
     fn run(&mut self, asked: Asked<'_>, goes_on: &mut dyn FnMut(f64) -> bool) -> (Record, Result<(), Fault>) {
         self.then(Recorded { asked, goes_on })
+    }
+
+    /// What the user should know although the run goes on, what weighs most first.
+    fn notices(&mut self) -> Vec<Notice> {
+        self.then(Noticed {})
     }
 
     /// What was done so far.

@@ -1,6 +1,7 @@
 """Looks at the package plm, which compiles declarations without Rust: check.py FOLDER, where the repository is."""
 
 import copy
+import inspect
 import math
 import os
 import pickle
@@ -156,6 +157,29 @@ refused(KeyError, "did you mean 'drive'", lambda: pendulum.start(inputs={"drve":
 refused(ValueError, "20 kg is a mass", lambda: pendulum.start(parameters={"length": "20 kg"}))
 refused(ValueError, "no method 'rk5'", lambda: pendulum.start(parameters={"mass": 1}, method="rk5"))
 refused(ValueError, "finite", lambda: pendulum.start(parameters={"mass": math.nan}))
+
+ROD = """pub Rod {
+    gravity: 9.81 m/s^2; param th: rad = 63.43494882292201 deg; param w: rad/s = -4 rad/s;
+    ground { port o: (0, 0) m; }
+    body rod { mass: 1 kg; inertia: 1 kg*m^2/3; port tip: (-1, 0) m; start angle: th, locked; start omega: w, locked;
+        start x: 1 m*cos(th), locked; start y: 1 m*sin(th), locked; start vx: -20 m/s - 1 m*sin(th)*w, locked;
+        start vy: 1 m*cos(th)*w, locked; }
+    point_on_line tip(ground.o, rod.tip) { friction: 1.6; }
+    output rod.angle;
+}"""
+expect("several ways" in "".join(plm.Mechanism(ROD).run(0.02).notices), "contact that could go on in several ways is a notice")
+
+# What there is no memory for is refused before the run; Ctrl+C ends a page; the keywords of a run are those of a start.
+for too_long in (pendulum.run, pendulum.show):
+    refused(MemoryError, "rows of", lambda: too_long(1e6, 1e-9, parameters={"mass": 1}))
+refused(MemoryError, "rows of", lambda: pendulum.rollouts(until=1e6, every=1e-7, parameters={"mass": np.ones(1000)}))
+threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+try:
+    pendulum.show(1e6, 100.0, parameters={"mass": 1})
+    expect(False, "the page went on")
+except KeyboardInterrupt:
+    expect(True, "Ctrl+C ends a page")
+expect(set(inspect.signature(pendulum.start).parameters) <= set(inspect.signature(pendulum.run).parameters), "run() says what it takes")
 
 # The bits of compiled code: state and outputs of eight mechanisms after ten steps of Rk4.
 snapshots = root / "tests" / "snapshots"
@@ -328,6 +352,9 @@ for k in range(17):
     same &= all(np.array_equal(rolled[name][k], one[name]) for name in one if name != "time")
     same &= np.array_equal(rolled.poses["bob"][k], one.poses["bob"])
 expect(same, "each of 17 rows is that run alone, to the bit")
+refused(ValueError, "at least 1", lambda: pendulum.rollouts(**varied, threads=-1, **common))
+refused(TypeError, "whole number", lambda: pendulum.rollouts(**varied, threads=1.5, **common))
+refused(ValueError, "length must have a value", lambda: pendulum.rollouts(parameters={"length": [], "mass": 1.0}, **common))
 for threads in (1, 2, None):
     other = pendulum.rollouts(**varied, threads=threads, **common)
     expect(all(np.array_equal(other[name], rolled[name]) for name in other), f"{threads} threads give the same bits")
