@@ -270,3 +270,77 @@ fn what_touches_a_corner_falls_freely_in_few_steps() {
     assert!(fallen.iter().all(|y| (y + 9.81 / 2.0).abs() < 1e-12), "{fallen:?}");
     assert!(run.stats().steps < 20, "{:?}", run.stats());
 }
+
+/// A ball of which a floor takes half of the speed: its impacts follow each other ever faster, until 1.3546 s.
+const THROWN: &str = "pub Thrown {
+    gravity: 9.81 m/s^2;
+    body ball { mass: 1 kg; inertia: 1 kg*m^2; start y: 1 m, locked; }
+    when ball.y < 0 m { ball.vy = -0.5*ball.vy; }
+    output ball.y;
+    allow(W0002);
+}";
+
+/// Behind three impacts by one step or many, and at the end of all: methods with dense output end there, those of equal steps stay at the
+/// floor but for what the ball falls in each.
+#[test]
+fn a_ball_that_a_when_throws_back_does_not_fall_through() {
+    let first = (2.0_f64 / 9.81).sqrt();
+    let (third, speed) = (first * 2.5, 9.81 * first / 8.0);
+    let t = 1.2 - third;
+    for method in ["Dop853", "Dopri5", "Vern9", "Adams", "RadauIia5"] {
+        for intervals in [1, 7] {
+            let mut run = Mechanism::from_text(THROWN).unwrap().start_with(method.parse().unwrap()).unwrap();
+            (1..=intervals).for_each(|k| run.step_to(1.2 * f64::from(k) / f64::from(intervals)).unwrap());
+            let y = run.output("ball.y").unwrap();
+            assert!((y - (speed * t - 9.81 * t * t / 2.0)).abs() < 1e-6, "{method}: {y}");
+            let fault = run.step_to(1.5).unwrap_err().to_string();
+            assert!(
+                fault.contains("t = 1.354") && fault.contains("switches without end"),
+                "{method}: {fault}"
+            );
+        }
+    }
+    for method in ["Rk4:1e-3", "SemiImplicitEuler:1e-3", "Gauss2:1e-3", "Ros34Pw2:1e-3"] {
+        let mut run = Mechanism::from_text(THROWN).unwrap().start_with(method.parse().unwrap()).unwrap();
+        run.step_to(1.6).unwrap();
+        let y = run.output("ball.y").unwrap();
+        assert!(y.abs() < 0.005, "{method}: {y}");
+    }
+}
+
+/// Two levels that equalise by a root law are equal from 2 s on: a relay of two states, whose switches are told.
+#[test]
+fn a_relay_of_two_states_ends_with_its_condition() {
+    let tanks = "pub Tanks {
+        state a: m = 1 m; state b: m = 0 m;
+        let q = 0.5*sign(a - b)*sqrt(abs(a - b)/(1 m))*1 m/s;
+        rate a = -q; rate b = q;
+        body dummy { mass: 1 kg; inertia: 1 kg*m^2; }
+        output a; allow(W0002);
+    }";
+    let mut run = Mechanism::from_text(tanks).unwrap().start().unwrap();
+    let fault = run.step_to(3.0).unwrap_err().to_string();
+    assert!(fault.contains("switches without end") && fault.contains("a - b < 0"), "{fault}");
+}
+
+/// A block that friction has stopped stays, though a `when` is told of its rest in the same step: 3 m/s against 33 N.
+#[test]
+fn a_when_on_the_speed_of_what_rubs_leaves_it_at_rest() {
+    let seal = "pub Seal {
+        ground { port o: (0, 0) m; }
+        body b { mass: 5 kg; inertia: 0.05 kg*m^2; port s: (0, 0) m; start vx: 3 m/s; }
+        prismatic r(ground.o, b.s) { seal_friction: 15 N; static_seal_friction: 20 N; drive: -18 N; }
+        discrete turned: s = 0;
+        when b.vx <= 0 m/s { turned = t; }
+        output b.x, b.vx, turned;
+    }";
+    for method in
+        ["Rk4:1e-3", "SemiImplicitEuler:1e-3", "Gauss2:1e-3", "Ros34Pw2:1e-3", "Dop853", "RadauIia5"]
+    {
+        let mut run = Mechanism::from_text(seal).unwrap().start_with(method.parse().unwrap()).unwrap();
+        run.step_to(2.0).unwrap();
+        let [x, v, turned] = ["b.x", "b.vx", "turned"].map(|name| run.output(name).unwrap());
+        assert!((x - 45.0 / 66.0).abs() < 3e-3 && v == 0.0, "{method}: {x} {v}");
+        assert!((turned - 15.0 / 33.0).abs() < 2e-3, "{method}: {turned}");
+    }
+}

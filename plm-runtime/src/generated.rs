@@ -53,7 +53,7 @@ pub mod contact {
         Change, Contacts, Held, ImpactLaw, Kinematics, Law, Load, Motion, Proposed, Rows, Solution, Status,
         Stride, add_forces, appear, begin, drift, guard_count, guards, guards_within, held_rows,
         packed_steps, project, settle, slide, slipping, state_was_set, stay, step, sum_of, switch_behind,
-        update, with_multipliers,
+        update, update_behind, with_multipliers,
     };
 }
 

@@ -269,7 +269,7 @@ impl<
                     contact::switch_behind::<Self, R>(self, t, u, x, (index, step))?;
                 }
                 None => {
-                    contact::update::<Self, R>(self, t, u, x)?;
+                    contact::update_behind::<Self, R>(self, t, u, x, step)?;
                 }
             }
             Ok(())

@@ -88,10 +88,25 @@ pub fn update<M: Contacts<N>, const N: usize>(
     u: &mut M::U,
     x: &mut M::X,
 ) -> Result<Outcome, Fault> {
+    update_behind(system, t, u, x, M::S::ZERO)
+}
+
+/// The same of an event within a step of the length `step`, s, that was not ended there: rows have gone on beyond the ends of their own
+/// slips and flights, and are left there as by the events of these.
+///
+/// # Errors
+/// As [`switch`].
+pub fn update_behind<M: Contacts<N>, const N: usize>(
+    system: &M,
+    t: M::S,
+    u: &mut M::U,
+    x: &mut M::X,
+    step: M::S,
+) -> Result<Outcome, Fault> {
     if change_in_steps(system, u) {
         return Ok(Outcome::default());
     }
-    Event { system, t, occasion: Occasion::Change, step: M::S::ZERO }.commit(u, x)
+    Event { system, t, occasion: Occasion::Change, step }.commit(u, x)
 }
 
 /// Finds the modes of a state where a run begins.
@@ -278,7 +293,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     ) -> [Allowed; N] {
         let (touches, acceleration) = (self.touches(laws, rows, u), acceleration::<M, N>(rows, u));
         let returns = self.returns_at_once(rows, (u, x), |i| laws[i].is_unilateral() && touches[i]);
-        let is_due = |i: usize| self.occasion.row() == Some(i);
+        let is_due = |i: usize| self.occasion.row() == Some(i) || self.has_passed(rows, i, u);
         let rests = |i: usize| {
             let short = if is_due(i) { self.short(rows, i) } else { M::S::ZERO };
             laws[i].is_unilateral()
@@ -308,6 +323,17 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
                 _ => Allowed::Resting,
             }
         })
+    }
+
+    /// Has the motion gone on beyond the end of a slip or of a flight in the step, which another event of that step has come to first?
+    fn has_passed(&self, rows: &Rows<M::S, N>, row: usize, u: &M::U) -> bool {
+        let (row, zero) = (below::<N>(row), M::S::ZERO);
+        let beyond = match u.modes().of[row] {
+            Mode::Open => rows.gap[row],
+            mode @ (Mode::Forwards | Mode::Backwards) => mode.sign::<M::S>() * rows.rate[row],
+            Mode::Closed | Mode::Off | Mode::Sticks => zero,
+        };
+        self.step > zero && beyond < zero
     }
 
     /// Slower than this a friction does not slip.

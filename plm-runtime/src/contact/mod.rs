@@ -6,8 +6,8 @@
 //! Unilateral Contacts, 1996; V. Acary, B. Brogliato, Numerical Methods for Nonsmooth Dynamical Systems, 2008).
 //!
 //! A system has [`Contacts`], and its contracts call the functions of this module: [`rate`], [`guards`], [`guards_within`], [`switch`],
-//! [`switch_behind`], [`state_was_set`], [`update`], [`project`], [`drift`], [`begin`]. Steps of fixed length without events are made by
-//! [`step`].
+//! [`switch_behind`], [`state_was_set`], [`update`], [`update_behind`], [`project`], [`drift`], [`begin`]. Steps of fixed length without
+//! events are made by [`step`].
 
 mod booked;
 mod bounds;
@@ -44,7 +44,7 @@ mod walk;
 
 pub use self::booked::{Booked, ImpactEnergy, Impulse};
 pub use self::changed::state_was_set;
-pub use self::event::{begin, switch, switch_behind, update};
+pub use self::event::{begin, switch, switch_behind, update, update_behind};
 pub use self::guards::{guards, guards_within, stay};
 pub use self::held::{Held, Modal};
 pub use self::impact::{Doubts, ImpactLaw};

@@ -5,7 +5,7 @@ use super::Beginning;
 use super::relevant::bit;
 use super::rounding::{ULPS, rounding};
 use super::violated::not_met;
-use super::{advance_to, guards, guards_here};
+use super::{guards, guards_here};
 use crate::enclosure::{Enclosed, Interval};
 use crate::fault::Fault;
 use crate::method::{Context, Method};
@@ -85,6 +85,18 @@ pub(super) fn decide<M: System<S: Real>>(
         }
     }
     Ok(boundary)
+}
+
+/// One step that ends at a time within the interval at the latest.
+pub(super) fn advance_to<M: System<S: Real>, I: Method<M>>(
+    method: &mut I,
+    context: &mut Context<'_, M>,
+    time: M::S,
+) -> Result<(), Fault> {
+    let whole = core::mem::replace(&mut context.end, time);
+    let outcome = method.advance(context);
+    context.end = whole;
+    outcome
 }
 
 /// Makes a step again that ends where a requirement stops to hold, until its guard vanishes there but for rounding: the dense output

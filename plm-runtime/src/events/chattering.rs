@@ -1,6 +1,9 @@
 //! Chattering: conditions that switch again and again within a short window.
 
+use super::boundary::rates;
 use super::relevant::bit;
+use super::rounding::rounding;
+use super::{guards, is_of_state};
 use crate::fault::{Cause, Fault, Names};
 use crate::method::Context;
 use crate::scalar::Real;
@@ -13,6 +16,10 @@ const MOST_SWITCHES: u32 = 100;
 const SHORT: f64 = 1e-6;
 /// ... but not less than so many units in the last place of the time.
 const SHORT_ULPS: f64 = 1000.0;
+/// Switches of conditions that go no farther than so many times their rounding in between count however long they take, ...
+const UNSEEN: f64 = 1e3;
+/// ... up to this fraction of the longest step, or of the interval where none has been longer.
+const UNSEEN_FOR: f64 = 0.01;
 
 /// The window of the present chattering.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +46,12 @@ impl<S: Real> Chattering<S> {
         context.stats.switches += u64::from(switched);
         let time = context.time;
         let short = (S::lit(SHORT) * *context.longest_step).max(S::lit(SHORT_ULPS) * S::EPSILON * time.abs());
-        if time - self.since > short || time < self.since {
+        let is_over = time - self.since > short && !self.is_unseen(context, conditions);
+        // One that is seen between others that are not, as the speed of a ball at the top of such a flight, is none of theirs.
+        if is_over && time > self.since && self.is_unseen(context, self.conditions) {
+            return Ok(());
+        }
+        if is_over || time < self.since {
             *self = Self { since: time, count: 0, conditions: 0 };
         }
         self.count = self.count.saturating_add(switched);
@@ -53,5 +65,21 @@ impl<S: Real> Chattering<S> {
         let cause = Cause::Zeno { events: self.count, within, conditions };
         let first = (0..M::G::LEN).find(|index| self.conditions & bit(*index) != 0).unwrap_or(0);
         Err(Fault::of_part(time.to_f64(), context.system.guard_name(first), cause))
+    }
+    /// Has the guard of one of some conditions gone no farther since the window began than rounding, on the way to each switch? A ball at the
+    /// end of its bounces flies no higher than that, for a time in which nothing is short.
+    fn is_unseen<M: System<S = S>>(&self, context: &mut Context<'_, M>, conditions: u64) -> bool {
+        let (time, x, elapsed) = (context.time, context.x, context.time - self.since);
+        let longest = context.longest_step.max(context.end - self.since);
+        let system = context.system;
+        let among = |i: &usize| conditions & bit(*i) != 0 && is_of_state(system, *i);
+        if elapsed > S::lit(UNSEEN_FOR) * longest || self.count == 0 || !(0..M::G::LEN).any(|i| among(&i)) {
+            return false;
+        }
+        let Some(slopes) = rates(context) else { return false };
+        let here = guards(context.system, time, &context.held, &x);
+        let noise = rounding((context.system, &context.held), (time, time), &x, &here);
+        let most = S::lit(UNSEEN * f64::from(self.count));
+        (0..M::G::LEN).filter(among).any(|i| elapsed * slopes.at(i).abs() <= most * noise.at(i))
     }
 }

@@ -61,16 +61,17 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
     ) -> Option<(usize, u64)> {
         let path = Path::between((start.time, &start.x), (context.time, &context.x), M::NQ);
         let (system, held) = (context.system, context.held);
-        let search = || Search::new((system, held), path, &self.residual, Relevant::ALL);
-        if !matches!(search().first(), Found::Crossing(..)) {
+        let search = Search::new((system, held), path, &self.residual, Relevant::ALL);
+        if !matches!(search.first(), Found::Crossing(..)) {
             return None;
         }
-        let leaves = |index: usize| matches!(search().of_one(index).first(), Found::Crossing(..));
-        let all = (0..G::LEN).filter(|i| M::SELECTIVE && leaves(*i)).fold(0, |all, i| all | bit(i));
+        let leaves = |index: usize| matches!(search.of_one(index).first(), Found::Crossing(..));
+        let count = system.guard_count();
+        let all = (0..count).filter(|i| M::SELECTIVE && leaves(*i)).fold(0, |all, i| all | bit(i));
         let (relevant, mut missed) = (Relevant::of(system, &held, all), None);
-        for index in (0..G::LEN).filter(|i| relevant.has(*i)) {
-            let search = search().of_one(index);
-            if matches!(search.first(), Found::Crossing(..)) && !search.is_violated(S::lit(1.0), index) {
+        for index in (0..count).filter(|i| relevant.has(*i)) {
+            let search = search.of_one(index);
+            if !search.is_violated(S::lit(1.0), index) && matches!(search.first(), Found::Crossing(..)) {
                 let (first, count) = missed.unwrap_or((index, 0));
                 let ends = context.system.must_hold(index) || context.system.end(index).is_some();
                 let told = if ends { index } else { first };

@@ -28,11 +28,12 @@ mod sampled;
 mod search;
 mod sets;
 mod stays;
+mod thrown;
 mod touch;
 mod violated;
 mod words;
 
-use self::boundary::{Boundary, decide, meet, refine};
+use self::boundary::{Boundary, advance_to, decide, meet, refine};
 use self::chattering::Chattering;
 use self::derived::{Timed, derive_time, moved_end, restore_time};
 use self::ends::Ends;
@@ -44,6 +45,7 @@ use self::relevant::bit;
 pub use self::relevant::holds;
 pub(crate) use self::relevant::refresh;
 pub use self::sets::{Sets, begin, change, take_sides, with_velocities};
+use self::thrown::{is_of_state, leads_away, switch_back, switch_there_and_back};
 pub use self::violated::switch_where_due;
 use self::violated::{Switched, required, switch_violated};
 pub(crate) use self::violated::{are_satisfied, switch_at_end, switch_each, violated};
@@ -197,10 +199,12 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             context.stats.steps -= 1;
             context.stats.rejected += 1;
             (*method, context.time, context.held, context.x) = (before, start.time, start.held, start.x);
-            // What happens at once needs no step.
-            if time - start.time <= least {
+            let is_at_once = time - start.time <= least;
+            // What happens at once needs no step, unless the state leads away first: then the shortest one ends behind it.
+            if is_at_once && !due.is_some_and(|index| leads_away(context, index)) {
                 return Ok(due);
             }
+            let time = if is_at_once { (start.time + least + least).min(context.end) } else { time };
             advance_to(method, context, time)?;
             // The state at an event moves as the formula of the step does, not as its rate.
             let at_end = due.filter(|_| context.time >= time);
@@ -213,6 +217,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             if ends != Ends::BeforeKink {
                 // A shorter step that is rejected all the same has not come as far: the next one will find the crossing again.
                 let mut due = due.filter(|_| context.time >= time);
+                due = due.filter(|index| !(is_at_once && leads_away(context, *index)));
                 if let Some(index) = due.filter(|index| context.system.must_hold(*index)) {
                     due = meet(method, context, (&before, &start), index)?.then_some(index);
                 } else if let Some(index) = due.filter(|_| context.system.contact_count() > 0) {
@@ -266,10 +271,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             }
         };
         required(context, index)?;
-        let (mut after, mut x) = (context.held, context.x);
-        context.system.switch(context.time, &mut after, &mut x, index)?;
-        hold(context, after)?;
-        context.x = x;
+        let count = switch_there_and_back(context, index)?;
         // The end of an interval stays where it is.
         if context.time >= context.end {
             restore_time(context, moved)?;
@@ -278,7 +280,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         let here = guards_here(context)?;
         self.residual.set(index, here.at(index).min(S::ZERO));
         let before = core::mem::replace(&mut self.modes, Modes::Known);
-        let switched = u32::from(!matches!(before, Modes::New | Modes::Decided));
+        let switched = if matches!(before, Modes::New | Modes::Decided) { 0 } else { count };
         self.chattering.count(context, bit(index), switched)
     }
 
@@ -307,11 +309,17 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             Modes::Unknown | Modes::Known => Modes::Known,
         };
         self.release(&here);
-        let Some(Switched { conditions, count }) =
+        let before = context.x;
+        let Some(Switched { conditions, mut count }) =
             switch_violated(context, &here, (boundary, self.residual), within)?
         else {
             return Ok(());
         };
+        if boundary.is_none() {
+            for index in (0..G::LEN).filter(|index| conditions & bit(*index) != 0) {
+                count += switch_back(context, index, &before)?;
+            }
+        }
         method.restart();
         let here = guards_here(context)?;
         let own =
@@ -319,16 +327,4 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         self.residual = G::from_fn(own);
         self.chattering.count(context, conditions, count)
     }
-}
-
-/// One step that ends at a time within the interval at the latest.
-fn advance_to<M: System<S: Real>, I: Method<M>>(
-    method: &mut I,
-    context: &mut Context<'_, M>,
-    time: M::S,
-) -> Result<(), Fault> {
-    let whole = core::mem::replace(&mut context.end, time);
-    let outcome = method.advance(context);
-    context.end = whole;
-    outcome
 }

@@ -112,7 +112,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         search.noise = search.rounding(M::S::ZERO, &search.first);
         for i in 0..M::G::LEN {
             if residual.at(i) < M::S::ZERO {
-                match search.return_of(i) {
+                match search.return_of(i, residual.at(i)) {
                     Some(from) if system.contact_count() > 0 && from <= finest() => {
                         let guard = search.values(from).at(i);
                         search.first.set(i, guard);
@@ -126,8 +126,8 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
     }
 
     /// The same for one guard alone.
-    pub(super) fn of_one(self, index: usize) -> Self {
-        Self { only: Some(index), ..self }
+    pub(super) fn of_one(&self, index: usize) -> Self {
+        Self { only: Some(index), ..*self }
     }
 
     /// Is this guard looked at?
@@ -294,12 +294,18 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         rounding((self.system, &self.held), (ahead, end), &self.path.at(theta), here)
     }
 
-    /// How soon a guard comes to its side that was switched a little before or after its time; if it does.
-    fn return_of(&self, index: usize) -> Option<M::S> {
+    /// How soon a guard comes to its side that was switched a little before or after its time, and was `left` beyond it; none if it does
+    /// not, or goes on beyond first, as that of a ball which its own event has thrown back.
+    fn return_of(&self, index: usize, left: M::S) -> Option<M::S> {
+        let gone = left - self.system.band(index) - self.noise.at(index);
         let mut theta = finest::<M::S>();
         for _ in 0..=FINEST {
-            if self.values(theta).at(index) > M::S::ZERO {
+            let guard = self.values(theta).at(index);
+            if guard > M::S::ZERO {
                 return Some(theta);
+            }
+            if guard < gone {
+                return None;
             }
             theta = theta + theta;
         }

@@ -198,7 +198,7 @@ impl<S: Real> rt::Events for Block<S> {
         let Some(row_guard) = index.checked_sub(OWN) else {
             u.switches[index] = -u.switches[index];
             // Forces may have jumped.
-            rt::contact::update::<Self, ROWS>(self, t, u, x)?;
+            rt::contact::update_behind::<Self, ROWS>(self, t, u, x, step)?;
             return Ok(());
         };
         rt::contact::switch_behind::<Self, ROWS>(self, t, u, x, (row_guard, step))?;

@@ -29,7 +29,7 @@ pub(crate) const SWEEPS: &[Sweep] = &[
         quick: 100,
         case: late::case,
     },
-    Sweep { name: "resets", title: "states that a `when` sets", quick: 200, case: resets::case },
+    Sweep { name: "resets", title: "states that a `when` sets", quick: 60, case: resets::case },
 ];
 
 /// Random cases of one kind.
@@ -139,5 +139,37 @@ impl Verdict {
             Self::Undecided(_) => 2,
             Self::Wrong(_) => 3,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{SWEEPS, Table};
+
+    /// The seed of the cases that the tests run.
+    const SEED: u64 = 31;
+
+    /// A test for each sweep, by its name: none of its quick cases is wrong.
+    macro_rules! quick {
+        ($($name:ident)*) => {
+            $(
+                #[test]
+                fn $name() {
+                    let sweep = SWEEPS.iter().find(|sweep| sweep.name == stringify!($name)).expect("a sweep");
+                    let table = Table::of(sweep, SEED, 0..sweep.quick);
+                    assert!(table.holds(), "{}", table.shown(false));
+                }
+            )*
+
+            const TESTED: &[&str] = &[$(stringify!($name)),*];
+        };
+    }
+
+    quick! { bounded gradients late resets }
+
+    #[test]
+    fn each_sweep_is_tested() {
+        let names: Vec<_> = SWEEPS.iter().map(|sweep| sweep.name).collect();
+        assert_eq!(names, TESTED);
     }
 }

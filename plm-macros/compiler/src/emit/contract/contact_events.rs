@@ -211,7 +211,7 @@ fn switch(emission: &Emission) -> TokenStream {
     quote! {
         let _ = match index.checked_sub(#own) {
             Some(index) => rt::contact::switch_behind::<Self, #rows>(self, t, u, x, (index, step)),
-            None => rt::contact::update::<Self, #rows>(self, t, u, x),
+            None => rt::contact::update_behind::<Self, #rows>(self, t, u, x, step),
         }?;
         Ok(())
     }

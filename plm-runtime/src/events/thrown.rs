@@ -1,0 +1,80 @@
+//! Events that throw the state back over their own guards: a ball that falls below the floor flies up again.
+//!
+//! The guard of an event is zero there, but for rounding: its value says nothing of the side that it goes to, and how long it stays on that
+//! is no question of the next step, which may be longer than the whole flight. Its slope behind the event tells.
+
+use super::boundary::rates;
+use super::{guards, hold};
+use crate::contact;
+use crate::fault::Fault;
+use crate::method::Context;
+use crate::scalar::{Real, Scalar};
+use crate::system::System;
+use crate::vector::Vector;
+
+/// Commits the event of the condition `index`, and that which the state comes to at once behind it; how many these are.
+///
+/// # Errors
+/// Those of [`Events::switch`](crate::Events::switch), and where constraint rows would have to jump.
+pub(super) fn switch_there_and_back<M: System<S: Real>>(
+    context: &mut Context<'_, M>,
+    index: usize,
+) -> Result<u32, Fault> {
+    let before = context.x;
+    switch(context, index)?;
+    Ok(1 + switch_back(context, index, &before)?)
+}
+
+/// Commits the way back over the guard of the condition `index`, where its event has set something of the state `before` and leads back at
+/// once; whether it did. Where the other side leads back too nothing is thrown: the two take turns.
+///
+/// # Errors
+/// As [`switch_there_and_back`].
+pub(super) fn switch_back<M: System<S: Real>>(
+    context: &mut Context<'_, M>,
+    index: usize,
+    before: &M::X,
+) -> Result<u32, Fault> {
+    let is_set = || (0..M::X::LEN).any(|i| context.x.at(i) != before.at(i));
+    // What the event has set the guard itself to is its side already.
+    let stands = |context: &Context<'_, M>| {
+        let guard = |x: &M::X| guards(context.system, context.time, &context.held, x).at(index);
+        guard(before) == guard(&context.x)
+    };
+    let is_asked = is_of_state(context.system, index) && is_set() && stands(context);
+    if !is_asked || slope(context, index) >= M::S::lit(0.0) {
+        return Ok(0);
+    }
+    let there = (context.held, context.x);
+    switch(context, index)?;
+    if slope(context, index) > M::S::lit(0.0) {
+        return Ok(1);
+    }
+    (context.held, context.x) = there;
+    Ok(0)
+}
+
+/// Does the state lead away from the boundary of a condition, to the side that is held?
+pub(super) fn leads_away<M: System<S: Real>>(context: &mut Context<'_, M>, index: usize) -> bool {
+    is_of_state(context.system, index) && slope(context, index) > M::S::lit(0.0)
+}
+
+/// Is this guard one of a condition, rather than of a row of contact? Those of rows stand behind.
+pub(super) fn is_of_state<M: System>(system: &M, index: usize) -> bool {
+    let rows = system.contact_count();
+    let of_rows = if rows > 0 { contact::guard_count(rows) } else { 0 };
+    index + of_rows < system.guard_count()
+}
+
+/// How fast a guard changes, per second; zero where there is no rate.
+fn slope<M: System<S: Real>>(context: &mut Context<'_, M>, index: usize) -> M::S {
+    rates(context).map_or(M::S::lit(0.0), |slopes| slopes.at(index))
+}
+
+fn switch<M: System<S: Real>>(context: &mut Context<'_, M>, index: usize) -> Result<(), Fault> {
+    let (mut after, mut x) = (context.held, context.x);
+    context.system.switch(context.time, &mut after, &mut x, index)?;
+    hold(context, after)?;
+    context.x = x;
+    Ok(())
+}
