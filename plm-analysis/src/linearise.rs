@@ -8,6 +8,8 @@ use plm_runtime::{
     AsMoment, Cause, Constraints, Dual, Fault, Labels, Linear, Mechanism, Moment, Ports, Rate, System,
 };
 
+use crate::control::eigenvalues;
+
 /// A mechanism that can be linearised: generated ones can.
 pub trait Linearisable: Mechanism + Ports + Linear<S = f64, Lifted<1>: Ports> + System<S = f64> {}
 
@@ -55,12 +57,7 @@ pub struct Mode {
 impl Linearisation {
     /// The eigenvalues of A, slow ones first.
     pub fn modes(&self) -> Vec<Mode> {
-        // Pressures beside angles: without balancing (B. N. Parlett, C. Reinsch, Numer. Math. 13, 1969) rounding in the
-        // largest entries would bury the slow modes.
-        let mut balanced = self.a.clone();
-        nalgebra::linalg::balancing::balance_parlett_reinsch(&mut balanced);
-        let mut modes: Vec<Mode> =
-            balanced.complex_eigenvalues().iter().map(|lambda| Mode::new(*lambda)).collect();
+        let mut modes: Vec<Mode> = eigenvalues(&self.a).into_iter().map(Mode::new).collect();
         modes.sort_by(|a, b| {
             let key = |mode: &Mode| (mode.frequency, mode.eigenvalue.im);
             let ((f, p), (g, q)) = (key(a), key(b));
@@ -118,7 +115,7 @@ impl Mode {
 /// modes held: gaps that are closed and frictions that stick are constraints, slips have the force of their friction.
 ///
 /// # Errors
-/// [`Cause::Singular`] where the accelerations or their derivatives are not determined without a decomposition by rank, or
+/// [`Cause::NotFinite`] where the state or a derivative is no number. [`Cause::Singular`] where the accelerations or their derivatives are not determined without a decomposition by rank, or
 /// where no chart of the loops is good.
 pub fn linearise<A, T>(of: &A) -> Result<Linearisation, Fault>
 where
@@ -126,6 +123,10 @@ where
     T: Moment<M: Linearisable<State = T>>,
 {
     let Derivatives { a, b, c, d, constraints } = derivatives(of.as_moment())?;
+    // Of a state that is no number there are neither directions nor modes.
+    if [&a, &b, &c, &d, &constraints].iter().any(|all| all.iter().any(|entry| !entry.is_finite())) {
+        return Err(Fault::new(of.as_moment().time(), Cause::NotFinite));
+    }
     let basis = free_directions(&constraints);
     let transposed = basis.transpose();
     let (mechanism, held) = (of.as_moment().mechanism(), of.as_moment().held());
@@ -269,6 +270,10 @@ fn free_directions(rows: &DMatrix<f64>) -> DMatrix<f64> {
     }
     // Singular vectors of the square of the rows belong to all directions, not only to as many as there are rows.
     let square = rows.transpose() * rows;
+    // Squares beyond the range of numbers have no decomposition: nothing is known to be free.
+    if !square.iter().all(|entry| entry.is_finite()) {
+        return DMatrix::zeros(size, 0);
+    }
     let decomposed = square.symmetric_eigen();
     let largest = decomposed.eigenvalues.amax();
     let free = (0..size).filter(|i| decomposed.eigenvalues[*i].abs() <= RANK_TOLERANCE * largest);

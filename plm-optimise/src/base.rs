@@ -7,7 +7,7 @@
 use std::fmt;
 
 use nalgebra::{DMatrix, DVector};
-use plm_runtime::{Described, Dual, Fault, Linear, Mechanism, Moment, Vector};
+use plm_runtime::{Cause, Described, Dual, Fault, Linear, Mechanism, Moment, Vector};
 
 use crate::mechanism::{LANES, Lifted, Number, Optimisable};
 use crate::node::own_numbers;
@@ -50,8 +50,11 @@ const RANK_TOLERANCE: f64 = 1e-9;
 /// freedoms.
 ///
 /// # Errors
-/// The fault of assembly.
+/// The fault of assembly; [`Cause::NotFinite`] of a gravity that is no number.
 pub fn base_parameters<M: Optimisable>(mechanism: &M, gravity: [f64; 2]) -> Result<BaseParameters, Fault> {
+    if !gravity.iter().all(|number| number.is_finite()) {
+        return Err(Fault::new(0.0, Cause::NotFinite));
+    }
     let (held, x) = mechanism.start_state(0.0)?;
     let bodies = mechanism.tables().bodies;
     let names: Vec<String> =
@@ -61,6 +64,10 @@ pub fn base_parameters<M: Optimisable>(mechanism: &M, gravity: [f64; 2]) -> Resu
     for _ in 0..STATES {
         let Some(state) = beside(mechanism, (&held, &x), &mut random) else { continue };
         let block = forces(mechanism, (&held, &state), gravity, &mut random);
+        // Beyond the range of numbers a state tells nothing, and decompositions do not end.
+        if !block.iter().all(|force| force.is_finite()) {
+            continue;
+        }
         let first = rows.nrows();
         rows = rows.insert_rows(first, block.nrows(), 0.0);
         rows.rows_mut(first, block.nrows()).copy_from(&block);
@@ -169,7 +176,11 @@ fn forces<M: Optimisable>(
 /// Directions of velocities along which no constraint changes; all of them where there is none.
 fn freedoms(rows: &DMatrix<f64>) -> DMatrix<f64> {
     let size = rows.ncols();
-    let square = rows.tr_mul(rows).symmetric_eigen();
+    let square = rows.tr_mul(rows);
+    if !square.iter().all(|entry| entry.is_finite()) {
+        return DMatrix::zeros(size, 0);
+    }
+    let square = square.symmetric_eigen();
     let largest = square.eigenvalues.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
     let free: Vec<_> = (0..size)
         .filter(|k| square.eigenvalues[*k].abs() <= 1e-12 * largest)
@@ -180,7 +191,10 @@ fn freedoms(rows: &DMatrix<f64>) -> DMatrix<f64> {
 
 /// The combinations that rows tell: columns that depend on those before them add to their combinations.
 fn reduced(rows: &DMatrix<f64>, names: &[String]) -> BaseParameters {
-    let scale = rows.iter().fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
+    let largest = rows.iter().fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
+    // The squares of norms stay in the range of numbers.
+    let rows = &(rows / largest.max(f64::MIN_POSITIVE));
+    let scale = 1.0;
     let (mut basis, mut chosen): (Vec<DVector<f64>>, Vec<usize>) = (Vec::new(), Vec::new());
     let (mut combinations, mut without_effect) = (Vec::<Vec<(String, f64)>>::new(), Vec::new());
     // Masses last: they are counted with the first moments and the moments of inertia.

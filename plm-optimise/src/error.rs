@@ -4,6 +4,8 @@ use std::fmt;
 
 use plm_runtime::Fault;
 
+use crate::identify::Loss;
+
 /// Why there is no result.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -64,9 +66,14 @@ pub enum Error {
         why: NotConverged,
         /// Where it has ended: names and values, SI.
         best: Vec<(String, f64)>,
+        /// Of an optimal control the inputs where it has ended: of each its value in each interval, SI. A plan for the next moment may do
+        /// with it, if what is violated is small.
+        plan: Vec<Vec<f64>>,
         /// Root mean square of the weighted residuals there.
         rms: f64,
     },
+    /// The border of a loss is no positive number.
+    Loss(Loss),
     /// The quadratic program of a step has no solution.
     Quadratic(String),
     /// A file of readings that cannot be read.
@@ -138,7 +145,7 @@ impl fmt::Display for Error {
             Self::AtGuess { experiment, fault } => {
                 write!(f, "experiment {experiment} does not run with the guesses: {fault}")
             }
-            Self::NotConverged { why, best, rms } => {
+            Self::NotConverged { why, best, rms, .. } => {
                 if best.is_empty() {
                     return why.fmt(f);
                 }
@@ -148,6 +155,7 @@ impl fmt::Display for Error {
                 }
                 write!(f, ", with weighted residuals of {rms:.3e} (rms)")
             }
+            Self::Loss(loss) => write!(f, "{loss:?}: its border is a positive number of deviations"),
             Self::Quadratic(why) => write!(f, "the quadratic program of a step has no solution: {why}"),
             Self::File(why) => f.write_str(why),
         }

@@ -2,12 +2,17 @@
 //!
 //! The method is that of Levenberg and Marquardt with the scaling by J. J. Moré (The Levenberg-Marquardt algorithm: implementation and
 //! theory, Lecture Notes in Mathematics 630, 1978) and the damping by H. B. Nielsen (Damping parameter in Marquardt's method, IMM-REP-1999-05,
-//! Technical University of Denmark). A component that a step would take over its bound is held there while the others are solved for anew.
+//! Technical University of Denmark). A step ends within the bounds, where the damped squares are least ([`bounded`]); the search ends at a
+//! bound only where the residuals rise from it inwards.
 //! Constraints enter the damped normal equations with multipliers, and the merit function by their sum (H. G. Bock, Recent advances in
 //! parameter identification techniques for O.D.E., 1983; J. Nocedal, S. J. Wright, Numerical Optimization, 2nd ed., 2006, 18.3).
 
+mod bounded;
+
 use nalgebra::{DMatrix, DVector};
 use plm_runtime::Fault;
+
+use self::bounded::{Model, Side, Step};
 
 /// Residuals and constraints at a point, with their derivatives by rows.
 #[derive(Clone, Debug)]
@@ -29,6 +34,8 @@ pub(crate) trait Problem {
     fn scale(&self, variable: usize) -> f64;
     /// Is the search to end where it is?
     fn is_stopped(&self) -> bool;
+    /// The search has come to a point by so many iterations.
+    fn reached(&self, _iterations: usize, _z: &DVector<f64>, _at: &Evaluation) {}
 }
 
 /// When to stop.
@@ -55,9 +62,18 @@ pub(crate) enum End {
     /// The problem has stopped it.
     Stopped,
     /// No step is shorter than the last one that was tried and makes the residuals smaller.
-    NoDescent,
+    NoDescent(Left),
     /// Every further step has ended with such a fault.
     Faults(Fault),
+}
+
+/// What is left where no step makes the residuals smaller.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Left {
+    /// By how much a step without damping would make half the sum of squares smaller, were the residuals linear.
+    pub(crate) promised: f64,
+    /// How far the residuals of the shortest step that was tried are from their linear model: their noise, or a jump.
+    pub(crate) noise: f64,
 }
 
 /// Where the search has ended.
@@ -78,8 +94,10 @@ const LARGEST_DAMPING: f64 = 1e20;
 
 /// Damping beyond which steps with constraints are the shortest ones to these.
 const LARGEST_WITH_CONSTRAINTS: f64 = 1e3;
-/// Regularises constraints that depend on each other.
-const REGULARISATION: f64 = 1e-14;
+/// Damping with which a short step says that a minimum is near, rather than that the damping is strong.
+const WEAK_DAMPING: f64 = 1.0;
+/// Damping that keeps equations solvable and leaves a step as it is.
+const NO_DAMPING: f64 = 1e-15;
 
 /// Minimises half the sum of squares of the residuals, from a point within the bounds.
 ///
@@ -102,6 +120,7 @@ pub(crate) fn minimise(
         if let Some(end) = search.iterate(problem, limits) {
             break end;
         }
+        problem.reached(search.iterations, &search.z, &search.at);
     };
     let Search { z, at, iterations, .. } = search;
     Ok(Found { z, at, end, iterations })
@@ -169,14 +188,6 @@ struct Search {
     iterations: usize,
 }
 
-/// A step from a point.
-struct Step {
-    d: DVector<f64>,
-    multipliers: DVector<f64>,
-    /// Components that are held at a bound.
-    held: Vec<bool>,
-}
-
 impl Search {
     fn new(problem: &mut impl Problem, start: &DVector<f64>, damping: f64) -> Result<Self, Fault> {
         let z = DVector::from_fn(start.len(), |i, _| {
@@ -190,24 +201,24 @@ impl Search {
 
     /// Makes one step that is better, by trying ever shorter ones; says when the search ends.
     fn iterate(&mut self, problem: &mut impl Problem, limits: &Limits) -> Option<End> {
-        for (i, column) in self.at.jacobian.column_iter().enumerate() {
-            // A column that vanishes leaves the damping to the size of its variable.
-            let floor = f64::MIN_POSITIVE.max(1e-12 * self.at.residuals.norm()) / problem.scale(i);
-            self.widths[i] = self.widths[i].max(column.norm()).max(floor);
-        }
-        let mut fault = None;
+        self.widen(problem);
+        let (mut fault, mut noise) = (None, None);
         loop {
-            let Some(mut step) = self.step(problem) else { return Some(End::NoDescent) };
-            let short = self.is_short(problem, &step.d, limits.step);
-            if self.is_stationary(&step, limits) || (short && fault.is_none() && self.is_feasible(limits)) {
+            let Some(mut step) = self.step(problem, self.damping) else {
+                return Some(self.without_descent(problem, noise));
+            };
+            // A trial that is refused makes the next step shorter, which says nothing of a minimum.
+            let is_first = fault.is_none() && noise.is_none() && self.damping <= WEAK_DAMPING;
+            let is_short = is_first && self.is_short(problem, &step.d, limits.step);
+            if self.is_stationary(problem, &step, limits) || (is_short && self.is_feasible(limits)) {
                 return Some(End::Converged);
             }
             step.d *= self.share;
             if self.is_short(problem, &step.d, limits.step) || self.damping > LARGEST_DAMPING {
-                return Some(fault.map_or(End::NoDescent, End::Faults));
+                return Some(fault.map_or_else(|| self.without_descent(problem, noise), End::Faults));
             }
             let predicted = self.predicted(&step);
-            let trial = &self.z + &step.d;
+            let trial = self.trial(problem, &step);
             match problem.evaluate(&trial) {
                 Ok(next) => {
                     fault = None;
@@ -216,6 +227,8 @@ impl Search {
                         self.accept(trial, next, gain);
                         return None;
                     }
+                    let linear = &self.at.residuals + &self.at.jacobian * &step.d;
+                    noise = Some((next.residuals - linear).norm());
                 }
                 Err(why) => fault = Some(why),
             }
@@ -227,6 +240,27 @@ impl Search {
                 self.damping = self.damping.min(LARGEST_WITH_CONSTRAINTS);
             }
         }
+    }
+
+    /// Takes the norms of the columns into the scaling.
+    fn widen(&mut self, problem: &impl Problem) {
+        for (i, column) in self.at.jacobian.column_iter().enumerate() {
+            // A column that vanishes leaves the damping to the size of its variable.
+            let floor = f64::MIN_POSITIVE.max(1e-12 * self.at.residuals.norm()) / problem.scale(i);
+            self.widths[i] = self.widths[i].max(column.norm()).max(floor);
+        }
+    }
+
+    /// The point behind a step: at a bound exactly where the step ends there.
+    fn trial(&self, problem: &impl Problem, step: &Step) -> DVector<f64> {
+        DVector::from_fn(self.z.len(), |i, _| {
+            let [least, most] = problem.bounds(i);
+            match step.sides[i] {
+                Side::Least if self.share == 1.0 => least,
+                Side::Most if self.share == 1.0 => most,
+                _ => (self.z[i] + step.d[i]).max(least).min(most),
+            }
+        })
     }
 
     fn accept(&mut self, z: DVector<f64>, at: Evaluation, gain: f64) {
@@ -243,8 +277,8 @@ impl Search {
     /// By how much a step makes the merit function smaller, to first order of what it is made of. The weight is larger than every
     /// multiplier, so that the step descends (Nocedal and Wright, 18.3).
     fn predicted(&mut self, step: &Step) -> f64 {
-        let Evaluation { residuals, jacobian, constraints, constraints_by } = &self.at;
-        let squares = 0.5 * (residuals.norm_squared() - (residuals + jacobian * &step.d).norm_squared());
+        let Evaluation { constraints, constraints_by, .. } = &self.at;
+        let squares = self.at.gain(&step.d);
         if constraints.is_empty() {
             return squares;
         }
@@ -252,6 +286,13 @@ impl Search {
         self.weight = least.max(0.5 * (self.weight + least));
         let open = constraints.lp_norm(1) - (constraints + constraints_by * &step.d).lp_norm(1);
         squares + self.weight * open
+    }
+
+    /// The end where nothing that was tried is better.
+    fn without_descent(&self, problem: &impl Problem, noise: Option<f64>) -> End {
+        let step = self.step(problem, NO_DAMPING);
+        let promised = step.map_or(f64::INFINITY, |step| self.at.gain(&step.d));
+        End::NoDescent(Left { promised, noise: noise.unwrap_or(0.0) })
     }
 
     fn is_feasible(&self, limits: &Limits) -> bool {
@@ -262,78 +303,33 @@ impl Search {
         d.iter().enumerate().all(|(i, d)| d.abs() <= limit * (self.z[i].abs() + problem.scale(i)))
     }
 
-    /// Are the residuals at right angles to every column that is not held at a bound?
-    fn is_stationary(&self, step: &Step, limits: &Limits) -> bool {
+    /// Are the residuals at right angles to every column, or do they rise from the bound that the point is at?
+    fn is_stationary(&self, problem: &impl Problem, step: &Step, limits: &Limits) -> bool {
         let Evaluation { residuals, jacobian, constraints_by, .. } = &self.at;
         let gradient = jacobian.tr_mul(residuals) + constraints_by.tr_mul(&step.multipliers);
         let size = residuals.norm();
-        let cosine = |i: usize| gradient[i].abs() <= limits.cosine * self.widths[i] * size;
-        self.is_feasible(limits) && (0..self.z.len()).all(|i| step.held[i] || cosine(i))
+        let rests = |i: usize| {
+            let [least, most] = problem.bounds(i);
+            gradient[i].abs() <= limits.cosine * self.widths[i] * size
+                || (self.z[i] <= least && gradient[i] > 0.0)
+                || (self.z[i] >= most && gradient[i] < 0.0)
+        };
+        self.is_feasible(limits) && (0..self.z.len()).all(rests)
     }
 
     /// The step within the bounds; none where the equations have no solution.
-    fn step(&self, problem: &impl Problem) -> Option<Step> {
-        let size = self.z.len();
-        let mut fixed = DVector::from_element(size, f64::NAN);
-        // Each round holds at least one more component.
-        for _ in 0..=size {
-            let (d, multipliers) = self.solve(&fixed)?;
-            let mut is_within = true;
-            for i in (0..size).filter(|i| fixed[*i].is_nan()).collect::<Vec<_>>() {
-                let [least, most] = problem.bounds(i);
-                let inside = (self.z[i] + d[i]).max(least).min(most);
-                if inside != self.z[i] + d[i] {
-                    fixed[i] = inside - self.z[i];
-                    is_within = false;
-                }
-            }
-            if is_within {
-                let held = fixed.iter().map(|fixed| !fixed.is_nan()).collect();
-                return Some(Step { d, multipliers, held });
-            }
-        }
-        None
+    fn step(&self, problem: &impl Problem, damping: f64) -> Option<Step> {
+        let own = |i: usize| problem.bounds(i).map(|bound| bound - self.z[i]);
+        let bounds: Vec<[f64; 2]> = (0..self.z.len()).map(own).collect();
+        Model { at: &self.at, widths: &self.widths, damping, bounds: &bounds }.step()
     }
+}
 
-    /// The damped equations with the components of `fixed` that are numbers, in scaled variables.
-    fn solve(&self, fixed: &DVector<f64>) -> Option<(DVector<f64>, DVector<f64>)> {
-        let Evaluation { residuals, jacobian, constraints, constraints_by } = &self.at;
-        let held = fixed.map(|fixed| if fixed.is_nan() { 0.0 } else { fixed });
-        let free: Vec<usize> = (0..fixed.len()).filter(|i| fixed[*i].is_nan()).collect();
-        let (n, rows) = (free.len(), constraints.len());
-        let residuals = residuals + jacobian * &held;
-        let open = constraints + constraints_by * &held;
-        let column = |matrix: &DMatrix<f64>| {
-            DMatrix::from_fn(matrix.nrows(), n, |i, k| matrix[(i, free[k])] / self.widths[free[k]])
-        };
-        let (jacobian, constraints_by) = (column(jacobian), column(constraints_by));
-        // In these variables the normal equations have the size of 1, and the rows are made so.
-        let sizes = DVector::from_fn(rows, |i, _| constraints_by.row(i).norm().max(f64::MIN_POSITIVE));
-        let mut matrix = DMatrix::zeros(n + rows, n + rows);
-        matrix.view_mut((0, 0), (n, n)).copy_from(&jacobian.tr_mul(&jacobian));
-        for i in 0..n {
-            matrix[(i, i)] += self.damping;
-        }
-        for i in 0..rows {
-            for k in 0..n {
-                let entry = constraints_by[(i, k)] / sizes[i];
-                matrix[(n + i, k)] = entry;
-                matrix[(k, n + i)] = entry;
-            }
-            matrix[(n + i, n + i)] = -REGULARISATION;
-        }
-        let mut right = DVector::zeros(n + rows);
-        right.rows_mut(0, n).copy_from(&-jacobian.tr_mul(&residuals));
-        for i in 0..rows {
-            right[n + i] = -open[i] / sizes[i];
-        }
-        let solution =
-            if rows == 0 { matrix.cholesky()?.solve(&right) } else { matrix.lu().solve(&right)? };
-        let mut d = held;
-        for (k, i) in free.iter().enumerate() {
-            d[*i] = solution[k] / self.widths[*i];
-        }
-        let multipliers = DVector::from_fn(rows, |i, _| solution[n + i] / sizes[i]);
-        d.iter().all(|d| d.is_finite()).then_some((d, multipliers))
+impl Evaluation {
+    /// By how much a step makes half the sum of squares smaller, were the residuals linear.
+    fn gain(&self, d: &DVector<f64>) -> f64 {
+        let along = &self.jacobian * d;
+        // Not the difference of the squares, which cancels near a minimum.
+        -along.dot(&self.residuals) - 0.5 * along.norm_squared()
     }
 }

@@ -24,7 +24,9 @@ pub use base::{BaseParameters, base_parameters};
 #[cfg(feature = "control")]
 pub use control::{Control, Optimum};
 pub use error::{Error, NotConverged};
-pub use identify::{Combination, Estimate, Experiment, Fit, Identification, Residuals};
+pub use identify::{
+    Combination, Estimate, Experiment, Farthest, Fit, Identification, Loss, Notice, Progress, Residuals,
+};
 pub use mechanism::{ByDop853, ByRadau, Integration, Optimisable};
 pub use nalgebra::DMatrix;
 pub use unknown::Unknown;

@@ -105,9 +105,10 @@ impl Place {
             }
         };
         let guess = guess.unwrap_or(declared);
+        let is_size = |size: f64| size > 0.0 && size.is_finite();
         let is_right = bounds[0] <= bounds[1]
-            && prior.is_none_or(|[value, deviation]| value.is_finite() && deviation > 0.0)
-            && scale.is_none_or(|scale| scale > 0.0)
+            && prior.is_none_or(|[value, deviation]| value.is_finite() && is_size(deviation))
+            && scale.is_none_or(is_size)
             && guess.is_finite();
         if !is_right {
             return Err(Error::Senseless { name: name.clone(), guess, bounds: *bounds });

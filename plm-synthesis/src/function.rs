@@ -7,6 +7,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::four_bar::{Defect, Demands, FourBar, Image, unit};
+use crate::numbers::{decomposed, first_without};
 use crate::roots::trigonometric_roots;
 
 /// Pair of angles that a function generator has to have at once.
@@ -59,8 +60,15 @@ pub enum NoGenerator {
     },
     /// The equations of the pairs depend on each other, as with a pair twice.
     Dependent,
-    /// No real lengths solve the equations.
+    /// No real and finite lengths solve the equations.
     NoLengths,
+    /// An angle of this pair, from 0, is no finite number.
+    NoNumber {
+        /// The pair.
+        pair: usize,
+    },
+    /// The ground has no positive, finite length.
+    Ground,
 }
 
 impl std::fmt::Display for NoGenerator {
@@ -71,7 +79,9 @@ impl std::fmt::Display for NoGenerator {
                 write!(f, "too many pairs of angles: {most} can be met with free scales")
             }
             Self::Dependent => f.write_str("the equations of the pairs depend on each other"),
-            Self::NoLengths => f.write_str("no real lengths solve the equations"),
+            Self::NoLengths => f.write_str("no real and finite lengths solve the equations"),
+            Self::NoNumber { pair } => write!(f, "an angle of pair {pair}, counted from 0, is no number"),
+            Self::Ground => f.write_str("the length of the ground is no positive number"),
         }
     }
 }
@@ -100,14 +110,30 @@ pub fn generators(pairs: &[Pair], ground: f64, scales: Scales) -> Result<Vec<Gen
     if pairs.len() > at_most {
         return Err(NoGenerator::TooManyPairs { most: at_most });
     }
+    if let Some(pair) = first_without(pairs.iter().map(|pair| [pair.crank, pair.rocker])) {
+        return Err(NoGenerator::NoNumber { pair });
+    }
+    if !(ground > 0.0 && ground.is_finite()) {
+        return Err(NoGenerator::Ground);
+    }
     let found = match scales {
         Scales::Given => vec![given_scales(pairs)?],
         Scales::FreeCrank | Scales::FreeBoth => free_scales(pairs, scales)?,
     };
-    let found: Vec<Generator> =
-        found.into_iter().filter_map(|solution| solution.generator(ground, pairs)).collect();
+    let is_exact = pairs.len() == needed;
+    let meets = |own: &Generator| !is_exact || own.errors.iter().all(|error| error.abs() <= MET);
+    let found: Vec<Generator> = found
+        .into_iter()
+        .filter_map(|solution| solution.generator(ground, pairs))
+        .filter(|own| meets(own))
+        .collect();
     if found.is_empty() { Err(NoGenerator::NoLengths) } else { Ok(found) }
 }
+
+/// An error below this, rad, meets a pair exactly: at a dead point rounding has its root.
+const MET: f64 = 1e-6;
+/// A ratio below this part of the largest, or of 1, is the rounding of the equations: its link would be endless.
+const ENDLESS: f64 = 1e-10;
 
 /// Ratios of Freudenstein's equation, and the angles by which the scales begin.
 #[derive(Clone, Copy, Debug)]
@@ -129,7 +155,7 @@ fn given_scales(pairs: &[Pair]) -> Result<Solution, NoGenerator> {
 }
 
 fn least_squares(matrix: DMatrix<f64>, right: &DVector<f64>) -> Result<DVector<f64>, NoGenerator> {
-    let decomposed = matrix.svd(true, true);
+    let decomposed = decomposed(matrix).ok_or(NoGenerator::Dependent)?;
     let [most, least] = [decomposed.singular_values.max(), decomposed.singular_values.min()];
     if least <= 1e-12 * most {
         return Err(NoGenerator::Dependent);
@@ -213,6 +239,10 @@ impl Solution {
     /// The linkage. A negative length turns the zero of its scale by half a turn. `None` where a length is not real.
     fn generator(&self, ground: f64, pairs: &[Pair]) -> Option<Generator> {
         let [first, second, third] = self.ratios;
+        let least = ENDLESS * self.ratios.iter().fold(1.0, |most: f64, ratio| most.max(ratio.abs()));
+        if first.abs() <= least || second.abs() <= least {
+            return None;
+        }
         let (crank, rocker) = (ground / first, ground / second);
         let square = crank * crank + rocker * rocker + ground * ground - 2.0 * third * crank * rocker;
         if !(square > 0.0 && crank.is_finite() && rocker.is_finite()) {

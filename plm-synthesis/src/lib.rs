@@ -8,6 +8,7 @@ mod four_bar;
 pub mod function;
 pub mod kinematics;
 pub mod motion;
+mod numbers;
 pub mod path;
 mod random;
 mod roots;

@@ -139,10 +139,13 @@ fn what_is_right_of_a_table_is_read() {
         ),
         ("time (s),x (m)\n0,1\n0.1,abc\n", 1, "line 3, column 2 (`x (m)`): found `abc`, expected a number"),
         (
-            "time (s),x (m)\n0,1\n0.1,\n",
+            "time (s),x (m)\n0,1\n0.1,",
             1,
-            "line 3, column 2 (`x (m)`): found nothing, expected a number, or `NaN`",
+            "line 3, column 2 (`x (m)`): found nothing, expected a number, or `NaN` where there is none; the file is cut",
         ),
+        ("time (s),x (m)\n0,1\n,2\n", 1, "line 3, column 1 (`time (s)`): found nothing, expected a number"),
+        ("time (s),x (m),\n0,1,2\n", 0, "line 2: found 3 fields, expected 2 fields, as in line 1"),
+        (",t,,x\n1,0,3,4\n5,1,6,7\n", 0, "line 1, column 1: found no heading of a column of numbers"),
         ("# a\n\nx,t\n\n# b\n1,0\n\n2,soon\n", 1, "line 8, column 2 (`t`): found `soon`, expected a number"),
         (
             "time (s);x (m)\n0,5;1.234,5\n",
@@ -150,7 +153,7 @@ fn what_is_right_of_a_table_is_read() {
             "line 2, column 2 (`x (m)`): found `1.234,5`, expected a number",
         ),
         ("time (s),x (m)\n0,5,1\n", 0, "line 2: found 3 fields, expected 2 fields, as in line 1"),
-        ("time (s)\tx (m)\n0,5\t1\n", 0, "line 2, column 1 (`time (s)`): found `0,5`, expected a number"),
+        ("time (s),x (m)\n0,\"1,5\"\n", 0, "line 2, column 2 (`x (m)`): found `1,5`, expected a number"),
         (
             "Time (fortnight),x\n0,1\n",
             0,
@@ -174,8 +177,8 @@ fn what_is_right_of_a_table_is_read() {
         read(latin).unwrap_err().problems(),
         ["line 1, column 2: found bytes that are no text, expected UTF-8"]
     );
-    let wide: Vec<u8> = "\u{feff}t,x\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
-    assert_eq!(read(wide).unwrap_err().problems(), ["line 1: found UTF-16, expected text in UTF-8"]);
+    let half: &[u8] = &[0xff, 0xfe, 0x00, 0xd8, b't', 0];
+    assert_eq!(read(half).unwrap_err().problems(), ["line 1: found UTF-16 that is no text"]);
     assert_eq!(Recording::read_csv(scratch("nowhere.csv")).unwrap_err().problems().len(), 1);
 }
 
@@ -197,6 +200,23 @@ fn tables_of_others_are_read() {
         "\u{feff}time;x (mm)\r\n0;1,5\r\n0,25;-2e-3\r\n",
         "time (s);x (mm)\n0;1.5\n0.25;-0,002\n",
         "time (s)\tx (mm)\n0\t1.5\n0.25\t-2e-3\n",
+        // Excel in countries with a decimal comma, LabVIEW, DIAdem, pandas, NumPy.
+        "sep=;\r\ntime (s);x (mm)\r\n0;1,5\r\n0,25;-2e-3\r\n",
+        "\u{feff}\"SEP=,\"\r\ntime (s),x (mm)\r\n0,1.5\r\n0.25,-2e-3\r\n",
+        "sep=|\ntime (s)|x (mm)\n0|1,5\n0,25|-2e-3\n",
+        "Zeit [s];x [mm];;\r\n0;1,5;;\r\n0,25;-2e-3;;\r\n",
+        "time (s),x (mm)\n0,1.5,,\n0.25,-2e-3,,\n",
+        "Zeit in s\tx in mm\n0\t1,5\n0,25\t-0,002\n",
+        "temps/ms\tx/mm\r0\t1,5\r250\t-0,002\r",
+        "time(s),x(mm)\n0,1.5\n0.25,-2e-3\n",
+        "time;x\ns;mm\n0;1,5\n0,25;-2e-3\n",
+        "time,x\n[ms],[mm]\n0,1.5\n250,-2e-3\n",
+        ",time (s),x (mm)\n0,0,1.5\n1,0.25,-2e-3\n",
+        "index;t;x [mm]\n1;0;1,5\n2;0,25;-0,002\n",
+        "Nr.\tt\tx (mm)\n1\t0\t1,5\n2\t0,25\t-0,002\n",
+        "Rig;4\nDate;2026-11-28\n\nTime [s];x [mm]\n0;1,5\n0,25;-2e-3\n",
+        "X_Value\tx (mm)\tComment\n0,000000\t1,500000\t\n0,250000\t-0,002000\t\n",
+        "# time x\n# t,x (mm)\n0,1.5\n0.25,-2e-3\n",
         "# rig 4, second try\n\n\"time (s)\",\"x (mm)\"\n# begins\n0, 1.5\n\n   \n,\n0.25, -2e-3\n\n",
     ] {
         let read = read(text).unwrap_or_else(|error| panic!("{text:?}: {error}"));
@@ -204,6 +224,25 @@ fn tables_of_others_are_read() {
         assert_eq!(read.times(), [0.0, 0.25], "{text:?}");
         assert_eq!(read.rows().collect::<Vec<_>>(), [[1.5], [-2e-3]], "{text:?}");
     }
+    let wide: Vec<u8> =
+        "\u{feff}Zeit [s]\tx [mm]\r\n0\t1,5\r\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    assert_eq!(read(wide).unwrap().rows().collect::<Vec<_>>(), [[1.5]]);
+    let gaps = read("t;x (m);y\n0;;1\n1;NA;2\n2;3;#NV\n").unwrap();
+    let shown = format!("{:?}", gaps.rows().collect::<Vec<_>>());
+    assert_eq!(shown, "[[NaN, 1.0], [NaN, 2.0], [3.0, NaN]]");
+    let units =
+        read("t,a.x(m),b[2],c[N*m],d (\u{b0}/s),e [m/s\u{b2}],f (Nm),g\ns,,,,,,,rad\n0,1,2,3,4,5,6,7\n")
+            .unwrap();
+    let columns = [
+        ("a.x", "m"),
+        ("b[2]", ""),
+        ("c", "N*m"),
+        ("d", "deg/s"),
+        ("e", "m/s^2"),
+        ("f", "N*m"),
+        ("g", "rad"),
+    ];
+    assert_eq!(units.columns(), Recording::new(columns).columns());
     let read = read("t (ms),link[2],b (N/(m/s)),a [\u{b0}],f (x) (N)\n100,1,2,3,NaN\n").unwrap();
     assert_eq!(read.times(), [0.1]);
     let columns = [("link[2]", ""), ("b", "N/(m/s)"), ("a", "deg"), ("f (x)", "N")];

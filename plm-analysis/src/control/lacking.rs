@@ -9,6 +9,8 @@ use crate::Mode;
 
 /// Singular values below this fraction of the largest count as zero.
 const RANK_TOLERANCE: f64 = 1e-9;
+/// Iterations of a decomposition at most; some for each value do.
+const ITERATIONS: usize = 10_000;
 
 /// A mode that inputs do not reach or outputs do not show, and what moves most in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +56,7 @@ impl System<'_> {
             let shifted = complex(a) - DMatrix::identity(n, n) * eigenvalue;
             all.view_mut((0, 0), (n, n)).copy_from(&shifted);
             all.view_mut((n, 0), (scaled.nrows(), n)).copy_from(&complex(&scaled));
-            let Some(svd) = all.try_svd(false, true, f64::EPSILON, 0) else { continue };
+            let Some(svd) = all.try_svd(false, true, f64::EPSILON, ITERATIONS) else { continue };
             let (Some(vectors), least) = (svd.v_t, svd.singular_values.imin()) else { continue };
             if svd.singular_values[least] <= RANK_TOLERANCE * svd.singular_values.max() {
                 let shape = vectors.row(least).adjoint();

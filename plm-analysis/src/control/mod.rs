@@ -73,10 +73,16 @@ fn index_of(name: &str, among: &[(&'static str, &'static str)]) -> Option<usize>
     among.iter().position(|(own, _)| *own == name)
 }
 
-/// Eigenvalues of a matrix that is balanced first (B. N. Parlett, C. Reinsch, Numer. Math. 13, 1969).
-fn eigenvalues(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
+/// Eigenvalues of a matrix that is balanced first (B. N. Parlett, C. Reinsch, Numer. Math. 13, 1969): pressures beside angles, where
+/// rounding in the largest entries would bury the slow modes otherwise. Of a matrix with an entry that is no finite number they are no
+/// numbers.
+pub(crate) fn eigenvalues(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
     if matrix.is_empty() {
         return Vec::new();
+    }
+    // Iterations on what is no number do not end.
+    if !matrix.iter().all(|entry| entry.is_finite()) {
+        return vec![Complex::new(f64::NAN, f64::NAN); matrix.nrows()];
     }
     let mut balanced = matrix.clone();
     nalgebra::linalg::balancing::balance_parlett_reinsch(&mut balanced);

@@ -51,8 +51,12 @@ impl fmt::Display for NoResponse {
 
 impl Error for NoResponse {}
 
-/// Frequencies from one to another at equal ratios, so many of a decade.
+/// Frequencies from one to another at equal ratios, so many of a decade; none where these are no positive, finite numbers.
 pub fn frequencies(from: f64, to: f64, of_a_decade: usize) -> Vec<f64> {
+    let is_sensible = |end: f64| end > 0.0 && end.is_finite();
+    if !is_sensible(from) || !is_sensible(to) {
+        return Vec::new();
+    }
     let decades = (to / from).log10();
     let count = (decades * of_a_decade as f64).ceil().max(1.0);
     (0..=count as usize).map(|k| from * (to / from).powf(k as f64 / count)).collect()

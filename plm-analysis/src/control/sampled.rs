@@ -32,13 +32,16 @@ pub struct Sampled {
 
 impl Linearisation {
     /// The system at samples with a period, s, exactly: inputs are held between them, as a converter holds its voltage. It is one matrix
-    /// exponential (C. F. Van Loan, IEEE Trans. Automatic Control 23, 1978).
+    /// exponential (C. F. Van Loan, IEEE Trans. Automatic Control 23, 1978). With a period that is no finite number its entries are none.
     pub fn sampled(&self, period: f64) -> Sampled {
         let (n, m) = self.b.shape();
         let mut both = DMatrix::zeros(n + m, n + m);
         both.view_mut((0, 0), (n, n)).copy_from(&(&self.a * period));
         both.view_mut((0, n), (n, m)).copy_from(&(&self.b * period));
-        let both = if both.is_empty() { both } else { both.exp() };
+        // The exponential of what is no number has no end.
+        let is_finite = both.iter().all(|entry: &f64| entry.is_finite());
+        let both =
+            if both.is_empty() || !is_finite { both.map(|entry| entry * f64::NAN) } else { both.exp() };
         Sampled {
             period,
             a: both.view((0, 0), (n, n)).into_owned(),

@@ -10,6 +10,8 @@ const ABSOLUTE: f64 = 1e-12;
 const EXACT: f64 = 1e-13;
 /// Columns are orthogonal where their product is below this fraction of their lengths.
 const ORTHOGONAL: f64 = 16.0 * f64::EPSILON;
+/// Iterations of a decomposition at most; some for each value do.
+const ITERATIONS: usize = 10_000;
 /// Sweeps over all pairs of columns at most; some ten do.
 const MOST_SWEEPS: u32 = 60;
 
@@ -69,7 +71,7 @@ impl Ranked {
 /// U, the singular values from the largest on, and V, by nalgebra; none where their product is not the matrix. Its last step for two
 /// values that are nearly equal can lose half of the digits and more.
 fn by_library(matrix: &DMatrix<f64>) -> Option<(DMatrix<f64>, DVector<f64>, DMatrix<f64>)> {
-    let mut svd = matrix.clone().try_svd(true, true, f64::EPSILON, 0)?;
+    let mut svd = matrix.clone().try_svd(true, true, f64::EPSILON, ITERATIONS)?;
     svd.sort_by_singular_values();
     let (u, s, v_t) = (svd.u?, svd.singular_values, svd.v_t?);
     let off = (&u * DMatrix::from_diagonal(&s) * &v_t - matrix).amax();

@@ -1,7 +1,11 @@
 //! `plm identify`: parameters and start values of a declaration from measurements.
 
+use std::io::Write;
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
 use plm_dynamic::{Dynamic, Integrator, Mechanism};
-use plm_optimise::{ByDop853, ByRadau, Error, Fit, Identification, Integration};
+use plm_optimise::{ByDop853, ByRadau, Error, Fit, Identification, Integration, Progress};
 use plm_view::{Page, Recording, Results};
 
 mod asked;
@@ -34,6 +38,14 @@ pub(super) const COMMAND: Command = Command {
         ("--only NAMES", "the columns that are read; without it all"),
         ("--set NAME=VALUE", "a parameter that is known, in its declared unit or with one"),
         ("--input NAME=VALUE", "an input over all experiments"),
+        (
+            "--from TIME",
+            "the time of the readings at which the run begins (`--from 100s`); `first` is that of the first one",
+        ),
+        (
+            "--loss NAME[:NUMBER]",
+            "Squares, or Huber with its border in deviations, where some readings are wrong (Huber:1.345)",
+        ),
         ("--segments COUNT", "segments of each experiment, for long and unstable motions"),
         ("--method NAME[:NUMBER]", "Dop853 or RadauIia5 with its tolerance (Dop853:1e-10)"),
         (
@@ -58,7 +70,7 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
     }
     let problem = Mechanism::from_named_text(&file.name, &file.text)
         .map_err(Failure::from)
-        .and_then(|own| problem(&asked, own));
+        .and_then(|own| problem(&asked, own, streams));
     let problem = match problem {
         Ok(problem) => problem,
         Err(failure) => return refused(failure, streams),
@@ -82,7 +94,11 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
 }
 
 /// The identification that is asked for.
-fn problem(asked: &Asked, mut mechanism: Mechanism) -> Result<Identification<Small>, Failure> {
+fn problem(
+    asked: &Asked,
+    mut mechanism: Mechanism,
+    streams: &mut Streams,
+) -> Result<Identification<Small>, Failure> {
     for text in &asked.set {
         let (name, value) = setting("--set", text, mechanism.declared_parameters())?;
         mechanism.set_parameter(name, value)?;
@@ -93,13 +109,18 @@ fn problem(asked: &Asked, mut mechanism: Mechanism) -> Result<Identification<Sma
         .iter()
         .map(|text| setting("--input", text, mechanism.declared_inputs()))
         .collect::<Result<_, _>>()?;
-    let mut problem = Identification::new(mechanism.small()?);
+    let mut problem = Identification::new(mechanism.small()?).loss(asked.loss).watched_by(progress());
     for unknown in unknowns.shared {
         problem = problem.find(unknown);
     }
     for path in &asked.csv {
         let recording = Recording::read_csv(path)?;
-        let mut experiment = asked.experiment(&recording, &mechanism)?.segments(asked.segments);
+        late(asked, path, &recording, streams)?;
+        let experiment = asked.experiment(&recording, &mechanism)?.segments(asked.segments);
+        let mut experiment = match asked.begin(&recording) {
+            Some(time) => experiment.beginning_at(time),
+            None => experiment,
+        };
         for (name, value) in &inputs {
             let unit = mechanism.inputs().find(|(own, _)| own == name).map_or("", |(_, unit)| unit);
             experiment = experiment.input(name, unit, [0.0], [*value]);
@@ -132,8 +153,46 @@ fn found<D: Integration<Small>>(
         Page::new(&results.to_bytes()?, &name).write_html(path)?;
     }
     asked.out.as_ref().map_or(Ok(()), |path| declaration(&fit, file, path, streams))?;
-    Ok(Outcome::Good)
+    let notices = fit.notices();
+    for notice in &notices {
+        writeln!(streams.errors, "plm: {notice}")?;
+    }
+    Ok(if notices.is_empty() { Outcome::Good } else { Outcome::Doubtful })
 }
+
+/// A search is told of once it takes longer, and no more often.
+const LONG: Duration = Duration::from_secs(3);
+
+/// What is told of a long search while it goes on. It has a thread of its own, and stands beside the results.
+fn progress() -> impl Fn(&Progress) + Send + Sync + 'static {
+    let told = Mutex::new(Instant::now());
+    move |progress| {
+        let Ok(mut told) = told.lock() else { return };
+        if told.elapsed() >= LONG {
+            *told = Instant::now();
+            // Where messages cannot be written there is no place to say so.
+            let _ = writeln!(std::io::stderr(), "plm: {progress}");
+        }
+    }
+}
+
+/// Says of readings that begin late that their clock may not be that of the run.
+fn late(asked: &Asked, path: &str, recording: &Recording, streams: &mut Streams) -> Result<(), Failure> {
+    let times = recording.times();
+    let (Some(first), Some(last)) = (times.first(), times.last()) else { return Ok(()) };
+    let step = (last - first) / (times.len() as f64 - 1.0).max(1.0);
+    if asked.from.is_none() && *first > LATE * step && step > 0.0 {
+        writeln!(
+            streams.errors,
+            "plm: {path} begins at {first} s, and the run at 0 s: where the clock began before the motion, `--from first` or `--from {first}s` has \
+             both begin together"
+        )?;
+    }
+    Ok(())
+}
+
+/// So many intervals between readings before the first one are many.
+const LATE: f64 = 10.0;
 
 /// Writes the declaration with the values that all experiments have in common.
 fn declaration(

@@ -29,7 +29,7 @@ pub struct Streams<'a> {
     pub errors: &'a mut dyn Write,
 }
 
-/// Outcome of a command, in the order of weight.
+/// Outcome of a command; of the first three in the order of weight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Outcome {
     /// Nothing is wrong, or there are warnings alone: 0.
@@ -38,6 +38,8 @@ pub enum Outcome {
     Wrong,
     /// The words are no command, or a file cannot be read: 2.
     Failed,
+    /// The command has its result, of which something is to be looked at before it is used: 3.
+    Doubtful,
 }
 
 impl From<Outcome> for ExitCode {

@@ -77,7 +77,8 @@ fn what_is_not_told_is_named() {
     let folder = measured("a.csv", &["--set", "mass=2kg"]);
     let words = ["identify", "yard.plm", "--csv", "a.csv", "--fit", "mass=2.1,stiffness", "--only", "cart.x"];
     let said = plm_in(&folder, &[&words[..], &METHOD].concat(), b"");
-    assert_eq!(said.code, 0, "{said:?}");
+    assert_eq!(said.code, 3, "{said:?}");
+    assert!(said.errors.contains("plm: no reading changes with "), "{said:?}");
     assert!(
         said.output.contains("no reading changes with ") && said.output.contains(" together\n"),
         "{said:?}"
@@ -138,6 +139,109 @@ fn readings_in_other_units() {
     let value = line.split_whitespace().nth(1).unwrap().parse::<f64>().unwrap();
     assert!((value - 60.0).abs() < 1e-5, "{said:?}");
     assert!(said.output.contains(" cm"), "{said:?}");
+}
+
+/// A mass that a damper stops, and what is read of it.
+const DAMPED: &str = "pub P {
+    param c: N*s/m = 1 N*s/m;
+    ground { port o: (0, 0) m; }
+    body b { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; start vx: 1 m/s, locked; }
+    prismatic r(ground.o, b.o) { damping: c; }
+    output b.x;
+}";
+
+/// A damping that the first step takes below zero is found, not its guess (issue 47); a bound that holds is told, with a code of its own.
+#[test]
+fn issue_047_bounds_hold_where_they_are_reached() {
+    let folder = folder();
+    fs::write(folder.join("p.plm"), DAMPED).unwrap();
+    fs::write(folder.join("free.csv"), "time (s),b.x (m)\n0.5,0.4999\n1.0,0.9999\n").unwrap();
+    fs::write(folder.join("held.csv"), "time (s),b.x (m)\n0.5,0.51\n1.0,1.01\n1.5,1.51\n").unwrap();
+    let run = |csv: &str, fit: &str| {
+        plm_in(&folder, &["identify", "p.plm", "--csv", csv, "--fit", fit, "--bounds", "c=0.."], b"")
+    };
+    for guess in ["c", "c=0", "c=1e-3", "c=30"] {
+        let said = run("free.csv", guess);
+        assert_eq!((said.code, said.errors.as_str()), (0, ""), "{guess}: {said:?}");
+        assert!(said.output.contains("c        0.000235315  0.000141"), "{guess}: {said:?}");
+        let said = run("held.csv", guess);
+        let told = "plm: c ends at its bound, 0.00000 N*s/m: the bound may be what holds it\n";
+        assert_eq!((said.code, said.errors.as_str()), (3, told), "{guess}: {said:?}");
+    }
+}
+
+/// A frequency far from that of the readings leaves them as they are: that is told.
+#[test]
+fn a_false_valley_is_told() {
+    let folder = measured("a.csv", &["--set", "mass=2kg", "--set", "stiffness=5000", "--every", "0.01"]);
+    let words = ["identify", "yard.plm", "--csv", "a.csv", "--only", "cart.x", "--set", "mass=2kg", "--fit"];
+    let said = plm_in(&folder, &[&words[..], &["stiffness=300"], &METHOD].concat(), b"");
+    assert_eq!(said.code, 3, "{said:?}");
+    assert!(said.errors.starts_with("plm: the model does not follow cart.x in experiment 0: "), "{said:?}");
+    let said = plm_in(&folder, &[&words[..], &["stiffness=4800"], &METHOD].concat(), b"");
+    assert_eq!((said.code, said.errors.as_str()), (0, ""), "{said:?}");
+}
+
+/// Readings whose clock does not begin with the motion; a reading that is wrong, and what is no reading.
+#[test]
+fn readings_as_instruments_have_them() {
+    let folder = folder();
+    fs::write(folder.join("p.plm"), DAMPED).unwrap();
+    let x = |c: f64, t: f64| (1.0 - (-c * t).exp()) / c;
+    let table = |first: f64, wrong: f64| {
+        let rows = (0..40).map(|k| {
+            let t = 0.05 * f64::from(k);
+            let noise = 1e-4 * f64::from((7 * k) % 5 - 2);
+            format!("{:?};{:?}\n", first + t, x(0.8, t) + noise + if k == 30 { wrong } else { 0.0 })
+        });
+        format!("sep=;\nZeit [s];b.x(m)\n{}", rows.collect::<String>())
+            .replace('.', ",")
+            .replace("b,x", "b.x")
+    };
+    let run = |words: &[&str]| {
+        plm_in(&folder, &[&["identify", "p.plm", "--fit", "c", "--csv"], words].concat(), b"")
+    };
+    let value = |said: &Said| {
+        let line = said.output.lines().nth(1).unwrap();
+        line.split_whitespace().nth(1).unwrap().parse::<f64>().unwrap()
+    };
+    fs::write(folder.join("late.csv"), table(100.0, 0.0)).unwrap();
+    let said = run(&["late.csv", "--from", "first"]);
+    assert!(said.code == 0 && (value(&said) - 0.8).abs() < 1e-3, "{said:?}");
+    assert!(said.errors.is_empty(), "{said:?}");
+    let said = run(&["late.csv", "--from", "100s"]);
+    assert!(said.code == 0 && (value(&said) - 0.8).abs() < 1e-3, "{said:?}");
+    let said = run(&["late.csv"]);
+    assert!(said.errors.contains("late.csv begins at 100 s, and the run at 0 s: "), "{said:?}");
+    assert!(said.errors.contains("`--from first`"), "{said:?}");
+
+    // One wrong reading pulls squares, and Huber's loss little; it is the one that is named.
+    fs::write(folder.join("wrong.csv"), table(0.0, 0.5)).unwrap();
+    let squares = run(&["wrong.csv"]);
+    assert!((value(&squares) - 0.8).abs() > 0.01, "{squares:?}");
+    let huber = run(&["wrong.csv", "--loss", "huber"]);
+    assert!((value(&huber) - 0.8).abs() < 1e-3, "{huber:?}");
+    assert!(
+        huber.output.contains("the farthest reading is b.x at 1.5 s of experiment 0: off by 0.5"),
+        "{huber:?}"
+    );
+
+    fs::write(folder.join("inf.csv"), "time (s),b.x (m)\n0.5,0.5\n1.0,inf\n").unwrap();
+    fs::write(folder.join("twice.csv"), "time (s),b.x (m),b.x (mm)\n0.5,0.5,500\n1.0,0.9,900\n").unwrap();
+    for (file, told) in [
+        ("inf.csv", "experiment 0: `b.x` is inf m at 1 s: a reading is a number, or NaN where there is none"),
+        ("twice.csv", "experiment 0: `b.x` is measured twice: one of its columns is to be left out"),
+    ] {
+        let said = run(&[file]);
+        assert!(said.code == 2 && said.errors.contains(told), "{said:?}");
+    }
+    for (words, told) in [
+        (["free.csv", "--from", "1kg"], "--from: 1 kg is a mass (kg), and a time (s) is wanted"),
+        (["free.csv", "--loss", "hubert"], "--loss wants Squares, Huber or Huber:NUMBER, not `hubert`"),
+    ] {
+        let said = run(&words);
+        assert!(said.code == 2 && said.errors.contains(told), "{said:?}");
+    }
 }
 
 #[test]

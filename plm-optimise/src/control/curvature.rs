@@ -113,7 +113,8 @@ impl Curvature {
         for part in &self.parts {
             let own = part.scaled(&values.squares_by, &part.rows[0], &self.sizes);
             let mut own = 2.0 * own.tr_mul(&own) + &part.second;
-            if are_convex {
+            // Of what is no number the decomposition does not end.
+            if are_convex && own.iter().all(|entry| entry.is_finite()) {
                 let mut eigen = own.symmetric_eigen();
                 eigen.eigenvalues.apply(|value| *value = value.max(0.0));
                 own = eigen.recompose();

@@ -4,6 +4,7 @@ mod curvature;
 mod optimum;
 mod problem;
 mod quadratic;
+mod restore;
 mod sequential;
 mod values;
 
@@ -70,6 +71,21 @@ enum Cost {
     End { output: String, weight: f64 },
     /// The duration.
     Time { weight: f64 },
+}
+
+impl Cost {
+    /// Its numbers, each with what it belongs to; the root of a weight that is negative is no number.
+    fn numbers(&self) -> Vec<(&str, f64)> {
+        let root = |weight: f64| if weight >= 0.0 { weight } else { f64::NAN };
+        match self {
+            Self::Effort { input, weight } => vec![(input, root(*weight))],
+            Self::Deviation { output, value, weight } | Self::EndDeviation { output, value, weight } => {
+                vec![(output, *value), (output, root(*weight))]
+            }
+            Self::End { output, weight } => vec![(output, *weight)],
+            Self::Time { weight } => vec![("duration", *weight)],
+        }
+    }
 }
 
 impl<M: Optimisable> Control<M> {
@@ -212,7 +228,7 @@ impl<M: Optimisable> Control<M> {
         let [guess, least, most] = self.duration;
         let in_order = |[least, most]: [f64; 2]| least <= most;
         let senseless = |name: &str, guess, bounds| Error::Senseless { name: name.to_owned(), guess, bounds };
-        if !(least > 0.0 && in_order([least, most]) && guess.is_finite()) {
+        if !(least > 0.0 && in_order([least, most]) && most.is_finite() && guess.is_finite()) {
             return Err(senseless("duration", guess, [least, most]));
         }
         for Input { name, bounds, .. } in &self.inputs {
@@ -221,7 +237,15 @@ impl<M: Optimisable> Control<M> {
             }
         }
         let wrong = self.paths.iter().find(|(_, bounds)| !in_order(*bounds));
-        wrong.map_or(Ok(()), |(name, bounds)| Err(senseless(name, 0.0, *bounds)))
+        wrong.map_or(Ok(()), |(name, bounds)| Err(senseless(name, 0.0, *bounds)))?;
+        let guesses = self.inputs.iter().flat_map(|own| own.guess.iter().map(|guess| (&own.name, *guess)));
+        let ends = self.ends.iter().map(|(name, value)| (name, *value));
+        let costs = self.costs.iter().flat_map(Cost::numbers);
+        let mut numbers = guesses.chain(ends).map(|(name, number)| (name.as_str(), number)).chain(costs);
+        let anything = [f64::NEG_INFINITY, f64::INFINITY];
+        numbers
+            .find(|(_, number)| !number.is_finite())
+            .map_or(Ok(()), |(name, number)| Err(senseless(name, number, anything)))
     }
 
     fn input_number(&self, name: &str) -> Result<usize, Error> {

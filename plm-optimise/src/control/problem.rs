@@ -323,15 +323,20 @@ impl<M: Optimisable, D: Integration<M>> Transcription<M, D> {
         [range, guess].into_iter().find(|size| *size > 0.0).unwrap_or(1.0)
     }
 
-    /// The result at a point.
-    pub(super) fn optimum(&self, found: &super::sequential::Found) -> Optimum {
-        let z = found.z.as_slice();
+    /// Of each input its value in each interval.
+    pub(super) fn plan(&self, z: &[f64]) -> Vec<Vec<f64>> {
         let width = self.inputs.len();
         let inputs =
             (0..width).map(|k| (0..self.intervals).map(|interval| z[interval * width + k]).collect());
+        inputs.collect()
+    }
+
+    /// The result at a point.
+    pub(super) fn optimum(&self, found: &super::sequential::Found) -> Optimum {
+        let z = found.z.as_slice();
         Optimum {
             times: (0..=self.intervals).map(|k| self.at(k, z)).collect(),
-            inputs: inputs.collect(),
+            inputs: self.plan(z),
             names: self.names.clone(),
             duration: z[self.of_duration()],
             cost: found.values.cost(),

@@ -8,6 +8,7 @@ use plm_runtime::Fault;
 use super::curvature::{Curvature, Model};
 use super::problem::Transcription;
 use super::quadratic;
+use super::restore::restored;
 use super::values::Values;
 use crate::error::{Error, NotConverged};
 use crate::mechanism::{Integration, Optimisable};
@@ -23,6 +24,8 @@ pub(super) struct Found {
 
 /// Violations below this count as none, in the units of the demands and the typical sizes of states.
 const FEASIBLE: f64 = 1e-8;
+/// Violations that are left to the rounding of a quadratic program, at a point where its model finds nothing better.
+const NEARLY: f64 = 1e-5;
 /// A model that predicts less than this fraction of the cost is at its minimum.
 const FLAT: f64 = 1e-9;
 /// A trust region below this is rounding.
@@ -34,6 +37,10 @@ const LARGEST_WEIGHT: f64 = 1e10;
 const NEAR: f64 = 1e-2;
 /// So often the weight is lowered: the search ends.
 const MOST_LOWERED: usize = 5;
+/// So often the search goes on from where rounding has ended it.
+const MOST_RESTORED: usize = 3;
+/// The trust region with which it goes on.
+const AGAIN: f64 = 1e-2;
 
 /// State of the search.
 struct Search {
@@ -47,6 +54,8 @@ struct Search {
     weight: f64,
     /// How often the weight was lowered.
     lowered: usize,
+    /// How often what is violated was taken away.
+    restored: usize,
     fault: Option<Fault>,
 }
 
@@ -84,8 +93,17 @@ pub(super) fn minimise<M: Optimisable, D: Integration<M>>(
         program.evaluate(&start).map_err(|fault| Error::AtGuess { experiment: 0, fault: Box::new(fault) })?;
     let weight = first_weight(&values, &sizes);
     let curvature = Curvature::new(&values, &sizes);
-    let mut search =
-        Search { z: start, values, curvature, sizes, radius: 1.0, weight, lowered: 0, fault: None };
+    let mut search = Search {
+        z: start,
+        values,
+        curvature,
+        sizes,
+        radius: 1.0,
+        weight,
+        lowered: 0,
+        restored: 0,
+        fault: None,
+    };
     for iterations in 1..=most {
         match search.iterate(program)? {
             Outcome::GoesOn => {}
@@ -93,10 +111,10 @@ pub(super) fn minimise<M: Optimisable, D: Integration<M>>(
                 let violation = violations(&search.values, None).largest;
                 return Ok(Found { z: search.z, values: search.values, violation, iterations });
             }
-            Outcome::Stuck => return Err(search.ended(NotConverged::NoDescent)),
+            Outcome::Stuck => return Err(search.ended(program, NotConverged::NoDescent)),
         }
     }
-    Err(search.ended(NotConverged::Iterations(most)))
+    Err(search.ended(program, NotConverged::Iterations(most)))
 }
 
 impl Search {
@@ -115,10 +133,16 @@ impl Search {
         let predicted = self.gain(&model_of_cost, &d) + self.weight * (before.sum - model.sum);
         let size = self.values.cost().abs() + self.weight * before.sum;
         if self.radius < SMALLEST {
+            // Rounding of what is violated refuses every step: without it the search goes on.
+            if self.restored < MOST_RESTORED && self.restore(program, &before) {
+                self.restored += 1;
+                self.radius = AGAIN;
+                return Ok(Outcome::GoesOn);
+            }
             return Ok(Outcome::Stuck);
         }
         if is_inside && (reached < 1e-12 || predicted <= FLAT * size.max(f64::MIN_POSITIVE)) {
-            return Ok(self.at_rest(&before));
+            return Ok(self.at_rest(program, &before));
         }
         if is_inside
             && model.largest > FEASIBLE
@@ -192,8 +216,32 @@ impl Search {
         -slope - 0.5 * scaled.dot(&(&model.hessian * &scaled)) + 0.5 * model.weight * squares
     }
 
+    /// Takes away violations that are the rounding of a quadratic program; says whether there were some and none is left.
+    fn restore<M: Optimisable, D: Integration<M>>(
+        &mut self,
+        program: &mut Transcription<M, D>,
+        violations: &Violations,
+    ) -> bool {
+        if violations.largest <= FEASIBLE || violations.largest > NEARLY {
+            return false;
+        }
+        let holds = |values: &Values| self::violations(values, None).largest <= FEASIBLE;
+        let found = restored(program, (&self.z, &self.values), &self.sizes, holds);
+        found.is_some_and(|found| {
+            (self.z, self.values) = found;
+            true
+        })
+    }
+
     /// The end of a search whose model finds nothing better.
-    fn at_rest(&mut self, violations: &Violations) -> Outcome {
+    fn at_rest<M: Optimisable, D: Integration<M>>(
+        &mut self,
+        program: &mut Transcription<M, D>,
+        violations: &Violations,
+    ) -> Outcome {
+        if self.fault.is_none() && self.restore(program, violations) {
+            return Outcome::Converged;
+        }
         if violations.largest <= FEASIBLE && self.fault.is_none() {
             Outcome::Converged
         } else if violations.largest > FEASIBLE && self.weight < LARGEST_WEIGHT {
@@ -231,14 +279,21 @@ impl Search {
         Attempt::Refused(Box::new(next))
     }
 
-    fn ended(&self, otherwise: NotConverged) -> Error {
+    fn ended<M: Optimisable, D: Integration<M>>(
+        &self,
+        program: &Transcription<M, D>,
+        otherwise: NotConverged,
+    ) -> Error {
         let violation = violations(&self.values, None).largest;
         let why = match self.fault {
             Some(fault) => NotConverged::Faults(Box::new(fault)),
-            None if violation > FEASIBLE => NotConverged::Demands { violation },
+            None if violation > FEASIBLE && otherwise == NotConverged::NoDescent => {
+                NotConverged::Demands { violation }
+            }
             None => otherwise,
         };
-        Error::NotConverged { why, best: Vec::new(), rms: violation }
+        let plan = program.plan(self.z.as_slice());
+        Error::NotConverged { why, best: Vec::new(), plan, rms: violation }
     }
 }
 

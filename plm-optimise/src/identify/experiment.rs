@@ -82,6 +82,30 @@ impl Experiment {
         Ok(Self::from_recording(&recording))
     }
 
+    /// Has the run begin at this time of the readings, s: clocks of instruments do not begin with the motion. Readings before it are left out;
+    /// of inputs the value that holds then is kept.
+    #[must_use]
+    pub fn beginning_at(mut self, time: f64) -> Self {
+        let mut from = self.times.partition_point(|own| *own < time);
+        self.jumps.resize(self.times.len(), false);
+        // The row before has what inputs are then, and no readings of outputs.
+        if self.times.get(from) != Some(&time) && from > 0 {
+            from -= 1;
+            (self.times[from], self.jumps[from]) = (time, true);
+        }
+        for (_, _, times, values) in &mut self.inputs {
+            let first = times.partition_point(|own| *own <= time).saturating_sub(1);
+            *times = times.iter().skip(first).map(|own| (own - time).max(0.0)).collect();
+            *values = values.iter().skip(first).copied().collect();
+        }
+        for readings in &mut self.outputs {
+            readings.values = readings.values.iter().skip(from).copied().collect();
+        }
+        self.jumps = self.jumps.iter().skip(from).copied().collect();
+        self.times = self.times.iter().skip(from).map(|own| own - time).collect();
+        self
+    }
+
     /// Adds the readings of an output, in the unit of its declaration, the SI unit or one of [`unit`](Self::unit). Those that are no numbers (NaN) are left out. The
     /// readings of an input hold from their times on.
     #[must_use]
@@ -230,10 +254,35 @@ impl<M: Optimisable> Prepared<M> {
                 prepared.add_output(readings, of)?;
             }
         }
+        prepared.check(known).map_err(problem)?;
         if prepared.outputs.is_empty() {
             return Err(problem("no output was measured".to_owned()));
         }
         Ok(prepared)
+    }
+
+    /// Readings are finite, and each output is read once: twice it would count twice, and its errors as independent ones.
+    fn check(&self, known: &M) -> Result<(), String> {
+        for (k, output) in self.outputs.iter().enumerate() {
+            let Output { name, unit, values, factor, .. } = output;
+            if self.outputs.iter().take(k).any(|other| other.name == *name) {
+                return Err(format!("`{name}` is measured twice: one of its columns is to be left out"));
+            }
+            if let Some(at) = values.iter().position(|value| value.is_infinite()) {
+                let (value, time) = (values[at] / factor, self.times[at]);
+                return Err(format!(
+                    "`{name}` is {value} {unit} at {time} s: a reading is a number, or NaN where there is none"
+                ));
+            }
+        }
+        let inputs = known.tables().inputs;
+        let twice = self
+            .signals
+            .iter()
+            .enumerate()
+            .find(|(k, own)| self.signals.iter().take(*k).any(|other| other.input == own.input));
+        let name = twice.and_then(|(_, own)| inputs.get(own.input)).map(|input| input.name);
+        name.map_or(Ok(()), |name| Err(format!("`{name}` is given twice: an input has one course")))
     }
 
     fn add_output(&mut self, readings: &Readings, of: &Experiment) -> Result<(), Error> {

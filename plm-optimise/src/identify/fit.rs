@@ -201,6 +201,6 @@ impl<M: Optimisable> fmt::Display for Fit<M> {
         for residuals in &self.residuals {
             writeln!(f, "{residuals}")?;
         }
-        Ok(())
+        self.farthest().map_or(Ok(()), |farthest| writeln!(f, "{farthest}"))
     }
 }

@@ -3,24 +3,32 @@
 mod chart;
 mod experiment;
 mod fit;
+mod loss;
+mod notice;
 mod problem;
 mod recording;
 mod segments;
 mod statistics;
 mod table;
+mod wake;
+mod watch;
 
 pub use experiment::Experiment;
 pub use fit::{Combination, Estimate, Fit, Residuals};
+pub use loss::Loss;
+pub use notice::{Farthest, Notice};
+pub use watch::Progress;
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use nalgebra::DVector;
-
 use self::experiment::Prepared;
 use self::problem::Readings;
+use self::watch::Watch;
 use crate::error::{Error, NotConverged};
-use crate::least_squares::{End, FIRST_DAMPING, FIRST_DAMPING_NEAR, Found, Limits, approach, minimise};
+use crate::least_squares::{
+    End, Evaluation, FIRST_DAMPING, FIRST_DAMPING_NEAR, Found, Left, Limits, approach, minimise,
+};
 use crate::mechanism::{ByDop853, Integration, Optimisable};
 use crate::stack::on_large_stack;
 use crate::unknown::{Place, Unknown};
@@ -35,14 +43,16 @@ pub struct Identification<M> {
     unknowns: Vec<Unknown>,
     experiments: Vec<Experiment>,
     iterations: usize,
+    loss: Loss,
+    watch: Option<Watch>,
     stop: Arc<AtomicBool>,
 }
 
 impl<M: Optimisable> Identification<M> {
     /// Nothing is known yet but the mechanism, with its parameters as they are.
     pub fn new(mechanism: M) -> Self {
-        let (unknowns, experiments, stop) = Default::default();
-        Self { mechanism, unknowns, experiments, iterations: 200, stop }
+        let (unknowns, experiments, loss, watch, stop) = Default::default();
+        Self { mechanism, unknowns, experiments, iterations: 200, loss, watch, stop }
     }
 
     /// Adds an unknown that all experiments have in common, but for those that set it.
@@ -63,6 +73,19 @@ impl<M: Optimisable> Identification<M> {
     #[must_use]
     pub fn iterations(self, most: usize) -> Self {
         Self { iterations: most, ..self }
+    }
+
+    /// Has residuals count otherwise than by their squares, such as by [`Loss::Huber`] where some readings are wrong. Their deviations,
+    /// where they are not given, are then those of most of the residuals.
+    #[must_use]
+    pub fn loss(self, loss: Loss) -> Self {
+        Self { loss, ..self }
+    }
+
+    /// Tells a function of each iteration, on the thread of the search.
+    #[must_use]
+    pub fn watched_by(self, watch: impl Fn(&Progress) + Send + Sync + 'static) -> Self {
+        Self { watch: Some(Watch(Arc::new(watch))), ..self }
     }
 
     /// Ends the search once this is true: another thread sets it. It is asked before each iteration.
@@ -106,8 +129,18 @@ impl<M: Optimisable> Identification<M> {
             first = approach(&mut problem, &first).map_err(|fault| at_guess(problem.failed, fault))?;
             limits.damping = FIRST_DAMPING_NEAR;
         }
+        let first = wake::awake(&mut problem, first).map_err(|fault| at_guess(problem.failed, fault))?;
         let found =
             minimise(&mut problem, &first, &limits).map_err(|fault| at_guess(problem.failed, fault))?;
+        let found =
+            wake::left(&mut problem, found, &limits).map_err(|fault| at_guess(problem.failed, fault))?;
+        check(&problem.places, &found)?;
+        let found = if self.loss == Loss::Squares {
+            found
+        } else {
+            problem.loss = self.loss;
+            loss::settled(&mut problem, found, &limits).map_err(|fault| at_guess(problem.failed, fault))?
+        };
         check(&problem.places, &found)?;
         Ok(statistics::fit(&problem, &found))
     }
@@ -127,7 +160,11 @@ impl<M: Optimisable> Identification<M> {
         if experiments.is_empty() {
             return Err(Error::Nothing("experiment"));
         }
-        let problem = Readings::new(self.mechanism, shared, experiments, integration, Arc::clone(&self.stop));
+        if !self.loss.is_sensible() {
+            return Err(Error::Loss(self.loss));
+        }
+        let own = (Arc::clone(&self.stop), self.watch.clone());
+        let problem = Readings::new(self.mechanism, shared, experiments, integration, own);
         let (readings, unknowns) = (problem.rows(), problem.places.len());
         if unknowns == 0 {
             return Err(Error::Nothing("unknown to be found"));
@@ -146,22 +183,34 @@ fn check(places: &[Place], found: &Found) -> Result<(), Error> {
         End::Iterations => NotConverged::Iterations(found.iterations),
         End::Stopped => NotConverged::Stopped(found.iterations),
         End::Faults(fault) => NotConverged::Faults(Box::new(fault)),
-        End::NoDescent if is_flat(found) => return Ok(()),
-        End::NoDescent => NotConverged::NoDescent,
+        End::NoDescent(left) if is_flat(found, left) => return Ok(()),
+        End::NoDescent(_) => NotConverged::NoDescent,
     };
     let best = places.iter().zip(found.z.iter()).map(|(place, value)| (place.name.clone(), *value)).collect();
     let residuals = &found.at.residuals;
     let rms = residuals.norm() / (residuals.len().max(1) as f64).sqrt();
-    Err(Error::NotConverged { why, best, rms })
+    Err(Error::NotConverged { why, best, plan: Vec::new(), rms })
 }
 
-/// Are the residuals at right angles to the columns of the free unknowns, as well as runs of this tolerance tell?
-fn is_flat(found: &Found) -> bool {
-    let (residuals, jacobian) = (&found.at.residuals, &found.at.jacobian);
-    let gradient: DVector<f64> = jacobian.tr_mul(residuals);
-    let is_open = found.at.constraints.iter().any(|open| open.abs() > 1e-7);
-    let flat = |i: usize| gradient[i].abs() <= 1e-5 * jacobian.column(i).norm() * residuals.norm();
-    // With residuals of this size, relative to the readings, the angles are those of rounding.
-    let are_small = residuals.amax() < 1e-8;
-    !is_open && (are_small || !found.at.constraints.is_empty() || (0..gradient.len()).all(flat))
+/// Is what is left of the slope that of rounding, or far below what the readings tell?
+fn is_flat(found: &Found, Left { promised, noise }: Left) -> bool {
+    let Evaluation { residuals, constraints, .. } = &found.at;
+    if constraints.iter().any(|open| open.abs() > 1e-7) {
+        return false;
+    }
+    // With residuals of this size, relative to the readings, the slopes are those of rounding.
+    if residuals.amax() < 1e-8 || !constraints.is_empty() {
+        return true;
+    }
+    // One standard error of an unknown changes the sum of squares by the variance of the residuals.
+    let freedoms = residuals.len().saturating_sub(found.z.len()).max(1) as f64;
+    let by_errors = 0.5 * ERRORS * ERRORS * residuals.norm_squared() / freedoms;
+    // A sum of squares of noisy residuals is known up to their product with the noise.
+    let by_noise = if noise < NOISE { 10.0 * noise * residuals.norm() } else { 0.0 };
+    promised <= by_errors.max(by_noise)
 }
+
+/// So many standard errors from a minimum count as none.
+const ERRORS: f64 = 1e-3;
+/// Noise of runs, in deviations of a reading, from which on it is a jump.
+const NOISE: f64 = 1e-5;

@@ -7,7 +7,9 @@ use nalgebra::DVector;
 use plm_runtime::{Fault, Vector};
 
 use super::experiment::Prepared;
+use super::loss::{Loss, median};
 use super::segments::{Segment, nodes, segments};
+use super::watch::{Progress, Watch};
 use crate::least_squares::{Evaluation, Problem};
 use crate::mechanism::{Integration, Optimisable};
 use crate::node::{Node, own_numbers};
@@ -34,6 +36,9 @@ pub(crate) struct Readings<M: Optimisable, D> {
     pub(crate) failed: usize,
     /// Runs of experiments or segments with derivatives.
     pub(crate) runs: usize,
+    /// How residuals count.
+    pub(crate) loss: Loss,
+    watch: Option<Watch>,
     /// Ends the search.
     pub(crate) stop: Arc<AtomicBool>,
 }
@@ -44,7 +49,7 @@ impl<M: Optimisable, D: Integration<M>> Readings<M, D> {
         shared: Vec<Place>,
         experiments: Vec<Prepared<M>>,
         integration: D,
-        stop: Arc<AtomicBool>,
+        (stop, watch): (Arc<AtomicBool>, Option<Watch>),
     ) -> Self {
         let (mut places, mut reads) = (shared, Vec::new());
         let count = places.len();
@@ -63,7 +68,22 @@ impl<M: Optimisable, D: Integration<M>> Readings<M, D> {
             experiments.iter().map(|experiment| segments(&experiment.times, experiment.segments)).collect();
         let nodes = vec![Vec::new(); experiments.len()];
         let (failed, runs) = (0, 0);
-        Self { places, experiments, integration, reads, segments, nodes, own, typical, failed, runs, stop }
+        let loss = Loss::Squares;
+        Self {
+            places,
+            experiments,
+            integration,
+            reads,
+            segments,
+            nodes,
+            own,
+            typical,
+            failed,
+            runs,
+            loss,
+            watch,
+            stop,
+        }
     }
 
     /// The number of residuals: of readings, and of unknowns with an expected value.
@@ -151,11 +171,40 @@ impl<M: Optimisable, D: Integration<M>> Readings<M, D> {
                 if output.values[sample].is_finite() {
                     let from = row * outputs.len() + k;
                     let residual = (flow.outputs[from] - output.values[sample]) / output.deviation;
+                    let (counted, slope) = self.loss.of(residual);
+                    let slope = slope / output.deviation;
                     let by = columns.iter().enumerate();
-                    rows.push(residual, by.map(|(c, z)| (*z, flow.outputs_by[(from, c)] / output.deviation)));
+                    rows.push(counted, by.map(|(c, z)| (*z, flow.outputs_by[(from, c)] * slope)));
                 }
             }
         }
+    }
+}
+
+impl<M: Optimisable, D: Integration<M>> Readings<M, D> {
+    /// Takes the deviations that are not given from plain residuals, and says by how much one changes most, relatively.
+    pub(super) fn spread(&mut self, residuals: &DVector<f64>) -> f64 {
+        let mut sizes: Vec<Vec<Vec<f64>>> =
+            self.experiments.iter().map(|own| vec![Vec::new(); own.outputs.len()]).collect();
+        let mut rows = residuals.iter();
+        for (number, experiment) in self.experiments.iter().enumerate() {
+            for sample in self.segments[number].iter().flat_map(Segment::samples) {
+                for (k, output) in experiment.outputs.iter().enumerate() {
+                    if output.values[sample].is_finite() {
+                        sizes[number][k].extend(rows.next().map(|own| own.abs()));
+                    }
+                }
+            }
+        }
+        let outputs = self.experiments.iter_mut().flat_map(|own| &mut own.outputs);
+        let mut most: f64 = 0.0;
+        for (output, sizes) in outputs.zip(sizes.into_iter().flatten()).filter(|(own, _)| !own.is_given) {
+            // Most readings may be met to rounding: a deviation of zero would have them all count for ever.
+            let factor = median(sizes).map_or(1.0, |own| (1.4826 * own).max(1e-9));
+            output.deviation *= factor;
+            most = most.max((factor - 1.0).abs());
+        }
+        most
     }
 }
 
@@ -223,6 +272,14 @@ impl<M: Optimisable, D: Integration<M>> Problem for Readings<M, D> {
 
     fn is_stopped(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
+    }
+
+    fn reached(&self, iteration: usize, z: &DVector<f64>, at: &Evaluation) {
+        if let Some(Watch(watch)) = &self.watch {
+            let values = self.places.iter().zip(z.iter()).map(|(place, value)| (place.name.clone(), *value));
+            let rms = at.residuals.norm() / (at.residuals.len().max(1) as f64).sqrt();
+            watch(&Progress { iteration, rms, values: values.collect() });
+        }
     }
 
     fn scale(&self, variable: usize) -> f64 {

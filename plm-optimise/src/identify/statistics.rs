@@ -4,6 +4,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::fit::{Combination, Estimate, Fit, Residuals};
+use super::loss::Loss;
 use super::problem::Readings;
 use super::recording::Motion;
 use super::segments::Segment;
@@ -14,19 +15,27 @@ use crate::unknown::Place;
 /// Singular values below this fraction of the largest count as zero: derivatives of runs are exact to their tolerance.
 const RANK_TOLERANCE: f64 = 1e-8;
 
+/// Iterations of a decomposition at most; some for each value do.
+const ITERATIONS: usize = 10_000;
+/// A change of an unknown by its size that changes residuals by less than this, in deviations, is one of rounding.
+pub(super) const NO_EFFECT: f64 = 1e-12;
+
 /// The result of a search.
 pub(super) fn fit<M: Optimisable, D: Integration<M>>(problem: &Readings<M, D>, found: &Found) -> Fit<M> {
     let places = &problem.places;
     let at_bound: Vec<Option<f64>> =
         (0..places.len()).map(|k| places[k].bounds.into_iter().find(|bound| *bound == found.z[k])).collect();
     let Evaluation { residuals, .. } = &found.at;
-    let sizes: Vec<f64> = (0..found.z.len()).map(|k| problem.scale(k)).collect();
+    let sizes: Vec<f64> = (0..found.z.len()).map(|k| problem.scale(k).max(found.z[k].abs())).collect();
     let Told { covariance, undetermined, rank } = told(&found.at, places, &sizes, &at_bound);
     let chi_squared = residuals.norm_squared();
     let freedoms = residuals.len().saturating_sub(rank);
     let are_given =
         problem.experiments.iter().flat_map(|experiment| &experiment.outputs).all(|output| output.is_given);
-    let variance = if are_given { 1.0 } else { chi_squared / freedoms as f64 };
+    let variance = match problem.loss {
+        Loss::Squares if are_given => 1.0,
+        loss => loss.variance(residuals, freedoms),
+    };
     let covariance = covariance.map(|entry| if entry == 0.0 { 0.0 } else { entry * variance });
     let owners = owners(problem);
     let estimate = |k: usize| Estimate {
@@ -77,16 +86,31 @@ struct Told {
 fn told(at: &Evaluation, places: &[Place], sizes: &[f64], at_bound: &[Option<f64>]) -> Told {
     let free: Vec<usize> =
         (0..sizes.len()).filter(|k| at_bound.get(*k).is_none_or(Option::is_none)).collect();
+    // Columns count by their directions, whatever the sizes of the unknowns are taken to be: those of a guess of zero are unknown.
+    let largest = at.residuals.amax().max(1.0);
+    let units: Vec<f64> = (0..sizes.len())
+        .map(|k| {
+            let norm = at.jacobian.column(k).norm();
+            if norm * sizes[k] > NO_EFFECT * largest { 1.0 / norm } else { sizes[k] }
+        })
+        .collect();
     let scaled = |matrix: &DMatrix<f64>| {
-        DMatrix::from_fn(matrix.nrows(), free.len(), |i, k| matrix[(i, free[k])] * sizes[free[k]])
+        DMatrix::from_fn(matrix.nrows(), free.len(), |i, k| matrix[(i, free[k])] * units[free[k]])
     };
+    let mut covariance = DMatrix::zeros(places.len(), places.len());
+    if free.is_empty() {
+        return Told { covariance, undetermined: Vec::new(), rank: 0 };
+    }
     let along = complement(&scaled(&at.constraints_by));
     let reduced = scaled(&at.jacobian) * &along;
     // With as many rows as columns at least, all singular vectors are given.
     let rows = reduced.nrows().max(reduced.ncols());
-    let svd = reduced.resize_vertically(rows, 0.0).svd(false, true);
-    let mut covariance = DMatrix::zeros(places.len(), places.len());
-    let (Some(right), values) = (svd.v_t, svd.singular_values) else {
+    let square = reduced.resize_vertically(rows, 0.0);
+    // Of what is no number the decomposition does not end.
+    let is_finite = square.iter().all(|entry| entry.is_finite());
+    let svd = is_finite.then(|| square.try_svd(false, true, f64::EPSILON, ITERATIONS)).flatten();
+    let Some((right, values)) = svd.and_then(|svd| Some((svd.v_t?, svd.singular_values))) else {
+        covariance.fill_diagonal(f64::INFINITY);
         return Told { covariance, undetermined: Vec::new(), rank: 0 };
     };
     let vectors = along * right.transpose();
@@ -95,12 +119,13 @@ fn told(at: &Evaluation, places: &[Place], sizes: &[f64], at_bound: &[Option<f64
     for k in (0..values.len()).filter(|k| is_told(*k)) {
         for (a, b) in own.iter().flat_map(|a| own.iter().map(move |b| (*a, *b))) {
             let entry = vectors[(a, k)] * vectors[(b, k)] / values[k].powi(2);
-            covariance[(free[a], free[b])] += entry * sizes[free[a]] * sizes[free[b]];
+            covariance[(free[a], free[b])] += entry * units[free[a]] * units[free[b]];
         }
     }
     let untold = (0..values.len()).filter(|k| !is_told(*k));
+    let in_sizes = |a: usize, k: usize| vectors[(a, k)] * units[free[a]] / sizes[free[a]];
     let mut null: Vec<DVector<f64>> =
-        untold.map(|k| DVector::from_iterator(own.len(), own.iter().map(|a| vectors[(*a, k)]))).collect();
+        untold.map(|k| DVector::from_iterator(own.len(), own.iter().map(|a| in_sizes(*a, k)))).collect();
     let rank = values.len() - null.len();
     reduce(&mut null);
     for vector in &null {
@@ -108,7 +133,7 @@ fn told(at: &Evaluation, places: &[Place], sizes: &[f64], at_bound: &[Option<f64
             covariance[(free[*a], free[*a])] = f64::INFINITY;
         }
     }
-    let undetermined = null.iter().map(|vector| combination(vector, &free, places)).collect();
+    let undetermined = null.iter().map(|vector| combination(vector, (&free, sizes), places)).collect();
     Told { covariance, undetermined, rank }
 }
 
@@ -141,11 +166,13 @@ fn reduce(vectors: &mut [DVector<f64>]) {
     }
 }
 
-fn combination(vector: &DVector<f64>, free: &[usize], places: &[Place]) -> Combination {
-    let parts = free.iter().enumerate().filter(|(a, _)| vector[*a].abs() > SMALL * vector.amax());
+fn combination(vector: &DVector<f64>, (free, sizes): (&[usize], &[f64]), places: &[Place]) -> Combination {
+    // Behind the unknowns stand the states in which segments begin.
+    let own = free.iter().enumerate().take(vector.len());
+    let parts = own.filter(|(a, _)| vector[*a].abs() > SMALL * vector.amax());
     let (mut changes, mut fractions) = (Vec::new(), Vec::new());
     for (a, i) in parts {
-        changes.push((places[*i].name.clone(), vector[a] * places[*i].scale));
+        changes.push((places[*i].name.clone(), vector[a] * sizes[*i]));
         fractions.push(vector[a]);
     }
     Combination { changes, fractions }

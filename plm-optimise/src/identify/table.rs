@@ -7,7 +7,7 @@ use crate::mechanism::Optimisable;
 
 impl<M: Optimisable> Fit<M> {
     /// A line for each unknown: its value, its standard deviation, its unit, and its correlations with the unknowns above. Below stand
-    /// combinations that no reading tells, and the residuals of each output.
+    /// combinations that no reading tells, the residuals of each output, and the reading that is farthest from the model.
     pub fn table(&self) -> String {
         let heads = ["unknown", "value", "deviation", "unit", "correlation"].map(str::to_owned);
         let correlation = self.correlation();
@@ -26,6 +26,9 @@ impl<M: Optimisable> Fit<M> {
         }
         for residuals in &self.residuals {
             let _ = writeln!(text, "{residuals}");
+        }
+        if let Some(farthest) = self.farthest() {
+            let _ = writeln!(text, "{farthest}");
         }
         text
     }

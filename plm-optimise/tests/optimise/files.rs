@@ -81,8 +81,8 @@ fn wrong_files_are_told_with_line_and_column() {
             "line 3, column 2 (`ball.y (mm)`): found `95O`, expected a number",
         ),
         (
-            "time (s),ball.y (mm)\n0,1000\n0.1,\n",
-            "line 3, column 2 (`ball.y (mm)`): found nothing, expected a number",
+            "time (s),ball.y (mm)\n0,1000\n,950\n",
+            "line 3, column 1 (`time (s)`): found nothing, expected a number",
         ),
         ("time (s),ball.y (mm)\n0,1000\n0.1\n", "line 3: found 1 field, expected 2 fields, as in line 1"),
         (

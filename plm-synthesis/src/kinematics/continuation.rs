@@ -2,6 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::numbers::decomposed;
+
 /// A curve: equations with one unknown more than they have rank.
 pub(super) trait Curve {
     /// Residuals at a point, and their derivatives.
@@ -31,7 +33,7 @@ fn way<C: Curve>(curve: &C, x: &DVector<f64>, like: &DVector<f64>) -> Option<DVe
     let count = by.ncols();
     let rows = by.nrows().max(count);
     let square = by.resize_vertically(rows, 0.0);
-    let svd = square.svd(false, true);
+    let svd = decomposed(square)?;
     let (values, vectors) = (&svd.singular_values, svd.v_t.as_ref()?);
     let greatest = values.max();
     let free: Vec<usize> = (0..count).filter(|k| values[*k] <= RANK * greatest).collect();
@@ -45,7 +47,7 @@ pub(super) fn corrected<C: Curve>(curve: &C, mut x: DVector<f64>) -> Option<DVec
     let mut before = f64::INFINITY;
     for _ in 0..12 {
         let (residual, by) = curve.equations(&x);
-        let svd = by.svd(true, true);
+        let svd = decomposed(by)?;
         let step = svd.solve(&residual, RANK * svd.singular_values.max()).ok()?;
         x -= &step;
         let size = step.amax();

@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use crate::four_bar::{Point, vector};
+use crate::numbers::rank;
 
 /// Link of a joint: the ground, or a body by its number from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,7 +53,7 @@ pub fn mobility(bodies: usize, joints: &[Joint]) -> Mobility {
     let rows: Vec<Vec<f64>> = joints.iter().flat_map(|joint| rows(joint, bodies, extent)).collect();
     let counted = 3 * bodies as isize - rows.len() as isize;
     let matrix = DMatrix::from_fn(rows.len(), 3 * bodies, |row, column| rows[row][column]);
-    let rank = if matrix.is_empty() { 0 } else { matrix.clone().rank(1e-9 * matrix.norm()) };
+    let rank = if matrix.is_empty() { 0 } else { rank(matrix.clone(), 1e-9 * matrix.norm()) };
     Mobility { counted, at_pose: 3 * bodies - rank, redundant: rows.len() - rank }
 }
 

@@ -5,6 +5,7 @@ use plm_runtime::{AsMoment, Moment, Statics, Vector};
 
 use super::continuation::{Curve, OnCurve, corrected};
 use crate::four_bar::{Point, unit};
+use crate::numbers::rank;
 
 /// Border of the workspace in a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -122,7 +123,7 @@ impl<'a, T: Moment<M: Statics<State = T, S = f64>>> Constraints<'a, T> {
     /// Degrees of freedom at the state.
     fn mobility(&self) -> usize {
         let (_, by) = self.equations(&self.start(), self.units.len(), 0);
-        self.units.len() - by.rank(1e-9 * by.amax().max(f64::MIN_POSITIVE))
+        self.units.len() - rank(by.clone(), 1e-9 * by.amax().max(f64::MIN_POSITIVE))
     }
 }
 

@@ -4,6 +4,7 @@ use nalgebra::{Matrix2, Matrix4, SMatrix, Vector2, Vector4};
 
 use super::{BodyPose, Displacement, displacements, frame, scaled};
 use crate::four_bar::{Point, Vector, point, unit, vector};
+use crate::numbers::{ITERATIONS, first_without};
 use crate::roots::real_roots;
 
 /// Dyad that guides a body: a bar between the ground and the body.
@@ -44,6 +45,13 @@ pub enum NoDyads {
     },
     /// The poses leave a family of dyads, as with a pose twice or with translations alone.
     Dependent,
+    /// A place or the angle of this pose, from 0, is no finite number.
+    NoNumber {
+        /// The pose.
+        pose: usize,
+    },
+    /// The point that was given has a coordinate that is no finite number.
+    Point,
 }
 
 impl std::fmt::Display for NoDyads {
@@ -51,6 +59,8 @@ impl std::fmt::Display for NoDyads {
         match self {
             Self::Count { needed, given } => write!(f, "{needed} poses are needed, {given} were given"),
             Self::Dependent => f.write_str("the poses leave a family of dyads"),
+            Self::NoNumber { pose } => write!(f, "a number of pose {pose}, counted from 0, is none"),
+            Self::Point => f.write_str("a coordinate of the point is no number"),
         }
     }
 }
@@ -89,7 +99,15 @@ pub fn five_pose_dyads(poses: &[BodyPose]) -> Result<Vec<Dyad>, NoDyads> {
 }
 
 fn require(poses: &[BodyPose], needed: usize) -> Result<(), NoDyads> {
-    if poses.len() == needed { Ok(()) } else { Err(NoDyads::Count { needed, given: poses.len() }) }
+    if poses.len() != needed {
+        return Err(NoDyads::Count { needed, given: poses.len() });
+    }
+    let numbers = poses.iter().map(|BodyPose { place: [x, y], angle }| [*x, *y, *angle]);
+    first_without(numbers).map_or(Ok(()), |pose| Err(NoDyads::NoNumber { pose }))
+}
+
+fn require_point(own: Point) -> Result<(), NoDyads> {
+    if own.iter().all(|number| number.is_finite()) { Ok(()) } else { Err(NoDyads::Point) }
 }
 
 /// Null space of the equations in the monomials G·W, G×W, Gx, Gy, Wx, Wy, 1, with G×W = Gx Wy - Gy Wx.
@@ -105,7 +123,7 @@ fn null_space(displacements: &[Displacement]) -> Result<[[f64; 7]; 3], NoDyads> 
             matrix[(row, column)] = term;
         }
     }
-    let decomposed = matrix.svd(false, true);
+    let decomposed = matrix.try_svd(false, true, f64::EPSILON, ITERATIONS).ok_or(NoDyads::Dependent)?;
     let values = decomposed.singular_values;
     if values[3] <= 1e-10 * values[0] {
         return Err(NoDyads::Dependent);
@@ -217,9 +235,10 @@ fn newton(displacements: &[Displacement], start: (Vector, Vector)) -> Option<(Ve
 /// through its places. `None` where they lie on a line.
 ///
 /// # Errors
-/// [`NoDyads::Count`].
+/// [`NoDyads`].
 pub fn centre_point(poses: &[BodyPose], circle: Point) -> Result<Option<Dyad>, NoDyads> {
     require(poses, 3)?;
+    require_point(circle)?;
     let circle = vector(circle);
     let rows: Vec<[f64; 3]> = displacements(poses).iter().map(|d| d.centre_row(circle)).collect();
     let unscaled = (Vector::new(0.0, 0.0), 1.0);
@@ -230,9 +249,10 @@ pub fn centre_point(poses: &[BodyPose], circle: Point) -> Result<Option<Dyad>, N
 /// seen from the body, lie on a line.
 ///
 /// # Errors
-/// [`NoDyads::Count`].
+/// [`NoDyads`].
 pub fn circle_point(poses: &[BodyPose], centre: Point) -> Result<Option<Dyad>, NoDyads> {
     require(poses, 3)?;
+    require_point(centre)?;
     let centre = vector(centre);
     let row = |d: &Displacement| {
         // Seen from the body, the ground makes the inverse motion.
@@ -266,13 +286,14 @@ pub struct CurvePoint {
 /// each, with their centre points. The circle-point curve is a cubic; on a line it is a polynomial in the distance.
 ///
 /// # Errors
-/// [`NoDyads::Count`].
+/// [`NoDyads`].
 pub fn burmester_curves(
     poses: &[BodyPose],
     through: Point,
     lines: usize,
 ) -> Result<Vec<CurvePoint>, NoDyads> {
     require(poses, 4)?;
+    require_point(through)?;
     let frame = frame(poses);
     let displacements = displacements(&scaled(poses, frame));
     let through = (vector(through) - frame.0) / frame.1;

@@ -13,6 +13,7 @@ mod start;
 pub(crate) use self::search::CANDIDATES;
 pub(crate) use self::start::spread;
 use crate::four_bar::{Defect, FourBar, Point};
+use crate::numbers::first_without;
 
 /// What is known of the crank at the points.
 #[derive(Clone, Debug, PartialEq)]
@@ -122,6 +123,11 @@ pub enum NoPath {
         /// Angles that were given.
         angles: usize,
     },
+    /// A coordinate or an angle of this point, from 0, is no finite number.
+    NoNumber {
+        /// The point.
+        point: usize,
+    },
     /// A bound whose least value is above its greatest, a length that is not bounded, or a transmission angle outside 0 to pi/2.
     Bounds,
 }
@@ -131,6 +137,7 @@ impl std::fmt::Display for NoPath {
         match self {
             Self::TooFewPoints => f.write_str("a path has two points at least"),
             Self::Angles { points, angles } => write!(f, "{points} points, but {angles} angles of the crank"),
+            Self::NoNumber { point } => write!(f, "a number of point {point}, counted from 0, is none"),
             Self::Bounds => f.write_str("a least value is above its greatest, a length has no bound, or the transmission angle is none"),
         }
     }
@@ -159,6 +166,9 @@ impl Path {
         {
             return Err(NoPath::Angles { points, angles: angles.len() });
         }
+        if let Some(point) = without_number(&self.points, &self.timing) {
+            return Err(NoPath::NoNumber { point });
+        }
         let Bounds { pivot, ground_angle, lengths, point } = &self.bounds;
         let all = pivot.iter().chain(lengths).chain(point).chain([ground_angle]);
         let holds = all.clone().all(|[least, most]| least <= most);
@@ -166,4 +176,13 @@ impl Path {
         let possible = (0.0..std::f64::consts::FRAC_PI_2).contains(&self.transmission);
         if holds && bounded && possible { Ok(()) } else { Err(NoPath::Bounds) }
     }
+}
+
+/// The first point that has a coordinate, or an angle of the crank, that is no finite number.
+pub(crate) fn without_number(points: &[Point], timing: &Timing) -> Option<usize> {
+    let angles = match timing {
+        Timing::Free => &[][..],
+        Timing::Given(angles) | Timing::Steps(angles) => angles,
+    };
+    first_without(points.iter().copied()).or_else(|| first_without(angles.iter().map(|angle| [*angle])))
 }

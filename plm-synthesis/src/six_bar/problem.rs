@@ -3,7 +3,8 @@
 use super::{Chain, SixBar, search};
 use crate::four_bar::{Defect, Point};
 use crate::function::{Pair, Scales};
-use crate::path::{Crank, Search, Timing};
+use crate::numbers::first_without;
+use crate::path::{Crank, Search, Timing, without_number};
 
 /// What a six-bar has to do.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,7 +92,12 @@ pub enum NoSixBar {
         /// Angles that were given.
         angles: usize,
     },
-    /// A bound whose least value is above its greatest, or a length that is not bounded.
+    /// A number of this position, from 0, is no finite one.
+    NoNumber {
+        /// The pair or the point.
+        position: usize,
+    },
+    /// A bound whose least value is above its greatest, a length that is not bounded, or a transmission angle outside 0 to pi/2.
     Bounds,
 }
 
@@ -100,7 +106,12 @@ impl std::fmt::Display for NoSixBar {
         match self {
             Self::TooFewPositions => f.write_str("a six-bar has two positions at least"),
             Self::Angles { points, angles } => write!(f, "{points} points, but {angles} angles of the crank"),
-            Self::Bounds => f.write_str("a least value is above its greatest, or a length has no bound"),
+            Self::NoNumber { position } => {
+                write!(f, "a number of position {position}, counted from 0, is none")
+            }
+            Self::Bounds => f.write_str(
+                "a least value is above its greatest, a length has no bound, or the transmission angle is none",
+            ),
         }
     }
 }
@@ -131,10 +142,18 @@ impl Problem {
         if positions < 2 {
             return Err(NoSixBar::TooFewPositions);
         }
+        let without = match &self.task {
+            Task::Function { pairs, .. } => first_without(pairs.iter().map(|pair| [pair.crank, pair.rocker])),
+            Task::Path { points, timing } => without_number(points, timing),
+        };
+        if let Some(position) = without {
+            return Err(NoSixBar::NoNumber { position });
+        }
         let Bounds { pivot, lengths, points } = &self.bounds;
         let holds = pivot.iter().chain(lengths).chain([points]).all(|[least, most]| least <= most);
         let bounded = lengths.iter().all(|[least, most]| *least > 0.0 && most.is_finite());
-        if holds && bounded { Ok(()) } else { Err(NoSixBar::Bounds) }
+        let possible = (0.0..std::f64::consts::FRAC_PI_2).contains(&self.transmission);
+        if holds && bounded && possible { Ok(()) } else { Err(NoSixBar::Bounds) }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Function generation.
 
 use plm_dynamic::Mechanism;
-use plm_synthesis::function::{Generator, Pair, Scales, chebyshev, generators};
+use plm_synthesis::function::{Generator, NoGenerator, Pair, Scales, chebyshev, generators};
 
 fn pairs(degrees: &[[f64; 2]]) -> Vec<Pair> {
     degrees.iter().map(|d| Pair { crank: d[0].to_radians(), rocker: d[1].to_radians() }).collect()
@@ -120,5 +120,36 @@ fn a_generator_runs_as_a_declaration() {
         run.step_to(pair.crank - pairs[0].crank).unwrap();
         let off = run.output("rocker.angle").unwrap() - pair.rocker - found.rocker_zero;
         assert!(off.sin().abs() < 1e-9 && error.abs() < 1e-9, "{off}");
+    }
+}
+
+/// A gap in a table is told with its place; a decomposition of what is no number has no end.
+#[test]
+fn what_is_no_number_is_told() {
+    for wrong in [f64::NAN, f64::INFINITY] {
+        for scales in [Scales::Given, Scales::FreeCrank, Scales::FreeBoth] {
+            let count = [(Scales::Given, 3), (Scales::FreeCrank, 4), (Scales::FreeBoth, 5)];
+            let count = count.into_iter().find(|(own, _)| *own == scales).unwrap().1;
+            let mut own: Vec<Pair> =
+                (0..count).map(|k| Pair { crank: 0.3 * f64::from(k), rocker: 0.2 * f64::from(k) }).collect();
+            own[1].rocker = wrong;
+            assert_eq!(generators(&own, 1.0, scales), Err(NoGenerator::NoNumber { pair: 1 }));
+        }
+        let own = pairs(&[[40.0, 50.0], [90.0, 80.0], [160.0, 110.0]]);
+        assert_eq!(generators(&own, wrong, Scales::Given), Err(NoGenerator::Ground));
+    }
+}
+
+/// A rocker that turns by twice, three times or minus the angle of the crank makes Freudenstein's equation hold with a ratio of 0 alone: of a
+/// link without an end.
+#[test]
+fn links_without_an_end_are_none() {
+    for factor in [2.0, -2.0] {
+        let own = pairs(&[10.0, 20.0, 30.0].map(|crank| [crank, factor * crank]));
+        let found = generators(&own, 1.0, Scales::Given);
+        assert_eq!(found, Err(NoGenerator::NoLengths), "{factor}: {found:?}");
+        let five = pairs(&[10.0, 20.0, 30.0, 45.0, 70.0].map(|crank| [crank, factor * crank]));
+        let found = generators(&five, 1.0, Scales::Given);
+        assert_eq!(found, Err(NoGenerator::NoLengths), "{factor}: {found:?}");
     }
 }

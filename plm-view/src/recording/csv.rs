@@ -1,6 +1,10 @@
 //! Recordings as tables of text.
 
+mod heading;
+mod headings;
 mod read;
+mod text;
+mod unit;
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -50,9 +54,11 @@ impl Recording {
     /// Reads a table of text: a line of headings, one of which is the time, then a line of numbers for each moment.
     ///
     /// It reads what [`write_csv`](Self::write_csv) writes, to the bit, and what others write: `time`, `t`, `Time [s]`, `t (ms)`,
-    /// `time/s`, `time_us` are headings of the time (in s without a unit; it is recorded in s), columns are separated by commas,
-    /// semicolons or tabs, and numbers may have a decimal comma where semicolons separate them. Lines may end as on any system, the
-    /// last one without a break. Blank lines, comments behind `#` and a byte-order mark are skipped.
+    /// `time/s`, `time_us`, `Zeit in s` are headings of the time (in s without a unit; it is recorded in s), columns are separated by
+    /// commas, semicolons or tabs or by what Excel's line `sep=;` says, and numbers may have a decimal comma where commas do not separate
+    /// them. Units stand in the headings or in a line below; an empty field is a gap (NaN). Lines may end as on any system, the last one
+    /// without a break. Blank lines, comments behind `#`, lines before the headings, separators at the end of lines, a first column that
+    /// numbers the lines and a byte-order mark are skipped; the text is UTF-8, or UTF-16 with its mark.
     ///
     /// A table that is cut off within its last number cannot be told from one without the last line break; of a results file
     /// ([`Recording::write`]) it is told.

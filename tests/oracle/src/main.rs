@@ -9,8 +9,10 @@
 //! Half of the numbers that a case draws are special ones ([`draw::Draw`]): 0, 1, equal, at rest, at a bound, closed as drawn.
 
 mod bounded;
+mod bounds;
 mod draw;
 mod gradients;
+mod hostile;
 mod late;
 #[path = "../../support/random.rs"]
 mod random;

@@ -7,7 +7,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::draw::Draw;
-use crate::{bounded, gradients, late, resets};
+use crate::{bounded, bounds, gradients, hostile, late, resets};
 
 /// All sweeps.
 pub(crate) const SWEEPS: &[Sweep] = &[
@@ -29,6 +29,8 @@ pub(crate) const SWEEPS: &[Sweep] = &[
         quick: 100,
         case: late::case,
     },
+    Sweep { name: "hostile", title: "numbers that nobody means", quick: 600, case: hostile::case },
+    Sweep { name: "bounds", title: "fits whose bounds hold", quick: 100, case: bounds::case },
     Sweep { name: "resets", title: "states that a `when` sets", quick: 60, case: resets::case },
 ];
 

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use plm_dynamic::{Integrator, Mechanism};
-use plm_optimise::{Experiment, Unknown};
+use plm_optimise::{Experiment, Loss, Unknown};
 use plm_view::Recording;
 
 use super::super::Failure;
@@ -22,11 +22,23 @@ pub(super) struct Asked {
     pub(super) only: Vec<String>,
     pub(super) set: Vec<String>,
     pub(super) input: Vec<String>,
+    /// The time of the readings at which the run begins.
+    pub(super) from: Option<Begin>,
+    pub(super) loss: Loss,
     pub(super) segments: usize,
     pub(super) method: Integrator,
     pub(super) view: Option<PathBuf>,
     pub(super) chart: Option<PathBuf>,
     pub(super) out: Option<String>,
+}
+
+/// Where the run begins in the time of the readings.
+#[derive(Clone, Copy)]
+pub(super) enum Begin {
+    /// At the first reading.
+    First,
+    /// At this time, s.
+    At(f64),
 }
 
 /// The tolerance of runs whose derivatives are fitted.
@@ -52,6 +64,8 @@ impl Asked {
             .ok()
             .filter(|count| *count > 0)
             .ok_or_else(|| format!("--segments wants a positive whole number, not `{segments}`"))?;
+        let from = words.value("--from").map(|text| begin(&text)).transpose()?;
+        let loss = words.value("--loss").map_or(Ok(Loss::Squares), |text| loss(&text))?;
         let method = words.value("--method").map(|text| text.parse()).transpose()?;
         let method = method.unwrap_or(Integrator::Dop853(TOLERANCE));
         Ok(Asked {
@@ -64,12 +78,22 @@ impl Asked {
             only,
             set,
             input,
+            from,
+            loss,
             segments,
             method,
             view,
             chart,
             out,
         })
+    }
+
+    /// The time of a file of readings at which the run begins, s; none where both have one clock.
+    pub(super) fn begin(&self, recording: &Recording) -> Option<f64> {
+        match self.from? {
+            Begin::First => recording.times().first().copied(),
+            Begin::At(time) => Some(time),
+        }
     }
 
     /// The readings of a file, with deviations that are given.
@@ -100,6 +124,24 @@ impl Asked {
             experiment = experiment.deviation(name, deviation);
         }
         Ok(experiment)
+    }
+}
+
+fn begin(text: &str) -> Result<Begin, Failure> {
+    if text == "first" {
+        return Ok(Begin::First);
+    }
+    Ok(Begin::At(value(text, "s").map_err(|why| format!("--from: {why}"))?))
+}
+
+/// A loss by its name, with the border that it has without a number.
+fn loss(text: &str) -> Result<Loss, Failure> {
+    let (name, number) = text.split_once(':').map_or((text, None), |(name, number)| (name, Some(number)));
+    let number = number.map(|number| number.trim().parse::<f64>()).transpose();
+    match (name.to_lowercase().as_str(), number) {
+        ("squares", Ok(None)) => Ok(Loss::Squares),
+        ("huber", Ok(number)) => Ok(Loss::Huber(number.unwrap_or(1.345))),
+        _ => Err(format!("--loss wants Squares, Huber or Huber:NUMBER, not `{text}`").into()),
     }
 }
 

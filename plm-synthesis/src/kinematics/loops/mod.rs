@@ -12,6 +12,7 @@ use nalgebra::{DMatrix, DVector};
 
 use self::tracker::{Bilinear, End, paths};
 use crate::four_bar::{Point, Vector, unit, vector};
+use crate::numbers::first_without;
 
 /// Loop of vectors that close.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +50,11 @@ pub enum NoLoopImages {
     },
     /// The loops depend on each other.
     Dependent,
+    /// A vector of this loop, from 0, has a coordinate that is no finite number.
+    NoNumber {
+        /// The loop.
+        of: usize,
+    },
     /// More than six loops, which have more than 924 paths.
     TooMany,
 }
@@ -60,6 +66,7 @@ impl std::fmt::Display for NoLoopImages {
                 write!(f, "{loops} loops of {bodies} bodies: each loop has two bodies of its own")
             }
             Self::Dependent => f.write_str("the loops depend on each other"),
+            Self::NoNumber { of } => write!(f, "a number of loop {of}, counted from 0, is none"),
             Self::TooMany => f.write_str("more than six loops"),
         }
     }
@@ -84,6 +91,11 @@ pub fn loop_images(loops: &[Loop]) -> Result<LoopImages, NoLoopImages> {
     }
     if loops.len() > 6 {
         return Err(NoLoopImages::TooMany);
+    }
+    let without =
+        |own: &Loop| first_without(own.vectors.iter().map(|(_, way)| *way).chain([own.known])).is_some();
+    if let Some(of) = loops.iter().position(without) {
+        return Err(NoLoopImages::NoNumber { of });
     }
     let forms = forms(loops).ok_or(NoLoopImages::Dependent)?;
     // Paths that meet are followed again by smaller steps.

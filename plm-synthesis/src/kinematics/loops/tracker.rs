@@ -163,6 +163,9 @@ impl Homotopy {
             return End::Singular;
         }
         let (_, by_x, _) = self.values(x, 1.0);
+        if by_x.iter().any(|entry| !entry.is_finite()) {
+            return End::Singular;
+        }
         let values = by_x.singular_values();
         if values.min() <= REGULAR * values.max() {
             return End::Singular;
