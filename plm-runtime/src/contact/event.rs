@@ -17,7 +17,7 @@ use super::outcome::Outcome;
 use super::paradox::lost;
 use super::project::{behind_flights, end_flights, project, stop};
 use super::rows::{Law, Rows, below, indices};
-use super::scales::{acceleration, rounding};
+use super::scales::{acceleration, rounding, rounding_of_velocities};
 use super::sunk::above;
 use super::{Contacts, Modal, change_in_steps, lambda_of};
 use crate::dual::Dual;
@@ -183,7 +183,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             return Err(self.fault(row, Cause::NotUnique { p: p.to_f64() }));
         }
         // Before the impacts, behind which rates may be rounding alone.
-        let none = rounding(&rows);
+        let none = rounding(&rows).max(rounding_of_velocities(self.system, (self.t, u), x));
         let (mut struck, mut slowest) = (Struck::nothing(), None);
         let (solution, is_ambiguous) = loop {
             self.impacts(&laws, (none, slowest, &mut rows), u, x, &mut struck)?;

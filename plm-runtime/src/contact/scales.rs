@@ -3,7 +3,9 @@
 use super::multipliers::multipliers;
 use super::rows::{Rows, indices};
 use super::{Contacts, Modal};
+use crate::enclosure::{Enclosed, Interval};
 use crate::scalar::{Real, Scalar};
+use crate::vector::Vector;
 
 /// A rate of so many roundings of the largest one, before the impacts of the event, is none.
 const RATE_ULPS: f64 = 4096.0;
@@ -20,6 +22,26 @@ pub(super) fn acceleration<M: Contacts<N>, const N: usize>(rows: &Rows<M::S, N>,
         let terms = rows.delassus[i].iter().zip(&lambda);
         terms.fold(largest.max(rows.free[i].abs()), |largest, (d, lambda)| largest.max((*d * *lambda).abs()))
     })
+}
+
+/// Velocities are rounded by so many units in the last place.
+const VELOCITY_ULPS: f64 = 16.0;
+
+/// What rounding of the velocities makes of the rates: where bodies go on together, rates are small differences of large velocities.
+pub(super) fn rounding_of_velocities<M: Contacts<N>, const N: usize>(
+    system: &M,
+    (t, u): (M::S, &M::U),
+    x: &M::X,
+) -> M::S {
+    let ulps = M::S::lit(VELOCITY_ULPS) * M::S::EPSILON;
+    let rounded = |i: usize| {
+        let is_velocity = (M::NQ..2 * M::NQ).contains(&i);
+        let size = if is_velocity { ulps * x.at(i).abs() } else { M::S::ZERO };
+        Enclosed { slope: Interval { low: -size, high: size }, ..Enclosed::constant(x.at(i)) }
+    };
+    let rows = system.kinematics(Enclosed::constant(t), u, &rounded, &Enclosed::constant);
+    let sizes = rows.rate.iter().map(|rate| rate.slope.size()).filter(|size| size.is_finite());
+    sizes.fold(M::S::ZERO, M::S::max)
 }
 
 /// Rounding of the rates.
