@@ -100,7 +100,7 @@ pub mod start {
 }
 
 pub mod step {
-    pub use crate::step::{moreau_jean, rk4, singular, solvable, step, take};
+    pub use crate::step::{Remainder, Stepped, moreau_jean, rk4, singular, solvable, step, take};
 }
 
 pub mod system {

@@ -9,12 +9,26 @@ use super::{limits, singular};
 /// `Moment`.
 pub(crate) fn moment(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
+    let is_stepped = !emission.model.steps.is_empty();
+    let none = is_stepped.then(|| quote!(, remainder: rt::step::Remainder::none()));
+    let rest = is_stepped.then(|| quote!(, ..));
+    let stepped = is_stepped.then(|| {
+        quote! {
+            impl<S: Real> rt::step::Stepped for State<S> {
+                #[inline]
+                fn stepped(&mut self) -> (rt::InPlace<'_, #name<S>>, &mut rt::step::Remainder<S>) {
+                    let Self { mechanism, held, time, x, remainder } = self;
+                    (rt::InPlace { system: mechanism, held, time, x }, remainder)
+                }
+            }
+        }
+    });
     quote! {
         impl<S: Real> rt::Moment for State<S> {
             type M = #name<S>;
 
             fn new(mechanism: #name<S>, held: Held<S>, time: S, x: [S; #length]) -> Self {
-                State { mechanism, held, time, x }
+                State { mechanism, held, time, x #none }
             }
             fn mechanism(&self) -> &#name<S> {
                 &self.mechanism
@@ -34,10 +48,11 @@ pub(crate) fn moment(emission: &Emission) -> TokenStream {
                 self.x = *x;
             }
             fn in_place(&mut self) -> rt::InPlace<'_, #name<S>> {
-                let Self { mechanism, held, time, x } = self;
+                let Self { mechanism, held, time, x #rest } = self;
                 rt::InPlace { system: mechanism, held, time, x }
             }
         }
+        #stepped
     }
 }
 

@@ -13,6 +13,7 @@ pub(crate) fn state(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
     let (of_loops, of_contact) = (of_loops(emission), of_contact(emission));
     let [switches, turns] = [emission.model.switches.len(), emission.model.turns.len()].map_each(number);
+    let remainder = (!emission.model.steps.is_empty()).then(|| quote!(remainder: rt::step::Remainder<S>,));
     quote! {
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +23,7 @@ pub(crate) fn state(emission: &Emission) -> TokenStream {
             held: rt::Held<Input<S>, [S; #switches], [i32; #turns], #of_loops #of_contact>,
             time: S,
             x: [S; #length],
+            #remainder
         }
 
         /// Gives the `input` of a moment, and all else that is held over a step.
