@@ -57,6 +57,50 @@ fn rails_that_keep_one_angle_twice_run_in_every_formulation() {
     }
 }
 
+/// A block on a rail with 1 N of friction that is led from rest, rests, and goes back; `drive = m a + 1 N sign v` while it moves.
+#[test]
+fn friction_rubs_in_a_motion_that_is_prescribed_from_rest() {
+    for formulation in ["tree", "absolute"] {
+        let text = format!(
+            "pub Driven {{
+                formulation: {formulation};
+                ground {{ port o: (0, 0) m; }}
+                body block {{ mass: 1 kg; inertia: 1 kg*m^2; port p: (0, 0) m; }}
+                prismatic rail(ground.o, block.p) {{ seal_friction: 1 N; }}
+                constraint motor: block.x =
+                    smooth_table(t, (0 s, 0 m), (0.8 s, 1 m)) + smooth_table(t, (1 s, 0 m), (1.5 s, -0.5 m));
+                output block.vx, block.ax, drive = -reaction(motor);
+            }}"
+        );
+        let mut run =
+            Mechanism::from_text(&text).unwrap().start_with("Dop853:1e-9".parse().unwrap()).unwrap();
+        for (time, side) in
+            [(0.0, 1.0), (0.1, 1.0), (0.7, 1.0), (0.9, 0.0), (1.1, -1.0), (1.4, -1.0), (1.6, 0.0)]
+        {
+            run.step_to(time).unwrap();
+            let [drive, a] = ["drive", "block.ax"].map(|name| run.output(name).unwrap());
+            assert!((drive - a - side).abs() < 1e-9, "{formulation} {time}: {drive} {a}");
+        }
+    }
+}
+
+/// A drawer that a latch would hold swings where the release is on from the start, and is held again where it ends beyond the latch.
+#[test]
+fn a_latch_that_is_released_from_the_start_is_open() {
+    let text = "pub Caught {
+        input trip: 1 = 1;
+        ground { port o: (0, 0) m; }
+        body drawer { mass: 1 kg; inertia: 1 kg*m^2; port p: (0, 0) m; start x: 0.2 m, locked; }
+        prismatic rail(ground.o, drawer.p) { stiffness: 100 N/m; }
+        latch catch(ground.o, drawer.p) { position: 0.2 m; closed: 1; release: trip; }
+        output drawer.x, catch.catches;
+    }";
+    let mut run = Mechanism::from_text(text).unwrap().start_with("Dop853:1e-10".parse().unwrap()).unwrap();
+    run.step_to(0.1).unwrap();
+    assert_eq!(run.output("catch.catches").unwrap(), 0.0);
+    assert!((run.output("drawer.x").unwrap() - 0.2 * 1.0_f64.cos()).abs() < 1e-8);
+}
+
 /// A small swing against its closed form, with another length and by two methods.
 #[test]
 fn parameters_shape_the_motion() {

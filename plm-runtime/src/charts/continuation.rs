@@ -119,13 +119,26 @@ pub trait ContinuationData<S>: Copy {
         self.iterated().iter().fold(all, iterated)
     }
 
-    /// Every number of it is one.
+    /// Every number of it is one. The reach of the time may be infinite: what is prescribed may rest.
     #[inline]
     fn is_finite(&self) -> bool
     where
         S: Scalar,
     {
-        self.fold(true, |finite, number| finite && number.is_finite())
+        self.fold(true, |finite, number| finite && number.is_finite()) || self.is_finite_at_rest()
+    }
+
+    /// The same with an infinite reach of the time.
+    #[cold]
+    fn is_finite_at_rest(&self) -> bool
+    where
+        S: Scalar,
+    {
+        let of_time = 2 * self.coordinates().len() + 1;
+        let is_known = |place: usize, number: S| {
+            number.is_finite() || place == of_time && number.to_f64().abs() == f64::INFINITY
+        };
+        self.fold((0, true), |(place, known), number| (place + 1, known && is_known(place, number))).1
     }
 }
 

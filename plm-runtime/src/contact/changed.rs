@@ -3,7 +3,7 @@
 use super::bounds::look_at_bounds;
 use super::candidates::is_off;
 use super::event::update;
-use super::modes::{Mode, Modes};
+use super::modes::{Change, Mode, Modes};
 use super::scales::speed;
 use super::{Contacts, Modal};
 use crate::fault::Fault;
@@ -14,7 +14,8 @@ use crate::scalar::Scalar;
 const MOVED: f64 = 1e-5;
 
 /// Finds the modes anew where a row that holds has been moved by whoever has set the state: it is open there, or sticks in its new
-/// place, or moves on; and where a friction that had no bound has one. Where there is none of these, nothing is changed.
+/// place, or moves on; and where a friction that had no bound has one. Where there is none of these, nothing is changed. Modes that change
+/// where the state is set are found anew by its velocities, and change at events from then on.
 ///
 /// # Errors
 /// As [`switch`](super::switch).
@@ -27,6 +28,10 @@ pub fn state_was_set<M: Contacts<N>, const N: usize>(
     let rows = system.rows_at(t, u, x);
     look_at_bounds(system, t, u, &rows)?;
     let mut modes: Modes<M::S, N> = *u.modes();
+    if modes.change == Change::WhereSet {
+        u.modes_mut().change = Change::AtEvents;
+        return update(system, t, u, x).map(|_| ());
+    }
     let [far, fast] = [system.length(), speed::<M, N>(system, &rows, u)].map(|size| M::S::lit(MOVED) * size);
     let mut any = false;
     for row in 0..N {

@@ -8,6 +8,7 @@
 use super::booked::{Booked, Struck};
 use super::bounds::{look_at_bounds, look_at_falling_bounds};
 use super::candidates::{Allowed, Solution};
+use super::driven::Slip;
 use super::loads::Load;
 use super::marginal::is_later;
 use super::margins::{PER_ROW, SIGN};
@@ -182,6 +183,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         if let Some((row, p)) = lost(&rows, u.modes()).filter(|_| self.occasion.comes_by_motion()) {
             return Err(self.fault(row, Cause::NotUnique { p: p.to_f64() }));
         }
+        self.settle_rest(&mut rows, u, x)?;
         // Before the impacts, behind which rates may be rounding alone.
         let none = rounding(&rows).max(rounding_of_velocities(self.system, (self.t, u), x));
         let (mut struck, mut slowest) = (Struck::nothing(), None);
@@ -191,7 +193,8 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
                 let load = below::<N>(load);
                 rows.load[load] = Load::Turned { negative: u.modes().negative[load] };
             }
-            let allowed = self.allowed(&laws, (none, struck.count), &rows, (u, x));
+            let slips = self.slips(&mut rows, u, x);
+            let allowed = self.allowed(&laws, (none, struck.count, &slips), &rows, (u, x));
             let (solution, is_ambiguous) = self.choose(&rows, &allowed, u, x)?;
             let sinks = |i: usize, slow: M::S| {
                 allowed[i] == Allowed::Touching && rows.rate[i] < -slow && solution.opens(i)
@@ -287,7 +290,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     fn allowed(
         &self,
         laws: &[Law<M::S>; N],
-        (none, impacts): (M::S, u32),
+        (none, impacts, slips): (M::S, u32, &[Slip; N]),
         rows: &Rows<M::S, N>,
         (u, x): (&M::U, &M::X),
     ) -> [Allowed; N] {
@@ -308,8 +311,13 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             if laws[i].is_unilateral() {
                 return if rests(i) { Allowed::Touching } else { Allowed::Only(Mode::Open) };
             }
-            let slips = is_due(i) && impacts == 0 && u.modes().of[i].slips();
-            let since = if slips { self.step * acceleration } else { M::S::ZERO };
+            match slips[i] {
+                Slip::To(mode) => return Allowed::Only(mode),
+                Slip::Rests => return Allowed::Resting,
+                Slip::ByForces => {}
+            }
+            let has_slipped = is_due(i) && impacts == 0 && u.modes().of[i].slips();
+            let since = if has_slipped { self.step * acceleration } else { M::S::ZERO };
             let none = none.max(self.no_slip(acceleration)).max(since);
             match rows.rate[i] {
                 // It slips by flights alone that are not followed.

@@ -5,6 +5,7 @@
 //! gap. So those two are enclosed over a step, and a row that slips is looked at in some places of it.
 
 use super::bounds::least_bound;
+use super::driven::rests;
 use super::enclosed::multipliers_within;
 use super::kinematics::Kinematics;
 use super::margins::{PER_ROW, SIGN, UNIQUE, each_margin, margins};
@@ -71,8 +72,13 @@ pub fn guards_within<M: Contacts<N>, const N: usize>(
     if !is_free(system, u) {
         let rows = system.rows(t, u, x, &Enclosed::constant);
         let Some(found) = multipliers_within(&rows, &modes.of) else { return false };
-        each_margin(&rows, (modes, orientation), &found, &mut bounded(system, &rows, each));
-        return true;
+        let rests = |row: usize| row < N && rests(&rows, modes, row);
+        each_margin(&rows, (modes, orientation), &found, &mut |index, margin| {
+            if index % PER_ROW == SIGN || !rests(index / PER_ROW) {
+                bounded(system, &rows, each)(index, margin);
+            }
+        });
+        return !indices::<N>().any(rests);
     }
     let slips = modes.of.iter().any(|mode| mode.slips());
     // Where every row slips nothing is known.

@@ -1,5 +1,6 @@
 //! Margins of the modes: numbers that are positive as long as a mode applies.
 
+use super::driven::leaves;
 use super::loads::Load;
 use super::modes::{Mode, Modes};
 use super::multipliers::{Multipliers, multipliers};
@@ -45,7 +46,7 @@ pub(super) fn each_margin<T: Scalar, const N: usize>(
     for row in 0..N {
         let mode = modes.of[row];
         let [first, second] = match mode {
-            _ if modes.is_carried(row) => [far, far],
+            _ if modes.is_carried(row) => [leaves(rows, modes, row), far],
             Mode::Open => [rows.gap[row], far],
             Mode::Closed => [lambda[row], far],
             Mode::Off => [far - T::lit(NO_BOUND) * bound(rows, row, lambda), far],

@@ -14,6 +14,7 @@ mod bounds;
 mod candidates;
 mod changed;
 mod choose;
+mod driven;
 mod enclosed;
 mod event;
 mod flights;

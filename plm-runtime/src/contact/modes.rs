@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 
 /// What a row does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,6 +73,17 @@ impl Mode {
         }
     }
 
+    /// The mode of a friction that slips with this rate; none where it does not.
+    pub(super) fn of_slip<S: Real>(rate: S) -> Option<Self> {
+        if rate > S::ZERO {
+            Some(Self::Forwards)
+        } else if rate < S::ZERO {
+            Some(Self::Backwards)
+        } else {
+            None
+        }
+    }
+
     /// -1 or 1, the sign of the slip; zero where there is none.
     pub(super) fn sign<T: Scalar>(self) -> T {
         T::lit(match self {
@@ -91,6 +102,9 @@ pub enum Change {
     AtEvents,
     /// In every step, by a method that steps over them.
     InSteps,
+    /// Where the state is set: frictions that stick hold nothing until then, and the velocities decide what slips
+    /// ([`state_was_set`](super::state_was_set)). It is for a state that is placed by a motion, not for a run.
+    WhereSet,
 }
 
 /// The modes of all rows, and what they remember.

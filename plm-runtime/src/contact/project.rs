@@ -1,8 +1,9 @@
 //! Rows that hold, at position and velocity level: a friction that sticks stays in its place.
 
+use super::modes::{Change, Mode};
 use super::multipliers::{Multipliers, multipliers};
 use super::rows::{Friction, Limit, Rows, below, indices};
-use super::{Contacts, Modal, modes::Mode, moved};
+use super::{Contacts, Modal, moved};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
@@ -134,7 +135,9 @@ pub fn held_rows<M: Contacts<N>, const N: usize>(
 ) {
     let rows = system.kinematics_at(t, u, x);
     let away = away::<M, N>(&rows.gap, u);
-    for i in indices::<N>().filter(|i| u.modes().of[*i].holds()).map(below::<N>) {
+    let is_let_go = |mode: Mode| mode == Mode::Sticks && u.modes().change == Change::WhereSet;
+    let holds = |i: &usize| u.modes().of[*i].holds() && !is_let_go(u.modes().of[*i]);
+    for i in indices::<N>().filter(holds).map(below::<N>) {
         row(away[i]);
         row(rows.rate[i]);
     }

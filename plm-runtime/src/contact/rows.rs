@@ -235,6 +235,13 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
         }
     }
 
+    /// D_ii is zero, or rounding of what has cancelled: no contact force changes the rate of the row. `length` is that of the mechanism, m.
+    pub(super) fn is_cancelled(&self, row: usize, length: f64) -> bool {
+        let own = |i: usize| self.delassus[i][i].to_f64();
+        let largest = indices::<N>().fold(0.0, |largest: f64, i| largest.max(own(i)));
+        own(below::<N>(row)) <= CANCELLED * largest * (length * length).min(1.0)
+    }
+
     /// The acceleration of a row with these multipliers.
     pub(in crate::contact) fn acceleration(&self, row: usize, lambda: &[T; N]) -> T {
         let row = below::<N>(row);

@@ -12,6 +12,7 @@ mod least;
 mod modes;
 mod names;
 mod place;
+mod sides;
 
 pub use error::{NotNamed, Unsolved};
 pub use names::Target;
@@ -110,7 +111,8 @@ impl<'a, S: Real, const TARGETS: usize, const DRIVES: usize> Inverse<'a, S, TARG
         Self { about, ..self }
     }
 
-    /// The inputs, SI, that give the targets the wanted accelerations at a moment, in the modes of its conditions and contacts.
+    /// The inputs, SI, that give the targets the wanted accelerations at a moment, in the modes of its conditions and contacts. Frictions
+    /// that stick and hold a target slip to the side to which the wanted accelerations move them.
     ///
     /// # Errors
     /// [`Unsolved`]: a target that no input moves, targets that cannot move so together, a mode that the inputs would end.
@@ -123,6 +125,14 @@ impl<'a, S: Real, const TARGETS: usize, const DRIVES: usize> Inverse<'a, S, TARG
         T: Moment<M: Invertible<DRIVES, S = S, State = T>>,
     {
         let state = of.as_moment();
+        self.inputs_in_modes(state, wanted).or_else(|held| self.inputs_from_rest(state, wanted, held))
+    }
+
+    /// The same in the modes of the state.
+    fn inputs_in_modes<T>(&self, state: &T, wanted: [S; TARGETS]) -> Result<[S; DRIVES], Unsolved<'a>>
+    where
+        T: Moment<M: Invertible<DRIVES, S = S, State = T>>,
+    {
         let time = state.time().to_f64();
         let (mut inputs, mut last) = (self.present(state), None);
         for _ in 0..ROUNDS {
@@ -178,7 +188,8 @@ impl<'a, S: Real, const TARGETS: usize, const DRIVES: usize> Inverse<'a, S, TARG
 
     /// Inverse dynamics along a trajectory that the targets describe wholly: gives `each` the state of every time with the inputs, by
     /// which reactions can be read there too. Nothing is integrated; from a time to the next one the poses are followed from `of`, so that
-    /// times that are near each other stay on one branch.
+    /// times that are near each other stay on one branch. What slips is decided by the wanted velocities; at rest by the accelerations, and where
+    /// these are zero too by the way to the next time.
     ///
     /// # Errors
     /// As [`inputs`](Self::inputs) and [`place`](Self::place); [`Unsolved::Free`] if the targets leave freedoms: these have to be simulated.
@@ -193,12 +204,15 @@ impl<'a, S: Real, const TARGETS: usize, const DRIVES: usize> Inverse<'a, S, TARG
         T: Moment<M: Invertible<DRIVES, S = S, State = T>>,
     {
         let mut state = *of.as_moment();
-        for time in times {
-            let wanted = wanted(time);
-            let (placed, freedoms) = self.placed(&state, time, &wanted)?;
+        let mut times = times.into_iter().map(|time| (time, wanted(time)));
+        let mut next = times.next();
+        while let Some((time, wanted)) = next {
+            next = times.next();
+            let (placed, freedoms) = self.placed_by_motion(&state, time, &wanted)?;
             if freedoms > 0 {
                 return Err(Unsolved::Free { time: time.to_f64(), freedoms });
             }
+            let placed = self.with_sides(&placed, &wanted, next.map(|(_, next)| next.place))?;
             let inputs = self.inputs(&placed, wanted.acceleration)?;
             state = self.with_inputs(&placed, &inputs);
             each(&state, inputs);

@@ -11,6 +11,7 @@
 mod bounded;
 mod bounds;
 mod draw;
+mod driven;
 mod gradients;
 mod hostile;
 mod late;

@@ -7,7 +7,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::draw::Draw;
-use crate::{bounded, bounds, gradients, hostile, late, resets};
+use crate::{bounded, bounds, driven, gradients, hostile, late, resets};
 
 /// All sweeps.
 pub(crate) const SWEEPS: &[Sweep] = &[
@@ -16,6 +16,12 @@ pub(crate) const SWEEPS: &[Sweep] = &[
         title: "scenes that took time without bound, or stopped",
         quick: 30,
         case: bounded::case,
+    },
+    Sweep {
+        name: "driven",
+        title: "motions that are prescribed, with friction",
+        quick: 24,
+        case: driven::case,
     },
     Sweep {
         name: "gradients",

@@ -1,0 +1,148 @@
+//! Frictions whose slip no contact force changes: drives prescribe it, or a pose gives the row no direction for a moment.
+//!
+//! Such a row has D_ii = 0. Its slip is known as a function of the time, and so is its side: that of the velocity, where this is zero that
+//! of the acceleration, where this is zero too that of the jerk. A row that all three leave at rest is carried, with no force of its own
+//! (what holds it shares its load with the friction in any way), until it [`leaves`] its rest.
+
+use super::event::{Event, moving_rows};
+use super::margins::stick;
+use super::modes::{Mode, Modes};
+use super::multipliers::multipliers;
+use super::project::project;
+use super::rows::{Law, Rows, below, indices};
+use super::{Contacts, Modal};
+use crate::fault::Fault;
+use crate::scalar::{Real, Scalar};
+use crate::vector::Vector;
+
+/// Acceleration and jerk decide by the velocity that they give within this time, s: behind a motion that comes to rest smoothly the
+/// acceleration is still that of braking, and the jerk, which ends it, outweighs it.
+const SHORTLY: f64 = 1e-5;
+/// A prescribed velocity is rounding below so many roundings of 1 m/s, or 1 rad/s, and of the fastest row.
+const STILL: f64 = 64.0;
+/// A prescribed acceleration, m/s^2 or rad/s^2, is rounding below so many roundings of 1: in absolute coordinates it is the sum of forces that
+/// balance each other.
+const UNMOVED: f64 = 4096.0;
+/// A friction that can change the acceleration of its row by no more than this, m/s^2 or rad/s^2, changes nothing.
+const UNSHAKEN: f64 = 1e-11;
+/// Below this entry of D, 1/kg or 1/(kg m^2), a row that is carried may rest by a drive.
+const NO_DIRECTION: f64 = 1e-9;
+/// A row at rest has left it at this speed, m/s or rad/s: what integration leaves of a velocity that is zero is less, ...
+const LEFT: f64 = 1e-9;
+/// ... which is so many roundings at least.
+const LEAST_LEFT: f64 = 1024.0;
+
+/// Up to so many times that speed it is looked at whether it is left by integration.
+const SLOW: f64 = 1e4;
+
+/// What decides whether a friction slips.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Slip {
+    /// Contact forces do, by the laws.
+    ByForces,
+    /// The motion does: it rests.
+    Rests,
+    /// The motion does: it slips to this side.
+    To(Mode),
+}
+
+/// The margin of a friction that is carried; where a drive lets it rest, it comes to zero as the row leaves its rest.
+pub(super) fn leaves<T: Scalar, const N: usize>(
+    rows: &Rows<T, N>,
+    modes: &Modes<impl Scalar, N>,
+    row: usize,
+) -> T {
+    if !rests(rows, modes, row) {
+        return T::lit(1.0);
+    }
+    let share = rows.rate[below::<N>(row)] / T::lit(left::<T>());
+    T::lit(1.0) - share * share
+}
+
+/// Does a drive let a friction rest? Its speed is far below what intervals resolve: its margin is looked at in points.
+pub(super) fn rests<T: Scalar, const N: usize>(
+    rows: &Rows<T, N>,
+    modes: &Modes<impl Scalar, N>,
+    row: usize,
+) -> bool {
+    let row = below::<N>(row);
+    let is_slight = || rows.delassus[row][row].to_f64() <= NO_DIRECTION || rows.is_cancelled(row, 1.0);
+    modes.carried[row] && modes.of[row] != Mode::Open && is_slight()
+}
+
+fn left<T: Scalar>() -> f64 {
+    (LEAST_LEFT * T::PRECISION).max(LEFT)
+}
+
+impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
+    /// No contact force changes the rate of this friction: D_ii is zero, or makes an acceleration of its largest force that is rounding.
+    fn is_driven(&self, rows: &Rows<M::S, N>, u: &M::U, row: usize) -> bool {
+        let row = below::<N>(row);
+        if self.system.law(row) != Law::Friction || !self.system.exists(u, row) {
+            return false;
+        }
+        let [lower, upper] = stick(rows, row, &[M::S::ZERO; N]);
+        let most = lower.max(upper);
+        let is_rounding = most > M::S::ZERO && most * rows.delassus[row][row] <= M::S::lit(UNSHAKEN);
+        is_rounding || rows.is_cancelled(row, self.system.length().to_f64())
+    }
+
+    /// Takes what integration has left out of the velocities, where that decides whether a row rests.
+    ///
+    /// # Errors
+    /// Those of [`Contacts::project_joints`].
+    pub(super) fn settle_rest(&self, rows: &mut Rows<M::S, N>, u: &M::U, x: &mut M::X) -> Result<(), Fault> {
+        let slow = M::S::lit(SLOW * left::<M::S>());
+        let is_slow = |row: usize| rows.rate[row] != M::S::ZERO && rows.rate[row].abs() <= slow;
+        if indices::<N>().any(|row| is_slow(row) && self.is_driven(rows, u, row)) {
+            project(self.system, self.t, u, x)?;
+            *rows = self.system.rows_at(self.t, u, x);
+        }
+        Ok(())
+    }
+
+    /// What decides the slip of each friction. Accelerations of those that rest are rounding, and become zero.
+    pub(super) fn slips(&self, rows: &mut Rows<M::S, N>, u: &M::U, x: &M::X) -> [Slip; N] {
+        let one = M::S::lit(1.0);
+        let fastest = rows.rate.iter().fold(one, |fastest, rate| fastest.max(rate.abs()));
+        let still = M::S::lit(STILL) * M::S::EPSILON * fastest;
+        let mut jerks: Option<[M::S; N]> = None;
+        let mut slips = [Slip::ByForces; N];
+        for row in indices::<N>() {
+            if !self.is_driven(rows, u, row) {
+                continue;
+            }
+            let mut speed = rows.rate[row];
+            if speed.abs() <= still {
+                let [jerk, shortly] =
+                    [jerks.get_or_insert_with(|| self.jerks(rows, u, x))[row], M::S::lit(SHORTLY)];
+                speed = shortly * (rows.free[row] + M::S::lit(0.5) * shortly * jerk);
+                if speed.abs() <= shortly * M::S::lit(UNMOVED) * M::S::EPSILON {
+                    speed = M::S::ZERO;
+                }
+            }
+            slips[row] = match Mode::of_slip(speed) {
+                Some(mode) if !self.has_touched_rest(row, (rows.rate[row], mode), u) => Slip::To(mode),
+                _ => {
+                    rows.free[row] = M::S::ZERO;
+                    Slip::Rests
+                }
+            };
+        }
+        slips
+    }
+
+    /// Its velocity has come to zero, and does not change its sign: rounding alone did, where a motion comes to rest smoothly. It has left this
+    /// rest as it leaves any other.
+    fn has_touched_rest(&self, row: usize, (rate, next): (M::S, Mode), u: &M::U) -> bool {
+        let is_passing = self.occasion.row() == Some(row) && u.modes().of[below::<N>(row)] == next;
+        is_passing && rate.abs() < M::S::lit(left::<M::S>())
+    }
+
+    /// Rates of the accelerations along the motion, in the modes until now.
+    fn jerks(&self, rows: &Rows<M::S, N>, u: &M::U, x: &M::X) -> [M::S; N] {
+        let lambda = multipliers(rows, &u.modes().of).map_or([M::S::ZERO; N], |found| found.lambda);
+        let moving = moving_rows(self.system, (self.t, u), x, &lambda);
+        Vector::from_fn(|row| moving.free[row].tangents[0])
+    }
+}
