@@ -206,6 +206,11 @@ impl Mechanism {
         Ok(self.given.mechanism(model))
     }
 
+    /// Says that the start closes only far from where it is declared, if it does: it is hardly the one that is meant.
+    pub fn far_start(&self) -> Option<String> {
+        self.models.far(&self.given)
+    }
+
     /// Assembles it, and gives a run by the method of Dormand and Prince of order 8.
     ///
     /// # Errors

@@ -143,6 +143,20 @@ impl Models {
         self.smallest().translate_by(translator);
     }
 
+    /// What is to be told of a start that closes only far from where it is declared.
+    pub(crate) fn far(self, given: &Given) -> Option<String> {
+        match self {
+            Self::Tiny([_, model], _) | Self::Small(model, _) => {
+                let small: Small = given.mechanism(model);
+                small.told_far(given.time)
+            }
+            Self::Large(model) => {
+                let large: Large = given.mechanism(model);
+                large.told_far(given.time)
+            }
+        }
+    }
+
     /// A run by a method.
     pub(crate) fn start(self, method: Integrator, given: &Given) -> Result<Running, Error> {
         Ok(match (self, method) {

@@ -118,6 +118,7 @@ impl From<&Fault> for Status {
             Cause::Open { .. }
             | Cause::Disagree { .. }
             | Cause::OtherBranch { .. }
+            | Cause::NoMotion
             | Cause::Redundant { .. }
             | Cause::VelocityOpen { .. }
             | Cause::VelocityRedundant { .. } => Self::Assembly,

@@ -253,6 +253,9 @@ pub enum Cause {
         /// The second turns left from the first where it is to turn right; else the other way round.
         left: bool,
     },
+    /// The start is a change point, as of a linkage that lies in one line, from which two motions leave; the start velocities belong to
+    /// neither. The part is a joint of the loop.
+    NoMotion,
     /// Locks repeat what joints or other locks already say about the start velocity.
     VelocityRedundant {
         /// How many locks are too many.

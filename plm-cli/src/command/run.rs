@@ -59,7 +59,7 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
             format!("{}: a run wants a file that is a declaration (`.plm`), not Rust", file.name).into()
         );
     }
-    let mut run = match started(&asked, Mechanism::from_named_text(&file.name, &file.text)) {
+    let mut run = match started(&asked, Mechanism::from_named_text(&file.name, &file.text), streams) {
         Ok(run) => run,
         Err(failure) => return not_started(&asked, &file, failure, streams),
     };
@@ -115,7 +115,11 @@ fn file_to<'a>(name: &str, output: &'a mut dyn Write) -> Result<Box<dyn Write + 
 }
 
 /// A run with the values that are asked for.
-fn started(asked: &Asked, mechanism: Result<Mechanism, Error>) -> Result<Run, Failure> {
+fn started(
+    asked: &Asked,
+    mechanism: Result<Mechanism, Error>,
+    streams: &mut Streams,
+) -> Result<Run, Failure> {
     let mut mechanism = mechanism?;
     translate(&mechanism);
     for text in &asked.set {
@@ -126,7 +130,11 @@ fn started(asked: &Asked, mechanism: Result<Mechanism, Error>) -> Result<Run, Fa
         let (name, value) = setting("--input", text, mechanism.declared_inputs())?;
         mechanism.set_input(name, value)?;
     }
-    Ok(mechanism.start_with(asked.method)?)
+    let run = mechanism.start_with(asked.method)?;
+    if let Some(far) = mechanism.far_start() {
+        writeln!(streams.errors, "plm: {far}")?;
+    }
+    Ok(run)
 }
 
 /// Has a run computed by machine code, where there is some for this processor.

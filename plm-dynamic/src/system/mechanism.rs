@@ -119,6 +119,12 @@ impl<
         self
     }
 
+    /// Says that the start closes only far from where it is declared, if it does.
+    pub(crate) fn told_far(&self, t: S) -> Option<String> {
+        let assembly = absolute::assemble::<S, Self, NQ, NC>(&self.following(), t).ok()?;
+        assembly.far.map(|far| far.to_string())
+    }
+
     /// The assembled state with inputs.
     pub(crate) fn start_holding(&self, t: S, input: [S; H]) -> Result<(Held<S, NQ, L, H, R>, [S; N]), Fault> {
         let own = self.following();

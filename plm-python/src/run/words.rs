@@ -46,6 +46,7 @@ mod tests {
             Cause::TurnedTooFar { angle: 0.5 },
             Cause::Flat,
             Cause::ChangePoint,
+            Cause::NoMotion,
             Cause::Undecided { gap: 1e-15 },
             Cause::EnergyJump { by: 1.0, of: 2.0 },
             Cause::TooManySteps { steps: 10 },

@@ -7,7 +7,10 @@
 use super::Absolute;
 use super::assembly::{Assembly, Found, Status};
 use super::branch;
+use super::change_point::moves;
+use super::damped::Measure;
 use super::disagree::disagreement;
+use super::far::{far, look_nearer};
 use super::lack::lack;
 use super::newton::{assembly_step, refused};
 use super::placed::bring_nearer;
@@ -29,6 +32,8 @@ const VELOCITY: LockCause = |count, locks, joints| Cause::VelocityRedundant { co
 
 /// Newton steps after which the joints do not close any more.
 const ITERATIONS: u32 = 100;
+/// Damped steps to a pose without locks, and the part of the violation that each takes away.
+const UNLOCKED: (u32, f64) = (60, 1e-3);
 
 /// Finds the position and velocity at the time `t` that the joints allow and that is reached from the start values with
 /// the shortest steps; where those reach none, the nearest of the poses that a search about the start values finds.
@@ -36,7 +41,7 @@ const ITERATIONS: u32 = 100;
 /// Joints that repeat each other are accepted and flagged. Locks that repeat joints or other locks are not.
 ///
 /// # Errors
-/// [`Cause::NotFinite`], [`Cause::Redundant`], [`Cause::Open`], [`Cause::Disagree`], [`Cause::OtherBranch`], [`Cause::VelocityRedundant`],
+/// [`Cause::NotFinite`], [`Cause::Redundant`], [`Cause::Open`], [`Cause::Disagree`], [`Cause::OtherBranch`], [`Cause::VelocityRedundant`], [`Cause::NoMotion`],
 /// [`Cause::VelocityOpen`]; the part is the joint that stays open, where all others are closed. [`Cause::Workspace`].
 pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
@@ -52,9 +57,13 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     let here = Dependencies::at(m, t, &q, &free).ok_or_else(|| undecided(m, (t, &q), &free))?;
     reject_locks(m, t, &q, &free, &here, POSITION)?;
     let v = refined.map_or_else(|| start_velocity(m, t, &q), |(_, v)| Ok(v))?;
-    let neighbour = neighbour(m, t, &q, &here);
-    let locks = start.iter().filter(|s| s.locked).count();
     let layout = m.layout();
+    let neighbour = neighbour(m, t, &q, &here);
+    if here.of_joints > neighbour.of_joints && !moves(m, t, (&q, &v)) {
+        let flat = (0..NC).rev().find(|row| here.rows.get(*row) == Some(&true)).unwrap_or_default();
+        return Err(Fault::of_part(t.to_f64(), layout.part(flat), Cause::NoMotion));
+    }
+    let locks = start.iter().filter(|s| s.locked).count();
     let (coordinates, joint_rows) = (layout.coordinates.len(), layout.rows.len());
     let (rank, rows) = (here.free_rank + locks, joint_rows + locks);
     let status = match () {
@@ -74,6 +83,7 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
         freedom: coordinates as i32 - joint_rows as i32,
         status,
         singular: neighbour.of_joints < here.of_joints || here.of_locks > 0,
+        far: if m.branch(0).is_none() { far(m, t, (&start, &free), &q) } else { None },
         found: pose.found,
         iterations: pose.iterations,
         gap: largest(&pose.phi),
@@ -108,17 +118,42 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     let mut pose = newton(m, t, &q0, free);
     if pose.is_closed(m) {
         bring_nearer(m, t, &mut pose, (&q0, free));
+        look_nearer(m, t, &mut pose, (start, free));
         return Ok(pose);
     }
-    // Locks that are too many are the likelier mistake than joints that do not fit.
-    if let Some(at_start) = Dependencies::at(m, t, &q0, free) {
-        reject_locks(m, t, &q0, free, &at_start, POSITION)?;
+    // Locks that are too many are the likelier mistake than joints that do not fit. A pose that closes without them tells.
+    if let Some(unlocked) = unlocked(m, t, &q0, free)
+        && let Some(there) = Dependencies::at(m, t, &unlocked, free)
+    {
+        reject_locks(m, t, &unlocked, free, &there, POSITION)?;
     }
     // Lengths that repeat each other disagree wherever the search looks.
     if let Some(fault) = disagreement(m, t, &pose.q) {
         return Err(fault);
     }
     searched(m, t, (start, free)).map_err(|nearest| lack(m, (t, nearest), free, &nearest))
+}
+
+/// A closed pose beside the start in which nothing is locked, where something is and such a pose is found.
+#[cold]
+#[inline(never)]
+fn unlocked<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q0: &[S; NQ],
+    free: &[S; NQ],
+) -> Option<[S; NQ]> {
+    if free.iter().all(|free| *free > S::ZERO) {
+        return None;
+    }
+    let free = [S::lit(1.0); NQ];
+    let mut pose = newton(m, t, q0, &free);
+    if !pose.is_closed(m) {
+        let mut q = *q0;
+        Measure::new(m, &free).descend(m, t, &mut q, UNLOCKED);
+        pose = newton(m, t, &q, &free);
+    }
+    pose.is_closed(m).then_some(pose.q)
 }
 
 /// The pose that a search about the start values finds, or the one at which the joints are open least.

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::Layout;
+use super::{Far, Layout};
 use crate::scalar::Real;
 
 /// A start that the joints allow, and how it relates to the one that was asked for.
@@ -30,6 +30,8 @@ pub struct Assembly<S, const NQ: usize, const NC: usize> {
     pub status: Status,
     /// The rank is lower here than at neighbouring positions: a dead point or a change point.
     pub singular: bool,
+    /// The position turns a body further than what was missing at the start explains: it is hardly the one that was meant.
+    pub far: Option<Far<S>>,
     /// How the position was found.
     pub found: Found,
     /// Newton steps.
@@ -89,6 +91,9 @@ impl<S: Real, const NQ: usize, const NC: usize> fmt::Display for Assembly<S, NQ,
                 f,
                 "Newton's steps from the start values closed nothing: nearest of what {closed} of {starts} starts about them closed"
             )?;
+        }
+        if let Some(far) = self.far {
+            writeln!(f, "{far}")?;
         }
         if self.singular {
             writeln!(f, "singular position: the rank is higher beside it")?;

@@ -19,7 +19,7 @@ const IN_PLACE: f64 = 0.25;
 /// Another pose is taken if the squares of its turns are less than this part.
 const NEARER: f64 = 0.5;
 /// Damped steps to the places, and the part of the violation that each takes away.
-const PLACING: (u32, f64) = (60, 1e-9);
+pub(super) const PLACING: (u32, f64) = (60, 1e-9);
 /// Damped steps to a closed pose, likewise.
 const CLOSING: (u32, f64) = (60, 1e-3);
 
@@ -27,17 +27,21 @@ const CLOSING: (u32, f64) = (60, 1e-3);
 const ROUNDING: f64 = 1e-6;
 
 /// A start that steps begin with.
-struct Begin<'a, S, const NQ: usize> {
+pub(super) struct Begin<'a, S, const NQ: usize> {
     /// The start values.
-    start: &'a [S; NQ],
+    pub(super) start: &'a [S; NQ],
     /// 0 where a coordinate is locked, else 1.
-    free: &'a [S; NQ],
+    pub(super) free: &'a [S; NQ],
     /// The angles that the declaration gives, or whose value is no longer the zero of those that it does not give.
-    given: [bool; NQ],
+    pub(super) given: [bool; NQ],
 }
 
 impl<'a, S: Real, const NQ: usize> Begin<'a, S, NQ> {
-    fn new<M: Absolute<S, NQ, NC>, const NC: usize>(m: &M, start: &'a [S; NQ], free: &'a [S; NQ]) -> Self {
+    pub(super) fn new<M: Absolute<S, NQ, NC>, const NC: usize>(
+        m: &M,
+        start: &'a [S; NQ],
+        free: &'a [S; NQ],
+    ) -> Self {
         let given = |k: usize| m.layout().given_angles.get(k / 3) == Some(&true) || start.at(k) != S::ZERO;
         Self { start, free, given: core::array::from_fn(|k| k % 3 == 2 && given(k)) }
     }
@@ -49,7 +53,7 @@ impl<'a, S: Real, const NQ: usize> Begin<'a, S, NQ> {
     }
 
     /// The sum of their squares.
-    fn distance(&self, q: &[S; NQ]) -> S {
+    pub(super) fn distance(&self, q: &[S; NQ]) -> S {
         self.turned(q).fold(S::ZERO, |sum, by| by.mul_add(by, sum))
     }
 

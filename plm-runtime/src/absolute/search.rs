@@ -29,6 +29,8 @@ const NEAR: f64 = 1e-3;
 const DISAGREE: f64 = 1e-4;
 /// Steps back towards the start values.
 const LEANS: u32 = 8;
+/// Numbers of turns that gears may have in common, which are tried: the teeth of one of them, mostly.
+const COMMON_TURNS: u32 = 128;
 
 /// Of the poses that close the joints, the one that misses the fewest images and is nearest to the start values in the metric
 /// of assembly; where none was found, the one at which the joints are open least.
@@ -130,6 +132,44 @@ pub(super) fn unwind<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
             *pose = newton(m, t, &q, free);
             pose.iterations += iterations;
         }
+    }
+    unwind_geared(m, t, pose, (start, free), whole);
+}
+
+/// Takes off whole turns of bodies that gears tie: of all together, in the proportion in which they have turned. The body that has turned
+/// most loses as many as it may, or a few less, where that leaves joints closed.
+fn unwind_geared<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    pose: &mut Pose<S, NQ, NC>,
+    (start, free): (&[S; NQ], &[S; NQ]),
+    whole: &dyn Fn(usize, S) -> S,
+) {
+    let turn = S::lit(core::f64::consts::TAU);
+    let bodies = m.layout().coordinates.len() / 3;
+    let turns: [S; NQ] = Vector::from_fn(|k| (pose.q.at(k) - start.at(k)) / turn);
+    let may = |k: usize| whole(k, turns.at(k)).abs();
+    let angles = (0..bodies).map(|body| 3 * body + 2).filter(|k| free.at(*k) > S::ZERO);
+    let Some(most) = angles.reduce(|most, k| if may(k) > may(most) { k } else { most }) else { return };
+    let mut count = may(most);
+    for _ in 0..COMMON_TURNS {
+        let is_left = count >= S::lit(1.0);
+        if !is_left {
+            return;
+        }
+        let share = count / turns.at(most).abs();
+        let mut q = pose.q;
+        for k in (0..bodies).map(|body| 3 * body + 2).filter(|k| free.at(*k) > S::ZERO) {
+            let by = nearest_turns(k, share * turns.at(k));
+            q.set(k, q.at(k) - by * turn);
+        }
+        if Scale::of_position(m, &q).is_closed(m, &m.phi(t, &q)) {
+            let iterations = pose.iterations;
+            *pose = newton(m, t, &q, free);
+            pose.iterations += iterations;
+            return;
+        }
+        count = count - S::lit(1.0);
     }
 }
 

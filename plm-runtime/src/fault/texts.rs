@@ -118,6 +118,10 @@ impl fmt::Display for Cause {
                      turns {asked}; start nearer to it"
                 )
             }
+            Self::NoMotion => f.write_str(
+                "the start is a change point, as of a loop that lies in one line: it can go on in two ways, and the start velocities \
+                 belong to neither; give the angles of bodies of the loop, so that the start lies beside it",
+            ),
             Self::VelocityOpen { gap } => {
                 write!(f, "the start velocities contradict the joints by {} m/s or rad/s", Short(*gap))
             }

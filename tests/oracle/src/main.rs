@@ -12,13 +12,17 @@ mod bounded;
 mod bounds;
 mod draw;
 mod driven;
+mod geared;
 mod gradients;
 mod hostile;
 mod late;
+mod pages;
 #[path = "../../support/random.rs"]
 mod random;
 mod resets;
 mod sweep;
+mod turned;
+mod wheels;
 
 use std::process::ExitCode;
 

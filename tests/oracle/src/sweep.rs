@@ -7,7 +7,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::draw::Draw;
-use crate::{bounded, bounds, driven, gradients, hostile, late, resets};
+use crate::{bounded, bounds, driven, geared, gradients, hostile, late, pages, resets, wheels};
 
 /// All sweeps.
 pub(crate) const SWEEPS: &[Sweep] = &[
@@ -38,6 +38,19 @@ pub(crate) const SWEEPS: &[Sweep] = &[
     Sweep { name: "hostile", title: "numbers that nobody means", quick: 600, case: hostile::case },
     Sweep { name: "bounds", title: "fits whose bounds hold", quick: 100, case: bounds::case },
     Sweep { name: "resets", title: "states that a `when` sets", quick: 60, case: resets::case },
+    Sweep {
+        name: "geared",
+        title: "geared five-bars of which the crank is declared",
+        quick: 60,
+        case: geared::case,
+    },
+    Sweep { name: "pages", title: "parts as their pages show them, turned", quick: 60, case: pages::case },
+    Sweep {
+        name: "wheels",
+        title: "belts, chains and gears all round the circle",
+        quick: 60,
+        case: wheels::case,
+    },
 ];
 
 /// Random cases of one kind.
@@ -173,7 +186,7 @@ mod tests {
         };
     }
 
-    quick! { bounded gradients late resets }
+    quick! { bounded driven gradients late hostile bounds resets geared pages wheels }
 
     #[test]
     fn each_sweep_is_tested() {

@@ -6,7 +6,9 @@ use plm_cas::{Expr, algebra};
 use super::branch::not_found;
 use super::finite::{check_forces, check_rows};
 use super::positive::{check_limits, check_masses};
-use super::verdict::{Locks, contradiction, not_closed, redundant_joints, strained, too_many_locks};
+use super::verdict::{
+    Locks, change_point, contradiction, far, not_closed, redundant_joints, strained, too_many_locks,
+};
 use crate::diag::{Diagnostics, Severity};
 use crate::model::Model;
 use crate::numeric::{Assembly, Scene, run};
@@ -44,6 +46,8 @@ pub(crate) fn check_start(scene: &Scene, found: &Assembly, diagnostics: &mut Dia
     } else {
         not_found(scene, found, diagnostics);
         redundant_joints(model, &joints, diagnostics);
+        far(model, found, diagnostics);
+        change_point(model, found, diagnostics);
         check_velocities(model, found, diagnostics);
         let compliant: Vec<Expr> = model.compliant.iter().map(|row| row.phi).collect_vec();
         let open = run(&algebra::tape(&compliant), &scene.moving(&found.q, &found.v));

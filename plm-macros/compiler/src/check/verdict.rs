@@ -3,7 +3,7 @@
 use crate::collect::CollectVec;
 use crate::diag::{Code, Diagnostics, Severity};
 use crate::model::{Model, Part, Row};
-use crate::numeric::Assembly;
+use crate::numeric::{Assembly, ChangePoint, Far};
 use crate::sorted::sort_by;
 use crate::units::Dimension;
 
@@ -200,6 +200,46 @@ pub(super) fn redundant_joints(model: &Model, dependent: &Dependent, diagnostics
             diagnostic.help(format!("with a compliance they follow from it: `{example}`"));
         }
     }
+}
+
+/// A start that closes only far from where it is declared.
+pub(super) fn far(model: &Model, found: &Assembly, diagnostics: &mut Diagnostics) {
+    let Some(Far { coordinate, turned, missing }) = found.far else { return };
+    let body = &model.bodies[coordinate / 3];
+    diagnostics
+        .warning(
+            Code::FarStart,
+            body.start[coordinate % 3].span,
+            format!(
+                "the start closes only far from where it is declared: `{}.angle` is turned by {} deg",
+                body.name.text,
+                rounded(turned.abs().to_degrees())
+            ),
+        )
+        .note(format!("joints miss each other by {} m alone at the angles as declared", rounded(missing)))
+        .help(
+            "check the dimensions; a pose near to the declared one does not close, or lies on another image",
+        );
+}
+
+/// A start at which a loop lies in one line, or in another way at a change point.
+pub(super) fn change_point(model: &Model, found: &Assembly, diagnostics: &mut Diagnostics) {
+    let Some(ChangePoint { dependent, moves }) = &found.change_point else { return };
+    if *moves == Some(true) {
+        return;
+    }
+    let members = dependent.iter().flat_map(|(_, rows)| rows);
+    let joints = listed(&parts(model, members));
+    let span = model.rows[dependent[0].0].span;
+    let help = "give the angles of the bodies between, so that the start lies beside the change point; assembly closes the rest";
+    let diagnostic = if moves.is_some() {
+        let message =
+            format!("the start is a change point of {joints}, and its velocities belong to no motion");
+        diagnostics.error(Code::NoMotion, span, message)
+    } else {
+        diagnostics.warning(Code::ChangePoint, span, format!("the start is a change point of {joints}"))
+    };
+    diagnostic.note("its loop can go on in two ways from there, and nothing says which").help(help);
 }
 
 /// Start velocities that the joints do not allow.

@@ -97,6 +97,7 @@ catalogue! {
     NoFormulation = "E0505", "a formulation that does not hold the mechanism";
     PairDisagrees = "E0506", "a joint's constraints are not those of its pair";
     OtherBranch = "E0507", "the mirror image that a joint asks for was not found";
+    NoMotion = "E0508", "the start is a change point, and its velocities belong to no motion";
 
     // W0: warnings.
     RedundantConstraint = "W0001", "a constraint says what others say already";
@@ -108,6 +109,8 @@ catalogue! {
     Unread = "W0007", "nothing reads a name", hint;
     Renamed = "W0008", "the former name of an item";
     UnitOrName = "W0009", "a unit that is the name of a value too";
+    ChangePoint = "W0010", "the start is a change point";
+    FarStart = "W0011", "the start closes only far from where it is declared";
     OpenDefaults = "W0012", "the mechanism cannot be assembled with its parameters as declared";
 }
 

@@ -7,7 +7,10 @@ use crate::collect::{CollectVec, MapEach, PushAll};
 use plm_cas::Expr;
 
 use super::branch;
+use super::change_point::{ChangePoint, change_point};
 use super::constraints::{Closed, Constraints, are_closed};
+use super::damped::Measure;
+use super::far::{Far, far, look_nearer};
 use super::lack::lack;
 use super::placed::{nearer, unwind};
 use super::rank::Rank;
@@ -20,6 +23,8 @@ use crate::model::{Body, Model};
 const CLOSED: f64 = 1e-10;
 /// A joint of two bars whose angles are rounded is open by so many units in the last place of the angles, times the lengths.
 const ROUNDINGS: f64 = 4.0;
+/// Damped steps to a pose without locks, and the part of the violation that each takes away.
+const UNLOCKED: (usize, f64) = (60, 1e-3);
 
 /// Result of assembly.
 pub(crate) struct Assembly {
@@ -47,6 +52,10 @@ pub(crate) struct Assembly {
     pub(crate) steps: usize,
     /// The search that followed where Newton's steps from the declared start closed nothing.
     pub(crate) searched: Option<Searched>,
+    /// The pose is further from the start than what was missing there explains.
+    pub(crate) far: Option<Far>,
+    /// The pose is a change point; ranks are those beside it.
+    pub(crate) change_point: Option<ChangePoint>,
 }
 
 impl Assembly {
@@ -103,17 +112,14 @@ pub(crate) fn assemble(scene: &Scene, reach: Reach) -> Assembly {
         found
     };
     let mut nearest = by.close(start.values.clone());
-    // Locks that are too many are the likelier mistake than joints that do not fit.
-    let ties_locks =
-        |q: &[f64]| constraints.rank(q, &start.locked).dependent.iter().any(|(row, _)| *row >= rows);
-    let fits = || {
-        nearest.phi.iter().all(|phi| phi.is_finite())
-            && !(ties_locks(&start.values) && ties_locks(&nearest.q))
-    };
+    // Locks that are too many are the likelier mistake than joints that do not fit. A pose that closes without them tells.
+    let unlocked =
+        if is_closed(&nearest) { None } else { unlocked(&by).map(|q| constraints.rank(&q, &start.locked)) };
+    let ties_locks = unlocked.as_ref().is_some_and(|rank| rank.dependent.iter().any(|(row, _)| *row >= rows));
     if reach == Reach::Full {
         if is_closed(&nearest) {
-            nearest = nearer(&by, nearest);
-        } else if fits() {
+            nearest = look_nearer(&by, nearer(&by, nearest), &mut others);
+        } else if nearest.phi.iter().all(|phi| phi.is_finite()) && !ties_locks {
             let steps = nearest.steps;
             let open = |q| lack(&constraints, q, &start.locked, steps);
             nearest = others().map_or_else(open, |pose| nearer(&by, pose));
@@ -135,11 +141,23 @@ pub(crate) fn assemble(scene: &Scene, reach: Reach) -> Assembly {
     for (velocity, dv) in v.iter_mut().zip(constraints.step(&q, &velocity_locked, &phi_dot)) {
         *velocity -= dv;
     }
+    let is_closed = are_closed(&phi, &limits(&q));
     let at_start = constraints.rank(&start.values, &start.locked);
     let at_end = constraints.rank(&q, &start.locked);
+    let change = if is_closed { change_point(&constraints, &start, &limits, (&q, &v)) } else { None };
+    let (change_point, beside) = change.unzip();
+    // A pose of zeros can look singular: the better of the two ranks is the true one.
+    let rank = if at_end.value() >= at_start.value() { at_end } else { at_start };
+    let far = if is_closed && asked.is_empty() { far(&by, &q) } else { None };
     Assembly {
-        // A pose of zeros can look singular: the better of the two ranks is the true one.
-        rank: if at_end.value() >= at_start.value() { at_end } else { at_start },
+        far,
+        change_point,
+        rank: match (beside, unlocked) {
+            (Some(rank), _) => rank,
+            (None, _) if is_closed => rank,
+            (None, Some(unlocked)) => unlocked,
+            (None, None) => rank.of_rows(rows),
+        },
         velocity_rank: constraints.rank(&q, &velocity_locked),
         phi_dot: constraints.phi_dot(&q, &v),
         closed: limits(&q),
@@ -152,6 +170,24 @@ pub(crate) fn assemble(scene: &Scene, reach: Reach) -> Assembly {
         steps,
         searched,
     }
+}
+
+/// A closed pose beside the start in which nothing is locked, where something is and such a pose is found.
+fn unlocked(by: &Search) -> Option<Vec<f64>> {
+    let Search { constraints, start, .. } = *by;
+    if !start.locked.contains(&true) {
+        return None;
+    }
+    let free = vec![false; start.locked.len()];
+    let close = |q: Vec<f64>| {
+        let closed = constraints.close(q, &free, by.limits);
+        by.is_closed(&closed).then_some(closed.q)
+    };
+    close(start.values.clone()).or_else(|| {
+        let mut q = start.values.clone();
+        Measure::new(constraints, &free).descend(&mut q, UNLOCKED);
+        close(q)
+    })
 }
 
 /// Bounds of `phi` of each row in a scene of a size that reaches as far as the bodies stand, and as far as the rounding of angles

@@ -4,8 +4,10 @@
 
 mod assembly;
 mod branch;
+mod change_point;
 mod constraints;
 mod damped;
+mod far;
 mod freedom;
 mod lack;
 mod placed;
@@ -18,6 +20,8 @@ mod values;
 
 pub(crate) use assembly::{Assembly, Reach, assemble, at_start};
 pub(crate) use branch::asked;
+pub(crate) use change_point::ChangePoint;
+pub(crate) use far::Far;
 pub(crate) use freedom::{freedom, moves};
 pub(crate) use random::Random;
 pub(crate) use rank::{Row, rank};

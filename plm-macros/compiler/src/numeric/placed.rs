@@ -15,7 +15,7 @@ const IN_PLACE: f64 = 0.25;
 /// Another pose is taken if the squares of its turns are less than this part.
 const NEARER: f64 = 0.5;
 /// Damped steps to the places, and the part of the violation that each takes away.
-const PLACING: (usize, f64) = (60, 1e-9);
+pub(super) const PLACING: (usize, f64) = (60, 1e-9);
 /// Damped steps to a closed pose, likewise.
 const CLOSING: (usize, f64) = (60, 1e-3);
 
@@ -78,6 +78,6 @@ fn turned(start: &Start, q: &[f64]) -> impl Iterator<Item = f64> {
 }
 
 /// The sum of their squares.
-fn distance(start: &Start, q: &[f64]) -> f64 {
+pub(super) fn distance(start: &Start, q: &[f64]) -> f64 {
     turned(start, q).fold(0.0, |sum, by| sum + by * by)
 }

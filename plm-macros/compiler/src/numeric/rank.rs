@@ -18,6 +18,12 @@ pub(crate) struct Rank {
 }
 
 impl Rank {
+    /// The same without what is said of rows from this one on.
+    pub(crate) fn of_rows(mut self, rows: usize) -> Rank {
+        self.dependent.retain(|(row, _)| *row < rows);
+        self
+    }
+
     /// Number of independent rows.
     pub(crate) fn value(&self) -> usize {
         self.independent.len()

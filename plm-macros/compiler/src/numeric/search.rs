@@ -22,6 +22,8 @@ const NEAR: f64 = 1e-3;
 const DISAGREE: f64 = 1e-4;
 /// Steps back towards the start values.
 const LEANS: usize = 8;
+/// Numbers of turns that gears may have in common, which are tried: the teeth of one of them, mostly.
+const COMMON_TURNS: usize = 128;
 
 /// Attempts of a search.
 #[derive(Clone, Copy)]
@@ -122,6 +124,39 @@ impl Search<'_> {
                 *pose = self.close(q);
                 pose.steps += steps;
             }
+        }
+        self.unwind_geared(pose, whole);
+    }
+
+    /// Takes off whole turns of bodies that gears tie: of all together, in the proportion in which they have turned. The body that
+    /// has turned most loses as many as it may, or a few less, where that leaves joints closed.
+    fn unwind_geared(&self, pose: &mut Closed, whole: &dyn Fn(usize, f64) -> f64) {
+        use std::f64::consts::TAU;
+        let turns: Vec<f64> =
+            pose.q.iter().zip(&self.start.values).map(|(q, start)| (q - start) / TAU).collect_vec();
+        let may = |k: usize| whole(k, turns[k]).abs();
+        let angles = (0..pose.q.len()).filter(|&k| k % 3 == 2 && !self.start.locked[k]);
+        let Some(most) = angles.clone().reduce(|most, k| if may(k) > may(most) { k } else { most }) else {
+            return;
+        };
+        let mut count = may(most);
+        for _ in 0..COMMON_TURNS {
+            let is_left = count >= 1.0;
+            if !is_left {
+                return;
+            }
+            let share = count / turns[most].abs();
+            let mut q = pose.q.clone();
+            for k in angles.clone() {
+                q[k] -= (share * turns[k] + 0.5).floor() * TAU;
+            }
+            if are_closed(&self.constraints.phi(&q), &(self.limits)(&q)) {
+                let steps = pose.steps;
+                *pose = self.close(q);
+                pose.steps += steps;
+                return;
+            }
+            count -= 1.0;
         }
     }
 

@@ -46,6 +46,11 @@ pub(crate) struct PartInUse<'a> {
 }
 
 impl PartInUse<'_> {
+    /// The kinematic pair that it is.
+    pub(crate) fn pair(&self, parts: &[Part]) -> Option<Pair> {
+        parts.get(self.part).filter(|_| self.is_part).and_then(|part| part.pair)
+    }
+
     /// As one of the uses that lead to a place inside it.
     pub(crate) fn as_use(&self) -> Use {
         Use { span: self.span, instance: self.name.clone(), part: self.definition.name.text.clone() }

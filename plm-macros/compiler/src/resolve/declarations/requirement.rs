@@ -3,15 +3,16 @@
 //! A requirement is a condition with a held side. The run ends where that side would change. One of parameters alone is a limit, which
 //! is looked at when they change.
 
-use plm_cas::Expr;
+use plm_cas::{Expr, algebra};
 
 use crate::collect::PushAll;
 use crate::diag::Code;
-use crate::model::{Limit, Range, Switch};
+use crate::model::{Limit, Param, Range, Switch};
 use crate::resolve::Resolver;
 use crate::resolve::names::ScopeId;
 use crate::resolve::values::condition::side_text;
 use crate::resolve::values::{Condition, Eval, Failed, Reads};
+use crate::sorted::SortedSet;
 use crate::span::Span;
 use crate::syntax::ast::{self, ExprKind, Field, Operator};
 
@@ -77,7 +78,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Requirements as switches that must not change; those of parameters become limits.
-    pub(crate) fn evaluate_requirements(&mut self) -> Vec<Switch> {
+    pub(crate) fn evaluate_requirements(&mut self) -> Vec<(Switch, Span)> {
         self.check_switched();
         let mut switches = Vec::new();
         for Requirement { scope, condition, name, span, is_off } in
@@ -91,20 +92,13 @@ impl<'a> Resolver<'a> {
             // A mistake has been reported; what else is wrong is found all the same.
             let Ok((differences, reads)) = self.requirement(scope, condition, &name) else { continue };
             if reads.beyond(Reads::FIXED) == Reads::NOTHING {
-                self.unresolved.limits.push_all(differences.into_iter().map(|value| Limit {
-                    part: name.clone(),
-                    what: "requirement".to_owned(),
-                    value,
-                    unit: String::new(),
-                    range: Range::Required,
-                    code: Code::WrongKind,
-                    span,
-                }));
+                let limits = differences.into_iter().map(|value| margin(name.clone(), value, span));
+                self.unresolved.limits.push_all(limits);
                 continue;
             }
             for difference in differences {
                 let symbol = Expr::symbol(format!("switch_{}", switches.len()));
-                switches.push(Switch {
+                let switch = Switch {
                     symbol,
                     difference,
                     beyond: None,
@@ -113,10 +107,29 @@ impl<'a> Resolver<'a> {
                     text: String::new(),
                     end: None,
                     must_hold: true,
-                });
+                };
+                switches.push((switch, span));
             }
         }
         switches
+    }
+
+    /// The requirements that a run may break. What reads sums at nodes may read nothing that changes, when these are known.
+    pub(crate) fn changing(&mut self, switches: Vec<(Switch, Span)>, params: &[Param]) -> Vec<Switch> {
+        let params: SortedSet<Expr> = params.iter().map(|param| param.symbol).collect();
+        let is_fixed = |switch: &Switch| {
+            algebra::symbols(&[switch.difference]).iter().all(|symbol| params.contains(symbol))
+        };
+        let mut changing: Vec<Switch> = Vec::new();
+        for (switch, span) in switches {
+            if is_fixed(&switch) {
+                self.unresolved.limits.push(margin(switch.name, switch.difference, span));
+            } else {
+                let symbol = Expr::symbol(format!("switch_{}", changing.len()));
+                changing.push(Switch { symbol, ..switch });
+            }
+        }
+        changing
     }
 
     /// Expressions that are positive as long as a condition holds, and what they read.
@@ -187,6 +200,12 @@ impl<'a> Resolver<'a> {
         };
         parts.find(fails).unwrap_or(expr)
     }
+}
+
+/// The limit that the margin of a requirement is where it reads parameters alone.
+fn margin(part: String, value: Expr, span: Span) -> Limit {
+    let (what, unit) = ("requirement".to_owned(), String::new());
+    Limit { part, what, value, unit, range: Range::Required, code: Code::WrongKind, span }
 }
 
 /// The word that a field is set to.

@@ -46,9 +46,11 @@ impl<'a> Resolver<'a> {
         let mut switches = self.evaluate_requirements();
         let mut whens = self.evaluate_whens();
         if let Ok(contacts) = &mut contacts {
-            let events = (&mut switches[..], &mut whens[..]);
+            let of_switches = switches.iter_mut().map(|(switch, _)| &mut switch.difference).collect_vec();
+            let events = (of_switches, &mut whens[..]);
             self.replace_placeholders(&mut states, &mut loads, &mut outputs, events, contacts);
         }
+        let switches = self.changing(switches, params.as_deref().unwrap_or_default());
         loads.retain(|load| load.force != [Expr::ZERO; 3]);
         let of_contact = contacts.as_deref_mut().unwrap_or_default();
         let rows = rows.and_then(|rows| {
@@ -158,7 +160,10 @@ impl<'a> Resolver<'a> {
         let depth = self.depth(scope, depth);
         let ports = self.evaluate_ports(Some(body));
         let placement = self.placement(body)?;
-        let [x, y, angle, vx, vy, omega] = starts?;
+        let [mut x, mut y, angle, vx, vy, omega] = starts?;
+        if self.unresolved.draws_rows && !(x.given || y.given || x.locked || y.locked) {
+            [x.value, y.value] = self.drawn_origin(body)?;
+        }
         let (ports, state) = (ports?, &self.unresolved.bodies[body]);
         let ((mass, mass_span), (inertia, inertia_span)) = match declared {
             Some([mass, inertia]) => (mass?, inertia?),

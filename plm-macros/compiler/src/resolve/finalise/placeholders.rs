@@ -7,7 +7,7 @@ use crate::sorted::SortedSet;
 use plm_cas::{Expr, algebra};
 
 use crate::diag::Code;
-use crate::model::{Contact, Load, Output, State, Switch, When};
+use crate::model::{Contact, Load, Output, State, When};
 use crate::resolve::Resolver;
 use crate::resolve::declarations::node::UnresolvedNode;
 use crate::span::Span;
@@ -28,7 +28,7 @@ impl Resolver<'_> {
         states: &mut [State],
         loads: &mut [Load],
         outputs: &mut [Output],
-        (switches, whens): (&mut [Switch], &mut [When]),
+        (switches, whens): (Vec<&mut Expr>, &mut [When]),
         contacts: &mut [Contact],
     ) {
         if states.len() < self.unresolved.states.len() || self.sink.has_errors() {
@@ -39,7 +39,7 @@ impl Resolver<'_> {
         places.push_all(states.iter_mut().map(|state| &mut state.rate));
         places.push_all(loads.iter_mut().flat_map(|load| &mut load.force));
         places.push_all(outputs.iter_mut().flat_map(|output| &mut output.components));
-        places.push_all(switches.iter_mut().map(|switch| &mut switch.difference));
+        places.push_all(switches);
         places.push_all(whens.iter_mut().flat_map(When::expressions_mut));
         places.push_all(contacts.iter_mut().flat_map(Contact::expressions_mut));
         let roots: Vec<Expr> = places.iter().map(|place| **place).collect_vec();

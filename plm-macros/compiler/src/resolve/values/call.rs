@@ -45,6 +45,7 @@ impl<'a> Resolver<'a> {
             Meaning::Turn => self.turned(scope, arguments),
             Meaning::Axes(to) => self.in_other_axes(scope, span, *to, arguments),
             Meaning::Rate => self.rate_of(scope, &arguments[0]),
+            Meaning::Drawn => self.drawn(scope, &arguments[0]),
             Meaning::Derivative => self.derivative_of(scope, arguments),
             Meaning::Count => self.count_of(scope, &arguments[0]),
             Meaning::Reaction => self.reaction(scope, arguments),

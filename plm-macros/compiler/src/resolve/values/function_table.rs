@@ -41,6 +41,8 @@ pub(crate) enum Meaning {
     Axes(fn(Vec2, Vec2, Expr) -> Vec2),
     /// The derivative with respect to time.
     Rate,
+    /// The value in the pose as drawn.
+    Drawn,
     /// The derivative of a function that a part has, by its argument.
     Derivative,
     /// The number of points in a list.
@@ -100,7 +102,7 @@ impl Function {
     pub(crate) fn shape(&self) -> CallShape {
         match self.meaning {
             Meaning::Turn | Meaning::Axes(_) => CallShape::Vector,
-            Meaning::Rate => CallShape::OfArgument,
+            Meaning::Rate | Meaning::Drawn => CallShape::OfArgument,
             Meaning::Reaction => CallShape::OfCount,
             _ => CallShape::Number,
         }
@@ -135,6 +137,7 @@ pub(crate) const FUNCTIONS: &[Function] = &[
     function("to_absolute", 3..=3, Meaning::Axes(to_absolute)),
     function("to_relative", 3..=3, Meaning::Axes(to_relative)),
     function("rate", 1..=1, Meaning::Rate),
+    function("drawn", 1..=1, Meaning::Drawn),
     function("derivative", 2..=3, Meaning::Derivative),
     function("count", 1..=1, Meaning::Count),
     function("reaction", 1..=2, Meaning::Reaction),

@@ -4,8 +4,9 @@ use crate::resolve::Resolver;
 use crate::resolve::values::{Eval, Failed};
 
 /// Something that is worked out at its first use.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(crate) enum Lazy<T> {
+    #[default]
     Waiting,
     /// Being worked out: who asks for it now goes round in a circle.
     Busy,
