@@ -30,7 +30,7 @@ pub struct Far<S> {
     pub coordinate: &'static str,
     /// By how much it was turned, rad.
     pub turned: S,
-    /// What joints were open by at the angles as declared, m.
+    /// What joints were open by in the start as declared, m.
     pub missing: S,
 }
 
@@ -90,7 +90,9 @@ pub(super) fn look_nearer<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, cons
     }
 }
 
-/// The largest violation at the given angles, with the bodies in their places, as a share of the length or in rad.
+/// The largest violation of the start as declared, as a share of the length or in rad. Where constraints and locks leave no freedom, it is
+/// also looked at with the bodies in their places, since positions may be left out; with freedoms the shortest steps to their places turn
+/// bodies too.
 #[cold]
 #[inline(never)]
 fn missing<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
@@ -101,6 +103,10 @@ fn missing<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     let Begin { start, free, given } = begin;
     let mut q = **start;
     let declared = Measure::new(m, free).size(m, t, &q);
+    let (layout, locked) = (m.layout(), free.iter().filter(|free| **free == S::ZERO).count());
+    if layout.coordinates.len() > layout.rows.len() + locked {
+        return declared;
+    }
     for all in [true, false] {
         let held = |k: usize| k % 3 == 2 && (all || given.get(k) == Some(&true));
         let free = Vector::from_fn(|k| if held(k) { S::ZERO } else { free.at(k) });

@@ -60,7 +60,7 @@ pub(crate) fn case(draw: &mut Draw) -> Case {
         _ if reach.abs() < margin || fold.abs() < margin => Verdict::Undecided("nearly flat".to_owned()),
         Ok(run) if !locked => closed(&run, (sense * ratio, angle.to_radians()), None),
         Ok(run) if reach > 0.0 && fold > 0.0 => {
-            closed(&run, (sense * ratio, angle.to_radians()), Some((turned, apart)))
+            closed(&run, (sense * ratio, angle.to_radians()), Some(turned))
         }
         Ok(_) => Verdict::Wrong(format!("the bars do not reach: {reach}, {fold}")),
         Err(error) if locked && (reach < 0.0 || fold < 0.0) => {
@@ -79,20 +79,21 @@ fn start(text: &str) -> Result<Run, Error> {
 }
 
 /// The gear holds, and no body is wound by more than what is asked of it.
-fn closed(run: &Run, (ratio, start): (f64, f64), expected: Option<(f64, f64)>) -> Verdict {
+fn closed(run: &Run, (ratio, start): (f64, f64), expected: Option<f64>) -> Verdict {
     let angle = |name: &str| run.body(name).map_or(f64::NAN, |body| body.angle);
     let mesh = ratio * angle("crank") + angle("wheel");
     let worst =
         ["crank", "wheel", "link", "arm"].iter().fold(0.0_f64, |worst, name| worst.max(angle(name).abs()));
     let most = 2.5 * std::f64::consts::TAU + (1.0 + ratio.abs()) * start.abs();
-    if !(mesh.abs() < AGREE * worst.max(1.0)) {
+    let is_off = |by: f64| by.is_nan() || by.abs() >= AGREE * worst.max(1.0);
+    if is_off(mesh) {
         return Verdict::Wrong(format!("the gear is open by {mesh} rad"));
     }
-    if !(worst <= most) {
+    if worst > most {
         return Verdict::Wrong(format!("a body is turned to {worst} rad"));
     }
     match expected {
-        Some((wheel, _)) if !((angle("wheel") - wheel).abs() < AGREE * worst.max(1.0)) => {
+        Some(wheel) if is_off(angle("wheel") - wheel) => {
             Verdict::Wrong(format!("the wheel is at {}, expected {wheel}", angle("wheel")))
         }
         _ => Verdict::Right(mesh.abs() / AGREE),

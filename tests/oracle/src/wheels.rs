@@ -131,7 +131,7 @@ fn same(base: &[Run], own: &[Run], (mirrored, drawn, line): (bool, [&str; 2], f6
     let mut said = String::new();
     let mut differ = |name: String, expected: f64, found: f64| {
         let off = (expected - found).abs() / AGREE / expected.abs().max(1.0);
-        if !(off <= worst) {
+        if off.is_nan() || off > worst {
             worst = off;
             said = format!("{name}: {found}, of the image {expected}");
         }

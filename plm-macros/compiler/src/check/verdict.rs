@@ -216,7 +216,7 @@ pub(super) fn far(model: &Model, found: &Assembly, diagnostics: &mut Diagnostics
                 rounded(turned.abs().to_degrees())
             ),
         )
-        .note(format!("joints miss each other by {} m alone at the angles as declared", rounded(missing)))
+        .note(format!("joints miss each other by {} m alone in the start as declared", rounded(missing)))
         .help(
             "check the dimensions; a pose near to the declared one does not close, or lies on another image",
         );

@@ -4,6 +4,9 @@ use super::assembly::Start;
 use super::constraints::{Closed, Constraints, are_closed};
 use super::rank::Rank;
 
+/// Constraints are independent beside the pose where they are by this share. Lengths that repeat each other are closed by halves of the way
+/// alone, so that their poses are known to the root of what counts as closed.
+const REGULAR: f64 = 1e-3;
 /// Steps along the velocities, as a part of the size of the scene.
 const STEP: f64 = 1e-3;
 /// A step that is led back by more than this part of it is no motion.
@@ -34,7 +37,7 @@ pub(super) fn change_point(
         are_closed(&closed.phi, &limits(&closed.q)).then_some(closed)
     };
     let beside = close(beside(q, constraints.scene.length))?;
-    if constraints.rank(&beside.q, &free).value() <= here.value() {
+    if constraints.rank_within(&beside.q, &free, REGULAR).value() <= here.value() {
         return None;
     }
     let moves = moves(constraints.scene.length, close, (q, v));

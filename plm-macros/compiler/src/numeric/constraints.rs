@@ -4,7 +4,7 @@ use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Tape, algebra};
 
 use super::pseudo_inverse;
-use super::rank::{Rank, Row, rank};
+use super::rank::{Rank, Row, rank, rank_within};
 use super::scene::Scene;
 use super::values::run;
 use crate::formulate::Function;
@@ -66,9 +66,18 @@ impl<'a> Constraints<'a> {
 
     /// Rank of `phi_q` and, behind it, a row for each locked coordinate.
     pub(super) fn rank(&self, q: &[f64], locked: &[bool]) -> Rank {
+        rank(&self.with_locks(q, locked))
+    }
+
+    /// The same where dependence is judged by another share.
+    pub(super) fn rank_within(&self, q: &[f64], locked: &[bool], tolerance: f64) -> Rank {
+        rank_within(&self.with_locks(q, locked), tolerance)
+    }
+
+    fn with_locks(&self, q: &[f64], locked: &[bool]) -> Vec<Row> {
         let mut rows = self.phi_q(q);
         rows.push_all(locked.iter().enumerate().filter(|(_, lock)| **lock).map(|(k, _)| vec![(k, 1.0)]));
-        rank(&rows)
+        rows
     }
 
     /// Newton's steps from a pose, `q <- q - pinv(phi_q) phi`, until `phi` is within its limits, which depend on the pose.

@@ -22,7 +22,7 @@ pub(crate) struct Far {
     pub(crate) coordinate: usize,
     /// By how much, rad.
     pub(crate) turned: f64,
-    /// What joints were open by at the angles as declared, m.
+    /// What joints were open by in the start as declared, m.
     pub(crate) missing: f64,
 }
 
@@ -59,12 +59,18 @@ pub(super) fn look_nearer(
     }
 }
 
-/// The largest violation at the given angles, with the bodies in their places, as a share of the length or in rad.
+/// The largest violation of the start as declared, as a share of the length or in rad. Where constraints and locks leave no freedom, it is
+/// also looked at with the bodies in their places, since positions may be left out; with freedoms the shortest steps to their places turn
+/// bodies too.
 fn missing(search: &Search) -> f64 {
     let Search { constraints, start, .. } = *search;
     let mut q = start.values.clone();
     let measure = Measure::new(constraints, &start.locked);
     let declared = largest(&measure.violation(&q));
+    let free = start.locked.iter().filter(|lock| !**lock).count();
+    if free > constraints.scene.model.rows.len() {
+        return declared;
+    }
     for all in [true, false] {
         let held = |k: usize| k % 3 == 2 && (all || start.given[k]);
         let locked = (0..q.len()).map(|k| start.locked[k] || held(k)).collect_vec();

@@ -34,6 +34,11 @@ impl Rank {
 ///
 /// Rows that come later are the ones reported as dependent, so locks belong behind joints.
 pub(crate) fn rank(rows: &[Row]) -> Rank {
+    rank_within(rows, TOLERANCE)
+}
+
+/// The same where a row whose entries fall below another share is taken as zero.
+pub(super) fn rank_within(rows: &[Row], tolerance: f64) -> Rank {
     let mut reduced: Vec<Reduced> = Vec::new();
     let mut result = Rank { dependent: Vec::new(), independent: Vec::new() };
     for (index, row) in rows.iter().enumerate() {
@@ -43,13 +48,13 @@ pub(crate) fn rank(rows: &[Row]) -> Rank {
             current.subtract(earlier);
         }
         match current.entries.iter().copied().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
-            Some((column, largest)) if largest.abs() > TOLERANCE * current.scale => {
+            Some((column, largest)) if largest.abs() > tolerance * current.scale => {
                 current.pivot = column;
                 result.independent.push(index);
                 reduced.push(current);
             }
             _ => {
-                let members = current.made_of.iter().filter(|(_, weight)| weight.abs() > TOLERANCE);
+                let members = current.made_of.iter().filter(|(_, weight)| weight.abs() > tolerance);
                 result.dependent.push((index, members.map(|&(row, _)| row).collect_vec()));
             }
         }
