@@ -74,7 +74,7 @@ impl<M: System<S: Real>> Search<'_, M> {
             }
             if right < violated && slope.high <= M::S::ZERO {
                 crossed = true;
-            } else if bit(i) != 0 && self.is_told_by_values(piece, depth, (i, range, slope)) {
+            } else if bit(i) != 0 && Self::is_told_by_values(piece, depth, (i, range, slope)) {
                 by_values |= bit(i);
             } else {
                 open = open.or(Some(i));
@@ -99,7 +99,6 @@ impl<M: System<S: Real>> Search<'_, M> {
     /// Do a few values tell what a guard does over an interval, in which it has this range and this slope? Not if something may hide between
     /// them: a feature that is narrow bends by more than what the guard is the sum of. What nothing encloses is known by values alone.
     fn is_told_by_values(
-        &self,
         piece: &Piece<M::S, M::G>,
         depth: Depth,
         (i, range, slope): (usize, Interval<M::S>, Interval<M::S>),

@@ -10,6 +10,7 @@ const LOCKS_UP: &str = "its loop cannot be closed beyond this pose: the mechanis
 const MANY: f64 = 10.0;
 
 impl fmt::Display for Cause {
+    #[allow(clippy::too_many_lines, reason = "a table: a line or two for each cause")]
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotFinite => write!(f, "the state or its rate is infinite or not a number"),

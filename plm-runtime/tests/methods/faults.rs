@@ -220,7 +220,9 @@ fn a_drift_says_which_of_the_two_it_is() {
         text(1e-14, 1.5e-9)
             .starts_with("t = 1 s: pin: the pose is singular: this joint is closed, but 1.50e-9 m/s")
     );
-    assert!(text(1e-3, 1e-2).starts_with("t = 1 s: pin: the joints come apart by 0.00100 m or rad, 0.0100 m/s"));
+    assert!(
+        text(1e-3, 1e-2).starts_with("t = 1 s: pin: the joints come apart by 0.00100 m or rad, 0.0100 m/s")
+    );
 }
 
 #[test]

@@ -75,7 +75,9 @@ pub(crate) fn case(draw: &mut Draw) -> Case {
     let by = draw.number(-180.0, 360.0, &[90.0, 180.0, 37.0, -90.0]);
     let verdict = match turned(&text, by) {
         Some(image) => match compared(&text, &image, by) {
-            Verdict::Stopped(said) if !is_special && !said.contains("shorter steps") => Verdict::Wrong(format!("the page does not run: {said}")),
+            Verdict::Stopped(said) if !is_special && !said.contains("shorter steps") => {
+                Verdict::Wrong(format!("the page does not run: {said}"))
+            }
             verdict => verdict,
         },
         None => Verdict::Undecided("it is said in absolute axes".to_owned()),

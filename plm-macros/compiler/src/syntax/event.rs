@@ -93,16 +93,13 @@ impl Assignment {
 /// The operator of `target += value`, if that is how the assignment here is written.
 fn compound(mut cursor: Cursor) -> Option<char> {
     loop {
-        let (mark, behind) = match cursor.punct() {
-            Some((mark, behind)) => (mark.as_char(), behind),
-            None => {
-                cursor = cursor.token_tree()?.1;
-                continue;
-            }
+        let Some((mark, behind)) = cursor.punct() else {
+            cursor = cursor.token_tree()?.1;
+            continue;
         };
         let is_equals = behind.punct().is_some_and(|(mark, _)| mark.as_char() == '=');
-        match mark {
-            '+' | '-' | '*' | '/' if is_equals => return Some(mark),
+        match mark.as_char() {
+            operator @ ('+' | '-' | '*' | '/') if is_equals => return Some(operator),
             '=' | ';' => return None,
             _ => cursor = behind,
         }

@@ -137,7 +137,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// The joints that are kinematic pairs, with the frames that they join, in the order of declaration.
-    fn joints_of_drawing(&mut self) -> Eval<Vec<(Pair, [FrameRef; 2], [FrameGeometry; 2])>> {
+    fn joints_of_drawing(&mut self) -> Eval<Vec<DrawnJoint>> {
         let mut joints = Vec::new();
         for id in 0..self.names.instances.len() {
             let instance = &self.names.instances[id];
@@ -161,6 +161,9 @@ impl<'a> Resolver<'a> {
         Ok(joints)
     }
 }
+
+/// A joint that is a kinematic pair, the frames that it joins, and where these stand on their bodies.
+type DrawnJoint = (Pair, [FrameRef; 2], [FrameGeometry; 2]);
 
 /// Where a joint puts a body, given the one that it is joined to.
 fn placed_by(
