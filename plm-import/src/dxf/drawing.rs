@@ -69,7 +69,9 @@ impl<'g> File<'g> {
                 ("BLOCKS", "ENDBLK") => block = None,
                 ("BLOCKS", _) => {
                     let own = block.and_then(|name| file.blocks.get_mut(name));
-                    own.into_iter().for_each(|own| push(&mut own.entities, &entity));
+                    if let Some(own) = own {
+                        push(&mut own.entities, &entity);
+                    }
                 }
                 ("ENTITIES", _) => push(&mut file.entities, &entity),
                 _ => {}

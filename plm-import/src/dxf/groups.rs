@@ -95,15 +95,12 @@ fn named(value: &str) -> String {
     let mut text = parts.next().unwrap_or_default().to_owned();
     for part in parts {
         let letter = part.get(..4).and_then(|hex| u32::from_str_radix(hex, 16).ok()).and_then(char::from_u32);
-        match letter {
-            Some(letter) => {
-                text.push(letter);
-                text.push_str(&part[4..]);
-            }
-            None => {
-                text.push_str("\\U+");
-                text.push_str(part);
-            }
+        if let Some(letter) = letter {
+            text.push(letter);
+            text.push_str(&part[4..]);
+        } else {
+            text.push_str("\\U+");
+            text.push_str(part);
         }
     }
     text

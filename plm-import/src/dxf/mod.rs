@@ -81,15 +81,12 @@ fn parts(mut outlines: Vec<Chain>) -> Vec<Vec<Chain>> {
         // The smallest that it lies within; a contour may hold holes.
         let around = (0..k).rev().find(|&other| loops::is_within(outline.points[0], &outlines[other].points));
         let part = around.and_then(|around| places[around]);
-        match part {
-            Some(part) => {
-                parts[part].push(outline.clone());
-                places.push(None);
-            }
-            None => {
-                places.push(Some(parts.len()));
-                parts.push(vec![outline.clone()]);
-            }
+        if let Some(part) = part {
+            parts[part].push(outline.clone());
+            places.push(None);
+        } else {
+            places.push(Some(parts.len()));
+            parts.push(vec![outline.clone()]);
         }
     }
     parts

@@ -22,8 +22,11 @@ struct Machine {
     /// The names of the outputs that are read.
     outputs: Vec<String>,
     /// How far the outputs are from the balance, as a fraction of the largest force.
-    error: Box<dyn Fn(&[f64]) -> f64>,
+    error: Balance,
 }
+
+/// How far outputs are from a balance of forces.
+type Balance = Box<dyn Fn(&[f64]) -> f64>;
 
 /// A machine, a motion, a method, one interval or many.
 pub(crate) fn case(draw: &mut Draw) -> Case {
@@ -46,7 +49,7 @@ pub(crate) fn case(draw: &mut Draw) -> Case {
         Integrator::RadauIia5(1e-8),
     ]);
     let verdict = run(&text, method, intervals, &outputs, &error)
-        .map_or_else(|error| Verdict::Wrong(format!("stopped: {error}")), |verdict| verdict);
+        .unwrap_or_else(|error| Verdict::Wrong(format!("stopped: {error}")));
     let text = format!("{text}\n{method:?}, {intervals} of {END} s, {kind}");
     Case { family: format!("{family} {kind}"), text, verdict }
 }
@@ -69,7 +72,7 @@ fn run(
         }
         let found: Vec<f64> = outputs.iter().map(|name| run.output(name)).collect::<Result<_, _>>()?;
         let error = error(&found);
-        if !(error <= worst.0) {
+        if error > worst.0 || error.is_nan() {
             worst = (error, run.time());
         }
     }

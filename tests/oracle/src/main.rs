@@ -7,6 +7,10 @@
 //! ```
 //!
 //! Half of the numbers that a case draws are special ones ([`draw::Draw`]): 0, 1, equal, at rest, at a bound, closed as drawn.
+#![allow(
+    clippy::format_push_string,
+    reason = "texts of declarations are put together, and nothing waits for them"
+)]
 
 mod bounded;
 mod bounds;
