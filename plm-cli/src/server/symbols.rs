@@ -44,7 +44,7 @@ fn of_declaration(document: &Document, declaration: &Declaration) -> Value {
     let inside = declaration.names.all.iter().filter(|name| name.owner.is_none() && name.scope == *all);
     let children: Vec<Value> = inside.map(|name| of_name(document, declaration, name)).collect();
     let (name, place) = title(&document.text, all);
-    symbol(document, (&name, ""), Sort::Module, [all, &place], children)
+    symbol(document, (&name, ""), Sort::Module, [all, &place], &children)
 }
 
 fn of_name(document: &Document, declaration: &Declaration, name: &Name) -> Value {
@@ -54,7 +54,7 @@ fn of_name(document: &Document, declaration: &Declaration, name: &Name) -> Value
         _ => false,
     };
     let children = declaration.names.all.iter().filter(is_inside);
-    let children = children.map(|inner| of_name(document, declaration, inner)).collect();
+    let children: Vec<Value> = children.map(|inner| of_name(document, declaration, inner)).collect();
     let detail = match &name.kind {
         Kind::Instance(kind) => kind.as_str(),
         Kind::Body => "body",
@@ -62,7 +62,7 @@ fn of_name(document: &Document, declaration: &Declaration, name: &Name) -> Value
     };
     // An item may begin behind its name: that of an argument of a part.
     let item = name.item.start.min(name.place.start)..name.item.end.max(name.place.end);
-    symbol(document, (&name.text, detail), Sort::of(&name.kind), [&item, &name.place], children)
+    symbol(document, (&name.text, detail), Sort::of(&name.kind), [&item, &name.place], &children)
 }
 
 fn symbol(
@@ -70,7 +70,7 @@ fn symbol(
     (name, detail): (&str, &str),
     sort: Sort,
     [range, place]: [&Range<usize>; 2],
-    children: Vec<Value>,
+    children: &[Value],
 ) -> Value {
     let [range, place] = [range, place].map(|of| text::range(&document.text, of));
     json!({
