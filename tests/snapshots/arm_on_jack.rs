@@ -90,14 +90,14 @@ mod plm_arm_on_jack_ {
         }
 
         /// Discrete state: constant during a step.
-        type Held<S> = rt::Held<Input<S>, [S; 8], [<S as Scalar>::Turns; 1], ()>;
+        type Held<S> = rt::Held<Input<S>, [S; 10], [<S as Scalar>::Turns; 1], ()>;
 
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
             /// The mechanism with its parameters.
             pub mechanism: ArmOnJack<S>,
-            held: rt::Held<Input<S>, [S; 8], [i32; 1], ()>,
+            held: rt::Held<Input<S>, [S; 10], [i32; 1], ()>,
             time: S,
             x: [S; 10],
         }
@@ -399,10 +399,10 @@ mod plm_arm_on_jack_ {
         }
 
         impl<S: Real> rt::Events for ArmOnJack<S> {
-            type G = [S; 4];
+            type G = [S; 6];
             const KINKS: usize = 13;
-            fn guards(&self, t: S, u: &Self::U, x: &[S; 10], g: &mut [S; 4]) {
-                let mut all = [S::lit(0.0); 17];
+            fn guards(&self, t: S, u: &Self::U, x: &[S; 10], g: &mut [S; 6]) {
+                let mut all = [S::lit(0.0); 19];
                 let out = g;
                 let g = &mut all;
                 self.switching(t, u, x, g);
@@ -412,10 +412,10 @@ mod plm_arm_on_jack_ {
             }
 
             fn kinks(&self, t: S, u: &Self::U, x: &[S; 10], each: &mut impl FnMut(usize, S)) {
-                let mut all = [S::lit(0.0); 17];
+                let mut all = [S::lit(0.0); 19];
                 let g = &mut all;
                 self.switching(t, u, x, g);
-                for (index, value) in all.into_iter().skip(4).enumerate() {
+                for (index, value) in all.into_iter().skip(6).enumerate() {
                     each(index, value);
                 }
             }
@@ -430,9 +430,9 @@ mod plm_arm_on_jack_ {
                 use rt::lanes::Pack;
                 let constant = |[s]: [S; 1]| rt::Enclosed::constant(s);
                 let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
-                let mut guards = [rt::Enclosed::constant(S::lit(0.0)); 17];
+                let mut guards = [rt::Enclosed::constant(S::lit(0.0)); 19];
                 let within =
-                    |u: &Held<rt::Enclosed<S>>, x: &[rt::Enclosed<S>; 10], g: &mut [rt::Enclosed<S>; 17]| {
+                    |u: &Held<rt::Enclosed<S>>, x: &[rt::Enclosed<S>; 10], g: &mut [rt::Enclosed<S>; 19]| {
                         mechanism.switching(t, u, x, g)
                     };
                 within(&held, &rt::Vector::from_fn(x), &mut guards);
@@ -443,7 +443,7 @@ mod plm_arm_on_jack_ {
             }
 
             fn must_hold(&self, index: usize) -> bool {
-                matches!(index, 0 | 1 | 2 | 3)
+                matches!(index, 0 | 1 | 2 | 3 | 4 | 5)
             }
 
             fn switch(&self, _t: S, u: &mut Self::U, _x: &mut [S; 10], index: usize) -> Result<(), Fault> {
@@ -465,7 +465,7 @@ mod plm_arm_on_jack_ {
             fn switch_at_time(&self, t: S, u: &mut Self::U, _x: &mut [S; 10]) -> Result<(), Fault> {
                 let (mut at, mut slope) = ([S::lit(0.0); 4], [S::lit(0.0); 4]);
                 self.instants(u, &mut at, &mut slope);
-                for ((side, at), slope) in u.switches.iter_mut().skip(4).zip(at).zip(slope) {
+                for ((side, at), slope) in u.switches.iter_mut().skip(6).zip(at).zip(slope) {
                     *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
                 }
                 Ok(())
@@ -516,8 +516,10 @@ mod plm_arm_on_jack_ {
             }
 
             fn guard_name(&self, index: usize) -> &'static str {
-                const NAMES: [&str; 4] = [
+                const NAMES: [&str; 6] = [
+                    "press.chamber1.has_room",
                     "press.chamber1.above_vacuum",
+                    "press.chamber2.has_room",
                     "press.chamber2.above_vacuum",
                     "line1.inlet.above_vacuum",
                     "line2.inlet.above_vacuum",
@@ -527,7 +529,9 @@ mod plm_arm_on_jack_ {
 
             fn conditions(&self) -> &'static [&'static str] {
                 &[
+                    "press.chamber1.has_room",
                     "press.chamber1.above_vacuum",
+                    "press.chamber2.has_room",
                     "press.chamber2.above_vacuum",
                     "line1.inlet.above_vacuum",
                     "line2.inlet.above_vacuum",
@@ -624,7 +628,7 @@ mod plm_arm_on_jack_ {
 
         impl<S: Real> ArmOnJack<S> {
             fn holding_(input: Input<S>) -> Held<S> {
-                rt::Held { input, switches: [S::lit(1.0); 8], turns: [0; 1], of_loops: (), contact: () }
+                rt::Held { input, switches: [S::lit(1.0); 10], turns: [0; 1], of_loops: (), contact: () }
             }
 
             fn start_holding_(&self, t: S, input: Input<S>) -> Result<(Held<S>, [S; 10]), Fault> {
@@ -1488,21 +1492,21 @@ mod plm_arm_on_jack_ {
                 x_dot[5] = t40;
                 let valve_servo_swing = x[13];
                 x_dot[6] = by(125.66370614359172) * valve_servo_swing;
+                let switch_9 = u.switches[9];
+                let switch_8 = u.switches[8];
                 let switch_7 = u.switches[7];
                 let switch_6 = u.switches[6];
-                let switch_5 = u.switches[5];
-                let switch_4 = u.switches[4];
                 let t41 = S::select(
-                    switch_6.lt(lit(0.0)),
+                    switch_8.lt(lit(0.0)),
                     by(2.0).mul_add(t, lit(-1.0)),
                     S::select(
-                        switch_5.lt(lit(0.0)),
+                        switch_7.lt(lit(0.0)),
                         lit(1.0),
-                        S::select(switch_4.lt(lit(0.0)), lit(2.5) - t, lit(0.0)),
+                        S::select(switch_6.lt(lit(0.0)), lit(2.5) - t, lit(0.0)),
                     ),
                 );
                 let t42 = by(-25.132741228718345).mul_add(
-                    S::select(switch_7.lt(lit(0.0)), lit(0.0), t41),
+                    S::select(switch_9.lt(lit(0.0)), lit(0.0), t41),
                     by(-201.06192982974676)
                         .mul_add(valve_servo_swing, by(-125.66370614359172) * valve_servo_value),
                 );
@@ -1639,21 +1643,21 @@ mod plm_arm_on_jack_ {
                 dx[7] = t42;
                 let valve_servo_swing = x[9];
                 dx[8] = by(125.66370614359172) * valve_servo_swing;
+                let switch_9 = u.switches[9];
+                let switch_8 = u.switches[8];
                 let switch_7 = u.switches[7];
                 let switch_6 = u.switches[6];
-                let switch_5 = u.switches[5];
-                let switch_4 = u.switches[4];
                 let t43 = S::select(
-                    switch_6.lt(lit(0.0)),
+                    switch_8.lt(lit(0.0)),
                     by(2.0).mul_add(t, lit(-1.0)),
                     S::select(
-                        switch_5.lt(lit(0.0)),
+                        switch_7.lt(lit(0.0)),
                         lit(1.0),
-                        S::select(switch_4.lt(lit(0.0)), lit(2.5) - t, lit(0.0)),
+                        S::select(switch_6.lt(lit(0.0)), lit(2.5) - t, lit(0.0)),
                     ),
                 );
                 let t44 = by(-25.132741228718345).mul_add(
-                    S::select(switch_7.lt(lit(0.0)), lit(0.0), t43),
+                    S::select(switch_9.lt(lit(0.0)), lit(0.0), t43),
                     by(-201.06192982974676)
                         .mul_add(valve_servo_swing, by(-125.66370614359172) * valve_servo_value),
                 );
@@ -1684,54 +1688,58 @@ mod plm_arm_on_jack_ {
 
             /// How far every condition is from switching: positive while the side that is held applies; then what bends where it passes zero.
             ///
-            /// 23 add, 25 mul, 1 div, 3 neg, 1 sqrt, 1 sin_cos, 6 select.
-            fn switching(&self, t: S, u: &Held<S>, x: &[S; 10], g: &mut [S; 17]) {
+            /// 25 add, 29 mul, 1 div, 3 neg, 1 sqrt, 1 sin_cos, 6 select.
+            fn switching(&self, t: S, u: &Held<S>, x: &[S; 10], g: &mut [S; 19]) {
                 let lit = S::lit;
                 let by = rt::Factor;
-                let press_chamber1_pressure = x[2];
                 let switch_0 = u.switches[0];
-                g[0] = (press_chamber1_pressure + lit(101325.0)) * switch_0;
-                let press_chamber2_pressure = x[3];
-                let switch_1 = u.switches[1];
-                g[1] = (press_chamber2_pressure + lit(101325.0)) * switch_1;
-                let line1_inlet_pressure = x[5];
-                let switch_2 = u.switches[2];
-                g[2] = (line1_inlet_pressure + lit(101325.0)) * switch_2;
-                let line2_inlet_pressure = x[7];
-                let switch_3 = u.switches[3];
-                g[3] = (line2_inlet_pressure + lit(101325.0)) * switch_3;
-                g[4] = lit(-101324.0) - press_chamber1_pressure;
-                g[5] = lit(-101324.0) - press_chamber2_pressure;
                 let arm_angle = x[0];
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
                 let t1 = by(-0.8).mul_add(cos_arm_angle, by(0.5) * cos_arm_angle);
                 let t2 = by(-0.8).mul_add(sin_arm_angle, by(0.5) * sin_arm_angle) - lit(0.25);
                 let t3 = t2.mul_add(t2, t1 * t1).sqrt();
+                g[0] = switch_0 * by(0.001963495408493621).mul_add(t3, lit(-0.0003819690898685966));
+                let press_chamber1_pressure = x[2];
+                let switch_1 = u.switches[1];
+                g[1] = (press_chamber1_pressure + lit(101325.0)) * switch_1;
+                let switch_2 = u.switches[2];
+                g[2] = switch_2 * by(-0.0012566370614359172).mul_add(t3, lit(0.0007662830250184728));
+                let press_chamber2_pressure = x[3];
+                let switch_3 = u.switches[3];
+                g[3] = (press_chamber2_pressure + lit(101325.0)) * switch_3;
+                let line1_inlet_pressure = x[5];
+                let switch_4 = u.switches[4];
+                g[4] = (line1_inlet_pressure + lit(101325.0)) * switch_4;
+                let line2_inlet_pressure = x[7];
+                let switch_5 = u.switches[5];
+                g[5] = (line2_inlet_pressure + lit(101325.0)) * switch_5;
+                g[6] = lit(-101324.0) - press_chamber1_pressure;
+                g[7] = lit(-101324.0) - press_chamber2_pressure;
                 let t4 = t3 - lit(0.57);
-                g[6] = -t4;
+                g[8] = -t4;
                 let t5 = t3 - lit(0.22);
-                g[7] = t5;
+                g[9] = t5;
                 let t6 = lit(0.0).max(t4);
                 let t7 = by(1000000.0) * t6;
-                g[8] = lit(1.0) - t7;
+                g[10] = lit(1.0) - t7;
                 let arm_omega = x[1];
                 let t8 = arm_omega * sin_arm_angle;
                 let t9 = arm_omega * cos_arm_angle;
                 let t10 = (-t2)
                     .mul_add(by(-0.8).mul_add(t9, by(0.5) * t9), t1 * by(-0.8).mul_add(t8, by(0.5) * t8));
                 let t11 = by(1000.0) * (t10 / t3);
-                g[9] = by(-100000000.0).mul_add(t6, t11 * lit(1.0).min(t7));
+                g[11] = by(-100000000.0).mul_add(t6, t11 * lit(1.0).min(t7));
                 let t12 = lit(0.0).max(-t5);
                 let t13 = by(1000000.0) * t12;
-                g[10] = lit(1.0) - t13;
-                g[11] = (-t11).mul_add(lit(1.0).min(t13), by(-100000000.0) * t12);
-                g[12] = lit(-101324.0) - line1_inlet_pressure;
-                g[13] = lit(-101324.0) - line2_inlet_pressure;
+                g[12] = lit(1.0) - t13;
+                g[13] = (-t11).mul_add(lit(1.0).min(t13), by(-100000000.0) * t12);
+                g[14] = lit(-101324.0) - line1_inlet_pressure;
+                g[15] = lit(-101324.0) - line2_inlet_pressure;
                 let valve_servo_value = x[8];
-                g[14] = lit(1.0) - valve_servo_value;
+                g[16] = lit(1.0) - valve_servo_value;
                 let t14 = lit(1.0).min(valve_servo_value);
-                g[15] = lit(-1.0) - t14;
-                g[16] = -lit(-1.0).max(t14);
+                g[17] = lit(-1.0) - t14;
+                g[18] = -lit(-1.0).max(t14);
             }
         }
 

@@ -102,7 +102,7 @@ fn enumeration<N: fmt::Display>(
     writeln!(to, "{end}")
 }
 
-/// What a row of contact does: a name, and words.
+/// Name and words of a mode of contact.
 fn of_mode(mode: Mode) -> (&'static str, &'static str) {
     match mode {
         Mode::Open => ("open", "a gap is open"),

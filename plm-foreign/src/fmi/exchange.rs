@@ -222,7 +222,7 @@ impl<M: Exchanged> Instance<M> {
         Ok(Update { states_changed: differs(&before, &x), next: self.instant })
     }
 
-    /// What is due at a place has switched; `late` is about how long ago it was due, s.
+    /// The motion behind all switches that are due at a place; `late` is about how long ago they were due, s.
     fn passed(&self, held: M::U, here: &Place<M>, late: f64) -> Result<Passed<M>, Error> {
         let (mechanism, is_due) = (self.state()?.mechanism(), self.instant.is_some_and(|at| here.0 >= at));
         let motion = Motion { system: mechanism, held: &held };

@@ -194,7 +194,7 @@ impl<M: Exchanged> Instance<M> {
         }
     }
 
-    /// What the user should know although the run goes on.
+    /// Notices of a run that goes on.
     pub fn notice(&self) -> Option<Notice> {
         self.object.sim().ok()?.notice()
     }

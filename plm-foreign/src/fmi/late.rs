@@ -139,7 +139,7 @@ fn guards<M: Exchanged>(system: &M, (t, x): &Place<M>, held: &M::U) -> M::G {
     guards
 }
 
-/// What a solver outside can follow.
+/// Limits of what a solver outside can follow.
 pub(super) struct Follows {
     /// Nothing had switched until then, s.
     pub(super) since: f64,

@@ -29,7 +29,7 @@ pub enum Variable {
     Method,
     /// The step of methods with steps of fixed length, s.
     Step,
-    /// What a row of contact does, as [`Mode::number`](plm_runtime::contact::Mode::number) says.
+    /// Mode of a row of contact, as [`Mode::number`](plm_runtime::contact::Mode::number) says.
     Contact(usize),
 }
 

@@ -1,6 +1,6 @@
 //! An interval of a step: what its enclosures and its values tell of the guards.
 
-use super::quartic::{Course, VALUES, course};
+use super::quartic::{Curve, VALUES, curve};
 use super::relevant::bit;
 use super::rounding::ULPS;
 use super::search::Search;
@@ -125,10 +125,10 @@ impl<M: System<S: Real>> Search<'_, M> {
         let mut leaves = false;
         for i in (0..M::G::LEN).filter(|i| of & bit(*i) != 0) {
             let noise = piece.noise.at(i);
-            match course(&core::array::from_fn(|k| all[k].at(i)), (self.edge(i) - noise, noise)) {
-                Course::Stays => {}
-                Course::Leaves => leaves = true,
-                Course::Open => return Err(i),
+            match curve(&core::array::from_fn(|k| all[k].at(i)), (self.edge(i) - noise, noise)) {
+                Curve::Stays => {}
+                Curve::Leaves => leaves = true,
+                Curve::Open => return Err(i),
             }
         }
         Ok(leaves)

@@ -19,7 +19,7 @@ const STEADY: f64 = 0.125;
 
 /// What a guard does over a piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Course {
+pub(super) enum Curve {
     /// It stays on its side.
     Stays,
     /// It leaves its side once, and does not come back.
@@ -28,8 +28,8 @@ pub(super) enum Course {
     Open,
 }
 
-/// The course of a guard by its values, which is violated below a bound; by so much its values are rounded.
-pub(super) fn course<S: Real>(values: &[S; VALUES], (violated, noise): (S, S)) -> Course {
+/// The curve of a guard by its values, which is violated below a bound; by so much its values are rounded.
+pub(super) fn curve<S: Real>(values: &[S; VALUES], (violated, noise): (S, S)) -> Curve {
     let even = [values[0], values[2], values[4], values[6], values[8]];
     let weigh = |weights: [f64; 5], over: f64| {
         let terms = weights.iter().zip(&even);
@@ -57,39 +57,39 @@ pub(super) fn course<S: Real>(values: &[S; VALUES], (violated, noise): (S, S)) -
     let least = if fits { violated - S::lit(ROUNDED) * noise } else { violated + off };
     // Comparisons with what is not a number are false.
     if control.iter().all(|control| *control >= least) && values.iter().all(|value| *value >= violated) {
-        return Course::Stays;
+        return Curve::Stays;
     }
     let falls = control.windows(2).all(|pair| pair[1] <= pair[0]);
     let is_steady = off <= S::lit(STEADY) * (values[0] - values[8]);
     let leaves = values[0] >= violated && values[8] < violated;
-    if leaves && falls && is_steady { Course::Leaves } else { Course::Open }
+    if leaves && falls && is_steady { Curve::Leaves } else { Curve::Open }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn of(guard: impl Fn(f64) -> f64) -> Course {
-        course(&core::array::from_fn(|k| guard(k as f64 / 8.0)), (0.0, 1e-15))
+    fn of(guard: impl Fn(f64) -> f64) -> Curve {
+        curve(&core::array::from_fn(|k| guard(k as f64 / 8.0)), (0.0, 1e-15))
     }
 
     #[test]
     fn smooth_guards_stay_leave_or_stay_open() {
         for height in [1e-12, 1e-6, 1.0] {
-            assert_eq!(of(|t| height * (1.0 + (0.7 * t).sin())), Course::Stays, "{height}");
-            assert_eq!(of(|t| height * (0.5 - t - 0.1 * t.powi(3))), Course::Leaves, "{height}");
+            assert_eq!(of(|t| height * (1.0 + (0.7 * t).sin())), Curve::Stays, "{height}");
+            assert_eq!(of(|t| height * (0.5 - t - 0.1 * t.powi(3))), Curve::Leaves, "{height}");
             // It dips below zero, or nearly so.
-            assert_eq!(of(|t| height * ((t - 0.4).powi(2) - 1e-3)), Course::Open, "{height}");
+            assert_eq!(of(|t| height * ((t - 0.4).powi(2) - 1e-3)), Curve::Open, "{height}");
         }
-        assert_eq!(of(|_| 0.0), Course::Stays);
-        assert_eq!(of(|_| -2e-16), Course::Open);
-        assert_eq!(of(|_| f64::NAN), Course::Open);
+        assert_eq!(of(|_| 0.0), Curve::Stays);
+        assert_eq!(of(|_| -2e-16), Curve::Open);
+        assert_eq!(of(|_| f64::NAN), Curve::Open);
     }
 
     #[test]
     fn corners_and_jumps_stay_open() {
-        assert_eq!(of(|t| (t - 0.45).abs() - 1e-3), Course::Open);
-        assert_eq!(of(|t| if t < 0.3 { 1e-9 } else { -1.0 }), Course::Open);
+        assert_eq!(of(|t| (t - 0.45).abs() - 1e-3), Curve::Open);
+        assert_eq!(of(|t| if t < 0.3 { 1e-9 } else { -1.0 }), Curve::Open);
     }
 
     /// What is said of random polynomials of the degree of a dense output is true of 1000 of their values.
@@ -107,12 +107,12 @@ mod tests {
             told[found as usize] += 1;
             let all = (0..=1000).map(|k| guard(0.001 * f64::from(k)));
             match found {
-                Course::Stays => assert!(all.fold(1.0, f64::min) >= -2e-14, "{c:?}"),
-                Course::Leaves => {
+                Curve::Stays => assert!(all.fold(1.0, f64::min) >= -2e-14, "{c:?}"),
+                Curve::Leaves => {
                     let signs: [bool; 1001] = core::array::from_fn(|k| guard(0.001 * k as f64) < 0.0);
                     assert!(signs.windows(2).all(|pair| pair[0] <= pair[1]), "{c:?}");
                 }
-                Course::Open => {}
+                Curve::Open => {}
             }
         }
         assert!(told[0] > 4000 && told[1] > 1000, "{told:?}");

@@ -384,7 +384,7 @@ impl Numbers {
         }
     }
 
-    /// The same, by which others are compared; none where it leaves the numbers that have all digits: many quotients are one there.
+    /// Multiple of a row by which others are compared; none where it leaves the numbers that have all digits: many quotients are one there.
     pub(super) fn ratio(&mut self, a: u32, b: u32) -> Option<u32> {
         let ratio = self.quotient(a, b);
         self.get(ratio).to_f64().is_normal().then_some(ratio)

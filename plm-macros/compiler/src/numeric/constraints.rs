@@ -69,7 +69,7 @@ impl<'a> Constraints<'a> {
         rank(&self.with_locks(q, locked))
     }
 
-    /// The same where dependence is judged by another share.
+    /// Rank where dependence is judged by another share.
     pub(super) fn rank_within(&self, q: &[f64], locked: &[bool], tolerance: f64) -> Rank {
         rank_within(&self.with_locks(q, locked), tolerance)
     }

@@ -15,14 +15,14 @@ const LOOKED_AT: f64 = 0.3;
 /// Another pose is taken if the squares of its turns are less than this part.
 const NEARER: f64 = 0.9;
 
-/// What a start that closes only far away was turned by, and what it was open by.
+/// Turn and gap of a start that closes only far away.
 #[derive(Clone, Copy)]
 pub(crate) struct Far {
     /// The angle that was turned most of those that were given: an index into the coordinates.
     pub(crate) coordinate: usize,
     /// By how much, rad.
     pub(crate) turned: f64,
-    /// What joints were open by in the start as declared, m.
+    /// Gap of the joints in the start as declared, m.
     pub(crate) missing: f64,
 }
 

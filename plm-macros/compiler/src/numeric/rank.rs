@@ -18,7 +18,7 @@ pub(crate) struct Rank {
 }
 
 impl Rank {
-    /// The same without what is said of rows from this one on.
+    /// Rank without what is said of rows from this one on.
     pub(crate) fn of_rows(mut self, rows: usize) -> Rank {
         self.dependent.retain(|(row, _)| *row < rows);
         self
@@ -37,7 +37,7 @@ pub(crate) fn rank(rows: &[Row]) -> Rank {
     rank_within(rows, TOLERANCE)
 }
 
-/// The same where a row whose entries fall below another share is taken as zero.
+/// Rank where a row whose entries fall below another share is taken as zero.
 pub(super) fn rank_within(rows: &[Row], tolerance: f64) -> Rank {
     let mut reduced: Vec<Reduced> = Vec::new();
     let mut result = Rank { dependent: Vec::new(), independent: Vec::new() };

@@ -35,7 +35,7 @@ impl Stand {
         self.position + Rotation::by(self.angle) * frame.local
     }
 
-    /// The same at a place where a point of it is known.
+    /// Stand at a place where a point of it is known.
     fn with(self, point: Vec2, frame: &FrameGeometry) -> Stand {
         Stand { position: point - Rotation::by(self.angle) * frame.local, ..self }
     }
