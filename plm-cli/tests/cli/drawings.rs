@@ -7,7 +7,10 @@ use super::{Said, folder, plm_in};
 
 /// Groups of a file.
 fn groups(pairs: &[(i32, &str)]) -> String {
-    pairs.iter().map(|(code, value)| format!("{code}\n{value}\n")).collect()
+    pairs
+        .iter()
+        .flat_map(|(code, value)| [code.to_string(), "\n".to_owned(), value.to_string(), "\n".to_owned()])
+        .collect()
 }
 
 /// A drawing in mm with blocks and entities.
