@@ -56,7 +56,11 @@ impl System<'_> {
             let shifted = complex(a) - DMatrix::identity(n, n) * eigenvalue;
             all.view_mut((0, 0), (n, n)).copy_from(&shifted);
             all.view_mut((n, 0), (scaled.nrows(), n)).copy_from(&complex(&scaled));
-            let Some(svd) = all.try_svd(false, true, f64::EPSILON, ITERATIONS) else { continue };
+            // Not sorted: of entries near the end of the range of numbers a singular value may be none.
+            let svd = all.try_svd_unordered(false, true, f64::EPSILON, ITERATIONS);
+            let Some(svd) = svd.filter(|svd| svd.singular_values.iter().all(|own| own.is_finite())) else {
+                continue;
+            };
             let (Some(vectors), least) = (svd.v_t, svd.singular_values.imin()) else { continue };
             if svd.singular_values[least] <= RANK_TOLERANCE * svd.singular_values.max() {
                 let shape = vectors.row(least).adjoint();

@@ -19,6 +19,7 @@ pub use riccati::{Cost, continuous_riccati, discrete_riccati};
 pub use root_locus::{RootLocus, root_locus};
 pub use sampled::Sampled;
 
+use nalgebra::linalg::Schur;
 use nalgebra::{Complex, DMatrix};
 
 /// How a linear system goes on in time.
@@ -81,15 +82,22 @@ pub(crate) fn eigenvalues(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
         return Vec::new();
     }
     // Iterations on what is no number do not end.
+    let none = || vec![Complex::new(f64::NAN, f64::NAN); matrix.nrows()];
     if !matrix.iter().all(|entry| entry.is_finite()) {
-        return vec![Complex::new(f64::NAN, f64::NAN); matrix.nrows()];
+        return none();
     }
-    let mut balanced = matrix.clone();
+    // Norms of balancing are sums, and their squares are to stay in the range of numbers.
+    let scale = if matrix.amax() > LARGE { matrix.amax() } else { 1.0 };
+    let mut balanced = matrix / scale;
     nalgebra::linalg::balancing::balance_parlett_reinsch(&mut balanced);
-    let mut all: Vec<_> = balanced.complex_eigenvalues().iter().copied().collect();
+    let Some(schur) = Schur::try_new(balanced, f64::EPSILON, 1000 * matrix.nrows()) else { return none() };
+    let mut all: Vec<_> = schur.complex_eigenvalues().iter().map(|own| own * scale).collect();
     all.sort_by(|a, b| a.norm().total_cmp(&b.norm()).then(a.im.total_cmp(&b.im)));
     all
 }
+
+/// Matrices with larger entries are scaled.
+const LARGE: f64 = 1e100;
 
 /// A real matrix as a complex one.
 fn complex(matrix: &DMatrix<f64>) -> DMatrix<Complex<f64>> {

@@ -51,10 +51,10 @@ impl fmt::Display for NoResponse {
 
 impl Error for NoResponse {}
 
-/// Frequencies from one to another at equal ratios, so many of a decade; none where these are no positive, finite numbers.
+/// Frequencies from one to another at equal ratios, so many of a decade; none where these, or their ratio, are no positive, finite numbers.
 pub fn frequencies(from: f64, to: f64, of_a_decade: usize) -> Vec<f64> {
     let is_sensible = |end: f64| end > 0.0 && end.is_finite();
-    if !is_sensible(from) || !is_sensible(to) {
+    if !is_sensible(from) || !is_sensible(to) || !is_sensible(to / from) {
         return Vec::new();
     }
     let decades = (to / from).log10();

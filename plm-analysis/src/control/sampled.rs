@@ -32,14 +32,14 @@ pub struct Sampled {
 
 impl Linearisation {
     /// The system at samples with a period, s, exactly: inputs are held between them, as a converter holds its voltage. It is one matrix
-    /// exponential (C. F. Van Loan, IEEE Trans. Automatic Control 23, 1978). With a period that is no finite number its entries are none.
+    /// exponential (C. F. Van Loan, IEEE Trans. Automatic Control 23, 1978). With a period that is no number, or far beyond what the system takes, its entries are none.
     pub fn sampled(&self, period: f64) -> Sampled {
         let (n, m) = self.b.shape();
         let mut both = DMatrix::zeros(n + m, n + m);
         both.view_mut((0, 0), (n, n)).copy_from(&(&self.a * period));
         both.view_mut((0, n), (n, m)).copy_from(&(&self.b * period));
         // The exponential of what is no number has no end.
-        let is_finite = both.iter().all(|entry: &f64| entry.is_finite());
+        let is_finite = both.iter().all(|entry: &f64| entry.abs() < super::LARGE);
         let both =
             if both.is_empty() || !is_finite { both.map(|entry| entry * f64::NAN) } else { both.exp() };
         Sampled {

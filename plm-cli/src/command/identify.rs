@@ -1,6 +1,6 @@
 //! `plm identify`: parameters and start values of a declaration from measurements.
 
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
@@ -168,7 +168,7 @@ fn progress() -> impl Fn(&Progress) + Send + Sync + 'static {
     let told = Mutex::new(Instant::now());
     move |progress| {
         let Ok(mut told) = told.lock() else { return };
-        if told.elapsed() >= LONG {
+        if told.elapsed() >= LONG && std::io::stderr().is_terminal() {
             *told = Instant::now();
             // Where messages cannot be written there is no place to say so.
             let _ = writeln!(std::io::stderr(), "plm: {progress}");
