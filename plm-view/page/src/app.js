@@ -1,5 +1,6 @@
 // What is shown, as plain data, and what can be done with it. It knows nothing of elements of the page.
 
+import { faultWords } from "./fault.js";
 import { History } from "./history.js";
 import { addMeasures } from "./measure.js";
 import { tellingPoint } from "./opening.js";
@@ -7,7 +8,6 @@ import { onBackground, DARK, LIGHT } from "./palette.js";
 import { Player } from "./player.js";
 import { readResults } from "./results.js";
 import { growArrows, sceneOf, usualCurves } from "./runview.js";
-import { timeText, withShortNumbers } from "./text.js";
 import { usualTools } from "./tools.js";
 import { View } from "./view.js";
 
@@ -234,22 +234,9 @@ export class App {
   /** Tells what ended the active run. */
   tellFault() {
     this.messages = this.messages.filter(({ kind }) => kind !== "fault");
-    const words = this.faultWords();
+    const words = faultWords(this);
     if (words !== "") this.tell("fault", words);
     this.heardFault(words);
-  }
-
-  /** Why the run that is shown stands still; empty where it does not. */
-  faultWords() {
-    const fault = this.run?.fault ?? null;
-    if (fault === null) return "";
-    const opened = this.run === this.live?.run ? this.live?.opened : "";
-    if (opened) return opened;
-    const neverBegan = this.run === this.live?.run && this.live?.isAssembled === false;
-    const what = this.run?.isLive ? "Stopped" : "The run ended";
-    const where = fault.part === "" ? "" : `${fault.part}: `;
-    const when = neverBegan ? "It does not start" : `${what} at ${timeText(fault.time, fault.time)}`;
-    return `${when}: ${where}${withShortNumbers(fault.text)}`;
   }
 
   updateBounds() {

@@ -1,6 +1,7 @@
 // The pane of the declaration: the editor, what is wrong, and what can be done with the text.
 
 import { element, setText } from "./dom.js";
+import { faultWords } from "./fault.js";
 import { Language, languageText } from "./language.js";
 import { packText } from "./packedtext.js";
 import { workerOf } from "./startworker.js";
@@ -120,7 +121,7 @@ export class EditorPane {
     this.found = found === "" ? "Nothing is wrong." : errors > 0 ? `${found}: the last text without an error moves.` : found;
     setText(this.state, this.found);
     this.root.dataset["state"] = errors > 0 ? "errors" : "good";
-    if (errors === 0) this.tellFault(this.app.faultWords());
+    if (errors === 0) this.tellFault(faultWords(this.app));
     this.problems.replaceChildren(
       ...problems.map((problem) => {
         const { range, severity, code, message } = problem;

@@ -40,6 +40,7 @@ const MODULES: &[(&str, &str)] = &[
     ("say", include_str!("../../page/src/say.js")),
     ("history", include_str!("../../page/src/history.js")),
     ("runview", include_str!("../../page/src/runview.js")),
+    ("fault", include_str!("../../page/src/fault.js")),
     ("app", include_str!("../../page/src/app.js")),
     ("dom", include_str!("../../page/src/dom.js")),
     ("picture", include_str!("../../page/src/picture.js")),
