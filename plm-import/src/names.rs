@@ -2,127 +2,16 @@
 
 use std::collections::BTreeSet;
 
-/// Names that the language has for itself: units and words.
-const TAKEN: &[&str] = &[
-    "m",
-    "mm",
-    "cm",
-    "km",
-    "um",
-    "L",
-    "kg",
-    "gram",
-    "tonne",
-    "s",
-    "ms",
-    "min",
-    "h",
-    "Hz",
-    "rad",
-    "deg",
-    "degree",
-    "rev",
-    "N",
-    "kN",
-    "J",
-    "W",
-    "kW",
-    "Pa",
-    "kPa",
-    "MPa",
-    "GPa",
-    "bar",
-    "cP",
-    "K",
-    "ampere",
-    "volt",
-    "ohm",
-    "henry",
-    "t",
-    "pi",
-    "gravity",
-    "ground",
-    "if",
-    "then",
-    "else",
-    "and",
-    "or",
-    "not",
-    "in",
-    "for",
-    "self",
-    "Self",
-    "super",
-    "crate",
-    "_",
-    "plate",
-    "round",
-    "free_slide",
-    "halfway_bushing",
-];
+use plm_compiler::words;
 
-/// Methods of emitted states and runs (`METHODS` of the compiler), which no body can be called, in whatever case.
-const METHODS: &[&str] = &[
-    "time",
-    "kinetic_energy",
-    "gravity_energy",
-    "load_power",
-    "outputs",
-    "undetermined",
-    "branches",
-    "starts",
-    "find",
-    "observed",
-    "step",
-    "step_to",
-    "step_rk4",
-    "step_semi_implicit_euler",
-    "step_linearly_implicit",
-    "at",
-    "reset",
-    "run",
-    "project",
-    "drift",
-    "state",
-    "method",
-    "method_mut",
-    "stats",
-    "notice",
-    "stop_at_change_points",
-    "watch_energy",
-    "count_states",
-    "state_count",
-    "save",
-    "resume",
-    "clone",
-    "clone_from",
-    "into",
-    "try_into",
-    "to_owned",
-    "start",
-];
+/// Words of Rust that no raw identifier can be.
+const OF_RUST: [&str; 5] = ["self", "Self", "super", "crate", "_"];
 
-/// Members of a body, which no port can be called.
-const MEMBERS: &[&str] = &[
-    "x",
-    "y",
-    "position",
-    "angle",
-    "axis",
-    "normal",
-    "velocity",
-    "omega",
-    "acceleration",
-    "alpha",
-    "vx",
-    "vy",
-    "ax",
-    "ay",
-    "body",
-    "mass",
-    "inertia",
-    "centre",
-];
+/// Names of shapes and choices of the library, which would be read as those.
+const CHOICES: [&str; 4] = ["plate", "round", "free_slide", "halfway_bushing"];
+
+/// Numbers of a body beside its members, which no port can be called either.
+const OF_BODIES: [&str; 3] = ["mass", "inertia", "centre"];
 
 /// Names that are given once, whatever their case: code has some of them in small letters.
 #[derive(Clone, Debug, Default)]
@@ -131,7 +20,8 @@ pub(crate) struct Names(BTreeSet<String>);
 impl Names {
     /// Names of ports.
     pub(crate) fn of_ports() -> Names {
-        Names(MEMBERS.iter().map(|&name| name.to_owned()).collect())
+        let members = [words::members_of_bodies(), words::members_of_frames(), OF_BODIES.to_vec()].concat();
+        Names(members.into_iter().map(str::to_owned).collect())
     }
 
     /// A name that nothing else has, as near to `wanted` as it can be; `kind` is put behind one that is taken.
@@ -139,7 +29,7 @@ impl Names {
         let plain = identifier(wanted);
         let is_free = |names: &BTreeSet<String>, name: &str| {
             let small = name.to_ascii_lowercase();
-            !TAKEN.contains(&name) && !METHODS.contains(&small.as_str()) && !names.contains(&small)
+            !is_word(name) && !is_method(&small) && !names.contains(&small)
         };
         let mut name = plain.clone();
         if !is_free(&self.0, &name) {
@@ -153,6 +43,19 @@ impl Names {
         self.0.insert(name.to_ascii_lowercase());
         name
     }
+}
+
+/// Does the language have it for itself, or would it be read as a unit?
+fn is_word(name: &str) -> bool {
+    words::is_taken(name)
+        || words::units().contains(&name)
+        || OF_RUST.contains(&name)
+        || CHOICES.contains(&name)
+}
+
+/// Is it a method of emitted states and runs, or `start` of a mechanism? No body can be called so, in whatever case.
+fn is_method(small: &str) -> bool {
+    small == "start" || words::methods().contains(&small)
 }
 
 /// The letters, digits and underscores of a name, which does not begin with a digit.

@@ -1,6 +1,7 @@
 //! The words of the language, from the tables that the passes read: for highlighters and for short descriptions.
 
 use crate::collect::CollectVec;
+use crate::emit::METHODS;
 use crate::library::{DOMAINS, PARTS};
 use crate::model::{Formulation, Impacts, Repetitions, Step};
 use crate::resolve::{FUNCTIONS, Member, Owner, RESERVED};
@@ -29,6 +30,11 @@ pub fn inner() -> Vec<&'static str> {
 /// May nothing be called so? A word of the language, or the name of a unit.
 pub fn is_taken(name: &str) -> bool {
     RESERVED.contains(&name) || is_unit(name) && !MAY_BE_NAMES.contains(&name)
+}
+
+/// Methods of an emitted state and of its runs, which no body and no output can be called.
+pub fn methods() -> &'static [&'static str] {
+    METHODS
 }
 
 /// Names that always have a value.
