@@ -1,6 +1,6 @@
 //! An interval of a step: what its enclosures and its values tell of the guards.
 
-use super::quartic::{Curve, VALUES, curve};
+use super::quartic::{Curve, Near, VALUES, curve};
 use super::relevant::bit;
 use super::rounding::ULPS;
 use super::search::Search;
@@ -87,7 +87,7 @@ impl<M: System<S: Real>> Search<'_, M> {
             return Verdict::Open(open);
         }
         if by_values != 0 {
-            match self.by_values(piece, by_values) {
+            match self.by_values(piece, by_values, depth) {
                 Ok(leaves) => crossed |= leaves,
                 Err(open) => return Verdict::Open(open),
             }
@@ -115,7 +115,7 @@ impl<M: System<S: Real>> Search<'_, M> {
     /// What these guards do over an interval, one bit each: whether one of them leaves its side, or the first of which that is not told.
     #[cold]
     #[inline(never)]
-    fn by_values(&self, piece: &Piece<M::S, M::G>, of: u64) -> Result<bool, usize> {
+    fn by_values(&self, piece: &Piece<M::S, M::G>, of: u64, depth: Depth) -> Result<bool, usize> {
         let part = M::S::lit(1.0 / (VALUES - 1) as f64) * (piece.to - piece.from);
         let all: [M::G; VALUES] = core::array::from_fn(|k| match k {
             0 => piece.left,
@@ -124,8 +124,10 @@ impl<M: System<S: Real>> Search<'_, M> {
         });
         let mut leaves = false;
         for i in (0..M::G::LEN).filter(|i| of & bit(*i) != 0) {
-            let noise = piece.noise.at(i);
-            match curve(&core::array::from_fn(|k| all[k].at(i)), (self.edge(i) - noise, noise)) {
+            let (edge, noise) = (self.edge(i), piece.noise.at(i));
+            // As above: a dip below the edge by as little as rounding over the whole step may be real.
+            let near = if piece.is_local || depth.is_long { Near::Rounding } else { Near::Unknown };
+            match curve(&core::array::from_fn(|k| all[k].at(i)), (edge, noise), near) {
                 Curve::Stays => {}
                 Curve::Leaves => leaves = true,
                 Curve::Open => return Err(i),

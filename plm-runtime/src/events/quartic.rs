@@ -28,8 +28,18 @@ pub(super) enum Curve {
     Open,
 }
 
-/// The curve of a guard by its values, which is violated below a bound; by so much its values are rounded.
-pub(super) fn curve<S: Real>(values: &[S; VALUES], (violated, noise): (S, S)) -> Curve {
+/// What a curve is that comes nearer to its edge than its values are rounded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Near {
+    /// It is at the edge but for rounding.
+    Rounding,
+    /// It may be beyond.
+    Unknown,
+}
+
+/// The curve of a guard by its values, which leaves its side at an edge; by so much its values are rounded.
+pub(super) fn curve<S: Real>(values: &[S; VALUES], (edge, noise): (S, S), near: Near) -> Curve {
+    let violated = edge - noise;
     let even = [values[0], values[2], values[4], values[6], values[8]];
     let weigh = |weights: [f64; 5], over: f64| {
         let terms = weights.iter().zip(&even);
@@ -54,7 +64,11 @@ pub(super) fn curve<S: Real>(values: &[S; VALUES], (violated, noise): (S, S)) ->
         even[4],
     ];
     // Coefficients are rounded more than values are.
-    let least = if fits { violated - S::lit(ROUNDED) * noise } else { violated + off };
+    let least = match near {
+        Near::Unknown => edge + if fits { S::ZERO } else { off },
+        Near::Rounding if fits => violated - S::lit(ROUNDED) * noise,
+        Near::Rounding => violated + off,
+    };
     // Comparisons with what is not a number are false.
     if control.iter().all(|control| *control >= least) && values.iter().all(|value| *value >= violated) {
         return Curve::Stays;
@@ -70,7 +84,19 @@ mod tests {
     use super::*;
 
     fn of(guard: impl Fn(f64) -> f64) -> Curve {
-        curve(&core::array::from_fn(|k| guard(k as f64 / 8.0)), (0.0, 1e-15))
+        curve(&core::array::from_fn(|k| guard(k as f64 / 8.0)), (1e-15, 1e-15), Near::Rounding)
+    }
+
+    /// A dip that is as deep as the values are rounded stays open, until rounding is known where it happens.
+    #[test]
+    fn dips_as_deep_as_rounding_stay_open() {
+        let dip = |depth: f64| core::array::from_fn(|k| 2e-4 * (k as f64 / 8.0 - 0.4).powi(2) - depth);
+        for depth in [0.0, 1e-6, 1e-5] {
+            assert_eq!(curve(&dip(depth), (0.0, 1e-4), Near::Unknown), Curve::Open);
+            assert_eq!(curve(&dip(depth), (0.0, 1e-4), Near::Rounding), Curve::Stays);
+        }
+        assert_eq!(curve(&dip(-1e-4), (0.0, 1e-4), Near::Unknown), Curve::Stays);
+        assert_eq!(curve(&[0.0; VALUES], (0.0, 1e-4), Near::Unknown), Curve::Stays);
     }
 
     #[test]
