@@ -261,6 +261,8 @@ fn misuse_is_told_what_was_meant() {
         (vec!["--fit", "g"], "an identification needs readings: `--csv FILE`"),
         (vec!["--csv", "a.csv"], "an identification needs unknowns: `--fit NAMES`"),
         (with(&["gg"]), "--fit: there is no parameter or start value `gg`; there are mass, stiffness, g, "),
+        (with(&["g,mass,g"]), "`g` is one unknown, and is given twice"),
+        (with(&["g", "--each", "g"]), "`g` is one unknown, and is given twice"),
         (with(&["g=1 m"]), "--fit g: 1 m is a length (m), and an acceleration (m/s^2) is wanted"),
         (with(&["g", "--bounds", "mass=1..2"]), "--bounds: there is no `mass`; there are g"),
         (

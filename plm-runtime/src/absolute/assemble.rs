@@ -121,15 +121,15 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         look_nearer(m, t, &mut pose, (start, free));
         return Ok(pose);
     }
+    // Lengths that repeat each other disagree wherever the search looks.
+    if let Some(fault) = disagreement(m, t, &pose.q) {
+        return Err(fault);
+    }
     // Locks that are too many are the likelier mistake than joints that do not fit. A pose that closes without them tells.
     if let Some(unlocked) = unlocked(m, t, &q0, free)
         && let Some(there) = Dependencies::at(m, t, &unlocked, free)
     {
         reject_locks(m, t, &unlocked, free, &there, POSITION)?;
-    }
-    // Lengths that repeat each other disagree wherever the search looks.
-    if let Some(fault) = disagreement(m, t, &pose.q) {
-        return Err(fault);
     }
     searched(m, t, (start, free)).map_err(|nearest| lack(m, (t, nearest), free, &nearest))
 }

@@ -200,10 +200,11 @@ pub(super) fn required<M: System<S: Real>>(context: &Context<'_, M>, index: usiz
     context.system.end(index).map_or(Ok(()), |cause| Err(Fault::of_part(time, name, cause)))
 }
 
-/// The fault of a guard that is not decided in a step from a time on.
+/// The fault of a guard that is not decided in a step from a time on: of a pole or a domain the run has come to its end.
 #[cold]
 pub(super) fn undecided<M: System<S: Real>>(system: &M, time: M::S, index: usize) -> Fault {
-    Fault::of_part(time.to_f64(), system.guard_name(index), Cause::NotDecided)
+    let cause = system.end(index).unwrap_or(Cause::NotDecided);
+    Fault::of_part(time.to_f64(), system.guard_name(index), cause)
 }
 
 /// The fault of a requirement that is not met where a run begins, or goes on after a change from outside.

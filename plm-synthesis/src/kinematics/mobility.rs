@@ -25,6 +25,14 @@ pub enum Joint {
     PinInSlot([Link; 2], Point, Point),
 }
 
+impl Joint {
+    fn links(&self) -> [Link; 2] {
+        match *self {
+            Self::Revolute(links, _) | Self::Prismatic(links, _) | Self::PinInSlot(links, ..) => links,
+        }
+    }
+}
+
 /// Mobility at a pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mobility {
@@ -43,8 +51,12 @@ pub fn gruebler(links: usize, one_freedom: usize, two_freedoms: usize) -> isize 
 }
 
 /// Mobility of bodies with joints at a pose, by counting and by rank. Singular values below 1e-9 of the largest one count as zero, with
-/// lengths in units of the extent of the joints.
-pub fn mobility(bodies: usize, joints: &[Joint]) -> Mobility {
+/// lengths in units of the extent of the joints. None where a joint names a body that is not there.
+pub fn mobility(bodies: usize, joints: &[Joint]) -> Option<Mobility> {
+    let is_missing = |link: &Link| matches!(*link, Link::Body(body) if body >= bodies);
+    if joints.iter().any(|joint| joint.links().iter().any(is_missing)) {
+        return None;
+    }
     let places = joints.iter().filter_map(|joint| match joint {
         Joint::Revolute(_, place) | Joint::PinInSlot(_, place, _) => Some(*place),
         Joint::Prismatic(..) => None,
@@ -54,7 +66,7 @@ pub fn mobility(bodies: usize, joints: &[Joint]) -> Mobility {
     let counted = 3 * bodies as isize - rows.len() as isize;
     let matrix = DMatrix::from_fn(rows.len(), 3 * bodies, |row, column| rows[row][column]);
     let rank = if matrix.is_empty() { 0 } else { rank(matrix.clone(), 1e-9 * matrix.norm()) };
-    Mobility { counted, at_pose: 3 * bodies - rank, redundant: rows.len() - rank }
+    Some(Mobility { counted, at_pose: 3 * bodies - rank, redundant: rows.len() - rank })
 }
 
 /// Rows of a joint in the velocities of all bodies: of the point of each that passes the origin, and the rate of turning times the extent.

@@ -185,7 +185,7 @@ fn mobility_by_count_and_by_rank() {
         revolute(body(1), body(2), 1.1, 0.8),
         revolute(body(2), Link::Ground, 1.0, 0.0),
     ];
-    let found = mobility(3, &four);
+    let found = mobility(3, &four).unwrap();
     assert_eq!((found.counted, found.at_pose, found.redundant), (1, 1, 0));
     // A parallel crank with five parallel links moves though the count says 0.
     let parallel = [
@@ -196,7 +196,7 @@ fn mobility_by_count_and_by_rank() {
         revolute(Link::Ground, body(2), 2.0, 0.0),
         revolute(body(2), body(3), 2.3, 0.4),
     ];
-    let found = mobility(4, &parallel);
+    let found = mobility(4, &parallel).unwrap();
     assert_eq!((found.counted, found.at_pose, found.redundant), (0, 1, 1));
     // Stretched, a four-bar has one more freedom of its velocities.
     let flat = [
@@ -205,13 +205,14 @@ fn mobility_by_count_and_by_rank() {
         revolute(body(1), body(2), 1.1, 0.0),
         revolute(body(2), Link::Ground, 1.0, 0.0),
     ];
-    assert_eq!(mobility(3, &flat).at_pose, 2);
+    assert_eq!(mobility(3, &flat).unwrap().at_pose, 2);
     let slotted = [
         Joint::Prismatic([Link::Ground, body(0)], [1.0, 0.0]),
         Joint::PinInSlot([body(0), body(1)], [0.2, 0.5], [0.0, 1.0]),
         revolute(body(1), Link::Ground, 0.0, 0.0),
     ];
-    assert_eq!(mobility(2, &slotted).at_pose, 1);
+    assert_eq!(mobility(2, &slotted).unwrap().at_pose, 1);
+    assert_eq!(mobility(1, &slotted), None);
 }
 
 #[test]

@@ -62,12 +62,13 @@ impl Axis {
         self
     }
 
-    /// Sets the range from `low` to `high`, whatever is drawn; values beyond are left out. A range that is empty, or has no
-    /// place on the axis, is not taken.
+    /// Sets the range from `low` to `high`, whatever is drawn; values beyond are left out. A range that is narrower than 1e-12 of
+    /// its values or than 1e-300, or has no place on the axis, is not taken.
     #[must_use]
     pub fn range(self, low: f64, high: f64) -> Self {
         let has_place = drawable(low) && drawable(high) && (self.scale == Scale::Linear || low > 0.0);
-        Self { fixed: (low < high && has_place).then_some([low, high]), ..self }
+        let has_ticks = has_place && linear_scale::can_be_divided(low, high);
+        Self { fixed: has_ticks.then_some([low, high]), ..self }
     }
 
     /// The ruler for these values.
@@ -168,10 +169,25 @@ mod tests {
 
     #[test]
     fn any_numbers_give_a_range_with_ticks() {
-        let extremes = [0.0, 1.0, -1.0, 1e-310, 1e-290, 1e299, -1e299, 1e308, f64::NAN, f64::INFINITY, 7e15];
+        let extremes = [
+            0.0,
+            1.0,
+            1.0 + f64::EPSILON,
+            -1.0,
+            5e-324,
+            1e-310,
+            1e-290,
+            1e299,
+            -1e299,
+            1e308,
+            f64::NAN,
+            f64::INFINITY,
+            7e15,
+        ];
         for axis in [Axis::linear("x", "m"), Axis::log("x", "m"), Axis::log("x", "m").falling()] {
             for low in extremes {
                 for high in extremes {
+                    assert!(axis.clone().range(low, high).ruler([1.0].into_iter()).ticks().len() < 20);
                     let ruler = axis.ruler([low, high].into_iter());
                     let ticks = ruler.ticks();
                     let labels = ticks.iter().filter(|tick| !tick.label.is_empty()).count();

@@ -17,8 +17,7 @@ pub(super) fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
         return (0.0, 1.0);
     }
     let size = low.abs().max(high.abs());
-    // Below that relative width a difference is mostly rounding, and tick labels would need too many digits.
-    if high - low > 1e-12 * size && high - low > 1e-300 {
+    if can_be_divided(low, high) {
         (low, high)
     } else if size > 1e-300 {
         (low - 0.1 * size, high + 0.1 * size)
@@ -27,7 +26,12 @@ pub(super) fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
     }
 }
 
-/// The ticks in the range, in rising order.
+/// Can the range be divided by ticks? Below that relative width a difference is mostly rounding, and labels would need too many digits.
+pub(super) fn can_be_divided(low: f64, high: f64) -> bool {
+    high - low > 1e-12 * low.abs().max(high.abs()) && high - low > 1e-300
+}
+
+/// The ticks in a range that can be divided, in rising order.
 pub(super) fn ticks(low: f64, high: f64) -> Vec<Tick> {
     let step = Step::near((high - low) / STEPS);
     // A hair of the step, so that the ends of a tight range keep their ticks in spite of rounding.

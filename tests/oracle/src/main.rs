@@ -3,43 +3,30 @@
 //! ```console
 //! cargo run --release -p plm-oracle                               # names the sweeps
 //! cargo run --release -p plm-oracle -- resets 10000 --seed 7      # so many cases of one
+//! cargo run --release -p plm-oracle -- all 1000                   # so many cases of each
 //! cargo run --release -p plm-oracle -- resets --seed 7 --case 123 # one case, with its text
 //! ```
-//!
-//! Half of the numbers that a case draws are special ones ([`draw::Draw`]): 0, 1, equal, at rest, at a bound, closed as drawn.
-#![allow(
-    clippy::format_push_string,
-    reason = "texts of declarations are put together, and nothing waits for them"
-)]
 
-mod bounded;
-mod bounds;
-mod draw;
-mod driven;
-mod geared;
-mod gradients;
-mod hostile;
-mod late;
-mod pages;
-#[path = "../../support/random.rs"]
-mod random;
-mod resets;
-mod sweep;
-mod turned;
-mod wheels;
-
+use std::num::NonZeroU64;
 use std::process::ExitCode;
 
 use lexopt::{Arg, Parser, ValueExt};
 
-use sweep::{SWEEPS, Sweep, Table};
+use plm_oracle::{SWEEPS, Sweep, Table};
 
 /// What was asked for.
 struct Asked {
-    sweep: &'static Sweep,
+    sweeps: &'static [Sweep],
     seed: u64,
-    cases: std::ops::Range<u64>,
-    one: bool,
+    cases: Cases,
+}
+
+/// Which cases of a sweep.
+enum Cases {
+    /// As many as the tests run.
+    Quick,
+    First(u64),
+    One(u64),
 }
 
 fn main() -> ExitCode {
@@ -53,31 +40,47 @@ fn main() -> ExitCode {
             return ExitCode::FAILURE;
         }
     };
-    let Asked { sweep, seed, cases, one } = asked;
+    // Each is run, whatever came of those before.
+    let wrong = asked.sweeps.iter().filter(|sweep| !holds(sweep, &asked)).count();
+    if wrong == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// Is no case of a sweep wrong?
+fn holds(sweep: &Sweep, asked: &Asked) -> bool {
+    let seed = asked.seed;
+    let (cases, one) = match asked.cases {
+        Cases::Quick => (0..sweep.quick, false),
+        Cases::First(count) => (0..count, false),
+        Cases::One(case) => (case..case + 1, true),
+    };
     println!("{}: {}; seed {seed}, cases {} to {}", sweep.name, sweep.title, cases.start, cases.end - 1);
     let table = Table::of(sweep, seed, cases);
     println!("{}", table.shown(one));
-    if table.holds() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    table.holds()
 }
 
 fn asked() -> Result<Asked, lexopt::Error> {
-    let (mut sweep, mut count, mut seed, mut case) = (None, None, 1, None);
+    let (mut sweeps, mut cases, mut seed) = (None, Cases::Quick, 1);
     let mut parser = Parser::from_env();
     while let Some(arg) = parser.next()? {
         match arg {
-            Arg::Value(name) if sweep.is_none() => {
-                let known = SWEEPS.iter().find(|known| name == known.name);
-                sweep = Some(known.ok_or_else(|| format!("there is no sweep {}", name.display()))?);
+            Arg::Value(name) if sweeps.is_none() => sweeps = Some(named(&name.string()?)?),
+            Arg::Value(number) => {
+                let count: NonZeroU64 = number.string()?.parse().map_err(|_| "COUNT is 1 or more")?;
+                cases = Cases::First(count.get());
             }
-            Arg::Value(number) => count = Some(number.string()?.parse().map_err(|_| "COUNT is a number")?),
             Arg::Long("seed") => seed = number(&mut parser)?,
-            Arg::Long("case") => case = Some(number(&mut parser)?),
+            Arg::Long("case") => cases = Cases::One(number(&mut parser)?),
             _ => return Err(arg.unexpected()),
         }
     }
-    let sweep = sweep.ok_or("no sweep is named")?;
-    let cases = case.map_or(0..count.unwrap_or(sweep.quick), |case| case..case + 1);
-    Ok(Asked { sweep, seed, cases, one: case.is_some() })
+    Ok(Asked { sweeps: sweeps.ok_or("no sweep is named")?, seed, cases })
+}
+
+/// One sweep, or all.
+fn named(name: &str) -> Result<&'static [Sweep], String> {
+    let one = || SWEEPS.iter().position(|sweep| sweep.name == name).map(|at| &SWEEPS[at..=at]);
+    (name == "all").then_some(SWEEPS).or_else(one).ok_or_else(|| format!("there is no sweep {name}"))
 }
 
 fn number(parser: &mut Parser) -> Result<u64, lexopt::Error> {

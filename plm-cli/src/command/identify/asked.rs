@@ -155,6 +155,11 @@ impl Unknowns {
     /// Looks names up among parameters and start values. Parameters without a default get their guess.
     pub(super) fn new(asked: &Asked, mechanism: &mut Mechanism) -> Result<Unknowns, Failure> {
         let all: Vec<&str> = asked.fit.iter().chain(&asked.each).map(|text| name_of(text)).collect();
+        if let Some(twice) =
+            all.iter().enumerate().find_map(|(k, name)| all[..k].contains(name).then_some(name))
+        {
+            return Err(format!("`{twice}` is one unknown, and is given twice").into());
+        }
         for (option, texts) in [("--bounds", &asked.bounds), ("--expected", &asked.expected)] {
             let names = texts.iter().map(|text| name_of(text));
             known(option, names, &all)?;
