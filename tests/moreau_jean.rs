@@ -91,7 +91,9 @@ fn ordered_steps_have_the_bits_of_a_run() {
                 assert_eq!(solution.residual, sim.method().residual(), "{k}");
             }
             assert_eq!(sim.state().held(), state.held());
-            assert_eq!(sim.stats().evaluations, $count $(* $evaluations)?);
+            // A condition that has set something asks for the rate behind it.
+            let (stats, own) = (sim.stats(), $count $(* $evaluations)?);
+            assert!((own..=own + stats.switches).contains(&stats.evaluations), "{stats:?}");
         }};
     }
     for theta in [0.5, 1.0] {

@@ -206,3 +206,32 @@ fn the_smallest_lengths_are_nearly_none() {
         }
     }
 }
+
+/// A cycle of an engine: where the angle of the cycle jumps back, what the angle beyond it has decided changes at once.
+#[test]
+fn what_a_jump_puts_beyond_its_boundary_switches_at_once() {
+    for speed in [1.0, 7.0, 40.0, 310.0, 314.0] {
+        let text = format!(
+            "pub Engine {{
+            ground {{ port o: (0, 0) m; }}
+            body crank {{ mass: 1 kg; inertia: 0.15 kg*m^2; port o: (0, 0) m; start omega: {speed:?} rad/s, locked; }}
+            revolute main(ground.o, crank.o) {{ drive: torque; }}
+            let stroke = mod(main.angle, 2 rev);
+            let torque = if stroke < 180 deg then 0.01 N*m else if stroke < 540 deg then 0 N*m else -0.01 N*m;
+            discrete cycles: 1 = 0;
+            when main.angle > 2 rev {{ cycles = cycles + 1; }}
+            output cycles, crank.omega; }}"
+        );
+        let cycles = 2.5;
+        for method in ["Dop853", "Dopri5", "RadauIia5"] {
+            let mut run = start(&text, method);
+            run.step_to(cycles * 4.0 * std::f64::consts::PI / speed).unwrap();
+            assert_eq!(run.output("cycles").unwrap(), 1.0, "{method}, {speed} rad/s");
+            // What the first stroke gives the last one takes.
+            let omega = run.output("crank.omega").unwrap();
+            let most = (speed * speed + 2.0 * 0.01 / 0.15 * std::f64::consts::PI).sqrt();
+            assert!((omega - most).abs() < 1e-6 * most, "{method}, {speed} rad/s: {omega}");
+            assert_few_steps(&run, 0, method);
+        }
+    }
+}

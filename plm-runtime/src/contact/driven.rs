@@ -133,10 +133,13 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     }
 
     /// Its velocity has come to zero, and does not change its sign: rounding alone did, where a motion comes to rest smoothly. It has left this
-    /// rest as it leaves any other.
+    /// rest as it leaves any other; the event of another row does not end it.
     fn has_touched_rest(&self, row: usize, (rate, next): (M::S, Mode), u: &M::U) -> bool {
-        let is_passing = self.occasion.row() == Some(row) && u.modes().of[below::<N>(row)] == next;
-        is_passing && rate.abs() < M::S::lit(left::<M::S>())
+        let Modes { of, carried, .. } = u.modes();
+        let (own, row) = (self.occasion.row() == Some(row), below::<N>(row));
+        let is_passing = own && of[row] == next;
+        let rests_on = !own && self.occasion.row().is_some() && carried[row] && of[row] != Mode::Open;
+        (is_passing || rests_on) && rate.abs() < M::S::lit(left::<M::S>())
     }
 
     /// Rates of the accelerations along the motion, in the modes until now.

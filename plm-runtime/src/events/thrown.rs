@@ -4,6 +4,7 @@
 //! is no question of the next step, which may be longer than the whole flight. Its slope behind the event tells.
 
 use super::boundary::rates;
+use super::rounding::rounding;
 use super::{guards, hold};
 use crate::contact;
 use crate::fault::Fault;
@@ -54,9 +55,18 @@ pub(super) fn switch_back<M: System<S: Real>>(
     Ok(0)
 }
 
-/// Does the state lead away from the boundary of a condition, to the side that is held?
-pub(super) fn leads_away<M: System<S: Real>>(context: &mut Context<'_, M>, index: usize) -> bool {
-    is_of_state(context.system, index) && slope(context, index) > M::S::lit(0.0)
+/// Does the state lead away from the boundary of a condition, to the side that is held? It stands there, but for rounding and for what the
+/// event has `left`: what a jump of another condition has put beyond it is on its way to it.
+pub(super) fn leads_away<M: System<S: Real>>(
+    context: &mut Context<'_, M>,
+    (index, left): (usize, M::S),
+) -> bool {
+    if !is_of_state(context.system, index) {
+        return false;
+    }
+    let (time, here) = (context.time, guards(context.system, context.time, &context.held, &context.x));
+    let noise = rounding((context.system, &context.held), (time, context.end), &context.x, &here);
+    here.at(index) >= left - noise.at(index) && slope(context, index) > M::S::lit(0.0)
 }
 
 /// Is this guard one of a condition, rather than of a row of contact? Those of rows stand behind.
