@@ -214,7 +214,7 @@ on_both!(a_geared_pair_of_arms, [sun, planet], [], {
     constraint gear: planet.angle + 2*sun.angle = 0;
 });
 
-on_both!(a_mass_on_the_rod_of_a_jack, [arm, piston_carried_carriage], [both], {
+on_both!(a_mass_on_the_rod_of_a_jack, [arm, piston_carried_wheel], [both], {
     gravity: 9.81 m/s^2;
     ground { port o: (0, 0) m; port p: (0.3, -0.4) m; }
     body arm { mass: 2 kg; inertia: 0.1 kg*m^2; port o: (-0.5, 0) m; port p: (0.1, 0.05) m; start angle: 20 deg, locked; start omega: 2 rad/s, locked; }
@@ -224,7 +224,7 @@ on_both!(a_mass_on_the_rod_of_a_jack, [arm, piston_carried_carriage], [both], {
     output both = (piston.force, 0);
 });
 
-on_both!(a_mass_and_a_rotor_on_a_four_bar, [crank, coupler, follower, piston_carried_carriage, motor_carried_wheel], [both], {
+on_both!(a_mass_and_a_rotor_on_a_four_bar, [crank, coupler, follower, piston_carried_wheel, motor_carried_wheel], [both], {
     gravity: 9.81 m/s^2;
     ground { port o: (0, 0) m; port p: (0.3, -0.4) m; port d: (1, 0) m; }
     body crank { mass: 1 kg; inertia: 0.02 kg*m^2; port a: (-0.15, 0) m; port b: (0.15, 0) m; start angle: 60 deg, locked; start omega: 5 rad/s, locked; }
