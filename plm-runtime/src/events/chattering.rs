@@ -21,6 +21,10 @@ const UNSEEN: f64 = 1e3;
 /// ... up to this fraction of the longest step, or of the interval where none has been longer.
 const UNSEEN_FOR: f64 = 0.01;
 
+/// So many switches by throwing the state back, in between so little, are flights that accumulate: one that is not thrown back any more ends
+/// the run, for only rounding lets it pass.
+const FLIGHTS: u32 = 8;
+
 /// The window of the present chattering.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Chattering<S> {
@@ -29,20 +33,24 @@ pub(super) struct Chattering<S> {
     pub(super) count: u32,
     /// The conditions that take part, one bit each, of the first 56.
     pub(super) conditions: u64,
+    /// The last of them threw its state back.
+    pub(super) has_thrown: bool,
 }
 
 impl<S: Real> Chattering<S> {
     pub(super) fn new() -> Self {
-        Self { since: S::ZERO, count: 0, conditions: 0 }
+        Self { since: S::ZERO, count: 0, conditions: 0, has_thrown: false }
     }
 
-    /// Counts switches of `conditions`, one bit each; too many in too short a time are a fault of all that took part.
+    /// Counts switches of `conditions`, one bit each, of which some may have `thrown` the state back; too many in too short a time are a fault
+    /// of all that took part.
     pub(super) fn count<M: System<S = S>>(
         &mut self,
         context: &mut Context<'_, M>,
         conditions: u64,
-        switched: u32,
+        (switched, thrown): (u32, u32),
     ) -> Result<(), Fault> {
+        let switched = switched + thrown;
         context.stats.switches += u64::from(switched);
         let time = context.time;
         let short = (S::lit(SHORT) * *context.longest_step).max(S::lit(SHORT_ULPS) * S::EPSILON * time.abs());
@@ -52,11 +60,14 @@ impl<S: Real> Chattering<S> {
             return Ok(());
         }
         if is_over || time < self.since {
-            *self = Self { since: time, count: 0, conditions: 0 };
+            *self = Self { since: time, count: 0, conditions: 0, has_thrown: false };
         }
+        let passes = self.has_thrown && switched > 0 && thrown == 0 && self.count >= FLIGHTS;
+        let is_end = passes && self.is_unseen(context, conditions);
         self.count = self.count.saturating_add(switched);
         self.conditions |= conditions;
-        if self.count <= MOST_SWITCHES {
+        self.has_thrown = thrown > 0;
+        if self.count <= MOST_SWITCHES && !is_end {
             return Ok(());
         }
         let marks: [bool; 64] = core::array::from_fn(|index| self.conditions & bit(index) != 0);

@@ -137,7 +137,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         if boundary.switched != 0 {
             method.restart();
             let count = if is_new { 0 } else { boundary.switched.count_ones() };
-            self.chattering.count(context, boundary.switched, count)?;
+            self.chattering.count(context, boundary.switched, (count, 0))?;
         }
         self.switch_due(method, context, (Some(boundary), S::ZERO))?;
         if boundary.decided != 0 {
@@ -272,7 +272,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             }
         };
         required(context, index)?;
-        let count = switch_there_and_back(context, index)?;
+        let thrown = switch_there_and_back(context, index)?;
         // The end of an interval stays where it is.
         if context.time >= context.end {
             restore_time(context, moved)?;
@@ -281,7 +281,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         let here = guards_here(context)?;
         self.residual.set(index, here.at(index).min(S::ZERO));
         let before = core::mem::replace(&mut self.modes, Modes::Known);
-        let switched = if matches!(before, Modes::New | Modes::Decided) { 0 } else { count };
+        let switched = if matches!(before, Modes::New | Modes::Decided) { (0, 0) } else { (1, thrown) };
         self.chattering.count(context, bit(index), switched)
     }
 
@@ -311,14 +311,15 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         };
         self.release(&here);
         let before = context.x;
-        let Some(Switched { conditions, mut count }) =
+        let Some(Switched { conditions, count }) =
             switch_violated(context, &here, (boundary, self.residual), within)?
         else {
             return Ok(());
         };
+        let mut thrown = 0;
         if boundary.is_none() {
             for index in (0..G::LEN).filter(|index| conditions & bit(*index) != 0) {
-                count += switch_back(context, index, &before)?;
+                thrown += switch_back(context, index, &before)?;
             }
         }
         method.restart();
@@ -326,6 +327,6 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         let own =
             |i: usize| if conditions & bit(i) == 0 { self.residual.at(i) } else { here.at(i).min(S::ZERO) };
         self.residual = G::from_fn(own);
-        self.chattering.count(context, conditions, count)
+        self.chattering.count(context, conditions, (count, thrown))
     }
 }

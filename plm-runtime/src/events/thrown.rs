@@ -13,7 +13,7 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// Commits the event of the condition `index`, and that which the state comes to at once behind it; how many these are.
+/// Commits the event of the condition `index`, and that which the state comes to at once behind it; how many the latter are.
 ///
 /// # Errors
 /// Those of [`Events::switch`](crate::Events::switch), and where constraint rows would have to jump.
@@ -23,7 +23,7 @@ pub(super) fn switch_there_and_back<M: System<S: Real>>(
 ) -> Result<u32, Fault> {
     let before = context.x;
     switch(context, index)?;
-    Ok(1 + switch_back(context, index, &before)?)
+    switch_back(context, index, &before)
 }
 
 /// Commits the way back over the guard of the condition `index`, where its event has set something of the state `before` and leads back at

@@ -25,12 +25,12 @@ impl<S: Real, G: Vector<S>> InWords for Detector<S, G> {
             2 => Modes::Unknown,
             _ => Modes::Known,
         };
-        let Chattering { since, count, conditions } = &mut self.chattering;
+        let Chattering { since, count, conditions, has_thrown } = &mut self.chattering;
         words.number(since);
-        // The count is 101 at most.
-        let mut both = u64::from(*count).min(0xFF) | *conditions << 8;
-        words.word(&mut both);
-        (*count, *conditions) = ((both & 0xFF) as u32, both >> 8);
+        // The count is 101 or a little more.
+        let mut all = u64::from(*count).min(0x7F) | u64::from(*has_thrown) << 7 | *conditions << 8;
+        words.word(&mut all);
+        (*count, *has_thrown, *conditions) = ((all & 0x7F) as u32, all & 0x80 != 0, all >> 8);
         self.guard_free.forget();
     }
 }

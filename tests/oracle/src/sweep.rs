@@ -37,7 +37,7 @@ pub const SWEEPS: &[Sweep] = &[
     },
     Sweep { name: "hostile", title: "numbers that nobody means", quick: 600, case: hostile::case },
     Sweep { name: "bounds", title: "fits whose bounds hold", quick: 100, case: bounds::case },
-    Sweep { name: "resets", title: "states that a `when` sets", quick: 60, case: resets::case },
+    Sweep { name: "resets", title: "states that a `when` sets", quick: 200, case: resets::case },
     Sweep {
         name: "geared",
         title: "geared five-bars of which the crank is declared",
