@@ -37,10 +37,10 @@ fn a_gap_over_a_table_begins_in_the_piece_where_the_point_is() {
     }
 }
 
-/// Steps, made or refused, for each event, at most.
+/// Most steps of an event, made or refused.
 const PER_EVENT: u64 = 20;
 
-/// Beside as many steps as the motion takes without events.
+/// A run takes the steps of its smooth motion and those of its events.
 fn assert_few_steps(run: &Run, smooth: u64, of: &str) {
     let stats = run.stats();
     assert!(stats.steps + stats.rejected < smooth + PER_EVENT * (stats.switches + 10), "{of}: {stats:?}");

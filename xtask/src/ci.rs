@@ -88,7 +88,7 @@ const MORE: &[Step] = &[
     Step::Here(plain("chain", "chain of 64 at opt-level 0 and 3", chores::chain)),
     Step::Here(plain("miri", "Miri", lints::miri)),
     Step::Here(plain("oracle", "random mechanisms of special values", |place| {
-        place.command("cargo run --release -p plm-oracle -- all 10000 --seed 7").run()
+        place.command("cargo run --release -p plm-oracle -- all 1000 --seed 7").run()
     })),
     Step::Here(plain("licences", "licences", chores::licences)),
     Step::Here(plain("systems", "Windows and macOS", lints::other_systems)),

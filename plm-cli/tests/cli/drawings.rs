@@ -7,10 +7,7 @@ use super::{Said, folder, plm_in};
 
 /// Groups of a file.
 fn groups(pairs: &[(i32, &str)]) -> String {
-    pairs
-        .iter()
-        .flat_map(|(code, value)| [code.to_string(), "\n".to_owned(), value.to_string(), "\n".to_owned()])
-        .collect()
+    pairs.iter().map(|(code, value)| [&code.to_string(), "\n", value, "\n"].concat()).collect()
 }
 
 /// A drawing in mm with blocks and entities.

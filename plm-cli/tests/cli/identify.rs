@@ -177,10 +177,7 @@ fn a_false_valley_is_told() {
     let words = ["identify", "yard.plm", "--csv", "a.csv", "--only", "cart.x", "--set", "mass=2kg", "--fit"];
     let said = plm_in(&folder, &[&words[..], &["stiffness=300"], &METHOD].concat(), b"");
     assert_eq!(said.code, 3, "{said:?}");
-    // A fit that takes long tells how far it is.
-    let mut told = said.errors.lines().filter(|line| !line.starts_with("plm: iteration "));
-    let first = told.next().unwrap_or_default();
-    assert!(first.starts_with("plm: the model does not follow cart.x in experiment 0: "), "{said:?}");
+    assert!(said.errors.starts_with("plm: the model does not follow cart.x in experiment 0: "), "{said:?}");
     let said = plm_in(&folder, &[&words[..], &["stiffness=4800"], &METHOD].concat(), b"");
     assert_eq!((said.code, said.errors.as_str()), (0, ""), "{said:?}");
 }

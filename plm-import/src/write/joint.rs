@@ -17,10 +17,10 @@ pub(super) struct Units {
     pub(super) force: &'static str,
     pub(super) stiffness: &'static str,
     pub(super) damping: &'static str,
-    /// The parameter at which a spring is free, the port of a rotor, the rotor, its inertia and where it starts.
+    /// The parameter at which a spring is free, the port of a rotor, the rotor and its inertia.
     rest: &'static str,
     node: &'static str,
-    rotor: [&'static str; 4],
+    rotor: [&'static str; 3],
 }
 
 pub(super) const TURNING: Units = Units {
@@ -31,7 +31,7 @@ pub(super) const TURNING: Units = Units {
     damping: "N*m*s/rad",
     rest: "rest",
     node: "shaft",
-    rotor: ["attached_rotor", "inertia", "kg*m^2", "carried.start"],
+    rotor: ["attached_rotor", "inertia", "kg*m^2"],
 };
 
 pub(super) const SLIDING: Units = Units {
@@ -42,7 +42,7 @@ pub(super) const SLIDING: Units = Units {
     damping: "N*s/m",
     rest: "free_length",
     node: "slider",
-    rotor: ["attached_mass", "mass", "kg", "start"],
+    rotor: ["attached_mass", "mass", "kg"],
 };
 
 impl Units {
@@ -101,11 +101,11 @@ pub(super) fn pairs(
                 }
                 if joint.armature > 0.0 {
                     let rotor = names.give(&format!("{name}_rotor"), "part");
-                    let [part, field, unit, begin] = units.rotor;
+                    let [part, field, unit] = units.rotor;
                     // It starts where the joint does: else assembly would move both.
                     let start = match joint.start {
                         0.0 => String::new(),
-                        start => format!("{begin}: {}; ", units.value(start)),
+                        start => format!("start: {}; ", units.value(start)),
                     };
                     lines.line(&format!(
                         "{part} {rotor}({name}.{}) {{ {field}: {} {unit}; {start}}}",

@@ -126,7 +126,7 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         return Err(fault);
     }
     // Locks that are too many are the likelier mistake than joints that do not fit. A pose that closes without them tells.
-    if let Some(unlocked) = unlocked(m, t, &q0, free)
+    if let Some(unlocked) = unlocked(m, t, start, free)
         && let Some(there) = Dependencies::at(m, t, &unlocked, free)
     {
         reject_locks(m, t, &unlocked, free, &there, POSITION)?;
@@ -134,26 +134,26 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     searched(m, t, (start, free)).map_err(|nearest| lack(m, (t, nearest), free, &nearest))
 }
 
-/// A closed pose beside the start in which nothing is locked, where something is and such a pose is found.
+/// A closed pose in which nothing is locked, where something is and such a pose is found that is not far from the start: one that is says
+/// nothing of the locks.
 #[cold]
 #[inline(never)]
 fn unlocked<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
-    q0: &[S; NQ],
+    start: &[Start<S>; NQ],
     free: &[S; NQ],
 ) -> Option<[S; NQ]> {
     if free.iter().all(|free| *free > S::ZERO) {
         return None;
     }
-    let free = [S::lit(1.0); NQ];
-    let mut pose = newton(m, t, q0, &free);
+    let (mut q, free) = (values(start), [S::lit(1.0); NQ]);
+    let mut pose = newton(m, t, &q, &free);
     if !pose.is_closed(m) {
-        let mut q = *q0;
         Measure::new(m, &free).descend(m, t, &mut q, UNLOCKED);
         pose = newton(m, t, &q, &free);
     }
-    pose.is_closed(m).then_some(pose.q)
+    (pose.is_closed(m) && far(m, t, (start, &free), &pose.q).is_none()).then_some(pose.q)
 }
 
 /// The pose that a search about the start values finds, or the one at which the joints are open least.

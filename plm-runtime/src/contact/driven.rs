@@ -122,7 +122,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
                 }
             }
             slips[row] = match Mode::of_slip(speed) {
-                Some(mode) if !self.has_touched_rest(row, (rows.rate[row], mode), u) => Slip::To(mode),
+                Some(mode) if !self.has_touched_rest(rows, u, (row, mode)) => Slip::To(mode),
                 _ => {
                     rows.free[row] = M::S::ZERO;
                     Slip::Rests
@@ -134,12 +134,12 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
 
     /// Its velocity has come to zero, and does not change its sign: rounding alone did, where a motion comes to rest smoothly. It has left this
     /// rest as it leaves any other; the event of another row does not end it.
-    fn has_touched_rest(&self, row: usize, (rate, next): (M::S, Mode), u: &M::U) -> bool {
-        let Modes { of, carried, .. } = u.modes();
-        let (own, row) = (self.occasion.row() == Some(row), below::<N>(row));
-        let is_passing = own && of[row] == next;
-        let rests_on = !own && self.occasion.row().is_some() && carried[row] && of[row] != Mode::Open;
-        (is_passing || rests_on) && rate.abs() < M::S::lit(left::<M::S>())
+    fn has_touched_rest(&self, rows: &Rows<M::S, N>, u: &M::U, (row, next): (usize, Mode)) -> bool {
+        let is_at_rest = match self.occasion.row() {
+            Some(own) if own == row => u.modes().of[below::<N>(row)] == next,
+            other => other.is_some() && rests(rows, u.modes(), row),
+        };
+        is_at_rest && rows.rate[below::<N>(row)].abs() < M::S::lit(left::<M::S>())
     }
 
     /// Rates of the accelerations along the motion, in the modes until now.

@@ -21,8 +21,8 @@ const UNSEEN: f64 = 1e3;
 /// ... up to this fraction of the longest step, or of the interval where none has been longer.
 const UNSEEN_FOR: f64 = 0.01;
 
-/// So many switches by throwing the state back, in between so little, are flights that accumulate: one that is not thrown back any more ends
-/// the run, for only rounding lets it pass.
+/// Flights accumulate where conditions have thrown the state back in so many such switches: only rounding lets the next one pass, and the run
+/// ends there.
 const FLIGHTS: u32 = 8;
 
 /// The window of the present chattering.

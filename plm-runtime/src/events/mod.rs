@@ -201,8 +201,8 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             (*method, context.time, context.held, context.x) = (before, start.time, start.held, start.x);
             let is_at_once = time - start.time <= least;
             // What happens at once needs no step, unless the state leads away first: then the shortest one ends behind it.
-            let left = |index| (index, self.residual.at(index).min(S::ZERO));
-            if is_at_once && !due.is_some_and(|index| leads_away(context, left(index))) {
+            let stood = |index| (index, self.residual.at(index));
+            if is_at_once && !due.is_some_and(|index| leads_away(context, stood(index))) {
                 return Ok(due);
             }
             let time = if is_at_once { (start.time + least + least).min(context.end) } else { time };
@@ -218,7 +218,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             if ends != Ends::BeforeKink {
                 // A shorter step that is rejected all the same has not come as far: the next one will find the crossing again.
                 let mut due = due.filter(|_| context.time >= time);
-                due = due.filter(|index| !(is_at_once && leads_away(context, left(*index))));
+                due = due.filter(|index| !(is_at_once && leads_away(context, stood(*index))));
                 if let Some(index) = due.filter(|index| context.system.must_hold(*index)) {
                     due = meet(method, context, (&before, &start), index)?.then_some(index);
                 } else if let Some(index) = due.filter(|_| context.system.contact_count() > 0) {

@@ -28,12 +28,12 @@ pub(super) enum Curve {
     Open,
 }
 
-/// What a curve is that comes nearer to its edge than its values are rounded.
+/// A distance from the edge below the rounding of the values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Near {
-    /// It is at the edge but for rounding.
+    /// Rounding alone: the curve is at its edge.
     Rounding,
-    /// It may be beyond.
+    /// Unknown: the curve may be beyond its edge.
     Unknown,
 }
 

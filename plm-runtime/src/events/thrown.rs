@@ -13,7 +13,7 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// Commits the event of the condition `index`, and that which the state comes to at once behind it; how many the latter are.
+/// Commits the event of the condition `index`, and the way back over its guard where that follows at once; the number of ways back.
 ///
 /// # Errors
 /// Those of [`Events::switch`](crate::Events::switch), and where constraint rows would have to jump.
@@ -55,18 +55,18 @@ pub(super) fn switch_back<M: System<S: Real>>(
     Ok(0)
 }
 
-/// Does the state lead away from the boundary of a condition, to the side that is held? It stands there, but for rounding and for what the
-/// event has `left`: what a jump of another condition has put beyond it is on its way to it.
+/// Does the state lead away from the boundary of a condition, to the side that is held? The residual of the condition and rounding may be
+/// between; a state that a jump of another condition has put beyond the boundary leads to it.
 pub(super) fn leads_away<M: System<S: Real>>(
     context: &mut Context<'_, M>,
-    (index, left): (usize, M::S),
+    (index, residual): (usize, M::S),
 ) -> bool {
     if !is_of_state(context.system, index) {
         return false;
     }
     let (time, here) = (context.time, guards(context.system, context.time, &context.held, &context.x));
     let noise = rounding((context.system, &context.held), (time, context.end), &context.x, &here);
-    here.at(index) >= left - noise.at(index) && slope(context, index) > M::S::lit(0.0)
+    here.at(index) >= residual.min(M::S::lit(0.0)) - noise.at(index) && slope(context, index) > M::S::lit(0.0)
 }
 
 /// Is this guard one of a condition, rather than of a row of contact? Those of rows stand behind.

@@ -23,7 +23,7 @@ struct Asked {
 
 /// Which cases of a sweep.
 enum Cases {
-    /// As many as the tests run.
+    /// The number of cases in the tests.
     Quick,
     First(u64),
     One(u64),

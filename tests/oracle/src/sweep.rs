@@ -57,7 +57,7 @@ pub const SWEEPS: &[Sweep] = &[
 pub struct Sweep {
     /// As `plm-oracle` takes it.
     pub name: &'static str,
-    /// What its cases are.
+    /// The subject of its cases, for the list of sweeps.
     pub title: &'static str,
     /// As many cases as the tests run: some ten seconds.
     pub quick: u64,
