@@ -241,3 +241,84 @@ fn what_a_jump_puts_beyond_its_boundary_switches_at_once() {
         }
     }
 }
+
+/// A circuit breaker: a stiff spring over its dead centre throws an arm on a stop, from which it bounces to rest. Flights between impacts are
+/// lower than any tolerance of a step; stages and times that are not more exact than those led below the stop.
+#[test]
+fn an_arm_comes_to_rest_on_its_stop_at_every_tolerance() {
+    let text = "pub Breaker {
+        ground { port pivot: (0, 0) mm; port low: (25, 0) mm; }
+        body arm {
+            mass: 30 gram; inertia: 1e-5 kg*m^2; port pivot: (0, 0) mm; port eye: (0, 25) mm;
+            start angle: 22 deg, locked;
+        }
+        revolute pivot(ground.pivot, arm.pivot) {
+            lower_limit: -30 deg; upper_limit: 30 deg; restitution: 0.2; damping: 1e-4 N*m*s/rad;
+        }
+        spring toggle(ground.low, arm.eye) { stiffness: 2 N/mm; free_length: 10 mm; }
+        latch hold(ground.pivot, arm.pivot) {
+            motion: rotation; angle: 22 deg; release: if t > 1 ms then 1 else 0; closed: 1;
+        }
+        output arm.angle, arm.omega;
+    }";
+    for method in
+        ["Dop853", "RadauIia5:1e-4", "RadauIia5:1e-5", "RadauIia5:1e-6", "RadauIia5", "RadauIia5:1e-12"]
+    {
+        let mut run = start(text, method);
+        run.step_to(0.01).unwrap();
+        let [angle, omega] = ["arm.angle", "arm.omega"].map(|name| run.output(name).unwrap());
+        assert!((angle + PI / 6.0).abs() < 1e-10 && omega == 0.0, "{method}: {angle} rad, {omega} rad/s");
+        assert_few_steps(&run, 600, method);
+    }
+}
+
+/// A trebuchet throws its stone where four comparisons hold. Impulses that satisfy joints again move the last of them by rounding.
+#[test]
+fn what_rounding_moves_at_an_event_takes_no_side_again() {
+    let text = "pub Trebuchet {
+        gravity: 9.81 m/s^2;
+        discrete held: 1 = 1;
+        ground { port axle: (0, 5) m; port floor: (0, 0) m; }
+        body beam {
+            mass: 100 kg; inertia: rod(100 kg, 10 m); port axle: (-3, 0) m; port short: (-5, 0) m; port long: (5, 0) m;
+            start angle: 215 deg, locked;
+        }
+        body weight { mass: 2000 kg; inertia: 500 kg*m^2; port hook: (0, 1) m; }
+        body stone { mass: 15 kg; inertia: sphere(15 kg, 0.15 m); port pouch: (0, 0) m; start x: -2 m; start y: 0 m; }
+        revolute axle(ground.axle, beam.axle);
+        revolute hook(beam.short, weight.hook);
+        unilateral sling: norm(beam.long.position - stone.pouch.position) <= 5 m { when: held > 0.5; }
+        point_on_line trough(ground.floor, stone.pouch);
+        when held > 0.5 and stone.vx > 0 m/s and stone.vy < stone.vx and stone.y > 5 m { held = 0; }
+        output stone.x;
+    }";
+    for tolerance in ["1e-4", "1e-5", "1e-6", "1e-7", "1e-9", "1e-12"] {
+        let mut run = start(text, &format!("Dop853:{tolerance}"));
+        run.step_to(3.0).unwrap();
+        let x = run.output("stone.x").unwrap();
+        assert!((x - 78.5465).abs() < 1e-3, "{tolerance}: {x}");
+    }
+}
+
+/// A ball that begins at rest on the floor from which its `when` throws it back: it has no flight, and does not fall through.
+#[test]
+fn a_ball_at_rest_on_its_floor_does_not_fall_through() {
+    let at_rest = "at rest where events without end throw it back, by `ball.y < 0 m`";
+    for (law, is_thrown) in [("-0.8*ball.vy", true), ("0 m/s", false), ("ball.vy", false)] {
+        let text = format!(
+            "pub Rest {{ gravity: 9.81 m/s^2; body ball {{ mass: 1 kg; inertia: 1 kg*m^2; start y: 0 m, locked; }}
+            when ball.y < 0 m {{ ball.vy = {law}; }} output ball.y; }}"
+        );
+        for method in ["Dop853", "Dopri5", "Vern9", "Adams"] {
+            let mut run = start(&text, method);
+            match run.step_to(1.0) {
+                Err(error) if is_thrown => assert!(error.to_string().contains(at_rest), "{method}: {error}"),
+                outcome => {
+                    outcome.unwrap();
+                    let y = run.output("ball.y").unwrap();
+                    assert!(!is_thrown && (y + 4.905).abs() < 1e-6, "{law}, {method}: {y}");
+                }
+            }
+        }
+    }
+}

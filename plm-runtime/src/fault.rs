@@ -145,7 +145,7 @@ pub enum Cause {
     },
     /// A condition switches more and more often: the times have a limit that they do not pass.
     Zeno {
-        /// How often something switched.
+        /// How often something switched; 0 where flights of no height would follow each other.
         events: u32,
         /// In how short a time, s.
         within: f64,

@@ -19,10 +19,15 @@ def short(name):
     return "::".join(re.findall(r"\w+", name.replace("<S>", ""))[-2:])
 
 
+def copies_memory(name):
+    """Whether this short name is that of a function of memory."""
+    return bool(MEMORY.fullmatch(name.split("::")[-1]))
+
+
 def bytes_in(function):
     """The register with the number of bytes of a function of memory; none of others."""
     name = short(function.name).split("::")[-1]
-    if MEMORY.fullmatch(name):
+    if copies_memory(name):
         return "r1" if "memclr" in name or "aeabi_memset" in name else "r2"
     return None
 

@@ -13,7 +13,7 @@ import sys
 
 from constants import Constants
 from program import NotUnderstood, read
-from walk import Rules, Walk, short
+from walk import Rules, Walk, copies_memory, short
 
 # SysTick's counter, which is read before a step and behind it: examples/firmware/machine/src/bare/cortex_m.rs.
 COUNTER = 0xE000E018
@@ -149,9 +149,13 @@ def walk_board(functions, report, rules):
             check(name, everything and usual, "what is left out leaves no path")
             straight = "no straight line"
             if kind == LINE_STEPS:
-                least, line = step.cost(shortest).count, step.cost(longest[LINE]).count
+                shortest_line, line = step.cost(shortest), step.cost(longest[LINE]).count
+                least = shortest_line.count
                 straight = f"{least} straight on" if least == line else f"{least} to {line} straight on"
-                check(name, least == int(fewest), f"the line of {least} is not the fewest that were measured, {fewest}")
+                # Of a copy the shortest path has one round of each loop.
+                copies = any(copies_memory(part) for part in shortest_line.shares)
+                is_met = least <= int(fewest) <= line if copies else least == int(fewest)
+                check(name, is_met, f"the line of {straight} is not the fewest that were measured, {fewest}")
             describe(f"{name}, {scalar}: {straight}", usual)
             check(name, usual.count >= int(most), f"{usual.count} at most is less than was measured, {most}")
             yield f"{name},{everything.count},{usual.count}\n"

@@ -123,10 +123,15 @@ impl Source {
         let tokens = self.tokens.get(span.first as usize..=span.last as usize).unwrap_or_default();
         let is_word = |text: &str| text.starts_with(|c: char| c == '_' || c.is_alphanumeric());
         let ends_operand = |text: &str| is_word(text) || [")", "]", "}"].contains(&text);
+        let compares = |text: &str| ["<", ">", "=", "!"].contains(&text);
+        let joins = |text: &str| ["and", "or", "within"].contains(&text);
         let (mut line, mut before, mut was_binary) = (String::new(), "", false);
         for Token { text, .. } in tokens {
-            let is_binary = ["+", "-"].contains(&text.as_str()) && ends_operand(before);
-            let is_apart = before == "," || is_binary || was_binary || (is_word(before) && is_word(text));
+            let is_sum = ["+", "-"].contains(&text.as_str()) && ends_operand(before);
+            let is_binary = is_sum || compares(text) || joins(text);
+            // A comparison of two characters is two tokens.
+            let is_apart = before == "," || (is_word(before) && is_word(text)) || is_binary || was_binary;
+            let is_apart = is_apart && !line.is_empty() && !(compares(before) && compares(text));
             line.push_str(if is_apart { " " } else { "" });
             line.push_str(text);
             (before, was_binary) = (text, is_binary);

@@ -132,6 +132,15 @@ pub(super) fn meet<M: System<S: Real>, I: Method<M>>(
     Ok(true)
 }
 
+/// What became of the end of a step that a guard has ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Refined {
+    /// It is where the guard vanishes, as far as a short way leads there.
+    Here,
+    /// It is too far from there for that: the step has to be made again.
+    Far,
+}
+
 /// Moves the end of a step that a guard has ended to where that guard vanishes. The dense output by which the time was located is less
 /// exact than the step, by much where a row of contact comes slowly. The way is so short that the midpoint rule leads there.
 ///
@@ -141,7 +150,7 @@ pub(super) fn refine<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     start: M::S,
     index: usize,
-) -> Result<(), Fault> {
+) -> Result<Refined, Fault> {
     let mut projected = context.x;
     context.project(context.time, &mut projected)?;
     context.x = projected;
@@ -149,13 +158,16 @@ pub(super) fn refine<M: System<S: Real>>(
     let noise = rounding((context.system, &context.held), (time, time), &x, &here);
     let off = here.at(index);
     let Some((rate, slopes)) = rates_of_both(context).filter(|_| off.abs() > noise.at(index)) else {
-        return Ok(());
+        return Ok(Refined::Here);
     };
     let ahead = -off / slopes.at(index);
     // False for what is not a number.
-    let is_near = ahead.abs() <= M::S::lit(MOVED) * (time - start) && time + ahead <= context.end;
+    let is_near = ahead.abs() <= M::S::lit(MOVED) * (time - start);
     if !is_near {
-        return Ok(());
+        return Ok(Refined::Far);
+    }
+    if time + ahead > context.end {
+        return Ok(Refined::Here);
     }
     let half = M::S::lit(0.5) * ahead;
     let (middle, mut rate_there) = (x.map2(&rate, |x, rate| x + half * rate), rate);
@@ -164,7 +176,7 @@ pub(super) fn refine<M: System<S: Real>>(
     if guards(context.system, time + ahead, &context.held, &moved).at(index).abs() < off.abs() {
         (context.time, context.x) = (time + ahead, moved);
     }
-    Ok(())
+    Ok(Refined::Here)
 }
 
 /// How fast each guard changes at the state, per second; none where there is no rate.

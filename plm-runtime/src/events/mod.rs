@@ -33,7 +33,7 @@ mod touch;
 mod violated;
 mod words;
 
-use self::boundary::{Boundary, advance_to, decide, meet, refine};
+use self::boundary::{Boundary, Refined, advance_to, decide, meet, refine};
 use self::chattering::Chattering;
 use self::derived::{Timed, derive_time, moved_end, restore_time};
 use self::ends::Ends;
@@ -222,7 +222,10 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
                 if let Some(index) = due.filter(|index| context.system.must_hold(*index)) {
                     due = meet(method, context, (&before, &start), index)?.then_some(index);
                 } else if let Some(index) = due.filter(|_| context.system.contact_count() > 0) {
-                    refine(context, start.time, index)?;
+                    if refine(context, start.time, index)? == Refined::Far {
+                        due = meet(method, context, (&before, &start), index)?.then_some(index);
+                        refine(context, start.time, index)?;
+                    }
                 }
                 self.arrive(guards_here(context)?);
                 return Ok(due);

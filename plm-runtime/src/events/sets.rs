@@ -12,6 +12,8 @@ use crate::vector::Vector;
 
 /// So many times events may follow each other at once.
 const MOST_ROUNDS: u32 = 100;
+/// So many units in the last place are rounding.
+const MANY: f64 = 1024.0;
 
 /// A mechanism with `W` events that set states; implemented by generated code.
 pub trait Sets<const W: usize>: System<S: Real> {
@@ -57,10 +59,14 @@ pub fn change<M: Sets<W>, const W: usize>(
     x: &mut M::X,
     change: impl FnOnce(&mut M::U, &mut M::X) -> Result<(), Fault>,
 ) -> Result<(), Fault> {
-    let beginning = *u;
+    let (mut beginning, start) = (*u, *x);
     let mut held = system.holds(u);
     let mut before = differences(system, t, u, x);
     change(u, x)?;
+    if is_rounding(system, &start, x) {
+        let here = differences(system, t, u, x);
+        keep_changed(&mut before, (M::sides(&mut beginning), M::sides(u)), &here);
+    }
     let mut is_settled = true;
     for _ in 0..MOST_ROUNDS {
         let (has_followed, here) = follow(system, t, u, x, &before);
@@ -132,6 +138,20 @@ fn differences<M: Sets<W>, const W: usize>(system: &M, t: M::S, u: &M::U, x: &M:
 
 fn changed<G: Vector<S>, S: Real>(before: &G, after: &G, k: usize) -> bool {
     before.at(k) != after.at(k)
+}
+
+/// Has a change moved the state by no more than rounding, as impulses do that satisfy joints again?
+fn is_rounding<M: System<S: Real>>(system: &M, before: &M::X, x: &M::X) -> bool {
+    let least = M::S::lit(MANY) * M::S::EPSILON;
+    let typical = system.typical();
+    (0..M::X::LEN).all(|i| (x.at(i) - before.at(i)).abs() <= least * (typical.at(i) + x.at(i).abs()))
+}
+
+/// Conditions to which a change has given other sides have the values behind it: these are rounding, of either sign.
+fn keep_changed<G: Vector<S>, S: Real>(before: &mut G, (old, new): (&[S], &[S]), here: &G) {
+    for (k, _) in old.iter().zip(new).enumerate().filter(|(_, (old, new))| old != new) {
+        before.set(k, here.at(k));
+    }
 }
 
 /// Gives conditions whose values have jumped the sides of the new ones; whether any has got another one, and their differences then. That

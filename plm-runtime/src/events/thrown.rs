@@ -3,27 +3,64 @@
 //! The guard of an event is zero there, but for rounding: its value says nothing of the side that it goes to, and how long it stays on that
 //! is no question of the next step, which may be longer than the whole flight. Its slope behind the event tells.
 
-use super::boundary::rates;
+use super::boundary::{rates, rates_of_both};
 use super::rounding::rounding;
 use super::{guards, hold};
 use crate::contact;
-use crate::fault::Fault;
+use crate::fault::{Cause, Fault, Names};
 use crate::method::Context;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
+/// So far ahead of a state at rest its event is tried, in square roots of the rounding of a time of 1 s and more: as little as lets the guard
+/// change by more than its rounding.
+const AHEAD: f64 = 64.0;
+
 /// Commits the event of the condition `index`, and the way back over its guard where that follows at once; the number of ways back.
 ///
 /// # Errors
-/// Those of [`Events::switch`](crate::Events::switch), and where constraint rows would have to jump.
+/// Those of [`Events::switch`](crate::Events::switch), and where constraint rows would have to jump; [`Cause::Zeno`] of a state that rests
+/// where its event throws back whatever moves.
 pub(super) fn switch_there_and_back<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     index: usize,
 ) -> Result<u32, Fault> {
-    let before = context.x;
+    let (held, before) = (context.held, context.x);
     switch(context, index)?;
-    switch_back(context, index, &before)
+    let thrown = switch_back(context, index, &before)?;
+    if thrown == 0 && is_same(&context.x, &before) && rests(context, index, &held) {
+        let marks: [bool; 64] = core::array::from_fn(|i| i == index);
+        let conditions = Names::marked(context.system.conditions(), &marks);
+        let cause = Cause::Zeno { events: 0, within: 0.0, conditions };
+        return Err(Fault::of_part(context.time.to_f64(), context.system.guard_name(index), cause));
+    }
+    Ok(thrown)
+}
+
+/// Does a state rest on the boundary of a condition whose event has set nothing, because nothing moves? A moment later it would be beyond,
+/// and its event would throw it back: the flights have no height. `held` is what was held before the event.
+fn rests<M: System<S: Real>>(context: &mut Context<'_, M>, index: usize, held: &M::U) -> bool {
+    if !is_of_state(context.system, index) {
+        return false;
+    }
+    let here = (context.time, context.held, context.x);
+    context.held = *held;
+    let rests = rates_of_both(context).is_some_and(|(rate, _)| {
+        let ahead = M::S::lit(AHEAD) * M::S::EPSILON.sqrt() * (M::S::lit(1.0) + here.0.abs());
+        context.x = here.2.map2(&rate, |x, rate| x + ahead * rate);
+        let guards = guards(context.system, here.0, held, &here.2);
+        let noise = rounding((context.system, held), (here.0, here.0), &here.2, &guards);
+        let (falls, fallen) = (slope(context, index) * ahead < -noise.at(index), context.x);
+        let is_set = falls && switch(context, index).is_ok() && !is_same(&context.x, &fallen);
+        is_set && slope(context, index) < M::S::lit(0.0)
+    });
+    (context.time, context.held, context.x) = here;
+    rests
+}
+
+fn is_same<S: Real, X: Vector<S>>(x: &X, before: &X) -> bool {
+    (0..X::LEN).all(|i| x.at(i) == before.at(i))
 }
 
 /// Commits the way back over the guard of the condition `index`, where its event has set something of the state `before` and leads back at
@@ -36,13 +73,12 @@ pub(super) fn switch_back<M: System<S: Real>>(
     index: usize,
     before: &M::X,
 ) -> Result<u32, Fault> {
-    let is_set = || (0..M::X::LEN).any(|i| context.x.at(i) != before.at(i));
     // What the event has set the guard itself to is its side already.
     let stands = |context: &Context<'_, M>| {
         let guard = |x: &M::X| guards(context.system, context.time, &context.held, x).at(index);
         guard(before) == guard(&context.x)
     };
-    let is_asked = is_of_state(context.system, index) && is_set() && stands(context);
+    let is_asked = is_of_state(context.system, index) && !is_same(&context.x, before) && stands(context);
     if !is_asked || slope(context, index) >= M::S::lit(0.0) {
         return Ok(0);
     }

@@ -86,7 +86,10 @@ impl fmt::Display for Cause {
             Self::Domain { of } => write!(f, "`{of}` is not defined beyond this"),
             Self::Jump { by, angular, speed } => jump(f, *by, if *angular { "rad" } else { "m" }, *speed),
             Self::Zeno { events, within, conditions } => {
-                write!(f, "switches without end: {events} times within {within:e} s")?;
+                match events {
+                    0 => f.write_str("at rest where events without end throw it back")?,
+                    _ => write!(f, "switches without end: {events} times within {within:e} s")?,
+                }
                 for (i, condition) in conditions.iter().enumerate() {
                     write!(f, "{} `{condition}`", if i == 0 { ", by" } else { " and" })?;
                 }

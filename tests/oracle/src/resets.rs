@@ -128,7 +128,7 @@ fn late(method: Integrator) -> Option<f64> {
 }
 
 fn stopped(why: &str, throw: &Throw, method: Integrator) -> Verdict {
-    let is_zeno = why.contains("switches without end") && late(method).is_none();
+    let is_zeno = why.contains("without end") && late(method).is_none();
     if is_zeno && throw.accumulates() <= throw.end + NEAR {
         Verdict::Stopped(why.to_owned())
     } else {

@@ -314,9 +314,7 @@ impl Input<'_> {
     fn row_without_name(self, start: usize, word: &str) -> Reported {
         self.advance_to(|input| input.peek(Token![;]) || input.peek(token::Brace));
         let span = self.span_from(start);
-        let text =
-            self.text_of(span).replace(">=", " >= ").replace("<=", " <= ").replace(")within", ") within");
-        let help = format!("write `{word} name: {text};`");
+        let help = format!("write `{word} name: {};`", self.text_of(span));
         self.error(Code::UnexpectedToken, span, format!("a `{word}` needs a name")).help(help);
         Reported
     }

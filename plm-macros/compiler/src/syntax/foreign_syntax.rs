@@ -211,7 +211,7 @@ impl Input<'_> {
     pub(super) fn constraint_without_name(self, start: usize) -> Reported {
         self.advance_to(|input| input.peek(Token![;]));
         let span = self.span_from(start);
-        let text = self.text_of(span).replace("==", "=").replacen('=', " = ", 1);
+        let text = self.text_of(span).replace("==", "=");
         self.error(Code::UnexpectedToken, span, "a constraint needs a name")
             .help(format!("write `constraint name: {text};`"));
         Reported

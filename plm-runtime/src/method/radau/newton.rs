@@ -6,6 +6,7 @@ use crate::linear::Linear;
 use crate::method::Context;
 use crate::method::jacobian::Resolvent;
 use crate::scalar::{Real, Scalar};
+use crate::system::System;
 use crate::vector::Vector;
 
 /// Iterations after which a step is tried shorter.
@@ -13,6 +14,13 @@ pub(super) const MOST_ITERATIONS: usize = 7;
 
 /// Ratio of two corrections above which the step is rather made shorter.
 const SLOWEST: f64 = 0.4;
+
+/// Where there are events, what is still to come is below this part of what a step moves, ...
+const OF_THE_STEP: f64 = 1e-6;
+/// ... or below so many units in the last place, ...
+const ULPS: f64 = 64.0;
+/// ... or corrections shrink by less than this.
+const SHRINKS: f64 = 0.5;
 
 /// The decomposed matrices gamma/h I - J and (alpha + i beta)/h I - J.
 #[derive(Clone, Copy)]
@@ -141,7 +149,7 @@ pub(super) fn iterate<M: Linear>(
 ) -> Outcome<M::X> {
     let (t, x, h) = (context.time, context.x, factors.h);
     let mut w = transform(&T_INVERSE, &z);
-    let (mut last, mut last_ratio) = (M::S::ZERO, M::S::ZERO);
+    let (mut last, mut last_ratio, mut met) = (M::S::ZERO, M::S::ZERO, None);
     convergence.rest = (convergence.rest.max(M::S::EPSILON).ln() * M::S::lit(0.8)).exp();
     for iteration in 1..=MOST_ITERATIONS {
         let mut rates = z;
@@ -158,10 +166,15 @@ pub(super) fn iterate<M: Linear>(
         }
         if iteration > 1 {
             let ratio = size / last;
+            // What is met stays so; rounding alone is left where corrections do not shrink.
+            if let Some(iterations) = met.filter(|_| ratio >= M::S::lit(SHRINKS)) {
+                return Outcome::Found(z, iterations);
+            }
             convergence.theta = if iteration == 2 { ratio } else { (ratio * last_ratio).sqrt() };
             last_ratio = ratio;
-            if let Some(factor) = convergence.verdict(size / tolerance, iteration) {
-                return Outcome::Failed(factor);
+            match convergence.verdict(size / tolerance, iteration) {
+                Some(factor) if met.is_none() => return Outcome::Failed(factor),
+                _ => {}
             }
         }
         last = size.max(M::S::EPSILON);
@@ -169,11 +182,25 @@ pub(super) fn iterate<M: Linear>(
             w.add([(M::S::lit(1.0), dw)]);
         }
         z = transform(&T, &w);
-        if convergence.rest * size <= tolerance {
-            return Outcome::Found(z, iteration);
+        let left = convergence.rest * size;
+        if left <= tolerance {
+            let iterations = *met.get_or_insert(iteration);
+            if context.system.guard_count() == 0 || left <= exact(&w, (weight, &x), context.system) {
+                return Outcome::Found(z, iterations);
+            }
         }
     }
-    Outcome::Failed(0.5)
+    met.map_or(Outcome::Failed(0.5), |iterations| Outcome::Found(z, iterations))
+}
+
+/// What may still be to come where there are events, by `weight`: a small part of what the step moves, since flights between two impacts are
+/// lower than any tolerance, or rounding.
+fn exact<M: System<S: Real>>(w: &[M::X; 3], (weight, x): (&M::X, &M::X), system: &M) -> M::S {
+    let moved = mean_square(w, weight, system.states()).sqrt();
+    let typical = system.typical();
+    let size = |i: usize| weight.at(i) * (x.at(i).abs() + typical.at(i));
+    let rounding = (0..system.states()).fold(M::S::ZERO, |most, i| most.max(size(i)));
+    (M::S::lit(OF_THE_STEP) * moved).max(M::S::lit(ULPS) * M::S::EPSILON * rounding)
 }
 
 impl<S: Real> Convergence<S> {

@@ -11,6 +11,7 @@ pub(crate) fn moment(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { length, .. }, .. } = emission;
     let is_stepped = !emission.model.steps.is_empty();
     let none = is_stepped.then(|| quote!(, remainder: rt::step::Remainder::none()));
+    let forget = is_stepped.then(|| quote!(self.remainder = rt::step::Remainder::none();));
     let rest = is_stepped.then(|| quote!(, ..));
     let stepped = is_stepped.then(|| {
         quote! {
@@ -46,8 +47,10 @@ pub(crate) fn moment(emission: &Emission) -> TokenStream {
                 self.time = time;
                 self.held = *held;
                 self.x = *x;
+                #forget
             }
             fn in_place(&mut self) -> rt::InPlace<'_, #name<S>> {
+                #forget
                 let Self { mechanism, held, time, x #rest } = self;
                 rt::InPlace { system: mechanism, held, time, x }
             }
