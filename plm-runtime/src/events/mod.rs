@@ -221,9 +221,11 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
                 due = due.filter(|index| !(is_at_once && leads_away(context, stood(*index))));
                 if let Some(index) = due.filter(|index| context.system.must_hold(*index)) {
                     due = meet(method, context, (&before, &start), index)?.then_some(index);
-                } else if let Some(index) = due.filter(|_| context.system.contact_count() > 0) {
-                    if refine(context, start.time, index)? == Refined::Far {
-                        due = meet(method, context, (&before, &start), index)?.then_some(index);
+                } else if let Some(index) = due.filter(|_| context.system.contact_count() > 0)
+                    && refine(context, start.time, index)? == Refined::Far
+                {
+                    due = meet(method, context, (&before, &start), index)?.then_some(index);
+                    if due.is_some() {
                         refine(context, start.time, index)?;
                     }
                 }

@@ -21,24 +21,23 @@ pub(crate) fn check_start(scene: &Scene, found: &Assembly, diagnostics: &mut Dia
     check_masses(scene, diagnostics);
     let limits_are_kept = check_limits(scene, diagnostics);
     let model = scene.model;
+    let rows = model.rows.len();
+    let (locks, joints): (Vec<_>, Vec<_>) = found.rank.dependent.iter().partition(|(row, _)| *row >= rows);
+    let positions = Locks { locked: &found.locked, what: "position" };
     if has_parameters(model) {
-        let has_start = found.rank.dependent.iter().all(|(row, _)| *row < model.rows.len());
         let is_known = !model.params.iter().any(|param| param.required);
-        if !diagnostics.has_errors()
-            && has_start
-            && is_known
-            && found.phi.iter().all(|phi| phi.is_finite())
-            && !found.is_closed()
-        {
+        if diagnostics.has_errors() || !is_known || found.phi.iter().any(|phi| !phi.is_finite()) {
+            return;
+        }
+        if !locks.is_empty() {
+            too_many_locks(model, (&positions, Severity::Warning), &locks, diagnostics);
+        } else if !found.is_closed() {
             not_closed(model, found, (scene.length, Severity::Warning), diagnostics);
         }
         return;
     }
-    let rows = model.rows.len();
-    let (locks, joints): (Vec<_>, Vec<_>) = found.rank.dependent.iter().partition(|(row, _)| *row >= rows);
     if !locks.is_empty() {
-        let positions = Locks { locked: &found.locked, what: "position" };
-        too_many_locks(model, &positions, &locks, diagnostics);
+        too_many_locks(model, (&positions, Severity::Error), &locks, diagnostics);
     } else if found.phi.iter().any(|phi| !phi.is_finite()) {
         check_rows(scene, found, diagnostics);
     } else if !found.is_closed() {
@@ -76,7 +75,7 @@ fn check_velocities(model: &Model, found: &Assembly, diagnostics: &mut Diagnosti
     let locks: Vec<_> = found.velocity_rank.dependent.iter().filter(|(row, _)| *row >= rows).collect_vec();
     if !locks.is_empty() {
         let velocities = Locks { locked: &found.velocity_locked, what: "velocity" };
-        too_many_locks(model, &velocities, &locks, diagnostics);
+        too_many_locks(model, (&velocities, Severity::Error), &locks, diagnostics);
     } else if !found.moves_consistently() {
         contradiction(model, found, diagnostics);
     }

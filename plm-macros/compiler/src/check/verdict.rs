@@ -27,10 +27,10 @@ pub(super) struct Locks<'a> {
     pub(super) what: &'static str,
 }
 
-/// Locks that depend on the joints and on each other.
+/// Locks that depend on the joints and on each other; a warning where parameters decide it, which are as declared here.
 pub(super) fn too_many_locks(
     model: &Model,
-    locks: &Locks,
+    (locks, severity): (&Locks, Severity),
     dependent: &Dependent,
     diagnostics: &mut Diagnostics,
 ) {
@@ -46,18 +46,25 @@ pub(super) fn too_many_locks(
     let first = coordinates[dependent[0].0 - rows];
     let body = &model.bodies[first / 3];
     let start = if locks.what == "position" { &body.start } else { &body.start_velocity };
-    let (verb, plural) = if count == 1 { ("is", "") } else { ("are", "s") };
-    diagnostics
-        .error(
-            Code::TooManyLocks,
-            start[first % 3].span,
-            format!("there {verb} {count} redundant constraint{plural} among the {} locks", locks.what),
-        )
+    let is_one = |count| if count == 1 { "is" } else { "are" };
+    let plural = if count == 1 { "" } else { "s" };
+    let what =
+        format!("{} {count} redundant constraint{plural} among the {} locks", is_one(count), locks.what);
+    let span = start[first % 3].span;
+    let diagnostic = match severity {
+        Severity::Error => diagnostics.error(Code::TooManyLocks, span, format!("there {what}")),
+        Severity::Warning => {
+            let message = format!("with its parameters as declared there {what}");
+            diagnostics.warning(Code::OpenDefaults, span, message)
+        }
+    };
+    diagnostic
         .note(format!("locked, and tied to each other by {}: {}", listed(&joints), listed(&tied)))
         .note(format!(
-            "F = 3 N - M = {}, but {} are locked",
+            "F = 3 N - M = {}, but {} {} locked",
             3 * model.bodies.len() as isize - rows as isize,
-            coordinates.len()
+            coordinates.len(),
+            is_one(coordinates.len())
         ))
         .help(format!("take away {count} of these locks"));
 }
