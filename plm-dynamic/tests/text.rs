@@ -389,3 +389,19 @@ fn a_when_on_the_speed_of_what_rubs_leaves_it_at_rest() {
         assert!((turned - 15.0 / 33.0).abs() < 2e-3, "{method}: {turned}");
     }
 }
+
+/// A body of which no start is declared stands where its weld puts it, in a part too: at 0 deg it would pull the boom with it.
+#[test]
+fn a_welded_body_without_a_start_stands_with_what_holds_it() {
+    let text = "pub Boom { gravity: 9.81 m/s^2; ground { port o: (0, 0) m; }
+        body boom { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; port p: (-1, 0) m, angle: 30 deg; start angle: 90 deg; }
+        body near { mass: 2 kg; inertia: 1 kg*m^2; port a: (0.1, 0) m; port b: (0.3, 0) m; }
+        body far { mass: 9 kg; inertia: 1 kg*m^2; port b: (0, 0.4) m; }
+        revolute pin(ground.o, boom.o); weld second(far.b, near.b); weld first(boom.p, near.a);
+        counterweight disc(boom.p) { balances: 10 kg*m; arm: 0.5 m; } output boom.angle; }";
+    let run = Mechanism::from_text(text).unwrap().start().unwrap();
+    for (body, degrees) in [("boom", 90.0), ("near", 120.0), ("far", 120.0), ("disc.disc", 90.0 + 30.0)] {
+        let angle = run.body(body).unwrap().angle.to_degrees();
+        assert!((angle - degrees).abs() < 1e-9, "{body}: {angle}");
+    }
+}

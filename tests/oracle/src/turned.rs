@@ -13,6 +13,9 @@ pub(crate) fn turned(text: &str, by: f64) -> Option<String> {
                 has_ground = true;
                 format!("ground {{{}}}", ground(inside, &by)?)
             }
+            Kind::Body(name) if !inside.contains("start ") && is_welded(text, name) => {
+                format!("body {name} {{{inside}}}")
+            }
             Kind::Body(name) => format!("body {name} {{{}}}", body(inside, &by)?),
         };
         rest = after;
@@ -92,6 +95,16 @@ fn ground(inside: &str, by: &str) -> Option<String> {
         out += &format!(" port {name}: turn({point}, {by}), axis: {angle}{by}{others};");
     }
     Some(out + " ")
+}
+
+/// Is it a weld alone that places a body?
+fn is_welded(text: &str, body: &str) -> bool {
+    let places = |word: &str| {
+        let uses = text.match_indices(word).filter(|(at, _)| text[..*at].trim_end().ends_with(['}', ';']));
+        uses.filter_map(|(at, _)| text[at..].split(')').next())
+            .any(|joint| joint.contains(&format!("({body}.")) || joint.contains(&format!(", {body}.")))
+    };
+    places("weld ") && !["revolute ", "prismatic ", "pin_slot "].iter().any(|word| places(word))
 }
 
 /// Starts of a body.

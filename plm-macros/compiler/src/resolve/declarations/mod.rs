@@ -34,6 +34,7 @@ use crate::resolve::declarations::row::UnresolvedRow;
 use crate::resolve::declarations::settings::Settings;
 use crate::resolve::declarations::state::{UnresolvedRate, UnresolvedState};
 use crate::resolve::names::ScopeId;
+use crate::resolve::values::drawn::DrawnPose;
 use crate::resolve::values::lazy::Lazy;
 use crate::span::Span;
 use crate::syntax::ast;
@@ -51,7 +52,7 @@ pub(crate) struct UnresolvedModel<'a> {
     pub(crate) ground: Vec<UnresolvedPort<'a>>,
     pub(crate) bodies: Vec<UnresolvedBody<'a>>,
     /// The pose as drawn, of all coordinates and the time.
-    pub(crate) drawn: Lazy<Vec<(Expr, Expr)>>,
+    pub(crate) drawn: Lazy<DrawnPose>,
     /// Some value reads a place as drawn. The start of a body whose position is not declared is then where joints put it: directions from
     /// one place to another are none where all bodies stand at the origin.
     pub(crate) draws_rows: bool,

@@ -15,7 +15,7 @@ use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
 use crate::diag::Code;
-use crate::model::{Body, Decisions, FrameRef, Impacts, Input, Model, Name, Param, Port, Row};
+use crate::model::{Body, Decisions, FrameRef, Impacts, Input, Model, Name, Param, Port, Row, Start};
 use crate::resolve::Resolver;
 use crate::resolve::declarations::body::assumed_mass;
 use crate::resolve::declarations::declare::UnresolvedField;
@@ -160,8 +160,14 @@ impl<'a> Resolver<'a> {
         let depth = self.depth(scope, depth);
         let ports = self.evaluate_ports(Some(body));
         let placement = self.placement(body)?;
-        let [mut x, mut y, angle, vx, vy, omega] = starts?;
-        if self.unresolved.draws_rows && !(x.given || y.given || x.locked || y.locked) {
+        let [mut x, mut y, mut angle, vx, vy, omega] = starts?;
+        let is_open = |start: &Start| !(start.given || start.locked);
+        let stands_anywhere = is_open(&x) && is_open(&y);
+        // A body of which nothing is declared would else pull the one that it is welded to.
+        let welded = if stands_anywhere && is_open(&angle) { self.welded_start(body)? } else { None };
+        if let Some(start) = welded {
+            [x.value, y.value, angle.value] = start;
+        } else if self.unresolved.draws_rows && stands_anywhere {
             [x.value, y.value] = self.drawn_origin(body)?;
         }
         let (ports, state) = (ports?, &self.unresolved.bodies[body]);

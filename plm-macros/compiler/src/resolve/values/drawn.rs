@@ -18,6 +18,15 @@ use crate::resolve::values::{Eval, Failed, Nature, Quantity, Reads, Value};
 use crate::span::Span;
 use crate::syntax::ast;
 
+/// The pose as drawn.
+#[derive(Clone)]
+pub(crate) struct DrawnPose {
+    /// The coordinates of all bodies, and the time, with what stands for them.
+    pairs: Vec<(Expr, Expr)>,
+    /// Is it a weld that has put a body there? One of each body.
+    welded: Vec<bool>,
+}
+
 /// Where a body, or the ground, stands.
 #[derive(Clone, Copy)]
 struct Stand {
@@ -73,6 +82,10 @@ impl<'a> Resolver<'a> {
 
     /// The coordinates of all bodies, with what stands for them, and the time.
     fn drawn_pose(&mut self, scope: ScopeId, span: Span) -> Eval<Vec<(Expr, Expr)>> {
+        self.pose(scope, span).map(|pose| pose.pairs)
+    }
+
+    fn pose(&mut self, scope: ScopeId, span: Span) -> Eval<DrawnPose> {
         self.lazy(
             |of| &mut of.unresolved.drawn,
             |of| {
@@ -93,9 +106,26 @@ impl<'a> Resolver<'a> {
         Ok(origin.components().map_each(|x| algebra::substitute(&[x], &pairs)[0]))
     }
 
-    fn place_bodies(&mut self) -> Eval<Vec<(Expr, Expr)>> {
+    /// The origin and the angle of a body in the pose as drawn, if a weld puts it there.
+    pub(crate) fn welded_start(&mut self, body: usize) -> Eval<Option<[Expr; 3]>> {
+        let parts = &self.unresolved.parts;
+        if !self.names.instances.iter().any(|instance| instance.pair(parts) == Some(Pair::Weld)) {
+            return Ok(None);
+        }
+        let (scope, span) = (self.unresolved.bodies[body].scope, self.unresolved.bodies[body].name.span);
+        let DrawnPose { pairs, welded } = self.pose(scope, span)?;
+        if !welded[body] {
+            return Ok(None);
+        }
+        let [x, y] = self.drawn_origin(body)?;
+        let [_, _, angle] = self.unresolved.bodies[body].q;
+        Ok(Some([x, y, algebra::substitute(&[angle], &pairs)[0]]))
+    }
+
+    fn place_bodies(&mut self) -> Eval<DrawnPose> {
         let declared = self.declared_stands()?;
         let joints = self.joints_of_drawing()?;
+        let mut welded = vec![false; declared.len()];
         let mut placed: Vec<Option<Stand>> = declared.iter().map(|_| None).collect_vec();
         loop {
             let mut is_over = true;
@@ -109,6 +139,7 @@ impl<'a> Resolver<'a> {
                 let Some((stand, body)) = of(&frames[known]).zip(frames[unknown].body) else { continue };
                 let stand = placed_by(*pair, geometry, (known, stand), (unknown, declared[body]));
                 placed[body] = Some(stand);
+                welded[body] = *pair == Pair::Weld;
                 is_over = false;
             }
             if is_over {
@@ -120,7 +151,8 @@ impl<'a> Resolver<'a> {
         let pairs = bodies.flat_map(|(body, Stand { position: Vec2 { x, y }, angle, .. })| {
             body.q.into_iter().zip([x, y, angle])
         });
-        Ok(pairs.chain([(self.calculus.time, Expr::ZERO)]).collect_vec())
+        let pairs = pairs.chain([(self.calculus.time, Expr::ZERO)]).collect_vec();
+        Ok(DrawnPose { pairs, welded })
     }
 
     /// The declared starts of all bodies, at G.

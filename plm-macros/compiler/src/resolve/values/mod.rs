@@ -2,7 +2,7 @@
 
 mod call;
 pub(super) mod condition;
-mod drawn;
+pub(super) mod drawn;
 pub(super) mod expect;
 mod expression;
 pub(super) mod function_table;
