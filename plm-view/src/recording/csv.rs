@@ -58,7 +58,8 @@ impl Recording {
     /// commas, semicolons or tabs or by what Excel's line `sep=;` says, and numbers may have a decimal comma where commas do not separate
     /// them. Units stand in the headings or in a line below; an empty field is a gap (NaN). Lines may end as on any system, the last one
     /// without a break. Blank lines, comments behind `#`, lines before the headings, separators at the end of lines, a first column that
-    /// numbers the lines and a byte-order mark are skipped; the text is UTF-8, or UTF-16 with its mark.
+    /// numbers the lines and a byte-order mark are skipped. The text is UTF-8, UTF-16 with its mark, or else of code page 1252, as
+    /// spreadsheets on Windows write it; that is told by a notice ([`About::notices`](super::About::notices)).
     ///
     /// A table that is cut off within its last number cannot be told from one without the last line break; of a results file
     /// ([`Recording::write`]) it is told.

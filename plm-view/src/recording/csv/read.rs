@@ -4,20 +4,21 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 
 use super::super::Recording;
 use super::headings::{Headings, Line};
-use super::text;
+use super::text::{self, Text};
 
 /// Reads a table into an empty recording, as far as it is right.
 ///
 /// # Errors
 /// What is wrong, with its line and column, what was found and what was expected.
 pub(super) fn into(recording: &mut Recording, bytes: &[u8]) -> Result<(), String> {
-    let mut text = text::lines(bytes)?;
+    let Text { lines: mut text, notice } = Text::of(bytes)?;
     let named = text::named_separator(&mut text);
     let headings = Headings::find(&text, named)?;
     let mut rows = Vec::new();
     let end = read(&headings, &text, &mut rows);
     let columns = headings.columns(&rows)?;
     *recording = Recording::new(columns.iter().map(|(_, column)| column.clone()));
+    recording.about.notices.extend(notice);
     for (time, row) in &rows {
         recording.push(*time, columns.iter().map(|(at, _)| row[*at]).collect::<Vec<_>>());
     }
@@ -60,7 +61,7 @@ impl<'a> Lines<'a> {
     /// The next line with its number.
     pub(super) fn next(&mut self) -> Result<Option<Line>, String> {
         let mut fields = StringRecord::new();
-        while self.reader.read_record(&mut fields).map_err(|error| self.told(&error))? {
+        while self.reader.read_record(&mut fields).map_err(|error| error.to_string())? {
             let is_comment = fields.get(0).is_some_and(|field| field.starts_with('#'));
             if !is_comment && fields.iter().any(|field| !field.is_empty()) {
                 let number = fields.position().map_or(0, |at| self.line(at));
@@ -77,19 +78,6 @@ impl<'a> Lines<'a> {
         let is_skipped =
             |line: &&[u8]| line.first() == Some(&b'#') || line.iter().all(|byte| b"\r\n".contains(byte));
         at.line() + rest.split_inclusive(|byte| *byte == b'\n').take_while(is_skipped).count() as u64
-    }
-
-    fn told(&self, error: &csv::Error) -> String {
-        match error.kind() {
-            csv::ErrorKind::Utf8 { pos, err } => {
-                let line = pos.as_ref().map_or(0, |at| self.line(at));
-                format!(
-                    "line {line}, column {}: found bytes that are no text, expected UTF-8",
-                    err.field() + 1
-                )
-            }
-            _ => error.to_string(),
-        }
     }
 }
 
