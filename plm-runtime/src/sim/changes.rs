@@ -36,6 +36,10 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             self.state.set(time, &held, &x);
             self.parameters = parameters;
             self.stats.renewed += 1;
+        } else if mechanism.next_time_event(M::S::lit(f64::NEG_INFINITY), &held).is_some() {
+            // Inputs too move known times past the present.
+            mechanism.switch_at_time(time, &mut held, &mut x)?;
+            self.state.set(time, &held, &x);
         }
         if self.state.mechanism().contact_count() > 0 {
             let (time, mut held, mut x) = (self.state.time(), self.state.held(), *self.state.x());

@@ -77,7 +77,7 @@ pub trait Events: Rate {
         None
     }
 
-    /// Commits the time event at a time that was reached, or that a parameter has moved: `u` gets the modes that apply from now on.
+    /// Commits the time event at a time that was reached, or that a parameter or an input has moved: `u` gets the modes that apply from now on.
     /// It may reset the state, as [`switch`](Self::switch).
     ///
     /// # Errors
