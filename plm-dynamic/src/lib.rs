@@ -9,6 +9,7 @@ mod capacity;
 mod code;
 mod column;
 mod contact;
+mod course;
 mod declared;
 mod description;
 mod evaluation;
@@ -30,6 +31,7 @@ mod text;
 mod whole;
 
 pub use self::column::Column;
+pub use self::course::{Change, Course};
 pub use self::declared::Declared;
 pub use self::gradient::{By, Derivative};
 pub use self::handle::{Dynamic, Starts};

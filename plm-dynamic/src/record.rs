@@ -7,6 +7,8 @@ use plm_runtime::described::by_number;
 use plm_runtime::sim::Seen;
 use plm_runtime::{BodyState, Described, Fault, Method, Moment, Sim};
 
+use crate::course::Course;
+
 /// Numbers of a run at a moment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
@@ -137,15 +139,38 @@ pub(crate) fn record<M: Described<S = f64>, I: Method<M>>(
     shows_end: bool,
     watch: &mut dyn Watch,
 ) -> Result<(), Fault> {
+    recorded(sim, every, shows_end, watch, |sim, seen, goes_on| {
+        Sim::watch_events_while(sim, until, every, seen, goes_on)
+    })
+}
+
+/// The same with inputs that follow a course, and with a sample where it ends.
+pub(crate) fn record_driven<M: Described<S = f64>, I: Method<M>>(
+    sim: &mut Sim<M, I>,
+    (until, every): (f64, f64),
+    course: &mut Course,
+    watch: &mut dyn Watch,
+) -> Result<(), Fault> {
+    recorded(sim, every, true, watch, |sim, seen, goes_on| {
+        Sim::watch_driven(sim, until, every, |sim| course.drive(sim), seen, goes_on)
+    })
+}
+
+/// Hands out what a run shows, and what it ends with.
+fn recorded<M: Described<S = f64>, I: Method<M>>(
+    sim: &mut Sim<M, I>,
+    every: f64,
+    shows_end: bool,
+    watch: &mut dyn Watch,
+    run: impl FnOnce(
+        &mut Sim<M, I>,
+        &mut dyn FnMut(Seen<'_, M::State>),
+        &mut dyn FnMut(f64) -> bool,
+    ) -> Result<(), Fault>,
+) -> Result<(), Fault> {
     let watch = RefCell::new(watch);
     let mut samples = Samples { watch: &watch, last: None, switched: None };
-    let outcome = Sim::watch_events_while(
-        sim,
-        until,
-        every,
-        |seen| samples.seen::<M>(seen),
-        |time| watch.borrow_mut().goes_on(time),
-    );
+    let outcome = run(sim, &mut |seen| samples.seen::<M>(seen), &mut |time| watch.borrow_mut().goes_on(time));
     let shown = samples.last.as_ref().map_or(f64::NEG_INFINITY, |last| last.time);
     let is_missing = sim.state().time() - shown > AT_END * every;
     if outcome.is_err() || (shows_end && is_missing) {

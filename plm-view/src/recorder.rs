@@ -160,9 +160,41 @@ impl<M: Described> Recorder<M> {
         every: M::S,
         goes_on: &mut impl FnMut(M::S) -> bool,
     ) -> Result<(), Fault> {
+        self.begin(sim);
+        let outcome = Sim::watch_while(sim, until, every, |seen| self.see(seen), goes_on);
+        self.end(sim, every, outcome)
+    }
+
+    /// Runs as [`run_while`](Self::run_while) with inputs that `drive` changes on the way, as [`Sim::watch_driven`] tells; without internal
+    /// steps.
+    ///
+    /// # Errors
+    /// As [`Sim::watch_driven`].
+    pub fn run_driven<I: Method<M>>(
+        &mut self,
+        sim: &mut Sim<M, I>,
+        until: M::S,
+        every: M::S,
+        drive: &mut impl FnMut(&mut Sim<M, I>) -> M::S,
+        goes_on: &mut impl FnMut(M::S) -> bool,
+    ) -> Result<(), Fault> {
+        self.begin(sim);
+        let outcome = Sim::watch_driven(sim, until, every, drive, |seen| self.see(seen), goes_on);
+        self.end(sim, every, outcome)
+    }
+
+    fn begin<I: Method<M>>(&mut self, sim: &Sim<M, I>) {
         self.recording.about.method = method(sim.method());
         self.recording.about.fault = None;
-        let outcome = Sim::watch_while(sim, until, every, |seen| self.see(seen), goes_on);
+    }
+
+    /// Records where a run has ended, and how.
+    fn end<I: Method<M>>(
+        &mut self,
+        sim: &Sim<M, I>,
+        every: M::S,
+        outcome: Result<(), Fault>,
+    ) -> Result<(), Fault> {
         let shown = self.recording.times().last().copied().unwrap_or(f64::NEG_INFINITY);
         let is_missing = sim.state().time().to_f64() - shown > AT_END * every.to_f64();
         if outcome.is_err() || is_missing {

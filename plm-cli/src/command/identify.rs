@@ -6,11 +6,12 @@ use std::time::{Duration, Instant};
 
 use plm_dynamic::{Dynamic, Integrator, Mechanism};
 use plm_optimise::{ByDop853, ByRadau, Error, Fit, Identification, Integration, Progress};
-use plm_view::{Page, Recording, Results};
+use plm_view::{Page, Results};
 
 mod asked;
 
 use self::asked::{Asked, Unknowns};
+use super::clock;
 use super::run::{refused, setting, write_whole};
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
@@ -114,10 +115,9 @@ fn problem(
         problem = problem.find(unknown);
     }
     for path in &asked.csv {
-        let recording = Recording::read_csv(path)?;
-        late(asked, path, &recording, streams)?;
+        let recording = clock::read(path, asked.from, streams)?;
         let experiment = asked.experiment(&recording, &mechanism)?.segments(asked.segments);
-        let mut experiment = match asked.begin(&recording) {
+        let mut experiment = match asked.from.and_then(|from| from.of(&recording)) {
             Some(time) => experiment.beginning_at(time),
             None => experiment,
         };
@@ -175,24 +175,6 @@ fn progress() -> impl Fn(&Progress) + Send + Sync + 'static {
         }
     }
 }
-
-/// Says of readings that begin late that their clock may not be that of the run.
-fn late(asked: &Asked, path: &str, recording: &Recording, streams: &mut Streams) -> Result<(), Failure> {
-    let times = recording.times();
-    let (Some(first), Some(last)) = (times.first(), times.last()) else { return Ok(()) };
-    let step = (last - first) / (times.len() as f64 - 1.0).max(1.0);
-    if asked.from.is_none() && *first > LATE * step && step > 0.0 {
-        writeln!(
-            streams.errors,
-            "plm: {path} begins at {first} s, and the run at 0 s: where the clock began before the motion, `--from first` or `--from {first}s` has \
-             both begin together"
-        )?;
-    }
-    Ok(())
-}
-
-/// So many intervals between readings before the first one are many.
-const LATE: f64 = 10.0;
 
 /// Writes the declaration with the values that all experiments have in common.
 fn declaration(

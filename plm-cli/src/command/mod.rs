@@ -1,6 +1,7 @@
 //! The command line: a table of commands, each of which has a module.
 
 mod check;
+mod clock;
 mod expand;
 mod export;
 mod fmt;

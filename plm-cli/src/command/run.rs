@@ -5,17 +5,19 @@ use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use plm_compiler::bug_message;
-use plm_dynamic::{Declared, Error, Mechanism, Reason, Refused, Run, Sample, Watch};
+use plm_dynamic::{Course, Declared, Error, Mechanism, Reason, Refused, Run, Sample, Watch};
 use plm_view::svg::write_file;
 
 mod asked;
 mod fault;
 mod following;
 mod recording;
+mod signals;
 mod told;
 
 use self::asked::{Asked, Rows};
 use self::following::Following;
+use self::signals::Driven;
 use self::told::Event;
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
@@ -38,6 +40,16 @@ pub(super) const COMMAND: Command = Command {
             "a parameter, in its declared unit or with one (`--set length=20cm`); as often as wanted",
         ),
         ("--input NAME=VALUE", "an input over the run, in its declared unit or with one; as often as wanted"),
+        (
+            "--inputs FILE",
+            "inputs over time from a CSV: times, and columns by the names of inputs with their units; straight lines between readings",
+        ),
+        ("--hold", "inputs of a CSV hold from one reading to the next, as sampled signals do"),
+        ("--only NAMES", "the columns of the CSV that are read; without it all"),
+        (
+            "--from TIME",
+            "the time of the readings at which the run begins (`--from 100s`); `first` is that of the first one",
+        ),
         ("--method NAME[:NUMBER]", "the method with its tolerance or its longest step (Dop853:1e-9)"),
         (
             "--sampled",
@@ -59,17 +71,22 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
             format!("{}: a run wants a file that is a declaration (`.plm`), not Rust", file.name).into()
         );
     }
-    let mut run = match started(&asked, Mechanism::from_named_text(&file.name, &file.text), streams) {
-        Ok(run) => run,
+    let started = Mechanism::from_named_text(&file.name, &file.text)
+        .map_err(Failure::from)
+        .and_then(|own| Driven::new(&asked, own, &file, streams))
+        .and_then(|own| started(&asked, own, streams));
+    let (mut run, mut course) = match started {
+        Ok(both) => both,
         Err(failure) => return not_started(&asked, &file, failure, streams),
     };
+    let inputs = &mut course;
     let mut following = Following::new(&run, asked.method, asked.until, &mut *streams.errors);
     let (outcome, events) = if asked.view.is_some() || asked.out.is_some() {
-        recording::write(&asked, &mut run, &mut following, streams.output)?
+        recording::write(&asked, &mut run, inputs, &mut following, streams.output)?
     } else if let Some(name) = &asked.csv {
-        as_csv(&asked, &mut run, &mut following, &mut *file_to(name, streams.output)?)?
+        as_csv(&asked, &mut run, inputs, &mut following, &mut *file_to(name, streams.output)?)?
     } else {
-        as_table(&asked, &mut run, &mut following, streams.output)?
+        as_table(&asked, &mut run, inputs, &mut following, streams.output)?
     };
     following.end();
     told::notices(&mut run, streams.errors)?;
@@ -114,27 +131,22 @@ fn file_to<'a>(name: &str, output: &'a mut dyn Write) -> Result<Box<dyn Write + 
     Ok(Box::new(fs::File::create(name).map_err(unwritten)?))
 }
 
-/// A run with the values that are asked for.
-fn started(
-    asked: &Asked,
-    mechanism: Result<Mechanism, Error>,
-    streams: &mut Streams,
-) -> Result<Run, Failure> {
-    let mut mechanism = mechanism?;
+/// A run with the values that are asked for, and the course of its inputs.
+fn started(asked: &Asked, driven: Driven, streams: &mut Streams) -> Result<(Run, Course), Failure> {
+    let Driven { mut mechanism, course, begin } = driven;
     translate(&mechanism);
     for text in &asked.set {
         let (name, value) = setting("--set", text, mechanism.declared_parameters())?;
         mechanism.set_parameter(name, value)?;
     }
-    for text in &asked.input {
-        let (name, value) = setting("--input", text, mechanism.declared_inputs())?;
-        mechanism.set_input(name, value)?;
+    for (name, value) in begin {
+        mechanism.set_input(&name, value)?;
     }
     let run = mechanism.start_with(asked.method)?;
     if let Some(far) = mechanism.far_start() {
         writeln!(streams.errors, "plm: {far}")?;
     }
-    Ok(run)
+    Ok((run, course))
 }
 
 /// Has a run computed by machine code, where there is some for this processor.
@@ -274,12 +286,17 @@ type Ended = (Result<(), Error>, Vec<Event>);
 fn rowed(
     asked: &Asked,
     run: &mut Run,
+    course: &mut Course,
     following: &mut Following,
     columns: &[Number],
     row: impl FnMut(Vec<f64>) -> bool,
 ) -> Ended {
     let mut watch = Rowed { following, rows: asked.rows, columns, row, events: Vec::new(), ends: false };
-    let outcome = run.watch(asked.until, asked.every, &mut watch);
+    let outcome = if course.is_empty() {
+        run.watch(asked.until, asked.every, &mut watch)
+    } else {
+        run.watch_driven(asked.until, asked.every, course, &mut watch)
+    };
     (outcome, watch.events)
 }
 
@@ -287,12 +304,13 @@ fn rowed(
 fn as_table(
     asked: &Asked,
     run: &mut Run,
+    course: &mut Course,
     following: &mut Following,
     to: &mut dyn Write,
 ) -> Result<Ended, Failure> {
     let (columns, headings) = columns(run, false);
     let mut rows = Vec::new();
-    let ended = rowed(asked, run, following, &columns, |row| {
+    let ended = rowed(asked, run, course, following, &columns, |row| {
         rows.push(row);
         true
     });
@@ -306,6 +324,7 @@ fn as_table(
 fn as_csv(
     asked: &Asked,
     run: &mut Run,
+    course: &mut Course,
     following: &mut Following,
     to: &mut dyn Write,
 ) -> Result<Ended, Failure> {
@@ -313,7 +332,7 @@ fn as_csv(
     let mut to = BufWriter::new(to);
     csv_headings(&headings, &mut to)?;
     let mut written = Ok(());
-    let ended = rowed(asked, run, following, &columns, |row| {
+    let ended = rowed(asked, run, course, following, &columns, |row| {
         if written.is_ok() {
             written = csv_row(&row, &mut to);
         }

@@ -149,3 +149,29 @@ fn value(option: &str, wanted: &str, parser: &mut Parser) -> Result<String, Fail
 fn text(word: OsString) -> Result<String, Failure> {
     word.into_string().map_err(|word| format!("{} is not UTF-8", word.display()).into())
 }
+
+/// Names behind an option, which commas separate: not those in brackets.
+pub(super) fn names(texts: &[String]) -> Vec<String> {
+    let mut all = Vec::new();
+    for text in texts {
+        let mut depth = 0;
+        let apart = text.split(|letter| {
+            depth += i32::from(letter == '[') - i32::from(letter == ']');
+            letter == ',' && depth == 0
+        });
+        all.extend(apart.map(str::trim).filter(|name| !name.is_empty()).map(str::to_owned));
+    }
+    all
+}
+
+/// Are all names known ones?
+pub(super) fn known<'a>(
+    option: &str,
+    mut names: impl Iterator<Item = &'a str>,
+    all: &[&str],
+) -> Result<(), Failure> {
+    match names.find(|name| !all.contains(name)) {
+        Some(name) => Err(format!("{option}: there is no `{name}`; there are {}", all.join(", ")).into()),
+        None => Ok(()),
+    }
+}

@@ -11,6 +11,7 @@ mod fmt;
 mod identify;
 mod import;
 mod import_loops;
+mod inputs;
 mod json;
 mod lsp;
 mod modes;

@@ -22,6 +22,24 @@ impl<S: Real> Times<S> {
     pub(super) fn at(&self, k: S) -> S {
         (self.start + k * self.every).min(self.until)
     }
+
+    /// Number of the last one at a time or before it.
+    pub(super) fn last_at(&self, time: S) -> S {
+        let (number, near) = self.number(time);
+        (number + near).floor()
+    }
+
+    /// Number of the last one before a time.
+    pub(super) fn last_before(&self, time: S) -> S {
+        let (number, near) = self.number(time);
+        -(near - number).floor() - S::lit(1.0)
+    }
+
+    /// The number that a point at a time would have, and how far from it rounding may put one.
+    fn number(&self, time: S) -> (S, S) {
+        let number = (time - self.start) / self.every;
+        (number, S::lit(1e-9).max(S::lit(16.0) * S::EPSILON * number))
+    }
 }
 
 /// The communication points that are to come.

@@ -7,7 +7,8 @@ use plm_optimise::{Experiment, Loss, Unknown};
 use plm_view::Recording;
 
 use super::super::Failure;
-use super::super::words::Words;
+use super::super::clock::Begin;
+use super::super::words::{Words, known, names};
 use crate::readings::experiment;
 use crate::value::{declared_value, value};
 
@@ -30,15 +31,6 @@ pub(super) struct Asked {
     pub(super) view: Option<PathBuf>,
     pub(super) chart: Option<PathBuf>,
     pub(super) out: Option<String>,
-}
-
-/// Where the run begins in the time of the readings.
-#[derive(Clone, Copy)]
-pub(super) enum Begin {
-    /// At the first reading.
-    First,
-    /// At this time, s.
-    At(f64),
 }
 
 /// The tolerance of runs whose derivatives are fitted.
@@ -64,7 +56,7 @@ impl Asked {
             .ok()
             .filter(|count| *count > 0)
             .ok_or_else(|| format!("--segments wants a positive whole number, not `{segments}`"))?;
-        let from = words.value("--from").map(|text| begin(&text)).transpose()?;
+        let from = Begin::asked(words)?;
         let loss = words.value("--loss").map_or(Ok(Loss::Squares), |text| loss(&text))?;
         let method = words.value("--method").map(|text| text.parse()).transpose()?;
         let method = method.unwrap_or(Integrator::Dop853(TOLERANCE));
@@ -86,14 +78,6 @@ impl Asked {
             chart,
             out,
         })
-    }
-
-    /// The time of a file of readings at which the run begins, s; none where both have one clock.
-    pub(super) fn begin(&self, recording: &Recording) -> Option<f64> {
-        match self.from? {
-            Begin::First => recording.times().first().copied(),
-            Begin::At(time) => Some(time),
-        }
     }
 
     /// The readings of a file, with deviations that are given.
@@ -125,13 +109,6 @@ impl Asked {
         }
         Ok(experiment)
     }
-}
-
-fn begin(text: &str) -> Result<Begin, Failure> {
-    if text == "first" {
-        return Ok(Begin::First);
-    }
-    Ok(Begin::At(value(text, "s").map_err(|why| format!("--from: {why}"))?))
 }
 
 /// A loss by its name, with the border that it has without a number.
@@ -229,20 +206,6 @@ fn unit_of_start(name: &str) -> &'static str {
     }
 }
 
-/// Names behind an option, which commas separate: not those in brackets.
-fn names(texts: &[String]) -> Vec<String> {
-    let mut all = Vec::new();
-    for text in texts {
-        let mut depth = 0;
-        let apart = text.split(|letter| {
-            depth += i32::from(letter == '[') - i32::from(letter == ']');
-            letter == ',' && depth == 0
-        });
-        all.extend(apart.map(str::trim).filter(|name| !name.is_empty()).map(str::to_owned));
-    }
-    all
-}
-
 fn name_of(text: &str) -> &str {
     text.split_once('=').map_or(text, |(name, _)| name).trim()
 }
@@ -260,12 +223,4 @@ fn pair<'a>(option: &str, text: &'a str) -> Result<(&'a str, &'a str), Failure> 
     two.ok_or_else(|| {
         format!("{option} wants two values, as in `{option} k=1N/m..5N/m`, not `{text}`").into()
     })
-}
-
-/// Are all names known ones?
-fn known<'a>(option: &str, mut names: impl Iterator<Item = &'a str>, all: &[&str]) -> Result<(), Failure> {
-    match names.find(|name| !all.contains(name)) {
-        Some(name) => Err(format!("{option}: there is no `{name}`; there are {}", all.join(", ")).into()),
-        None => Ok(()),
-    }
 }

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use plm_dynamic::Integrator;
 
-use super::super::words::Words;
+use super::super::clock::Begin;
+use super::super::words::{Words, names};
 use super::Failure;
 
 /// Samples of a table, and of CSV as compiled programs have it.
@@ -21,12 +22,46 @@ pub(super) enum Rows {
     Sampled,
 }
 
+/// What is asked of inputs over time.
+pub(super) struct Signals {
+    /// Tables.
+    pub(super) files: Vec<String>,
+    pub(super) between: Between,
+    /// The columns that are read; all where none is named.
+    pub(super) only: Vec<String>,
+    /// Where the run begins in their time.
+    pub(super) from: Option<Begin>,
+}
+
+/// What an input is between two readings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Between {
+    /// On the straight line from one to the other.
+    Line,
+    /// What the first one is.
+    Hold,
+}
+
+impl Signals {
+    fn new(words: &mut Words) -> Result<Signals, Failure> {
+        let between = if words.takes("--hold") { Between::Hold } else { Between::Line };
+        let (files, only, from) =
+            (words.values("--inputs"), names(&words.values("--only")), Begin::asked(words)?);
+        let is_for_files = between == Between::Hold || !only.is_empty() || from.is_some();
+        if files.is_empty() && is_for_files {
+            return Err("--hold, --only and --from are of inputs over time: with `--inputs FILE`".into());
+        }
+        Ok(Signals { files, between, only, from })
+    }
+}
+
 /// The words of the command.
 pub(super) struct Asked {
     pub(super) until: f64,
     pub(super) every: f64,
     pub(super) set: Vec<String>,
     pub(super) input: Vec<String>,
+    pub(super) signals: Signals,
     pub(super) method: Integrator,
     pub(super) rows: Rows,
     /// Are counts and events told?
@@ -54,7 +89,8 @@ impl Asked {
         let method = words.value("--method").map(|text| text.parse()).transpose()?.unwrap_or_default();
         let (set, input) = (words.values("--set"), words.values("--input"));
         let rows = if words.takes("--sampled") { Rows::Sampled } else { Rows::All };
-        Ok(Asked { until, every, set, input, method, rows, stats: words.takes("--stats"), csv, view, out })
+        let (signals, stats) = (Signals::new(words)?, words.takes("--stats"));
+        Ok(Asked { until, every, set, input, signals, method, rows, stats, csv, view, out })
     }
 }
 

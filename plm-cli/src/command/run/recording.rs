@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use plm_dynamic::{Error, OnRun, Run, Sample};
+use plm_dynamic::{Course, Error, OnRun, Run, Sample};
 use plm_runtime::{BodyState, Described, Fault, Method, Moment, Sim};
 use plm_view::{Page, Recorder, Recording, Results};
 
@@ -13,6 +13,7 @@ use crate::table::{csv_headings, csv_row};
 struct Record<'a, 'b> {
     until: f64,
     every: f64,
+    course: &'a mut Course,
     following: &'a mut Following<'b>,
 }
 
@@ -29,8 +30,13 @@ impl OnRun for Record<'_, '_> {
 
     fn on<M: Described<S = f64>, I: Method<M>>(self, sim: &mut Sim<M, I>) -> Recorded {
         let (mut recorder, name) = (Recorder::observing_all(sim), sim.state().mechanism().tables().name);
-        let outcome =
-            recorder.run_while(sim, self.until, self.every, &mut |time| self.following.goes_on(time));
+        let Record { until, every, course, following } = self;
+        let goes_on = &mut |time| following.goes_on(time);
+        let outcome = if course.is_empty() {
+            recorder.run_while(sim, until, every, goes_on)
+        } else {
+            recorder.run_driven(sim, until, every, &mut |sim| course.drive(sim), goes_on)
+        };
         Recorded { outcome, recording: recorder.into_recording(), name }
     }
 }
@@ -39,11 +45,12 @@ impl OnRun for Record<'_, '_> {
 pub(super) fn write(
     asked: &Asked,
     run: &mut Run,
+    course: &mut Course,
     following: &mut Following,
     to: &mut dyn Write,
 ) -> Result<Ended, Failure> {
     let (until, every) = (asked.until, asked.every);
-    let Recorded { outcome, recording, name } = run.then(Record { until, every, following });
+    let Recorded { outcome, recording, name } = run.then(Record { until, every, course, following });
     let events = recording.about.events.iter().map(|event| (event.time, event.what.clone())).collect();
     if let Some(path) = &asked.out {
         recording.write(path)?;
