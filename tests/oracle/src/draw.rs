@@ -5,11 +5,21 @@ use crate::random::Random;
 /// Draws the numbers of a case: special ones half of the time, else decimals of few digits.
 pub(crate) struct Draw {
     random: Random,
+    seed: u64,
+    case: u64,
 }
 
 impl Draw {
     pub(crate) fn new(seed: u64, case: u64) -> Self {
-        Self { random: Random::new(seed, case) }
+        Self { random: Random::new(seed, case), seed, case }
+    }
+
+    /// The place of this case in a list that cases go through in an order of the seed; none behind its last one.
+    pub(crate) fn place_in(&self, count: usize) -> Option<usize> {
+        let mut random = Random::new(self.seed, 0);
+        let mut places: Vec<u32> = (0..count as u32).collect();
+        (1..count).rev().for_each(|k| places.swap(k, random.below(k + 1)));
+        places.get(self.case as usize).map(|place| *place as usize)
     }
 
     /// One of the special values half of the time, else between two bounds, with three digits.

@@ -8,6 +8,7 @@
 
 mod bounded;
 mod bounds;
+mod declarations;
 mod draw;
 mod driven;
 mod geared;

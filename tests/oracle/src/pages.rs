@@ -16,15 +16,15 @@ const RUN: (f64, f64) = (0.05, 1e-3);
 const AGREE: f64 = 1e-6;
 
 /// An example of a page.
-struct Example {
-    page: String,
-    text: String,
+pub(crate) struct Example {
+    pub(crate) page: String,
+    pub(crate) text: String,
     /// It stands as items in the mechanism of the book, behind this place.
     items: usize,
 }
 
 /// The examples of all pages of parts.
-fn examples() -> &'static [Example] {
+pub(crate) fn examples() -> &'static [Example] {
     static EXAMPLES: OnceLock<Vec<Example>> = OnceLock::new();
     EXAMPLES.get_or_init(|| {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");

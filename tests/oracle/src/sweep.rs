@@ -7,7 +7,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::draw::Draw;
-use crate::{bounded, bounds, driven, geared, gradients, hostile, late, pages, resets, wheels};
+use crate::{bounded, bounds, declarations, driven, geared, gradients, hostile, late, pages, resets, wheels};
 
 /// All sweeps.
 pub const SWEEPS: &[Sweep] = &[
@@ -51,7 +51,16 @@ pub const SWEEPS: &[Sweep] = &[
         quick: 60,
         case: wheels::case,
     },
+    Sweep {
+        name: "declarations",
+        title: "all that the book, examples and benchmarks declare, by every method",
+        quick: 8,
+        case: declarations::case,
+    },
 ];
+
+/// The stack of a thread, bytes, as of the main thread of a program: the largest size of mechanisms takes more than the 2 MiB of others.
+const STACK: usize = 8 << 20;
 
 /// Random cases of one kind.
 pub struct Sweep {
@@ -100,18 +109,20 @@ impl Table {
         let done = Mutex::new(Vec::new());
         let few = cases.end - cases.start == 1;
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
+        let work = || {
+            while let Some(number) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|n| *n < cases.end) {
+                let case = (sweep.case)(&mut Draw::new(seed, number));
+                if let Ok(mut done) = done.lock() {
+                    done.push((number, case));
+                }
+            }
+        };
         std::thread::scope(|scope| {
             for _ in 0..threads {
-                scope.spawn(|| {
-                    while let Some(number) =
-                        Some(next.fetch_add(1, Ordering::Relaxed)).filter(|n| *n < cases.end)
-                    {
-                        let case = (sweep.case)(&mut Draw::new(seed, number));
-                        if let Ok(mut done) = done.lock() {
-                            done.push((number, case));
-                        }
-                    }
-                });
+                let thread = std::thread::Builder::new().stack_size(STACK);
+                if thread.spawn_scoped(scope, work).is_err() {
+                    work();
+                }
             }
         });
         let mut done = done.into_inner().unwrap_or_default();
@@ -129,11 +140,12 @@ impl Table {
         self.rows.values().all(|[.., wrong]| *wrong == 0)
     }
 
-    /// The table, above it the first cases that are wrong.
+    /// The table, above it the cases that are wrong, the first of them with their texts.
     pub fn shown(&self, all: bool) -> String {
         let mut lines: Vec<String> = Vec::new();
-        for (number, case) in self.shown.iter().take(if all { usize::MAX } else { 5 }) {
-            lines.push(format!("case {number}: {}\n{}", case.verdict, case.text));
+        for (k, (number, case)) in self.shown.iter().enumerate() {
+            let text = if all || k < 5 { format!("\n{}", case.text) } else { String::new() };
+            lines.push(format!("case {number}: {}{text}", case.verdict));
         }
         lines.push(format!("{:32} {:>7} {:>7} {:>9} {:>7}", "", "right", "stopped", "undecided", "wrong"));
         for (family, [right, stopped, undecided, wrong]) in &self.rows {
