@@ -133,11 +133,21 @@ pub(super) fn build_sweep(place: &Place) -> Result {
     build.args(["--example", "sweep", "--example", "contacts"]).run()
 }
 
-/// Random trees and loops against a reference in higher precision, and random mechanisms with contacts against equations of their own.
+/// Random trees and loops against a reference in higher precision, and random mechanisms with contacts against equations of their own: a
+/// quarter of [`long_sweep`].
 pub(super) fn sweep(place: &Place) -> Result {
+    swept(place, "250", "50")
+}
+
+/// The same, as long as it takes.
+pub(super) fn long_sweep(place: &Place) -> Result {
+    swept(place, "1000", "200")
+}
+
+fn swept(place: &Place, smooth: &str, contacts: &str) -> Result {
     build_sweep(place)?;
-    built_example(place, "sweep").args(["1000", "--seed", "31", "--double", "--verbose"]).run()?;
-    built_example(place, "contacts").args(["200", "--seed", "31", "--verbose"]).run()
+    built_example(place, "sweep").args([smooth, "--seed", "31", "--double", "--verbose"]).run()?;
+    built_example(place, "contacts").args([contacts, "--seed", "31", "--verbose"]).run()
 }
 
 /// The same bits on two microcontrollers and as WebAssembly, and what a step costs there.
