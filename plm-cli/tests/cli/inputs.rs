@@ -1,5 +1,6 @@
 //! `plm run --inputs`: inputs over time from tables, against closed forms, and misuse.
 
+use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
 
@@ -133,7 +134,7 @@ fn long_signals_are_followed() {
     let mut table = String::from("time (s),push (N)\n");
     for k in 0..=2000 {
         let t = f64::from(k) * 1e-3;
-        table += &format!("{},{}\n", t + 100.0, 4.0 * t.sin());
+        writeln!(table, "{},{}", t + 100.0, 4.0 * t.sin()).unwrap();
     }
     let folder = with(&[("a.csv", table.as_bytes())]);
     let words = ["carts.plm", "--until", "2", "--every", "0.1", "--inputs", "a.csv"];
