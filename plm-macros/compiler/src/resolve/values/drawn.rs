@@ -23,7 +23,7 @@ use crate::syntax::ast;
 pub(crate) struct DrawnPose {
     /// The coordinates of all bodies, and the time, with what stands for them.
     pairs: Vec<(Expr, Expr)>,
-    /// Is it a weld that has put a body there? One of each body.
+    /// Has a weld put a body there, to one whose angle is not locked? One of each body.
     welded: Vec<bool>,
 }
 
@@ -34,10 +34,12 @@ struct Stand {
     angle: Expr,
     /// Is its angle declared?
     given: bool,
+    /// Is its angle locked, or that of what holds it?
+    locked: bool,
 }
 
 impl Stand {
-    const GROUND: Stand = Stand { position: Vec2::ZERO, angle: Expr::ZERO, given: true };
+    const GROUND: Stand = Stand { position: Vec2::ZERO, angle: Expr::ZERO, given: true, locked: true };
 
     /// The point of a frame of it.
     fn point(&self, frame: &FrameGeometry) -> Vec2 {
@@ -106,7 +108,7 @@ impl<'a> Resolver<'a> {
         Ok(origin.components().map_each(|x| algebra::substitute(&[x], &pairs)[0]))
     }
 
-    /// The origin and the angle of a body in the pose as drawn, if a weld puts it there.
+    /// The origin and the angle of a body in the pose as drawn, if a weld puts it there and it could turn what holds it.
     pub(crate) fn welded_start(&mut self, body: usize) -> Eval<Option<[Expr; 3]>> {
         let parts = &self.unresolved.parts;
         if !self.names.instances.iter().any(|instance| instance.pair(parts) == Some(Pair::Weld)) {
@@ -139,7 +141,8 @@ impl<'a> Resolver<'a> {
                 let Some((stand, body)) = of(&frames[known]).zip(frames[unknown].body) else { continue };
                 let stand = placed_by(*pair, geometry, (known, stand), (unknown, declared[body]));
                 placed[body] = Some(stand);
-                welded[body] = *pair == Pair::Weld;
+                // Nothing pulls an angle that is locked.
+                welded[body] = *pair == Pair::Weld && !stand.locked;
                 is_over = false;
             }
             if is_over {
@@ -163,7 +166,7 @@ impl<'a> Resolver<'a> {
             let [x, y, angle, ..] = self.starts(body)?;
             let centre = if placement.drawing { Vec2::ZERO } else { placement.centre };
             let position = Vec2::new(x.value, y.value) + Rotation::by(angle.value) * centre;
-            stands.push(Stand { position, angle: angle.value, given: angle.given });
+            stands.push(Stand { position, angle: angle.value, given: angle.given, locked: angle.locked });
         }
         Ok(stands)
     }
@@ -208,6 +211,7 @@ fn placed_by(
     if !pair.turns() && !own.given {
         own.angle = stand.angle + frames[known].turn - frames[unknown].turn;
     }
+    own.locked |= !pair.turns() && stand.locked;
     let (point, there) = (stand.point(&frames[known]), own.point(&frames[unknown]));
     match pair {
         Pair::Revolute | Pair::Weld => own.with(point, &frames[unknown]),
