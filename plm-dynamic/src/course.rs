@@ -62,7 +62,8 @@ impl OnRun for RecordDriven<'_> {
     type Output = Result<(), Fault>;
 
     fn on<M: Described<S = f64>, I: Method<M>>(self, sim: &mut Sim<M, I>) -> Self::Output {
-        record_driven(sim, self.times, self.course, self.watch)
+        let Self { times, course, watch } = self;
+        record_driven(sim, times, |sim| course.drive(sim), watch)
     }
 }
 

@@ -7,8 +7,6 @@ use plm_runtime::described::by_number;
 use plm_runtime::sim::Seen;
 use plm_runtime::{BodyState, Described, Fault, Method, Moment, Sim};
 
-use crate::course::Course;
-
 /// Numbers of a run at a moment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
@@ -144,15 +142,15 @@ pub(crate) fn record<M: Described<S = f64>, I: Method<M>>(
     })
 }
 
-/// The same with inputs that follow a course, and with a sample where it ends.
+/// The same with inputs that `drive` changes where it is asked, which gives the time of the next change, s; and with a sample where it ends.
 pub(crate) fn record_driven<M: Described<S = f64>, I: Method<M>>(
     sim: &mut Sim<M, I>,
     (until, every): (f64, f64),
-    course: &mut Course,
+    drive: impl FnMut(&mut Sim<M, I>) -> f64,
     watch: &mut dyn Watch,
 ) -> Result<(), Fault> {
     recorded(sim, every, true, watch, |sim, seen, goes_on| {
-        Sim::watch_driven(sim, until, every, |sim| course.drive(sim), seen, goes_on)
+        Sim::watch_driven(sim, until, every, drive, seen, goes_on)
     })
 }
 
