@@ -6,7 +6,7 @@ use super::words::Words;
 use super::{Failure, Streams};
 use crate::value::value;
 
-/// Where a run begins in the time of readings.
+/// The time of the readings at which a run begins.
 #[derive(Clone, Copy)]
 pub(super) enum Begin {
     /// At the first reading.

@@ -63,12 +63,12 @@ pub fn change<M: Sets<W>, const W: usize>(
     let mut held = system.holds(u);
     let mut before = differences(system, t, u, x);
     change(u, x)?;
-    let mut turned = beginning;
-    for (side, now) in M::sides(&mut turned).iter_mut().zip(M::sides(u)) {
+    let mut flipped = beginning;
+    for (side, now) in M::sides(&mut flipped).iter_mut().zip(M::sides(u)) {
         *side = *now;
     }
     // No mode of contact has changed: of a row that sticks a difference becomes zero, which is a jump however small.
-    if turned == *u && is_rounding(system, &start, x) {
+    if flipped == *u && is_rounding(system, &start, x) {
         let here = differences(system, t, u, x);
         keep_changed(&mut before, (M::sides(&mut beginning), M::sides(u)), &here);
     }

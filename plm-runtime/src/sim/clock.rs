@@ -15,7 +15,6 @@ pub(crate) struct Clock<S> {
 
 impl<S: Real> Clock<S> {
     /// The clock after `dt`, from the time `now`; what is known of another time is forgotten.
-    #[inline]
     pub(crate) fn after(self, now: S, dt: S) -> Self {
         let rest = if self.time == now { self.rest } else { S::ZERO };
         let (length, low) = two_sum(dt, rest);

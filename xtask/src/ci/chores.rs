@@ -133,13 +133,13 @@ pub(super) fn build_sweep(place: &Place) -> Result {
     build.args(["--example", "sweep", "--example", "contacts"]).run()
 }
 
-/// Random trees and loops against a reference in higher precision, and random mechanisms with contacts against equations of their own: a
+/// Random trees and loops against a reference in higher precision, and random mechanisms with contacts against equations of their own. A
 /// quarter of [`long_sweep`].
 pub(super) fn sweep(place: &Place) -> Result {
     swept(place, "250", "50")
 }
 
-/// The same, as long as it takes.
+/// The sweeps of a release: four times as many mechanisms.
 pub(super) fn long_sweep(place: &Place) -> Result {
     swept(place, "1000", "200")
 }

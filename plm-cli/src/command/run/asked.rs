@@ -22,36 +22,36 @@ pub(super) enum Rows {
     Sampled,
 }
 
-/// What is asked of inputs over time.
+/// Options of inputs over time.
 pub(super) struct Signals {
     /// Tables.
     pub(super) files: Vec<String>,
-    pub(super) between: Between,
+    pub(super) interpolation: Interpolation,
     /// The columns that are read; all where none is named.
     pub(super) only: Vec<String>,
-    /// Where the run begins in their time.
+    /// The time of the readings at which the run begins; none where both have one clock.
     pub(super) from: Option<Begin>,
 }
 
-/// What an input is between two readings.
+/// Interpolation of an input between two readings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Between {
+pub(super) enum Interpolation {
     /// On the straight line from one to the other.
-    Line,
-    /// What the first one is.
+    Linear,
+    /// Constant from one reading to the next: a zero-order hold.
     Hold,
 }
 
 impl Signals {
     fn new(words: &mut Words) -> Result<Signals, Failure> {
-        let between = if words.takes("--hold") { Between::Hold } else { Between::Line };
+        let is_held = words.takes("--hold");
+        let interpolation = if is_held { Interpolation::Hold } else { Interpolation::Linear };
         let (files, only, from) =
             (words.values("--inputs"), names(&words.values("--only")), Begin::asked(words)?);
-        let is_for_files = between == Between::Hold || !only.is_empty() || from.is_some();
-        if files.is_empty() && is_for_files {
+        if files.is_empty() && (is_held || !only.is_empty() || from.is_some()) {
             return Err("--hold, --only and --from are of inputs over time: with `--inputs FILE`".into());
         }
-        Ok(Signals { files, between, only, from })
+        Ok(Signals { files, interpolation, only, from })
     }
 }
 

@@ -11,7 +11,7 @@ use plm_dynamic::{Change, Course, Mechanism};
 
 use self::lines::Lines;
 use self::readings::Signal;
-use super::asked::{Asked, Between};
+use super::asked::{Asked, Interpolation};
 use super::{Failure, Streams, setting};
 use crate::read::File;
 
@@ -41,9 +41,9 @@ impl Driven {
             return Ok(Driven { mechanism, course: Course::default(), begin: given });
         }
         let signals = readings::signals(asked, &given, &mechanism, streams)?;
-        match asked.signals.between {
-            Between::Hold => Ok(held(mechanism, &signals, given, asked.until)),
-            Between::Line => Lines::new(file, &signals)?.driven(&signals, given, asked.until),
+        match asked.signals.interpolation {
+            Interpolation::Hold => Ok(held(mechanism, &signals, given, asked.until)),
+            Interpolation::Linear => Lines::new(file, &signals)?.driven(&signals, given, asked.until),
         }
     }
 }

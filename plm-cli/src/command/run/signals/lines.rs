@@ -16,7 +16,7 @@ use crate::read::File;
 const CLOCK: &str = "signal_clock_";
 const TIME: &str = "signal_time_";
 const RATE: &str = "signal_rate_";
-/// What stands behind the name of an input.
+/// Suffixes of the two inputs of one that is on straight lines.
 const BEFORE: &str = "_before_";
 const AFTER: &str = "_after_";
 
