@@ -358,8 +358,8 @@ pub(crate) fn text_of(expr: &ast::Expr) -> Option<String> {
         ExprKind::Pair(x, y) => Some(format!("({}, {})", text_of(x)?, text_of(y)?)),
         ExprKind::Chain(first, links) if links.len() == 1 => {
             let link = &links[0];
-            let is_sum = matches!(link.operator, ast::Operator::Add | ast::Operator::Sub);
-            let space = if is_sum { " " } else { "" };
+            let is_product = matches!(link.operator, ast::Operator::Mul | ast::Operator::Div);
+            let space = if is_product { "" } else { " " };
             let right = text_of(&link.operand)?;
             Some(format!("{}{space}{}{space}{right}", text_of(first)?, link.operator.text()))
         }
