@@ -1,7 +1,7 @@
 //! Guards that are zero but for rounding where a run begins, or goes on after a change from outside: their rates decide the mode. Ends of
 //! steps are led to where a guard vanishes.
 
-use super::Beginning;
+use super::history::Reached;
 use super::relevant::bit;
 use super::rounding::{ULPS, rounding};
 use super::violated::not_met;
@@ -104,7 +104,7 @@ pub(super) fn advance_to<M: System<S: Real>, I: Method<M>>(
 pub(super) fn meet<M: System<S: Real>, I: Method<M>>(
     method: &mut I,
     context: &mut Context<'_, M>,
-    (before, start): (&I, &Beginning<M>),
+    before: &Reached<M, I>,
     index: usize,
 ) -> Result<bool, Fault> {
     for _ in 0..MOST_AGAIN {
@@ -113,11 +113,11 @@ pub(super) fn meet<M: System<S: Real>, I: Method<M>>(
             rounding((context.system, &context.held), (context.time, context.time), &context.x, &here);
         let Some(slopes) = rates(context).filter(|_| here.at(index).abs() > noise.at(index)) else { break };
         let time = context.time - here.at(index) / slopes.at(index);
-        if !(time > start.time && time < context.end) {
+        if !(time > before.state.time && time < context.end) {
             break;
         }
-        let reached = (*method, context.time, context.held, context.x);
-        (*method, context.time, context.held, context.x) = (*before, start.time, start.held, start.x);
+        let reached = Reached::of(method, context);
+        before.restore(method, context);
         context.stats.steps -= 1;
         context.stats.rejected += 1;
         advance_to(method, context, time)?;
@@ -125,7 +125,7 @@ pub(super) fn meet<M: System<S: Real>, I: Method<M>>(
             return Ok(false);
         }
         if guards_here(context)?.at(index).abs() >= here.at(index).abs() {
-            (*method, context.time, context.held, context.x) = reached;
+            reached.restore(method, context);
             break;
         }
     }

@@ -1,6 +1,6 @@
 //! History of the last step, and counts of the states that limited steps.
 
-use crate::method::Method;
+use crate::method::{Context, Method};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
@@ -12,6 +12,33 @@ pub(crate) struct Beginning<M: System> {
     pub(crate) time: M::S,
     pub(crate) held: M::U,
     pub(crate) x: M::X,
+}
+
+impl<M: System> Beginning<M> {
+    /// The state of the context.
+    pub(crate) fn of(context: &Context<'_, M>) -> Self {
+        Self { time: context.time, held: context.held, x: context.x }
+    }
+}
+
+/// A method and the state from which it goes on, to come back to.
+pub(super) struct Reached<M: System, I> {
+    pub(super) method: I,
+    pub(super) state: Beginning<M>,
+}
+
+impl<M: System, I: Copy> Reached<M, I> {
+    pub(super) fn of(method: &I, context: &Context<'_, M>) -> Self {
+        Self { method: *method, state: Beginning::of(context) }
+    }
+
+    /// Goes back there. Field by field: without optimisation a tuple of them would be a second copy of the method on the stack.
+    pub(super) fn restore(&self, method: &mut I, context: &mut Context<'_, M>) {
+        *method = self.method;
+        context.time = self.state.time;
+        context.held = self.state.held;
+        context.x = self.state.x;
+    }
 }
 
 /// History of a run.

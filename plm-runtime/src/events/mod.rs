@@ -39,6 +39,7 @@ use self::derived::{Timed, derive_time, moved_end, restore_time};
 use self::ends::Ends;
 use self::guard_free::GuardFree;
 use self::here::{guards, guards_here};
+use self::history::Reached;
 pub(crate) use self::history::{Beginning, History};
 pub(crate) use self::jumps::{at_a_jump, before_projection, hold};
 use self::relevant::bit;
@@ -181,16 +182,16 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         if M::S::HAS_DERIVATIVES && core::mem::take(&mut self.has_passed) {
             method.restart();
         }
-        let (before, start): (I, Beginning<M>) =
-            (*method, Beginning { time: context.time, held: context.held, x: context.x });
+        let before = Reached::of(method, context);
+        let start = before.state.time;
         method.advance(context)?;
         self.guard_free.forget();
         // What would end a step so early that it hardly moves the time happens at once.
-        let least = S::lit(LEAST_ULPS) * S::EPSILON * start.time.abs().max(context.end.abs());
+        let least = S::lit(LEAST_ULPS) * S::EPSILON * start.abs().max(context.end.abs());
         let mut beyond_kinks = false;
         loop {
             let end = guards_here(context)?;
-            let (ends, time) = self.ends(method, context, (&start, &end), (least, beyond_kinks))?;
+            let (ends, time) = self.ends(method, context, (&before.state, &end), (least, beyond_kinks))?;
             let due = if let Ends::Due(index) = ends { Some(index) } else { None };
             if time >= context.time {
                 self.arrive(end);
@@ -198,20 +199,20 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             }
             context.stats.steps -= 1;
             context.stats.rejected += 1;
-            (*method, context.time, context.held, context.x) = (before, start.time, start.held, start.x);
-            let is_at_once = time - start.time <= least;
+            before.restore(method, context);
+            let is_at_once = time - start <= least;
             // What happens at once needs no step, unless the state leads away first: then the shortest one ends behind it.
             let stood = |index| (index, self.residual.at(index));
             if is_at_once && !due.is_some_and(|index| leads_away(context, stood(index))) {
                 return Ok(due);
             }
-            let time = if is_at_once { (start.time + least + least).min(context.end) } else { time };
+            let time = if is_at_once { (start + least + least).min(context.end) } else { time };
             advance_to(method, context, time)?;
             // The state at an event moves as the formula of the step does, not as its rate.
             let at_end = due.filter(|_| context.time >= time);
-            if let Some(moved) = at_end.and_then(|index| moved_end(context, index, time - start.time)) {
+            if let Some(moved) = at_end.and_then(|index| moved_end(context, index, time - start)) {
                 context.stats.steps -= 1;
-                (*method, context.time, context.held, context.x) = (before, start.time, start.held, start.x);
+                before.restore(method, context);
                 advance_to(method, context, time + moved)?;
             }
             self.has_passed = ends == Ends::BeyondKink;
@@ -220,13 +221,13 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
                 let mut due = due.filter(|_| context.time >= time);
                 due = due.filter(|index| !(is_at_once && leads_away(context, stood(*index))));
                 if let Some(index) = due.filter(|index| context.system.must_hold(*index)) {
-                    due = meet(method, context, (&before, &start), index)?.then_some(index);
+                    due = meet(method, context, &before, index)?.then_some(index);
                 } else if let Some(index) = due.filter(|_| context.system.contact_count() > 0)
-                    && refine(context, start.time, index)? == Refined::Far
+                    && refine(context, start, index)? == Refined::Far
                 {
-                    due = meet(method, context, (&before, &start), index)?.then_some(index);
+                    due = meet(method, context, &before, index)?.then_some(index);
                     if due.is_some() {
-                        refine(context, start.time, index)?;
+                        refine(context, start, index)?;
                     }
                 }
                 self.arrive(guards_here(context)?);

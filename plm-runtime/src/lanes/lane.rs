@@ -162,7 +162,7 @@ impl<M: Pack<S = f64>, F: Formula> Fixed<'_, M, F> {
 
     fn propose(&mut self, next: Option<M::X>) -> Made<f64> {
         let Self { context, method, .. } = self;
-        let from = Beginning { time: context.time, held: context.held, x: context.x };
+        let from = Beginning::of(context);
         let mut x = context.x;
         let made = match next {
             Some(next) => {

@@ -133,7 +133,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
             return self.coast();
         }
         let Self { method, context, guarded, .. } = self;
-        let from = Beginning { time: context.time, held: context.held, x: context.x };
+        let from = Beginning::of(context);
         context.health = M::S::lit(1.0);
         match guarded.detector.step(*method, context) {
             Ok(event) => self.conclude(&from, event),
@@ -343,8 +343,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         let (mut rescue, mut refused) = (M::Rescue::new(), 0);
         while self.context.time < self.context.end && M::Rescue::holds(self.context) {
             self.context.check_steps(self.method.most_steps())?;
-            let from: Beginning<M> =
-                Beginning { time: self.context.time, held: self.context.held, x: self.context.x };
+            let from = Beginning::of(self.context);
             let made = self.with(&mut rescue, limits).step();
             if let Made::Failed(fault) | Made::Ended(fault) = made {
                 return Err(true_cause(failed, fault));
