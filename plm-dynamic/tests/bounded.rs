@@ -272,6 +272,34 @@ fn an_arm_comes_to_rest_on_its_stop_at_every_tolerance() {
     }
 }
 
+/// The page of `gearbox` in a scene: its friction sticks until the load is what the motor can hold, 0.2 N m x 50 / 0.8, and slips back from
+/// there as slowly as the square of the time. The dense output of an implicit step goes to the other side first, by less than its tolerance.
+#[test]
+fn a_slip_that_forces_begin_goes_on_at_every_tolerance() {
+    let text = "pub Scene {
+        gravity: 9.81 m/s^2;
+        ground { port o: (0, 0) m; }
+        body arm { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 45 deg; }
+        body rod { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; }
+        revolute shoulder(ground.o, arm.a);
+        revolute elbow(arm.b, rod.a);
+        rotor motor() { inertia: 1e-4 kg*m^2; drive: 0.2 N*m; }
+        gearbox reducer(motor.shaft, shoulder.shaft) { ratio: 50; efficiency: 0.8; }
+        output reducer.lost;
+    }";
+    let end = |method: &str| {
+        let mut run = start(text, method);
+        run.step_to(0.5).unwrap_or_else(|fault| panic!("{method}: {fault}"));
+        assert_few_steps(&run, 300, method);
+        run.output("reducer.lost").unwrap()
+    };
+    let known = end("Dop853:1e-12");
+    for tolerance in [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12] {
+        let lost = end(&format!("RadauIia5:{tolerance:e}"));
+        assert!((lost - known).abs() < 300.0 * tolerance, "{tolerance}: {lost} is not {known}");
+    }
+}
+
 /// A trebuchet throws its stone where four comparisons hold. Impulses that satisfy joints again move the last of them by rounding.
 #[test]
 fn what_rounding_moves_at_an_event_takes_no_side_again() {

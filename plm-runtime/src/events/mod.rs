@@ -10,6 +10,7 @@
 mod boundary;
 mod chattering;
 mod derived;
+mod dips;
 mod enclosure;
 mod ends;
 mod fixed;
@@ -191,7 +192,14 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         let mut beyond_kinks = false;
         loop {
             let end = guards_here(context)?;
-            let (ends, time) = self.ends(method, context, (&before.state, &end), (least, beyond_kinks))?;
+            let asked = ((&before.state, &end), (least, beyond_kinks));
+            let (mut ends, mut time) = self.ends(method, context, asked.0, asked.1)?;
+            if let Ends::Due(index) = ends
+                && time - start <= least
+                && self.looks_beyond_dip(method, context, (&before, index))
+            {
+                (ends, time) = self.ends(method, context, asked.0, asked.1)?;
+            }
             let due = if let Ends::Due(index) = ends { Some(index) } else { None };
             if time >= context.time {
                 self.arrive(end);
