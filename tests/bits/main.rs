@@ -1,0 +1,16 @@
+//! Runs from text have the bits of compiled code. Here rustc compiles what other tests declare by text: every shape of emitted code.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+
+#[path = "../support/beside_text.rs"]
+mod beside_text;
+
+/// Here `scene!` is [`plm::mechanism!`].
+macro_rules! scene {
+    ($($declaration:tt)*) => {
+        plm::mechanism! { $($declaration)* }
+    };
+}
+
+mod contact;
+#[path = "../scenes/contact.rs"]
+mod contact_scenes;
