@@ -6,7 +6,8 @@ mod packages;
 mod tests;
 
 use std::collections::BTreeMap;
-use std::time::Instant;
+use std::fmt;
+use std::time::{Duration, Instant};
 
 use crate::Result;
 use crate::beside::Beside;
@@ -189,35 +190,42 @@ impl Ci {
                     parts.iter().copied().filter(|part| self.is_wanted(part.name)).collect();
                 if !parts.is_empty() {
                     self.begin(group, niceness, move |beside| {
-                        let places = [&place, &plain].map(|place| place.printing_as(beside));
                         parts.iter().try_for_each(|part| {
-                            let started = Instant::now();
-                            (part.work)(&places[usize::from(part.is_plain)])?;
-                            beside.say(&format!("== {}: {} s", part.title, started.elapsed().as_secs()))
+                            let place = if part.is_plain { &plain } else { &place };
+                            let (started, place) = (Instant::now(), place.printing_as(beside).counting());
+                            (part.work)(&place)?;
+                            beside.say(&format!("== {}: {}", part.title, Took::since(started, &place)))
                         })
                     })?;
                 }
             }
             Step::Here(part) if self.is_wanted(part.name) => {
-                let place = if part.is_plain { self.plain.clone() } else { self.place.clone() };
-                self.stage(part.title, |_| (part.work)(&place))?;
+                let place = if part.is_plain { &self.plain } else { &self.place }.counting();
+                self.stage(part.title, &place, |_| (part.work)(&place))?;
             }
-            Step::Tests if self.is_wanted(tests::NAME) => self.stage("lints and tests", tests::all)?,
+            Step::Tests if self.is_wanted(tests::NAME) => {
+                let place = self.place.counting();
+                self.stage("lints and tests", &place, |ci| tests::all(ci, &place))?;
+            }
             Step::Join { group, title } if self.running.contains_key(group) => {
-                self.stage(title, |ci| ci.join(group).map(|text| print!("{}", worth_showing(&text))))?;
+                let place = self.place.counting();
+                self.stage(title, &place, |ci| {
+                    ci.join(group).map(|text| print!("{}", worth_showing(&text)))
+                })?;
             }
             Step::Here(_) | Step::Tests | Step::Join { .. } => {}
         }
         Ok(())
     }
 
-    fn stage(&mut self, title: &str, work: impl FnOnce(&mut Self) -> Result) -> Result {
+    /// A stage whose commands run in this place.
+    fn stage(&mut self, title: &str, place: &Place, work: impl FnOnce(&mut Self) -> Result) -> Result {
         let started = Instant::now();
         println!("\n== {title}");
         work(self).map_err(|why| format!("\n{title}: {why}"))?;
-        let seconds = started.elapsed().as_secs();
-        println!("== {title}: {seconds} s");
-        self.durations.push(format!("{seconds:6} s  {title}"));
+        let took = Took::since(started, place);
+        println!("== {title}: {took}");
+        self.durations.push(format!("{took}  {title}"));
         Ok(())
     }
 
@@ -237,6 +245,26 @@ impl Ci {
     fn join(&mut self, name: &str) -> Result<String> {
         let beside = self.running.remove(name).ok_or_else(|| format!("{name} was not begun"))?;
         beside.join()
+    }
+}
+
+/// What a stage took.
+struct Took {
+    /// By the clock.
+    wall: Duration,
+    /// Of all processors together.
+    processor: Duration,
+}
+
+impl Took {
+    fn since(started: Instant, place: &Place) -> Self {
+        Self { wall: started.elapsed(), processor: place.spent() }
+    }
+}
+
+impl fmt::Display for Took {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:4} s, {:4} s of processors", self.wall.as_secs(), self.processor.as_secs())
     }
 }
 

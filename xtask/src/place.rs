@@ -2,10 +2,14 @@
 
 use std::ffi::{OsStr, OsString};
 use std::fs::{self, File};
-use std::io::Write as _;
+use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitStatus, Stdio};
+use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
+
+use wait4::Wait4 as _;
 
 use crate::Result;
 use crate::beside::Guard;
@@ -22,6 +26,8 @@ pub(crate) struct Place {
     /// Where everything that is printed goes, if not to the terminal. Commands are in groups of their own then.
     output: Option<Arc<File>>,
     niceness: u32,
+    /// What its commands have taken of the processor, ms.
+    spent: Arc<AtomicU64>,
 }
 
 impl Place {
@@ -35,7 +41,14 @@ impl Place {
         // What `cargo run` says of itself is none of the others' business: another toolchain would call this one's cargo.
         let variables =
             ["CARGO", "CARGO_MANIFEST_DIR", "CARGO_MANIFEST_PATH"].map(|name| (name.to_owned(), None));
-        Ok(Self { root, target, variables: variables.into(), output: None, niceness: 0 })
+        Ok(Self {
+            root,
+            target,
+            variables: variables.into(),
+            output: None,
+            niceness: 0,
+            spent: Arc::default(),
+        })
     }
 
     pub(crate) fn set(&mut self, name: &str, value: impl Into<OsString>) {
@@ -57,6 +70,16 @@ impl Place {
     /// The same place that prints where another one does, with its niceness.
     pub(crate) fn printing_as(&self, other: &Self) -> Self {
         Self { output: other.output.clone(), niceness: other.niceness, ..self.clone() }
+    }
+
+    /// The same place, of whose commands the time on the processor is counted anew.
+    pub(crate) fn counting(&self) -> Self {
+        Self { spent: Arc::default(), ..self.clone() }
+    }
+
+    /// What its commands that have ended took of the processor, with all that they started.
+    pub(crate) fn spent(&self) -> Duration {
+        Duration::from_millis(self.spent.load(Ordering::Relaxed))
     }
 
     /// A command, its words separated by blanks; those that may hold blanks themselves are arguments.
@@ -124,9 +147,14 @@ impl Task<'_> {
         if self.place.output.is_none() {
             command.stderr(Stdio::inherit());
         }
-        let output = command.output().map_err(|why| format!("{shown}: {why}"))?;
-        succeeded(output.status, &shown)?;
-        String::from_utf8(output.stdout).map_err(|why| format!("{shown}: {why}"))
+        let failed = |why: std::io::Error| format!("{shown}: {why}");
+        let mut child = command.spawn().map_err(failed)?;
+        let mut text = Vec::new();
+        if let Some(mut stdout) = child.stdout.take() {
+            stdout.read_to_end(&mut text).map_err(failed)?;
+        }
+        succeeded(self.end_of(&mut child).map_err(failed)?, &shown)?;
+        String::from_utf8(text).map_err(|why| format!("{shown}: {why}"))
     }
 
     /// Does it succeed? Nothing of it is shown. A program that is not there does not.
@@ -163,9 +191,17 @@ impl Task<'_> {
         let failed = |why: std::io::Error| format!("{}: {why}", self.words[0].display());
         let mut child = command.spawn().map_err(failed)?;
         let guard = self.place.output.as_ref().map(|_| Guard::of(child.id())).transpose().map_err(failed)?;
-        let status = child.wait().map_err(failed)?;
+        let status = self.end_of(&mut child).map_err(failed)?;
         guard.map_or(Ok(()), Guard::dismiss).map_err(failed)?;
         Ok(status)
+    }
+
+    /// Waits for its end, and counts what it took of the processor.
+    fn end_of(&self, child: &mut Child) -> std::io::Result<ExitStatus> {
+        let ended = child.wait4()?;
+        let spent = ended.rusage.utime + ended.rusage.stime;
+        self.place.spent.fetch_add(u64::try_from(spent.as_millis()).unwrap_or(u64::MAX), Ordering::Relaxed);
+        Ok(ended.status)
     }
 }
 

@@ -17,8 +17,7 @@ pub(super) fn tools(place: &Place) -> Result {
 
 /// Two take more than a minute on one core, so that the others run beside them: the disturbed declarations, and the lines of
 /// every method. While these run benchmarks and the sweep are built, and later no build of it keeps others from the target folder.
-pub(super) fn all(ci: &mut Ci) -> Result {
-    let place = ci.place.clone();
+pub(super) fn all(ci: &mut Ci, place: &Place) -> Result {
     let build = "cargo test --no-run --message-format json-render-diagnostics --workspace --features";
     let messages = place.command(build).arg(FEATURES).text()?;
     let robust = executable(&messages, "robust").ok_or("there is no test of the name robust")?;
@@ -27,7 +26,7 @@ pub(super) fn all(ci: &mut Ci) -> Result {
     })?;
     ci.begin("precision", 0, |place| built_example(place, "work_precision").arg("--quick").run())?;
     place.command("cargo test --no-run --bench * --workspace --features").arg(FEATURES).run()?;
-    chores::build_sweep(&place)?;
+    chores::build_sweep(place)?;
     print!("{}", ci.join("tools")?);
     let mut path = place.target.join("clang").into_os_string();
     if let Some(others) = std::env::var_os("PATH") {
