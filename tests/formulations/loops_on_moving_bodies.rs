@@ -1,14 +1,15 @@
 //! Loops on bodies that fall from an unstable rest: long steps at first, then a loop that is thrown about.
 
-use plm::{Dop853, Rk4, Stabilise as _};
+use plm::{Dop853, Mechanism as _, Moment as _, Rk4, Stabilise as _};
 
 use super::formulations::{close, values};
+use crate::scene::{Given as _, Named as _};
 
 /// A four-bar that a jack holds, on a stick whose torque drives it away from where it stands.
 macro_rules! stick {
     ($formulation:ident) => {
         pub(super) mod $formulation {
-            plm::mechanism! {
+            scene! {
                 pub Stick {
                     formulation: $formulation;
                     param growth: N*m/rad = 1e5 N*m/rad;
@@ -36,23 +37,32 @@ mod stick {
 #[test]
 fn a_loop_follows_the_body_that_carries_it() {
     for angle in [1e-9, 1e-4, 1e-2] {
-        let mut least = stick::loops::Stick::new();
-        let mut absolute = stick::absolute::Stick::new();
-        (least.start.stick.angle.value, absolute.start.stick.angle.value) = (angle, angle);
+        let least = stick::loops::Stick::new().with_start("stick.angle", angle);
+        let absolute = stick::absolute::Stick::new().with_start("stick.angle", angle);
         let mut one = least.start().unwrap();
         let mut fixed = least.start_with(Rk4::new(1e-4)).unwrap();
         let mut other = absolute.start_with(Dop853::new(1e-11)).unwrap();
-        while other.stick().angle.abs() < 4.0 && other.time() < 4.0 {
+        while other.state_of("stick").angle.abs() < 4.0 && other.time() < 4.0 {
             one.step(0.01).unwrap();
             fixed.step(0.01).unwrap();
             other.step(0.01).unwrap();
         }
-        assert!(other.stick().angle.abs() > 4.0, "{angle}: it stands for {} s", other.time());
+        assert!(other.state_of("stick").angle.abs() > 4.0, "{angle}: it stands for {} s", other.time());
         for found in [
-            [one.stick(), one.bucket(), one.rocker(), one.link()],
-            [fixed.stick(), fixed.bucket(), fixed.rocker(), fixed.link()],
+            [one.state_of("stick"), one.state_of("bucket"), one.state_of("rocker"), one.state_of("link")],
+            [
+                fixed.state_of("stick"),
+                fixed.state_of("bucket"),
+                fixed.state_of("rocker"),
+                fixed.state_of("link"),
+            ],
         ] {
-            let wanted = [other.stick(), other.bucket(), other.rocker(), other.link()];
+            let wanted = [
+                other.state_of("stick"),
+                other.state_of("bucket"),
+                other.state_of("rocker"),
+                other.state_of("link"),
+            ];
             for (found, wanted) in found.into_iter().zip(wanted) {
                 close(&format!("from {angle} rad"), values(found), values(wanted), 3e-7);
             }
@@ -64,7 +74,7 @@ fn a_loop_follows_the_body_that_carries_it() {
 macro_rules! excavator {
     ($formulation:ident) => {
         pub(super) mod $formulation {
-            plm::mechanism! {
+            scene! {
                 pub Excavator {
                     formulation: $formulation;
                     /// A jack that is held at a length.
@@ -103,22 +113,21 @@ fn an_excavator_falls_from_an_unstable_rest() {
     let found = excavator::loops::Excavator::new().stabilise().unwrap().balanced().unwrap();
     let mut sim = found.start().unwrap();
     // Rounding has its say in when it falls.
-    while sim.stick().omega.abs() < 1e-3 {
+    while sim.state_of("stick").omega.abs() < 1e-3 {
         sim.step(0.01).unwrap();
         assert!(sim.time() < 2.0, "it stands");
     }
     // From there on in absolute coordinates too.
-    let mut absolute = excavator::absolute::Excavator::new();
-    absolute.start = plm::read_starts(&sim.starts().to_string(), absolute.start).unwrap();
+    let absolute = excavator::absolute::Excavator::new().with_starts(&sim.starts());
     let mut other = absolute.start_with(Dop853::new(1e-11)).unwrap();
-    let (start, mut fallen) = (sim.stick().angle, 0.0_f64);
+    let (start, mut fallen) = (sim.state_of("stick").angle, 0.0_f64);
     for _ in 0..150 {
         sim.step(0.01).unwrap();
         other.step(0.01).unwrap();
-        fallen = fallen.max((sim.stick().angle - start).abs());
-        close("stick", values(sim.stick()), values(other.stick()), 1e-6);
-        close("bucket", values(sim.bucket()), values(other.bucket()), 1e-6);
-        close("link", values(sim.link()), values(other.link()), 1e-6);
+        fallen = fallen.max((sim.state_of("stick").angle - start).abs());
+        close("stick", values(sim.state_of("stick")), values(other.state_of("stick")), 1e-6);
+        close("bucket", values(sim.state_of("bucket")), values(other.state_of("bucket")), 1e-6);
+        close("link", values(sim.state_of("link")), values(other.state_of("link")), 1e-6);
     }
     assert!(fallen > 2.0, "it stays where it was: {fallen} rad");
 }

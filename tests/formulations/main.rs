@@ -2,6 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 #![allow(clippy::excessive_precision, reason = "references are written as they were published")]
 
+#[macro_use]
+#[path = "../support/scene.rs"]
+mod scene;
+
 mod formulations;
 mod limits;
 mod loops_on_moving_bodies;

@@ -1,12 +1,12 @@
 //! Loops that do not split, by Newton's iteration: against absolute coordinates, and where the iteration could fail.
 
-use plm::runtime::Absolute;
-use plm::{Dop853, Moment, Rk4};
+use plm::{Dop853, Mechanism as _, Moment as _, Rk4};
 
-use super::formulations::{absolute_state, close, on_both, values};
+use super::formulations::{close, on_both, values};
+use crate::scene::{Given as _, Named as _};
 
 // 8 bars and three loops (K. J. Waldron, S. V. Sreenivasan, J. Mech. Design 118, 1996): 6 angles at once.
-on_both!(double_butterfly, [base, left, right, strut_0, strut_1, strut_2, strut_3], [p1_force, p9_force], {
+on_both!(double_butterfly, compiled butterfly, {
     gravity: 9.81 m/s^2;
     ground { port a: (0, 0) m; port c: (-1.2, 0.1) m; port e: (1.2, 0) m; }
     body base { mass: 1.1 kg; inertia: 0.2 kg*m^2; port a: (0, -0.5) m; port h: (-0.4, 0.3) m; port j: (0.5, 0.2) m; start y: 0.5 m; start omega: 1 rad/s, locked; }
@@ -30,7 +30,7 @@ on_both!(double_butterfly, [base, left, right, strut_0, strut_1, strut_2, strut_
 });
 
 // A plate on the pins of three cranks: an angle and three slides at once.
-on_both!(plate_on_three_pins, [crank_0, crank_1, crank_2, plate], [slot_2_force], {
+on_both!(plate_on_three_pins, {
     gravity: 9.81 m/s^2;
     ground { port a: (0, 0) m; port b: (1, 0) m; port c: (0.5, 0.9) m; }
     body crank[0] { mass: 0.3 kg; inertia: 0.01 kg*m^2; port o: (-0.1, 0) m; port p: (0.1, 0) m; start x: 0.1 m; start angle: 20 deg, locked; start omega: 2 rad/s, locked; }
@@ -49,7 +49,7 @@ on_both!(plate_on_three_pins, [crank_0, crank_1, crank_2, plate], [slot_2_force]
 });
 
 // Without freedom: nothing is left to integrate.
-on_both!(plate_on_driven_pins, [crank_0, crank_1, crank_2, plate], [slot_1_force], {
+on_both!(plate_on_driven_pins, {
     gravity: 9.81 m/s^2;
     ground { port a: (0, 0) m; port b: (1, 0) m; port c: (0.5, 0.9) m; }
     body crank[0] { mass: 0.3 kg; inertia: 0.01 kg*m^2; port o: (-0.1, 0) m; port p: (0.1, 0) m; start x: 0.1 m; start angle: 20 deg; }
@@ -69,7 +69,7 @@ on_both!(plate_on_driven_pins, [crank_0, crank_1, crank_2, plate], [slot_1_force
 });
 
 // A six-bar that is driven from the side from which it does not split into dyads.
-on_both!(stephenson_from_its_dyad, [crank, coupler, rocker, link, lever, flail], [p1_force], {
+on_both!(stephenson_from_its_dyad, {
     gravity: 9.81 m/s^2;
     ground { port a: (0, 0) m; port d: (1, 0) m; port g: (1.5, 0.3) m; }
     body crank { mass: 0.3 kg; inertia: 0.00225 kg*m^2; port a: (-0.05, -0.175) m; port b: (0.05, 0.175) m; start x: 0.05 m; start y: 0.175 m; }
@@ -94,10 +94,8 @@ on_both!(stephenson_from_its_dyad, [crank, coupler, rocker, link, lever, flail],
 #[test]
 fn a_double_butterfly_turns_over() {
     for omega in [1.0, 3.0] {
-        let mut least = double_butterfly::least::Scene::new();
-        least.start.base.omega.value = omega;
-        let mut absolute = double_butterfly::absolute::Scene::new();
-        absolute.start.base.omega.value = omega;
+        let least = double_butterfly::least::Scene::new().with_start("base.omega", omega);
+        let absolute = double_butterfly::absolute::Scene::new().with_start("base.omega", omega);
         let mut one = least.start_with(Dop853::new(1e-13)).unwrap();
         let mut other = absolute.start_with(Dop853::new(1e-13)).unwrap();
         let start = one.kinetic_energy() + one.gravity_energy();
@@ -105,11 +103,11 @@ fn a_double_butterfly_turns_over() {
             one.step(0.1).unwrap();
             other.step(0.1).unwrap();
             // Errors of the start grow along the way: by 1e4 in 10 s.
-            close("base", values(one.base()), values(other.base()), 1e-7);
+            close("base", values(one.state_of("base")), values(other.state_of("base")), 1e-7);
             let gained = one.kinetic_energy() + one.gravity_energy() - start;
             assert!(gained.abs() < 1e-9 * start, "{gained} J of {start} J at {} s", one.time());
         }
-        assert!(one.base().angle > 6.0 && one.stats().charts > 10, "{:?}", one.stats());
+        assert!(one.state_of("base").angle > 6.0 && one.stats().charts > 10, "{:?}", one.stats());
     }
 }
 
@@ -120,7 +118,7 @@ fn steps_are_no_longer_than_the_iteration_can_follow() {
     let mut exact = double_butterfly::absolute::Scene::new().start_with(Dop853::new(1e-10)).unwrap();
     loose.step(3.0).unwrap();
     exact.step(3.0).unwrap();
-    close("base", values(loose.base()), values(exact.base()), 1e-3);
+    close("base", values(loose.state_of("base")), values(exact.state_of("base")), 1e-3);
 }
 
 /// The first step of half a second would end at another solution of the iteration: it is divided.
@@ -132,7 +130,7 @@ fn a_fixed_step_that_is_too_long_is_divided() {
     coarse.step(0.5).unwrap();
     exact.step(0.5).unwrap();
     assert!(coarse.stats().near_singular > 0, "{:?}", coarse.stats());
-    close("base", values(coarse.base()), values(exact.base()), 1e-3);
+    close("base", values(coarse.state_of("base")), values(exact.state_of("base")), 1e-3);
 }
 
 /// Runge-Kutta 4 keeps its order: what the iteration leaves is below it. Later in this motion steps are divided.
@@ -145,7 +143,7 @@ fn fixed_steps_converge() {
         let mut fixed = scene.start_with(Rk4::new(h)).unwrap();
         fixed.step(0.5).unwrap();
         assert_eq!(fixed.stats().rejected, 0, "{h}");
-        (fixed.base().angle - exact.base().angle).abs()
+        (fixed.state_of("base").angle - exact.state_of("base").angle).abs()
     };
     let errors = [5e-4, 2.5e-4].map(error);
     assert!(errors.windows(2).all(|pair| (14.0..20.0).contains(&(pair[0] / pair[1]))), "{errors:?}");
@@ -155,8 +153,7 @@ fn fixed_steps_converge() {
 /// divided for it, also the first one in a new chart.
 #[test]
 fn fixed_steps_are_divided_where_a_group_turns_sharply() {
-    let mut scene = double_butterfly::least::Scene::new();
-    scene.start.base.omega.value = 3.0;
+    let scene = double_butterfly::least::Scene::new().with_start("base.omega", 3.0);
     // The most energy that is lost or won in a millisecond.
     let lost = |h: f64| {
         let mut fixed = scene.start_with(Rk4::new(h)).unwrap();
@@ -175,10 +172,10 @@ fn fixed_steps_are_divided_where_a_group_turns_sharply() {
 /// What counts as closed depends on the arithmetic.
 #[test]
 fn single_precision_iterates_as_well() {
-    let mut single = double_butterfly::least::Scene::<f32>::of().start_with(Rk4::new(1e-3)).unwrap();
+    let mut single = butterfly::Scene::<f32>::of().start_with(Rk4::new(1e-3)).unwrap();
     let mut double = double_butterfly::least::Scene::new().start_with(Rk4::new(1e-3)).unwrap();
     single.step(1.0).unwrap();
     double.step(1.0).unwrap();
-    let (found, wanted) = (f64::from(single.base().angle), double.base().angle);
+    let (found, wanted) = (f64::from(single.base().angle), double.state_of("base").angle);
     assert!((found - wanted).abs() < 1e-4, "{found} {wanted}");
 }

@@ -1,22 +1,23 @@
 //! Reactions of trees by the backward pass, against those that absolute coordinates find with all equations at once.
 
-use plm::{Mechanism, Moment};
+use plm::{Described as _, Mechanism as _, Moment as _};
 use plm_compiler::compile;
 use plm_compiler::token::Sources;
 
 use super::formulations::absolute_state;
 use crate::random::Random;
+use crate::scene::{Named as _, Scene, State, numbers};
 
 /// A tree in joint and in absolute coordinates: the outputs agree to 1e-12 of the largest one in random states. The code of
 /// joint coordinates holds the backward pass, and not the equations of absolute ones.
 macro_rules! like_absolute_coordinates {
-    ($test:ident, [$($body:ident),+], { $($item:tt)* }) => {
+    ($test:ident, { $($item:tt)* }) => {
         mod $test {
             pub(super) mod tree {
-                plm::mechanism! { pub Scene { formulation: tree; $($item)* } }
+                scene! { pub Scene { formulation: tree; $($item)* } }
             }
             pub(super) mod absolute {
-                plm::mechanism! { pub Scene { formulation: absolute; $($item)* } }
+                scene! { pub Scene { formulation: absolute; $($item)* } }
             }
         }
 
@@ -24,32 +25,34 @@ macro_rules! like_absolute_coordinates {
         fn $test() {
             let code = emitted(concat!("pub Scene { formulation: tree; ", stringify!($($item)*), "}"));
             assert!(code.contains("fn reactions(") && !code.contains("fn dynamics("));
-            let (tree, absolute) = ($test::tree::Scene::new(), $test::absolute::Scene::new());
-            let (one, other) = (tree.start().unwrap(), absolute.start().unwrap());
-            let mut random = Random(2026);
-            for case in 0..200 {
-                let mut x = *one.state().x();
-                for k in 0..x.len() {
-                    x[k] = 3.0 * random.unit();
-                }
-                let time = random.unit();
-                let state = <$test::tree::Scene as Mechanism>::State::new(tree, one.state().held(), time, x);
-                let q: Vec<f64> = absolute_state(&[$(state.$body()),+]);
-                let (held, at) = (other.state().held(), q.as_slice().try_into().unwrap());
-                let reference = <$test::absolute::Scene as Mechanism>::State::new(absolute, held, time, at);
-                let (found, wanted) = (state.outputs(), reference.outputs());
-                let scale = wanted.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-                for (k, (found, wanted)) in found.iter().zip(&wanted).enumerate() {
-                    assert!((found - wanted).abs() < 1e-12 * scale, "seed 2026, case {case}, {k}: {found} {wanted}");
-                }
-                assert!(!state.undetermined().contains(&true));
-            }
+            have_alike_outputs(&$test::tree::Scene::new(), &$test::absolute::Scene::new());
         }
     };
 }
 
+fn have_alike_outputs(tree: &Scene, absolute: &Scene) {
+    let (one, other) = (tree.start().unwrap(), absolute.start().unwrap());
+    let freedoms = usize::try_from(tree.tables().report.degrees_of_freedom).unwrap();
+    let mut random = Random(2026);
+    for case in 0..200 {
+        let own: Vec<f64> = (0..2 * freedoms).map(|_| 3.0 * random.unit()).collect();
+        let (coordinates, rates) = own.split_at(freedoms);
+        let time = random.unit();
+        let state = State::new(*tree, one.state().held(), time, numbers(coordinates, rates));
+        let at = absolute_state(&state.bodies());
+        let reference = State::new(*absolute, other.state().held(), time, at);
+        let (found, wanted) = (state.outputs(), reference.outputs());
+        assert!(found.len() == wanted.len() && !found.is_empty());
+        let scale = wanted.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        for (k, (found, wanted)) in found.iter().zip(&wanted).enumerate() {
+            assert!((found - wanted).abs() < 1e-12 * scale, "seed 2026, case {case}, {k}: {found} {wanted}");
+        }
+        assert!(!state.undetermined().contains(&true));
+    }
+}
+
 mod theory {
-    plm::mechanism! {
+    scene! {
         pub Pendulum {
             gravity: 9.81 m/s^2;
             ground { port o: (0, 0) m; }
@@ -58,7 +61,7 @@ mod theory {
             output pin.force;
         }
     }
-    plm::mechanism! {
+    scene! {
         pub Slope {
             gravity: 9.81 m/s^2;
             ground { port rail: (0, 0) m, axis: 30 deg; }
@@ -76,12 +79,12 @@ fn a_pendulum_pulls_at_its_pin_as_theory_says() {
     let input = pendulum.start().unwrap().state().held();
     for k in 0..12 {
         let (angle, omega) = (f64::from(k) * 0.55, f64::from(k) - 5.0);
-        let state = <theory::Pendulum as Mechanism>::State::new(pendulum, input, 0.0, [angle, omega]);
+        let state = State::new(pendulum, input, 0.0, numbers(&[angle], &[omega]));
         let (sin, cos) = angle.sin_cos();
         let along = 3.0 * (omega * omega * 0.4 - 9.81 * sin);
         let across = -3.0 * 9.81 * cos * 0.2 / (0.2 + 3.0 * 0.16);
         let expected = [along * cos - across * sin, along * sin + across * cos];
-        for (found, expected) in state.pin_force().iter().zip(expected) {
+        for (found, expected) in state.outputs().iter().zip(expected) {
             assert!((found - expected).abs() < 1e-12 * 100.0, "{angle} {omega}: {found} {expected}");
         }
     }
@@ -93,14 +96,14 @@ fn a_slope_carries_the_weight_across_it() {
     // 60 degrees. That force and the spring's act at the foot.
     let slope = theory::Slope::new();
     let input = slope.start().unwrap().state().held();
-    let state = <theory::Slope as Mechanism>::State::new(slope, input, 0.0, [0.02, 1.5]);
-    let [x, y] = state.guide_force();
+    let state = State::new(slope, input, 0.0, numbers(&[0.02], &[1.5]));
+    let [x, y, couple] = *state.outputs() else { panic!("a force and a torque") };
     assert!((x.hypot(y) - 169.91).abs() < 0.005 && y < 0.0, "{x} {y}");
     assert!((y / x + 3.0_f64.sqrt()).abs() < 1e-12, "{x} {y}");
     // Their moment about G is what the couple on the block has to balance, and what the guide's on the ground equals.
     let (normal, spring) = (196.2 * 0.75_f64.sqrt(), -1e4 * 0.02);
     let torque = 0.3 * normal - 0.1 * spring;
-    assert!((state.guide_torque() - torque).abs() < 1e-9, "{} {torque}", state.guide_torque());
+    assert!((couple - torque).abs() < 1e-9, "{couple} {torque}");
 }
 
 fn emitted(declaration: &str) -> String {
@@ -109,7 +112,7 @@ fn emitted(declaration: &str) -> String {
     compile(&mut sources).code.unwrap().text()
 }
 
-like_absolute_coordinates!(double_pendulum, [arm, forearm], {
+like_absolute_coordinates!(double_pendulum, {
     gravity: 9.81 m/s^2;
     ground { port o: (0.1, -0.2) m; }
     body arm { mass: 2 kg; inertia: 0.1 kg*m^2; port o: (-0.5, 0.1) m; port p: (0.4, -0.2) m; start angle: 20 deg, locked; }
@@ -119,7 +122,7 @@ like_absolute_coordinates!(double_pendulum, [arm, forearm], {
     output shoulder.force, elbow.force, forearm.ax, forearm.alpha;
 });
 
-like_absolute_coordinates!(chain_of_eight, [b0, b1, b2, b3, b4, b5, b6, b7], {
+like_absolute_coordinates!(chain_of_eight, {
     gravity: 9.81 m/s^2;
     ground { port o: (0, 0) m; }
     body b0 { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start x: 0.5 m; }
@@ -141,7 +144,7 @@ like_absolute_coordinates!(chain_of_eight, [b0, b1, b2, b3, b4, b5, b6, b7], {
     output p0.force, p3.force, p7.force, b7.ay;
 });
 
-like_absolute_coordinates!(slides, [arm, shoe, tip], {
+like_absolute_coordinates!(slides, {
     gravity: 9.81 m/s^2;
     input push: N = 4 N;
     ground { port o: (0, 0) m; }
@@ -154,7 +157,7 @@ like_absolute_coordinates!(slides, [arm, shoe, tip], {
     output hinge.force, rail.force, rail.torque, slot.force, tip.alpha;
 });
 
-like_absolute_coordinates!(slides_from_the_child_to_the_ground, [shoe, arm], {
+like_absolute_coordinates!(slides_from_the_child_to_the_ground, {
     gravity: 9.81 m/s^2;
     ground { port a: (0.2, 0.1) m; }
     body shoe { mass: 1 kg; inertia: 0.02 kg*m^2; port rail: (0.05, 0.02) m, angle: 30 deg; port p: (0.2, 0) m; start angle: -30 deg; start x: 0.5 m; }
@@ -164,7 +167,7 @@ like_absolute_coordinates!(slides_from_the_child_to_the_ground, [shoe, arm], {
     output rail.force, rail.torque, slot.force;
 });
 
-like_absolute_coordinates!(welded_and_free_bodies, [plate, block, bird, bell], {
+like_absolute_coordinates!(welded_and_free_bodies, {
     gravity: 1.5 m/s^2;
     ground { port o: (0, 0) m; }
     body plate { mass: 2 kg; inertia: 0.1 kg*m^2; port o: (-0.5, 0) m; port w: (0.2, 0.1) m, angle: 15 deg; start angle: 10 deg, locked; }
@@ -178,7 +181,7 @@ like_absolute_coordinates!(welded_and_free_bodies, [plate, block, bird, bell], {
     output hinge.force, seam.force, seam.torque, chime.force, bird.ay;
 });
 
-like_absolute_coordinates!(on_a_moving_pivot, [rod], {
+like_absolute_coordinates!(on_a_moving_pivot, {
     gravity: 9.81 m/s^2;
     ground { port p: (0.1 m * sin(7 rad/s * t), 0.05 m * cos(11 rad/s * t)); }
     body rod { mass: 1 kg; inertia: 0.02 kg*m^2; port p: (0, 0.4) m; start angle: 35 deg, locked; }
@@ -186,7 +189,7 @@ like_absolute_coordinates!(on_a_moving_pivot, [rod], {
     output pin.force, rod.ax, rod.ay;
 });
 
-like_absolute_coordinates!(with_a_prescribed_angle, [rotor, arm], {
+like_absolute_coordinates!(with_a_prescribed_angle, {
     gravity: 9.81 m/s^2;
     ground { port o: (0, 0) m; }
     body rotor { mass: 2 kg; inertia: 0.1 kg*m^2; port o: (-0.1, 0) m; port p: (0.4, 0.1) m; }

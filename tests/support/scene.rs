@@ -1,12 +1,14 @@
 //! Mechanisms of tests from text. Rustc compiles none of them, so that a change of one costs milliseconds; they have the bits of those that
 //! it does compile (`tests/contact/from_text.rs`, `plm-dynamic/tests/bits.rs`).
+#![allow(dead_code, reason = "each program uses some of it")]
 
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::sync::{LazyLock, Mutex};
 
 use plm::BodyState;
 use plm::dynamic::{self, Small};
-use plm::runtime::{Described, Moment, Ports, Start, StartValues, Statics};
+use plm::runtime::{Absolute as _, Described, Moment, Ports, Rate, Start, StartValues, Statics, absolute};
 
 /// Declares a mechanism by its text: `scene! { pub Ball { … } }`, of which `Ball::new()` is one as declared.
 macro_rules! scene {
@@ -31,6 +33,15 @@ macro_rules! scene {
 pub(crate) type Scene = Small;
 /// It at one moment.
 pub(crate) type State = <Scene as plm::Mechanism>::State;
+
+/// The numbers of a state without first-order states: coordinates, then their rates, each with unused room behind.
+pub(crate) fn numbers(coordinates: &[f64], rates: &[f64]) -> <Scene as Rate>::X {
+    let mut x = [0.0; _];
+    let (q, v) = x.split_at_mut(Scene::NQ);
+    q[..coordinates.len()].copy_from_slice(coordinates);
+    v[..rates.len()].copy_from_slice(rates);
+    x
+}
 
 /// Those that were read, by their texts: tables are never freed.
 static READ: LazyLock<Mutex<BTreeMap<String, dynamic::Mechanism>>> = LazyLock::new(Mutex::default);
@@ -61,6 +72,10 @@ pub(crate) trait Given: Sized {
     fn with_start(self, name: &str, value: f64) -> Self;
     /// A start value that assembly keeps.
     fn with_lock(self, name: &str, value: f64) -> Self;
+    /// A start value as it is set.
+    fn start_of(&self, name: &str) -> Start<f64>;
+    /// All start values from text, as [`starts`](Named::starts) gives it; locks stay.
+    fn with_starts(self, text: &str) -> Self;
 }
 
 impl Given for Scene {
@@ -82,10 +97,24 @@ impl Given for Scene {
         change_start(&mut self, name, |start| *start = Start::locked(value));
         self
     }
+
+    #[track_caller]
+    fn start_of(&self, name: &str) -> Start<f64> {
+        let (mut own, mut found) = (*self, Start::free(f64::NAN));
+        change_start(&mut own, name, |start| found = *start);
+        found
+    }
+
+    #[track_caller]
+    fn with_starts(mut self, text: &str) -> Self {
+        let read = plm::read_starts(text, *self.starts_mut()).unwrap();
+        *self.starts_mut() = read;
+        self
+    }
 }
 
 #[track_caller]
-fn change_start(scene: &mut Scene, name: &str, change: impl Fn(&mut Start<f64>)) {
+fn change_start(scene: &mut Scene, name: &str, mut change: impl FnMut(&mut Start<f64>)) {
     let mut is_found = false;
     scene.starts_mut().each(&mut |own, start| {
         if own == name {
@@ -100,10 +129,18 @@ fn change_start(scene: &mut Scene, name: &str, change: impl Fn(&mut Start<f64>))
 pub(crate) trait Named {
     /// A body.
     fn state_of(&self, body: &str) -> BodyState<f64>;
+    /// All bodies.
+    fn bodies(&self) -> Vec<BodyState<f64>>;
     /// An output, or what else is observed, SI.
     fn value_of(&self, output: &str) -> f64;
     /// A first-order state, SI.
     fn number_of(&self, state: &str) -> f64;
+    /// All declared outputs in their units, a vector as two.
+    fn outputs(&self) -> Vec<f64>;
+    /// Start values that lead here, SI, each on a line as `ball.y = 1`.
+    fn starts(&self) -> String;
+    /// Reactions that redundancy leaves undetermined, by constraint row.
+    fn undetermined(&self) -> Vec<bool>;
     /// Sets an input, SI.
     fn set_input(&mut self, name: &str, value: f64);
 }
@@ -113,6 +150,12 @@ impl Named for State {
     fn state_of(&self, body: &str) -> BodyState<f64> {
         let bodies = self.mechanism().tables().bodies;
         self.body(place(body, bodies.iter().map(|own| own.name))).unwrap()
+    }
+
+    fn bodies(&self) -> Vec<BodyState<f64>> {
+        let mut all = Vec::new();
+        Scene::poses(self, &mut |body| all.push(body));
+        all
     }
 
     #[track_caller]
@@ -125,6 +168,30 @@ impl Named for State {
     fn number_of(&self, state: &str) -> f64 {
         let states = self.mechanism().tables().states;
         Scene::state(self, place(state, states.iter().map(|own| own.name))).unwrap()
+    }
+
+    fn outputs(&self) -> Vec<f64> {
+        let mut all = Vec::new();
+        Scene::outputs(self, &mut |value| all.push(value));
+        all
+    }
+
+    fn starts(&self) -> String {
+        let mut text = String::new();
+        let mut starts = self.mechanism().starts_at(&Scene::full(self));
+        starts.each(&mut |name, start| writeln!(text, "{name} = {:?}", start.value).unwrap());
+        text
+    }
+
+    fn undetermined(&self) -> Vec<bool> {
+        let (own, time) = (self.mechanism(), self.time());
+        let poses: Vec<f64> = self.bodies().iter().flat_map(|body| [body.x, body.y, body.angle]).collect();
+        let q = *numbers(&poses, &[]).first_chunk().unwrap();
+        // Which they are depends on no force.
+        let (force, gamma) = ([0.0; Scene::NQ], own.phi(time, &q).map(|_| 0.0));
+        let fill = |rows: &mut _| absolute::phi_q_matrix(own, time, &q, rows);
+        let solution = absolute::accelerate(time, &own.inverse_mass(), &force, &gamma, fill).unwrap();
+        solution.undetermined[..own.row_names().len()].to_vec()
     }
 
     #[track_caller]
