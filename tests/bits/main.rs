@@ -11,6 +11,15 @@ macro_rules! scene {
     };
 }
 
+/// That of `tests/contact/machines.rs`.
+macro_rules! mechanism {
+    ($($declaration:tt)*) => {
+        plm::mechanism! { $($declaration)* }
+    };
+}
+
 mod contact;
 #[path = "../scenes/contact.rs"]
 mod contact_scenes;
+#[path = "../contact/machines.rs"]
+mod machines;

@@ -1,13 +1,14 @@
 //! What is around a run: methods, paces, samples, states at other times, saved runs, whole turns, many runs.
 
 use core::f64::consts::PI;
+use std::thread;
 
-use plm::runtime::Linear;
-use plm::{Adams, Dop853, Dopri5, Method, Moment, RadauIia5, Sim, Vern9, batch, mechanism};
+use plm::{Adams, Dop853, Dopri5, Mechanism as _, Method, Moment as _, RadauIia5, Vern9, batch};
 
-use crate::flights::Ball;
-use crate::friction::{Clutch, Oscillator};
+use crate::declared::{Ball, Oscillator};
+use crate::friction::Clutch;
 use crate::near;
+use crate::scene::{Given as _, Named as _, Scene, State};
 
 /// Height and velocity of a ball that was let go at 1 m, with e = 0.5.
 fn ball(t: f64) -> [f64; 2] {
@@ -39,101 +40,93 @@ fn oscillator(t: f64) -> [f64; 2] {
     [side * (0.00981 + reach * angle.cos()), -side * reach * 10.0 * angle.sin()]
 }
 
-/// A scene with its state in closed form.
-trait Scene: plm::Mechanism<S = f64> + Linear {
-    fn made() -> Self;
-    fn state(state: &Self::State) -> [f64; 2];
-    fn known(t: f64) -> [f64; 2];
+/// A mechanism with its state in closed form.
+#[derive(Clone, Copy)]
+struct Known {
+    scene: Scene,
+    state: fn(&State) -> [f64; 2],
+    at: fn(f64) -> [f64; 2],
 }
 
-impl Scene for Ball {
-    fn made() -> Self {
-        Ball::new()
-    }
-    fn state(state: &Self::State) -> [f64; 2] {
-        [state.ball().y, state.ball().vy]
-    }
-    fn known(t: f64) -> [f64; 2] {
-        ball(t)
-    }
-}
-
-impl Scene for Oscillator {
-    fn made() -> Self {
-        Oscillator::new()
-    }
-    fn state(state: &Self::State) -> [f64; 2] {
-        [state.mass().x, state.mass().vx]
-    }
-    fn known(t: f64) -> [f64; 2] {
-        oscillator(t)
-    }
-}
-
-fn check<M: Scene>(state: &M::State, within: f64) {
-    for (found, known) in M::state(state).into_iter().zip(M::known(state.time())) {
+impl Known {
+    fn check(self, state: &State, within: f64) {
         let t = state.time();
-        assert!((found - known).abs() <= within, "t = {t}: {found} is not {known}: {:e}", found - known);
+        for (found, known) in (self.state)(state).into_iter().zip((self.at)(t)) {
+            assert!((found - known).abs() <= within, "t = {t}: {found} is not {known}: {:e}", found - known);
+        }
     }
-}
 
-/// The state as bits.
-fn bits<M: Scene>(state: &M::State) -> [u64; 2] {
-    M::state(state).map(f64::to_bits)
+    /// The state as bits.
+    fn bits(self, state: &State) -> [u64; 2] {
+        (self.state)(state).map(f64::to_bits)
+    }
 }
 
 const UNTIL: f64 = 1.9;
 
 /// By one method: with samples, in one go, by steps of three lengths, from saved moments, and at times ahead and behind.
-fn at_every_pace<M: Scene, I: Method<M>>(method: I, within: f64) {
-    let start = || {
-        let (held, x) = M::made().start_state(0.0).unwrap();
-        Sim::new(M::State::new(M::made(), held, 0.0, x), method)
-    };
+fn at_every_pace(known: Known, method: impl Method<Scene>, within: f64) {
+    let start = || known.scene.start_with(method).unwrap();
     let (mut sampled, mut whole) = (start(), start());
     let mut samples = 0;
     sampled
         .run(UNTIL, 0.0037, |state| {
-            check::<M>(state, within);
+            known.check(state, within);
             samples += 1;
         })
         .unwrap();
     assert_eq!(samples, 514);
     whole.step_to(UNTIL).unwrap();
-    assert_eq!(bits::<M>(sampled.state()), bits::<M>(whole.state()), "samples change no bit");
+    assert_eq!(known.bits(sampled.state()), known.bits(whole.state()), "samples change no bit");
     for pace in [0.019, 0.19, 0.95] {
         let (mut sim, mut resumed) = (start(), start());
         while sim.state().time() < UNTIL - 1e-9 {
             let saved = sim.save();
             // What is asked of another time moves nothing.
-            check::<M>(&sim.at(sim.state().time() + 0.3 * pace).unwrap(), within);
+            known.check(&sim.at(sim.state().time() + 0.3 * pace).unwrap(), within);
             sim.step(pace).unwrap();
-            check::<M>(sim.state(), within);
+            known.check(sim.state(), within);
             if let Ok(before) = sim.at(sim.state().time() - 1e-3) {
-                check::<M>(&before, within);
+                known.check(&before, within);
             }
             resumed.resume(&saved);
             resumed.step(pace).unwrap();
-            assert_eq!(bits::<M>(sim.state()), bits::<M>(resumed.state()), "a saved run goes on to the bit");
+            assert_eq!(
+                known.bits(sim.state()),
+                known.bits(resumed.state()),
+                "a saved run goes on to the bit"
+            );
         }
     }
 }
 
 #[test]
 fn methods_with_error_control_agree_at_every_pace() {
-    fn scene<M: Scene>() {
-        at_every_pace::<M, _>(Dop853::new(1e-11), 1e-9);
-        at_every_pace::<M, _>(Vern9::new(1e-11), 1e-9);
-        at_every_pace::<M, _>(Adams::new(1e-11), 1e-9);
-        at_every_pace::<M, _>(Dopri5::new(1e-11), 1e-9);
+    fn scene(known: Known) {
+        at_every_pace(known, Dop853::new(1e-11), 1e-9);
+        at_every_pace(known, Vern9::new(1e-11), 1e-9);
+        at_every_pace(known, Adams::new(1e-11), 1e-9);
+        at_every_pace(known, Dopri5::new(1e-11), 1e-9);
         // Between its ends a step is known to a lower order.
-        at_every_pace::<M, _>(RadauIia5::new(1e-11), 1e-8);
+        at_every_pace(known, RadauIia5::new(1e-11), 1e-8);
     }
-    scene::<Ball>();
-    scene::<Oscillator>();
+    let ball = Known {
+        scene: Ball::new(),
+        state: |state| [state.state_of("ball").y, state.state_of("ball").vy],
+        at: ball,
+    };
+    let oscillator = Known {
+        scene: Oscillator::new(),
+        state: |state| [state.state_of("mass").x, state.state_of("mass").vx],
+        at: oscillator,
+    };
+    // The runs of all methods beside each other take more of the stack than threads of tests have, without optimisation.
+    for known in [ball, oscillator] {
+        thread::Builder::new().stack_size(8 << 20).spawn(move || scene(known)).unwrap().join().unwrap();
+    }
 }
 
-mechanism! {
+scene! {
     /// A shaft that turns by a torque up to a stop behind many turns, and is held by a brake as it rebounds.
     pub Winch {
         input torque: N*m = 2 N*m;
@@ -153,28 +146,28 @@ fn rows_count_whole_turns() {
     let mut sim = Winch::new().start_with(Dop853::new(1e-12)).unwrap();
     let (strikes, speed) = (50.0_f64.sqrt(), 800.0_f64.sqrt());
     sim.step_to(strikes - 1e-6).unwrap();
-    near(sim.drum().angle, 100.0 - 1e-6 * speed, 1e-9);
+    near(sim.state_of("drum").angle, 100.0 - 1e-6 * speed, 1e-9);
     sim.step_to(1.5 * strikes).unwrap();
-    near(sim.drum().angle, 75.0, 1e-8);
+    near(sim.state_of("drum").angle, 75.0, 1e-8);
     assert_eq!(sim.contact_stats().impacts, 1);
     // It is caught where it is, and stays there.
-    sim.input.brake = 100.0;
+    sim.set_input("brake", 100.0);
     sim.step(1.0).unwrap();
-    let held = sim.drum().angle;
+    let held = sim.state_of("drum").angle;
     sim.step(3600.0).unwrap();
-    assert_eq!((sim.drum().angle.to_bits(), sim.drum().omega), (held.to_bits(), 0.0));
+    assert_eq!((sim.state_of("drum").angle.to_bits(), sim.state_of("drum").omega), (held.to_bits(), 0.0));
 
     // A clutch that locks after 81 rad of slip: both shafts turn on by some 2400 turns, beside each other.
-    let mut sim = Clutch { engine: 0.0, ..Clutch::new() }.start_with(Dop853::new(1e-12)).unwrap();
+    let mut sim = Clutch::new().with("engine", 0.0).start_with(Dop853::new(1e-12)).unwrap();
     sim.step_to(2.0).unwrap();
-    let apart = sim.first().angle - sim.second().angle;
+    let apart = sim.state_of("first").angle - sim.state_of("second").angle;
     sim.step_to(200.0).unwrap();
-    assert!(sim.first().angle > 10_000.0, "{:?}", sim.first());
-    near(sim.first().angle - sim.second().angle, apart, 1e-10);
-    near(sim.first().omega, (0.2 * 200.0 + 0.5 * 20.0) / 0.7, 1e-10);
+    assert!(sim.state_of("first").angle > 10_000.0, "{:?}", sim.state_of("first"));
+    near(sim.state_of("first").angle - sim.state_of("second").angle, apart, 1e-10);
+    near(sim.state_of("first").omega, (0.2 * 200.0 + 0.5 * 20.0) / 0.7, 1e-10);
 }
 
-mechanism! {
+scene! {
     /// A sledge that is braked by a force which grows from nothing, of the time or of a state.
     pub Sledge {
         param growth: N/s = 0 N/s;
@@ -193,26 +186,25 @@ mechanism! {
 fn a_bound_grows_from_nothing() {
     let mut sim = Sledge::new().start_with(Dop853::new(1e-12)).unwrap();
     sim.step_to(2.0).unwrap();
-    near(sim.sledge().vx, 2.5, 1e-9);
+    near(sim.state_of("sledge").vx, 2.5, 1e-9);
     sim.step_to(4.0).unwrap();
     let way = 3.0 + 2.0 * 6.0_f64.sqrt();
-    assert_eq!(sim.sledge().vx, 0.0);
-    near(sim.sledge().x, way, 1e-9);
+    assert_eq!(sim.state_of("sledge").vx, 0.0);
+    near(sim.state_of("sledge").x, way, 1e-9);
 
-    let mut sim = Sledge { growth: 2.0, ..Sledge::new() }.start_with(Dop853::new(1e-12)).unwrap();
+    let mut sim = Sledge::new().with("growth", 2.0).start_with(Dop853::new(1e-12)).unwrap();
     sim.step_to(1.0).unwrap();
-    near(sim.sledge().vx, 2.5, 1e-9);
+    near(sim.state_of("sledge").vx, 2.5, 1e-9);
 }
 
 /// Each with the bits that it has alone.
 #[test]
 fn many_runs_are_as_one() {
     let place = |height: f64| {
-        let mut ball = Ball::new();
-        ball.start.ball.y.value = height;
+        let ball = Ball::new().with_start("ball.y", height);
         let mut sim = ball.start()?;
         sim.step_to(1.1)?;
-        Ok(sim.ball().y)
+        Ok(sim.state_of("ball").y)
     };
     let heights: Vec<f64> = (1..9).map(|k| 0.2 * f64::from(k)).collect();
     let runs = batch::points(heights).quiet().threads(2).run(place);

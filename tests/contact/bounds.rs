@@ -1,17 +1,18 @@
 //! Bounds of frictions that become negative within a motion.
 
 use plm::runtime::Method;
-use plm::{Dop853, Rk4, mechanism};
+use plm::{Dop853, Mechanism as _, Rk4};
 
 use crate::near;
+use crate::scene::{Given as _, Scene};
 
-mechanism! {
-    part push(on: body) {
-        input force: N = 0 N;
-        force on on: (0 N, -force);
-    }
+scene! {
     /// Blocks that slide, each with a bound of another kind, and one that rests.
     pub Fading {
+        part push(on: body) {
+            input force: N = 0 N;
+            force on on: (0 N, -force);
+        }
         param by_place: N/m = 0 N/m;
         param by_time: N/s = 0 N/s;
         param by_push: 1 = 0;
@@ -32,7 +33,7 @@ mechanism! {
     }
 }
 
-fn fault(fading: &Fading<f64>, method: impl Method<Fading<f64>>) -> (String, f64, String) {
+fn fault(fading: Scene, method: impl Method<Scene>) -> (String, f64, String) {
     let mut sim = fading.start_with(method).unwrap();
     let fault = sim.step_to(5.0).unwrap_err();
     (fault.part.to_owned(), fault.time, fault.to_string())
@@ -42,7 +43,7 @@ fn fault(fading: &Fading<f64>, method: impl Method<Fading<f64>>) -> (String, f64
 /// friction that falls by its place is zero where x'' = -0.6 + 0.8 x has x = 3/8, and one that touches zero is none that falls.
 #[test]
 fn a_bound_that_falls_below_zero_ends_the_run_at_once() {
-    let (part, time, text) = fault(&Fading { by_place: 1.0, ..Fading::new() }, Dop853::new(1e-12));
+    let (part, time, text) = fault(Fading::new().with("by_place", 1.0), Dop853::new(1e-12));
     assert_eq!(part, "place");
     near(time, 0.5 * 3.0_f64.ln(), 1e-9);
     assert!(
@@ -50,12 +51,12 @@ fn a_bound_that_falls_below_zero_ends_the_run_at_once() {
         "{text}"
     );
 
-    let (part, time, _) = fault(&Fading { by_time: 0.5, ..Fading::new() }, Dop853::new(1e-12));
+    let (part, time, _) = fault(Fading::new().with("by_time", 0.5), Dop853::new(1e-12));
     assert_eq!(part, "time");
     near(time, 2.0, 1e-9);
 
     // With w^2 = 1.6 and s = 3/8 - x: s'' = w^2 s, s = 3/8 cosh(w t) - sinh(w t)/w.
-    let (part, time, _) = fault(&Fading { by_push: 0.8, ..Fading::new() }, Dop853::new(1e-12));
+    let (part, time, _) = fault(Fading::new().with("by_push", 0.8), Dop853::new(1e-12));
     let w = 1.6_f64.sqrt();
     assert_eq!(part, "lean");
     near(time, (0.375 * w).atanh() / w, 1e-9);
@@ -64,17 +65,16 @@ fn a_bound_that_falls_below_zero_ends_the_run_at_once() {
     sim.step_to(5.0).unwrap();
 
     // Steps that end behind it tell of it at their end.
-    let (part, time, _) = fault(&Fading { by_time: 0.5, ..Fading::new() }, Rk4::new(0.03));
+    let (part, time, _) = fault(Fading::new().with("by_time", 0.5), Rk4::new(0.03));
     assert!(part == "time" && (2.0..2.03 + 1e-12).contains(&time), "{time}");
 }
 
 #[test]
 fn a_bound_that_is_negative_at_the_start_is_a_fault_there() {
-    let mut fading = Fading { by_place: 1.0, ..Fading::new() };
-    fading.start.sliding.x.value = 1.0;
+    let fading = Fading::new().with("by_place", 1.0).with_start("sliding.x", 1.0);
     let fault = fading.start_with(Dop853::new(1e-9)).map(|_| ()).unwrap_err();
     assert_eq!((fault.part.to_owned(), fault.time), ("place".to_owned(), 0.0));
-    fading.start.sliding.x.value = 1.5;
+    let fading = fading.with_start("sliding.x", 1.5);
     let fault = fading.start_with(Dop853::new(1e-9)).map(|_| ()).unwrap_err();
     assert!(fault.to_string().contains("found -0.5 N or N m"), "{fault}");
 }

@@ -1,10 +1,12 @@
 //! Rows that end, and events that contacts cause.
 
-use plm::{Dop853, mechanism};
+use plm::{Dop853, Mechanism as _};
 
+use crate::declared::Stairs;
 use crate::near;
+use crate::scene::Named as _;
 
-mechanism! {
+scene! {
     /// A table of 0.5 m, from whose edge a block slides onto the floor.
     pub Edge {
         allow(W0002);
@@ -36,31 +38,31 @@ fn a_block_leaves_its_table_and_lands() {
     let leaves = (4.0 - 2.0 * 0.1 * g * 0.5).sqrt();
     let edge = (2.0 - leaves) / (0.1 * g);
     sim.step_to(edge - 1e-6).unwrap();
-    near(sim.push(), g, 1e-12);
-    near(sim.on_table(), 1.0, 0.0);
+    near(sim.value_of("push"), g, 1e-12);
+    near(sim.value_of("on_table"), 1.0, 0.0);
     // It begins on the table: that is no event.
-    near(sim.arrivals(), 0.0, 0.0);
+    near(sim.value_of("arrivals"), 0.0, 0.0);
     sim.step_to(edge + 1e-6).unwrap();
-    near(sim.push(), 0.0, 0.0);
-    near(sim.on_table(), 0.0, 0.0);
-    near(sim.falls(), 1.0, 0.0);
-    near(sim.block().vx, leaves, 1e-10);
+    near(sim.value_of("push"), 0.0, 0.0);
+    near(sim.value_of("on_table"), 0.0, 0.0);
+    near(sim.value_of("falls"), 1.0, 0.0);
+    near(sim.state_of("block").vx, leaves, 1e-10);
     let fall = (2.0 * 0.8 / g).sqrt();
     let slides = leaves - 0.5 * g * fall;
     assert!(slides < 0.0, "the impact stops it");
     sim.step_to(edge + fall + 1.0).unwrap();
-    near(sim.landed(), edge + fall, 1e-10);
-    near(sim.stopped(), 0.5 + leaves * fall, 1e-10);
-    near(sim.block().x, sim.stopped(), 1e-15);
+    near(sim.value_of("landed"), edge + fall, 1e-10);
+    near(sim.value_of("stopped"), 0.5 + leaves * fall, 1e-10);
+    near(sim.state_of("block").x, sim.value_of("stopped"), 1e-15);
 }
 
-mechanism! {
-    part press(on: body) {
-        input force: N = 0 N;
-        force on on: (force, 0 N);
-    }
+scene! {
     /// A block that a growing force draws from its magnet: the row is there until it is torn off.
     pub Magnet {
+        part press(on: body) {
+            input force: N = 0 N;
+            force on on: (force, 0 N);
+        }
         allow(W0002);
         param strength: N = 5 N;
         discrete holds: 1 = 1;
@@ -80,32 +82,12 @@ mechanism! {
 fn a_hook_tears_at_its_strength() {
     let mut sim = Magnet::new().start_with(Dop853::new(1e-12)).unwrap();
     sim.step_to(4.9).unwrap();
-    near(sim.pull(), 4.9, 1e-12);
-    near(sim.block().x, 0.0, 0.0);
+    near(sim.value_of("pull"), 4.9, 1e-12);
+    near(sim.state_of("block").x, 0.0, 0.0);
     sim.step_to(7.0).unwrap();
-    near(sim.torn(), 5.0, 1e-10);
-    near(sim.pull(), 0.0, 0.0);
-    near(sim.block().x, (343.0 - 75.0 * 7.0 + 250.0) / 12.0, 1e-10);
-}
-
-mechanism! {
-    /// A ball that is thrown down five stairs, each 0.3 m deep and 0.2 m high.
-    pub Stairs {
-        allow(W0002);
-        gravity: 9.81 m/s^2;
-        param e = 0.6;
-        discrete strikes: 1 = 0;
-        body ball { mass: 0.1 kg; inertia: 1e-4 kg*m^2; start y: 0.5 m; start vx: 0.4 m/s; }
-        repeat k in 0..5 {
-            unilateral tread[k]: ball.y >= -0.2 m*k {
-                restitution: e;
-                when: ball.x >= 0.3 m*k and ball.x < 0.3 m*(k + 1);
-            }
-        }
-        unilateral ground: ball.y >= -1 m { restitution: e; when: ball.x >= 1.5 m; }
-        output strikes;
-        when ball.vy > 0 m/s { strikes = strikes + 1; }
-    }
+    near(sim.value_of("torn"), 5.0, 1e-10);
+    near(sim.value_of("pull"), 0.0, 0.0);
+    near(sim.state_of("block").x, (343.0 - 75.0 * 7.0 + 250.0) / 12.0, 1e-10);
 }
 
 /// Parabolas between strikes, each on the tread where it comes down.
@@ -127,9 +109,9 @@ fn a_ball_bounces_down_stairs() {
             .unwrap();
         let middle = 0.5 * flight;
         sim.step_to(time + middle).unwrap();
-        near(sim.ball().y, y + vy * middle - 0.5 * g * middle * middle, 1e-9);
-        near(sim.ball().x, vx * (time + middle), 1e-12);
-        near(sim.strikes(), f64::from(strike - 1), 0.0);
+        near(sim.state_of("ball").y, y + vy * middle - 0.5 * g * middle * middle, 1e-9);
+        near(sim.state_of("ball").x, vx * (time + middle), 1e-12);
+        near(sim.value_of("strikes"), f64::from(strike - 1), 0.0);
         (time, y, vy) = (time + flight, level, e * (g * flight - vy));
     }
 }

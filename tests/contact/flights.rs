@@ -1,18 +1,11 @@
 //! Bodies that fly, strike, bounce and let go.
 
 use plm::runtime::Seen;
-use plm::{Dop853, Moment, Sim, mechanism};
+use plm::{Dop853, Mechanism as _, Moment, Sim};
 
+use crate::declared::Ball;
 use crate::near;
-
-mechanism! {
-    pub Ball {
-        gravity: 9.81 m/s^2;
-        body ball { mass: 1 kg; inertia: 1 kg*m^2; start y: 1 m; }
-        unilateral floor: ball.y >= 0 m { restitution: 0.5; }
-        output push = reaction(floor);
-    }
-}
+use crate::scene::{Given as _, Named as _};
 
 /// t_n+1 = t_n + 2 e^n sqrt(2 h/g); bouncing ends at t_1 (1 + e)/(1 - e).
 #[test]
@@ -23,16 +16,20 @@ fn a_ball_bounces_and_comes_to_rest() {
     for n in 1..6 {
         let flight = 2.0 * e.powi(n) * first;
         sim.step_to(begins + 0.5 * flight).unwrap();
-        near(sim.ball().y, e.powi(2 * n), 1e-10);
-        assert_eq!(sim.push(), 0.0);
+        near(sim.state_of("ball").y, e.powi(2 * n), 1e-10);
+        assert_eq!(sim.value_of("push"), 0.0);
         begins += flight;
     }
     sim.step_to(first * (1.0 + e) / (1.0 - e) + 1e-4).unwrap();
-    assert!(sim.ball().y.abs() < 1e-15 && sim.ball().vy == 0.0, "{:?}", sim.ball());
-    near(sim.push(), 9.81, 1e-13);
+    assert!(
+        sim.state_of("ball").y.abs() < 1e-15 && sim.state_of("ball").vy == 0.0,
+        "{:?}",
+        sim.state_of("ball")
+    );
+    near(sim.value_of("push"), 9.81, 1e-13);
 }
 
-mechanism! {
+scene! {
     pub Pendulum {
         gravity: 9.81 m/s^2;
         ground { port pivot: (0, 0) m; }
@@ -56,11 +53,11 @@ fn a_pendulum_strikes_a_wall_at_its_lowest_point() {
     let amplitudes = [0.715_142_207_291_020_5, 0.495_039_385_067_631_84, 0.344_704_052_068_480_26];
     for (two, amplitude) in times.windows(2).zip(amplitudes) {
         sim.step_to(0.5 * (two[0] + two[1])).unwrap();
-        near(sim.bob().angle, amplitude, 1e-9);
+        near(sim.state_of("bob").angle, amplitude, 1e-9);
     }
 }
 
-mechanism! {
+scene! {
     pub Ladder {
         gravity: 9.81 m/s^2;
         body ladder {
@@ -84,16 +81,16 @@ fn a_ladder_leaves_the_wall() {
     let mut sim = Ladder::new().start_with(Dop853::new(1e-12)).unwrap();
     let leaves = 0.698_777_341_146_781_6;
     sim.step_to(leaves - 1e-6).unwrap();
-    assert!(sim.push() > 0.0);
+    assert!(sim.value_of("push") > 0.0);
     sim.step_to(leaves).unwrap();
-    near(sim.ladder().angle, 49.912_963_091_516_716_f64.to_radians(), 1e-10);
-    near(sim.ladder().omega, 2.176_664_002_079_301_3, 1e-10);
+    near(sim.state_of("ladder").angle, 49.912_963_091_516_716_f64.to_radians(), 1e-10);
+    near(sim.state_of("ladder").omega, 2.176_664_002_079_301_3, 1e-10);
     sim.step_to(leaves + 0.1).unwrap();
-    assert_eq!(sim.push(), 0.0);
-    near(sim.ladder().vx, 1.401_663_983_174_746_2, 1e-9);
+    assert_eq!(sim.value_of("push"), 0.0);
+    near(sim.state_of("ladder").vx, 1.401_663_983_174_746_2, 1e-9);
 }
 
-mechanism! {
+scene! {
     pub Block {
         gravity: 9.81 m/s^2;
         param friction = 5;
@@ -113,33 +110,35 @@ mechanism! {
 /// G. W. Housner, Bull. Seismol. Soc. Am. 53, 1963: times of impact and amplitudes, by quadrature.
 #[test]
 fn a_block_rocks() {
-    let mut block = Block::new();
+    let block = Block::new();
     let tilt: f64 = 0.5 * 0.2_f64.atan();
-    block.start.block.angle.value = tilt;
+    let block = block.with_start("block.angle", tilt);
     // The left corner stays where it was.
     let (sin, cos) = tilt.sin_cos();
-    block.start.block.x.value = -0.1 + 0.1 * cos - 0.5 * sin;
-    block.start.block.y.value = 0.1 * sin + 0.5 * cos;
+    let block = block.with_start("block.x", -0.1 + 0.1 * cos - 0.5 * sin);
+    let block = block.with_start("block.y", 0.1 * sin + 0.5 * cos);
     let mut sim = block.start_with(Dop853::new(1e-11)).unwrap();
     let times = [0.347_093_586_788_881_3, 0.950_920_536_477_668_3, 1.487_939_643_105_267];
     let amplitudes = [0.083_339_113_164_354_69, 0.071_253_454_724_768_92];
     sim.step_to(times[0] - 1e-6).unwrap();
-    assert!(sim.block().angle.abs() < 1e-5, "{:?}", sim.block());
-    near(sim.block().omega.abs(), 0.648_049_012_267_532_3, 1e-5);
+    assert!(sim.state_of("block").angle.abs() < 1e-5, "{:?}", sim.state_of("block"));
+    near(sim.state_of("block").omega.abs(), 0.648_049_012_267_532_3, 1e-5);
     for (two, amplitude) in times.windows(2).zip(amplitudes) {
         sim.step_to(0.5 * (two[0] + two[1])).unwrap();
-        near(sim.block().angle.abs(), amplitude, 1e-9);
+        near(sim.state_of("block").angle.abs(), amplitude, 1e-9);
     }
     sim.step_to(10.0).unwrap();
-    assert!(sim.block().angle.abs() < 1e-12, "{:?}", sim.block());
+    assert!(sim.state_of("block").angle.abs() < 1e-12, "{:?}", sim.state_of("block"));
     // Then it rests on two corners, at any tolerance.
     for tolerance in [1e-4, 1e-8, 1e-12] {
-        let mut sim = Block::new();
-        sim.start.block.y.value = 0.5;
-        let mut sim = sim.start_with(Dop853::new(tolerance)).unwrap();
-        let (x, y, angle) = (sim.block().x, sim.block().y, sim.block().angle);
+        let mut sim = Block::new().with_start("block.y", 0.5).start_with(Dop853::new(tolerance)).unwrap();
+        let (x, y, angle) = (sim.state_of("block").x, sim.state_of("block").y, sim.state_of("block").angle);
         sim.step(3600.0).unwrap();
-        assert_eq!((sim.block().x, sim.block().y, sim.block().angle), (x, y, angle), "{tolerance}");
+        assert_eq!(
+            (sim.state_of("block").x, sim.state_of("block").y, sim.state_of("block").angle),
+            (x, y, angle),
+            "{tolerance}"
+        );
         assert!(sim.stats().steps < 20, "{tolerance}: {:?}", sim.stats());
     }
 }
@@ -174,11 +173,11 @@ fn impacts_of_a_rocking_block_are_on_time() {
     let tilt = 0.5 * alpha;
     let kept = 1.0 - 1.5 * alpha.sin().powi(2);
     for (tolerance, within) in [(1e-9, 1e-8), (1e-10, 1e-9)] {
-        let mut block = Block::new();
-        block.start.block.angle.value = tilt;
+        let block = Block::new();
+        let block = block.with_start("block.angle", tilt);
         let (sin, cos) = tilt.sin_cos();
-        block.start.block.x.value = -0.1 + 0.1 * cos - 0.5 * sin;
-        block.start.block.y.value = 0.1 * sin + 0.5 * cos;
+        let block = block.with_start("block.x", -0.1 + 0.1 * cos - 0.5 * sin);
+        let block = block.with_start("block.y", 0.1 * sin + 0.5 * cos);
         let mut times = Vec::new();
         let mut sim = block.start_with(Dop853::new(tolerance)).unwrap();
         let see = |seen: Seen<'_, _>| {

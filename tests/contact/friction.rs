@@ -1,15 +1,17 @@
 //! Friction that sticks and slips.
 
-use plm::{Dop853, mechanism};
+use plm::{Dop853, Mechanism as _};
 
+use crate::declared::Oscillator;
 use crate::near;
+use crate::scene::{Given as _, Named as _};
 
-mechanism! {
-    part hand(on: body) {
-        param force: N;
-        force on on: (force, 0 N);
-    }
+scene! {
     pub Block {
+        part hand(on: body) {
+            param force: N;
+            force on on: (force, 0 N);
+        }
         gravity: 9.81 m/s^2;
         param push: N = 29 N;
         body block { mass: 10 kg; inertia: 1 kg*m^2; }
@@ -27,31 +29,14 @@ mechanism! {
 fn a_block_near_its_bound_stays_for_an_hour() {
     let mut sim = Block::new().start_with(Dop853::new(1e-11)).unwrap();
     sim.step_to(3600.0).unwrap();
-    assert_eq!((sim.block().x, sim.block().vx), (0.0, 0.0));
+    assert_eq!((sim.state_of("block").x, sim.state_of("block").vx), (0.0, 0.0));
     assert!(sim.stats().steps < 20, "{:?}", sim.stats());
-    near(sim.push_of_floor(), 98.1, 1e-12);
-    near(sim.drag(), -29.0, 1e-12);
+    near(sim.value_of("push_of_floor"), 98.1, 1e-12);
+    near(sim.value_of("drag"), -29.0, 1e-12);
 
-    let mut sim = Block { push: 30.0, ..Block::new() }.start_with(Dop853::new(1e-11)).unwrap();
+    let mut sim = Block::new().with("push", 30.0).start_with(Dop853::new(1e-11)).unwrap();
     sim.step_to(2.0).unwrap();
-    near(sim.block().x, 0.5 * (30.0 - 29.43) / 10.0 * 4.0, 1e-12);
-}
-
-mechanism! {
-    part spring_to_origin(on: body) {
-        force on on: (-(100 N/m)*on.x, 0 N);
-    }
-    pub Oscillator {
-        param kinetic: N = 0.981 N;
-        param adhesion: N = 0.981 N;
-        param belt: m/s = 0 m/s;
-        body mass { mass: 1 kg; inertia: 1 kg*m^2; start x: 0.1 m; }
-        constraint level: mass.angle = 0;
-        constraint height: mass.y = 0;
-        spring_to_origin spring(mass);
-        friction slip: rate(mass.x - belt*t) within kinetic { static: adhesion; }
-        output drag = reaction(slip);
-    }
+    near(sim.state_of("block").x, 0.5 * (30.0 - 29.43) / 10.0 * 4.0, 1e-12);
 }
 
 /// J. P. Den Hartog: amplitudes fall by 2 mu N / k, until the mass rests within mu N / k.
@@ -61,37 +46,40 @@ fn a_coulomb_oscillator_comes_to_rest() {
     let half = core::f64::consts::PI / 10.0;
     for (k, turn) in [0.1, -0.08038, 0.06076, -0.04114, 0.02152, -0.0019].into_iter().enumerate() {
         sim.step_to(half * k as f64).unwrap();
-        near(sim.mass().x, turn, 1e-10);
+        near(sim.state_of("mass").x, turn, 1e-10);
     }
     sim.step_to(1.6).unwrap();
-    let (place, steps) = (sim.mass().x, sim.stats().steps);
+    let (place, steps) = (sim.state_of("mass").x, sim.stats().steps);
     sim.step(3600.0).unwrap();
-    assert_eq!((sim.mass().x, sim.mass().vx), (place, 0.0));
+    assert_eq!((sim.state_of("mass").x, sim.state_of("mass").vx), (place, 0.0));
     assert!(sim.stats().steps - steps < 20);
-    near(sim.drag(), 100.0 * place, 1e-12);
+    near(sim.value_of("drag"), 100.0 * place, 1e-12);
 }
 
 /// Static above kinetic friction: it sticks to the belt, breaks away, and is caught.
 #[test]
 fn a_mass_on_a_belt_sticks_and_slips() {
-    let mut belt = Oscillator { kinetic: 0.25 * 9.81, adhesion: 0.4 * 9.81, belt: 0.1, ..Oscillator::new() };
-    belt.start.mass.x.value = 0.0;
-    belt.start.mass.vx.value = 0.1;
+    let belt = Oscillator::new()
+        .with("kinetic", 0.25 * 9.81)
+        .with("adhesion", 0.4 * 9.81)
+        .with("belt", 0.1)
+        .with_start("mass.x", 0.0)
+        .with_start("mass.vx", 0.1);
     let mut sim = belt.start_with(Dop853::new(1e-12)).unwrap();
     let (first, slips, period) = (0.3924, 0.433_536_962_770_418_6, 0.727_836_962_770_418_5);
     for k in 0..10 {
         let begun = first + f64::from(k) * period;
         sim.step_to(begun).unwrap();
-        near(sim.mass().x, 0.03924, 1e-9);
+        near(sim.state_of("mass").x, 0.03924, 1e-9);
         sim.step_to(begun + slips).unwrap();
-        near(sim.mass().x, 0.00981, 1e-9);
+        near(sim.state_of("mass").x, 0.00981, 1e-9);
         sim.step_to(begun + slips + 0.1).unwrap();
-        near(sim.mass().x, 0.01981, 1e-9);
+        near(sim.state_of("mass").x, 0.01981, 1e-9);
     }
     assert_eq!(sim.contact_stats().ambiguous, 0);
 }
 
-mechanism! {
+scene! {
     pub Disc {
         gravity: 9.81 m/s^2;
         body disc { mass: 2 kg; inertia: 1 kg*m^2; start y: 1 m; start vx: 5 m/s; }
@@ -111,16 +99,16 @@ fn a_disc_that_was_thrown_begins_to_roll() {
     let mut sim = Disc::new().start_with(Dop853::new(1e-12)).unwrap();
     let (time, way, speed) = (0.849_473_326_537_546_7, 3.539_471_920_906_444_6, 10.0 / 3.0);
     sim.step_to(time).unwrap();
-    near(sim.disc().x, way, 1e-5);
+    near(sim.state_of("disc").x, way, 1e-5);
     sim.step_to(time + 2.0).unwrap();
-    near(sim.disc().vx, speed, 1e-12);
+    near(sim.state_of("disc").vx, speed, 1e-12);
     // While it rolls its slip is rounding of either sign, and so is the gap: neither is an event.
-    assert_eq!((sim.backs(), sim.lifts(), sim.stats().switches), (0.0, 0.0, 1));
-    near(sim.disc().x, 3.539_471_935_1 + 2.0 * speed, 1e-6);
-    near(sim.disc().omega, -speed, 1e-12);
+    assert_eq!((sim.value_of("backs"), sim.value_of("lifts"), sim.stats().switches), (0.0, 0.0, 1));
+    near(sim.state_of("disc").x, 3.539_471_935_1 + 2.0 * speed, 1e-6);
+    near(sim.state_of("disc").omega, -speed, 1e-12);
 }
 
-mechanism! {
+scene! {
     pub Pendulum {
         gravity: 9.81 m/s^2;
         ground { port pivot: (0, 0) m; }
@@ -139,22 +127,22 @@ fn a_pendulum_with_a_rough_hinge_loses_its_work() {
     let mut before = -1.0;
     while found.len() < 3 {
         sim.step(1e-3).unwrap();
-        if (sim.bob().omega > 0.0) != (before > 0.0) {
-            found.push(sim.bob().angle);
+        if (sim.state_of("bob").omega > 0.0) != (before > 0.0) {
+            found.push(sim.state_of("bob").angle);
         }
-        before = sim.bob().omega;
+        before = sim.state_of("bob").omega;
     }
     for (found, turn) in found.iter().zip(turns) {
         near(*found, turn, 1e-5);
     }
 }
 
-mechanism! {
-    part motor(on: body) {
-        param torque: N*m;
-        torque on on: torque;
-    }
+scene! {
     pub Clutch {
+        part motor(on: body) {
+            param torque: N*m;
+            torque on on: torque;
+        }
         param engine: N*m = 30 N*m;
         body first { mass: 1 kg; inertia: 0.2 kg*m^2; start omega: 200 rad/s; }
         body second { mass: 1 kg; inertia: 0.5 kg*m^2; start omega: 20 rad/s; }
@@ -169,13 +157,13 @@ mechanism! {
 fn a_clutch_locks() {
     let mut sim = Clutch::new().start_with(Dop853::new(1e-12)).unwrap();
     sim.step_to(0.9).unwrap();
-    near(sim.first().omega, 110.0, 1e-9);
+    near(sim.state_of("first").omega, 110.0, 1e-9);
     sim.step_to(1.0).unwrap();
-    near(sim.first().omega, sim.second().omega, 1e-12);
-    near(sim.torque(), -21.428_571_428_571_43, 1e-10);
+    near(sim.state_of("first").omega, sim.state_of("second").omega, 1e-12);
+    near(sim.value_of("torque"), -21.428_571_428_571_43, 1e-10);
 }
 
-mechanism! {
+scene! {
     pub Clamped {
         input clamp: N = 5 N;
         body block { mass: 1 kg; inertia: 1 kg*m^2; start vx: 1 m/s; }
@@ -190,8 +178,8 @@ mechanism! {
 fn a_negative_bound_is_told() {
     let mut sim = Clamped::new().start().unwrap();
     sim.step_to(0.1).unwrap();
-    near(sim.block().vx, 0.5, 1e-12);
-    sim.input.clamp = -5.0;
+    near(sim.state_of("block").vx, 0.5, 1e-12);
+    sim.set_input("clamp", -5.0);
     let fault = sim.step(0.1).unwrap_err();
     assert_eq!(
         fault.to_string(),

@@ -1,11 +1,13 @@
 //! Friction that the reactions of joints bound.
 
-use plm::{Dop853, Fault, mechanism};
+use plm::{Dop853, Fault, Mechanism as _};
 
+use crate::declared::InThreePins;
 use crate::machines::slider_crank;
 use crate::near;
+use crate::scene::{Given as _, Named as _, Scene};
 
-mechanism! {
+scene! {
     /// An arm on a horizontal table, with friction in the pin that holds it.
     pub Arm {
         ground { port centre: (0, 0) m; }
@@ -24,12 +26,12 @@ fn an_arm_is_braked_by_the_reaction_of_its_pin() {
     sim.step_to(5.0).unwrap();
     let share = 0.2 / 1.5;
     let k: f64 = share / (1.0_f64 - share * share).sqrt();
-    near(sim.arm().omega, 3.0 / (1.0 + 15.0 * k), 1e-10);
-    near(sim.arm().angle, (1.0 + 15.0 * k).ln() / k, 1e-9);
-    near(sim.drag(), -1.5 * k * sim.arm().omega.powi(2), 1e-10);
+    near(sim.state_of("arm").omega, 3.0 / (1.0 + 15.0 * k), 1e-10);
+    near(sim.state_of("arm").angle, (1.0 + 15.0 * k).ln() / k, 1e-9);
+    near(sim.value_of("drag"), -1.5 * k * sim.state_of("arm").omega.powi(2), 1e-10);
 }
 
-mechanism! {
+scene! {
     /// A block on a rail at 30°: both components of the rail's force are shares of one multiplier.
     pub Inclined {
         gravity: 9.81 m/s^2;
@@ -46,7 +48,7 @@ fn a_rail_at_an_angle_presses_by_its_normal_force() {
     let mut sim = Inclined::new().start_with(Dop853::new(1e-12)).unwrap();
     sim.step_to(1.0).unwrap();
     let way = 0.5 * 9.81 * (0.5 - 0.2 * 0.75_f64.sqrt());
-    near(sim.way(), -way, 1e-12);
+    near(sim.value_of("way"), -way, 1e-12);
 }
 
 slider_crank!(InCharts, loops, 30,
@@ -58,32 +60,26 @@ slider_crank!(InAbsolute, absolute, 30,
     output drag = reaction(rub);
     output normal = norm(rail.force););
 slider_crank!(WithoutFriction, loops, 30, output used = mu;);
-slider_crank!(InThreePins, loops, 30,
-    friction rub: rate(slider.x) within mu*norm(rail.force);
-    friction at_o: rate(crank.angle) within mu*(0.01 m)*norm(o.force);
-    friction at_a: rate(rod.angle - crank.angle) within mu*(0.01 m)*norm(a.force);
-    friction at_b: rate(rod.angle) within mu*(0.01 m)*norm(b.force);
-    output lost = reaction(rub)*slider.vx + reaction(at_o)*crank.omega + reaction(at_a)*(rod.omega - crank.omega) + reaction(at_b)*rod.omega;);
 
 /// Crank, drag, normal force, every 0.05 s.
-macro_rules! course {
-    ($mechanism:expr) => {{
-        let run = || -> Result<Vec<[f64; 4]>, Fault> {
-            let mut sim = $mechanism.start_with(Dop853::new(1e-11))?;
-            let mut rows = Vec::new();
-            for k in 1..=40 {
-                sim.step_to(0.05 * f64::from(k))?;
-                rows.push([sim.crank().angle, sim.crank().omega, sim.drag(), sim.normal()]);
-            }
-            Ok(rows)
-        };
-        run().unwrap()
-    }};
+fn course(mechanism: Scene) -> Result<Vec<[f64; 4]>, Fault> {
+    let mut sim = mechanism.start_with(Dop853::new(1e-11))?;
+    let mut rows = Vec::new();
+    for k in 1..=40 {
+        sim.step_to(0.05 * f64::from(k))?;
+        rows.push([
+            sim.state_of("crank").angle,
+            sim.state_of("crank").omega,
+            sim.value_of("drag"),
+            sim.value_of("normal"),
+        ]);
+    }
+    Ok(rows)
 }
 
 #[test]
 fn a_slider_crank_rubs_the_same_in_all_coordinates() {
-    let (charts, absolute) = (course!(InCharts::new()), course!(InAbsolute::new()));
+    let [charts, absolute] = [InCharts::new(), InAbsolute::new()].map(|crank| course(crank).unwrap());
     for (one, other) in charts.iter().zip(&absolute) {
         near(one[2].abs(), 0.2 * one[3].abs(), 1e-9);
         for (one, other) in one.iter().zip(other) {
@@ -92,7 +88,7 @@ fn a_slider_crank_rubs_the_same_in_all_coordinates() {
     }
 }
 
-mechanism! {
+scene! {
     /// A crank that turns against dry friction of its slider.
     pub Rubbing {
         param friction: N = 3 N;
@@ -120,29 +116,27 @@ fn friction_of_a_slider_does_its_work_through_dead_centres() {
     let before = sim.kinetic_energy();
     for k in 1..=400 {
         sim.step_to(0.0025 * f64::from(k)).unwrap();
-        let half_turns = (sim.crank().angle / core::f64::consts::PI).floor();
+        let half_turns = (sim.state_of("crank").angle / core::f64::consts::PI).floor();
         let dead_centre = if half_turns % 2.0 == 0.0 { 0.4 } else { 0.2 };
-        let way = 0.2 * half_turns + (sim.slider().x - dead_centre).abs();
+        let way = 0.2 * half_turns + (sim.state_of("slider").x - dead_centre).abs();
         near(before - sim.kinetic_energy(), 3.0 * way, 1e-9);
     }
-    assert!(sim.crank().angle > 15.0, "{:?}", sim.crank());
+    assert!(sim.state_of("crank").angle > 15.0, "{:?}", sim.state_of("crank"));
 }
 
 /// Steps, evaluations and events of a second.
-macro_rules! cost {
-    ($mechanism:ident) => {{
-        let mut sim = $mechanism { mu: 0.05, ..$mechanism::new() }.start_with(Dop853::new(1e-9)).unwrap();
-        sim.step_to(1.0).unwrap();
-        assert!(sim.crank().angle > 25.0, "{:?}", sim.crank());
-        [sim.stats().steps, sim.stats().evaluations, sim.stats().switches].map(|count| count as f64)
-    }};
+fn cost(mechanism: Scene) -> [f64; 3] {
+    let mut sim = mechanism.with("mu", 0.05).start_with(Dop853::new(1e-9)).unwrap();
+    sim.step_to(1.0).unwrap();
+    assert!(sim.state_of("crank").angle > 25.0, "{:?}", sim.state_of("crank"));
+    [sim.stats().steps, sim.stats().evaluations, sim.stats().switches].map(|count| count as f64)
 }
 
 /// Friction with a bound by a reaction costs a tenth of the steps more at most, and an event 60 evaluations, the step that it ends included.
 #[test]
 fn friction_in_a_slider_crank_costs_few_steps() {
-    let [steps, evaluations, _] = cost!(WithoutFriction);
-    for [more_steps, more, events] in [cost!(InCharts), cost!(InThreePins)] {
+    let [steps, evaluations, _] = cost(WithoutFriction::new());
+    for [more_steps, more, events] in [InCharts::new(), InThreePins::new()].map(cost) {
         let each = (more - evaluations * more_steps / steps) / events;
         assert!(
             events >= 20.0 && more_steps <= 1.1 * steps && each <= 60.0,
@@ -153,7 +147,7 @@ fn friction_in_a_slider_crank_costs_few_steps() {
 
 macro_rules! pair_of_bars {
     ($name:ident, $($joint:tt)*) => {
-        mechanism! {
+        scene! {
             pub $name {
                 gravity: 9.81 m/s^2;
                 ground { port o: (0, 0) m; }
@@ -183,9 +177,9 @@ fn a_joint_that_sticks_costs_the_steps_of_a_weld() {
         let mut sticking = Sticking::new().start_with(Dop853::new(tolerance)).unwrap();
         welded.step_to(3.0).unwrap();
         sticking.step_to(3.0).unwrap();
-        near(sticking.far().angle, welded.far().angle, 1e3 * tolerance);
+        near(sticking.state_of("far").angle, welded.state_of("far").angle, 1e3 * tolerance);
         let [more, steps] = [sticking.stats().steps, welded.stats().steps];
         assert!(more <= steps, "{tolerance}: {more} steps, {steps} of a weld");
-        assert!((sticking.far().angle - sticking.near().angle).abs() < 1e-13);
+        assert!((sticking.state_of("far").angle - sticking.state_of("near").angle).abs() < 1e-13);
     }
 }

@@ -1,15 +1,16 @@
 //! Events that joints cause by what they carry: pins that break, loads that are crossed.
 
-use plm::{Dop853, mechanism};
+use plm::{Dop853, Mechanism as _};
 
 use crate::machines::slider_crank;
 use crate::near;
+use crate::scene::Named as _;
 
 const G: f64 = 9.81;
 
 macro_rules! pendulum {
     ($name:ident, $formulation:ident) => {
-        mechanism! {
+        scene! {
             /// A pendulum that is let go from the horizontal, and counts how often its pin carries more than 30 N.
             pub $name {
                 gravity: 9.81 m/s^2;
@@ -43,28 +44,24 @@ fn a_pendulum_tells_when_its_pin_carries_so_much() {
     let [along, across] = [1.0 + 2.0 * k, 1.0 - k].map(|factor: f64| factor * factor);
     let cosine = ((30.0_f64 / (2.0 * G)).powi(2) - across) / (along - across);
     let crosses = cosine.sqrt().acos();
-    macro_rules! check {
-        ($name:ident) => {
-            let mut sim = $name::new().start_with(Dop853::new(1e-12)).unwrap();
-            sim.step_to(0.1).unwrap();
-            near(sim.warns(), 0.0, 0.0);
-            sim.step_to(0.45).unwrap();
-            near(sim.strikes(), 1.0, 0.0);
-            near(sim.place(), -(core::f64::consts::FRAC_PI_2 - crosses), 1e-10);
-            // alpha = -(g/l) k cos(angle).
-            near(sim.tangential(), -(20.0 / (G * k / 0.3)).acos(), 1e-10);
-            // It carries as much a second time on its way back.
-            let first = sim.moment();
-            assert!(sim.carries() > 30.0 && sim.warns() == 1.0);
-            sim.step_to(3.0).unwrap();
-            assert!(sim.strikes() >= 3.0);
-            let mut again = $name::new().start_with(Dop853::new(1e-12)).unwrap();
-            again.step_to(first).unwrap();
-            near(again.carries(), 30.0, 1e-9);
-        };
+    for pendulum in [InJoints::new(), InBodies::new()] {
+        let mut sim = pendulum.start_with(Dop853::new(1e-12)).unwrap();
+        sim.step_to(0.1).unwrap();
+        near(sim.value_of("warns"), 0.0, 0.0);
+        sim.step_to(0.45).unwrap();
+        near(sim.value_of("strikes"), 1.0, 0.0);
+        near(sim.value_of("place"), -(core::f64::consts::FRAC_PI_2 - crosses), 1e-10);
+        // alpha = -(g/l) k cos(angle).
+        near(sim.value_of("tangential"), -(20.0 / (G * k / 0.3)).acos(), 1e-10);
+        // It carries as much a second time on its way back.
+        let first = sim.value_of("moment");
+        assert!(sim.value_of("carries") > 30.0 && sim.value_of("warns") == 1.0);
+        sim.step_to(3.0).unwrap();
+        assert!(sim.value_of("strikes") >= 3.0);
+        let mut again = pendulum.start_with(Dop853::new(1e-12)).unwrap();
+        again.step_to(first).unwrap();
+        near(again.value_of("carries"), 30.0, 1e-9);
     }
-    check!(InJoints);
-    check!(InBodies);
 }
 
 slider_crank!(CrankInCharts, loops, 60,
@@ -80,20 +77,15 @@ slider_crank!(CrankInBodies, absolute, 60,
 
 #[test]
 fn a_slider_crank_tells_when_its_rail_carries_so_much() {
-    let mut places = [0.0; 2];
-    macro_rules! find {
-        ($name:ident, $k:literal) => {
-            let mut sim = $name::new().start_with(Dop853::new(1e-12)).unwrap();
-            let mut time = 0.0;
-            while sim.place() == 0.0 && time < 0.2 {
-                time += 1e-3;
-                sim.step_to(time).unwrap();
-            }
-            places[$k] = sim.place();
-        };
-    }
-    find!(CrankInCharts, 0);
-    find!(CrankInBodies, 1);
+    let places = [CrankInCharts::new(), CrankInBodies::new()].map(|crank| {
+        let mut sim = crank.start_with(Dop853::new(1e-12)).unwrap();
+        let mut time = 0.0;
+        while sim.value_of("place") == 0.0 && time < 0.2 {
+            time += 1e-3;
+            sim.step_to(time).unwrap();
+        }
+        sim.value_of("place")
+    });
     assert!(places[0] > 0.0);
     near(places[0], places[1], 1e-10);
     let mut sim = CrankInBodies::new().start_with(Dop853::new(1e-12)).unwrap();
@@ -102,20 +94,20 @@ fn a_slider_crank_tells_when_its_rail_carries_so_much() {
         let half: f64 = 0.5 * (low + high);
         let mut copy = CrankInBodies::new().start_with(Dop853::new(1e-12)).unwrap();
         copy.step_to(half).unwrap();
-        *(if copy.crank().angle < places[0] { &mut low } else { &mut high }) = half;
+        *(if copy.state_of("crank").angle < places[0] { &mut low } else { &mut high }) = half;
     }
     sim.step_to(low).unwrap();
-    near(sim.carries(), 120.0, 1e-6);
+    near(sim.value_of("carries"), 120.0, 1e-6);
 }
 
-mechanism! {
-    part pull(on: body) {
-        input force: N = 0 N;
-        force on on: (0 N, -force);
-    }
+scene! {
     /// Four bodies that hang: in a pin that breaks, on one that breaks while it swings, on one that gives way, and as a beam on a pin and a
     /// support.
     pub Hangers {
+        part pull(on: body) {
+            input force: N = 0 N;
+            force on on: (0 N, -force);
+        }
         allow(W0002);
         gravity: 9.81 m/s^2;
         discrete holds: 1 = 1;
@@ -165,25 +157,25 @@ fn pins_break_by_what_they_carry() {
     let sine = (1.0 - cosine * cosine).sqrt();
     let omega = (2.0 * k * G * cosine / 0.3).sqrt();
     sim.step_to(0.5).unwrap();
-    near(sim.soft(), soft, 1e-10);
+    near(sim.value_of("soft"), soft, 1e-10);
     // The sling flies on.
     sim.step_to(1.0).unwrap();
-    near(sim.sling().omega, -omega, 1e-9);
-    let since = (sim.sling().x - 5.0 - 0.3 * sine) / (-0.3 * omega * cosine);
+    near(sim.state_of("sling").omega, -omega, 1e-9);
+    let since = (sim.state_of("sling").x - 5.0 - 0.3 * sine) / (-0.3 * omega * cosine);
     let y = -0.3 * cosine - 0.3 * omega * sine * since - 0.5 * G * since * since;
-    near(sim.sling().y, y, 1e-8);
+    near(sim.state_of("sling").y, y, 1e-8);
     sim.step_to(3.0).unwrap();
-    near(sim.carries(), 10.0 * G + 300.0, 1e-9);
-    near(sim.torn(), 0.0, 0.0);
-    near(sim.hinges(), 0.5 * (4.0 * G + 300.0), 1e-9);
-    near(sim.lifted(), (200.0 - 4.0 * G) / 100.0, 1e-10);
-    near(sim.chest().y, 0.0, 0.0);
+    near(sim.value_of("carries"), 10.0 * G + 300.0, 1e-9);
+    near(sim.value_of("torn"), 0.0, 0.0);
+    near(sim.value_of("hinges"), 0.5 * (4.0 * G + 300.0), 1e-9);
+    near(sim.value_of("lifted"), (200.0 - 4.0 * G) / 100.0, 1e-10);
+    near(sim.state_of("chest").y, 0.0, 0.0);
     sim.step_to(5.0).unwrap();
-    near(sim.broken(), breaks, 1e-10);
+    near(sim.value_of("broken"), breaks, 1e-10);
     let since = 5.0 - breaks;
     let fall = 0.5 * (G + 10.0 * breaks) * since * since + 10.0 * since.powi(3) / 6.0;
-    near(sim.chest().y, -fall, 1e-8);
-    near(sim.carries(), 0.0, 0.0);
+    near(sim.state_of("chest").y, -fall, 1e-8);
+    near(sim.value_of("carries"), 0.0, 0.0);
     // The condition held where the run began.
-    near(sim.early(), 0.0, 0.0);
+    near(sim.value_of("early"), 0.0, 0.0);
 }

@@ -1,17 +1,36 @@
 //! Friction and unilateral contact in declarations, against closed forms.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+#![allow(
+    clippy::large_types_passed_by_value,
+    clippy::unwrap_used,
+    clippy::panic,
+    missing_docs,
+    unreachable_pub,
+    reason = "tests"
+)]
+
+#[macro_use]
+#[path = "../support/scene.rs"]
+mod scene;
+
+/// What `machines.rs` declares is text here; `benches/contact.rs` compiles it.
+macro_rules! mechanism {
+    ($($declaration:tt)*) => {
+        scene! { $($declaration)* }
+    };
+}
+
+#[macro_use]
+#[path = "../scenes/contact.rs"]
+mod declared;
 
 mod around;
 mod assembled;
-#[path = "../support/beside_text.rs"]
-mod beside_text;
 mod bounds;
 #[path = "../support/compass.rs"]
 mod compass;
 mod existence;
 mod flights;
 mod friction;
-mod from_text;
 mod joints;
 mod loads;
 mod loops;

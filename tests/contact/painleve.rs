@@ -1,11 +1,12 @@
 //! A rod that slides to where contact has no unique acceleration.
 
 use plm::runtime::Cause;
-use plm::{Dop853, mechanism};
+use plm::{Dop853, Mechanism as _};
 
 use crate::near;
+use crate::scene::{Given as _, Named as _};
 
-mechanism! {
+scene! {
     /// A slender rod whose lower tip slides on a rough floor.
     pub Rod {
         gravity: 9.81 m/s^2;
@@ -36,7 +37,7 @@ fn a_rod_that_slides_to_the_paradox_is_named() {
         assert_eq!(fault.part, "floor");
         let Cause::NotUnique { p } = fault.cause else { panic!("{fault}") };
         near(p, 0.0, 1e-8);
-        near(sim.rod().angle, (3.0 - 5.0_f64.sqrt()).atan(), 1e-8);
+        near(sim.state_of("rod").angle, (3.0 - 5.0_f64.sqrt()).atan(), 1e-8);
         near(fault.time, 0.147_313_877, 1e-8 + tolerance);
     }
 }
@@ -44,10 +45,13 @@ fn a_rod_that_slides_to_the_paradox_is_named() {
 /// Between the angles where p is zero the tip has no push that satisfies the laws.
 #[test]
 fn a_rod_that_digs_in_is_named() {
-    let mut rod = Rod::new();
-    rod.start.rod.angle.value = 60.0_f64.to_radians();
-    (rod.start.rod.x.value, rod.start.rod.y.value) = (0.25, 0.5 * 60.0_f64.to_radians().sin());
-    (rod.start.rod.vx.value, rod.start.rod.vy.value, rod.start.rod.omega.value) = (-10.0, 0.0, 0.0);
+    let rod = Rod::new()
+        .with_start("rod.angle", 60.0_f64.to_radians())
+        .with_start("rod.x", 0.25)
+        .with_start("rod.y", 0.5 * 60.0_f64.to_radians().sin())
+        .with_start("rod.vx", -10.0)
+        .with_start("rod.vy", 0.0)
+        .with_start("rod.omega", 0.0);
     let fault = rod.start_with(Dop853::new(1e-10)).unwrap_err();
     assert_eq!(fault.part, "floor");
     let Cause::NoMode { touching: 1, p } = fault.cause else { panic!("{fault}") };

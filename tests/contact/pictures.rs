@@ -3,21 +3,25 @@
 use std::fs;
 use std::path::Path;
 
-use plm::{Dop853, Scalar};
+use plm::{Dop853, Mechanism as _, Moment as _, Scalar};
 use plm_view::{Axis, Chart, Rule, Series};
 
-use crate::friction::Oscillator;
+use crate::declared::Oscillator;
+use crate::scene::{Given as _, Named as _};
 
 /// A mass on a belt: its speed, and the friction.
 fn belt() -> Chart {
-    let mut belt = Oscillator { kinetic: 0.25 * 9.81, adhesion: 0.4 * 9.81, belt: 0.1, ..Oscillator::new() };
-    belt.start.mass.x.value = 0.0;
-    belt.start.mass.vx.value = 0.1;
+    let belt = Oscillator::new()
+        .with("kinetic", 0.25 * 9.81)
+        .with("adhesion", 0.4 * 9.81)
+        .with("belt", 0.1)
+        .with_start("mass.x", 0.0)
+        .with_start("mass.vx", 0.1);
     let (mut speeds, mut forces) = (Vec::new(), Vec::new());
     let mut sim = belt.start_with(Dop853::new(1e-10)).unwrap();
     sim.run(2.5, 0.005, |state| {
-        speeds.push((state.time(), state.mass().vx));
-        forces.push((state.time(), state.drag()));
+        speeds.push((state.time(), state.state_of("mass").vx));
+        forces.push((state.time(), state.value_of("drag")));
     })
     .unwrap();
     Chart::new(Axis::linear("time", "s"), Axis::linear("speed", "m/s"))

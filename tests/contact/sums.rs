@@ -1,30 +1,31 @@
 //! Bounds that read several reactions: guides that bear a moment, a drum that rubs in its pin, at its rope and under a shoe.
 
-use plm::{Dop853, mechanism};
+use plm::{Dop853, Mechanism as _};
 
 use crate::near;
+use crate::scene::Named as _;
 
 macro_rules! drawers {
     ($name:ident, $formulation:ident) => {
-        mechanism! {
-            /// A guide whose two ends press: the force in the middle and the moment are borne by both.
-            joint guide(a: frame, b: frame) {
-                pair: prismatic;
-                param length: m;
-                param mu: 1;
-                let along = dot(b.position - a.position, a.axis);
-                constraint normal: cross(b.position - a.position, a.axis) = 0;
-                constraint angle: a.angle - b.angle = 0;
-                let middle = reaction(normal)/2;
-                let moment = reaction(angle)/length;
-                friction rub: rate(along) within mu*(abs(middle + moment) + abs(middle - moment));
-                output first = middle + moment, second = middle - moment, drag = reaction(rub);
-            }
-            part pull(on: frame) {
-                input force: N = 0 N;
-                force on on: (force, 0 N);
-            }
+        scene! {
             pub $name {
+                // A guide whose two ends press: the force in the middle and the moment are borne by both.
+                joint guide(a: frame, b: frame) {
+                    pair: prismatic;
+                    param length: m;
+                    param mu: 1;
+                    let along = dot(b.position - a.position, a.axis);
+                    constraint normal: cross(b.position - a.position, a.axis) = 0;
+                    constraint angle: a.angle - b.angle = 0;
+                    let middle = reaction(normal)/2;
+                    let moment = reaction(angle)/length;
+                    friction rub: rate(along) within mu*(abs(middle + moment) + abs(middle - moment));
+                    output first = middle + moment, second = middle - moment, drag = reaction(rub);
+                }
+                part pull(on: frame) {
+                    input force: N = 0 N;
+                    force on on: (force, 0 N);
+                }
                 gravity: 9.81 m/s^2;
                 formulation: $formulation;
                 ground { port rail: (0, 0) m, axis: 0 deg; }
@@ -53,47 +54,43 @@ fn a_drawer_slides_or_jams_by_the_height_of_its_knob() {
     let [cubed, squared] = [3, 2].map(|power| f64::powi(turns - breaks, power));
     let (place, speed) = (growth / (6.0 * mass) * cubed, growth / (2.0 * mass) * squared);
     let left = growth * (1.0 - 2.0 * mu * lever) / mass;
-    macro_rules! check {
-        ($name:ident) => {
-            let mut sim = $name::new().start_with(Dop853::new(1e-12)).unwrap();
-            sim.step_to(0.9 * breaks).unwrap();
-            near(sim.drawer().x, 0.0, 0.0);
-            near(sim.slides_drag(), -0.9 * mu * weight, 1e-11);
-            sim.step_to(0.5 * (breaks + turns)).unwrap();
-            near(sim.drawer().x, place / 8.0, 1e-11);
-            near(sim.slides_drag(), -mu * weight, 1e-11);
-            let time = 3.0;
-            sim.step_to(time).unwrap();
-            let since = time - turns;
-            let x = place
-                + speed * since
-                + 0.5 * left * ((time.powi(3) - turns.powi(3)) / 3.0 - turns * turns * since);
-            near(sim.drawer().x, x, 1e-11);
-            near(sim.drawer().vx, speed + 0.5 * left * (time * time - turns * turns), 1e-11);
-            let ends = [0.5 * weight + growth * time * lever, 0.5 * weight - growth * time * lever];
-            let found = [sim.slides_first(), sim.slides_second()];
-            let pairs = found.iter().map(|found| found.abs()).zip(ends.map(f64::abs));
-            assert!(found[0] * found[1] < 0.0);
-            near(found[0].abs().max(found[1].abs()), ends[0].abs().max(ends[1].abs()), 1e-10);
-            near(pairs.map(|(a, b)| a - b).sum(), 0.0, 1e-10);
-            near(sim.slides_drag(), -2.0 * mu * growth * time * lever, 1e-10);
-            assert_eq!(sim.contact_stats().slips, 1);
-            sim.step_to(60.0).unwrap();
-            near(sim.jammed().x, 0.0, 0.0);
-            near(sim.jams_drag(), -240.0, 1e-9);
-        };
+    for drawers in [InJoints::new(), InBodies::new()] {
+        let mut sim = drawers.start_with(Dop853::new(1e-12)).unwrap();
+        sim.step_to(0.9 * breaks).unwrap();
+        near(sim.state_of("drawer").x, 0.0, 0.0);
+        near(sim.value_of("slides.drag"), -0.9 * mu * weight, 1e-11);
+        sim.step_to(0.5 * (breaks + turns)).unwrap();
+        near(sim.state_of("drawer").x, place / 8.0, 1e-11);
+        near(sim.value_of("slides.drag"), -mu * weight, 1e-11);
+        let time = 3.0;
+        sim.step_to(time).unwrap();
+        let since = time - turns;
+        let x = place
+            + speed * since
+            + 0.5 * left * ((time.powi(3) - turns.powi(3)) / 3.0 - turns * turns * since);
+        near(sim.state_of("drawer").x, x, 1e-11);
+        near(sim.state_of("drawer").vx, speed + 0.5 * left * (time * time - turns * turns), 1e-11);
+        let ends = [0.5 * weight + growth * time * lever, 0.5 * weight - growth * time * lever];
+        let found = [sim.value_of("slides.first"), sim.value_of("slides.second")];
+        let pairs = found.iter().map(|found| found.abs()).zip(ends.map(f64::abs));
+        assert!(found[0] * found[1] < 0.0);
+        near(found[0].abs().max(found[1].abs()), ends[0].abs().max(ends[1].abs()), 1e-10);
+        near(pairs.map(|(a, b)| a - b).sum(), 0.0, 1e-10);
+        near(sim.value_of("slides.drag"), -2.0 * mu * growth * time * lever, 1e-10);
+        assert_eq!(sim.contact_stats().slips, 1);
+        sim.step_to(60.0).unwrap();
+        near(sim.state_of("jammed").x, 0.0, 0.0);
+        near(sim.value_of("jams.drag"), -240.0, 1e-9);
     }
-    check!(InJoints);
-    check!(InBodies);
 }
 
-mechanism! {
-    part press(on: body) {
-        input force: N = 0 N;
-        force on on: (force, 0 N);
-    }
+scene! {
     /// A load on a drum, which rubs in its pin, under a shoe that lies on it, and by the stiffness of its rope.
     pub Hoist {
+        part press(on: body) {
+            input force: N = 0 N;
+            force on on: (force, 0 N);
+        }
         gravity: 9.81 m/s^2;
         param arm: m = 20 mm;
         ground { port o: (0, 0) m; }
@@ -129,15 +126,19 @@ fn a_drum_rubs_by_its_pin_its_rope_and_its_shoe() {
     let area = |f: f64| 0.5 * (f * f.hypot(down) + down * down * (f / down).asinh());
     let mut sim = Hoist::new().start_with(Dop853::new(1e-12)).unwrap();
     sim.step_to(0.99 * turns).unwrap();
-    near(sim.drum().angle, 0.0, 0.0);
-    near(sim.drag().abs(), 5.0 * g * radius, 1e-11);
+    near(sim.state_of("drum").angle, 0.0, 0.0);
+    near(sim.value_of("drag").abs(), 5.0 * g * radius, 1e-11);
     let time = 6.0;
     sim.step_to(time).unwrap();
     let by_pin = arm * (area(400.0 - 100.0 * turns) - area(400.0 - 100.0 * time)) / 100.0;
-    near(sim.drum().omega, (torque * (time - turns) - by_pin) / inertia, 1e-9);
-    near(sim.carries(), 200.0_f64.hypot(down), 1e-9);
-    near(sim.push(), 3.0 * g, 1e-9);
-    let alpha = (torque - arm * sim.carries()) / inertia;
-    near(sim.tension().abs(), 5.0 * (g - radius * alpha), 1e-9);
-    near(sim.drag().abs(), arm * sim.carries() + stiff * sim.tension().abs() + shoe, 1e-9);
+    near(sim.state_of("drum").omega, (torque * (time - turns) - by_pin) / inertia, 1e-9);
+    near(sim.value_of("carries"), 200.0_f64.hypot(down), 1e-9);
+    near(sim.value_of("push"), 3.0 * g, 1e-9);
+    let alpha = (torque - arm * sim.value_of("carries")) / inertia;
+    near(sim.value_of("tension").abs(), 5.0 * (g - radius * alpha), 1e-9);
+    near(
+        sim.value_of("drag").abs(),
+        arm * sim.value_of("carries") + stiff * sim.value_of("tension").abs() + shoe,
+        1e-9,
+    );
 }

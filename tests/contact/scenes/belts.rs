@@ -1,16 +1,17 @@
 //! A mass on a belt whose friction falls with the slip.
 
-use plm::{Dop853, mechanism};
+use plm::{Dop853, Mechanism as _};
 
 use crate::near;
+use crate::scene::{Given as _, Named as _};
 
-mechanism! {
-    part spring(on: body) {
-        param damping: N*s/m;
-        force on on: (-(100 N/m)*on.x - damping*on.vx, 0 N);
-    }
+scene! {
     /// R. Stribeck's curve: 0.4 at rest, 0.25 at great slips.
     pub Stribeck {
+        part spring(on: body) {
+            param damping: N*s/m;
+            force on on: (-(100 N/m)*on.x - damping*on.vx, 0 N);
+        }
         param damping: N*s/m = 3 N*s/m;
         body mass { mass: 1 kg; inertia: 1 kg*m^2; start vx: 0.1 m/s; }
         constraint level: mass.angle = 0;
@@ -83,17 +84,17 @@ impl ByHand {
 fn a_belt_squeals_with_little_damping() {
     for (damping, squeals) in [(3.0, true), (6.0, false)] {
         let rest = ByHand::curve(0.1) / 100.0;
-        let mut belt = Stribeck { damping, ..Stribeck::new() };
+        let belt = Stribeck::new().with("damping", damping);
         let (x, v) = (rest + 1e-3, 0.0);
-        (belt.start.mass.x.value, belt.start.mass.vx.value) = (x, v);
+        let belt = belt.with_start("mass.x", x).with_start("mass.vx", v);
         let mut sim = belt.start_with(Dop853::new(1e-11)).unwrap();
         let mut known = ByHand { damping, time: 0.0, x, v, sticks: false, changes: 0 };
         for k in 1..=10 {
             let t = f64::from(k);
             sim.step_to(t).unwrap();
             known.run(t);
-            near(sim.mass().x, known.x, 1e-10);
-            near(sim.mass().vx, known.v, 1e-9);
+            near(sim.state_of("mass").x, known.x, 1e-10);
+            near(sim.state_of("mass").vx, known.v, 1e-9);
         }
         assert_eq!(known.changes > 10, squeals);
         assert_eq!(sim.stats().switches, u64::from(known.changes));

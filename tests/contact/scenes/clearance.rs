@@ -1,10 +1,11 @@
 //! Joints with clearance: a pin in a bush, a slider between two guides.
 
-use plm::{Dop853, mechanism};
+use plm::{Dop853, Mechanism as _, Moment as _};
 
 use crate::near;
+use crate::scene::{Given as _, Named as _, Scene};
 
-mechanism! {
+scene! {
     /// A rod whose pin has 5 mm of clearance in its bush.
     pub Loose {
         gravity: 9.81 m/s^2;
@@ -17,13 +18,13 @@ mechanism! {
 #[test]
 fn a_pin_rattles_in_its_bush() {
     let (mass, inertia, g, clearance) = (1.2, 0.02, 9.81, 0.005_f64);
-    let mut rod = Loose::new();
+    let rod = Loose::new();
     let (sin, cos) = 0.5_f64.sin_cos();
     let pin = |x: f64, y: f64, angle: f64| [x - 0.3 * angle.sin(), y + 0.3 * angle.cos()];
     // The pin begins in the middle of the bush.
     let mut q = [0.3 * sin, -0.3 * cos, 0.5];
     let mut v = [0.0, 0.0, 2.0];
-    (rod.start.rod.x.value, rod.start.rod.y.value) = (q[0], q[1]);
+    let rod = rod.with_start("rod.x", q[0]).with_start("rod.y", q[1]);
     let mut sim = rod.start_with(Dop853::new(1e-11)).unwrap();
     let mut time = 0.0;
     for _ in 0..12 {
@@ -57,7 +58,7 @@ fn a_pin_rattles_in_its_bush() {
             v[2] + impulse * turn / inertia,
         ];
         sim.step_to(time + 1e-10).unwrap();
-        let rod = sim.rod();
+        let rod = sim.state_of("rod");
         near(rod.omega, v[2], 1e-11);
         near(rod.x, q[0], 1e-10);
         near(rod.y, q[1], 1e-10);
@@ -65,7 +66,7 @@ fn a_pin_rattles_in_its_bush() {
     assert_eq!(sim.contact_stats().impacts, 12);
 }
 
-mechanism! {
+scene! {
     /// P. Flores, R. Leine, Ch. Glocker, Multibody Syst. Dyn. 23, 2010, 165-190: table 1, with the law of impact of the paper.
     pub Clearance {
         impacts: newton;
@@ -181,8 +182,7 @@ impl Flores {
 /// The first impacts of a slider that is tilted at first, without friction.
 #[test]
 fn a_slider_strikes_its_guides() {
-    let mut start = Clearance { friction: 0.0, ..Clearance::new() };
-    start.start.slider.angle.value = 0.004;
+    let start = Clearance::new().with("friction", 0.0).with_start("slider.angle", 0.004);
     let mut sim = start.start_with(Dop853::new(1e-11)).unwrap();
     let (mut q, mut v) = ([0.0, 0.0, 0.004], [150.0, -75.0, 0.0]);
     let (mut time, mut impacts) = (0.0, 0);
@@ -216,9 +216,9 @@ fn a_slider_strikes_its_guides() {
                 // Between impacts that follow each other ever faster.
                 let (_, behind) = Flores::step(q, v, 1e-10);
                 sim.step_to(time + 1e-10).unwrap();
-                near(sim.crank().omega, behind[0], 1e-9);
-                near(sim.rod().omega, behind[1], 1e-9);
-                near(sim.slider().omega, behind[2], 1e-9);
+                near(sim.state_of("crank").omega, behind[0], 1e-9);
+                near(sim.state_of("rod").omega, behind[1], 1e-9);
+                near(sim.state_of("slider").omega, behind[2], 1e-9);
             }
         }
     }
@@ -229,7 +229,7 @@ fn a_slider_strikes_its_guides() {
 #[test]
 fn a_slider_with_clearance_loses_energy() {
     let mut sim = Clearance::new().start_with(Dop853::new(1e-10)).unwrap();
-    let energy = |sim: &plm::Sim<Clearance>| sim.kinetic_energy() + sim.gravity_energy();
+    let energy = |sim: &plm::Sim<Scene>| sim.kinetic_energy() + sim.gravity_energy();
     let mut last = energy(&sim);
     for k in 1..=100 {
         sim.step_to(4e-4 * f64::from(k)).unwrap();

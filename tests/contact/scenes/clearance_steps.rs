@@ -1,9 +1,10 @@
 //! A slider with clearance beside time stepping: that of others, which is published, and one of J. J. Moreau.
 
-use plm::Dop853;
+use plm::{Dop853, Mechanism as _};
 
 use super::clearance::{Clearance, Flores};
 use crate::near;
+use crate::scene::{Given as _, Named as _};
 
 /// Turns of the crank and its rate, rad/s, by the references of Siconos for this mechanism without friction, with steps of 0.1 ms and
 /// projection onto the guides at each iteration (siconos-tutorials, examples/mechanics/SliderCrank, SliderCrankMoreauJeanCombinedProjectionOSI).
@@ -22,12 +23,12 @@ const SICONOS: [(f64, f64, f64); 8] = [
 /// impact up to a step late: they are ahead by up to a hundredth of a turn behind 35 impacts.
 #[test]
 fn a_slider_with_clearance_goes_as_published() {
-    let mut sim = Clearance { friction: 0.0, ..Clearance::new() }.start_with(Dop853::new(1e-10)).unwrap();
+    let mut sim = Clearance::new().with("friction", 0.0).start_with(Dop853::new(1e-10)).unwrap();
     for (time, turns, omega) in SICONOS {
         sim.step_to(time).unwrap();
         let within = if time < 0.0027 { [1e-4, 4e-3] } else { [0.01, 0.06] };
-        near(sim.crank().angle / std::f64::consts::TAU, turns, within[0]);
-        near(sim.crank().omega / omega, 1.0, within[1]);
+        near(sim.state_of("crank").angle / std::f64::consts::TAU, turns, within[0]);
+        near(sim.state_of("crank").omega / omega, 1.0, within[1]);
     }
 }
 
@@ -86,7 +87,7 @@ fn a_slider_with_friction_goes_as_small_steps_do() {
     let [coarse, fine] = [8e-6, 4e-6].map(|h| steps(&times, h));
     for (k, time) in times.into_iter().enumerate() {
         sim.step_to(time).unwrap();
-        let (crank, rod, slider) = (sim.crank(), sim.rod(), sim.slider());
+        let (crank, rod, slider) = (sim.state_of("crank"), sim.state_of("rod"), sim.state_of("slider"));
         let found = [crank.angle, rod.angle, slider.angle, crank.omega, rod.omega, slider.omega];
         for i in 0..6 {
             let known = 2.0 * fine[k][i] - coarse[k][i];

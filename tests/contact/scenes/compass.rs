@@ -1,11 +1,12 @@
 //! A compass that walks down a slope: two legs on a hip, without knees.
 
-use plm::{Dop853, Sim, mechanism};
+use plm::{Dop853, Mechanism as _, Sim};
 
 use crate::compass::{Compass as Equations, PAPER, SLOPE, State};
 use crate::near;
+use crate::scene::{Given as _, Named as _, Scene};
 
-mechanism! {
+scene! {
     /// A. Goswami, B. Thuilot, B. Espiau, A study of the passive gait of a compass-like biped robot, Int. J. Robotics Research 17,
     /// 1998: 10 kg at the hip, 5 kg in the middle of each leg of 1 m. Each leg has half of the hip here. The slope lies along x.
     pub Compass {
@@ -43,29 +44,37 @@ mechanism! {
 }
 
 /// The start of a step with the left leg. Each leg has half of the hip.
-fn start(equations: &Equations, [s, n, w, u]: State) -> Sim<Compass> {
+fn start(equations: &Equations, [s, n, w, u]: State) -> Sim<Scene> {
     let Equations { hip, leg, from_foot, gravity, slope } = *equations;
-    let mut compass = Compass::new();
     let (below, half) = (1.0 - from_foot, 0.5 * hip);
-    let reach = leg * below / (leg + half);
-    (compass.g, compass.slope, compass.mass, compass.reach) = (gravity, slope, leg + half, reach);
-    compass.inertia = leg * half / (leg + half) * below * below;
+    let (mass, reach) = (leg + half, leg * below / (leg + half));
+    let inertia = leg * half / (leg + half) * below * below;
     let [(left, sl, cl), (right, sr, cr)] =
         [s + slope, n + slope].map(|angle| (angle, angle.sin(), angle.cos()));
     let (hip, up) = ([-sl, cl], 1.0 - reach);
-    let bodies = &mut compass.start;
-    (bodies.left.angle.value, bodies.left.omega.value) = (left, w);
-    (bodies.right.angle.value, bodies.right.omega.value) = (right, u);
-    (bodies.left.x.value, bodies.left.y.value) = (-up * sl, up * cl);
-    (bodies.right.x.value, bodies.right.y.value) = (hip[0] + reach * sr, hip[1] - reach * cr);
-    (bodies.left.vx.value, bodies.left.vy.value) = (-up * cl * w, -up * sl * w);
-    (bodies.right.vx.value, bodies.right.vy.value) = (-cl * w + reach * cr * u, -sl * w + reach * sr * u);
+    let numbers = [("g", gravity), ("slope", slope), ("mass", mass), ("reach", reach), ("inertia", inertia)];
+    let compass = numbers.into_iter().fold(Compass::new(), |own, (name, value)| own.with(name, value));
+    let starts = [
+        ("left.angle", left),
+        ("left.omega", w),
+        ("right.angle", right),
+        ("right.omega", u),
+        ("left.x", -up * sl),
+        ("left.y", up * cl),
+        ("right.x", hip[0] + reach * sr),
+        ("right.y", hip[1] - reach * cr),
+        ("left.vx", -up * cl * w),
+        ("left.vy", -up * sl * w),
+        ("right.vx", -cl * w + reach * cr * u),
+        ("right.vy", -sl * w + reach * sr * u),
+    ];
+    let compass = starts.into_iter().fold(compass, |own, (name, value)| own.with_start(name, value));
     compass.start_with(Dop853::new(1e-12)).unwrap()
 }
 
 /// The state a time of 1e-6 s behind the step `number`, in which the left leg stands if it is even.
-fn behind(sim: &Sim<Compass>, slope: f64, number: u32) -> State {
-    let (left, right) = (sim.left(), sim.right());
+fn behind(sim: &Sim<Scene>, slope: f64, number: u32) -> State {
+    let (left, right) = (sim.state_of("left"), sim.state_of("right"));
     let found = [left.angle - slope, right.angle - slope, left.omega, right.omega];
     if number.is_multiple_of(2) { found } else { [found[1], found[0], found[3], found[2]] }
 }
@@ -80,8 +89,8 @@ fn a_compass_walks_down_a_slope() {
         let (period, next) = PAPER.walked(x);
         (x, time, last) = (next, time + period, period);
         sim.step_to(time + 1e-6).unwrap();
-        near(sim.steps(), f64::from(k), 0.0);
-        near(sim.struck(), time, 1e-9);
+        near(sim.value_of("steps"), f64::from(k), 0.0);
+        near(sim.value_of("struck"), time, 1e-9);
         for (found, known) in behind(&sim, SLOPE, k).into_iter().zip(PAPER.step(x, 1e-6)) {
             near(found, known, 1e-8);
         }
@@ -102,12 +111,12 @@ fn on_cycle(equations: &Equations, mut x: State) -> (State, f64) {
     let mut sim = start(equations, x);
     let (mut time, mut last) = (0.0, 0.0);
     for k in 1..=2 {
-        let struck = sim.struck();
+        let struck = sim.value_of("struck");
         let (period, next) = equations.walked(x);
         (x, time) = (next, time + period);
         sim.step_to(time + 1e-6).unwrap();
-        near(sim.struck(), time, 1e-8);
-        last = sim.struck() - struck;
+        near(sim.value_of("struck"), time, 1e-8);
+        last = sim.value_of("struck") - struck;
         for (found, known) in behind(&sim, equations.slope, k).into_iter().zip(equations.step(x, 1e-6)) {
             near(found, known, 1e-7);
         }

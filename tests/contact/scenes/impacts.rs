@@ -1,60 +1,21 @@
 //! Laws of impact: three balls in a row and a double pendulum that strikes the floor.
 
-use plm::{Cause, Dop853, mechanism};
+use plm::{Cause, Dop853, Mechanism as _};
 
+use crate::declared::{Newton, Sequential};
 use crate::near;
-
-macro_rules! by_law {
-    ($name:ident, $law:ident) => {
-        mechanism! {
-            pub $name {
-                impacts: $law;
-                param e = 0.5;
-                param friction = 0.5;
-                param upper_angle: rad = 20 deg;
-                param lower_angle: rad = 30 deg;
-                ground { port pivot: (0, 0) m; }
-                body first { mass: 1 kg; inertia: 1 kg*m^2; start vx: 1 m/s; }
-                body second { mass: 1 kg; inertia: 1 kg*m^2; }
-                body third { mass: 1 kg; inertia: 1 kg*m^2; }
-                unilateral left: second.x - first.x >= 0 m { restitution: e; }
-                unilateral right: third.x - second.x >= 0 m { restitution: e; }
-                // Rods of 1 m, their angles from the vertical.
-                body upper {
-                    mass: 1 kg; inertia: 1/12*(1 kg*m^2);
-                    port top: (0, 0.5) m; port low: (0, -0.5) m;
-                    start angle: upper_angle, locked;
-                    start omega: -0.1 rad/s, locked;
-                }
-                body lower {
-                    mass: 1 kg; inertia: 1/12*(1 kg*m^2);
-                    port top: (0, 0.5) m; port tip: (0, -0.5) m;
-                    start angle: lower_angle, locked;
-                    start omega: -0.2 rad/s, locked;
-                }
-                revolute hinge(ground.pivot, upper.top);
-                revolute elbow(upper.low, lower.top);
-                unilateral floor: lower.tip.y + (1 m)*(cos(upper_angle) + cos(lower_angle)) >= 0 m { restitution: e; }
-                friction slip: rate(lower.tip.x) within friction*reaction(floor);
-            }
-        }
-    };
-}
+use crate::scene::{Given as _, Named as _, Scene};
 
 by_law!(Poisson, poisson);
-by_law!(Newton, newton);
-by_law!(Sequential, sequential);
 
 /// Velocities of the balls behind an impact with the coefficient e; `$apart` is how far the third one is at first.
-macro_rules! row_of_balls {
-    ($law:ident, $e:expr, $apart:expr) => {{
-        // The pendulum does not slip: this is about the balls.
-        let mut balls = $law { e: $e, lower_angle: 0.4, friction: 0.0, ..$law::new() };
-        balls.start.third.x.value = $apart;
-        let mut sim = balls.start_with(Dop853::new(1e-10)).unwrap();
-        sim.step_to(1.5 * $apart).unwrap();
-        [sim.first().vx, sim.second().vx, sim.third().vx]
-    }};
+fn row_of_balls(balls: Scene, e: f64, apart: f64) -> [f64; 3] {
+    // The pendulum does not slip: this is about the balls.
+    let balls =
+        balls.with("e", e).with("lower_angle", 0.4).with("friction", 0.0).with_start("third.x", apart);
+    let mut sim = balls.start_with(Dop853::new(1e-10)).unwrap();
+    sim.step_to(1.5 * apart).unwrap();
+    [sim.state_of("first").vx, sim.state_of("second").vx, sim.state_of("third").vx]
 }
 
 /// Case C15: touching balls by each law, and with a gap.
@@ -62,12 +23,12 @@ macro_rules! row_of_balls {
 fn c15_a_cradle_by_each_law() {
     let third = 1.0 / 3.0;
     for (found, known) in [
-        (row_of_balls!(Poisson, 1.0, 0.0), [-third, 2.0 * third, 2.0 * third]),
-        (row_of_balls!(Newton, 1.0, 0.0), [-third, 2.0 * third, 2.0 * third]),
-        (row_of_balls!(Sequential, 1.0, 0.0), [0.0, 0.0, 1.0]),
-        (row_of_balls!(Poisson, 0.0, 0.0), [third; 3]),
-        (row_of_balls!(Poisson, 1.0, 0.01), [0.0, 0.0, 1.0]),
-        (row_of_balls!(Sequential, 0.9, 0.01), [0.05, 0.0475, 0.9025]),
+        (row_of_balls(Poisson::new(), 1.0, 0.0), [-third, 2.0 * third, 2.0 * third]),
+        (row_of_balls(Newton::new(), 1.0, 0.0), [-third, 2.0 * third, 2.0 * third]),
+        (row_of_balls(Sequential::new(), 1.0, 0.0), [0.0, 0.0, 1.0]),
+        (row_of_balls(Poisson::new(), 0.0, 0.0), [third; 3]),
+        (row_of_balls(Poisson::new(), 1.0, 0.01), [0.0, 0.0, 1.0]),
+        (row_of_balls(Sequential::new(), 0.9, 0.01), [0.05, 0.0475, 0.9025]),
     ] {
         found.iter().zip(known).for_each(|(found, known)| near(*found, known, 1e-12));
     }
@@ -146,18 +107,18 @@ fn kanes_double_pendulum_loses_energy_by_poissons_law() {
     let before = impact.energy(Impact::BEFORE);
     for (e, friction) in [(0.5, 0.5), (0.5, 0.3), (0.7, 0.5), (1.0, 0.6), (0.5, 0.0)] {
         let known = impact.behind(impact.poisson(e, friction));
-        macro_rules! check {
-            ($law:ident) => {
-                let sim = $law { e, friction, ..$law::new() }.start_with(Dop853::new(1e-10)).unwrap();
-                near(sim.upper().omega, known[0], 1e-13);
-                near(sim.lower().omega, known[1], 1e-13);
-                let balls = 0.5 * (sim.first().vx.powi(2) + sim.second().vx.powi(2) + sim.third().vx.powi(2));
-                near(sim.kinetic_energy() - balls, impact.energy(known), 1e-12 * before);
-                assert!(impact.energy(known) <= before * (1.0 + 1e-12), "{e} {friction}");
-            };
+        for pendulum in [Poisson::new(), Sequential::new()] {
+            let sim =
+                pendulum.with("e", e).with("friction", friction).start_with(Dop853::new(1e-10)).unwrap();
+            near(sim.state_of("upper").omega, known[0], 1e-13);
+            near(sim.state_of("lower").omega, known[1], 1e-13);
+            let balls = 0.5
+                * (sim.state_of("first").vx.powi(2)
+                    + sim.state_of("second").vx.powi(2)
+                    + sim.state_of("third").vx.powi(2));
+            near(sim.kinetic_energy() - balls, impact.energy(known), 1e-12 * before);
+            assert!(impact.energy(known) <= before * (1.0 + 1e-12), "{e} {friction}");
         }
-        check!(Poisson);
-        check!(Sequential);
     }
 }
 
@@ -174,15 +135,15 @@ fn kanes_double_pendulum_by_newtons_law() {
     let gains = impact.energy(known(0.5, 0.5)) - before;
     near(gains / before, 0.587, 5e-4);
     // The balls rest: they would lose more than that.
-    let mut pendulum = Newton::new();
-    pendulum.start.first.vx.value = 0.0;
+    let pendulum = Newton::new().with_start("first.vx", 0.0);
     match pendulum.start_with(Dop853::new(1e-10)).map(|_| ()).unwrap_err().cause {
         Cause::ImpactGains { by, .. } => near(by, gains, 1e-12 * gains),
         cause => panic!("{cause:?}"),
     }
     for (e, friction) in [(0.5, 0.0), (0.8, 0.0), (0.0, 0.5)] {
-        let sim = Newton { e, friction, ..Newton::new() }.start_with(Dop853::new(1e-10)).unwrap();
-        near(sim.upper().omega, known(e, friction)[0], 1e-13);
-        near(sim.lower().omega, known(e, friction)[1], 1e-13);
+        let sim =
+            Newton::new().with("e", e).with("friction", friction).start_with(Dop853::new(1e-10)).unwrap();
+        near(sim.state_of("upper").omega, known(e, friction)[0], 1e-13);
+        near(sim.state_of("lower").omega, known(e, friction)[1], 1e-13);
     }
 }

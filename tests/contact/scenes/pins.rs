@@ -1,26 +1,12 @@
 //! Friction in every joint of a loop, bounded by what the joint carries: against statics and dynamics that were written down by hand.
 
-use plm::{Dop853, mechanism};
+use plm::{Dop853, Mechanism as _};
 
-use crate::machines::slider_crank;
+use crate::declared::RubbingInAbsolute;
 use crate::near;
-
-macro_rules! rubbing {
-    ($name:ident, $formulation:ident) => {
-        slider_crank!($name, $formulation, 60,
-            // Coefficient of friction times the radius of a pin.
-            param arm: m = 3 mm;
-            friction in_o: rate(crank.angle) within arm*norm(o.force);
-            friction in_a: rate(rod.angle - crank.angle) within arm*norm(a.force);
-            // Two reactions bound this one, one of which bounds another one too.
-            friction in_b: rate(rod.angle - slider.angle) within arm*norm(b.force) + (1 mm)*norm(o.force);
-            friction on_rail: rate(slider.x) within mu*norm(rail.force);
-            output carries_o = norm(o.force), carries_a = norm(a.force), carries_b = norm(b.force), carries_rail = norm(rail.force););
-    };
-}
+use crate::scene::{Given as _, Named as _};
 
 rubbing!(InCharts, loops);
-rubbing!(InAbsolute, absolute);
 
 /// The same by Newton's and Euler's equations, with the angle of the crank as the independent variable: slips change their directions
 /// at multiples of 90 deg.
@@ -153,7 +139,7 @@ impl ByHand {
 #[test]
 fn a_slider_crank_rubs_in_three_pins_and_on_its_rail() {
     let mut charts = InCharts::new().start_with(Dop853::new(1e-12)).unwrap();
-    let mut absolute = InAbsolute::new().start_with(Dop853::new(1e-12)).unwrap();
+    let mut absolute = RubbingInAbsolute::new().start_with(Dop853::new(1e-12)).unwrap();
     let quarter = core::f64::consts::FRAC_PI_2;
     let (mut from, mut state, mut side) = (40.0_f64.to_radians(), [60.0, 0.0, 0.0], 1.0);
     let energy = charts.kinetic_energy() + charts.gravity_energy();
@@ -163,33 +149,33 @@ fn a_slider_crank_rubs_in_three_pins_and_on_its_rail() {
             from = to;
             let [omega, time, work] = state;
             let loads = ByHand::motion(to, omega, ByHand::signs(to), side).loads;
-            macro_rules! check {
-                ($sim:expr) => {
-                    $sim.step_to(time).unwrap();
-                    near($sim.crank().angle, to, 1e-9 * to.max(1.0));
-                    near($sim.crank().omega, omega, 1e-9 * 60.0);
-                    near($sim.kinetic_energy() + $sim.gravity_energy(), energy + work, 1e-9 * energy);
-                    // At a quarter turn friction jumps, and loads with it.
-                    if to != f64::from(k) * quarter {
-                        let found =
-                            [$sim.carries_o(), $sim.carries_a(), $sim.carries_b(), $sim.carries_rail()];
-                        found.iter().zip(loads).for_each(|(found, load)| near(*found, load, 1e-9 * 400.0));
-                    }
-                };
+            for sim in [&mut charts, &mut absolute] {
+                sim.step_to(time).unwrap();
+                near(sim.state_of("crank").angle, to, 1e-9 * to.max(1.0));
+                near(sim.state_of("crank").omega, omega, 1e-9 * 60.0);
+                near(sim.kinetic_energy() + sim.gravity_energy(), energy + work, 1e-9 * energy);
+                // At a quarter turn friction jumps, and loads with it.
+                if to != f64::from(k) * quarter {
+                    let found = [
+                        sim.value_of("carries_o"),
+                        sim.value_of("carries_a"),
+                        sim.value_of("carries_b"),
+                        sim.value_of("carries_rail"),
+                    ];
+                    found.iter().zip(loads).for_each(|(found, load)| near(*found, load, 1e-9 * 400.0));
+                }
             }
-            check!(charts);
-            check!(absolute);
         }
     }
 }
 
-mechanism! {
-    part torque_of(on: body) {
-        param torque: N*m;
-        torque on on: torque;
-    }
+scene! {
     /// A four-bar linkage with friction in its pins, moved by a torque at its crank.
     pub FourBar {
+        part torque_of(on: body) {
+            param torque: N*m;
+            torque on on: torque;
+        }
         gravity: 9.81 m/s^2;
         // Coefficient of friction times the radius of a pin.
         param arm: m = 8 mm;
@@ -269,11 +255,11 @@ fn a_four_bar_breaks_away() {
     for side in [-1.0, 1.0] {
         let limit = statics(side);
         for beyond in [-1e-3, -1e-9, 1e-9, 1e-3] {
-            let four_bar = FourBar { torque: limit + side * beyond * limit.abs(), ..FourBar::new() };
+            let four_bar = FourBar::new().with("torque", limit + side * beyond * limit.abs());
             let mut sim = four_bar.start_with(Dop853::new(1e-11)).unwrap();
-            let begun = sim.crank().angle;
+            let begun = sim.state_of("crank").angle;
             sim.step(1.0).unwrap();
-            let way = side * (sim.crank().angle - begun);
+            let way = side * (sim.state_of("crank").angle - begun);
             if beyond < 0.0 {
                 assert!(way == 0.0 && sim.is_undetermined(), "{limit} N m {beyond:+e}: {way:e} rad");
             } else {

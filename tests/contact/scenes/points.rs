@@ -1,11 +1,12 @@
 //! Points on circles, drums and tables.
 
 use plm::runtime::contact::Mode;
-use plm::{Dop853, mechanism};
+use plm::{Dop853, Mechanism as _};
 
 use crate::near;
+use crate::scene::{Given as _, Named as _};
 
-mechanism! {
+scene! {
     /// A bead on a ring, with friction by what the ring carries.
     pub Bead {
         param fall: m/s^2 = 9.81 m/s^2;
@@ -21,13 +22,12 @@ mechanism! {
 /// Cases C47 and C48: v = v_0 exp(-mu theta) without gravity; by quadrature with it.
 #[test]
 fn c47_c48_a_bead_rubs_on_a_ring() {
-    let mut bead = Bead { fall: 0.0, ..Bead::new() };
-    bead.start.bead.vy.value = -3.0;
+    let bead = Bead::new().with("fall", 0.0).with_start("bead.vy", -3.0);
     let mut sim = bead.start_with(Dop853::new(1e-10)).unwrap();
     sim.step_to(4.189_309_373_809_556).unwrap();
-    near(sim.bead().vx.hypot(sim.bead().vy), 0.853_828_630_008_087_8, 1e-9);
-    near(sim.bead().x, -1.0, 1e-9);
-    near(sim.bead().y, 0.0, 1e-9);
+    near(sim.state_of("bead").vx.hypot(sim.state_of("bead").vy), 0.853_828_630_008_087_8, 1e-9);
+    near(sim.state_of("bead").x, -1.0, 1e-9);
+    near(sim.state_of("bead").y, 0.0, 1e-9);
 
     let mut sim = Bead::new().start_with(Dop853::new(1e-10)).unwrap();
     let saved = sim.save();
@@ -37,13 +37,13 @@ fn c47_c48_a_bead_rubs_on_a_ring() {
         let half = 0.5 * (low + high);
         sim.resume(&saved);
         sim.step_to(half).unwrap();
-        *(if sim.bead().x < 0.0 { &mut low } else { &mut high }) = half;
+        *(if sim.state_of("bead").x < 0.0 { &mut low } else { &mut high }) = half;
     }
-    near(sim.bead().vx, 3.185_389_354_168_705_3, 3e-9);
-    near(sim.carries(), 19.956_705_337_651_32, 2e-8);
+    near(sim.state_of("bead").vx, 3.185_389_354_168_705_3, 3e-9);
+    near(sim.value_of("carries"), 19.956_705_337_651_32, 2e-8);
 }
 
-mechanism! {
+scene! {
     /// A point on a sphere of 1 m, and the same in a rope of 1 m.
     pub Point {
         gravity: 9.81 m/s^2;
@@ -62,7 +62,7 @@ fn c17_a_point_leaves_a_sphere() {
     let time = 1.270_346_989_271_610_4;
     sim.step_to(time - 1e-10).unwrap();
     assert_eq!(sim.contact("sphere"), Some(Mode::Closed));
-    near(sim.rider().y, 0.667_006_455_997_281_7, 1e-9);
+    near(sim.state_of("rider").y, 0.667_006_455_997_281_7, 1e-9);
     sim.step_to(time + 1e-10).unwrap();
     assert_eq!(sim.contact("sphere"), Some(Mode::Open));
 }
@@ -73,22 +73,22 @@ fn a_rope_catches_a_load() {
     let mut sim = Point::new().start_with(Dop853::new(1e-10)).unwrap();
     let (g, fall) = (9.81, (2.0 * 0.8 / 9.81_f64).sqrt());
     sim.step_to(fall - 1e-10).unwrap();
-    assert_eq!((sim.contact("rope"), sim.load().vx), (Some(Mode::Open), 0.0));
+    assert_eq!((sim.contact("rope"), sim.state_of("load").vx), (Some(Mode::Open), 0.0));
     sim.step_to(fall + 1e-10).unwrap();
     assert_eq!(sim.contact("rope"), Some(Mode::Closed));
     // Across the rope (-0.8, -0.6) of (0, -g t).
     let across = 0.6 * g * fall;
-    near(sim.load().vx, -0.8 * across, 1e-8);
-    near(sim.load().vy, -0.6 * across, 1e-8);
+    near(sim.state_of("load").vx, -0.8 * across, 1e-8);
+    near(sim.state_of("load").vy, -0.6 * across, 1e-8);
     // Then a pendulum: 2 g (y + 0.8) + v^2 stays; the tension is m (v^2/l + g cos).
     let mut least = 0.0_f64;
     for k in 0..200 {
         sim.step(0.01).unwrap();
-        let load = sim.load();
+        let load = sim.state_of("load");
         let v2 = load.vx * load.vx + load.vy * load.vy;
         near(v2 + 2.0 * g * (load.y + 0.8), across * across, 1e-8 * across * across);
         near(load.x.hypot(load.y), 1.0, 1e-12);
-        near(sim.tension(), 2.0 * (v2 - g * load.y), 1e-7);
+        near(sim.value_of("tension"), 2.0 * (v2 - g * load.y), 1e-7);
         least = least.min(load.x);
         assert!(k > 3 || sim.contact("rope") == Some(Mode::Closed));
     }
@@ -97,7 +97,7 @@ fn a_rope_catches_a_load() {
     near(least, -(1.0 - height * height).sqrt(), 1e-3);
 }
 
-mechanism! {
+scene! {
     /// Two masses on a rope over a fixed rough drum, half a turn. The part of the rope on the drum is a body of its own.
     pub Capstan {
         param left_mass: kg = 2 kg;
@@ -127,25 +127,25 @@ fn c34_a_rope_slides_over_a_drum() {
     let k = 2.193_280_050_738_015_7;
     let acceleration = |rope: f64| 9.81 * (3.0 - k) / (3.0 + k + rope);
     near(acceleration(0.0), 1.523_877_515_739_869_2, 1e-15);
-    let mut sim = Capstan { left_mass: 3.0, ..Capstan::new() }.start_with(Dop853::new(1e-10)).unwrap();
+    let mut sim = Capstan::new().with("left_mass", 3.0).start_with(Dop853::new(1e-10)).unwrap();
     sim.step_to(1.0).unwrap();
-    near(sim.left().vy, -acceleration(0.1), 1e-9);
-    let pulls = [sim.left_pull().abs(), sim.right_pull().abs()];
+    near(sim.state_of("left").vy, -acceleration(0.1), 1e-9);
+    let pulls = [sim.value_of("left_pull").abs(), sim.value_of("right_pull").abs()];
     near(pulls[0] - 0.1 * acceleration(0.1), k * pulls[1], 1e-8);
     for (mass, moves) in [(2.0, false), (k - 1e-7, false), (k + 1e-7, true)] {
-        let mut sim = Capstan { left_mass: mass, ..Capstan::new() }.start_with(Dop853::new(1e-10)).unwrap();
+        let mut sim = Capstan::new().with("left_mass", mass).start_with(Dop853::new(1e-10)).unwrap();
         sim.step_to(1.0).unwrap();
-        assert_eq!(sim.left().y != 0.0, moves, "{mass} kg: {:?}", sim.left());
+        assert_eq!(sim.state_of("left").y != 0.0, moves, "{mass} kg: {:?}", sim.state_of("left"));
     }
 }
 
-mechanism! {
-    part hand(on: body) {
-        param pull: N;
-        force on on: (pull, 0 N);
-    }
+scene! {
     /// A block on another one on a table that shakes; the lower one is pulled.
     pub Stack {
+        part hand(on: body) {
+            param pull: N;
+            force on on: (pull, 0 N);
+        }
         gravity: 9.81 m/s^2;
         param pull: N = 0 N;
         param amplitude: m = 0 m;
@@ -175,14 +175,14 @@ fn c42_a_block_on_a_block_is_pulled() {
         (24.525 * (1.0 + 1e-8), Mode::Forwards, Mode::Backwards, [3.924, 3.924]),
         (40.0, Mode::Forwards, Mode::Backwards, [3.924, 9.082_333_333_333_333]),
     ] {
-        let mut sim = Stack { pull, ..Stack::new() }.start_with(Dop853::new(1e-10)).unwrap();
+        let mut sim = Stack::new().with("pull", pull).start_with(Dop853::new(1e-10)).unwrap();
         sim.step_to(1.0).unwrap();
         assert_eq!((sim.contact("table"), sim.contact("between")), (Some(table), Some(between)), "{pull} N");
         let within = if pull == 20.0 || pull == 40.0 { 1e-9 } else { 1e-7 };
-        near(sim.upper().vx, upper, within * 9.0);
-        near(sim.lower().vx, lower, within * 9.0);
+        near(sim.state_of("upper").vx, upper, within * 9.0);
+        near(sim.state_of("lower").vx, lower, within * 9.0);
         if pull == 20.0 {
-            near(sim.drag(), 6.038, 1e-9 * 6.0);
+            near(sim.value_of("drag"), 6.038, 1e-9 * 6.0);
         }
     }
 }

@@ -1,14 +1,15 @@
 //! Grounds and bodies that move beneath others, and let them go.
 
 use plm::runtime::contact::Mode;
-use plm::{Dop853, mechanism};
+use plm::{Dop853, Mechanism as _};
 
 use super::points::Stack;
 use crate::near;
+use crate::scene::{Given as _, Named as _};
 
 const G: f64 = 9.81;
 
-mechanism! {
+scene! {
     /// A ball on a table that shakes, and a block on a wedge that is pulled away from under it.
     pub Shaken {
         part pull(on: body) {
@@ -62,10 +63,10 @@ fn a_ball_bounces_on_a_table_that_shakes() {
         state = [0.02 * (30.0 * at).sin(), speed - 0.5 * (strikes - speed)];
         t = at;
         sim.step_to(t - 1e-10).unwrap();
-        near(sim.ball().vy, strikes, 1e-8);
+        near(sim.state_of("ball").vy, strikes, 1e-8);
         sim.step_to(t + 1e-10).unwrap();
-        near(sim.ball().vy, state[1], 1e-8);
-        near(sim.ball().y, state[0], 1e-9);
+        near(sim.state_of("ball").vy, state[1], 1e-8);
+        near(sim.state_of("ball").y, state[0], 1e-9);
     }
     assert_eq!(sim.contact_stats().impacts, 12);
 }
@@ -73,7 +74,7 @@ fn a_ball_bounces_on_a_table_that_shakes() {
 /// Without a bounce it rests from its first touch on until the table falls faster than it would: sin(w t) = g/(a w^2).
 #[test]
 fn a_ball_is_thrown_by_a_table() {
-    let mut sim = Shaken { e: 0.0, ..Shaken::new() }.start_with(Dop853::new(1e-11)).unwrap();
+    let mut sim = Shaken::new().with("e", 0.0).start_with(Dop853::new(1e-11)).unwrap();
     let leaves = (G / (0.02 * 900.0)).asin() / 30.0;
     let period = core::f64::consts::TAU / 30.0;
     let first = lands(0.0, [0.3, 0.0], 0.01);
@@ -98,19 +99,19 @@ fn a_wedge_is_pulled_from_under_a_block() {
     let push = |t: f64| (G * cos - 100.0 * t * sin / wedge) / (1.0 / block + sin * sin / wedge);
     for t in [0.1, 0.3, 0.5] {
         sim.step_to(t).unwrap();
-        near(sim.push(), push(t), 1e-9);
+        near(sim.value_of("push"), push(t), 1e-9);
         // The mean push over the time is that in the middle.
-        near(sim.block().vx, -push(0.5 * t) * sin / block * t, 1e-10);
-        near(sim.wedge().vx, (50.0 * t * t + push(0.5 * t) * sin * t) / wedge, 1e-10);
+        near(sim.state_of("block").vx, -push(0.5 * t) * sin / block * t, 1e-10);
+        near(sim.state_of("wedge").vx, (50.0 * t * t + push(0.5 * t) * sin * t) / wedge, 1e-10);
     }
     sim.step_to(leaves - 1e-10).unwrap();
     assert_eq!(sim.contact("face"), Some(Mode::Closed));
-    let begun = sim.block();
+    let begun = sim.state_of("block");
     sim.step_to(leaves + 1e-10).unwrap();
     assert_eq!(sim.contact("face"), Some(Mode::Open));
     sim.step_to(leaves + 0.2).unwrap();
-    near(sim.block().vx, begun.vx, 1e-8);
-    near(sim.block().vy, begun.vy - G * 0.2, 1e-8);
+    near(sim.state_of("block").vx, begun.vx, 1e-8);
+    near(sim.state_of("block").vy, begun.vy - G * 0.2, 1e-8);
 }
 
 /// The table takes the lower block along, which takes the upper one along; both stick and slip in turn.
@@ -118,13 +119,21 @@ fn a_wedge_is_pulled_from_under_a_block() {
 fn two_blocks_ride_on_a_table_that_shakes() {
     for (amplitude, rough_table, rough_block) in [(0.05, 0.3, 0.15), (0.03, 0.25, 0.4), (0.08, 0.5, 0.2)] {
         let known = super::reference::Shaken { amplitude, rough_table, rough_block };
-        let mut sim = Stack { amplitude, rough_table, rough_block, ..Stack::new() }
+        let mut sim = Stack::new()
+            .with("amplitude", amplitude)
+            .with("rough_table", rough_table)
+            .with("rough_block", rough_block)
             .start_with(Dop853::new(1e-11))
             .unwrap();
         for t in [0.2, 0.7, 1.3, 2.0] {
             let state = known.run(t);
             sim.step_to(t).unwrap();
-            let found = [sim.lower().x, sim.upper().x, sim.lower().vx, sim.upper().vx];
+            let found = [
+                sim.state_of("lower").x,
+                sim.state_of("upper").x,
+                sim.state_of("lower").vx,
+                sim.state_of("upper").vx,
+            ];
             found.iter().zip(state).for_each(|(found, known)| near(*found, known, 1e-11));
         }
         assert!(sim.stats().switches > 12, "{:?}", sim.stats());

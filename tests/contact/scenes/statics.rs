@@ -1,21 +1,28 @@
 //! Machines that hold: jack, drawer, pads, gears, driven slider-crank.
 
-use plm::{Dop853, mechanism};
+use plm::{Dop853, Mechanism as _};
 
 use crate::near;
+use crate::scene::{Given as _, Named as _};
 
-plm::parts! {
-    pub pushes {
-        part push(on: frame) {
-            param x: N = 0 N;
-            param y: N = 0 N;
-            force on on: (x, y);
+/// A mechanism with forces on its frames.
+macro_rules! pushed {
+    ($(#[$docs:meta])* pub $name:ident { $($items:tt)* }) => {
+        scene! {
+            $(#[$docs])*
+            pub $name {
+                part push(on: frame) {
+                    param x: N = 0 N;
+                    param y: N = 0 N;
+                    force on on: (x, y);
+                }
+                $($items)*
+            }
         }
-    }
+    };
 }
 
-mechanism! {
-    use pushes;
+pushed! {
     /// A wedge of 10 N that lifts a load of 500 N. Its face rises to the right by 5 deg.
     pub Jack {
         param drive: N = 0 N;
@@ -35,8 +42,7 @@ mechanism! {
     }
 }
 
-mechanism! {
-    use pushes;
+pushed! {
     /// A drawer that is pulled 0.5 m beside its middle, led by two points that are 0.3 m apart along it.
     pub Drawer {
         param pull: N = 1 N;
@@ -53,8 +59,7 @@ mechanism! {
     }
 }
 
-mechanism! {
-    use pushes;
+pushed! {
     /// A block between a wall and a pad.
     pub Pinched {
         param weight: N = 9 N;
@@ -80,16 +85,21 @@ fn a_wedge_jack_locks_itself() {
     let lowers = 500.0 * (face - angle).tan() + 51.0;
     for (limit, name) in [(lifts, "lifts"), (lowers, "lowers")] {
         for (beyond, moves) in [(-1e-8, false), (1e-8, true)] {
-            let jack = Jack { drive: limit * (1.0 + beyond), ..Jack::new() };
+            let jack = Jack::new().with("drive", limit * (1.0 + beyond));
             let mut sim = jack.start_with(Dop853::new(1e-10)).unwrap();
             sim.step_to(1.0).unwrap();
-            assert_eq!(sim.wedge().x != 0.0, moves, "{name} {beyond:e}: {:?}", sim.wedge());
-            assert!(!moves || sim.load().y * (sim.wedge().x) < 0.0);
+            assert_eq!(
+                sim.state_of("wedge").x != 0.0,
+                moves,
+                "{name} {beyond:e}: {:?}",
+                sim.state_of("wedge")
+            );
+            assert!(!moves || sim.state_of("load").y * (sim.state_of("wedge").x) < 0.0);
         }
     }
     let mut sim = Jack::new().start_with(Dop853::new(1e-10)).unwrap();
     sim.step_to(3600.0).unwrap();
-    assert_eq!((sim.wedge().x, sim.load().y), (0.0, 0.0));
+    assert_eq!((sim.state_of("wedge").x, sim.state_of("load").y), (0.0, 0.0));
     assert!(sim.stats().steps < 20, "{:?}", sim.stats());
 }
 
@@ -98,13 +108,22 @@ fn a_wedge_jack_locks_itself() {
 fn a_drawer_jams() {
     for pull in [1.0, 1e4] {
         for (friction, moves) in [(0.3 - 1e-8, true), (0.3 + 1e-8, false), (0.2, true)] {
-            let mut sim = Drawer { friction, pull, ..Drawer::new() }.start_with(Dop853::new(1e-10)).unwrap();
+            let mut sim = Drawer::new()
+                .with("friction", friction)
+                .with("pull", pull)
+                .start_with(Dop853::new(1e-10))
+                .unwrap();
             sim.step_to(0.1).unwrap();
-            assert_eq!(sim.drawer().x != 0.0, moves, "{friction} {pull} N: {:?}", sim.drawer());
+            assert_eq!(
+                sim.state_of("drawer").x != 0.0,
+                moves,
+                "{friction} {pull} N: {:?}",
+                sim.state_of("drawer")
+            );
             if friction == 0.2 {
-                near(sim.drawer().vx, 0.1 * pull / 2.0 * (1.0 - 0.2 / 0.3), 1e-10 * pull);
+                near(sim.state_of("drawer").vx, 0.1 * pull / 2.0 * (1.0 - 0.2 / 0.3), 1e-10 * pull);
             }
-            near(sim.drawer().angle, 0.0, 1e-15);
+            near(sim.state_of("drawer").angle, 0.0, 1e-15);
         }
     }
 }
@@ -114,21 +133,21 @@ fn a_drawer_jams() {
 fn pads_hold_a_block_for_a_minute() {
     let mut sim = Pinched::new().start_with(Dop853::new(1e-10)).unwrap();
     sim.step_to(60.0).unwrap();
-    assert_eq!((sim.block().x, sim.block().y, sim.pad().x), (0.0, 0.0, 0.0));
+    assert_eq!((sim.state_of("block").x, sim.state_of("block").y, sim.state_of("pad").x), (0.0, 0.0, 0.0));
     for (weight, moves) in [(10.0 - 1e-7, false), (10.0 + 1e-7, true)] {
-        let mut sim = Pinched { weight, ..Pinched::new() }.start_with(Dop853::new(1e-10)).unwrap();
+        let mut sim = Pinched::new().with("weight", weight).start_with(Dop853::new(1e-10)).unwrap();
         sim.step_to(1.0).unwrap();
-        assert_eq!(sim.block().y != 0.0, moves, "{weight} N: {:?}", sim.block());
+        assert_eq!(sim.state_of("block").y != 0.0, moves, "{weight} N: {:?}", sim.state_of("block"));
     }
 }
 
-mechanism! {
-    part load(on: body) {
-        param torque: N*m;
-        torque on on: torque;
-    }
+scene! {
     /// A planetary gear whose ring is held: teeth of sun, planet and ring 24, 24, 72. What the meshes lose is a friction of the planet.
     pub Planetary {
+        part load(on: body) {
+            param torque: N*m;
+            torque on on: torque;
+        }
         param loss = 0.0591;
         param out: N*m = -38.227 N*m;
         body sun { mass: 1 kg; inertia: 0.01 kg*m^2; start omega: 100 rad/s, locked; }
@@ -148,16 +167,16 @@ mechanism! {
 fn c36_a_planetary_gear_runs_at_its_efficiency() {
     for (loss, out, ring) in [(0.0591, 38.227, 28.227), (0.0, 40.0, 30.0)] {
         let mut sim =
-            Planetary { loss, out: -out, ..Planetary::new() }.start_with(Dop853::new(1e-10)).unwrap();
+            Planetary::new().with("loss", loss).with("out", -out).start_with(Dop853::new(1e-10)).unwrap();
         sim.step_to(10.0).unwrap();
-        near(sim.sun().omega, 100.0, 1e-9);
-        near(sim.carrier().omega, 25.0, 1e-9);
-        near(sim.planet().omega, -50.0, 1e-9);
-        near(sim.on_ring().abs(), ring, 1e-9);
+        near(sim.state_of("sun").omega, 100.0, 1e-9);
+        near(sim.state_of("carrier").omega, 25.0, 1e-9);
+        near(sim.state_of("planet").omega, -50.0, 1e-9);
+        near(sim.value_of("on_ring").abs(), ring, 1e-9);
     }
 }
 
-mechanism! {
+scene! {
     /// A slider-crank that is driven, with friction at its slider; the rod has no mass.
     pub Driven {
         ground { port o: (0, 0) m; port rail: (0, 0) m, axis: 0 deg; }
@@ -180,6 +199,6 @@ fn c56_a_driven_slider_crank_rubs() {
         [(60.0_f64, 4.240_668_211_784_328), (200.0, 1.622_939_676_906_341_3), (420.0, 4.240_668_211_784_328)]
     {
         sim.step_to(degrees.to_radians() / 20.0).unwrap();
-        near(sim.torque(), torque, 1e-9 * torque);
+        near(sim.value_of("torque"), torque, 1e-9 * torque);
     }
 }

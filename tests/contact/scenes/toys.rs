@@ -1,11 +1,12 @@
 //! Toys that go down a slope or a bar: a rimless wheel, a woodpecker.
 
 use plm::runtime::contact::Mode;
-use plm::{Dop853, Sim, mechanism};
+use plm::{Dop853, Mechanism as _, Moment as _, Sim};
 
 use crate::near;
+use crate::scene::{Given as _, Named as _, Scene};
 
-mechanism! {
+scene! {
     /// A wheel of six spokes of 1 m without a rim, its mass at the hub, on a slope of 0.2 rad that lies along x.
     pub Wheel {
         param inertia: kg*m^2 = 0.2 kg*m^2;
@@ -28,14 +29,20 @@ fn c25_a_rimless_wheel_walks() {
         let k = (inertia + (2.0 * half).cos()) / (inertia + 1.0);
         let gain = 4.0 * 9.81 * half.sin() * 0.2_f64.sin() / (1.0 + inertia);
         let mut omega = 1.3 * k * (gain / (1.0 - k * k)).sqrt();
-        let mut wheel = Wheel { inertia, ..Wheel::new() };
+        let wheel = Wheel::new().with("inertia", inertia);
         // On the spoke 0, just behind an impact: it leans back.
-        let start = &mut wheel.start.hub;
-        (start.x.value, start.y.value, start.angle.value) = (-half.sin(), half.cos(), half);
-        (start.vx.value, start.vy.value, start.omega.value) =
-            (omega * half.cos(), omega * half.sin(), -omega);
+        let wheel = [
+            ("hub.x", -half.sin()),
+            ("hub.y", half.cos()),
+            ("hub.angle", half),
+            ("hub.vx", omega * half.cos()),
+            ("hub.vy", omega * half.sin()),
+            ("hub.omega", -omega),
+        ]
+        .into_iter()
+        .fold(wheel, |wheel, (name, value)| wheel.with_start(name, value));
         let mut sim = wheel.start_with(Dop853::new(1e-11)).unwrap();
-        let stands = |sim: &Sim<Wheel>| sim.contacts().position(|(_, mode)| mode == Mode::Closed).unwrap();
+        let stands = |sim: &Sim<Scene>| sim.contacts().position(|(_, mode)| mode == Mode::Closed).unwrap();
         let (mut foot, mut steps) = (stands(&sim), 0);
         while steps < 12 {
             sim.step(0.02).unwrap();
@@ -43,7 +50,7 @@ fn c25_a_rimless_wheel_walks() {
                 (foot, steps) = (stands(&sim), steps + 1);
                 omega = k * (omega * omega + gain).sqrt();
             }
-            let hub = sim.hub();
+            let hub = sim.state_of("hub");
             // Energy since the last impact, where the hub was half a step behind its foot.
             let lean = (hub.angle + half).rem_euclid(2.0 * half) - half;
             let (along, up) = (-lean.sin() + half.sin(), lean.cos() - half.cos());
@@ -53,7 +60,7 @@ fn c25_a_rimless_wheel_walks() {
     }
 }
 
-mechanism! {
+scene! {
     /// Ch. Glocker, Dynamik von Starrkoerpersystemen mit Reibung und Stoessen, thesis, Munich 1995, pp. 162: sleeve and bird on a bar,
     /// small angles. Velocities and angles at the start are those of the thesis on its limit cycle, to four digits.
     pub Woodpecker {
@@ -78,7 +85,7 @@ mechanism! {
 }
 
 /// Runs until something is so for the first time, to 1e-12 s.
-fn until(sim: &mut Sim<Woodpecker>, is_due: impl Fn(&Sim<Woodpecker>) -> bool) {
+fn until(sim: &mut Sim<Scene>, is_due: impl Fn(&Sim<Scene>) -> bool) {
     loop {
         let (saved, mut low) = (sim.save(), sim.time());
         sim.step(1e-3).unwrap();
@@ -113,11 +120,13 @@ fn a_woodpecker_comes_down_its_bar() {
     let (mut passes, mut leaves) = (vec![], vec![]);
     for known in by_steps {
         until(&mut sim, |sim| sim.contact("high") == Some(Mode::Closed));
-        until(&mut sim, |sim| sim.contact("low") == Some(Mode::Closed) && sim.bird().angle < -0.2788);
-        passes.push([sim.sleeve().vy, sim.bird().omega]);
+        until(&mut sim, |sim| {
+            sim.contact("low") == Some(Mode::Closed) && sim.state_of("bird").angle < -0.2788
+        });
+        passes.push([sim.state_of("sleeve").vy, sim.state_of("bird").omega]);
         until(&mut sim, |sim| sim.contact("low_rubs") == Some(Mode::Sticks));
         until(&mut sim, |sim| sim.contact("low_rubs") == Some(Mode::Backwards));
-        let found = [sim.time(), sim.sleeve().y, sim.bird().omega];
+        let found = [sim.time(), sim.state_of("sleeve").y, sim.state_of("bird").omega];
         leaves.push(found);
         for (found, (known, within)) in found.iter().zip(known.iter().zip([2e-5, 2e-5, 3e-3])) {
             near(*found, *known, within);
