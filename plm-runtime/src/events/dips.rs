@@ -20,7 +20,7 @@ const LESS: f64 = 0.125;
 impl<S: Real, G: Vector<S>> Detector<S, G> {
     /// Does the dense output of a step alone say that a row of contact leaves its side as the step begins? It has come back by its end.
     /// Then the guard is looked at from where it has.
-    pub(super) fn looks_beyond_dip<M: System<S = S, G = G>, I: Method<M>>(
+    pub(super) fn passes_dip<M: System<S = S, G = G>, I: Method<M>>(
         &mut self,
         method: &I,
         context: &mut Context<'_, M>,
@@ -30,11 +30,11 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         if S::HAS_DERIVATIVES || is_of_state(context.system, index) {
             return false;
         }
-        let begun = guards(context.system, start.time, &start.held, &start.x);
-        let noise = rounding((context.system, &start.held), (start.time, start.time), &start.x, &begun);
+        let first = guards(context.system, start.time, &start.held, &start.x);
+        let noise = rounding((context.system, &start.held), (start.time, start.time), &start.x, &first);
         let residual = self.residual.at(index);
         let Some((depth, end)) = dip(method, context, start.time, index) else { return false };
-        if begun.at(index) < residual - noise.at(index) || depth >= residual {
+        if first.at(index) < residual - noise.at(index) || depth >= residual {
             return false;
         }
         let reached = (context.time, context.held, context.x);

@@ -196,7 +196,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             let (mut ends, mut time) = self.ends(method, context, asked.0, asked.1)?;
             if let Ends::Due(index) = ends
                 && time - start <= least
-                && self.looks_beyond_dip(method, context, (&before, index))
+                && self.passes_dip(method, context, (&before, index))
             {
                 (ends, time) = self.ends(method, context, asked.0, asked.1)?;
             }
