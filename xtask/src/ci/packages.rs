@@ -4,10 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::Result;
+use crate::index;
 use crate::place::{Place, Task};
 
-/// Members of the workspace that are never published.
-const UNPUBLISHED: [&str; 4] = ["plm-peers", "plm-shared-parts", "plm-ui", "xtask"];
 /// The largest file that a package may hold, in bytes.
 const LARGEST: u64 = 200_000;
 /// What every package holds.
@@ -84,11 +83,24 @@ pub(super) fn programs(place: &Place) -> Result {
     Ok(())
 }
 
+/// Members of the workspace that are never published.
+fn unpublished(root: &Path) -> Result<Vec<String>> {
+    let mut names = Vec::new();
+    for package in index::members(root)? {
+        let manifest = index::read(&root.join(&package.folder).join("Cargo.toml"))?;
+        if manifest.contains("publish = false") {
+            names.push(package.name);
+        }
+    }
+    Ok(names)
+}
+
 /// Packages of all crates that are published, unpacked in a folder.
 fn packed(place: &Place, folder: &Path) -> Result<Vec<Package>> {
     let target = place.target.join("packages");
     let pack = place.command("cargo package --workspace --no-verify --allow-dirty --target-dir").arg(&target);
-    pack.args(UNPUBLISHED.iter().flat_map(|name| ["--exclude", *name])).run()?;
+    let unpublished = unpublished(&place.root)?;
+    pack.args(unpublished.iter().flat_map(|name| ["--exclude", name.as_str()])).run()?;
     let version = version(&place.root)?;
     let packages = target.join("package");
     let failed = |why: std::io::Error| format!("{}: {why}", packages.display());
