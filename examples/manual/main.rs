@@ -16,6 +16,20 @@ mod command;
 mod demos;
 mod gallery;
 
+// They stand beside the other tests; in a program of their own all demos would be compiled twice.
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+#[path = "../../tests/support/beside_text.rs"]
+mod beside_text;
+#[cfg(test)]
+#[macro_use]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+#[path = "../../tests/support/scene.rs"]
+mod scene;
+#[cfg(test)]
+#[path = "../../tests/manual/mod.rs"]
+mod tests;
+
 use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
@@ -25,15 +39,15 @@ use gallery::SHOWN;
 use plm::view::Options;
 
 fn main() -> ExitCode {
-    run().unwrap_or_else(|error| {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    run(&words).unwrap_or_else(|error| {
         eprintln!("{error}");
         ExitCode::FAILURE
     })
 }
 
-fn run() -> Result<ExitCode, Box<dyn Error>> {
-    let words: Vec<String> = std::env::args().skip(1).collect();
-    match words.as_slice() {
+fn run(words: &[String]) -> Result<ExitCode, Box<dyn Error>> {
+    match words {
         [option, folder] if option == "--gallery" => {
             gallery::write(Path::new(folder))?;
             Ok(ExitCode::SUCCESS)

@@ -21,22 +21,18 @@ if [ "${1:-}" = --install ]; then
     exit 0
 fi
 
-# What `cargo test -p plm-planar --test live_module --test manual` has made: the module of a live page, and pages of the
-# manual's demos. Tests that find none say so.
+# What `cargo test -p plm-planar --test live_module --example manual` has made: the module of a live page, and pages and gallery of
+# the manual's demos. Tests that find none say so.
 target=${CARGO_TARGET_DIR:-../../target}
 export PLM_LIVE=${PLM_LIVE:-$(cd ../.. && pwd)/target/plm/packages/live}
 if [ -d "$target/tmp" ]; then
     export PLM_PAGES=${PLM_PAGES:-$(cd "$target/tmp" && pwd)/pages}
+    export PLM_GALLERY=${PLM_GALLERY:-$(cd "$target/tmp" && pwd)/gallery}
 fi
 
 # The served page's test takes the example of plm-planar where `cargo test` has built it; without it it says so.
 if [ -z "${PLM_SERVED:-}" ] && served=$(cd "$target/debug/examples" 2>/dev/null && pwd) && [ -x "$served/served" ]; then
     export PLM_SERVED=$served/served
-fi
-
-# The runs of the pictures of the manual's demos: the example `manual` where it is built.
-if [ -z "${PLM_MANUAL:-}" ] && manual=$(cd "$target/debug/examples" 2>/dev/null && pwd) && [ -x "$manual/manual" ]; then
-    export PLM_MANUAL=$manual/manual
 fi
 
 # The page of the README's moving pictures: the example `four_bar`.

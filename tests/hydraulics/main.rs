@@ -1,11 +1,10 @@
-//! Parts of hydraulics, 1-D mechanics and signals: their laws at random states, and runs of them.
+//! Parts of hydraulics, 1-D mechanics and signals: their laws at random states. `tests/manual` has runs of an arm.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
 mod laws;
 mod mechanics;
 #[path = "../support/random.rs"]
 mod random;
-mod runs;
 mod signals;
 
 pub(crate) use random::Random;

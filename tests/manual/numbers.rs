@@ -29,7 +29,7 @@ pub(crate) fn agrees(demo: &str, name: &str) {
     let number = |key: &str| figure[key].as_f64().unwrap();
     let text = |key: &str| figure[key].as_str().unwrap();
 
-    let line = crate::line(demo, name);
+    let line = super::line(demo, name);
     let Source::Manual(reading) = line.source else { panic!("{line}: not taken from the manual") };
     let reading = match reading {
         Reading::Rounded(tolerance) => ("round", tolerance),
@@ -60,7 +60,7 @@ fn a_figure_that_is_off_is_missed() {
 
 /// The sheet compares its value with that of the independent model.
 pub(crate) fn agrees_with_the_model(demo: &str, name: &str) {
-    let (figure, line) = (&figures(demo)[name], crate::line(demo, name));
+    let (figure, line) = (&figures(demo)[name], super::line(demo, name));
     let exact = figure["exact"].as_f64().unwrap();
     assert!(matches!(line.source, Source::Model(_)), "{line}");
     assert!((line.known - exact).abs() <= 1e-9 * exact.abs() && line.holds(), "{line}");

@@ -13,7 +13,7 @@ use crate::demos::plmj00::Plmj00;
 use crate::demos::plmtrpi00::Plmtrpi00;
 use crate::demos::quadrorhomb::Quadrorhomb;
 
-plm::mechanism! {
+scene! {
     /// What no demo has: a spring between points, beside a guide and a jack whose diameters are given.
     pub Hoist {
         ground { port o: (0, 0) m, axis: 90 deg; port beam: (0.6, 2) m; port foot: (-0.6, 0) m; }
@@ -29,12 +29,12 @@ plm::mechanism! {
 }
 
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages")
+    super::made("pages")
 }
 
 /// Records all that can be observed, and writes the results and their page; the size of the page in bytes.
 fn written<M: Described<S = f64>>(mechanism: &M, until: f64, every: f64) -> u64 {
-    let name = M::TABLES.name;
+    let name = mechanism.tables().name;
     let mut sim = mechanism.start().unwrap();
     let mut recorder = Recorder::observing_all(&sim);
     recorder.run(&mut sim, until, every).unwrap();

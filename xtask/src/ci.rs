@@ -75,7 +75,6 @@ const STEPS: &[Step] = &[
     Step::Here(part("documentation", "documentation", lints::documentation)),
     Step::Here(plain("book", "book", chores::book)),
     Step::Here(part("curves", "curves", chores::curves)),
-    Step::Here(part("manual", "manual", chores::manual)),
     Step::Here(part("page", "page", chores::page)),
     // Only here, so that no core is idle before.
     Step::Join { group: "others", title: "mdBook, packages" },

@@ -97,29 +97,6 @@ pub(super) fn curves(place: &Place) -> Result {
     same("target/plm/double_pendulum.svg".as_ref(), "docs/src/images/double_pendulum.svg".as_ref())
 }
 
-/// The demos, and the gallery as the example draws and writes it; pictures of the page are not made here.
-pub(super) fn manual(place: &Place) -> Result {
-    let (made, shown) = (Path::new("target/plm/gallery"), Path::new("docs/src/images/manual"));
-    let failed = |why: std::io::Error| format!("{}: {why}", made.display());
-    example(place, "manual")?.run()?;
-    if made.exists() {
-        fs::remove_dir_all(made).map_err(failed)?;
-    }
-    built_example(place, "manual").arg("--gallery").arg(made).run()?;
-    let mut count = 0;
-    for entry in fs::read_dir(made).map_err(failed)? {
-        let file = entry.map_err(failed)?.path();
-        if let (Some("svg"), Some(name)) = (file.extension().and_then(|e| e.to_str()), file.file_name()) {
-            same(&file, &shown.join(name))?;
-            count += 1;
-        }
-    }
-    if count == 0 {
-        return Err("the gallery has no curves".to_owned());
-    }
-    same(&made.join("gallery.md"), "docs/src/gallery.md".as_ref())
-}
-
 pub(super) fn page(place: &Place) -> Result {
     example(place, "page")?;
     let check = place.command("bash plm-view/page/check.sh");

@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { madePage, open, settle } from "./browser.js";
 
-/** Of pages that `cargo test -p plm-planar --test manual pages` has written. */
+/** Of pages that `cargo test -p plm-planar --example manual pages` has written. */
 export const BOOK = [
   { file: "page.png", page: "DoublePendulum", size: [1200, 800], theme: "light", hash: "#t=1.3" },
   { file: "manual/figure-115.png", page: "DoublePendulum", size: [960, 600], theme: "light", hash: "#t=0.6&curves=shoulder.force.x|shoulder.force.y" },

@@ -61,7 +61,7 @@ export function writePage(name, bytes, title = name, module = null) {
   return pathToFileURL(html).href;
 }
 
-/** A page that `cargo test -p plm-planar --test manual pages` has written; `PLM_PAGES` names the folder. */
+/** A page that `cargo test -p plm-planar --example manual pages` has written; `PLM_PAGES` names the folder. */
 const made = (name) => join(process.env["PLM_PAGES"] ?? "", `${name}.html`);
 export const madePage = (name) => pathToFileURL(made(name)).href;
 
@@ -69,7 +69,7 @@ export const madePage = (name) => pathToFileURL(made(name)).href;
 export const withoutPage = (name) =>
   skip || (process.env["PLM_PAGES"] !== undefined && existsSync(made(name))
     ? false
-    : `skipped: there is no page ${name}; \`cargo test -p plm-planar --test manual pages\` writes it, and PLM_PAGES names its folder`);
+    : `skipped: there is no page ${name}; \`cargo test -p plm-planar --example manual pages\` writes it, and PLM_PAGES names its folder`);
 
 export const writeRuns = (name, runs, title) => writePage(name, makeNpz(runs), title);
 

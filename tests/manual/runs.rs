@@ -1,16 +1,8 @@
 //! Runs of the manual's hydraulic arm: accuracy, and what ends them.
 
-// One demo of many: the others would be compiled for nothing.
-#[path = "../../examples/manual/demos"]
-#[allow(dead_code, reason = "a demo shows its figures elsewhere")]
-mod demos {
-    pub mod balance;
-    pub mod connect_plm_hyd;
-    pub mod sheet;
-}
-
-use demos::connect_plm_hyd::{ConnectPlmHyd, at_rest, on_the_stop};
 use plm::{Cause, Dop853, Moment as _};
+
+use crate::demos::connect_plm_hyd::{ConnectPlmHyd, at_rest, on_the_stop};
 
 /// All states every 5 ms for 4 s.
 fn states(rtol: f64) -> Vec<Vec<f64>> {

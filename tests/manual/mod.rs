@@ -2,13 +2,7 @@
 //!
 //! `numbers.json` holds the printed figures, how they are to be read, and the exact values behind them, which come from an
 //! independent model of the same demos.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
-
-#[path = "../../examples/manual/demos/mod.rs"]
-mod demos;
-
-#[path = "../support/beside_text.rs"]
-mod beside_text;
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod assembly;
 mod from_text;
@@ -16,11 +10,22 @@ mod ledger;
 mod modes;
 mod numbers;
 mod pages;
+mod program;
+mod runs;
 
+use std::path::PathBuf;
 use std::sync::OnceLock;
 
-use demos::DEMOS;
-use demos::sheet::{Line, Sheet};
+use crate::demos::DEMOS;
+use crate::demos::sheet::{Line, Sheet};
+
+/// A folder where the browser's tests look for what is written here (`plm-view/page/check.sh`): that which cargo names to the programs
+/// of `tests/` alone.
+fn made(name: &str) -> PathBuf {
+    let program = std::env::current_exe().unwrap();
+    let target = program.ancestors().nth(3).unwrap();
+    target.join("tmp").join(name)
+}
 
 /// The sheet of a demo; each runs once.
 fn sheet(demo: &str) -> &'static Sheet {
@@ -40,17 +45,17 @@ macro_rules! demos {
         $(mod $demo {
             $(#[test]
             fn $test() {
-                crate::numbers::agrees($name, $figure);
+                super::numbers::agrees($name, $figure);
             })*
 
             #[test]
             fn energy_and_power_are_balanced() {
-                assert_eq!(crate::is_balanced($name), $balanced);
+                assert_eq!(super::is_balanced($name), $balanced);
             }
 
             #[test]
             fn everything_on_the_sheet_holds() {
-                let sheet = crate::sheet($name);
+                let sheet = super::sheet($name);
                 assert!(sheet.holds() && sheet.demo == $name, "{sheet}");
             }
         })*
