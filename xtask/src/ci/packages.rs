@@ -3,8 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use serde_json::{Value, json};
+
 use crate::Result;
-use crate::index;
 use crate::place::{Place, Task};
 
 /// The largest file that a package may hold, in bytes.
@@ -84,22 +85,20 @@ pub(super) fn programs(place: &Place) -> Result {
 }
 
 /// Members of the workspace that are never published.
-fn unpublished(root: &Path) -> Result<Vec<String>> {
-    let mut names = Vec::new();
-    for package in index::members(root)? {
-        let manifest = index::read(&root.join(&package.folder).join("Cargo.toml"))?;
-        if manifest.contains("publish = false") {
-            names.push(package.name);
-        }
-    }
-    Ok(names)
+fn unpublished(place: &Place) -> Result<Vec<String>> {
+    let text = place.command("cargo metadata --no-deps --format-version 1").text()?;
+    let metadata: Value = serde_json::from_str(&text).map_err(|why| format!("cargo metadata: {why}"))?;
+    let packages = metadata["packages"].as_array().ok_or("cargo metadata names no packages")?;
+    // No registry is allowed.
+    let never = packages.iter().filter(|package| package["publish"] == json!([]));
+    Ok(never.filter_map(|package| Some(package["name"].as_str()?.to_owned())).collect())
 }
 
 /// Packages of all crates that are published, unpacked in a folder.
 fn packed(place: &Place, folder: &Path) -> Result<Vec<Package>> {
     let target = place.target.join("packages");
     let pack = place.command("cargo package --workspace --no-verify --allow-dirty --target-dir").arg(&target);
-    let unpublished = unpublished(&place.root)?;
+    let unpublished = unpublished(place)?;
     pack.args(unpublished.iter().flat_map(|name| ["--exclude", name.as_str()])).run()?;
     let version = version(&place.root)?;
     let packages = target.join("package");
