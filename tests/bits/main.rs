@@ -23,3 +23,6 @@ mod contact;
 mod contact_scenes;
 #[path = "../contact/machines.rs"]
 mod machines;
+#[path = "../scenes/parts/mod.rs"]
+mod part_scenes;
+mod parts;

@@ -1,48 +1,22 @@
 //! LuGre's bristles.
 
-use plm::{Dop853, mechanism};
+use plm::{Dop853, Mechanism as _};
 
+use crate::declared::Bristles;
 use crate::joints::near;
-
-mechanism! {
-    /// A carriage that is driven, one that is pushed, and a disc that is turned.
-    pub Bristles {
-        param speed: m/s = 1e-4 m/s;
-        param stribeck: m/s = 1e-3 m/s;
-        param sticking: N = 1.5 N;
-        param damping: N*s/m = 0 N*s/m;
-        param viscous: N*s/m = 0.4 N*s/m;
-        ground { port o: (0, 0) m; port p: (0, 1) m; port axle: (0, 2) m; }
-        body driven { mass: 1 kg; inertia: 1 kg*m^2; port p: (0, 0) m; }
-        prismatic first(ground.o, driven.p);
-        constraint motor: driven.x = speed*t;
-        bristle_friction pad(ground.o, driven.p) {
-            friction: 1 N; static_friction: sticking; stribeck_speed: stribeck;
-            stiffness: 1e5 N/m; damping: damping; viscous: viscous;
-        }
-        body pushed { mass: 1 kg; inertia: 1 kg*m^2; port p: (0, 0) m; start y: 1 m; }
-        prismatic second(ground.p, pushed.p) { drive: 1 N/s*t; }
-        bristle_friction brake(ground.p, pushed.p) {
-            friction: 1 N; static_friction: 1.5 N; stiffness: 1e5 N/m; damping: 316.227766016838 N*s/m; viscous: 0.4 N*s/m;
-        }
-        body disc { mass: 1 kg; inertia: 2 kg*m^2; port hub: (0, 0) m; start y: 2 m; start omega: 1 rad/s, locked; }
-        revolute axle(ground.axle, disc.hub);
-        bristle_friction bearing(ground.axle, disc.hub) { motion: rotation; friction: 3 N*m; stiffness: 1e3 N*m/rad; }
-        output pad.force, brake.force, bearing.torque, bearing.lost;
-    }
-}
+use crate::scene::{Given as _, Named as _};
 
 /// Without Stribeck's fall and damping the bristles bend by z = Fc/s0 (1 - exp(-s0 x/Fc)): Dahl's curve, a spring at first.
 #[test]
 fn bristles_bend_before_they_slip() {
     let mut sim =
-        Bristles { sticking: 1.0, viscous: 0.0, ..Bristles::new() }.start_with(Dop853::new(1e-11)).unwrap();
+        Bristles::new().with("sticking", 1.0).with("viscous", 0.0).start_with(Dop853::new(1e-11)).unwrap();
     for k in 1..=20 {
         let time = 0.05 * f64::from(k);
         sim.step_to(time).unwrap();
         let x = 1e-4 * time;
-        near(sim.driven().x, x, 1e-15);
-        near(sim.pad_force(), -(1.0 - (-1e5 * x).exp()), 1e-9);
+        near(sim.state_of("driven").x, x, 1e-15);
+        near(sim.value_of("pad.force"), -(1.0 - (-1e5 * x).exp()), 1e-9);
     }
 }
 
@@ -50,10 +24,10 @@ fn bristles_bend_before_they_slip() {
 #[test]
 fn a_steady_slip_has_stribecks_friction() {
     for speed in [5e-4, 1e-3, 3e-3, 0.1] {
-        let mut sim = Bristles { speed, ..Bristles::new() }.start_with(Dop853::new(1e-11)).unwrap();
+        let mut sim = Bristles::new().with("speed", speed).start_with(Dop853::new(1e-11)).unwrap();
         sim.step_to(2.0).unwrap();
         let friction = 1.0 + 0.5 * (-(speed / 1e-3).powi(2)).exp() + 0.4 * speed;
-        near(sim.pad_force(), -friction, 1e-9);
+        near(sim.value_of("pad.force"), -friction, 1e-9);
     }
 }
 
@@ -80,17 +54,17 @@ fn a_mass_breaks_away_as_by_small_steps() {
         s = core::array::from_fn(|i| s[i] + h / 6.0 * (a[i] + 2.0 * (b[i] + c[i]) + d[i]));
         if k % 2000 == 1999 {
             sim.step_to(h * f64::from(k + 1)).unwrap();
-            near(sim.pushed().x, s[0], 1e-8);
-            near(sim.pushed().vx, s[1], 1e-6);
-            largest = largest.max(-sim.brake_force());
+            near(sim.state_of("pushed").x, s[0], 1e-8);
+            near(sim.state_of("pushed").vx, s[1], 1e-6);
+            largest = largest.max(-sim.value_of("brake.force"));
             if t < 1.3 {
-                held = held.max(sim.pushed().x);
+                held = held.max(sim.state_of("pushed").x);
             }
         }
     }
     assert!(held < 1e-4, "{held}");
     assert!(largest > 1.4 && largest < 1.5, "{largest}");
-    assert!(sim.pushed().vx > 0.05, "{:?}", sim.pushed());
+    assert!(sim.state_of("pushed").vx > 0.05, "{:?}", sim.state_of("pushed"));
 }
 
 /// A disc with 1 rad/s is braked evenly by 3 N m once the bristles are bent; they give back their last bend, and it comes to rest.
@@ -98,9 +72,9 @@ fn a_mass_breaks_away_as_by_small_steps() {
 fn bristles_brake_a_disc() {
     let mut sim = Bristles::new().start_with(Dop853::new(1e-10)).unwrap();
     sim.step_to(0.3).unwrap();
-    near(sim.bearing_torque(), -3.0, 1e-12);
-    near(sim.bearing_lost(), 3.0 * sim.disc().omega, 1e-11);
-    let omega = sim.disc().omega;
+    near(sim.value_of("bearing.torque"), -3.0, 1e-12);
+    near(sim.value_of("bearing.lost"), 3.0 * sim.state_of("disc").omega, 1e-11);
+    let omega = sim.state_of("disc").omega;
     sim.step_to(0.5).unwrap();
-    near(sim.disc().omega, omega - 1.5 * 0.2, 1e-10);
+    near(sim.state_of("disc").omega, omega - 1.5 * 0.2, 1e-10);
 }

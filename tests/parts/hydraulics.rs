@@ -2,6 +2,11 @@
 
 use std::f64::consts::{PI, TAU};
 
+use plm::{Mechanism as _, Moment as _};
+
+use crate::declared::{Circuit, Valves};
+use crate::scene::Named as _;
+
 #[track_caller]
 fn near(found: f64, known: f64, within: f64) {
     let size = known.abs().max(found.abs());
@@ -16,49 +21,6 @@ fn orifice(rated_flow: f64, rated_drop: f64, drop: f64) -> f64 {
 
 const LITRE_A_MINUTE: f64 = 1e-3 / 60.0;
 
-plm::mechanism! {
-    pub Circuit {
-        allow(W0002);
-        ground { port o: (0, 0) m; }
-        oil_tank tank();
-
-        shaft_velocity engine() { speed: 1500 rev/min; }
-        chamber line() { dead_volume: 1 L; }
-        pump feed(engine.shaft, tank.port, line.port) {
-            displacement: 16 cm^3/rev;
-            setting: 0.9;
-            leakage: 1 L/min/(100 bar);
-            friction: 0.02 N*m*s;
-        }
-        relief_valve relief(line.port, tank.port) { cracking: 150 bar; rise: 10 bar; rated_drop: 10 bar; }
-        output line.pressure, feed.flow, feed.power, feed.lost, relief.flow, relief.opening;
-
-        body drum { mass: 1 kg; inertia: 0.05 kg*m^2; port o: (0, 0) m; }
-        revolute axle(ground.o, drum.o) { damping: 0.3 N*m*s; }
-        oil_source supply() { pressure: 100 bar; }
-        hydraulic_motor motor(supply.port, tank.port, axle.shaft) {
-            displacement: 10 cm^3/rev;
-            leakage: 2 L/min/(100 bar);
-            friction: 0.1 N*m*s;
-        }
-        output motor.flow, motor.power, motor.lost, motor.torque;
-
-        oil_source high() { pressure: 300 bar; }
-        accumulator store() { volume: 1 L; charge: 50 bar; polytropic_index: 1.3; dead_volume: 200 cm^3; }
-        flow_control fill(high.port, store.port) { setting: 60 L/min; }
-        output store.pressure, store.gas_volume, store.oil_volume;
-
-        oil_source pulse() { pressure: 20 bar*sin(pi*t*5 Hz)^2; }
-        chamber vessel() { dead_volume: 0.5 L; }
-        check_valve check(pulse.port, vessel.port) { cracking: 1 bar; }
-        discrete openings: 1 = 0;
-        discrete closings: 1 = 0;
-        when check.opening > 0 { openings = openings + 1; }
-        when check.opening <= 0 { closings = closings + 1; }
-        output openings, closings, vessel.pressure, check.flow;
-    }
-}
-
 #[test]
 fn pump_and_relief_valve_balance() {
     let mut sim = Circuit::new().start().unwrap();
@@ -71,13 +33,17 @@ fn pump_and_relief_valve_balance() {
         let middle = 0.5 * (low + high);
         *(if through(middle) < delivered(middle) { &mut low } else { &mut high }) = middle;
     }
-    near(sim.line_pressure(), low, 1e-7);
-    near(sim.feed_flow(), delivered(low), 1e-7);
-    near(sim.relief_flow(), delivered(low), 1e-6);
-    near(sim.relief_opening(), (low - 150e5) / 10e5, 1e-5);
-    near(sim.feed_power(), sim.feed_flow() * sim.line_pressure() + sim.feed_lost(), 1e-12);
+    near(sim.value_of("line.pressure"), low, 1e-7);
+    near(sim.value_of("feed.flow"), delivered(low), 1e-7);
+    near(sim.value_of("relief.flow"), delivered(low), 1e-6);
+    near(sim.value_of("relief.opening"), (low - 150e5) / 10e5, 1e-5);
+    near(
+        sim.value_of("feed.power"),
+        sim.value_of("feed.flow") * sim.value_of("line.pressure") + sim.value_of("feed.lost"),
+        1e-12,
+    );
     let (leakage, speed) = (LITRE_A_MINUTE / 100e5, 25.0 * TAU);
-    near(sim.feed_lost(), leakage * low * low + 0.02 * speed * speed, 1e-6);
+    near(sim.value_of("feed.lost"), leakage * low * low + 0.02 * speed * speed, 1e-6);
 }
 
 #[test]
@@ -89,10 +55,14 @@ fn a_motor_turns_its_drum_and_all_power_is_found() {
         let t = 0.05 * f64::from(k);
         sim.step_to(t).unwrap();
         let speed = settled * (1.0 - (-0.4 * t / 0.05_f64).exp());
-        near(sim.drum().omega, speed, 1e-9);
-        near(sim.motor_torque(), displacement * 100e5 - 0.1 * speed, 1e-9);
-        near(sim.motor_flow() * 100e5, sim.motor_power() + sim.motor_lost(), 1e-12);
-        near(sim.motor_power(), sim.motor_torque() * speed, 1e-9);
+        near(sim.state_of("drum").omega, speed, 1e-9);
+        near(sim.value_of("motor.torque"), displacement * 100e5 - 0.1 * speed, 1e-9);
+        near(
+            sim.value_of("motor.flow") * 100e5,
+            sim.value_of("motor.power") + sim.value_of("motor.lost"),
+            1e-12,
+        );
+        near(sim.value_of("motor.power"), sim.value_of("motor.torque") * speed, 1e-9);
     }
 }
 
@@ -107,83 +77,38 @@ fn an_accumulator_follows_the_polytropic_law() {
     };
     for k in 1..=8 {
         sim.step_to(0.05 * f64::from(k)).unwrap();
-        let (volume, gas) = stored(sim.store_pressure());
+        let (volume, gas) = stored(sim.value_of("store.pressure"));
         near(volume, flow * sim.time(), 1e-9);
-        near(sim.store_gas_volume(), gas, 1e-12);
-        near(sim.store_oil_volume(), 1e-3 - gas, 1e-9);
+        near(sim.value_of("store.gas_volume"), gas, 1e-12);
+        near(sim.value_of("store.oil_volume"), 1e-3 - gas, 1e-9);
     }
-    assert!(sim.store_pressure() > 90e5);
+    assert!(sim.value_of("store.pressure") > 90e5);
 }
 
 #[test]
 fn a_check_valve_opens_once_a_pulse_and_keeps_what_it_let_in() {
     let mut sim = Circuit::new().start().unwrap();
     sim.step_to(0.1).unwrap();
-    assert_eq!([sim.openings(), sim.closings()], [1.0, 0.0]);
+    assert_eq!([sim.value_of("openings"), sim.value_of("closings")], [1.0, 0.0]);
     sim.step_to(0.18).unwrap();
-    assert_eq!([sim.openings(), sim.closings()], [1.0, 1.0]);
-    let kept = sim.vessel_pressure();
+    assert_eq!([sim.value_of("openings"), sim.value_of("closings")], [1.0, 1.0]);
+    let kept = sim.value_of("vessel.pressure");
     // Next to the highest pressure less the cracking pressure.
     assert!((18.9e5..19e5).contains(&kept), "{kept}");
     sim.step_to(0.26).unwrap();
-    assert_eq!([sim.check_flow(), sim.vessel_pressure()], [0.0, kept]);
+    assert_eq!([sim.value_of("check.flow"), sim.value_of("vessel.pressure")], [0.0, kept]);
     // The second pulse finds it at the pressure of the first.
     sim.step_to(0.4).unwrap();
-    assert!(sim.openings() <= 2.0 && (kept..19e5).contains(&sim.vessel_pressure()));
-}
-
-plm::mechanism! {
-    pub Valves {
-        allow(W0002);
-        body anything { mass: 1 kg; inertia: 1 kg*m^2; }
-        input drop: Pa = 0;
-        input command: 1 = 0;
-        oil_tank tank();
-        oil_source a() { pressure: drop; }
-        flow_control hold(a.port, tank.port) { setting: 5 L/min; }
-        output hold.flow, hold.lost;
-
-        oil_source pilot() { pressure: 40 bar; }
-        oil_source back() { pressure: 5 bar; }
-        counterbalance_valve holder(a.port, back.port, pilot.port) { cracking: 230 bar; back_ratio: 4; }
-        output holder.flow, holder.opening;
-
-        oil_source left() { pressure: 30 bar; }
-        oil_source right() { pressure: 50 bar; }
-        proportional_valve valve(a.port, left.port, right.port, tank.port) {
-            signal: command;
-            rated_signal: 10;
-            dead_band: 0.04;
-            overlap: 0.2;
-            leakage: 0.001;
-            frequency: 100 Hz;
-        }
-        output valve.flow_a, valve.flow_b, valve.opening;
-
-        slider_velocity hand() { velocity: 5 mm/s; position: 0.1 m; }
-        cylinder press(hand.slider) {
-            piston_diameter: 40 mm;
-            stroke: 0.3 m;
-            friction: 200 N*s/m;
-            dry_friction: 60 N;
-            static_friction: 100 N;
-            stribeck_speed: 10 mm/s;
-            leakage: 0.1 L/min/(100 bar);
-            chamber1.pressure: 20 bar;
-            chamber1.oil.vapour_pressure: 2300 Pa;
-        }
-        output press.force, press.pressure1, press.pressure2, press.leak_flow, press.lost;
-        output rate1 = rate(press.pressure1);
-    }
+    assert!(sim.value_of("openings") <= 2.0 && (kept..19e5).contains(&sim.value_of("vessel.pressure")));
 }
 
 #[test]
 fn valves_follow_their_laws_at_every_pressure_drop() {
     let mut sim = Valves::new().start().unwrap();
     for drop in [-30e5, -1e5, 0.0, 0.5e5, 4e5, 8e5, 60e5, 180e5, 220e5] {
-        sim.input.drop = drop;
+        sim.set_input("drop", drop);
         for command in [-10.0, -1.5, 0.0, 0.3, 2.0, 6.0, 10.0] {
-            sim.input.command = command;
+            sim.set_input("command", command);
             // The spool settles within 20 of its periods.
             sim.step(0.2).unwrap();
             let share = if command == 0.0 { 0.0 } else { (command.abs() / 10.0 - 0.04_f64).max(0.0) / 0.96 };
@@ -192,24 +117,28 @@ fn valves_follow_their_laws_at_every_pressure_drop() {
             let edge = |from: f64, to: f64| orifice(20.0 * LITRE_A_MINUTE, 1e5, from - to);
             let flow_a = ahead * edge(drop, 30e5) - back * edge(30e5, 0.0);
             let flow_b = back * edge(drop, 50e5) - ahead * edge(50e5, 0.0);
-            assert!((sim.valve_flow_a() - flow_a).abs() < 1e-9, "{drop} {command}");
-            assert!((sim.valve_flow_b() - flow_b).abs() < 1e-9, "{drop} {command}");
-            near(sim.valve_opening(), ahead - back, 1e-6);
+            assert!((sim.value_of("valve.flow_a") - flow_a).abs() < 1e-9, "{drop} {command}");
+            assert!((sim.value_of("valve.flow_b") - flow_b).abs() < 1e-9, "{drop} {command}");
+            near(sim.value_of("valve.opening"), ahead - back, 1e-6);
         }
         let setting = 5.0 * LITRE_A_MINUTE;
         if drop >= 8e5 {
-            near(sim.hold_flow(), setting, 1e-14);
+            near(sim.value_of("hold.flow"), setting, 1e-14);
         } else {
             near(
-                sim.hold_flow(),
+                sim.value_of("hold.flow"),
                 orifice(setting, 8e5, drop) * (1.0 + f64::powi(5e3 / 8e5, 2)).powf(0.25),
                 1e-12,
             );
         }
         let opening = ((drop + 3.0 * 40e5 - 4.0 * 5e5 - 230e5) / 20e5).clamp(0.0, 1.0);
         let free = ((5e5 - drop) / 0.5e5).clamp(0.0, 1.0);
-        near(sim.holder_opening(), opening, 1e-12);
-        near(sim.holder_flow(), (opening + free) * orifice(20.0 * LITRE_A_MINUTE, 1e5, drop - 5e5), 1e-12);
+        near(sim.value_of("holder.opening"), opening, 1e-12);
+        near(
+            sim.value_of("holder.flow"),
+            (opening + free) * orifice(20.0 * LITRE_A_MINUTE, 1e5, drop - 5e5),
+            1e-12,
+        );
     }
 }
 
@@ -220,11 +149,11 @@ fn seals_of_a_cylinder_rub_and_leak() {
     let (v, area) = (5e-3_f64, PI / 4.0 * 0.04 * 0.04);
     let seals = 60.0 + 40.0 * f64::exp(-0.25);
     let rub = seals * v / f64::hypot(v, 1e-3);
-    let between = sim.press_pressure1() - sim.press_pressure2();
-    near(sim.press_force(), area * between - 200.0 * v - rub, 1e-12);
+    let between = sim.value_of("press.pressure1") - sim.value_of("press.pressure2");
+    near(sim.value_of("press.force"), area * between - 200.0 * v - rub, 1e-12);
     let leak = 0.1 * LITRE_A_MINUTE / 100e5 * between;
-    near(sim.press_leak_flow(), leak, 1e-12);
-    near(sim.press_lost(), 200.0 * v * v + rub * v + leak * between, 1e-12);
+    near(sim.value_of("press.leak_flow"), leak, 1e-12);
+    near(sim.value_of("press.lost"), 200.0 * v * v + rub * v + leak * between, 1e-12);
     let volume = 50e-6 + area * (0.1 + v * sim.time());
-    near(sim.rate1(), -1.7e9 * (leak + area * v) / volume, 1e-9);
+    near(sim.value_of("rate1"), -1.7e9 * (leak + area * v) / volume, 1e-9);
 }

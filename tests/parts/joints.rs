@@ -1,6 +1,9 @@
 //! Limits and friction of joints.
 
-use plm::{Dop853, mechanism};
+use plm::{Dop853, Mechanism as _};
+
+use crate::declared::{Frictions, Limits};
+use crate::scene::{Given as _, Named as _};
 
 const G: f64 = 9.81;
 
@@ -8,43 +11,6 @@ const G: f64 = 9.81;
 #[track_caller]
 pub(crate) fn near(found: f64, known: f64, within: f64) {
     assert!((found - known).abs() <= within, "{found} is not {known}: {:e}", found - known);
-}
-
-mechanism! {
-    /// Joints with limits, side by side.
-    pub Limits {
-        param loss: N*m*s = 8 N*m*s;
-        gravity: 9.81 m/s^2;
-        ground {
-            port o: (0, 0) m;
-            port axle: (5, 0) m;
-            port slope: (10, 0) m, axis: -20 deg;
-            port slot: (15, 0) m, axis: 90 deg;
-            port cap: (20, 0) m;
-        }
-        body bob { mass: 2 kg; inertia: 0.5 kg*m^2; port o: (0, 1) m; start angle: -70 deg, locked; }
-        revolute hinge(ground.o, bob.o) { upper_limit: 0 deg; restitution: 0.8; }
-
-        body disc { mass: 3 kg; inertia: 0.5 kg*m^2; port hub: (0, 0) m; start x: 5 m; start omega: -4 rad/s, locked; }
-        revolute axle(ground.axle, disc.hub) {
-            lower_limit: -1 rad; upper_limit: 1 rad;
-            limit_stiffness: 5e3 N*m/rad; limit_damping: loss;
-        }
-
-        body sled { mass: 2 kg; inertia: 0.1 kg*m^2; port p: (0, 0) m; start x: 10 m; start angle: -20 deg; }
-        prismatic slope(ground.slope, sled.p) { upper_limit: 0.5 m; restitution: 0.5; }
-
-        body block { mass: 2 kg; inertia: 0.1 kg*m^2; port p: (0, 0) m; start x: 15 m; start angle: 0 deg, locked; }
-        pin_slot slot(ground.slot, block.p) { lower_limit: -0.5 m; limit_stiffness: 1e4 N/m; }
-
-        body rod { mass: 4 kg; inertia: 0.1 kg*m^2; port p: (0, 0) m; start x: 20.5 m; }
-        constraint level: rod.y = 0;
-        constraint upright: rod.angle = 0;
-        jack ram(ground.cap, rod.p) { free_length: 0.4 m; upper_limit: 0.3 m; drive: 40 N; seal_friction: 10 N; }
-
-        output hinge.upper_limit_torque, axle.upper_limit_torque, axle.lower_limit_torque, slope.upper_limit_force,
-            slot.lower_limit_force, slot.force, ram.upper_limit_force, ram.friction_force, ram.lost;
-    }
 }
 
 /// The arithmetic-geometric mean.
@@ -69,14 +35,14 @@ fn a_pendulum_strikes_the_limit_of_its_hinge() {
     for _ in 0..4 {
         let speed = (2.0 * mgl * height / inertia).sqrt();
         sim.step_to(time - 1e-9).unwrap();
-        near(sim.bob().omega, speed, 1e-7);
+        near(sim.state_of("bob").omega, speed, 1e-7);
         sim.step_to(time + 1e-9).unwrap();
-        near(sim.bob().omega, -e * speed, 1e-7);
+        near(sim.state_of("bob").omega, -e * speed, 1e-7);
         height *= e * e;
         let amplitude = (1.0 - height).acos();
         sim.step_to(time + quarter(amplitude)).unwrap();
-        near(sim.bob().angle, -amplitude, 1e-9);
-        near(sim.bob().omega, 0.0, 1e-7);
+        near(sim.state_of("bob").angle, -amplitude, 1e-9);
+        near(sim.state_of("bob").omega, 0.0, 1e-7);
         time += 2.0 * quarter(amplitude);
     }
 }
@@ -90,17 +56,17 @@ fn an_elastic_limit_gives_back_what_its_damper_leaves() {
     let omega = (stiffness / inertia - beta * beta).sqrt();
     let angle = core::f64::consts::PI - 2.0 * (beta / omega).atan();
     let e = (-beta / omega * angle).exp();
-    let mut sim = Limits { loss: damping, ..Limits::new() }.start_with(Dop853::new(1e-11)).unwrap();
+    let mut sim = Limits::new().with("loss", damping).start_with(Dop853::new(1e-11)).unwrap();
     let (mut time, mut speed, mut way) = (0.0, 4.0, 1.0);
     for side in [-1.0, 1.0, -1.0] {
         time += way / speed;
         // The deepest point, where the speed is zero.
         let deepest = (omega / beta).atan() / omega;
         sim.step_to(time + deepest).unwrap();
-        near(sim.disc().omega, 0.0, 1e-7);
+        near(sim.state_of("disc").omega, 0.0, 1e-7);
         let depth = speed / omega * (-beta * deepest).exp() * (omega * deepest).sin();
-        near(sim.disc().angle, side * (1.0 + depth), 1e-9);
-        let [up, down] = [sim.axle_lower_limit_torque(), sim.axle_upper_limit_torque()];
+        near(sim.state_of("disc").angle, side * (1.0 + depth), 1e-9);
+        let [up, down] = [sim.value_of("axle.lower_limit_torque"), sim.value_of("axle.upper_limit_torque")];
         let [pushing, other] = if side < 0.0 { [up, down] } else { [down, up] };
         near(pushing, stiffness * depth, 1e-5);
         near(other, 0.0, 0.0);
@@ -109,7 +75,7 @@ fn an_elastic_limit_gives_back_what_its_damper_leaves() {
         sim.step_to(time + 1e-6).unwrap();
         way = 2.0 + speed / omega * e * angle.sin();
         speed *= e;
-        near(sim.disc().omega, -side * speed, 1e-9);
+        near(sim.state_of("disc").omega, -side * speed, 1e-9);
     }
 }
 
@@ -120,17 +86,17 @@ fn a_slide_comes_to_rest_on_its_limit() {
     let a = G * 20_f64.to_radians().sin();
     let first = (2.0 * 0.5 / a).sqrt();
     sim.step_to(first + 1e-9).unwrap();
-    near((sim.sled().vx.powi(2) + sim.sled().vy.powi(2)).sqrt(), 0.5 * a * first, 1e-7);
-    assert!(sim.sled().vx < 0.0);
+    near((sim.state_of("sled").vx.powi(2) + sim.state_of("sled").vy.powi(2)).sqrt(), 0.5 * a * first, 1e-7);
+    assert!(sim.state_of("sled").vx < 0.0);
     // The highest point behind the first impact, a quarter of the way up.
     sim.step_to(first * 1.5).unwrap();
-    near((sim.sled().x - 10.0) / 20_f64.to_radians().cos(), 0.375, 1e-9);
+    near((sim.state_of("sled").x - 10.0) / 20_f64.to_radians().cos(), 0.375, 1e-9);
     sim.step_to(first * 3.0 + 1e-3).unwrap();
-    near((sim.sled().x - 10.0) / 20_f64.to_radians().cos(), 0.5, 1e-12);
-    near(sim.slope_upper_limit_force(), 2.0 * a, 1e-9);
-    let rest = sim.sled().x;
+    near((sim.state_of("sled").x - 10.0) / 20_f64.to_radians().cos(), 0.5, 1e-12);
+    near(sim.value_of("slope.upper_limit_force"), 2.0 * a, 1e-9);
+    let rest = sim.state_of("sled").x;
     sim.step_to(10.0).unwrap();
-    near(sim.sled().x, rest, 1e-12);
+    near(sim.state_of("sled").x, rest, 1e-12);
 }
 
 /// A block that falls 0.5 m on a spring is stopped at depth + 0.5 = k depth^2/(2 m g), without loss.
@@ -144,11 +110,11 @@ fn an_elastic_limit_of_a_slot_holds_a_fall() {
     let omega = (stiffness / 2.0).sqrt();
     let touch = (G * fall / omega).atan2(-weight / stiffness);
     sim.step_to(fall + touch / omega).unwrap();
-    near(sim.block().y, -0.5 - depth, 1e-9);
-    near(sim.block().vy, 0.0, 1e-6);
-    near(sim.slot_lower_limit_force(), stiffness * depth, 1e-5);
+    near(sim.state_of("block").y, -0.5 - depth, 1e-9);
+    near(sim.state_of("block").vy, 0.0, 1e-6);
+    near(sim.value_of("slot.lower_limit_force"), stiffness * depth, 1e-5);
     sim.step_to(2.0 * (fall + touch / omega)).unwrap();
-    near(sim.block().y, 0.0, 1e-8);
+    near(sim.state_of("block").y, 0.0, 1e-8);
 }
 
 /// The jack pushes with 40 N less 10 N of its seals to the end of its stroke, 0.2 m away, and stays there.
@@ -157,52 +123,16 @@ fn a_jack_stops_at_the_end_of_its_stroke() {
     let mut sim = Limits::new().start_with(Dop853::new(1e-11)).unwrap();
     let arrival = (2.0 * 0.2 * 4.0 / 30.0_f64).sqrt();
     sim.step_to(arrival * 0.5).unwrap();
-    near(sim.rod().x, 20.5 + 0.05, 1e-11);
-    near(sim.ram_friction_force(), -10.0, 1e-12);
-    near(sim.ram_lost(), 10.0 * sim.rod().vx, 1e-11);
+    near(sim.state_of("rod").x, 20.5 + 0.05, 1e-11);
+    near(sim.value_of("ram.friction_force"), -10.0, 1e-12);
+    near(sim.value_of("ram.lost"), 10.0 * sim.state_of("rod").vx, 1e-11);
     sim.step_to(arrival - 1e-9).unwrap();
-    near(sim.rod().vx, 30.0 / 4.0 * arrival, 1e-7);
+    near(sim.state_of("rod").vx, 30.0 / 4.0 * arrival, 1e-7);
     sim.step_to(arrival + 1.0).unwrap();
-    near(sim.rod().x, 20.7, 1e-12);
-    near(sim.rod().vx, 0.0, 1e-12);
+    near(sim.state_of("rod").x, 20.7, 1e-12);
+    near(sim.state_of("rod").vx, 0.0, 1e-12);
     // How the seals and the end of the stroke share the push is left open: the sum is not.
-    near(sim.ram_upper_limit_force() - sim.ram_friction_force(), 40.0, 1e-9);
-}
-
-mechanism! {
-    /// Joints with friction, side by side.
-    pub Frictions {
-        param slope_friction = 0.3;
-        param stribeck: rad/s = 0.5 rad/s;
-        gravity: 9.81 m/s^2;
-        ground {
-            port axle: (5, 0) m;
-            port slope: (10, 0) m, axis: -20 deg;
-            port slot: (15, 0) m;
-            port eye: (25, 0) m;
-            port drawer: (30, 0) m;
-        }
-        body disc { mass: 3 kg; inertia: 0.02 kg*m^2; port hub: (0, 0) m; start x: 5 m; start omega: 4 rad/s, locked; }
-        revolute axle(ground.axle, disc.hub) {
-            friction: 0.2; static_friction: 0.5; stribeck_speed: stribeck; pin_diameter: 40 mm;
-            seal_friction: 0.03 N*m; static_seal_friction: 0.05 N*m; damping: 0.01 N*m*s;
-        }
-        body sled { mass: 2 kg; inertia: 0.1 kg*m^2; port p: (0, 0) m; start x: 10 m; start angle: -20 deg; }
-        prismatic slope(ground.slope, sled.p) {
-            friction: slope_friction; static_friction: slope_friction + 0.07;
-            drive: if t < 1 s then 0 else 5 N;
-        }
-        body block { mass: 2 kg; inertia: 0.1 kg*m^2; port p: (0, 0) m; start x: 15 m; start vx: 3 m/s, locked; start omega: 2 rad/s, locked; }
-        pin_slot slot(ground.slot, block.p) { friction: 0.25; }
-        body drawer { mass: 2 kg; inertia: 0.1 kg*m^2; port p: (-0.3, 0) m; start x: 30.3 m; start vx: 3 m/s, locked; }
-        prismatic case(ground.drawer, drawer.p) { friction: 0.25; guide_length: 0.4 m; }
-
-        discrete holds = 1;
-        when t > 0.2 s { holds = 0; }
-        body wheel { mass: 3 kg; inertia: 0.02 kg*m^2; port hub: (0, 0) m; start x: 25 m; start omega: 4 rad/s, locked; }
-        revolute eye(ground.eye, wheel.hub) { friction: 0.2; pin_diameter: 40 mm; upper_limit: 1 rad; when: holds > 0.5; }
-        output axle.friction_torque, axle.lost, slope.friction_force, slot.friction_force, case.friction_force;
-    }
+    near(sim.value_of("ram.upper_limit_force") - sim.value_of("ram.friction_force"), 40.0, 1e-9);
 }
 
 /// The pin carries the weight, and brakes by M(omega) = seal + mu m g r with Stribeck's fall and viscous: t = int J domega/M, until it
@@ -224,17 +154,17 @@ fn a_pin_brakes_by_stribecks_law() {
     };
     for omega in [2.0, 0.6, 0.1] {
         sim.step_to(time(omega)).unwrap();
-        near(sim.disc().omega, omega, 1e-9);
-        near(sim.axle_friction_torque(), -moment(omega) + 0.01 * omega, 1e-9);
-        near(sim.axle_lost(), moment(omega) * omega, 1e-9);
+        near(sim.state_of("disc").omega, omega, 1e-9);
+        near(sim.value_of("axle.friction_torque"), -moment(omega) + 0.01 * omega, 1e-9);
+        near(sim.value_of("axle.lost"), moment(omega) * omega, 1e-9);
     }
     sim.step_to(time(0.0) - 1e-7).unwrap();
-    assert!(sim.disc().omega > 0.0);
+    assert!(sim.state_of("disc").omega > 0.0);
     sim.step_to(time(0.0) + 1e-7).unwrap();
-    near(sim.disc().omega, 0.0, 1e-13);
-    let angle = sim.disc().angle;
+    near(sim.state_of("disc").omega, 0.0, 1e-13);
+    let angle = sim.state_of("disc").angle;
     sim.step_to(60.0).unwrap();
-    near(sim.disc().angle, angle, 1e-13);
+    near(sim.state_of("disc").angle, angle, 1e-13);
 }
 
 /// tan 20 deg = 0.364: with a static coefficient of 0.37 the sled holds, and slides as soon as 5 N push; with 0.36 it slides at once.
@@ -243,16 +173,15 @@ fn a_slide_on_an_incline_holds_or_slides() {
     let (sin, cos) = 20_f64.to_radians().sin_cos();
     let mut sim = Frictions::new().start_with(Dop853::new(1e-11)).unwrap();
     sim.step_to(0.999).unwrap();
-    near(sim.sled().x, 10.0, 1e-12);
-    near(sim.slope_friction_force(), -2.0 * G * sin, 1e-10);
+    near(sim.state_of("sled").x, 10.0, 1e-12);
+    near(sim.value_of("slope.friction_force"), -2.0 * G * sin, 1e-10);
     sim.step_to(2.0).unwrap();
     let a = G * (sin - 0.3 * cos) + 5.0 / 2.0;
-    near((sim.sled().x - 10.0) / cos, 0.5 * a, 1e-9);
-    near(sim.slope_friction_force(), -0.3 * 2.0 * G * cos, 1e-10);
-    let mut sim =
-        Frictions { slope_friction: 0.29, ..Frictions::new() }.start_with(Dop853::new(1e-11)).unwrap();
+    near((sim.state_of("sled").x - 10.0) / cos, 0.5 * a, 1e-9);
+    near(sim.value_of("slope.friction_force"), -0.3 * 2.0 * G * cos, 1e-10);
+    let mut sim = Frictions::new().with("slope_friction", 0.29).start_with(Dop853::new(1e-11)).unwrap();
     sim.step_to(1.0).unwrap();
-    near((sim.sled().x - 10.0) / cos, 0.5 * G * (sin - 0.29 * cos), 1e-9);
+    near((sim.state_of("sled").x - 10.0) / cos, 0.5 * G * (sin - 0.29 * cos), 1e-9);
 }
 
 /// A hinge that lets go takes its friction and its limit with it: the wheel falls and turns on evenly.
@@ -261,12 +190,12 @@ fn friction_and_limits_go_with_their_joint() {
     let mut sim = Frictions::new().start_with(Dop853::new(1e-11)).unwrap();
     let brake = 0.2 * 0.02 * 3.0 * G / 0.02;
     sim.step_to(0.1).unwrap();
-    near(sim.wheel().omega, 4.0 - 0.1 * brake, 1e-10);
+    near(sim.state_of("wheel").omega, 4.0 - 0.1 * brake, 1e-10);
     sim.step_to(0.5).unwrap();
     let omega = 4.0 - 0.2 * brake;
-    near(sim.wheel().omega, omega, 1e-10);
-    near(sim.wheel().angle, 0.2 * (4.0 - 0.1 * brake) + 0.3 * omega, 1e-10);
-    near(sim.wheel().y, -0.5 * G * 0.09, 1e-10);
+    near(sim.state_of("wheel").omega, omega, 1e-10);
+    near(sim.state_of("wheel").angle, 0.2 * (4.0 - 0.1 * brake) + 0.3 * omega, 1e-10);
+    near(sim.state_of("wheel").y, -0.5 * G * 0.09, 1e-10);
 }
 
 /// G is 0.3 m before the middle of a guide of 0.4 m: its ends carry 1.25 and 0.25 times the weight, and rub by their sum.
@@ -276,11 +205,11 @@ fn a_guide_rubs_at_both_ends() {
     let brake = 0.25 * 1.5 * G;
     let stop = 3.0 / brake;
     sim.step_to(0.5 * stop).unwrap();
-    near(sim.case_friction_force(), -2.0 * brake, 1e-10);
-    near(sim.drawer().vx, 1.5, 1e-10);
+    near(sim.value_of("case.friction_force"), -2.0 * brake, 1e-10);
+    near(sim.state_of("drawer").vx, 1.5, 1e-10);
     sim.step_to(stop + 1.0).unwrap();
-    near(sim.drawer().x, 30.3 + 1.5 * stop, 1e-10);
-    near(sim.drawer().vx, 0.0, 1e-13);
+    near(sim.state_of("drawer").x, 30.3 + 1.5 * stop, 1e-10);
+    near(sim.state_of("drawer").vx, 0.0, 1e-13);
 }
 
 /// The slot carries the weight: the block is braked by mu g and turns on.
@@ -289,9 +218,9 @@ fn a_block_rubs_in_its_slot() {
     let mut sim = Frictions::new().start_with(Dop853::new(1e-11)).unwrap();
     let stop = 3.0 / (0.25 * G);
     sim.step_to(0.5 * stop).unwrap();
-    near(sim.slot_friction_force(), -0.25 * 2.0 * G, 1e-11);
+    near(sim.value_of("slot.friction_force"), -0.25 * 2.0 * G, 1e-11);
     sim.step_to(stop + 1.0).unwrap();
-    near(sim.block().x, 15.0 + 9.0 / (2.0 * 0.25 * G), 1e-10);
-    near(sim.block().vx, 0.0, 1e-13);
-    near(sim.block().omega, 2.0, 1e-12);
+    near(sim.state_of("block").x, 15.0 + 9.0 / (2.0 * 0.25 * G), 1e-10);
+    near(sim.state_of("block").vx, 0.0, 1e-13);
+    near(sim.state_of("block").omega, 2.0, 1e-12);
 }

@@ -1,15 +1,26 @@
 //! Parts of the library beside closed forms, published figures and conservation laws.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+#![allow(
+    clippy::large_types_passed_by_value,
+    clippy::unwrap_used,
+    clippy::panic,
+    missing_docs,
+    unreachable_pub,
+    reason = "tests"
+)]
 
-#[path = "../support/beside_text.rs"]
-mod beside_text;
+#[macro_use]
+#[path = "../support/scene.rs"]
+mod scene;
+
+#[macro_use]
+#[path = "../scenes/parts/mod.rs"]
+mod declared;
 
 mod belts;
 mod brakes;
 mod bristles;
 mod catches;
 mod contact;
-mod from_text;
 mod functions;
 mod gears;
 mod hydraulics;

@@ -2,6 +2,11 @@
 
 use std::f64::consts::PI;
 
+use plm::{Mechanism as _, Moment as _};
+
+use crate::declared::Air;
+use crate::scene::Named as _;
+
 #[track_caller]
 fn near(found: f64, known: f64, within: f64) {
     assert!((found - known).abs() <= within * known.abs().max(found.abs()), "{found} is not {known}");
@@ -10,49 +15,6 @@ fn near(found: f64, known: f64, within: f64) {
 const R: f64 = 287.05;
 const T: f64 = 293.15;
 const RHO: f64 = 1.185;
-
-plm::mechanism! {
-    pub Air {
-        allow(W0002);
-        input left: Pa = 1 bar;
-        input right: Pa = 1 bar;
-        air_source a() { pressure: left; }
-        air_source b() { pressure: right; }
-        air_orifice nozzle(a.port, b.port) { conductance: 2 L/s/bar; critical_ratio: 0.3; temperature: 340 K; opening: 0.5; }
-        output nozzle.mass_flow, nozzle.normal_flow, nozzle.ratio;
-
-        // A vessel blows into the atmosphere.
-        air_source atmosphere();
-        air_chamber vessel() { dead_volume: 0.1 L; pressure: 8 bar; }
-        air_orifice outlet(vessel.port, atmosphere.port) { conductance: 1 L/s/bar; critical_ratio: 0.4; }
-        state left_over: kg = 0 kg;
-        rate left_over = -outlet.mass_flow;
-        output vessel.pressure, left_over;
-
-        // A piston compresses what does not leave.
-        slider_velocity hand() { velocity: -0.2 m/s; position: 0.4 m; }
-        air_chamber cap() { dead_volume: 20 cm^3; polytropic_index: 1.4; pressure: 2 bar; }
-        air_piston ram(hand.slider, cap.port) { diameter: 50 mm; }
-        output cap.pressure, cap.volume, ram.force;
-
-        // A cylinder lifts a load to its upper stop.
-        air_source supply() { pressure: 7 bar; }
-        sliding_mass load() { mass: 20 kg; }
-        slider_ground floor();
-        slider_spring weight(floor.slider, load.slider) { preload: -196.2 N; }
-        air_cylinder lift(load.slider) {
-            piston_diameter: 40 mm;
-            rod_diameter: 16 mm;
-            stroke: 0.2 m;
-            friction: 100 N*s/m;
-            dry_friction: 15 N;
-        }
-        air_orifice inlet(supply.port, lift.port1) { conductance: 0.5 L/s/bar; }
-        air_orifice exhaust(lift.port2, atmosphere.port) { conductance: 0.5 L/s/bar; }
-        output lift.force, lift.pressure1, lift.pressure2, lift.volume1, lift.volume2, lift.stop_force, load.speed;
-        output lift.displacement;
-    }
-}
 
 /// ISO 6358 with C = 1 L/(s bar) of an opening of one half, b = 0.3.
 fn flow(p1: f64, p2: f64) -> f64 {
@@ -74,12 +36,16 @@ fn the_flow_is_choked_below_the_critical_ratio() {
     for p1 in [1e5, 3e5, 9e5_f64] {
         for ratio in [0.0, 0.1, 0.29, 0.31, 0.6, 0.95, 0.9985, 0.9992, 1.0] {
             for (left, right) in [(p1, p1 * ratio), (p1 * ratio, p1)] {
-                (sim.input.left, sim.input.right) = (left, right);
+                sim.set_input("left", left);
+                sim.set_input("right", right);
                 sim.step(1e-6).unwrap();
                 let known = flow(left, right);
-                assert!((sim.nozzle_mass_flow() - known).abs() < 1e-12 * flow(p1, 0.0), "{left} {right}");
-                near(sim.nozzle_normal_flow(), known / RHO, 1e-9);
-                near(sim.nozzle_ratio(), ratio, 1e-15);
+                assert!(
+                    (sim.value_of("nozzle.mass_flow") - known).abs() < 1e-12 * flow(p1, 0.0),
+                    "{left} {right}"
+                );
+                near(sim.value_of("nozzle.normal_flow"), known / RHO, 1e-9);
+                near(sim.value_of("nozzle.ratio"), ratio, 1e-15);
             }
         }
     }
@@ -94,13 +60,13 @@ fn a_vessel_empties_exponentially_while_it_is_choked() {
         sim.step_to(0.01 * f64::from(k)).unwrap();
         let known = 8e5 * f64::exp(-rate * sim.time());
         if 101_325.0 / known < 0.4 {
-            near(sim.vessel_pressure(), known, 1e-9);
+            near(sim.value_of("vessel.pressure"), known, 1e-9);
         } else {
-            assert!(sim.vessel_pressure() > known);
+            assert!(sim.value_of("vessel.pressure") > known);
         }
-        near(sim.left_over(), (sim.vessel_pressure() - 8e5) * 1e-4 / (R * T), 1e-8);
+        near(sim.value_of("left_over"), (sim.value_of("vessel.pressure") - 8e5) * 1e-4 / (R * T), 1e-8);
     }
-    assert!(sim.vessel_pressure() < 2.5e5);
+    assert!(sim.value_of("vessel.pressure") < 2.5e5);
 }
 
 #[test]
@@ -110,10 +76,10 @@ fn air_that_stays_is_compressed_adiabatically() {
     let volume = |t: f64| 20e-6 + area * (0.4 - 0.2 * t);
     for k in 1..=7 {
         sim.step_to(0.03 * f64::from(k)).unwrap();
-        near(sim.cap_volume(), volume(sim.time()), 1e-12);
+        near(sim.value_of("cap.volume"), volume(sim.time()), 1e-12);
         let pressure = 2e5 * (volume(0.0) / volume(sim.time())).powf(1.4);
-        near(sim.cap_pressure(), pressure, 1e-9);
-        near(sim.ram_force(), area * (pressure - 101_325.0), 1e-8);
+        near(sim.value_of("cap.pressure"), pressure, 1e-9);
+        near(sim.value_of("ram.force"), area * (pressure - 101_325.0), 1e-8);
     }
 }
 
@@ -123,12 +89,19 @@ fn a_pneumatic_cylinder_lifts_its_load_to_the_stop() {
     let (cap, ring) = (PI / 4.0 * 0.04 * 0.04, PI / 4.0 * (0.04 * 0.04 - 0.016 * 0.016));
     for k in 1..=8 {
         sim.step_to(0.08 * f64::from(k)).unwrap();
-        let (v, x) = (sim.load_speed(), sim.lift_displacement());
-        let pressures = cap * (sim.lift_pressure1() - 101_325.0) - ring * (sim.lift_pressure2() - 101_325.0);
+        let (v, x) = (sim.value_of("load.speed"), sim.value_of("lift.displacement"));
+        let pressures = cap * (sim.value_of("lift.pressure1") - 101_325.0)
+            - ring * (sim.value_of("lift.pressure2") - 101_325.0);
         let rub = 100.0 * v + 15.0 * v / f64::hypot(v, 1e-3);
-        assert!((sim.lift_force() - (pressures - rub + sim.lift_stop_force())).abs() < 1e-9);
-        near(sim.lift_volume1(), 50e-6 + cap * x, 1e-12);
-        near(sim.lift_volume2(), 50e-6 + ring * (0.2 - x), 1e-12);
+        assert!(
+            (sim.value_of("lift.force") - (pressures - rub + sim.value_of("lift.stop_force"))).abs() < 1e-9
+        );
+        near(sim.value_of("lift.volume1"), 50e-6 + cap * x, 1e-12);
+        near(sim.value_of("lift.volume2"), 50e-6 + ring * (0.2 - x), 1e-12);
     }
-    assert!((0.199..0.201).contains(&sim.lift_displacement()), "{}", sim.lift_displacement());
+    assert!(
+        (0.199..0.201).contains(&sim.value_of("lift.displacement")),
+        "{}",
+        sim.value_of("lift.displacement")
+    );
 }

@@ -2,40 +2,14 @@
 
 use std::f64::consts::{PI, TAU};
 
+use plm::{Mechanism as _, Moment as _};
+
+use crate::declared::{Delays, Hiss, Signals};
+use crate::scene::{Given as _, Named as _};
+
 #[track_caller]
 fn near(found: f64, known: f64, within: f64) {
     assert!((found - known).abs() <= within, "{found} is not {known}");
-}
-
-plm::mechanism! {
-    pub Signals {
-        allow(W0002);
-        body anything { mass: 1 kg; inertia: 1 kg*m^2; }
-        let wave = sin(2*pi*1 Hz*t);
-        rate_limit climb() { signal: 1; rising: 2 Hz; time_constant: 0.1 s; }
-        rate_limit fall() { signal: -1; rising: 2 Hz; falling: 4 Hz; time_constant: 0.05 s; value: 1; }
-        saturation bounded() { signal: 2*wave; low: -0.5; high: 1; }
-        hysteresis relay() { signal: wave; low: -0.5; high: 0.5; off: -2; on: 3; }
-        state area: s = 0;
-        rate area = relay.value;
-        delay late() { signal: t/(1 s); period: 20 ms; samples: 4; }
-        delay one() { signal: wave; period: 28 ms; }
-        output climb.value, fall.value, bounded.value, relay.value, area, late.value, one.value;
-
-        // A controller at 100 Hz holds a lag of 50 ms.
-        state plant: 1 = 0;
-        sampled_controller control() {
-            error: 1 - plant;
-            proportional: 2;
-            integral: 20 Hz;
-            derivative: 5 ms;
-            period: 10 ms;
-            low: 0;
-            high: 1.05;
-        }
-        rate plant = (control.value - plant)/(50 ms);
-        output plant, control.value;
-    }
 }
 
 #[test]
@@ -46,10 +20,10 @@ fn bounds_of_a_signal_and_of_its_rate_are_kept() {
         let t = sim.time();
         // At the greatest rate up to rate times lag, then exponentially.
         let climb = if t < 0.4 { 2.0 * t } else { 1.0 - 0.2 * f64::exp(-(t - 0.4) / 0.1) };
-        near(sim.climb_value(), climb, 1e-9);
+        near(sim.value_of("climb.value"), climb, 1e-9);
         let fall = if t < 0.45 { 1.0 - 4.0 * t } else { -1.0 + 0.2 * f64::exp(-(t - 0.45) / 0.05) };
-        near(sim.fall_value(), fall, 1e-9);
-        near(sim.bounded_value(), (2.0 * (TAU * t).sin()).clamp(-0.5, 1.0), 1e-12);
+        near(sim.value_of("fall.value"), fall, 1e-9);
+        near(sim.value_of("bounded.value"), (2.0 * (TAU * t).sin()).clamp(-0.5, 1.0), 1e-12);
     }
 }
 
@@ -62,21 +36,21 @@ fn a_switch_with_hysteresis_turns_at_both_bounds() {
         let t = sim.time();
         let (turns, phase) = (t.floor(), t - t.floor());
         let on = turns * 0.5 + (phase - 1.0 / 12.0).clamp(0.0, 0.5);
-        near(sim.area(), 3.0 * on - 2.0 * (t - on), 1e-9);
+        near(sim.value_of("area"), 3.0 * on - 2.0 * (t - on), 1e-9);
         let is_on = (1.0 / 12.0..7.0 / 12.0).contains(&phase);
-        near(sim.relay_value(), if is_on { 3.0 } else { -2.0 }, 0.0);
+        near(sim.value_of("relay.value"), if is_on { 3.0 } else { -2.0 }, 0.0);
     }
 }
 
 #[test]
 fn samples_come_out_late() {
-    let mut sim = Signals::new().start().unwrap();
+    let mut sim = Delays::new().start().unwrap();
     for k in 0..60 {
         // In the middle between two samples.
         sim.step_to(0.02 * f64::from(k) + 0.01).unwrap();
-        near(sim.late_value(), 0.02 * f64::from((k - 4).max(0)), 1e-12);
+        near(sim.value_of("late.value"), 0.02 * f64::from((k - 4).max(0)), 1e-12);
         let last = ((sim.time() / 0.028).floor() - 1.0).max(0.0);
-        near(sim.one_value(), (TAU * 0.028 * last).sin(), 1e-12);
+        near(sim.value_of("one.value"), (TAU * 0.028 * last).sin(), 1e-12);
     }
 }
 
@@ -99,21 +73,11 @@ fn a_sampled_controller_is_its_difference_equation() {
         }
         (value, last) = (wanted.clamp(0.0, 1.05), error);
         sim.step_to(period * (f64::from(k) + 0.5)).unwrap();
-        near(sim.control_value(), value, 1e-8);
-        near(sim.plant(), value + (plant - value) * decay.sqrt(), 1e-8);
+        near(sim.value_of("control.value"), value, 1e-8);
+        near(sim.value_of("plant"), value + (plant - value) * decay.sqrt(), 1e-8);
     }
     assert!(bounded > 3 && free > 40, "{bounded} {free}");
-    near(sim.plant(), 1.0, 1e-2);
-}
-
-plm::mechanism! {
-    pub Hiss {
-        allow(W0002);
-        body anything { mass: 1 kg; inertia: 1 kg*m^2; }
-        noise normal() { period: 1 ms; mean: 2; deviation: 0.5; }
-        noise even() { period: 2 ms; distribution: uniform; }
-        output normal.value, normal.seed, even_value = even.value, even.seed;
-    }
+    near(sim.value_of("plant"), 1.0, 1e-2);
 }
 
 /// Park and Miller state the number that the seed 1 leads to by 10 000 steps: 1043618065.
@@ -127,20 +91,20 @@ fn noise_is_the_published_sequence() {
     // The last 300 of them are those of 150 normal numbers.
     let begins = (0..9700).map(|_| next()).last().unwrap();
     let mut mechanism = Hiss::new();
-    mechanism.start.normal_seed.value = begins;
-    mechanism.start.even_seed.value = begins;
+    mechanism = mechanism.with_start("normal.seed", begins);
+    mechanism = mechanism.with_start("even.seed", begins);
     let mut sim = mechanism.start_with(plm::Rk4::new(0.05)).unwrap();
     let modulus = 2_147_483_647.0;
     for k in 1..=150 {
         sim.step_to(1e-3 * (f64::from(k) + 0.5)).unwrap();
         let (first, second) = (next() / modulus, next() / modulus);
         let known = 2.0 + 0.5 * (-2.0 * first.ln()).sqrt() * (2.0 * PI * second).cos();
-        near(sim.normal_value(), known, 1e-12);
+        near(sim.value_of("normal.value"), known, 1e-12);
         if k == 2 {
             let first = begins * 16807.0 % modulus;
-            assert_eq!(sim.even_seed(), first);
-            near(sim.even_value(), 12.0_f64.sqrt() * (first / modulus - 0.5), 1e-15);
+            assert_eq!(sim.value_of("even.seed"), first);
+            near(sim.value_of("even_value"), 12.0_f64.sqrt() * (first / modulus - 0.5), 1e-15);
         }
     }
-    assert_eq!(sim.normal_seed(), 1_043_618_065.0);
+    assert_eq!(sim.value_of("normal.seed"), 1_043_618_065.0);
 }

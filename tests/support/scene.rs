@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::sync::{LazyLock, Mutex};
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 use plm::BodyState;
 use plm::dynamic::{self, Small};
@@ -49,7 +49,8 @@ static READ: LazyLock<Mutex<BTreeMap<String, dynamic::Mechanism>>> = LazyLock::n
 /// The mechanism of a declaration, with its defaults.
 #[track_caller]
 pub(crate) fn of_text(text: &str) -> Scene {
-    let mut read = READ.lock().unwrap();
+    // A mistake in one declaration fails the test of that one alone.
+    let mut read = READ.lock().unwrap_or_else(PoisonError::into_inner);
     if !read.contains_key(text) {
         let mechanism = dynamic::Mechanism::from_text(text).unwrap_or_else(|error| panic!("{error}"));
         read.insert(text.to_owned(), mechanism);
@@ -72,6 +73,8 @@ pub(crate) trait Given: Sized {
     fn with_start(self, name: &str, value: f64) -> Self;
     /// A start value that assembly keeps.
     fn with_lock(self, name: &str, value: f64) -> Self;
+    /// A start value that assembly may change.
+    fn released(self, name: &str) -> Self;
     /// A start value as it is set.
     fn start_of(&self, name: &str) -> Start<f64>;
     /// All start values from text, as [`starts`](Named::starts) gives it; locks stay.
@@ -95,6 +98,12 @@ impl Given for Scene {
     #[track_caller]
     fn with_lock(mut self, name: &str, value: f64) -> Self {
         change_start(&mut self, name, |start| *start = Start::locked(value));
+        self
+    }
+
+    #[track_caller]
+    fn released(mut self, name: &str) -> Self {
+        change_start(&mut self, name, |start| start.locked = false);
         self
     }
 
@@ -133,16 +142,24 @@ pub(crate) trait Named {
     fn bodies(&self) -> Vec<BodyState<f64>>;
     /// An output, or what else is observed, SI.
     fn value_of(&self, output: &str) -> f64;
+    /// A declared output that is a vector, SI.
+    fn vector_of(&self, output: &str) -> [f64; 2];
     /// A first-order state, SI.
     fn number_of(&self, state: &str) -> f64;
+    /// All first-order states, SI.
+    fn numbers(&self) -> Vec<f64>;
     /// All declared outputs in their units, a vector as two.
     fn outputs(&self) -> Vec<f64>;
     /// Start values that lead here, SI, each on a line as `ball.y = 1`.
     fn starts(&self) -> String;
     /// Reactions that redundancy leaves undetermined, by constraint row.
     fn undetermined(&self) -> Vec<bool>;
+    /// An input, SI.
+    fn input_of(&self, name: &str) -> f64;
     /// Sets an input, SI.
     fn set_input(&mut self, name: &str, value: f64);
+    /// Sets a parameter from here on, SI.
+    fn set(&mut self, name: &str, value: f64);
 }
 
 impl Named for State {
@@ -165,9 +182,19 @@ impl Named for State {
     }
 
     #[track_caller]
+    fn vector_of(&self, output: &str) -> [f64; 2] {
+        ["x", "y"].map(|axis| self.value_of(&format!("{output}.{axis}")))
+    }
+
+    #[track_caller]
     fn number_of(&self, state: &str) -> f64 {
         let states = self.mechanism().tables().states;
         Scene::state(self, place(state, states.iter().map(|own| own.name))).unwrap()
+    }
+
+    fn numbers(&self) -> Vec<f64> {
+        let states = self.mechanism().tables().states;
+        (0..states.len()).map(|k| Scene::state(self, k).unwrap()).collect()
     }
 
     fn outputs(&self) -> Vec<f64> {
@@ -195,8 +222,20 @@ impl Named for State {
     }
 
     #[track_caller]
+    fn input_of(&self, name: &str) -> f64 {
+        let index = place(name, self.mechanism().input_names().iter().map(|(own, _)| *own));
+        *Scene::input(Scene::inputs(&mut self.held()), index).unwrap()
+    }
+
+    #[track_caller]
     fn set_input(&mut self, name: &str, value: f64) {
         let index = place(name, self.mechanism().input_names().iter().map(|(own, _)| *own));
         *Scene::input(Scene::inputs(self.in_place().held), index).unwrap() = value;
+    }
+
+    #[track_caller]
+    fn set(&mut self, name: &str, value: f64) {
+        let mechanism = self.mechanism().with(name, value);
+        *self = Moment::new(mechanism, self.held(), self.time(), *self.x());
     }
 }

@@ -3,11 +3,12 @@
 use std::f64::consts::PI;
 
 use plm::runtime::contact::Mode;
-use plm::{Dop853, Sim};
+use plm::{Dop853, Mechanism as _, Moment as _, Sim};
 
 use super::{G, near};
+use crate::scene::{Given as _, Named as _, Scene};
 
-plm::mechanism! {
+scene! {
     /// A shaft with a harmonic cam under a flat follower and under a knife, and an eccentric under a roller and under one on an arm; two
     /// Geneva drives.
     pub Cams {
@@ -71,7 +72,7 @@ plm::mechanism! {
 
 const RISE: f64 = 0.01;
 
-fn run(mechanism: &Cams) -> Sim<Cams> {
+fn run(mechanism: &Scene) -> Sim<Scene> {
     mechanism.start_with(Dop853::new(1e-10)).unwrap()
 }
 
@@ -83,13 +84,13 @@ fn a_follower_lifts_off() {
     let held = stiffness * 0.005 + mass * G;
     let limit = ((2.0 * stiffness * RISE + held) / (mass * RISE)).sqrt();
     for (speed, mode) in [(limit * (1.0 - 1e-6), Mode::Closed), (limit * (1.0 + 1e-6), Mode::Open)] {
-        let mut sim = run(&Cams { speed, ..Cams::new() });
+        let mut sim = run(&Cams::new().with("speed", speed));
         sim.step_to(PI / speed).unwrap();
         assert_eq!(sim.contact("flat.contact"), Some(mode), "{speed} rad/s");
     }
     // Faster, it lifts off where m e omega^2 cos + k e (1 - cos) + p + m g = 0.
     let speed = 1.2 * limit;
-    let mut sim = run(&Cams { speed, ..Cams::new() });
+    let mut sim = run(&Cams::new().with("speed", speed));
     let cos = -(stiffness * RISE + held) / (mass * RISE * speed * speed - stiffness * RISE);
     let time = cos.acos() / speed;
     sim.step_to(time - 1e-9).unwrap();
@@ -97,7 +98,7 @@ fn a_follower_lifts_off() {
     sim.step_to(time + 1e-9).unwrap();
     assert_eq!(sim.contact("flat.contact"), Some(Mode::Open));
     sim.step(1e-3).unwrap();
-    assert!(sim.flat_gap() > 0.0);
+    assert!(sim.value_of("flat.gap") > 0.0);
 }
 
 /// A flat follower: force m a + k s + m g, its place e sin beside the axis, the torque -N e sin, and the radius of curvature r + e.
@@ -108,10 +109,10 @@ fn a_flat_follower_is_pushed_beside_its_axis() {
         sim.step(0.03).unwrap();
         let (sin, cos) = (20.0 * sim.time()).sin_cos();
         let push = 0.5 * RISE * 400.0 * cos + 2000.0 * (0.005 + RISE * (1.0 - cos)) + 0.5 * G;
-        near(sim.flat_push(), push, 1e-8);
-        near(sim.flat_contact_offset(), -RISE * sin, 1e-12);
-        near(sim.flat_torque(), -push * RISE * sin, 1e-9);
-        near(sim.flat_curvature_radius(), 0.04, 1e-12);
+        near(sim.value_of("flat.push"), push, 1e-8);
+        near(sim.value_of("flat.contact_offset"), -RISE * sin, 1e-12);
+        near(sim.value_of("flat.torque"), -push * RISE * sin, 1e-9);
+        near(sim.value_of("flat.curvature_radius"), 0.04, 1e-12);
     }
 }
 
@@ -123,15 +124,15 @@ fn a_roller_on_an_eccentric_is_a_slider_crank() {
         sim.step(0.03).unwrap();
         let (sin, cos) = (20.0 * sim.time()).sin_cos();
         let lean = 0.25 * sin;
-        near(sim.roller_pressure_angle(), lean.asin(), 1e-9);
-        near(sim.roller_curvature_radius(), 0.04, 1e-9);
+        near(sim.value_of("roller.pressure_angle"), lean.asin(), 1e-9);
+        near(sim.value_of("roller.curvature_radius"), 0.04, 1e-9);
         let place = -RISE * cos + 0.04 * (1.0 - lean * lean).sqrt();
-        near(sim.rod().y, place, 1e-9);
-        let along = 0.5 * (sim.rod_acceleration()[1] + G) + 2000.0 * place;
-        near(sim.roller_push(), along / (1.0 - lean * lean).sqrt(), 1e-7);
+        near(sim.state_of("rod").y, place, 1e-9);
+        let along = 0.5 * (sim.vector_of("rod.acceleration")[1] + G) + 2000.0 * place;
+        near(sim.value_of("roller.push"), along / (1.0 - lean * lean).sqrt(), 1e-7);
         // The lever of the coupler's force about the shaft.
         let lever = RISE * (sin - cos * lean / (1.0 - lean * lean).sqrt());
-        near(sim.roller_torque(), -along * lever, 1e-7);
+        near(sim.value_of("roller.torque"), -along * lever, 1e-7);
     }
 }
 
@@ -144,24 +145,24 @@ fn a_roller_on_an_arm_is_a_four_bar() {
         sim.step(0.03).unwrap();
         let (sin, cos) = (20.0 * sim.time()).sin_cos();
         let centre = [-RISE * sin, RISE * cos];
-        let (angle, alpha) = (sim.arm().angle, sim.arm_alpha());
+        let (angle, alpha) = (sim.state_of("arm").angle, sim.value_of("arm.alpha"));
         let arm = [0.095 * angle.cos(), 0.095 * angle.sin()];
         let between = [arm[0] - centre[0], 0.1 + arm[1] - centre[1]];
         let length = between[0].hypot(between[1]);
         near(length, 0.04, 1e-9);
-        near(sim.lever_gap(), 0.0, 1e-9);
+        near(sim.value_of("lever.gap"), 0.0, 1e-9);
         let normal = between.map(|x| x / length);
-        let moment = 1e-3 * alpha - sim.pivot_torque();
+        let moment = 1e-3 * alpha - sim.value_of("pivot.torque");
         let push = moment / (arm[0] * normal[1] - arm[1] * normal[0]);
-        near(sim.lever_push(), push, 1e-7);
-        near(sim.lever_arm_torque(), moment, 1e-8);
-        near(sim.lever_torque(), -push * (centre[0] * normal[1] - centre[1] * normal[0]), 1e-8);
+        near(sim.value_of("lever.push"), push, 1e-7);
+        near(sim.value_of("lever.arm_torque"), moment, 1e-8);
+        near(sim.value_of("lever.torque"), -push * (centre[0] * normal[1] - centre[1] * normal[0]), 1e-8);
         // The way of the roller where the cam lifts it: clockwise about the pivot.
         let way = [arm[1] / 0.095, -arm[0] / 0.095];
-        near(sim.lever_pressure_angle().cos(), way[0] * normal[0] + way[1] * normal[1], 1e-9);
+        near(sim.value_of("lever.pressure_angle").cos(), way[0] * normal[0] + way[1] * normal[1], 1e-9);
         // On the ground: the pivot holds the weight and the push.
-        near(sim.pivot_force()[0], push * normal[0], 1e-7);
-        near(sim.pivot_force()[1], push * normal[1] - 0.5 * G, 1e-7);
+        near(sim.vector_of("pivot.force")[0], push * normal[0], 1e-7);
+        near(sim.vector_of("pivot.force")[1], push * normal[1] - 0.5 * G, 1e-7);
     }
 }
 
@@ -174,32 +175,37 @@ fn a_knife_rubs() {
         let (sin, cos) = (20.0 * sim.time()).sin_cos();
         let top = (0.03_f64.powi(2) - 0.005_f64.powi(2)).sqrt() + RISE * (1.0 - cos);
         let lean = (RISE * sin + 0.005) / top;
-        near(sim.knife_pressure_angle(), lean.atan(), 1e-9);
+        near(sim.value_of("knife.pressure_angle"), lean.atan(), 1e-9);
         // Its speed along the tangent: omega times the distance from the shaft over the cosine of the angle between.
         let sliding = 20.0 * ((RISE * sin + 0.005).powi(2) + top * top).sqrt();
-        near(sim.knife_lost(), 0.15 * sim.knife_push() * sliding, 1e-8);
-        let [_, speed] = sim.edge_velocity();
-        let upwards = 0.5 * (sim.edge_acceleration()[1] + G) + 2000.0 * sim.edge().y;
-        near(-sim.knife_torque() * 20.0, upwards * speed + sim.knife_lost(), 1e-7);
-        let others = sim.flat_torque() + sim.roller_torque() + sim.knife_torque() + sim.lever_torque();
+        near(sim.value_of("knife.lost"), 0.15 * sim.value_of("knife.push") * sliding, 1e-8);
+        let [_, speed] = sim.vector_of("edge.velocity");
+        let upwards = 0.5 * (sim.vector_of("edge.acceleration")[1] + G) + 2000.0 * sim.state_of("edge").y;
+        near(-sim.value_of("knife.torque") * 20.0, upwards * speed + sim.value_of("knife.lost"), 1e-7);
+        let others = sim.value_of("flat.torque")
+            + sim.value_of("roller.torque")
+            + sim.value_of("knife.torque")
+            + sim.value_of("lever.torque");
         // The Geneva wheels need torque too: 0.02 kg m^2 each.
-        let wheels = sim.cross_torque() * sim.cross_ratio() + 0.02 * sim.six_alpha() * sim.star_ratio();
-        near(sim.motor(), wheels - others, 1e-7);
+        let wheels = sim.value_of("cross.torque") * sim.value_of("cross.ratio")
+            + 0.02 * sim.value_of("six.alpha") * sim.value_of("star.ratio");
+        near(sim.value_of("motor"), wheels - others, 1e-7);
     }
 }
 
 /// With the driver at phi from the line of centres: tan = l sin/(1 - l cos), ratio -l (cos - l)/(1 - 2 l cos + l^2), l = sin(pi/n).
 #[test]
 fn geneva_drives_index_and_lock() {
-    let mut sim = run(&Cams { speed: 2.0, ..Cams::new() });
+    let mut sim = run(&Cams::new().with("speed", 2.0));
     for k in 0..64 {
         sim.step_to(0.1 * f64::from(k)).unwrap();
         let angle: f64 = 2.0 * sim.time();
         let turn = (angle / (2.0 * PI)).round();
         let phase = angle - 2.0 * PI * turn;
-        for (slots, wheel, ratio) in
-            [(4.0, sim.four(), sim.cross_ratio()), (6.0, sim.six(), sim.star_ratio())]
-        {
+        for (slots, wheel, ratio) in [
+            (4.0, sim.state_of("four"), sim.value_of("cross.ratio")),
+            (6.0, sim.state_of("six"), sim.value_of("star.ratio")),
+        ] {
             let l = (PI / slots).sin();
             let entry = PI / 2.0 - PI / slots;
             let [turned, speed] = if phase.abs() < entry {
@@ -213,11 +219,11 @@ fn geneva_drives_index_and_lock() {
             near(ratio, speed, 1e-10);
             near(wheel.omega, 2.0 * speed, 1e-10);
         }
-        assert_eq!(sim.cross_engaged(), if phase.abs() < PI / 4.0 { 1.0 } else { 0.0 });
+        assert_eq!(sim.value_of("cross.engaged"), if phase.abs() < PI / 4.0 { 1.0 } else { 0.0 });
     }
     // The pin's force times its distance from the wheel is the torque on the wheel.
     sim.step_to(2.0 * PI + 0.2).unwrap();
     let l = (PI / 4.0).sin();
     let distance = 0.1 * (1.0 - 2.0 * l * 0.4_f64.cos() + l * l).sqrt();
-    near(sim.cross_pin_force() * distance, sim.cross_torque(), 1e-9);
+    near(sim.value_of("cross.pin_force") * distance, sim.value_of("cross.torque"), 1e-9);
 }

@@ -1,11 +1,12 @@
 //! Polygons on lines, points on smooth ground.
 
 use plm::runtime::contact::Mode;
-use plm::{Dop853, Sim};
+use plm::{Dop853, Mechanism as _, Sim};
 
 use super::{G, near};
+use crate::scene::{Given as _, Named as _, Scene};
 
-plm::mechanism! {
+scene! {
     /// A box on a slope, sleds on curved ground.
     pub Grounds {
         param slope: rad = 20 deg;
@@ -31,15 +32,17 @@ plm::mechanism! {
     }
 }
 
-fn run(mechanism: &Grounds) -> Sim<Grounds> {
+fn run(mechanism: &Scene) -> Sim<Scene> {
     mechanism.start_with(Dop853::new(1e-10)).unwrap()
 }
 
 /// The box on a slope.
-fn on_slope(slope: f64) -> Sim<Grounds> {
-    let mut mechanism = Grounds { slope, ..Grounds::new() };
-    let start = &mut mechanism.start.case;
-    (start.x.value, start.y.value, start.angle.value) = (-0.2 * slope.sin(), 0.2 * slope.cos(), slope);
+fn on_slope(slope: f64) -> Sim<Scene> {
+    let mechanism = Grounds::new()
+        .with("slope", slope)
+        .with_start("case.x", -0.2 * slope.sin())
+        .with_start("case.y", 0.2 * slope.cos())
+        .with_start("case.angle", slope);
     run(&mechanism)
 }
 
@@ -56,14 +59,14 @@ fn a_box_tips_on_a_slope() {
     let slope = 20_f64.to_radians();
     let mut sim = on_slope(slope);
     sim.step(0.1).unwrap();
-    near(sim.feet_push(), 2.0 * G * slope.cos(), 1e-9);
-    near(sim.feet_corner_push_0(), G * slope.cos() * (1.0 + 2.0 * slope.tan()), 1e-9);
-    near(sim.feet_corner_push_1(), G * slope.cos() * (1.0 - 2.0 * slope.tan()), 1e-9);
-    near(sim.feet_drag(), 2.0 * G * slope.sin(), 1e-9);
+    near(sim.value_of("feet.push"), 2.0 * G * slope.cos(), 1e-9);
+    near(sim.value_of("feet.corner_push[0]"), G * slope.cos() * (1.0 + 2.0 * slope.tan()), 1e-9);
+    near(sim.value_of("feet.corner_push[1]"), G * slope.cos() * (1.0 - 2.0 * slope.tan()), 1e-9);
+    near(sim.value_of("feet.drag"), 2.0 * G * slope.sin(), 1e-9);
     let slope = 40_f64.to_radians();
     let sim = on_slope(slope);
     let inertia = 2.0 * (0.04 + 0.16) / 12.0 + 2.0 * (0.01 + 0.04);
-    near(sim.case_alpha(), 2.0 * G * (0.2 * slope.sin() - 0.1 * slope.cos()) / inertia, 1e-9);
+    near(sim.value_of("case.alpha"), 2.0 * G * (0.2 * slope.sin() - 0.1 * slope.cos()) / inertia, 1e-9);
 }
 
 /// With the path's angle a and curvature k: v' = -g sin a - mu (g cos a + k v^2) sign v, by Runge and Kutta's method in the arc.
@@ -86,18 +89,18 @@ fn a_sled_slides_through_a_valley() {
     }
     sim.step_to(0.5).unwrap();
     assert!(v > 0.5, "it slides forwards");
-    near(sim.sled().x, x, 1e-8);
-    near(sim.sled().y, 0.5 * x * x, 1e-9);
-    near(sim.valley_slip(), v, 1e-8);
+    near(sim.state_of("sled").x, x, 1e-8);
+    near(sim.state_of("sled").y, 0.5 * x * x, 1e-9);
+    near(sim.value_of("valley.slip"), v, 1e-8);
     let cos = 1.0 / (1.0 + x * x).sqrt();
     let push = 2.0 * (G * cos + cos.powi(3) * v * v);
-    near(sim.valley_push(), push, 1e-7);
-    near(sim.valley_drag(), -0.2 * push, 1e-7);
-    near(sim.valley_lost(), 0.2 * push * v, 1e-7);
+    near(sim.value_of("valley.push"), push, 1e-7);
+    near(sim.value_of("valley.drag"), -0.2 * push, 1e-7);
+    near(sim.value_of("valley.lost"), 0.2 * push * v, 1e-7);
     // It comes to rest within the cone of friction, |y'| <= mu.
     sim.step_to(5.0).unwrap();
     assert_eq!(sim.contact("valley.rub"), Some(Mode::Sticks));
-    assert!(sim.sled().x.abs() < 0.2 && sim.sled().vx.abs() < 1e-12);
+    assert!(sim.state_of("sled").x.abs() < 0.2 && sim.state_of("sled").vx.abs() < 1e-12);
 }
 
 /// Over a crest of radius 1 m one keeps to the ground as long as v^2 < g R.
@@ -105,9 +108,9 @@ fn a_sled_slides_through_a_valley() {
 fn a_hiker_takes_off_on_a_crest() {
     for (speed, mode) in [(G.sqrt() - 1e-6, Mode::Closed), (G.sqrt() + 1e-6, Mode::Open)] {
         let mut mechanism = Grounds::new();
-        mechanism.start.hiker.vx.value = speed;
+        mechanism = mechanism.with_start("hiker.vx", speed);
         let sim = run(&mechanism);
         assert_eq!(sim.contact("crest.contact"), Some(mode), "{speed} m/s");
-        near(sim.crest_push(), (2.0 * (G - speed * speed)).max(0.0), 1e-9);
+        near(sim.value_of("crest.push"), (2.0 * (G - speed * speed)).max(0.0), 1e-9);
     }
 }

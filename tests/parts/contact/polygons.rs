@@ -1,10 +1,11 @@
 //! Points and circles on polygons.
 
-use plm::Dop853;
+use plm::{Dop853, Mechanism as _};
 
 use super::near;
+use crate::scene::Named as _;
 
-plm::mechanism! {
+scene! {
     /// Pairs that fall and strike each other on the line of their centres: a pebble and a disc against plates.
     pub Plates {
         gravity: 9.81 m/s^2;
@@ -35,7 +36,10 @@ plm::mechanism! {
 fn polygons_are_struck_on_sides_and_corners() {
     let mut sim = Plates::new().start_with(Dop853::new(1e-10)).unwrap();
     sim.step_to(1.0).unwrap();
-    let bodies = [(sim.pebble(), sim.second(), 0.8), (sim.disc(), sim.third(), 0.9 - 0.2 * 2.0_f64.sqrt())];
+    let bodies = [
+        (sim.state_of("pebble"), sim.state_of("second"), 0.8),
+        (sim.state_of("disc"), sim.state_of("third"), 0.9 - 0.2 * 2.0_f64.sqrt()),
+    ];
     for (light, heavy, gap) in bodies {
         near(light.vx, -0.25, 1e-9);
         near(heavy.vx, 0.75, 1e-9);

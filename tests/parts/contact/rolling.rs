@@ -1,10 +1,11 @@
 //! What rolls and slides without leaving its track.
 
-use plm::Dop853;
+use plm::{Dop853, Mechanism as _};
 
 use super::{G, near};
+use crate::scene::Named as _;
 
-plm::mechanism! {
+scene! {
     /// A log on a log, a hoop in a pipe, a disc on a slope, a bead on a wire beside a pendulum.
     pub Rolls {
         gravity: 9.81 m/s^2;
@@ -44,21 +45,21 @@ fn what_rolls_without_slip_bears_its_load() {
     let start = 10_f64.to_radians().cos();
     for _ in 0..20 {
         sim.step(0.1).unwrap();
-        let log = sim.log();
+        let log = sim.state_of("log");
         let (sin, cos) = (log.x / 1.5, log.y / 1.5);
         near(sin.hypot(cos), 1.0, 1e-10);
-        near(sim.pile_load(), G * (7.0 * cos - 4.0 * start) / 3.0, 1e-7);
-        near(sim.pile_traction(), G * sin / 3.0, 1e-7);
-        let hoop = sim.hoop();
+        near(sim.value_of("pile.load"), G * (7.0 * cos - 4.0 * start) / 3.0, 1e-7);
+        near(sim.value_of("pile.traction"), G * sin / 3.0, 1e-7);
+        let hoop = sim.state_of("hoop");
         let (sin, cos) = (hoop.x / 0.9, -hoop.y / 0.9);
-        near(sim.pipe_load(), G * (2.0 * cos - 20_f64.to_radians().cos()), 1e-7);
-        near(sim.pipe_traction(), G * sin / 2.0, 1e-7);
+        near(sim.value_of("pipe.load"), G * (2.0 * cos - 20_f64.to_radians().cos()), 1e-7);
+        near(sim.value_of("pipe.traction"), G * sin / 2.0, 1e-7);
         near(hoop.angle, -9.0 * sin.atan2(cos), 1e-9);
     }
     let (sin, cos) = 20_f64.to_radians().sin_cos();
-    near(sim.tyre_speed(), 2.0 * 2.0 / 3.0 * G * sin, 1e-9);
-    near(sim.tyre_traction(), -2.0 * G * sin / 3.0, 1e-9);
-    near(sim.tyre_load(), 2.0 * G * cos, 1e-9);
+    near(sim.value_of("tyre.speed"), 2.0 * 2.0 / 3.0 * G * sin, 1e-9);
+    near(sim.value_of("tyre.traction"), -2.0 * G * sin / 3.0, 1e-9);
+    near(sim.value_of("tyre.load"), 2.0 * G * cos, 1e-9);
 }
 
 /// A bead on a circular wire is a pendulum.
@@ -66,13 +67,13 @@ fn what_rolls_without_slip_bears_its_load() {
 fn a_bead_on_a_wire_swings_as_a_pendulum() {
     let mut sim = Rolls::new().start_with(Dop853::new(1e-10)).unwrap();
     for _ in 0..20 {
-        let (bead, bob) = (sim.bead(), sim.bob());
+        let (bead, bob) = (sim.state_of("bead"), sim.state_of("bob"));
         near(bead.x, bob.x, 1e-8);
         near(bead.y, bob.y, 1e-8);
-        near(sim.track_push(), sim.tension(), 1e-6);
-        let force = sim.track_force();
-        near(force[0], -bead.x * sim.tension(), 1e-6);
-        near(force[1], (1.0 - bead.y) * sim.tension(), 1e-6);
+        near(sim.value_of("track.push"), sim.value_of("tension"), 1e-6);
+        let force = sim.vector_of("track.force");
+        near(force[0], -bead.x * sim.value_of("tension"), 1e-6);
+        near(force[1], (1.0 - bead.y) * sim.value_of("tension"), 1e-6);
         sim.step(0.05).unwrap();
     }
 }

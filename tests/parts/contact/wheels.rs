@@ -1,14 +1,15 @@
 //! Wheels and tyres.
 
 use plm::runtime::contact::Mode;
-use plm::{Dop853, Sim};
+use plm::{Dop853, Mechanism as _, Moment as _, Sim};
 
 use super::{G, near};
+use crate::scene::{Given as _, Named as _, Scene};
 
 const SPEED: f64 = 10.0;
 const RADIUS: f64 = 0.3;
 
-plm::mechanism! {
+scene! {
     /// A wheel with a brake, one that coasts, a tyre that is led.
     pub Wheels {
         param brake: N*m = 30 N*m;
@@ -36,7 +37,7 @@ plm::mechanism! {
     }
 }
 
-fn run(mechanism: &Wheels) -> Sim<Wheels> {
+fn run(mechanism: &Scene) -> Sim<Scene> {
     mechanism.start_with(Dop853::new(1e-10)).unwrap()
 }
 
@@ -48,33 +49,33 @@ fn a_braked_wheel_locks() {
     let whole = 1.0 + inertia / (mass * RADIUS * RADIUS);
     let limit = mu * mass * G * RADIUS * whole;
     for (brake, mode) in [(limit * (1.0 - 1e-6), Mode::Sticks), (limit * (1.0 + 1e-6), Mode::Forwards)] {
-        let sim = run(&Wheels { brake, ..Wheels::new() });
+        let sim = run(&Wheels::new().with("brake", brake));
         assert_eq!(sim.contact("braked.grip"), Some(mode), "{brake} N m");
     }
     let brake = 0.5 * limit;
-    let mut sim = run(&Wheels { brake, ..Wheels::new() });
+    let mut sim = run(&Wheels::new().with("brake", brake));
     let slows = 0.5 * mu * G;
-    near(sim.braked_traction(), -mass * slows, 1e-9);
+    near(sim.value_of("braked.traction"), -mass * slows, 1e-9);
     let stops = SPEED / slows;
     sim.step_to(stops - 1e-6).unwrap();
-    near(sim.front().vx, 1e-6 * slows, 1e-9);
+    near(sim.state_of("front").vx, 1e-6 * slows, 1e-9);
     sim.step_to(stops + 1.0).unwrap();
     assert_eq!(sim.contact("shoe"), Some(Mode::Sticks));
-    near(sim.front().x, SPEED * SPEED / (2.0 * slows), 1e-8);
+    near(sim.state_of("front").x, SPEED * SPEED / (2.0 * slows), 1e-8);
 
     let brake = 2.0 * limit;
-    let mut sim = run(&Wheels { brake, ..Wheels::new() });
+    let mut sim = run(&Wheels::new().with("brake", brake));
     let locks = inertia * SPEED / RADIUS / (brake - mu * mass * G * RADIUS);
     sim.step_to(locks - 1e-9).unwrap();
     assert_eq!(sim.contact("shoe"), Some(Mode::Backwards));
     sim.step_to(locks + 1e-9).unwrap();
     assert_eq!(sim.contact("shoe"), Some(Mode::Sticks));
-    near(sim.braked_lost(), mu * mass * G * sim.front().vx, 1e-6);
-    near(sim.braked_slip(), sim.front().vx, 1e-9);
+    near(sim.value_of("braked.lost"), mu * mass * G * sim.state_of("front").vx, 1e-6);
+    near(sim.value_of("braked.slip"), sim.state_of("front").vx, 1e-9);
     sim.step_to(3.0).unwrap();
-    assert_eq!(sim.front().omega, 0.0);
-    near(sim.front().x, SPEED * SPEED / (2.0 * mu * G), 1e-8);
-    near(sim.braked_load(), mass * G, 1e-9);
+    assert_eq!(sim.state_of("front").omega, 0.0);
+    near(sim.state_of("front").x, SPEED * SPEED / (2.0 * mu * G), 1e-8);
+    near(sim.value_of("braked.load"), mass * G, 1e-9);
 }
 
 /// A lever arm f of the load slows by f N r/(J + m r^2).
@@ -82,34 +83,34 @@ fn a_braked_wheel_locks() {
 fn a_wheel_coasts() {
     let mut sim = run(&Wheels::new());
     let load = 20.0 * G;
-    near(sim.coasting_resistance(), 0.003 * load, 1e-12);
-    near(sim.coasting_lost(), 0.003 * load * SPEED / RADIUS, 1e-9);
+    near(sim.value_of("coasting.resistance"), 0.003 * load, 1e-12);
+    near(sim.value_of("coasting.lost"), 0.003 * load * SPEED / RADIUS, 1e-9);
     let slows = 0.003 * load * RADIUS / (0.9 + 20.0 * 0.09);
     sim.step_to(5.0).unwrap();
-    near(sim.coasting_speed(), SPEED - 5.0 * slows, 1e-8);
+    near(sim.value_of("coasting.speed"), SPEED - 5.0 * slows, 1e-8);
 }
 
 /// The slip builds up as 1 - exp(-x/sigma), and the force is the magic formula of it.
 #[test]
 fn a_tyre_pulls_by_the_magic_formula() {
     for spin in [30.0, 40.0] {
-        let mut sim = run(&Wheels { spin, ..Wheels::new() });
+        let mut sim = run(&Wheels::new().with("spin", spin));
         let load = 2e5 * 0.01;
         let steady = (0.3 * spin - SPEED) / SPEED;
         for _ in 0..5 {
             sim.step(0.02).unwrap();
             let slip = steady * (1.0 - (-SPEED * sim.time() / 0.5).exp());
-            near(sim.rubber_slip(), slip, 1e-9);
-            near(sim.rubber_slip_ratio(), steady, 1e-12);
+            near(sim.value_of("rubber.slip"), slip, 1e-9);
+            near(sim.value_of("rubber.slip_ratio"), steady, 1e-12);
             let (b, c, e) = (10.0, 1.9, 0.97);
             let bent = b * slip - e * (b * slip - (b * slip).atan());
             let traction = 0.9 * load * (c * bent.atan()).sin();
-            near(sim.rubber_traction(), traction, 1e-6);
+            near(sim.value_of("rubber.traction"), traction, 1e-6);
             // Of the constraints that lead it: a positive reaction pulls backwards, and turns clockwise.
-            near(sim.pull(), traction, 1e-6);
-            near(sim.hub(), 0.29 * traction, 1e-6);
-            near(sim.rubber_lost(), traction * (0.3 * spin - SPEED), 1e-6);
+            near(sim.value_of("pull"), traction, 1e-6);
+            near(sim.value_of("hub"), 0.29 * traction, 1e-6);
+            near(sim.value_of("rubber.lost"), traction * (0.3 * spin - SPEED), 1e-6);
         }
-        near(sim.rubber_load(), load, 1e-9);
+        near(sim.value_of("rubber.load"), load, 1e-9);
     }
 }
