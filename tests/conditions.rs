@@ -1,20 +1,31 @@
 //! Conditions that stand within others: what is looked at, and that nothing that matters is missed.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+#![allow(
+    clippy::large_types_passed_by_value,
+    clippy::unwrap_used,
+    clippy::panic,
+    missing_docs,
+    unreachable_pub,
+    reason = "tests"
+)]
 
+#[macro_use]
+#[path = "support/scene.rs"]
+mod scene;
 #[path = "support/random.rs"]
 mod random;
 
-use plm::{Adams, Cause, Dop853, Dopri5, Mechanism, RadauIia5, Rk4, Stats};
+use plm::{Adams, Cause, Dop853, Dopri5, Mechanism as _, Method, Moment as _, RadauIia5, Rk4, Stats};
 
 use random::Random;
+use scene::{Given as _, Named as _, Scene};
 
 /// Four points that swing, each by itself, and a clock that runs as long as a condition of them holds.
 macro_rules! clock {
     ($module:ident, |$a:ident, $b:ident, $c:ident, $d:ident| $known:expr, { $($condition:tt)* }) => {
         mod $module {
-            use super::{Swing, Known, known};
+            use super::{Known, Swing, known};
 
-            plm::mechanism! {
+            scene! {
                 pub Clock {
                     allow(W0002, W0007);
                     param ka: 1/s^2 = 1/(1 s)^2; param kb: 1/s^2 = 1/(1 s)^2; param kc: 1/s^2 = 1/(1 s)^2; param kd: 1/s^2 = 1/(1 s)^2;
@@ -33,29 +44,32 @@ macro_rules! clock {
                 }
             }
 
-            pub fn clock(swings: &[Swing; 4]) -> Clock {
-                let [ka, kb, kc, kd] = swings.map(|swing| swing.w*swing.w);
-                let [at_a, at_b, at_c, at_d] = swings.map(|swing| swing.at);
-                Clock { ka, kb, kc, kd, at_a, at_b, at_c, at_d, ..Clock::new() }
-            }
-
             pub fn expected(swings: &[Swing; 4], until: f64) -> Known {
                 known(swings, until, |[$a, $b, $c, $d]| $known)
             }
-
-            pub fn run<I: plm::Method<Clock>>(swings: &[Swing; 4], method: I, until: f64) -> (f64, plm::Stats) {
-                let mut sim = clock(swings).start_with(method).unwrap();
-                sim.run(until, 0.05, |state| {
-                    let sides = [(swings[0], state.side_a()), (swings[3], state.side_d())];
-                    for (swing, side) in sides {
-                        let above = swing.place(state.time()) - swing.at;
-                        assert!(above.abs() < 1e-5 || (above > 0.0) == (side > 0.5), "{swing:?} at {}", state.time());
-                    }
-                }).unwrap();
-                (sim.seconds(), sim.stats())
-            }
         }
     };
+}
+
+/// A clock with the swings of its points.
+fn clock(clock: Scene, swings: &[Swing; 4]) -> Scene {
+    ["a", "b", "c", "d"].into_iter().zip(swings).fold(clock, |clock, (point, swing)| {
+        clock.with(&format!("k{point}"), swing.w * swing.w).with(&format!("at_{point}"), swing.at)
+    })
+}
+
+/// What it shows at a time, and what the run took.
+fn run<I: Method<Scene>>(of: Scene, swings: &[Swing; 4], method: I, until: f64) -> (f64, Stats) {
+    let mut sim = clock(of, swings).start_with(method).unwrap();
+    sim.run(until, 0.05, |state| {
+        let sides = [(swings[0], state.value_of("side_a")), (swings[3], state.value_of("side_d"))];
+        for (swing, side) in sides {
+            let above = swing.place(state.time()) - swing.at;
+            assert!(above.abs() < 1e-5 || (above > 0.0) == (side > 0.5), "{swing:?} at {}", state.time());
+        }
+    })
+    .unwrap();
+    (sim.value_of("seconds"), sim.stats())
 }
 
 /// `cos(w t)`, and where it is asked whether it is above.
@@ -139,11 +153,15 @@ macro_rules! found {
                     // `a > at_a` and `a < at_a` are two.
                     assert!(known.changes <= stats.switches && stats.switches <= 2 * known.all, "{what}");
                 };
-                check("Dop853", $module::run(&swings, Dop853::new(1e-10), until), 1e-7);
-                check("Dopri5", $module::run(&swings, Dopri5::new(1e-9), until), 1e-6);
+                check("Dop853", run($module::Clock::new(), &swings, Dop853::new(1e-10), until), 1e-7);
+                check("Dopri5", run($module::Clock::new(), &swings, Dopri5::new(1e-9), until), 1e-6);
                 if case < 2 {
-                    check("Adams", $module::run(&swings, Adams::new(1e-9), until), 1e-5);
-                    check("RadauIia5", $module::run(&swings, RadauIia5::new(1e-8), until), 1e-4);
+                    check("Adams", run($module::Clock::new(), &swings, Adams::new(1e-9), until), 1e-5);
+                    check(
+                        "RadauIia5",
+                        run($module::Clock::new(), &swings, RadauIia5::new(1e-8), until),
+                        1e-4,
+                    );
                 }
             }
         }
@@ -160,7 +178,7 @@ found!(choices_within_choices_are_found, nested, 20_261_106);
 macro_rules! ball {
     ($module:ident, $($formulation:tt)*) => {
         mod $module {
-            plm::mechanism! {
+            scene! {
                 pub Ball {
                     $($formulation)*
                     allow(W0002);
@@ -187,24 +205,27 @@ macro_rules! begins_again {
             for case in 0..40 {
                 let (drag, level) = (random.between(0.0, 2.0), random.between(-3.0, 0.9));
                 let far = 10.0_f64.powf(random.between(0.0, 3.0));
-                let mut ball = $module::Ball { drag, level: level * far, ..$module::Ball::new() };
-                ball.start.ball.y.value = far;
-                ball.start.ball.vy.value = random.between(-20.0, 5.0);
-                let what = format!("seed {}, case {case}: drag {drag}, from {far} to {}", $seed, ball.level);
+                let level = level * far;
+                let mut ball = $module::Ball::new()
+                    .with("drag", drag)
+                    .with("level", level)
+                    .with_start("ball.y", far)
+                    .with_start("ball.vy", random.between(-20.0, 5.0));
+                let what = format!("seed {}, case {case}: drag {drag}, from {far} to {}", $seed, level);
                 let mut sim = ball.start().unwrap();
                 let fault = sim.step(1e4).unwrap_err();
                 assert_eq!((fault.part, fault.cause), ("above", Cause::Required), "{what}: {fault}");
                 // Where it ended is on the boundary but for rounding.
-                let off = (sim.ball().y - ball.level).abs();
+                let off = (sim.state_of("ball").y - level).abs();
                 assert!(off <= 1e-13 * far * (1.0 + fault.time), "{what}: {off:e}");
-                let (speed, time) = (-sim.ball().vy, fault.time);
-                ball.start = sim.starts();
+                let (speed, time) = (-sim.state_of("ball").vy, fault.time);
+                ball = ball.with_starts(&sim.state().starts());
                 // It falls on: at once.
                 let mut down = ball.start_at(time, Dop853::default()).unwrap();
                 let fault = down.step(0.1).unwrap_err();
                 assert!(fault.time <= time * (1.0 + 1e-12) && fault.part == "above", "{what}: {fault}");
                 // Upwards it goes on, and comes back.
-                ball.start.ball.vy.value = speed;
+                ball = ball.with_start("ball.vy", speed);
                 let mut up = ball.start_at(time, Dop853::default()).unwrap();
                 let fault = up.step(1e4).unwrap_err();
                 assert!(
@@ -215,7 +236,7 @@ macro_rules! begins_again {
                 assert!(up.step(1e-3 * speed.min(5.0)).is_ok(), "{what}");
                 // Beyond rounding it is on the wrong side, whatever its speed.
                 let by = far * 10.0_f64.powf(random.between(-9.0, 0.0));
-                ball.start.ball.y.value = ball.level - by;
+                ball = ball.with_start("ball.y", level - by);
                 for fault in [
                     ball.start_at(time, Dop853::default()).unwrap().step(0.1).unwrap_err(),
                     ball.start_at(time, Rk4::new(1e-3)).unwrap().step(0.1).unwrap_err(),
@@ -231,7 +252,7 @@ begins_again!(what_a_requirement_has_ended_begins_again, ball, 20_261_107);
 begins_again!(what_a_requirement_has_ended_begins_again_in_absolute_coordinates, ball_absolute, 20_261_108);
 
 mod gate {
-    plm::mechanism! {
+    scene! {
         pub Gate {
             param drive: N = 3 N;
             ground { port o: (0, 0) m; }
@@ -247,12 +268,15 @@ mod gate {
 fn a_start_on_the_boundary_takes_the_side_that_it_goes_to() {
     for speed in [2.0, -2.0] {
         for off in [0.0, 1e-16, -1e-16, 2e-16, -2e-16] {
-            let mut gate = gate::Gate::new();
-            (gate.start.block.x.value, gate.start.block.vx.value) = (0.3 + off, speed);
+            let gate = gate::Gate::new().with_start("block.x", 0.3 + off).with_start("block.vx", speed);
             let mut sim = gate.start_with(Rk4::new(0.1)).unwrap();
             sim.step(0.1).unwrap();
             let expected = 0.3 + 0.1 * speed + 0.5 * 3.0 * speed.signum() * 0.01;
-            assert!((sim.block().x - expected).abs() < 1e-14, "{speed} {off:e}: {}", sim.block().x);
+            assert!(
+                (sim.state_of("block").x - expected).abs() < 1e-14,
+                "{speed} {off:e}: {}",
+                sim.state_of("block").x
+            );
             assert_eq!(sim.stats().switches, 0, "{speed} {off:e}");
         }
     }

@@ -5,16 +5,27 @@
 //! Prince's method of order 8 with a tolerance of 1e-11. An estimate of steps knows nothing of what a motion makes of their
 //! errors: motions that make more than thirty times of them, by a second right one from beside the start, must not
 //! be told, but may. `PLM_LONG_STEPS=20 cargo test --test long_steps -- --nocapture` has more of them, and prints each.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+#![allow(
+    clippy::large_types_passed_by_value,
+    clippy::unwrap_used,
+    clippy::panic,
+    missing_docs,
+    reason = "tests"
+)]
 
+#[macro_use]
+#[path = "support/scene.rs"]
+mod scene;
 #[path = "support/random.rs"]
 mod random;
 
-use plm::runtime::{Described, Linear, Moment, Vector};
-use plm::{BodyState, Dop853, Fault, Gauss, Method, Notice, Rk4, Ros34Pw2, SemiImplicitEuler, Start};
+use plm::{
+    BodyState, Dop853, Fault, Gauss, Mechanism as _, Method, Notice, Rk4, Ros34Pw2, SemiImplicitEuler,
+};
 use random::Random;
+use scene::{Given as _, Named as _, Scene, State};
 
-plm::mechanism! {
+scene! {
     pub Pendulum {
         gravity: 9.81 m/s^2;
         param l: m = 1 m;
@@ -23,7 +34,7 @@ plm::mechanism! {
         revolute hinge(ground.o, bob.o) { damping: 0.02 N*m*s/rad; }
     }
 }
-plm::mechanism! {
+scene! {
     pub Double {
         gravity: 9.81 m/s^2;
         param l: m = 1 m;
@@ -37,7 +48,7 @@ plm::mechanism! {
 }
 macro_rules! four_bar {
     ($name:ident, $formulation:ident) => {
-        plm::mechanism! {
+        scene! {
             pub $name {
                 formulation: $formulation;
                 gravity: 9.81 m/s^2;
@@ -59,7 +70,7 @@ macro_rules! four_bar {
 }
 four_bar!(FourBar, loops);
 four_bar!(FourBarAbsolute, absolute);
-plm::mechanism! {
+scene! {
     pub SixBar {
         gravity: 9.81 m/s^2;
         param span: m = 1 m;
@@ -83,7 +94,7 @@ plm::mechanism! {
         revolute g(ground.g, arm.g) { damping: 0.05 N*m*s/rad; }
     }
 }
-plm::mechanism! {
+scene! {
     pub Chain {
         gravity: 9.81 m/s^2;
         param l: m = 0.5 m;
@@ -98,7 +109,7 @@ plm::mechanism! {
         revolute n(three.p, four.o) { damping: 0.2 N*m*s/rad; }
     }
 }
-plm::mechanism! {
+scene! {
     /// A slide on a spring, damped, pushed by a lag behind a sine.
     pub Slide {
         param k: N/m = 100 N/m;
@@ -119,11 +130,8 @@ plm::mechanism! {
 type Motion = (Vec<BodyState<f64>>, Vec<f64>);
 
 /// Those of a moment.
-fn bodies<M: Described<S = f64>>(state: &M::State) -> Motion {
-    let mut all = Vec::new();
-    M::poses(state, &mut |body| all.push(body));
-    let states = (2 * M::NQ..M::X::LEN).map(|i| state.x().at(i));
-    (all, states.collect())
+fn bodies(state: &State) -> Motion {
+    (state.bodies(), state.numbers())
 }
 
 /// How far two states are apart, as a share of their sizes: rad, m and their rates, or more where these are larger. What is not
@@ -158,7 +166,7 @@ struct Run {
 }
 
 /// Runs in steps of `h` beside the right motion.
-fn run<M: Described<S = f64>, I: Method<M>>(mechanism: M, method: I, h: f64, right: &[Motion]) -> Run {
+fn run<I: Method<Scene>>(mechanism: Scene, method: I, h: f64, right: &[Motion]) -> Run {
     let mut sim = mechanism.start_with(method).unwrap();
     let (mut error, mut fault) = (0.0_f64, None);
     for right in right {
@@ -166,15 +174,15 @@ fn run<M: Described<S = f64>, I: Method<M>>(mechanism: M, method: I, h: f64, rig
             fault = Some(found);
             break;
         }
-        error = error.max(apart(&bodies::<M>(&sim), right));
+        error = error.max(apart(&bodies(&sim), right));
     }
     Run { error, told: sim.notice(), fault }
 }
 
 /// The right motion after each step of `h`.
-fn right<M: Described<S = f64>>(mechanism: M, h: f64, steps: usize) -> Option<Vec<Motion>> {
+fn right(mechanism: Scene, h: f64, steps: usize) -> Option<Vec<Motion>> {
     let mut sim = mechanism.start_with(Dop853::new(1e-11).with_most_steps(100_000)).ok()?;
-    (0..steps).map(|_| sim.step(h).ok().map(|()| bodies::<M>(&sim))).collect()
+    (0..steps).map(|_| sim.step(h).ok().map(|()| bodies(&sim))).collect()
 }
 
 /// What the runs of a mechanism came to.
@@ -218,11 +226,7 @@ fn all_of_them() -> u64 {
 }
 
 /// Runs of a mechanism by all methods; `build` gives it with a start that is `off` by a little.
-fn sweep<M: Described<S = f64> + Linear>(
-    (name, is_tree): (&str, bool),
-    until: f64,
-    build: impl Fn(&mut Random, f64) -> M,
-) {
+fn sweep((name, is_tree): (&str, bool), until: f64, build: impl Fn(&mut Random, f64) -> Scene) {
     let mut count = Count::default();
     for case in 0..all_of_them().max(2) {
         let seed = 1000 * SEED + case;
@@ -240,7 +244,7 @@ fn sweep<M: Described<S = f64> + Linear>(
             if is_tree {
                 let euler = run(mechanism, SemiImplicitEuler::new(h), h, &exact);
                 count.see(&what("SemiImplicitEuler"), &euler, grown);
-                count.see(&what("Gauss"), &run(mechanism, Gauss::<M, 3>::new(h), h, &exact), grown);
+                count.see(&what("Gauss"), &run(mechanism, Gauss::<Scene, 3>::new(h), h, &exact), grown);
             }
         }
     }
@@ -263,17 +267,16 @@ macro_rules! linkages {
     ($test:ident, $mechanism:ident, $until:literal $(, $more:ident)*) => {
         #[test]
         fn $test() {
-            sweep::<$mechanism>((stringify!($mechanism), false), $until, |random, off| {
-                let mut linkage = $mechanism::new();
-                linkage.span = decimal(random, 8, 12);
-                linkage.l1 = decimal(random, 1, 4);
-                linkage.l2 = decimal(random, 6, 12);
-                linkage.l3 = decimal(random, 5, 9);
-                $(linkage.$more = decimal(random, 7, 9);)*
+            sweep((stringify!($mechanism), false), $until, |random, off| {
+                #[allow(unused_mut, reason = "of linkages of four bars")]
+                let mut linkage = $mechanism::new()
+                    .with("span", decimal(random, 8, 12))
+                    .with("l1", decimal(random, 1, 4))
+                    .with("l2", decimal(random, 6, 12))
+                    .with("l3", decimal(random, 5, 9));
+                $(linkage = linkage.with(stringify!($more), decimal(random, 7, 9));)*
                 let (angle, speed) = crank(random);
-                linkage.start.crank.angle = Start::locked(angle);
-                linkage.start.crank.omega = Start::locked(speed + off);
-                linkage
+                linkage.with_lock("crank.angle", angle).with_lock("crank.omega", speed + off)
             });
         }
     };
@@ -284,44 +287,43 @@ linkages!(steps_of_six_bars_are_told, SixBar, 1.0, l4, l5);
 
 #[test]
 fn steps_of_pendulums_are_told() {
-    sweep::<Pendulum>(("pendulum", true), 3.0, |random, off| {
-        let mut pendulum = Pendulum::new();
-        pendulum.l = decimal(random, 2, 20);
-        pendulum.start.bob.angle = Start::locked(random.between(-3.0, 3.0));
-        pendulum.start.bob.omega = Start::locked(random.between(-5.0, 5.0) + off);
-        pendulum
+    sweep(("pendulum", true), 3.0, |random, off| {
+        Pendulum::new()
+            .with("l", decimal(random, 2, 20))
+            .with_lock("bob.angle", random.between(-3.0, 3.0))
+            .with_lock("bob.omega", random.between(-5.0, 5.0) + off)
     });
-    sweep::<Double>(("double pendulum", true), 2.0, |random, off| {
-        let mut double = Double::new();
-        (double.l, double.r) = (decimal(random, 3, 12), decimal(random, 2, 9));
-        double.start.one.angle = Start::locked(random.between(-1.5, 1.5));
-        double.start.two.angle = Start::locked(random.between(-1.5, 1.5));
-        double.start.one.omega = Start::locked(random.between(-2.0, 2.0) + off);
-        double.start.two.omega = Start::locked(random.between(-2.0, 2.0));
-        double
+    sweep(("double pendulum", true), 2.0, |random, off| {
+        Double::new()
+            .with("l", decimal(random, 3, 12))
+            .with("r", decimal(random, 2, 9))
+            .with_lock("one.angle", random.between(-1.5, 1.5))
+            .with_lock("two.angle", random.between(-1.5, 1.5))
+            .with_lock("one.omega", random.between(-2.0, 2.0) + off)
+            .with_lock("two.omega", random.between(-2.0, 2.0))
     });
 }
 
 #[test]
 fn steps_of_chains_are_told() {
-    sweep::<Chain>(("chain", true), 2.0, |random, off| {
-        let mut chain = Chain::new();
-        chain.l = decimal(random, 2, 8);
-        chain.start.one.angle = Start::locked(random.between(-1.5, 1.5));
-        chain.start.two.angle = Start::locked(random.between(-1.5, 1.5));
-        chain.start.one.omega = Start::locked(random.between(-3.0, 3.0) + off);
-        chain
+    sweep(("chain", true), 2.0, |random, off| {
+        Chain::new()
+            .with("l", decimal(random, 2, 8))
+            .with_lock("one.angle", random.between(-1.5, 1.5))
+            .with_lock("two.angle", random.between(-1.5, 1.5))
+            .with_lock("one.omega", random.between(-3.0, 3.0) + off)
     });
 }
 
 #[test]
 fn steps_of_slides_behind_a_lag_are_told() {
-    sweep::<Slide>(("slide", true), 3.0, |random, off| {
-        let mut slide = Slide::new();
-        (slide.k, slide.d, slide.f) =
-            (random.between(10.0, 300.0), random.between(0.0, 30.0), random.between(1.0, 100.0));
-        (slide.w, slide.lag) = (random.between(1.0, 10.0), random.between(0.05, 1.0));
-        slide.start.mass.vx = Start::locked(0.5 + off);
-        slide
+    sweep(("slide", true), 3.0, |random, off| {
+        Slide::new()
+            .with("k", random.between(10.0, 300.0))
+            .with("d", random.between(0.0, 30.0))
+            .with("f", random.between(1.0, 100.0))
+            .with("w", random.between(1.0, 10.0))
+            .with("lag", random.between(0.05, 1.0))
+            .with_lock("mass.vx", 0.5 + off)
     });
 }

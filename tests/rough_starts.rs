@@ -1,13 +1,24 @@
 //! Assembly from rough starts: what a closed form reaches is found, what it does not says how much it lacks.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+#![allow(
+    clippy::large_types_passed_by_value,
+    clippy::unwrap_used,
+    clippy::panic,
+    missing_docs,
+    reason = "tests"
+)]
 
+#[macro_use]
+#[path = "support/scene.rs"]
+mod scene;
 #[path = "support/random.rs"]
 mod random;
 
+use plm::runtime::absolute;
 use plm::{Cause, Fault, Found};
 use random::Random;
+use scene::{Given as _, Scene};
 
-plm::mechanism! {
+scene! {
     pub FiveBar {
         param span: m = 0.2 m; param a: m = 0.2 m; param b: m = 0.2 m; param c: m = 0.25 m; param d: m = 0.25 m;
         param q1: rad = 24 deg; param q2: rad = 252 deg;
@@ -26,7 +37,7 @@ plm::mechanism! {
     }
 }
 
-plm::mechanism! {
+scene! {
     pub FourBar {
         formulation: absolute;
         param span: m = 0.4 m; param a: m = 0.1 m; param b: m = 0.4 m; param c: m = 0.3 m; param q: rad = 1 rad;
@@ -41,7 +52,7 @@ plm::mechanism! {
     }
 }
 
-plm::mechanism! {
+scene! {
     pub SliderCrank {
         param offset: m = 0 m; param a: m = 0.1 m; param b: m = 0.3 m; param q: rad = 1 rad;
         ground { port o: (0, 0) m; port rail: (0 m, offset); }
@@ -56,7 +67,7 @@ plm::mechanism! {
     }
 }
 
-plm::mechanism! {
+scene! {
     /// A four-bar whose coupler carries a second dyad.
     pub SixBar {
         param span: m = 0.4 m; param a: m = 0.1 m; param b: m = 0.4 m; param c: m = 0.3 m; param q: rad = 1 rad;
@@ -89,6 +100,17 @@ struct Tally {
     beyond: usize,
     /// Of those beyond reach what came out as something else than the true lack.
     untrue: usize,
+}
+
+/// A mechanism with parameters and start values of its own.
+fn given(mechanism: Scene, parameters: &[(&str, f64)], starts: &[(&str, f64)]) -> Scene {
+    let mechanism = parameters.iter().fold(mechanism, |own, (name, value)| own.with(name, *value));
+    starts.iter().fold(mechanism, |own, (name, value)| own.with_start(name, *value))
+}
+
+/// Coordinates and how they were found.
+fn assembled(mechanism: &Scene, count: usize) -> Result<(Vec<f64>, Found), Fault> {
+    absolute::assemble(mechanism, 0.0).map(|found| (found.q[..count].to_vec(), found.found))
 }
 
 /// Solutions of a closed form, as all coordinates; or by how much it lacks one, m.
@@ -208,20 +230,15 @@ fn no_pose_of_a_five_bar_is_missed() {
         if !is_clear(&closed, left, right, c, d) {
             continue;
         }
-        let mut m = FiveBar { span, a, b, c, d, q1, q2, ..FiveBar::new() };
-        (m.start.left.angle.value, m.start.right.angle.value) = (q1, q2);
-        (m.start.l2.angle.value, m.start.r2.angle.value, m.start.right.x.value) = (s1, s2, span);
+        let lengths = [("span", span), ("a", a), ("b", b), ("c", c), ("d", d), ("q1", q1), ("q2", q2)];
+        let starts = [("left.angle", q1), ("right.angle", q2), ("l2.angle", s1), ("r2.angle", s2)];
+        let m = given(FiveBar::new(), &lengths, &starts).with_start("right.x", span);
         let start = [0.0, 0.0, q1, span, 0.0, q2, 0.0, 0.0, s1, 0.0, 0.0, s2];
         let poses = closed.map(|both| {
             both.map(|[c, d]| vec![0.0, 0.0, q1, span, 0.0, q2, left[0], left[1], c, right[0], right[1], d])
                 .to_vec()
         });
-        judge(
-            &mut tally,
-            &poses,
-            &m.assemble().map(|found| (found.q.to_vec(), found.found)),
-            (&start, &format!("five-bar {seed}")),
-        );
+        judge(&mut tally, &poses, &assembled(&m, start.len()), (&start, &format!("five-bar {seed}")));
     }
     end(&tally, "five-bar");
 }
@@ -238,18 +255,13 @@ fn no_pose_of_a_four_bar_is_missed() {
         if !is_clear(&closed, pin, foot, b, c) {
             continue;
         }
-        let mut m = FourBar { span, a, b, c, q, ..FourBar::new() };
-        (m.start.crank.angle.value, m.start.coupler.angle.value, m.start.rocker.angle.value) = (q, s1, s2);
-        m.start.rocker.x.value = span;
+        let lengths = [("span", span), ("a", a), ("b", b), ("c", c), ("q", q)];
+        let starts = [("crank.angle", q), ("coupler.angle", s1), ("rocker.angle", s2), ("rocker.x", span)];
+        let m = given(FourBar::new(), &lengths, &starts);
         let start = [0.0, 0.0, q, 0.0, 0.0, s1, span, 0.0, s2];
         let poses =
             closed.map(|both| both.map(|[b, c]| vec![0.0, 0.0, q, pin[0], pin[1], b, span, 0.0, c]).to_vec());
-        judge(
-            &mut tally,
-            &poses,
-            &m.assemble().map(|found| (found.q.to_vec(), found.found)),
-            (&start, &format!("four-bar {seed}")),
-        );
+        judge(&mut tally, &poses, &assembled(&m, start.len()), (&start, &format!("four-bar {seed}")));
     }
     end(&tally, "four-bar");
 }
@@ -263,9 +275,9 @@ fn no_pose_of_a_slider_crank_is_missed() {
         let offset = length(&mut r) * r.unit().signum();
         let [q, s1] = std::array::from_fn(|_| angle(&mut r));
         let x = r.unit();
-        let mut m = SliderCrank { offset, a, b, q, ..SliderCrank::new() };
-        (m.start.crank.angle.value, m.start.rod.angle.value) = (q, s1);
-        (m.start.piston.x.value, m.start.piston.y.value) = (x, offset);
+        let lengths = [("offset", offset), ("a", a), ("b", b), ("q", q)];
+        let starts = [("crank.angle", q), ("rod.angle", s1), ("piston.x", x), ("piston.y", offset)];
+        let m = given(SliderCrank::new(), &lengths, &starts);
         let pin = polar(a, q);
         let (height, start) = (offset - pin[1], [0.0, 0.0, q, 0.0, 0.0, s1, x, offset, 0.0]);
         if (height.abs() - b).abs() < 1e-6 {
@@ -278,12 +290,7 @@ fn no_pose_of_a_slider_crank_is_missed() {
             let pose = |rod: f64| vec![0.0, 0.0, q, pin[0], pin[1], rod, pin[0] + b * rod.cos(), offset, 0.0];
             Ok([tilt, std::f64::consts::PI - tilt].map(pose).to_vec())
         };
-        judge(
-            &mut tally,
-            &poses,
-            &m.assemble().map(|found| (found.q.to_vec(), found.found)),
-            (&start, &format!("slider-crank {seed}")),
-        );
+        judge(&mut tally, &poses, &assembled(&m, start.len()), (&start, &format!("slider-crank {seed}")));
     }
     // Newton's steps close a single slider from everywhere.
     println!("{tally:?}");
@@ -318,18 +325,14 @@ fn no_pose_of_a_six_bar_is_missed() {
         if !clear {
             continue;
         }
-        let mut m = SixBar { span, a, b, c, q, u, v, gx, gy, d, e, ..SixBar::new() };
-        let s = &mut m.start;
-        (s.crank.angle.value, s.coupler.angle.value, s.rocker.angle.value) = (q, s1, s2);
-        (s.link.angle.value, s.arm.angle.value) = (s3, s4);
+        let bars = [("span", span), ("a", a), ("b", b), ("c", c), ("q", q)];
+        let dyad = [("u", u), ("v", v), ("gx", gx), ("gy", gy), ("d", d), ("e", e)];
+        let m =
+            given(SixBar::new(), &bars, &[("crank.angle", q), ("coupler.angle", s1), ("rocker.angle", s2)]);
+        let m = given(m, &dyad, &[("link.angle", s3), ("arm.angle", s4)]);
         let start = [0.0, 0.0, q, 0.0, 0.0, s1, 0.0, 0.0, s2, 0.0, 0.0, s3, 0.0, 0.0, s4];
         let poses = if poses.is_empty() { Err(f64::NAN) } else { Ok(poses) };
-        judge(
-            &mut tally,
-            &poses,
-            &m.assemble().map(|found| (found.q.to_vec(), found.found)),
-            (&start, &format!("six-bar {seed}")),
-        );
+        judge(&mut tally, &poses, &assembled(&m, start.len()), (&start, &format!("six-bar {seed}")));
     }
     end(&tally, "six-bar");
 }
