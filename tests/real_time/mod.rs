@@ -1,19 +1,12 @@
 //! The example of hardware in the loop keeps what the book says of it.
-#![allow(clippy::unwrap_used, missing_docs, unreachable_pub, dead_code, reason = "tests")]
-
-#[path = "../examples/real_time/accuracy.rs"]
-mod accuracy;
-#[path = "../examples/real_time/clock.rs"]
-mod clock;
-#[path = "../examples/real_time/plants.rs"]
-mod plants;
+#![allow(clippy::unwrap_used, reason = "tests")]
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use accuracy::{errors, reference, run};
-use clock::{Beat, failed_periods, measured};
-use plants::Made;
+use super::accuracy::{errors, reference, run};
+use super::clock::{Beat, failed_periods, measured};
+use super::plants::{self, Made};
 
 /// The lever goes up and down once.
 const PERIODS: u32 = 1000;
