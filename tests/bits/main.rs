@@ -21,6 +21,9 @@ macro_rules! mechanism {
 mod contact;
 #[path = "../scenes/contact.rs"]
 mod contact_scenes;
+#[path = "../scenes/events.rs"]
+mod event_scenes;
+mod events;
 #[path = "../contact/machines.rs"]
 mod machines;
 #[path = "../scenes/parts/mod.rs"]

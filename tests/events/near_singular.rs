@@ -3,15 +3,16 @@
 use core::f64::consts::PI;
 use std::thread;
 
-use plm::{Dop853, Rk4, Ros34Pw2};
+use plm::{Dop853, Fault, Mechanism as _, Rk4, Ros34Pw2, Sim};
 
 use crate::random::Random;
+use crate::scene::{Given as _, Named as _, Scene};
 
 /// A parallelogram without gravity that turns at 1 rad/s from 1 rad, and is flat at half a turn.
 macro_rules! rhomb {
     ($module:ident, { $($more:tt)* }) => {
         mod $module {
-            plm::mechanism! {
+            scene! {
                 pub Rhomb {
                     $($more)*
                     param edge: rad = 3.15 rad;
@@ -40,30 +41,31 @@ rhomb!(least, {
 rhomb!(absolute, { formulation: absolute; });
 
 /// At the end of a run with the edge at `PI + off`: the simulation, and how long it should have been past the edge.
-macro_rules! run {
-    ($module:ident, $off:expr) => {{
-        let mut parallelogram = $module::Rhomb::new();
-        parallelogram.edge = PI + $off;
-        let mut sim = parallelogram.start().unwrap();
-        sim.step(2.5).unwrap();
-        assert!(sim.stats().near_singular > 0, "{}: {:?}", $off, sim.stats());
-        assert_eq!(sim.stats().switches, 1, "{}", $off);
-        (sim, 3.5 - (PI + $off))
-    }};
+fn run(parallelogram: Scene, off: f64) -> (Sim<Scene>, f64) {
+    let mut sim = parallelogram.with("edge", PI + off).start().unwrap();
+    sim.step(2.5).unwrap();
+    assert!(sim.stats().near_singular > 0, "{off}: {:?}", sim.stats());
+    assert_eq!(sim.stats().switches, 1, "{off}");
+    (sim, 3.5 - (PI + off))
 }
 
 #[test]
 fn conditions_switch_near_a_flat_pose_where_they_should() {
     for off in [-0.1, -0.01, -1e-3, 1e-3, 0.01, 0.1] {
-        let (sim, past) = run!(least, off);
+        let (sim, past) = run(least::Rhomb::new(), off);
         assert_eq!(sim.stats().change_points, 1, "{off}");
-        assert!((sim.past() - past).abs() < 1e-8, "{off}: {:e}", sim.past() - past);
-        assert!((sim.area() - 0.5 * past * past).abs() < 1e-6, "{off}: {:e}", sim.area() - 0.5 * past * past);
-        let (sim, past) = run!(absolute, off);
-        assert!((sim.past() - past).abs() < 1e-8, "{off}: {:e}", sim.past() - past);
+        assert!((sim.value_of("past") - past).abs() < 1e-8, "{off}: {:e}", sim.value_of("past") - past);
+        assert!(
+            (sim.value_of("area") - 0.5 * past * past).abs() < 1e-6,
+            "{off}: {:e}",
+            sim.value_of("area") - 0.5 * past * past
+        );
+        let (sim, past) = run(absolute::Rhomb::new(), off);
+        assert!((sim.value_of("past") - past).abs() < 1e-8, "{off}: {:e}", sim.value_of("past") - past);
     }
 }
 
+// Compiled: from text a step of `Ros34Pw2` would solve for all the room of a `Scene`, and the test below take a minute more.
 macro_rules! cranks {
     ($module:ident: $($formulation:tt)*) => {
         mod $module {
@@ -153,7 +155,7 @@ fn steps_are_divided(by: f64) {
     let (_, _, known, end) = turn!(by_rows, by, masses, Dop853::new(1e-12));
     assert!(end.is_ok(), "{by:e} m: {end:?}");
     for h in [4e-3, 1e-3, 2.5e-4] {
-        let near = |name: &str, most: f64, (found, lost, end): (f64, f64, Result<(), plm::Fault>)| {
+        let near = |name: &str, most: f64, (found, lost, end): (f64, f64, Result<(), Fault>)| {
             assert!(end.is_ok(), "{name}, {by:e} m, {h:e} s: {end:?}");
             let off = (found - known).abs();
             assert!(
