@@ -1,52 +1,43 @@
 //! Prescribed motions and constraints that change their side: what is smooth enough, what is an event, what cannot be.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
-use plm::{Cause, Dop853, Dopri5, Fault, Rk4};
+#[macro_use]
+#[path = "support/scene.rs"]
+mod scene;
+
+use plm::{Cause, Dop853, Dopri5, Fault, Mechanism as _, Moment as _, Rk4};
+
+use scene::{Given as _, Named as _};
 
 /// A cart whose place is prescribed, with a bob hanging on it: in the least formulation and in absolute coordinates.
 macro_rules! cart {
-    ($module:ident, $absolute:ident, { $($place:tt)* }) => {
-        mod $module {
-            plm::mechanism! {
-                pub Cart {
-                    allow(W0007);
-                    param from: s = 1 s;
-                    param speed: m/s = 0;
-                    param place: m = 0;
-                    ground { port rail: (0, 0) m; }
-                    body cart { mass: 1 kg; inertia: 1 kg*m^2; port rail: (0, 0) m; port pin: (0, 0) m; }
-                    body bob { mass: 1 kg; inertia: 0.01 kg*m^2; port pin: (0, 1) m; }
-                    prismatic rail(ground.rail, cart.rail);
-                    revolute pin(cart.pin, bob.pin);
-                    constraint drive: cart.x = $($place)*;
-                    output cart.ax, bob.alpha;
-                }
-            }
-        }
-        mod $absolute {
-            plm::mechanism! {
-                pub Cart {
-                    formulation: absolute;
-                    allow(W0007);
-                    param from: s = 1 s;
-                    param speed: m/s = 0;
-                    param place: m = 0;
-                    ground { port rail: (0, 0) m; }
-                    body cart { mass: 1 kg; inertia: 1 kg*m^2; port rail: (0, 0) m; port pin: (0, 0) m; }
-                    body bob { mass: 1 kg; inertia: 0.01 kg*m^2; port pin: (0, 1) m; }
-                    prismatic rail(ground.rail, cart.rail);
-                    revolute pin(cart.pin, bob.pin);
-                    constraint drive: cart.x = $($place)*;
-                    output cart.ax, bob.alpha;
-                }
+    ($least:ident, $absolute:ident, $place:tt) => {
+        cart!($least, {}, $place);
+        cart!($absolute, { formulation: absolute; }, $place);
+    };
+    ($name:ident, { $($formulation:tt)* }, { $($place:tt)* }) => {
+        scene! {
+            pub $name {
+                $($formulation)*
+                allow(W0007);
+                param from: s = 1 s;
+                param speed: m/s = 0;
+                param place: m = 0;
+                ground { port rail: (0, 0) m; }
+                body cart { mass: 1 kg; inertia: 1 kg*m^2; port rail: (0, 0) m; port pin: (0, 0) m; }
+                body bob { mass: 1 kg; inertia: 0.01 kg*m^2; port pin: (0, 1) m; }
+                prismatic rail(ground.rail, cart.rail);
+                revolute pin(cart.pin, bob.pin);
+                constraint drive: cart.x = $($place)*;
+                output cart.ax, bob.alpha;
             }
         }
     };
 }
 
-cart!(late, late_absolute, { if t < from then 0 m else place + speed*(t - from) });
-cart!(pushed, pushed_absolute, { if t < from then 0 m else 0.5*3 m/s^2*(t - from)^2 });
-cart!(led, led_absolute, { smooth_table(t, (0.2 s, 0 m), (0.5 s, 0.3 m), (1.3 s, place), (1.9 s, 1 m)) });
+cart!(Late, LateAbsolute, { if t < from then 0 m else place + speed*(t - from) });
+cart!(Pushed, PushedAbsolute, { if t < from then 0 m else 0.5*3 m/s^2*(t - from)^2 });
+cart!(Led, LedAbsolute, { smooth_table(t, (0.2 s, 0 m), (0.5 s, 0.3 m), (1.3 s, place), (1.9 s, 1 m)) });
 
 /// What a run of two seconds over a boundary at 1.1 s ends with.
 fn jump(outcome: Result<(), Fault>) -> Option<(f64, &'static str, f64, bool)> {
@@ -58,12 +49,11 @@ fn jump(outcome: Result<(), Fault>) -> Option<(f64, &'static str, f64, bool)> {
 }
 
 macro_rules! late {
-    ($name:ident, $module:ident) => {
+    ($name:ident, $cart:ident) => {
         #[test]
         fn $name() {
-            use $module::Cart;
             for (place, speed) in [(0.0, 2.0), (0.0, -1e-3), (2.0, 0.0), (-1e-3, 3.0)] {
-                let cart = Cart { from: 1.1, place, speed, ..Cart::new() };
+                let cart = $cart::new().with("from", 1.1).with("place", place).with("speed", speed);
                 let expected = if place == 0.0 { (speed.abs(), true) } else { (place.abs(), false) };
                 let outcomes = [
                     cart.start().unwrap().step(2.0),
@@ -79,29 +69,28 @@ macro_rules! late {
                 }
             }
             // One that stands still goes on.
-            assert_eq!(jump(Cart::new().start().unwrap().step(2.0)), None);
+            assert_eq!(jump($cart::new().start().unwrap().step(2.0)), None);
         }
     };
 }
 
-late!(a_place_or_speed_that_jumps_ends_the_run, late);
-late!(a_place_or_speed_that_jumps_ends_the_run_in_absolute_coordinates, late_absolute);
+late!(a_place_or_speed_that_jumps_ends_the_run, Late);
+late!(a_place_or_speed_that_jumps_ends_the_run_in_absolute_coordinates, LateAbsolute);
 
 /// Starts of acceleration are hit: with a constant one the place is a polynomial, which no step errs at.
 macro_rules! pushed {
-    ($name:ident, $module:ident) => {
+    ($name:ident, $cart:ident) => {
         #[test]
         fn $name() {
-            use $module::Cart;
             for from in [1.0, 0.777] {
-                let mut sim = (Cart { from, ..Cart::new() }).start_with(Dop853::new(1e-11)).unwrap();
+                let mut sim = $cart::new().with("from", from).start_with(Dop853::new(1e-11)).unwrap();
                 let mut before = f64::NAN;
-                sim.run(from, from, |state| before = state.cart_ax()).unwrap();
+                sim.run(from, from, |state| before = state.value_of("cart.ax")).unwrap();
                 assert_eq!((sim.stats().switches, before), (1, 0.0));
                 sim.step(0.5).unwrap();
-                assert!((sim.cart().vx - 1.5).abs() < 1e-10, "{}", sim.cart().vx);
+                assert!((sim.state_of("cart").vx - 1.5).abs() < 1e-10, "{}", sim.state_of("cart").vx);
                 // Seen from the cart a steady -3 m/s^2 acts on the bob from rest: (I + m l^2) w^2/2 = -m a l sin(angle).
-                let (angle, omega) = (sim.bob().angle, sim.bob().omega);
+                let (angle, omega) = (sim.state_of("bob").angle, sim.state_of("bob").omega);
                 let swing = 0.5 * 1.01 * omega * omega + 3.0 * angle.sin();
                 assert!(swing.abs() < 1e-9 && omega.abs() > 1.0, "{swing:e} {omega}");
             }
@@ -109,20 +98,25 @@ macro_rules! pushed {
     };
 }
 
-pushed!(an_acceleration_that_jumps_is_hit, pushed);
-pushed!(an_acceleration_that_jumps_is_hit_in_absolute_coordinates, pushed_absolute);
+pushed!(an_acceleration_that_jumps_is_hit, Pushed);
+pushed!(an_acceleration_that_jumps_is_hit_in_absolute_coordinates, PushedAbsolute);
 
 macro_rules! led {
-    ($name:ident, $module:ident) => {
+    ($name:ident, $cart:ident) => {
         #[test]
         fn $name() {
-            use $module::Cart;
             let rows = |step: f64| {
-                let cart = Cart { place: 0.4, ..Cart::new() };
+                let cart = $cart::new().with("place", 0.4);
                 let mut rows = Vec::new();
                 let mut sim = cart.start_with(Dop853::new(1e-11)).unwrap();
-                sim.run(2.2, step, |state| rows.push([state.cart().x, state.cart().vx, state.cart_ax()]))
-                    .unwrap();
+                sim.run(2.2, step, |state| {
+                    rows.push([
+                        state.state_of("cart").x,
+                        state.state_of("cart").vx,
+                        state.value_of("cart.ax"),
+                    ])
+                })
+                .unwrap();
                 rows
             };
             let fine = rows(1e-3);
@@ -151,72 +145,68 @@ macro_rules! led {
     };
 }
 
-led!(a_smooth_table_has_a_speed_and_a_continuous_acceleration, led);
-led!(a_smooth_table_has_a_speed_and_a_continuous_acceleration_in_absolute_coordinates, led_absolute);
+led!(a_smooth_table_has_a_speed_and_a_continuous_acceleration, Led);
+led!(a_smooth_table_has_a_speed_and_a_continuous_acceleration_in_absolute_coordinates, LedAbsolute);
 
-mod two_points {
-    plm::mechanism! {
-        pub Two {
-            ground { port o: (0, 0) m; }
-            body b { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }
-            prismatic rail(ground.o, b.o);
-            constraint drive: b.x = smooth_table(t, (0 s, 0 m), (2 s, 1 m));
-            output linear = table(t, (0 s, 0 m), (2 s, 1 m));
-        }
+scene! {
+    pub Two {
+        ground { port o: (0, 0) m; }
+        body b { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 0) m; }
+        prismatic rail(ground.o, b.o);
+        constraint drive: b.x = smooth_table(t, (0 s, 0 m), (2 s, 1 m));
+        output linear = table(t, (0 s, 0 m), (2 s, 1 m));
     }
 }
 
 #[test]
 fn two_points_are_joined_by_the_motion_of_least_jerk() {
     // N. Hogan, T. Flash, The coordination of arm movements, J. Neurosci. 5, 1985: 10 s^3 - 15 s^4 + 6 s^5.
-    let mut sim = two_points::Two::new().start().unwrap();
+    let mut sim = Two::new().start().unwrap();
     sim.run(3.0, 0.125, |state| {
         let s = (state.time() / 2.0).min(1.0);
         let expected = s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
-        assert!((state.b().x - expected).abs() < 1e-12, "{} {expected}", state.b().x);
+        assert!((state.state_of("b").x - expected).abs() < 1e-12, "{} {expected}", state.state_of("b").x);
         let speed = s * s * 30.0 * (1.0 + s * (-2.0 + s)) / 2.0;
-        assert!((state.b().vx - speed).abs() < 1e-12, "{} {speed}", state.b().vx);
+        assert!((state.state_of("b").vx - speed).abs() < 1e-12, "{} {speed}", state.state_of("b").vx);
     })
     .unwrap();
 }
 
 /// A Geneva wheel: locked, then led by the pin in its slot, then locked; the crank turns freely.
 macro_rules! geneva {
-    ($module:ident, { $($formulation:tt)* }, { $($index:tt)* }) => {
-        mod $module {
-            plm::mechanism! {
-                pub Geneva {
-                    $($formulation)*
-                    allow(W0007);
-                    param c: m = 0.1 m;
-                    let r = c*sin(45 deg);
-                    ground { port o: (0, 0) m; port w: (c, 0 m); }
-                    body crank { mass: 1 kg; inertia: 1e-3 kg*m^2; port o: (0, 0) m; start angle: -90 deg, locked; start omega: 3 rad/s, locked; }
-                    body wheel { mass: 1 kg; inertia: 2e-3 kg*m^2; port o: (0, 0) m; start x: c; }
-                    revolute o(ground.o, crank.o);
-                    revolute w(ground.w, wheel.o);
-                    constraint index: wheel.angle = $($index)*;
-                }
+    ($name:ident, { $($formulation:tt)* }, { $($index:tt)* }) => {
+        scene! {
+            pub $name {
+                $($formulation)*
+                allow(W0007);
+                param c: m = 0.1 m;
+                let r = c*sin(45 deg);
+                ground { port o: (0, 0) m; port w: (c, 0 m); }
+                body crank { mass: 1 kg; inertia: 1e-3 kg*m^2; port o: (0, 0) m; start angle: -90 deg, locked; start omega: 3 rad/s, locked; }
+                body wheel { mass: 1 kg; inertia: 2e-3 kg*m^2; port o: (0, 0) m; start x: c; }
+                revolute o(ground.o, crank.o);
+                revolute w(ground.w, wheel.o);
+                constraint index: wheel.angle = $($index)*;
             }
         }
     };
 }
 
-geneva!(geneva_free, {}, { if crank.angle < -45 deg then 45 deg else if crank.angle > 45 deg then -45 deg else -atan2(r*sin(crank.angle), c - r*cos(crank.angle)) });
-geneva!(geneva_absolute, { formulation: absolute; }, { if crank.angle < -45 deg then 45 deg else if crank.angle > 45 deg then -45 deg else -atan2(r*sin(crank.angle), c - r*cos(crank.angle)) });
-geneva!(clamped, {}, { -max(crank.angle, 0)*max(crank.angle, 0)/1 rad });
-geneva!(clamped_absolute, { formulation: absolute; }, { -max(crank.angle, 0)*max(crank.angle, 0)/1 rad });
-geneva!(broken, {}, { if crank.angle < 0.5 rad then 0 deg else crank.angle });
-geneva!(broken_absolute, { formulation: absolute; }, { if crank.angle < 0.5 rad then 0 deg else crank.angle });
-geneva!(folded, {}, { abs(crank.angle) });
-geneva!(folded_absolute, { formulation: absolute; }, { abs(crank.angle) });
+geneva!(GenevaFree, {}, { if crank.angle < -45 deg then 45 deg else if crank.angle > 45 deg then -45 deg else -atan2(r*sin(crank.angle), c - r*cos(crank.angle)) });
+geneva!(GenevaAbsolute, { formulation: absolute; }, { if crank.angle < -45 deg then 45 deg else if crank.angle > 45 deg then -45 deg else -atan2(r*sin(crank.angle), c - r*cos(crank.angle)) });
+geneva!(Clamped, {}, { -max(crank.angle, 0)*max(crank.angle, 0)/1 rad });
+geneva!(ClampedAbsolute, { formulation: absolute; }, { -max(crank.angle, 0)*max(crank.angle, 0)/1 rad });
+geneva!(Broken, {}, { if crank.angle < 0.5 rad then 0 deg else crank.angle });
+geneva!(BrokenAbsolute, { formulation: absolute; }, { if crank.angle < 0.5 rad then 0 deg else crank.angle });
+geneva!(Folded, {}, { abs(crank.angle) });
+geneva!(FoldedAbsolute, { formulation: absolute; }, { abs(crank.angle) });
 
 macro_rules! keeps_energy {
-    ($name:ident, $module:ident, $switches:expr) => {
+    ($name:ident, $geneva:ident, $switches:expr) => {
         #[test]
         fn $name() {
             for rtol in [1e-6, 1e-9, 1e-12] {
-                let mut sim = $module::Geneva::new().start_with(Dop853::new(rtol)).unwrap();
+                let mut sim = $geneva::new().start_with(Dop853::new(rtol)).unwrap();
                 let energy = sim.kinetic_energy();
                 let mut worst = 0.0_f64;
                 sim.run(2.0, 0.01, |state| worst = worst.max((state.kinetic_energy() / energy - 1.0).abs()))
@@ -230,19 +220,19 @@ macro_rules! keeps_energy {
     };
 }
 
-keeps_energy!(a_kink_inside_a_constraint_is_hit, geneva_free, 2);
-keeps_energy!(a_kink_inside_a_constraint_is_hit_in_absolute_coordinates, geneva_absolute, 2);
-keeps_energy!(a_maximum_inside_a_constraint_is_hit, clamped, 1);
-keeps_energy!(a_maximum_inside_a_constraint_is_hit_in_absolute_coordinates, clamped_absolute, 1);
+keeps_energy!(a_kink_inside_a_constraint_is_hit, GenevaFree, 2);
+keeps_energy!(a_kink_inside_a_constraint_is_hit_in_absolute_coordinates, GenevaAbsolute, 2);
+keeps_energy!(a_maximum_inside_a_constraint_is_hit, Clamped, 1);
+keeps_energy!(a_maximum_inside_a_constraint_is_hit_in_absolute_coordinates, ClampedAbsolute, 1);
 
 macro_rules! breaks {
-    ($name:ident, $module:ident, $at:expr, $by:expr, $of_speed:expr) => {
+    ($name:ident, $geneva:ident, $at:expr, $by:expr, $of_speed:expr) => {
         #[test]
         fn $name() {
-            let fixed = $module::Geneva::new().start_with(Rk4::new(1e-3)).unwrap().step(2.0);
+            let fixed = $geneva::new().start_with(Rk4::new(1e-3)).unwrap().step(2.0);
             for (outcome, near) in [
-                ($module::Geneva::new().start().unwrap().step(2.0), 1e-6),
-                ($module::Geneva::new().start().unwrap().run(2.0, 0.1, |_| ()), 1e-6),
+                ($geneva::new().start().unwrap().step(2.0), 1e-6),
+                ($geneva::new().start().unwrap().run(2.0, 0.1, |_| ()), 1e-6),
                 (fixed, 2e-3),
             ] {
                 let (time, part, by, of_speed) = jump(outcome).unwrap();
@@ -255,76 +245,64 @@ macro_rules! breaks {
 }
 
 // The crank alone keeps its 3 rad/s from -90 deg on; folded, both bodies have the same speed on either side.
-breaks!(sides_that_differ_end_the_run, broken, (0.5 + std::f64::consts::FRAC_PI_2) / 3.0, 0.5, false);
+breaks!(sides_that_differ_end_the_run, Broken, (0.5 + std::f64::consts::FRAC_PI_2) / 3.0, 0.5, false);
 breaks!(
     sides_that_differ_end_the_run_in_absolute_coordinates,
-    broken_absolute,
+    BrokenAbsolute,
     (0.5 + std::f64::consts::FRAC_PI_2) / 3.0,
     0.5,
     false
 );
-breaks!(a_fold_ends_the_run, folded, std::f64::consts::FRAC_PI_2 / 3.0, 6.0, true);
+breaks!(a_fold_ends_the_run, Folded, std::f64::consts::FRAC_PI_2 / 3.0, 6.0, true);
 breaks!(
     a_fold_ends_the_run_in_absolute_coordinates,
-    folded_absolute,
+    FoldedAbsolute,
     std::f64::consts::FRAC_PI_2 / 3.0,
     6.0,
     true
 );
 
-mod linkage {
-    plm::mechanism! {
-        /// A four-bar that is led from pose to pose, with a pendulum on its coupler, and with a spring that is slack at first.
-        pub Led {
-            gravity: 9.81 m/s^2;
-            ground { port a: (0, 0) m; port d: (1.5, 0) m; }
-            body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5, 0) m; start angle: 60 deg; }
-            body bar    { mass: 1 kg; inertia: 0.1 kg*m^2; port b: (0, 0) m; port c: (1.5, 0) m; port e: (0.7, 0) m; start x: 0.25 m; start y: 0.43 m; }
-            body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port d: (0, 0) m; port c: (1, 0) m; start x: 1.5 m; start angle: 80 deg; }
-            body bob    { mass: 1 kg; inertia: 0.1 kg*m^2; port e: (0, 0.5) m; }
-            revolute a(ground.a, crank.a);
-            revolute b(crank.b, bar.b);
-            revolute c(bar.c, rocker.c);
-            revolute d(ground.d, rocker.d);
-            revolute e(bar.e, bob.e) { damping: 0.01 N*m*s/rad; }
-            constraint drive: crank.angle = 60 deg + smooth_table(t, (0.1 s, 0 deg), (0.6 s, 40 deg), (0.9 s, 20 deg));
-            force push(bob.e) { x: if t < 0.45 s then 0 N else 3 N; }
+macro_rules! linkage {
+    ($name:ident, { $($formulation:tt)* }) => {
+        scene! {
+            /// A four-bar that is led from pose to pose, with a pendulum on its coupler, and with a spring that is slack at first.
+            pub $name {
+                $($formulation)*
+                gravity: 9.81 m/s^2;
+                ground { port a: (0, 0) m; port d: (1.5, 0) m; }
+                body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5, 0) m; start angle: 60 deg; }
+                body bar    { mass: 1 kg; inertia: 0.1 kg*m^2; port b: (0, 0) m; port c: (1.5, 0) m; port e: (0.7, 0) m; start x: 0.25 m; start y: 0.43 m; }
+                body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port d: (0, 0) m; port c: (1, 0) m; start x: 1.5 m; start angle: 80 deg; }
+                body bob    { mass: 1 kg; inertia: 0.1 kg*m^2; port e: (0, 0.5) m; }
+                revolute a(ground.a, crank.a);
+                revolute b(crank.b, bar.b);
+                revolute c(bar.c, rocker.c);
+                revolute d(ground.d, rocker.d);
+                revolute e(bar.e, bob.e) { damping: 0.01 N*m*s/rad; }
+                constraint drive: crank.angle = 60 deg + smooth_table(t, (0.1 s, 0 deg), (0.6 s, 40 deg), (0.9 s, 20 deg));
+                force push(bob.e) { x: if t < 0.45 s then 0 N else 3 N; }
+            }
         }
-    }
+    };
 }
 
-mod linkage_absolute {
-    plm::mechanism! {
-        pub Led {
-            formulation: absolute;
-            gravity: 9.81 m/s^2;
-            ground { port a: (0, 0) m; port d: (1.5, 0) m; }
-            body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5, 0) m; start angle: 60 deg; }
-            body bar    { mass: 1 kg; inertia: 0.1 kg*m^2; port b: (0, 0) m; port c: (1.5, 0) m; port e: (0.7, 0) m; start x: 0.25 m; start y: 0.43 m; }
-            body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port d: (0, 0) m; port c: (1, 0) m; start x: 1.5 m; start angle: 80 deg; }
-            body bob    { mass: 1 kg; inertia: 0.1 kg*m^2; port e: (0, 0.5) m; }
-            revolute a(ground.a, crank.a);
-            revolute b(crank.b, bar.b);
-            revolute c(bar.c, rocker.c);
-            revolute d(ground.d, rocker.d);
-            revolute e(bar.e, bob.e) { damping: 0.01 N*m*s/rad; }
-            constraint drive: crank.angle = 60 deg + smooth_table(t, (0.1 s, 0 deg), (0.6 s, 40 deg), (0.9 s, 20 deg));
-            force push(bob.e) { x: if t < 0.45 s then 0 N else 3 N; }
-        }
-    }
-}
+linkage!(Linkage, {});
+linkage!(LinkageAbsolute, { formulation: absolute; });
 
 #[test]
 fn a_linkage_is_led_by_a_smooth_table_in_any_formulation() {
-    let mut least = linkage::Led::new().start_with(Dop853::new(1e-11)).unwrap();
-    let mut absolute = linkage_absolute::Led::new().start_with(Dop853::new(1e-11)).unwrap();
+    let mut least = Linkage::new().start_with(Dop853::new(1e-11)).unwrap();
+    let mut absolute = LinkageAbsolute::new().start_with(Dop853::new(1e-11)).unwrap();
     for _ in 0..12 {
         least.step(0.1).unwrap();
         absolute.step(0.1).unwrap();
-        let off = [least.bob().angle - absolute.bob().angle, least.rocker().angle - absolute.rocker().angle];
+        let off = [
+            least.state_of("bob").angle - absolute.state_of("bob").angle,
+            least.state_of("rocker").angle - absolute.state_of("rocker").angle,
+        ];
         assert!(off.iter().all(|off| off.abs() < 1e-8), "{}: {off:?}", least.time());
         assert!(least.drift().phi < 1e-12, "{:?}", least.drift());
     }
-    assert!((least.crank().angle - 80_f64.to_radians()).abs() < 1e-12);
+    assert!((least.state_of("crank").angle - 80_f64.to_radians()).abs() < 1e-12);
     assert_eq!((least.stats().switches, absolute.stats().switches), (4, 4));
 }
