@@ -4,20 +4,26 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
+#[macro_use]
+#[path = "support/scene.rs"]
+mod scene;
+
 use plm::{
-    Adams, Cause, Dop853, Dopri5, Fault, Gauss, Mechanism, Method, RadauIia5, Rk4, Ros34Pw2,
-    SemiImplicitEuler, Sim, Vern9,
+    Adams, Cause, Dop853, Dopri5, Fault, Gauss, Mechanism as _, Method, Moment as _, RadauIia5, Rk4,
+    Ros34Pw2, SemiImplicitEuler, Sim, Vern9, mechanism,
 };
+
+use scene::{Given as _, Named as _, Scene};
 
 /// Evaluations that a lock-up may take behind the last step.
 const AT_ONCE: u64 = 200;
 
 /// Runs to the lock-up of a row at a time and a value; the same with intervals of ten milliseconds.
-fn assert_locks<M, I>(name: &str, start: impl Fn() -> Sim<M, I>, (row, time, value): (&str, f64, f64))
-where
-    M: Mechanism<S = f64>,
-    I: Method<M>,
-{
+fn assert_locks<I: Method<Scene>>(
+    name: &str,
+    start: impl Fn() -> Sim<Scene, I>,
+    (row, time, value): (&str, f64, f64),
+) {
     let told = |fault: Fault, reached: f64| {
         let name = format!("{name}: {fault}");
         let Cause::LockedAt { row: told, value: at, .. } = fault.cause else { panic!("{name}") };
@@ -28,7 +34,7 @@ where
     };
     let mut sim = start();
     let fault = sim.step_to(time + 1.0).unwrap_err();
-    let reached = plm::Moment::time(sim.state());
+    let reached = sim.time();
     told(fault, reached);
     let mut until = start();
     until.step_to(reached).unwrap();
@@ -41,28 +47,35 @@ where
             break fault;
         }
     };
-    told(fault, plm::Moment::time(paced.state()));
+    told(fault, paced.time());
+}
+
+/// Declares a four-bar whose crank is driven, by `scene!` or for rustc.
+macro_rules! four_bar {
+    ($declare:ident, $name:ident, $formulation:ident) => {
+        $declare! {
+            pub $name {
+                formulation: $formulation;
+                param rate: rad/s = 1 rad/s;
+                ground { port a: (0, 0) m; port d: (0.4, 0) m; }
+                body crank { mass: 1 kg; inertia: 1 kg*m^2; port a: (0, 0) m; port b: (0.12, 0) m; start angle: 90 deg; }
+                body coupler { mass: 1 kg; inertia: 1 kg*m^2; port b: (0, 0) m; port c: (0.35, 0) m; start y: 0.12 m; start angle: 10 deg; }
+                body rocker { mass: 1 kg; inertia: 1 kg*m^2; port d: (0, 0) m; port c: (0.15, 0) m; start x: 0.4 m; start angle: 120 deg; }
+                revolute ja(ground.a, crank.a);
+                revolute jb(crank.b, coupler.b);
+                revolute jc(coupler.c, rocker.c);
+                revolute jd(ground.d, rocker.d);
+                constraint motor: crank.angle = 90 deg + rate*t;
+            }
+        }
+    };
 }
 
 macro_rules! linkages {
     ($module:ident, $formulation:ident) => {
         mod $module {
-            plm::mechanism! {
-                pub FourBar {
-                    formulation: $formulation;
-                    param rate: rad/s = 1 rad/s;
-                    ground { port a: (0, 0) m; port d: (0.4, 0) m; }
-                    body crank { mass: 1 kg; inertia: 1 kg*m^2; port a: (0, 0) m; port b: (0.12, 0) m; start angle: 90 deg; }
-                    body coupler { mass: 1 kg; inertia: 1 kg*m^2; port b: (0, 0) m; port c: (0.35, 0) m; start y: 0.12 m; start angle: 10 deg; }
-                    body rocker { mass: 1 kg; inertia: 1 kg*m^2; port d: (0, 0) m; port c: (0.15, 0) m; start x: 0.4 m; start angle: 120 deg; }
-                    revolute ja(ground.a, crank.a);
-                    revolute jb(crank.b, coupler.b);
-                    revolute jc(coupler.c, rocker.c);
-                    revolute jd(ground.d, rocker.d);
-                    constraint motor: crank.angle = 90 deg + rate*t;
-                }
-            }
-            plm::mechanism! {
+            four_bar!(scene, FourBar, $formulation);
+            scene! {
                 /// The same with a pendulum on its coupler: one freedom is left.
                 pub WithPendulum {
                     formulation: $formulation;
@@ -80,7 +93,7 @@ macro_rules! linkages {
                     constraint motor: crank.angle = 90 deg + 1 rad/s*t;
                 }
             }
-            plm::mechanism! {
+            scene! {
                 /// A plate on three cranks, two of which are driven.
                 pub FiveBar {
                     formulation: $formulation;
@@ -104,6 +117,8 @@ macro_rules! linkages {
 
 linkages!(loops, loops);
 linkages!(absolute, absolute);
+// In single precision there are compiled mechanisms alone.
+four_bar!(mechanism, InSingle, loops);
 
 /// Coupler and rocker lie in one line: 0.5^2 = 0.12^2 + 0.4^2 - 2 0.12 0.4 cos(crank).
 fn four_bar() -> f64 {
@@ -158,7 +173,7 @@ fn two_motors_stop_where_their_arms_are_apart() {
 fn what_was_reached_before_stays() {
     let mut sim = loops::FourBar::new().start().unwrap();
     sim.step(1.0).unwrap_err();
-    assert!((sim.crank().angle - (core::f64::consts::FRAC_PI_2 + sim.time())).abs() < 1e-9);
+    assert!((sim.state_of("crank").angle - (core::f64::consts::FRAC_PI_2 + sim.time())).abs() < 1e-9);
     assert!(sim.drift().phi < 1e-9, "{:?}", sim.drift());
     let mut samples = 0;
     let mut sim = loops::FourBar::new().start().unwrap();
@@ -166,7 +181,7 @@ fn what_was_reached_before_stays() {
     assert_eq!(samples, 10);
 }
 
-plm::mechanism! {
+scene! {
     /// Cranks that differ by 1e-10 m: a turn next to flat takes a hundred steps in absolute coordinates.
     pub NearlyParallel {
         ground { port a: (0, 0) m; port d: (2, 0) m; }
@@ -195,7 +210,7 @@ fn steps_near_singular_poses_count() {
 
 #[test]
 fn single_precision_tells_it_too() {
-    let mut sim = loops::FourBar::<f32>::of().start_with(Rk4::new(1e-3)).unwrap();
+    let mut sim = InSingle::<f32>::of().start_with(Rk4::new(1e-3)).unwrap();
     let fault = sim.step(1.0).unwrap_err();
     let Cause::LockedAt { value, .. } = fault.cause else { panic!("{fault}") };
     assert!((value - four_bar()).abs() < 1e-3, "{fault}");
@@ -213,7 +228,7 @@ fn the_message_names_joint_row_and_value() {
     );
 }
 
-plm::mechanism! {
+scene! {
     /// A parallelogram whose crank is driven through its flat pose.
     pub DrivenParallelogram {
         param rate: rad/s = -1 rad/s;
@@ -238,13 +253,13 @@ fn a_drive_passes_a_pose_that_it_touches() {
             sim.step_to(f64::from(k) * pace).unwrap_or_else(|fault| panic!("{pace} s: {fault}"));
         }
         assert!(
-            (sim.right().angle + 1.0).abs() < 1e-9 && sim.top().angle.abs() < 1e-9,
+            (sim.state_of("right").angle + 1.0).abs() < 1e-9 && sim.state_of("top").angle.abs() < 1e-9,
             "{pace} s: {:?}",
-            sim.right()
+            sim.state_of("right")
         );
     }
     // A right crank that is shorter by a micrometre has no pose where the left one is level.
-    let short = DrivenParallelogram { right_length: 0.3 - 1e-6, ..DrivenParallelogram::new() };
+    let short = DrivenParallelogram::new().with("right_length", 0.3 - 1e-6);
     let fault = short.start().unwrap().step(2.0).unwrap_err();
     // The bars lie in one line: 1 - 1e-6 = |(0.7 - 0.3 cos, 0.3 sin)| + ... of the ends of the dyad.
     let Cause::LockedAt { value: angle, .. } = fault.cause else { panic!("{fault}") };
