@@ -1,29 +1,42 @@
 //! Angles that turn without end: the pose is as exact after many turns as after one, and who reads the angle sees all of them.
-#![allow(clippy::unwrap_used, reason = "tests")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+#[macro_use]
+#[path = "support/scene.rs"]
+mod scene;
 
 use std::f64::consts::TAU;
 
 use plm::live::Live;
-use plm::{Dop853, Mechanism, Moment, Rk4};
+use plm::{Dop853, Mechanism as _, Moment as _, Rk4, mechanism};
 
-plm::mechanism! {
-    /// A shaft, and a second one in its bearing that a spring holds to it; past 40 rad the second is pushed.
-    Shafts {
-        param push: N*m = 0 N*m;
-        ground { port o: (0, 0) m; }
-        body first { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; port p: (0.1, 0) m; start omega: 104.71975512 rad/s, locked; }
-        body second { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; port p: (0.1, 0) m; start angle: 0.5 rad; start omega: 104.71975512 rad/s, locked; }
-        revolute bearing(ground.o, first.o);
-        revolute coupling(first.o, second.o) { stiffness: 20 N*m/rad; }
-        force pushed(second.o) { torque: if first.angle > 40 rad then push else 0 N*m; }
-        output first.p.position, coupling.angle, coupling.torque;
-    }
+use scene::{Given as _, Named as _};
+
+macro_rules! shafts {
+    ($declare:ident, $name:ident) => {
+        $declare! {
+            /// A shaft, and a second one in its bearing that a spring holds to it; past 40 rad the second is pushed.
+            $name {
+                param push: N*m = 0 N*m;
+                ground { port o: (0, 0) m; }
+                body first { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; port p: (0.1, 0) m; start omega: 104.71975512 rad/s, locked; }
+                body second { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (0, 0) m; port p: (0.1, 0) m; start angle: 0.5 rad; start omega: 104.71975512 rad/s, locked; }
+                revolute bearing(ground.o, first.o);
+                revolute coupling(first.o, second.o) { stiffness: 20 N*m/rad; }
+                force pushed(second.o) { torque: if first.angle > 40 rad then push else 0 N*m; }
+                output first.p.position, coupling.angle, coupling.torque;
+            }
+        }
+    };
 }
+shafts!(scene, Shafts);
+// In single precision there are compiled mechanisms alone.
+shafts!(mechanism, ShaftsInSingle);
 
 /// A crank that turns round, a rocker, and a wheel beside them that touches no loop.
 macro_rules! cranked {
     ($name:ident, $formulation:ident) => {
-        plm::mechanism! {
+        scene! {
             $name {
                 formulation: $formulation;
                 gravity: 9.81 m/s^2;
@@ -45,7 +58,7 @@ macro_rules! cranked {
 cranked!(Cranked, loops);
 cranked!(CrankedAbsolute, absolute);
 
-plm::mechanism! {
+scene! {
     /// A wheel that a gear keeps at one and a half times the speed of another: there whole turns are not nothing.
     Geared {
         ground { port a: (0, 0) m; port b: (1, 0) m; }
@@ -58,7 +71,7 @@ plm::mechanism! {
     }
 }
 
-plm::mechanism! {
+scene! {
     /// A pendulum that winds up a weak spring.
     Wound {
         gravity: 9.81 m/s^2;
@@ -68,7 +81,7 @@ plm::mechanism! {
     }
 }
 
-plm::mechanism! {
+scene! {
     /// A slider on an arm that turns round. Its joint, a pair by its own word, says by a sine that it does not turn.
     Slid {
         joint slide(a: frame, b: frame) {
@@ -85,7 +98,7 @@ plm::mechanism! {
     }
 }
 
-plm::mechanism! {
+scene! {
     /// The same with the joint of the library, whose row reads the angles, in absolute coordinates.
     SlidAbsolute {
         formulation: absolute;
@@ -98,7 +111,7 @@ plm::mechanism! {
     }
 }
 
-plm::mechanism! {
+scene! {
     /// A tool that a motor turns on an arm, which turns freely.
     Apart {
         formulation: absolute;
@@ -114,7 +127,7 @@ plm::mechanism! {
 /// A plate on the pins of three cranks, which turn as one and wind up a spring: an angle and three slides at once.
 macro_rules! plate_on_cranks {
     ($name:ident, $($formulation:tt)*) => {
-        plm::mechanism! {
+        scene! {
             $name {
                 $($formulation)*
                 gravity: 9.81 m/s^2;
@@ -141,7 +154,7 @@ plate_on_cranks!(PlateAbsolute, formulation: absolute;);
 /// 200 s at 1000 revolutions a minute, in single precision and in steps of a millisecond.
 #[test]
 fn a_shaft_turns_for_long_in_single_precision() {
-    let mut sim = Shafts::<f32>::of().start_with(Rk4::new(1e-3)).unwrap();
+    let mut sim = ShaftsInSingle::<f32>::of().start_with(Rk4::new(1e-3)).unwrap();
     let steps = 200_000;
     for _ in 0..steps {
         sim.step(1e-3).unwrap();
@@ -162,18 +175,17 @@ fn a_shaft_turns_for_long_in_single_precision() {
 /// A condition and a spring read all turns; the run is that of angles that are never brought back.
 #[test]
 fn conditions_and_springs_see_all_turns() {
-    let mut shafts = Shafts::new();
-    shafts.push = 3.0;
+    let shafts = Shafts::new().with("push", 3.0);
     let mut sim = shafts.start().unwrap();
     let speed = 104.719_755_12;
     sim.step_to(1.0).unwrap();
     // Both together have the momentum of the push, from the time at which the first has come to 40 rad.
-    let momentum = 0.1 * (sim.first().omega + sim.second().omega - 2.0 * speed);
+    let momentum = 0.1 * (sim.state_of("first").omega + sim.state_of("second").omega - 2.0 * speed);
     let mut other = shafts.start().unwrap();
     let begun = crossing(|t| {
         other.reset().unwrap();
         other.step_to(t).unwrap();
-        other.first().angle - 40.0
+        other.state_of("first").angle - 40.0
     });
     assert!((momentum - 3.0 * (1.0 - begun)).abs() < 1e-8, "{momentum} {begun}");
     assert_eq!(sim.stats().switches, 1);
@@ -199,23 +211,23 @@ fn loops_count_as_absolute_coordinates_do() {
         sim.step_to(time).unwrap();
         other.step_to(time).unwrap();
         for (angle, reference) in [
-            (sim.crank().angle, other.crank().angle),
-            (sim.rocker().angle, other.rocker().angle),
-            (sim.coupler().angle, other.coupler().angle),
-            (sim.wheel().angle, -30.0 * time),
-            (other.wheel().angle, -30.0 * time),
-            (sim.crank_angle(), sim.crank().angle),
+            (sim.state_of("crank").angle, other.state_of("crank").angle),
+            (sim.state_of("rocker").angle, other.state_of("rocker").angle),
+            (sim.state_of("coupler").angle, other.state_of("coupler").angle),
+            (sim.state_of("wheel").angle, -30.0 * time),
+            (other.state_of("wheel").angle, -30.0 * time),
+            (sim.value_of("crank.angle"), sim.state_of("crank").angle),
         ] {
             assert!((angle - reference).abs() < 1e-7, "{time}: {angle} {reference}");
         }
         // Within the last step, where it is that long: before or after an angle was brought back.
         if let Ok(before) = sim.at(time - 1e-3) {
-            let turned = sim.crank().angle - before.crank().angle;
-            assert!((turned - 1e-3 * sim.crank().omega).abs() < 1e-3);
+            let turned = sim.state_of("crank").angle - before.state_of("crank").angle;
+            assert!((turned - 1e-3 * sim.state_of("crank").omega).abs() < 1e-3);
         }
     }
-    assert!(sim.crank().angle.abs() > TAU, "{}", sim.crank().angle);
-    assert!(sim.wheel().angle < -40.0 * TAU);
+    assert!(sim.state_of("crank").angle.abs() > TAU, "{}", sim.state_of("crank").angle);
+    assert!(sim.state_of("wheel").angle < -40.0 * TAU);
     assert!(other.x().iter().take(12).all(|number| number.abs() < 6.0));
 }
 
@@ -224,14 +236,13 @@ fn loops_count_as_absolute_coordinates_do() {
 fn a_start_from_a_moment_has_all_turns() {
     let mut sim = Cranked::new().start().unwrap();
     sim.step_to(3.0).unwrap();
-    let mut again = Cranked::new();
-    again.start = sim.starts();
+    let again = Cranked::new().with_starts(&sim.starts());
     let mut again = again.start_at(3.0, Dop853::default()).unwrap();
-    assert!((again.crank().angle - sim.crank().angle).abs() < 1e-9);
+    assert!((again.state_of("crank").angle - sim.state_of("crank").angle).abs() < 1e-9);
     sim.step_to(3.5).unwrap();
     again.step_to(3.5).unwrap();
-    assert!((again.crank().angle - sim.crank().angle).abs() < 1e-6);
-    assert!((again.wheel().angle - sim.wheel().angle).abs() < 1e-9);
+    assert!((again.state_of("crank").angle - sim.state_of("crank").angle).abs() < 1e-6);
+    assert!((again.state_of("wheel").angle - sim.state_of("wheel").angle).abs() < 1e-9);
 }
 
 /// Whole turns of one wheel are none of the other.
@@ -241,8 +252,8 @@ fn a_gear_keeps_its_ratio_over_many_turns() {
     for k in 1..=40 {
         sim.step_to(f64::from(k)).unwrap();
         let expected = 30.0 * f64::from(k);
-        assert!((sim.second().angle - expected).abs() < 1e-8 * expected);
-        let [x, y] = sim.second_p_position();
+        assert!((sim.state_of("second").angle - expected).abs() < 1e-8 * expected);
+        let [x, y] = sim.vector_of("second.p.position");
         assert!((x - 1.0 - 0.1 * expected.cos()).abs() < 1e-6 && (y - 0.1 * expected.sin()).abs() < 1e-6);
     }
 }
@@ -252,7 +263,7 @@ fn a_gear_keeps_its_ratio_over_many_turns() {
 fn a_wound_spring_is_wound_up_where_it_is_stabilised_or_placed() {
     let mut sim = Wound::new().start().unwrap();
     sim.step_to(1.0).unwrap();
-    let angle = sim.bob().angle;
+    let angle = sim.state_of("bob").angle;
     assert!(angle > 5.0 * TAU && sim.x()[0] < 5.0);
     let found = plm::stabilise(&sim).unwrap();
     assert_eq!(found.values[2].value.to_bits(), angle.to_bits());
@@ -276,16 +287,17 @@ fn a_slider_turns_as_its_guide_does() {
     for k in 1..=8 {
         sim.step_to(0.5 * f64::from(k)).unwrap();
         other.step_to(0.5 * f64::from(k)).unwrap();
-        assert_eq!(sim.rider().angle.to_bits(), sim.arm().angle.to_bits());
-        for (angle, reference) in
-            [(sim.arm().angle, other.arm().angle), (other.rider().angle, other.arm().angle)]
-        {
+        assert_eq!(sim.state_of("rider").angle.to_bits(), sim.state_of("arm").angle.to_bits());
+        for (angle, reference) in [
+            (sim.state_of("arm").angle, other.state_of("arm").angle),
+            (other.state_of("rider").angle, other.state_of("arm").angle),
+        ] {
             assert!((angle - reference).abs() < 1e-6, "{angle} {reference}");
         }
         let x = other.x();
         assert!(sim.x()[0].abs() < 5.0 && x[2].abs() < 5.0 && x[5].abs() < 5.0, "{:?} {x:?}", sim.x());
     }
-    assert!(sim.arm().angle > 5.0 * TAU);
+    assert!(sim.state_of("arm").angle > 5.0 * TAU);
 }
 
 /// Angles whose difference grows cannot both be near: the first is, and nothing is brought back and forth.
@@ -296,7 +308,7 @@ fn a_motor_between_turning_bodies_keeps_its_speed() {
     for k in 1..=steps {
         let time = f64::from(k);
         sim.step_to(time).unwrap();
-        for (angle, speed) in [(sim.arm().angle, 7.0), (sim.tool().angle, 27.0)] {
+        for (angle, speed) in [(sim.state_of("arm").angle, 7.0), (sim.state_of("tool").angle, 27.0)] {
             assert!((angle - speed * time).abs() < 1e-7, "{time}: {angle}");
         }
         assert!(sim.x()[2].abs() < 5.0);
@@ -314,10 +326,10 @@ fn iterations_go_on_over_whole_turns() {
         sim.step_to(time).unwrap();
         other.step_to(time).unwrap();
         for (angle, reference) in [
-            (sim.crank_0().angle, other.crank_0().angle),
-            (sim.crank_2().angle, other.crank_2().angle),
-            (sim.plate().angle, other.plate().angle),
-            (sim.crank_2().angle, sim.crank_0().angle - 40_f64.to_radians()),
+            (sim.state_of("crank[0]").angle, other.state_of("crank[0]").angle),
+            (sim.state_of("crank[2]").angle, other.state_of("crank[2]").angle),
+            (sim.state_of("plate").angle, other.state_of("plate").angle),
+            (sim.state_of("crank[2]").angle, sim.state_of("crank[0]").angle - 40_f64.to_radians()),
         ] {
             assert!((angle - reference).abs() < 1e-8, "{time}: {angle} {reference}");
         }
