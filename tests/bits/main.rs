@@ -29,3 +29,6 @@ mod machines;
 #[path = "../scenes/parts/mod.rs"]
 mod part_scenes;
 mod parts;
+mod starts;
+#[path = "../scenes/starts.rs"]
+mod starts_scenes;

@@ -32,6 +32,7 @@ mod pneumatics;
 mod ropes;
 mod screws;
 mod signals;
+mod starts;
 
 /// Equal within an amount.
 #[track_caller]

@@ -66,6 +66,10 @@ impl<
         holds.map(|holds| holds > S::lit(0.5))
     }
 
+    fn is_at_start(&self, index: usize) -> bool {
+        self.model.lowered.sets.at_start.contains(&index)
+    }
+
     fn set(&self, t: S, u: &mut Held<S, NQ, L, H, R>, x: &mut [S; N], index: usize) -> Result<(), Fault> {
         let (q, v) = State::new(*self, *u, t, *x).pose();
         let sets = &self.model.lowered.sets;

@@ -32,6 +32,12 @@ pub trait Sets<const W: usize>: System<S: Real> {
     /// Does the condition of each event hold, with the sides that are held?
     fn holds(&self, u: &Self::U) -> [bool; W];
 
+    /// Does this event happen as a run begins, instead of where a condition becomes true?
+    fn is_at_start(&self, index: usize) -> bool {
+        let _ = index;
+        false
+    }
+
     /// Sets what the event `index` sets, each value worked out by the state before.
     ///
     /// # Errors
@@ -99,6 +105,19 @@ pub fn change<M: Sets<W>, const W: usize>(
     let first = marks.iter().position(|due| *due).unwrap_or(0);
     let cause = Cause::Zeno { events: MOST_ROUNDS, within: 0.0, conditions };
     Err(Fault::of_part(t.to_f64(), system.guard_name(first), cause))
+}
+
+/// Sets what events set as a run begins, one event after the other. Sides of conditions are taken behind that.
+///
+/// # Errors
+/// When joints do not allow the velocities.
+pub fn start<M: Sets<W>, const W: usize>(
+    system: &M,
+    t: M::S,
+    u: &mut M::U,
+    x: &mut M::X,
+) -> Result<(), Fault> {
+    (0..W).filter(|&index| system.is_at_start(index)).try_for_each(|index| system.set(t, u, x, index))
 }
 
 /// Takes the sides of all conditions of the state where a run begins: nothing becomes true by that.

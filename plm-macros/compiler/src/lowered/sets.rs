@@ -11,6 +11,8 @@ use crate::source::Origin;
 pub struct Sets {
     /// By event, what it sets, in the order of the values.
     pub events: Vec<Vec<Set>>,
+    /// The events that happen as a run begins.
+    pub at_start: Vec<usize>,
     /// `holds`: 1 for each event whose condition holds, or 0.
     pub holds: Routine,
     /// `set`: the values that events set, one event after the other.
@@ -33,7 +35,9 @@ impl Sets {
             model::Target::State(k) => Set::State(k),
             model::Target::Velocity(k) => Set::Velocity(k),
         };
+        let at_start = (0..model.whens.len()).filter(|&k| model.whens[k].is_at_start).collect_vec();
         Sets {
+            at_start,
             events: model.whens.iter().map(|when| when.set.iter().map(target).collect_vec()).collect_vec(),
             holds: parts.routine(&absolute.events, Origin::Arguments),
             values: parts.routine(&absolute.values_set, Origin::State),

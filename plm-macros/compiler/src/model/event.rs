@@ -4,13 +4,15 @@ use plm_cas::Expr;
 
 use crate::span::Span;
 
-/// An event: the moment at which a condition becomes true, and the values that are set then.
+/// An event: the moment at which a condition becomes true or a run begins, and the values that are set then.
 #[derive(Clone, Debug)]
 pub struct When {
     /// The condition as it was written.
     pub text: String,
-    /// 1 where it holds, else 0.
+    /// 1 where it holds, else 0; that of an event at the start never holds.
     pub condition: Expr,
+    /// Does it happen as a run begins?
+    pub is_at_start: bool,
     /// The targets and their values; all are worked out before any is set.
     pub set: Vec<(Target, Expr)>,
     /// Place of the condition.

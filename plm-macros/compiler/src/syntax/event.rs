@@ -1,7 +1,7 @@
 //! Events that give states other values.
 //!
 //! ```text
-//! "when" expr "{" { path "=" expr ";" } "}"
+//! "when" (expr | "start") "{" { path "=" expr ";" } "}"
 //! ```
 
 use proc_macro2::Delimiter;
@@ -13,15 +13,28 @@ use super::expr::{Expr, ExprKind, Link};
 use super::input::{Input, Reported, Result};
 use super::operator::Operator;
 use crate::diag::Code;
+use crate::span::Span;
 
 /// `when condition { target = value; … }`
 #[derive(Clone, Debug)]
 pub struct When {
-    /// At the moment at which it becomes true.
-    pub condition: Expr,
+    /// At this moment.
+    pub moment: Moment,
     /// Targets and values.
     pub assignments: Vec<Assignment>,
 }
+
+/// The moment of an event.
+#[derive(Clone, Debug)]
+pub enum Moment {
+    /// `start`: as a run begins.
+    Start(Span),
+    /// When a condition becomes true.
+    BecomesTrue(Expr),
+}
+
+/// The moment as a run begins.
+const START: &str = "start";
 
 /// Words that let go of a joint elsewhere.
 const RELEASES: [&str; 4] = ["release", "detach", "remove", "disconnect"];
@@ -38,6 +51,11 @@ pub struct Assignment {
 impl When {
     /// `condition { … }` behind `when`.
     pub(super) fn parse(input: Input) -> Result<When> {
+        if input.next() == START && input.peek2(token::Brace) {
+            let moment = Moment::Start(input.here());
+            input.advance();
+            return Ok(When { moment, assignments: Self::assignments(input)? });
+        }
         let start = input.position();
         let condition = Expr::parse(input).unwrap_or_else(|Reported| {
             input.advance_to(|input| input.peek(Token![;]) || input.peek(token::Brace));
@@ -49,6 +67,10 @@ impl When {
         if !input.peek(token::Brace) {
             return Err(input.expected_but("`{`", "write `when condition { state = value; }`"));
         }
+        Ok(When { moment: Moment::BecomesTrue(condition), assignments: Self::assignments(input)? })
+    }
+
+    fn assignments(input: Input) -> Result<Vec<Assignment>> {
         let mut assignments = Vec::new();
         input.group(Delimiter::Brace, "`{`", |input| {
             while !input.is_empty() {
@@ -60,7 +82,7 @@ impl When {
             }
             Ok(())
         })?;
-        Ok(When { condition, assignments })
+        Ok(assignments)
     }
 }
 

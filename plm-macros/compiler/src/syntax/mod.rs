@@ -33,7 +33,7 @@
 //!       | "unilateral" name ":" expr (">=" | "<=") expr (";" | "{" { ("restitution" | "when") ":" expr ";" } "}")
 //!       | "friction" name ":" "rate" "(" expr ")" "within" bound (";" | "{" { "static" ":" bound ";" | "when" ":" expr ";" } "}")
 //!       | "require" NAME ":" expr ";"
-//!       | "when" expr "{" { path "=" expr ";" } "}"
+//!       | "when" (expr | "start") "{" { path "=" expr ";" } "}"
 //!       | "output" output { "," output } ";"
 //!       | "repeat" NAME "in" expr ".." ["="] expr "{" { item } "}"
 //! field  := ("mass" | "inertia" | "centre" | "density" | "thickness" | "drawing_angle" | "depth") ":" expr ";" | "coordinates" ":" NAME ";"
@@ -83,7 +83,7 @@ pub mod ast {
     pub use super::contact::{Bound, Friction, Unilateral};
     pub use super::declaration::{Declaration, Mechanism, Shared};
     pub use super::domain::{Domain, Node, Quantity};
-    pub use super::event::{Assignment, When};
+    pub use super::event::{Assignment, Moment, When};
     pub use super::expr::{Expr, ExprKind, Link};
     pub use super::handed::{Function, Points};
     pub use super::instance::{Field, Instance};

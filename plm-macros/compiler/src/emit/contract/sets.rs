@@ -23,6 +23,12 @@ pub(in super::super) fn count(emission: &Emission) -> Literal {
     number(emission.model.whens.len())
 }
 
+/// The events that happen as a run begins.
+pub(in super::super) fn at_start(emission: &Emission) -> Vec<Literal> {
+    let whens = emission.model.whens.iter().enumerate();
+    whens.filter(|(_, when)| when.is_at_start).map(|(k, _)| number(k)).collect_vec()
+}
+
 /// Changes of sides or modes, in the body of a function that returns `Result`: without events that set states they are all; else
 /// these follow.
 pub(super) fn followed(emission: &Emission, changes: TokenStream) -> TokenStream {
@@ -45,7 +51,14 @@ pub(crate) fn sets(emission: &Emission) -> TokenStream {
     }
     let Emission { name, model, sizes: Sizes { length, .. }, .. } = emission;
     let (functions, count, conditions) = (functions(emission), count(emission), number(model.guards()));
-    let (events, settle) = (events(emission), settle(emission));
+    let (events, settle, at_start) = (events(emission), settle(emission), at_start(emission));
+    let is_at_start = (!at_start.is_empty()).then(|| {
+        quote! {
+            fn is_at_start(&self, index: usize) -> bool {
+                matches!(index, #(#at_start)|*)
+            }
+        }
+    });
     quote! {
         #functions
 
@@ -61,6 +74,8 @@ pub(crate) fn sets(emission: &Emission) -> TokenStream {
                 self.events_hold(u, &mut holds);
                 holds.map(|holds| holds > S::lit(0.5))
             }
+
+            #is_at_start
 
             fn set(&self, t: S, u: &mut Held<S>, x: &mut [S; #length], index: usize) -> Result<(), Fault> {
                 let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);

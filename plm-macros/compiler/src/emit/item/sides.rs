@@ -14,15 +14,18 @@ pub(super) fn take_sides(emission: &Emission, held: &TokenStream) -> TokenStream
     }
 }
 
-/// The sides of conditions that apply where a run begins. Events that set states do not happen there.
+/// The sides of conditions that apply where a run begins. Events that set states happen there only if they are declared so.
 pub(super) fn sides(emission: &Emission) -> TokenStream {
     let model = emission.model;
     let [of_time, of_state] = [model.switches.len() > model.guards(), model.guards() > 0];
     let at_time = || of_time.then(|| switches::sides_at_time(emission));
     if sets::are_there(emission) {
         let (count, at_time) = (sets::count(emission), at_time());
+        let start = (!sets::at_start(emission).is_empty())
+            .then(|| quote!(rt::events::start::<Self, #count>(self, t, u, &mut x)?;));
         return quote! {
             let u = &mut held;
+            #start
             #at_time
             rt::events::begin::<Self, #count>(self, t, u, &x);
         };

@@ -9,7 +9,7 @@ use crate::resolve::declarations::state::StateKind;
 use crate::resolve::names::ScopeId;
 use crate::resolve::values::condition::side_text;
 use crate::resolve::values::{Condition, Eval, Failed, Reads};
-use crate::syntax::ast;
+use crate::syntax::ast::{self, Moment};
 use crate::units::Dimension;
 
 impl<'a> Resolver<'a> {
@@ -29,7 +29,10 @@ impl<'a> Resolver<'a> {
     fn when(&mut self, scope: ScopeId, ast: &'a ast::When) -> Eval<When> {
         let forces = Reads::REACTION.and(Reads::PUSH).and(Reads::FRICTION);
         let allowed = Reads::EVENT.and(Reads::ACCELERATION).and(forces);
-        let condition = self.event_condition(scope, &ast.condition, ("an event", allowed));
+        let condition = match &ast.moment {
+            Moment::Start(_) => Ok(Expr::ZERO),
+            Moment::BecomesTrue(condition) => self.event_condition(scope, condition, ("an event", allowed)),
+        };
         let mut set = Vec::new();
         let mut failed = false;
         for assignment in &ast.assignments {
@@ -42,12 +45,15 @@ impl<'a> Resolver<'a> {
                 Err(Failed) => failed = true,
             }
         }
-        let (condition, span) = (condition?, ast.condition.span);
+        let condition = condition?;
         if failed {
             return Err(Failed);
         }
-        let text = self.condition_text(&ast.condition);
-        Ok(When { text, condition, set, span })
+        let (text, span, is_at_start) = match &ast.moment {
+            Moment::Start(span) => ("start".to_owned(), *span, true),
+            Moment::BecomesTrue(condition) => (self.condition_text(condition), condition.span, false),
+        };
+        Ok(When { text, condition, is_at_start, set, span })
     }
 
     /// 1 where a condition of an event or of a row of contact holds, else 0.
