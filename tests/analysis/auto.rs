@@ -1,6 +1,8 @@
 //! The method that eigenvalues ask for.
 
-use plm::{Adams, Choice, Described, Dop853, Mode, Pace, RadauIia5, StartAuto, Vern9};
+use plm::{Adams, Choice, Described, Dop853, Mechanism as _, Mode, Pace, RadauIia5, StartAuto, Vern9};
+
+use crate::scene::{Given as _, Named as _};
 
 /// Eigenvalues, complex ones once.
 fn modes(eigenvalues: &[(f64, f64)]) -> Vec<Mode> {
@@ -56,28 +58,27 @@ fn what_swings_fast_is_followed_and_what_dies_out_fast_is_not() {
     assert!(Choice::by(&edge, 1e-8).stiff && !Choice::by(&edge, 1e-12).stiff);
 }
 
-mod damped {
-    plm::mechanism! {
-        pub Damped {
-            param damping: N*s/m = 1e5 N*s/m;
-            ground { port rail: (0, 0) m; }
-            body mass { mass: 1 kg; inertia: 1 kg*m^2; port slide: (0, 0) m; start x: 0.1 m, locked; }
-            prismatic rail(ground.rail, mass.slide) { stiffness: 1e6 N/m; damping: damping; }
-        }
+scene! {
+    pub Damped {
+        param damping: N*s/m = 1e5 N*s/m;
+        ground { port rail: (0, 0) m; }
+        body mass { mass: 1 kg; inertia: 1 kg*m^2; port slide: (0, 0) m; start x: 0.1 m, locked; }
+        prismatic rail(ground.rail, mass.slide) { stiffness: 1e6 N/m; damping: damping; }
     }
 }
 
 #[test]
 fn a_tight_tolerance_takes_order_9() {
-    let mass = damped::Damped { damping: 10.0, ..damped::Damped::new() };
+    let mass = Damped::new().with("damping", 10.0);
     let mut auto = mass.start_auto_with(1e-11).unwrap();
     let mut known = mass.start_with(Vern9::new(1e-11)).unwrap();
     assert!(auto.method().choice().ninth_order);
     auto.step(0.1).unwrap();
     known.step(0.1).unwrap();
-    assert_eq!((auto.stats(), auto.mass().x), (known.stats(), known.mass().x));
+    assert_eq!((auto.stats(), auto.state_of("mass").x), (known.stats(), known.state_of("mass").x));
 }
 
+// Of more than 8 bodies: compiled.
 mod hanging {
     plm::mechanism! {
         /// A chain of 64 bars that hangs aslant; with loops it is compiled in less time.
@@ -127,7 +128,7 @@ fn a_long_chain_takes_adams() {
 #[test]
 fn the_chosen_method_runs_and_is_the_cheaper_one() {
     for (damping, stiff) in [(1e5, true), (10.0, false)] {
-        let mass = damped::Damped { damping, ..damped::Damped::new() };
+        let mass = Damped::new().with("damping", damping);
         let mut auto = mass.start_auto().unwrap();
         assert_eq!(auto.method().choice().stiff, stiff);
         let (mut explicit, mut implicit) =
@@ -149,6 +150,6 @@ fn the_chosen_method_runs_and_is_the_cheaper_one() {
             let w = (-b).sqrt();
             0.1 * f64::exp(a * 0.1) * (f64::cos(w * 0.1) - a / w * f64::sin(w * 0.1))
         };
-        assert!((auto.mass().x - exact).abs() < 1e-6, "{} {exact}", auto.mass().x);
+        assert!((auto.state_of("mass").x - exact).abs() < 1e-6, "{} {exact}", auto.state_of("mass").x);
     }
 }

@@ -1,20 +1,8 @@
 //! Declared mechanisms against their known frequencies and dampings, in every formulation that holds them.
 
-use plm::{Linearisation, linearise};
+use plm::{Linearisation, Mechanism as _, linearise};
 
-/// Declares the same mechanism in the formulation that the compiler takes, and in absolute coordinates.
-macro_rules! in_both_formulations {
-    ($module:ident { $($item:tt)* }) => {
-        mod $module {
-            pub(super) mod least {
-                plm::mechanism! { pub Scene { $($item)* } }
-            }
-            pub(super) mod absolute {
-                plm::mechanism! { pub Scene { formulation: absolute; $($item)* } }
-            }
-        }
-    };
-}
+use crate::scene::Given as _;
 
 /// Linearises a declared mechanism at its start in both formulations.
 macro_rules! at_start {
@@ -29,8 +17,7 @@ macro_rules! at_start {
 /// What is linearised is where the simulation is, however it is handed over.
 #[test]
 fn a_simulation_is_linearised_where_it_is() {
-    let mut scene = double_pendulum::least::Scene::new();
-    scene.start.arm.angle.value = 1.0;
+    let scene = double_pendulum::least::Scene::new().with_start("arm.angle", 1.0);
     let mut sim = scene.start().unwrap();
     let start = linearise(&sim).unwrap();
     sim.step(0.2).unwrap();

@@ -1,6 +1,21 @@
 //! Analysis on hosts: linearisation, equilibria, methods that are chosen. Here linearisation of systems written as
 //! generated code is, against analytic frequencies and dampings.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+#![allow(
+    clippy::large_types_passed_by_value,
+    clippy::unwrap_used,
+    clippy::panic,
+    missing_docs,
+    unreachable_pub,
+    reason = "tests"
+)]
+
+#[macro_use]
+#[path = "../support/scene.rs"]
+mod scene;
+
+#[macro_use]
+#[path = "../scenes/analysis.rs"]
+mod declared;
 
 mod auto;
 mod contact;

@@ -18,6 +18,9 @@ macro_rules! mechanism {
     };
 }
 
+mod analysis;
+#[path = "../scenes/analysis.rs"]
+mod analysis_scenes;
 mod contact;
 #[path = "../scenes/contact.rs"]
 mod contact_scenes;
