@@ -5,7 +5,7 @@
 //! semantic versions.
 //!
 //! `plm-macros/compiler/src/emit/` writes the code. Whatever it names in a new way has to be named here too; whatever stands here and is
-//! named no more fails `cargo test --test files`.
+//! named no more fails `cargo test -p xtask --test files`.
 
 pub use crate::double_double::DoubleDouble;
 pub use crate::dual::Dual;

@@ -61,6 +61,8 @@ const STEPS: &[Step] = &[
         ],
     },
     Step::Here(part("formatting", "formatting", lints::formatting)),
+    // In a minute, before all is built that tests need.
+    Step::Here(part("rules", "rules of the repository", tests::rules)),
     Step::Tests,
     // The tests have built the sweep, and share the target folder and apt with the machines: neither waits for them. One build
     // for a machine has one core, the sweep all that are left.

@@ -15,6 +15,12 @@ pub(super) fn tools(place: &Place) -> Result {
     place.command("bash plm-view/page/check.sh --install").run()
 }
 
+/// What a machine can read of the rules of CONTRIBUTING.md.
+pub(super) fn rules(place: &Place) -> Result {
+    let test = place.command("cargo test --workspace --features").arg(FEATURES);
+    test.args(["--test", "tidy", "--test", "files"]).run()
+}
+
 /// Two take more than a minute on one core, so that the others run beside them: the disturbed declarations, and the lines of
 /// every method. While these run benchmarks and the sweep are built, and later no build of it keeps others from the target folder.
 pub(super) fn all(ci: &mut Ci, place: &Place) -> Result {

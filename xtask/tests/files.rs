@@ -3,29 +3,33 @@
 
 use std::path::Path;
 
-#[path = "../xtask/src/architecture.rs"]
+#[path = "../src/architecture.rs"]
 mod architecture;
 #[path = "files/contract.rs"]
 mod contract;
-#[path = "../xtask/src/index.rs"]
+#[path = "../src/index.rs"]
 mod index;
 #[path = "files/packages.rs"]
 mod packages;
 
+/// The folder of the workspace.
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
+}
+
 fn same(path: &str, made: &str) {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let shown = index::read(&root.join(path)).unwrap_or_default();
+    let shown = index::read(&root().join(path)).unwrap_or_default();
     assert!(shown == made, "{path} is not what the sources give: run `cargo xtask index`");
 }
 
 #[test]
 fn the_list_of_files_is_current() {
-    let made = index::page(Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let made = index::page(root()).unwrap();
     same(index::PAGE, &made);
 }
 
 #[test]
 fn the_picture_of_the_architecture_is_current() {
-    let made = architecture::picture(Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let made = architecture::picture(root()).unwrap();
     same(architecture::PICTURE, &made);
 }

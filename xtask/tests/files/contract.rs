@@ -48,7 +48,7 @@ fn has(text: &str, path: &str) -> bool {
 
 #[test]
 fn the_contract_of_generated_code_has_what_is_emitted() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = super::root();
     let items = items(&index::read(&root.join("plm-runtime/src/generated.rs")).unwrap());
     assert!(items.len() > 100, "items were read: {items:?}");
     let emission = sources(&root.join("plm-macros/compiler/src"));
@@ -73,7 +73,7 @@ fn the_contract_of_generated_code_has_what_is_emitted() {
 
 #[test]
 fn emitted_code_names_the_runtime_by_its_contract_alone() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = super::root();
     let emission = sources(&root.join("plm-macros/compiler/src/emit"));
     let loose = emission
         .match_indices("path::runtime")
