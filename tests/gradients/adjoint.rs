@@ -3,14 +3,15 @@
 use plm::adjoint::{self, Carried, Lack, Memory, NoGradient};
 use plm::runtime::Seen;
 use plm::{
-    By, Cause, Dop853, Dual, Fault, Moment, Reached, Sim, Term, Trace, Traced, mechanism, with_derivatives,
-    with_trace,
+    By, Cause, Dop853, Dual, Fault, Mechanism as _, Moment, Reached, Sim, Term, Trace, Traced, mechanism,
+    with_derivatives, with_trace,
 };
 
-use super::are_slopes;
 use super::closed::Pendulum;
 use super::events::{Thrown, Yard, bounced, stuck};
 use super::loops::{FourBar, rocker};
+use super::{are_slopes, body};
+use crate::scene::Given as _;
 
 /// Values and gradients of results of a run, with memory for so many saved states; a row of each result.
 pub(super) fn gradient<'t, P: Copy, const R: usize>(
@@ -106,7 +107,7 @@ fn of_a_rocker_by_all_lengths_and_the_crank() {
 /// x = v t comes to the place where it is thrown back at t = turns/v.
 #[test]
 fn of_the_time_of_an_event() {
-    let thrown = Thrown { other: 5.0, ..Thrown::new() };
+    let thrown = Thrown::new().with("other", 5.0);
     let mut terms = vec![Term::EMPTY; 100_000];
     let trace = Trace::new(&mut terms, 2);
     let own = with_trace(&thrown, &[By::Parameter("turns"), By::Start("a.vx")], &trace).unwrap();
@@ -136,7 +137,8 @@ fn of_two_events_at_once_there_are_none() {
     let trace = Trace::new(&mut terms, 1);
     let own = with_trace(&Thrown::new(), &[By::Parameter("turns")], &trace).unwrap();
     let sim = own.start_with(Dop853::new(1e-12.into())).unwrap();
-    let outcome = gradient(&trace, 20, sim, |sim| Sim::step_towards(sim, 0.9.into()), |sim| [sim.a().x]);
+    let outcome =
+        gradient(&trace, 20, sim, |sim| Sim::step_towards(sim, 0.9.into()), |sim| [body(sim.state(), "a").x]);
     let NoGradient::Fault(fault) = outcome.unwrap_err() else { panic!("it has memory") };
     assert!(matches!(fault.cause, Cause::AtOnce { .. }), "{fault}");
 }

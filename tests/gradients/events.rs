@@ -1,9 +1,10 @@
 //! Derivatives across impacts, sticking, and events that reset.
 
 use plm::runtime::Seen;
-use plm::{By, Cause, Dop853, Dual, Moment, Rk4, Sim, mechanism, with_derivatives};
+use plm::{By, Cause, Dop853, Dual, Mechanism as _, Moment, Rk4, Sim, mechanism, with_derivatives};
 
-use super::are_slopes;
+use super::{are_slopes, body};
+use crate::scene::Given as _;
 
 mechanism! {
     part spring_to_origin(on: body) {
@@ -116,7 +117,7 @@ fn of_steps_of_one_length() {
     are_slopes(sim.mass().x.tangents, |p| stuck(p, 1.6, 2), [2.4525, 3.924, 0.1], 1e-2);
 }
 
-mechanism! {
+scene! {
     /// A mass that is thrown back where it comes to `turns`, and two that are thrown back at once.
     pub Thrown {
         param turns: m = 1 m;
@@ -139,18 +140,18 @@ mechanism! {
 
 #[test]
 fn of_a_state_that_an_event_resets() {
-    let thrown = Thrown { other: 5.0, ..Thrown::new() };
+    let thrown = Thrown::new().with("other", 5.0);
     let by = [By::Parameter("turns"), By::Start("a.vx")];
     let mut sim = with_derivatives(&thrown, by).unwrap().start_with(Dop853::new(1e-12.into())).unwrap();
     sim.step_to(0.9.into()).unwrap();
     let place = |[turns, v]: [f64; 2]| turns - 0.5 * v * (0.9 - turns / v);
-    are_slopes(sim.a().x.tangents, place, [1.0, 2.0], 1e-10);
+    are_slopes(body(sim.state(), "a").x.tangents, place, [1.0, 2.0], 1e-10);
 }
 
 /// x = v t comes to the place where it is thrown back at t = turns/v.
 #[test]
 fn of_the_time_of_an_event() {
-    let thrown = Thrown { other: 5.0, ..Thrown::new() };
+    let thrown = Thrown::new().with("other", 5.0);
     let by = [By::Parameter("turns"), By::Start("a.vx")];
     let mut sim = with_derivatives(&thrown, by).unwrap().start_with(Dop853::new(1e-12.into())).unwrap();
     let mut times = Vec::new();
@@ -180,10 +181,10 @@ fn of_two_events_at_once_there_are_none() {
 #[test]
 fn of_a_graze_there_are_none() {
     let run = |below: f64| {
-        let thrown = Thrown { other: 5.0, turns: 5.0, top: 0.2 - below, ..Thrown::new() };
+        let thrown = Thrown::new().with("other", 5.0).with("turns", 5.0).with("top", 0.2 - below);
         let by = with_derivatives(&thrown, [By::Parameter("top")]).unwrap();
         let mut sim = by.start_with(Dop853::new(1e-12.into())).unwrap();
-        sim.step_to(0.9.into()).map(|()| sim.c().x)
+        sim.step_to(0.9.into()).map(|()| body(sim.state(), "c").x)
     };
     // x = 0.9 - (2 - sqrt(4 - 20 top))/10.
     let by_top = run(1e-6).unwrap().tangents[0];

@@ -1,6 +1,10 @@
 //! Derivatives of runs by parameters and start values, against closed forms.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
+#[macro_use]
+#[path = "../support/scene.rs"]
+mod scene;
+
 mod adjoint;
 mod closed;
 mod cycle;
@@ -10,6 +14,17 @@ mod many;
 mod rough;
 mod sides;
 mod step;
+
+use plm::BodyState;
+use plm::runtime::{Described, Moment, Rate};
+
+/// A body of a mechanism from text, in any numbers.
+#[track_caller]
+fn body<T: Moment<M: Described<State = T>>>(state: &T, name: &str) -> BodyState<<T::M as Rate>::S> {
+    let bodies = state.mechanism().tables().bodies;
+    let place = bodies.iter().position(|own| own.name == name).unwrap();
+    T::M::pose(state, place).unwrap()
+}
 
 /// The derivative of a function of one number, by five points: good to 1e-11 of what is of size 1.
 fn slope(f: impl Fn(f64) -> f64, at: f64) -> f64 {

@@ -1,9 +1,12 @@
 //! Derivatives are those of the steps that were made, also where these are so long that they are rough.
 
-use plm::adjoint::{self, Carried, Memory};
-use plm::{By, Dop853, Dopri5, Sim, Term, Trace, mechanism, with_derivatives, with_trace};
+use plm::{By, Dop853, Dopri5, Mechanism as _, Sim, Term, Trace, with_derivatives, with_trace};
 
-mechanism! {
+use super::adjoint::gradient;
+use super::body;
+use crate::scene::Given as _;
+
+scene! {
     part spring_to_origin(on: body) {
         param stiffness: N/m = 9 N/m;
         force on on: (-stiffness*on.x, 0 N);
@@ -25,7 +28,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+scene! {
     /// A slider-crank against a buffer, whose force jumps.
     pub Buffered {
         param radius: m = 0.119 m;
@@ -54,9 +57,9 @@ const END: f64 = 1.1;
 
 fn ends([stiffness, wall]: [f64; 2]) -> [f64; 2] {
     let method = Dopri5::new(TOLERANCE).with_longest_step(STEP);
-    let mut sim = Rough { stiffness, wall, ..Rough::new() }.start_with(method).unwrap();
+    let mut sim = Rough::new().with("stiffness", stiffness).with("wall", wall).start_with(method).unwrap();
     sim.step_to(END).unwrap();
-    [sim.ball().x, sim.block().x]
+    [body(sim.state(), "ball").x, body(sim.state(), "block").x]
 }
 
 /// By central differences of two widths, whose errors of the second order cancel.
@@ -91,27 +94,24 @@ fn rough_steps_have_their_own_derivatives() {
     let method = Dopri5::new(TOLERANCE.into()).with_longest_step(STEP.into());
     let mut dual = with_derivatives(&Rough::new(), by).unwrap().start_with(method).unwrap();
     dual.step_to(END.into()).unwrap();
-    let forward = [dual.ball().x, dual.block().x];
+    let forward = [body(dual.state(), "ball").x, body(dual.state(), "block").x];
     assert_eq!(forward.map(|x| x.value), ends(at));
 
     let mut terms = vec![Term::EMPTY; 200_000];
     let trace = Trace::new(&mut terms, 2);
     let method = Dopri5::new(TOLERANCE.into()).with_longest_step(STEP.into());
     let sim = with_trace(&Rough::new(), &by, &trace).unwrap().start_with(method).unwrap();
-    let (mut adjoints, mut carried) = (vec![[0.0; 2]; trace.room()], vec![Carried::EMPTY; 2000]);
-    let mut saved = vec![None; 20];
-    let memory = Memory { adjoints: &mut adjoints, carried: &mut carried, saved: &mut saved };
-    let mut backward = [[0.0; 2]; 2];
     let advance = |sim: &mut _| Sim::step_towards(sim, END.into());
-    adjoint::adjoint(&trace, sim, advance, |sim| [sim.ball().x, sim.block().x], memory, &mut backward)
-        .unwrap();
+    let (_, backward) =
+        gradient(&trace, 20, sim, advance, |sim| ["ball", "block"].map(|name| body(sim.state(), name).x))
+            .unwrap();
 
     // Measured 8e-8 and 3e-10; states that move along their rate at the event differ by 4e-7 and 5e-6. An event is found on the dense output,
     // whose error has a derivative by the stiffness, and none by the place of the wall.
     for (parameter, most) in [2e-7, 1e-9].into_iter().enumerate() {
         let expected = slopes(at, parameter);
         for output in 0..2 {
-            let (forward, backward) = (forward[output].tangents[parameter], backward[parameter][output]);
+            let (forward, backward) = (forward[output].tangents[parameter], backward[output][parameter]);
             let differs = (forward - expected[output]).abs();
             assert!(differs < most, "{parameter} {output}: {forward} for {}", expected[output]);
             assert!((forward - backward).abs() < 1e-12, "{parameter} {output}: {forward} {backward}");
@@ -129,7 +129,7 @@ fn lengths_of_steps_do_not_move_with_events() {
         let mut sim = buffered.start_with(Dop853::new(tolerance.into())).unwrap();
         sim.step_to(1.0.into()).unwrap();
         assert!(sim.stats().switches > 3);
-        sim.crank().angle.tangents
+        body(sim.state(), "crank").angle.tangents
     });
     for (loose, tight) in loose.into_iter().zip(tight) {
         assert!((loose - tight).abs() < 1e-6, "{loose} {tight}");

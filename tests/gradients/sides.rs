@@ -1,8 +1,12 @@
 //! Derivatives of either side where there are none of both, against closed forms and differences of runs on that side.
 
-use plm::{By, Cause, Dop853, Fault, Side, Term, Trace, mechanism, with_derivatives, with_side, with_trace};
+use plm::{
+    By, Cause, Dop853, Fault, Mechanism as _, Side, Term, Trace, with_derivatives, with_side, with_trace,
+};
 
+use super::body;
 use super::events::Thrown;
+use crate::scene::{Given as _, Scene};
 
 /// The derivative behind a place of what is smooth there, of three values beside it: its error is of second order.
 fn beside(f: impl Fn(f64) -> f64, at: f64, side: Side) -> f64 {
@@ -18,7 +22,7 @@ fn is_slope(found: f64, known: f64, run: impl Fn(f64) -> f64, at: f64, side: Sid
     assert!((found - difference).abs() < 1e-7, "{side:?}: {found} is not {difference}");
 }
 
-mechanism! {
+scene! {
     /// A ball that is thrown up below a ceiling.
     pub Hall {
         param speed: m/s = 2 m/s;
@@ -32,30 +36,30 @@ mechanism! {
 /// At 2 m/s it comes to 0.2 m: a slower ball, or below a higher ceiling, does not touch, and the other side has an infinite derivative.
 #[test]
 fn of_a_ball_that_touches_a_ceiling() {
-    let hall = Hall { height: 0.2 - 5e-15, ..Hall::new() };
+    let hall = Hall::new().with("height", 0.2 - 5e-15);
     let t = 0.3;
     let run = |by, side| {
         let mut sim = with_side(&hall, by, side).unwrap().start_with(Dop853::new(1e-12.into()))?;
         sim.step_to(t.into())?;
-        Ok::<_, Fault>((sim.ball().y.value(), side.derivative(sim.ball().y)))
+        Ok::<_, Fault>((body(sim.state(), "ball").y.value(), side.derivative(body(sim.state(), "ball").y)))
     };
     let (speed, height) = (By::Parameter("speed"), By::Parameter("height"));
-    let plain = |hall: Hall| {
+    let plain = |hall: Scene| {
         let mut sim = hall.start_with(Dop853::new(1e-12)).unwrap();
         sim.step_to(t).unwrap();
-        sim.ball().y
+        body(sim.state(), "ball").y
     };
     let (y, slower) = run(speed, Side::Below).unwrap();
     assert!((y - (2.0 * t - 5.0 * t * t)).abs() < 1e-12, "{y}");
-    is_slope(slower, t, |speed| plain(Hall { speed, ..Hall::new() }), 2.0, Side::Below);
+    is_slope(slower, t, |speed| plain(Hall::new().with("speed", speed)), 2.0, Side::Below);
     let (_, higher) = run(height, Side::Above).unwrap();
-    is_slope(higher, 0.0, |height| plain(Hall { height, ..Hall::new() }), 0.2, Side::Above);
+    is_slope(higher, 0.0, |height| plain(Hall::new().with("height", height)), 0.2, Side::Above);
     for outcome in [run(speed, Side::Above), run(height, Side::Below)] {
         assert_eq!(outcome.unwrap_err().cause, Cause::Grazes);
     }
 }
 
-mechanism! {
+scene! {
     /// Two masses come to their places at one time. The first adds to the speed of the second, which doubles its own.
     pub Pair {
         param place: m = 1 m;
@@ -74,15 +78,15 @@ mechanism! {
 #[test]
 fn of_two_events_at_once() {
     let plain = |place| {
-        let mut sim = Pair { place, ..Pair::new() }.start_with(Dop853::new(1e-12)).unwrap();
+        let mut sim = Pair::new().with("place", place).start_with(Dop853::new(1e-12)).unwrap();
         sim.step_to(0.9).unwrap();
-        sim.b().x
+        body(sim.state(), "b").x
     };
     for (side, known, value) in [(Side::Above, -0.5, 1.0 + 5.0 * 0.4), (Side::Below, -1.0, 1.0 + 6.0 * 0.4)] {
         let own = with_side(&Pair::new(), By::Parameter("place"), side).unwrap();
         let mut sim = own.start_with(Dop853::new(1e-12.into())).unwrap();
         sim.step_to(0.9.into()).unwrap();
-        let x = sim.b().x;
+        let x = body(sim.state(), "b").x;
         assert!((x.value() - value).abs() < 1e-12, "{side:?} {x:?}");
         is_slope(side.derivative(x), known, plain, 1.0, side);
     }
@@ -96,12 +100,12 @@ fn of_two_events_that_do_not_meet() {
         let mut sim = own.start_with(Dop853::new(1e-12.into())).unwrap();
         sim.step_to(0.9.into()).unwrap();
         // turns - (0.9 - turns/2).
-        let (a, b) = (side.derivative(sim.a().x), side.derivative(sim.b().x));
+        let (a, b) = (side.derivative(body(sim.state(), "a").x), side.derivative(body(sim.state(), "b").x));
         assert!((a - 1.5).abs() < 1e-11 && b.abs() < 1e-11, "{a} {b}");
     }
 }
 
-mechanism! {
+scene! {
     /// A bar of two half lengths 0.5 m falls on two supports.
     pub Bar {
         param tilt: rad = 0 rad;
@@ -119,15 +123,15 @@ mechanism! {
 #[test]
 fn of_two_impacts_at_once_in_either_order() {
     let plain = |tilt| {
-        let mut sim = Bar { tilt, ..Bar::new() }.start_with(Dop853::new(1e-12)).unwrap();
+        let mut sim = Bar::new().with("tilt", tilt).start_with(Dop853::new(1e-12)).unwrap();
         sim.step_to(0.25).unwrap();
-        [sim.bar().y, sim.bar().angle]
+        [body(sim.state(), "bar").y, body(sim.state(), "bar").angle]
     };
     for side in [Side::Above, Side::Below] {
         let own = with_side(&Bar::new(), By::Parameter("tilt"), side).unwrap();
         let mut sim = own.start_with(Dop853::new(1e-12.into())).unwrap();
         sim.step_to(0.25.into()).unwrap();
-        let [y, angle] = [sim.bar().y, sim.bar().angle];
+        let [y, angle] = [body(sim.state(), "bar").y, body(sim.state(), "bar").angle];
         let near = plain(if side == Side::Above { 1e-9 } else { -1e-9 });
         assert!((y.value() - near[0]).abs() < 1e-7 && (angle.value() - near[1]).abs() < 1e-7, "{near:?}");
         for (k, found) in [y, angle].into_iter().enumerate() {
@@ -141,7 +145,7 @@ fn of_two_impacts_at_once_in_either_order() {
     }
 }
 
-mechanism! {
+scene! {
     pub Pushed {
         param push: N = 30 N;
         gravity: 10 m/s^2;
@@ -158,15 +162,15 @@ mechanism! {
 #[test]
 fn of_a_friction_at_its_limit() {
     let plain = |push| {
-        let mut sim = Pushed { push, ..Pushed::new() }.start_with(Dop853::new(1e-12)).unwrap();
+        let mut sim = Pushed::new().with("push", push).start_with(Dop853::new(1e-12)).unwrap();
         sim.step_to(2.0).unwrap();
-        sim.block().x
+        body(sim.state(), "block").x
     };
     for (side, known) in [(Side::Above, 4.0 / 20.0), (Side::Below, 0.0)] {
         let own = with_side(&Pushed::new(), By::Parameter("push"), side).unwrap();
         let mut sim = own.start_with(Dop853::new(1e-12.into())).unwrap();
         sim.step_to(2.0.into()).unwrap();
-        is_slope(side.derivative(sim.block().x), known, plain, 30.0, side);
+        is_slope(side.derivative(body(sim.state(), "block").x), known, plain, 30.0, side);
     }
 }
 
@@ -174,11 +178,11 @@ fn of_a_friction_at_its_limit() {
 #[test]
 fn of_a_friction_at_its_limit_there_is_none_to_both_sides() {
     let started = |push, by| {
-        let pushed = Pushed { push, ..Pushed::new() };
+        let pushed = Pushed::new().with("push", push);
         let own = with_derivatives(&pushed, [by]).unwrap();
         let mut sim = own.start_with(Dop853::new(1e-12.into()))?;
         sim.step_to(2.0.into())?;
-        Ok::<_, Fault>(sim.block().x.tangents[0])
+        Ok::<_, Fault>(body(sim.state(), "block").x.tangents[0])
     };
     let fault = started(30.0, By::Parameter("push")).unwrap_err();
     assert_eq!((fault.cause, fault.part), (Cause::AtLimit, "slip"));
@@ -200,10 +204,10 @@ fn of_a_friction_at_its_limit_there_is_none_to_both_sides() {
 #[test]
 fn of_what_is_smooth() {
     for side in [Side::Above, Side::Below] {
-        let hall = Hall { height: 5.0, ..Hall::new() };
+        let hall = Hall::new().with("height", 5.0);
         let found = with_side(&hall, By::Parameter("speed"), side).unwrap();
         let mut sim = found.start_with(Dop853::new(1e-12.into())).unwrap();
         sim.step_to(0.3.into()).unwrap();
-        assert!((side.derivative(sim.ball().y) - 0.3).abs() < 1e-12);
+        assert!((side.derivative(body(sim.state(), "ball").y) - 0.3).abs() < 1e-12);
     }
 }

@@ -10,15 +10,15 @@ use plm::BodyState;
 use plm::dynamic::{self, Small};
 use plm::runtime::{Absolute as _, Described, Moment, Ports, Rate, Start, StartValues, Statics, absolute};
 
-/// Declares a mechanism by its text: `scene! { pub Ball { … } }`, of which `Ball::new()` is one as declared.
+/// Declares a mechanism by its text: `scene! { pub Ball { … } }`, of which `Ball::new()` is one as declared. A part may stand before it.
 macro_rules! scene {
-    ($(#[$docs:meta])* $visibility:vis $name:ident $items:tt) => {
+    (@ $text:expr, $(#[$docs:meta])* $visibility:vis $name:ident) => {
         $(#[$docs])*
         $visibility struct $name;
 
         impl $name {
             /// What it is declared by.
-            $visibility const TEXT: &'static str = concat!("pub ", stringify!($name), stringify!($items));
+            $visibility const TEXT: &'static str = $text;
 
             /// The mechanism as declared.
             #[allow(clippy::new_ret_no_self, reason = "as of compiled mechanisms")]
@@ -26,6 +26,18 @@ macro_rules! scene {
                 $crate::scene::of_text(Self::TEXT)
             }
         }
+    };
+    (part $part:ident $places:tt $content:tt $(#[$docs:meta])* $visibility:vis $name:ident $items:tt) => {
+        scene!(
+            @ concat!(
+                "part ", stringify!($part), stringify!($places), stringify!($content),
+                "pub ", stringify!($name), stringify!($items)
+            ),
+            $(#[$docs])* $visibility $name
+        );
+    };
+    ($(#[$docs:meta])* $visibility:vis $name:ident $items:tt) => {
+        scene!(@ concat!("pub ", stringify!($name), stringify!($items)), $(#[$docs])* $visibility $name);
     };
 }
 
