@@ -27,11 +27,19 @@ pub(crate) struct Package {
 /// # Errors
 /// A manifest that cannot be read, or that has no name.
 pub(crate) fn packages(root: &Path) -> Result<Vec<Package>, String> {
+    let members = members(root)?.into_iter();
+    Ok(members.filter(|package| !package.folder.starts_with("tests/")).collect())
+}
+
+/// All members that the manifest at the root lists.
+///
+/// # Errors
+/// As [`packages`].
+pub(crate) fn members(root: &Path) -> Result<Vec<Package>, String> {
     let workspace = read(&root.join("Cargo.toml"))?;
     let members = workspace.split_once("members = [").and_then(|(_, rest)| rest.split_once(']'));
     let (members, _) = members.ok_or("Cargo.toml has no list of members")?;
-    let folders = members.split('"').skip(1).step_by(2).filter(|folder| !folder.starts_with("tests/"));
-    folders.map(|folder| package(root, folder)).collect()
+    members.split('"').skip(1).step_by(2).map(|folder| package(root, folder)).collect()
 }
 
 fn package(root: &Path, folder: &str) -> Result<Package, String> {

@@ -275,15 +275,3 @@ fn stairs(draw: &mut Draw) -> Scene {
     });
     Scene { family: "stairs", text, method: Integrator::Rk4(step), end, judge }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::sweep::{SWEEPS, Table};
-
-    #[test]
-    fn scenes_take_bounded_work_and_go_on() {
-        let sweep = SWEEPS.iter().find(|sweep| sweep.name == "bounded");
-        let table = sweep.map(|sweep| Table::of(sweep, 31, 0..sweep.quick));
-        assert!(table.as_ref().is_some_and(Table::holds), "{:?}", table.map(|table| table.shown(false)));
-    }
-}

@@ -177,15 +177,3 @@ fn bounds(numbers: &Numbers, known: &Known) -> [f64; 4] {
     };
     [own + lost * numbers.end, if known.sticks { at_rest } else { own + lost }, y, vy]
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::sweep::{SWEEPS, Table};
-
-    #[test]
-    fn importers_that_are_late_get_the_motion() {
-        let sweep = SWEEPS.iter().find(|sweep| sweep.name == "late");
-        let table = sweep.map(|sweep| Table::of(sweep, 31, 0..sweep.quick));
-        assert!(table.as_ref().is_some_and(Table::holds), "{:?}", table.map(|table| table.shown(false)));
-    }
-}

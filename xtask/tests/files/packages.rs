@@ -282,3 +282,27 @@ fn the_workflow_and_the_release_name_stages_of_ci() {
     }
     fail_with("stages that `cargo xtask ci --list` does not have", &wrong);
 }
+
+/// A library that says `test = false` is compiled once and has no tests in its sources, where nobody would run them; one without tests
+/// says so.
+#[test]
+fn libraries_are_compiled_for_tests_where_they_have_some() {
+    let mut wrong = Vec::new();
+    for package in index::members(root()).unwrap() {
+        let folder = root().join(&package.folder);
+        let manifest = read(&format!("{}/Cargo.toml", package.folder));
+        if !folder.join("src/lib.rs").exists() {
+            continue;
+        }
+        let all = sources(&folder.join("src"));
+        let library = manifest.split_once("[lib]").map_or("", |(_, rest)| rest);
+        let is_tested =
+            !library.lines().take_while(|line| !line.starts_with('[')).any(|line| line == "test = false");
+        let has_tests = all.iter().any(|file| fs::read_to_string(file).unwrap().contains("#[test]"));
+        if is_tested != has_tests {
+            let what = if has_tests { "tests that are not run" } else { "no tests: `test = false`" };
+            wrong.push(format!("{}: {what}", package.name));
+        }
+    }
+    fail_with("libraries", &wrong);
+}

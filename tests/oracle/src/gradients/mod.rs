@@ -6,8 +6,6 @@
 mod beside;
 mod drawn;
 mod kinks;
-#[cfg(test)]
-mod known;
 mod linkages;
 mod single;
 
@@ -126,17 +124,5 @@ fn judged(machine: &Machine, own: &Small, by: &[By<'static>]) -> Verdict {
         () if decided => Verdict::Right(worst),
         () if stopped => Verdict::Stopped("it has no derivatives".to_owned()),
         () => Verdict::Undecided("differences do not agree".to_owned()),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::sweep::{SWEEPS, Table};
-
-    #[test]
-    fn derivatives_are_those_of_differences() {
-        let sweep = SWEEPS.iter().find(|sweep| sweep.name == "gradients");
-        let table = sweep.map(|sweep| Table::of(sweep, 31, 0..sweep.quick));
-        assert!(table.as_ref().is_some_and(Table::holds), "{:?}", table.map(|table| table.shown(false)));
     }
 }
