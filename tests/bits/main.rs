@@ -29,6 +29,9 @@ mod event_scenes;
 mod events;
 #[path = "../contact/machines.rs"]
 mod machines;
+mod massless;
+#[path = "../scenes/massless.rs"]
+mod massless_scenes;
 #[path = "../scenes/parts/mod.rs"]
 mod part_scenes;
 mod parts;

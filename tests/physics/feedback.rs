@@ -1,12 +1,14 @@
 //! Forces that read accelerations and reactions: exact, where they are affine in them.
 
-use plm::Dop853;
+use plm::{Dop853, Mechanism as _};
+
+use crate::scene::{Named as _, Scene};
 
 /// A pendulum with `$more` and a moment of inertia.
 macro_rules! pendulum {
     ($module:ident, $inertia:literal, { $($more:tt)* }) => {
         mod $module {
-            plm::mechanism! {
+            scene! {
                 pub Pendulum {
                     gravity: 9.81 m/s^2;
                     ground { port o: (0, 0) m; }
@@ -37,13 +39,13 @@ fn a_torque_from_the_acceleration_is_inertia() {
     for _ in 0..20 {
         plain.step(0.1).unwrap();
         fed.step(0.1).unwrap();
-        assert!((plain.bob().angle - fed.bob().angle).abs() < 1e-10);
-        assert!((plain.bob_alpha() - fed.bob_alpha()).abs() < 1e-9);
-        for (plain, fed) in plain.hinge_force().iter().zip(fed.hinge_force()) {
+        assert!((plain.state_of("bob").angle - fed.state_of("bob").angle).abs() < 1e-10);
+        assert!((plain.value_of("bob.alpha") - fed.value_of("bob.alpha")).abs() < 1e-9);
+        for (plain, fed) in plain.vector_of("hinge.force").iter().zip(fed.vector_of("hinge.force")) {
             assert!((plain - fed).abs() < 1e-8);
         }
         // The state whose rate is the acceleration is the speed.
-        assert!((fed.bob().omega - fed.turned()).abs() < 1e-10);
+        assert!((fed.state_of("bob").omega - fed.value_of("turned")).abs() < 1e-10);
     }
 }
 
@@ -51,7 +53,7 @@ fn a_torque_from_the_acceleration_is_inertia() {
 macro_rules! four_bar {
     ($module:ident, { $($torque:tt)* }, { $($push:tt)* }, { $($inputs:tt)* }) => {
         mod $module {
-            plm::mechanism! {
+            scene! {
                 pub FourBar {
                     gravity: 9.81 m/s^2;
                     $($inputs)*
@@ -81,14 +83,18 @@ fn sensors_in_a_loop_agree_with_an_iteration_from_outside() {
     let sensed = sensed::FourBar::new().start().unwrap();
     let mut given = given::FourBar::new().start().unwrap();
     for _ in 0..200 {
-        (given.input.twisting, given.input.pushing) =
-            (0.1 * given.ab_force()[0], -0.4 * given.coupler_ay() + 0.2 * given.od_force()[1]);
+        let (twisting, pushing) = (
+            0.1 * given.vector_of("ab.force")[0],
+            -0.4 * given.value_of("coupler.ay") + 0.2 * given.vector_of("od.force")[1],
+        );
+        given.set_input("twisting", twisting);
+        given.set_input("pushing", pushing);
     }
     let pairs = [
-        (sensed.crank_alpha(), given.crank_alpha()),
-        (sensed.coupler_ay(), given.coupler_ay()),
-        (sensed.ab_force()[0], given.ab_force()[0]),
-        (sensed.od_force()[1], given.od_force()[1]),
+        (sensed.value_of("crank.alpha"), given.value_of("crank.alpha")),
+        (sensed.value_of("coupler.ay"), given.value_of("coupler.ay")),
+        (sensed.vector_of("ab.force")[0], given.vector_of("ab.force")[0]),
+        (sensed.vector_of("od.force")[1], given.vector_of("od.force")[1]),
         (sensed.load_power(), given.load_power()),
     ];
     for (sensed, given) in pairs {
@@ -100,7 +106,7 @@ fn sensors_in_a_loop_agree_with_an_iteration_from_outside() {
 #[test]
 fn energy_changes_by_the_work_of_the_feedback() {
     let mut sim = sensed::FourBar::new().start_with(Dop853::new(1e-11)).unwrap();
-    let energy = |sim: &plm::Sim<sensed::FourBar>| sim.kinetic_energy() + sim.gravity_energy();
+    let energy = |sim: &plm::Sim<Scene>| sim.kinetic_energy() + sim.gravity_energy();
     let (before, mut work, dt) = (energy(&sim), 0.0, 2e-3);
     for _ in 0..250 {
         let start = sim.load_power();
@@ -114,23 +120,21 @@ fn energy_changes_by_the_work_of_the_feedback() {
     assert!((gained - work).abs() < 1e-8, "{gained} {work}");
 }
 
-mod instrumented {
-    plm::mechanism! {
-        /// The pendulum above with sensors in place of expressions.
-        pub Pendulum {
-            gravity: 9.81 m/s^2;
-            ground { port o: (0, 0) m; }
-            body bob {
-                mass: 2 kg;
-                inertia: 0.05 kg*m^2;
-                port pivot: (0.1, 0.7) m;
-                start angle: 50 deg, locked;
-            }
-            acceleration_sensor spin(bob.pivot) { direction: rotary; gain: -0.3; }
-            force_sensor load() { x: hinge.force.x; y: hinge.force.y; direction: y; gain: 0.5; offset: 4; }
-            revolute hinge(ground.o, bob.pivot) { drive: 1 N*m*spin.signal; }
-            output hinge.force, load.signal;
+scene! {
+    /// The pendulum above with sensors in place of expressions.
+    pub Pendulum {
+        gravity: 9.81 m/s^2;
+        ground { port o: (0, 0) m; }
+        body bob {
+            mass: 2 kg;
+            inertia: 0.05 kg*m^2;
+            port pivot: (0.1, 0.7) m;
+            start angle: 50 deg, locked;
         }
+        acceleration_sensor spin(bob.pivot) { direction: rotary; gain: -0.3; }
+        force_sensor load() { x: hinge.force.x; y: hinge.force.y; direction: y; gain: 0.5; offset: 4; }
+        revolute hinge(ground.o, bob.pivot) { drive: 1 N*m*spin.signal; }
+        output hinge.force, load.signal;
     }
 }
 
@@ -138,11 +142,13 @@ mod instrumented {
 #[test]
 fn a_sensor_feeds_back_exactly() {
     let mut plain = heavier::Pendulum::new().start_with(Dop853::new(1e-12)).unwrap();
-    let mut sensed = instrumented::Pendulum::new().start_with(Dop853::new(1e-12)).unwrap();
+    let mut sensed = Pendulum::new().start_with(Dop853::new(1e-12)).unwrap();
     for _ in 0..20 {
         plain.step(0.1).unwrap();
         sensed.step(0.1).unwrap();
-        assert!((plain.bob().angle - sensed.bob().angle).abs() < 1e-10);
-        assert!((0.5 * (plain.hinge_force()[1] - 4.0) - sensed.load_signal()).abs() < 1e-8);
+        assert!((plain.state_of("bob").angle - sensed.state_of("bob").angle).abs() < 1e-10);
+        assert!(
+            (0.5 * (plain.vector_of("hinge.force")[1] - 4.0) - sensed.value_of("load.signal")).abs() < 1e-8
+        );
     }
 }

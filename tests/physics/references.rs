@@ -2,7 +2,10 @@
 //!
 //! The references were computed in quadruple precision by two independent formulations that agree to 1e-14 or better.
 
-use plm::{BodyState, Dop853};
+use plm::runtime::Drift;
+use plm::{BodyState, Dop853, Mechanism as _, Method};
+
+use crate::scene::{Named as _, Scene};
 
 use crate::scenes::{s1, s1_baumgarte, s2, s2_baumgarte, s5, s6, s6_baumgarte};
 
@@ -39,7 +42,8 @@ pub(crate) const S6_1: Poses<3> = [
 ];
 
 /// Largest difference of positions (m) and angles (rad).
-pub(crate) fn difference<const N: usize>(found: [BodyState<f64>; N], expected: &Poses<N>) -> f64 {
+pub(crate) fn difference<const N: usize>(found: &[BodyState<f64>], expected: &Poses<N>) -> f64 {
+    assert_eq!(found.len(), N);
     let pairs = found.iter().zip(expected);
     let of_body = |(body, [x, y, angle]): (&BodyState<f64>, &[f64; 3])| {
         (body.x - x).abs().max((body.y - y).abs()).max((body.angle - angle).abs())
@@ -47,59 +51,60 @@ pub(crate) fn difference<const N: usize>(found: [BodyState<f64>; N], expected: &
     pairs.map(of_body).fold(0.0, f64::max)
 }
 
-fn tight<M: plm::System<S = f64>>() -> Dop853<M> {
+fn tight() -> Dop853<Scene> {
     Dop853::new(1e-13)
 }
 
 /// Runs a scene to an end and gives the poses there and the largest drift of phi and phi_dot on the way.
-macro_rules! run {
-    ($mechanism:ty, $method:expr, $until:expr, $($body:ident),+) => {{
-        let mut sim = <$mechanism>::new().start_with($method).unwrap();
-        let mut drift = sim.drift();
-        for _ in 0..100 {
-            sim.step($until / 100.0).unwrap();
-            let now = sim.drift();
-            drift.phi = drift.phi.max(now.phi);
-            drift.phi_dot = drift.phi_dot.max(now.phi_dot);
-        }
-        ([$(sim.$body()),+], drift)
-    }};
+pub(crate) fn run<I: Method<Scene>>(
+    scene: Scene,
+    method: I,
+    until: f64,
+) -> (Vec<BodyState<f64>>, Drift<f64>) {
+    let mut sim = scene.start_with(method).unwrap();
+    let mut drift = sim.drift();
+    for _ in 0..100 {
+        sim.step(until / 100.0).unwrap();
+        let now = sim.drift();
+        drift.phi = drift.phi.max(now.phi);
+        drift.phi_dot = drift.phi_dot.max(now.phi_dot);
+    }
+    (sim.bodies(), drift)
 }
-pub(crate) use run;
 
 #[test]
 fn s1_meets_its_reference() {
-    let (poses, drift) = run!(s1::DoublePendulum, tight(), 1.0, arm, forearm);
-    assert!(difference(poses, &S1_1) < 1e-9, "{:e}", difference(poses, &S1_1));
+    let (poses, drift) = run(s1::DoublePendulum::new(), tight(), 1.0);
+    assert!(difference(&poses, &S1_1) < 1e-9, "{:e}", difference(&poses, &S1_1));
     assert!(drift.phi < 1e-13 && drift.phi_dot < 1e-13, "{drift:?}");
-    let (poses, _) = run!(s1_baumgarte::DoublePendulum, tight(), 1.0, arm, forearm);
-    assert!(difference(poses, &S1_1) < 1e-9, "{:e}", difference(poses, &S1_1));
+    let (poses, _) = run(s1_baumgarte::DoublePendulum::new(), tight(), 1.0);
+    assert!(difference(&poses, &S1_1) < 1e-9, "{:e}", difference(&poses, &S1_1));
 }
 
 #[test]
 fn s2_meets_its_references() {
-    let (poses, drift) = run!(s2::FourBar, tight(), 1.0, crank, coupler, rocker);
-    assert!(difference(poses, &S2_1) < 1e-9, "{:e}", difference(poses, &S2_1));
+    let (poses, drift) = run(s2::FourBar::new(), tight(), 1.0);
+    assert!(difference(&poses, &S2_1) < 1e-9, "{:e}", difference(&poses, &S2_1));
     assert!(drift.phi < 1e-13 && drift.phi_dot < 1e-13, "{drift:?}");
-    let (poses, drift) = run!(s2::FourBar, tight(), 10.0, crank, coupler, rocker);
-    assert!(difference(poses, &S2_10) < 1e-9, "{:e}", difference(poses, &S2_10));
+    let (poses, drift) = run(s2::FourBar::new(), tight(), 10.0);
+    assert!(difference(&poses, &S2_10) < 1e-9, "{:e}", difference(&poses, &S2_10));
     assert!(drift.phi < 1e-13 && drift.phi_dot < 1e-13, "{drift:?}");
-    let (poses, _) = run!(s2_baumgarte::FourBar, tight(), 1.0, crank, coupler, rocker);
-    assert!(difference(poses, &S2_1) < 1e-9, "{:e}", difference(poses, &S2_1));
+    let (poses, _) = run(s2_baumgarte::FourBar::new(), tight(), 1.0);
+    assert!(difference(&poses, &S2_1) < 1e-9, "{:e}", difference(&poses, &S2_1));
 }
 
 #[test]
 fn s6_meets_its_reference() {
-    let (poses, drift) = run!(s6::SliderCrank, tight(), 1.0, crank, rod, slider);
-    assert!(difference(poses, &S6_1) < 1e-9, "{:e}", difference(poses, &S6_1));
+    let (poses, drift) = run(s6::SliderCrank::new(), tight(), 1.0);
+    assert!(difference(&poses, &S6_1) < 1e-9, "{:e}", difference(&poses, &S6_1));
     // The scene moves at some 27 rad/s and 5.5 m/s: phi_dot is judged against that.
     assert!(drift.phi < 1e-13 && drift.phi_dot < 27.0 * 1e-13, "{drift:?}");
-    let (poses, _) = run!(s6_baumgarte::SliderCrank, tight(), 1.0, crank, rod, slider);
-    assert!(difference(poses, &S6_1) < 1e-9, "{:e}", difference(poses, &S6_1));
+    let (poses, _) = run(s6_baumgarte::SliderCrank::new(), tight(), 1.0);
+    assert!(difference(&poses, &S6_1) < 1e-9, "{:e}", difference(&poses, &S6_1));
 }
 
 #[test]
 fn s5_meets_its_reference() {
-    let (poses, _) = run!(s5::Andrews, tight(), 0.03, k1, k2, k3, k4, k5, k6, k7);
-    assert!(difference(poses, &S5_003) < 1e-9, "{:e}", difference(poses, &S5_003));
+    let (poses, _) = run(s5::Andrews::new(), tight(), 0.03);
+    assert!(difference(&poses, &S5_003) < 1e-9, "{:e}", difference(&poses, &S5_003));
 }

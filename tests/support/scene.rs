@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::sync::{LazyLock, Mutex, PoisonError};
 
-use plm::BodyState;
 use plm::dynamic::{self, Small};
 use plm::runtime::{Absolute as _, Described, Moment, Ports, Rate, Start, StartValues, Statics, absolute};
+use plm::{BodyState, Fault};
 
 /// Declares a mechanism by its text: `scene! { pub Ball { … } }`, of which `Ball::new()` is one as declared. A part may stand before it.
 macro_rules! scene {
@@ -81,16 +81,22 @@ fn place<'a>(name: &str, names: impl Iterator<Item = &'a str> + Clone) -> usize 
 pub(crate) trait Given: Sized {
     /// A parameter.
     fn with(self, name: &str, value: f64) -> Self;
+    /// A parameter as it is set.
+    fn parameter_of(&self, name: &str) -> f64;
     /// A start value, as `ball.y` is one; whether it is locked stays.
     fn with_start(self, name: &str, value: f64) -> Self;
     /// A start value that assembly keeps.
     fn with_lock(self, name: &str, value: f64) -> Self;
+    /// A start value that assembly keeps as it is set.
+    fn locked(self, name: &str) -> Self;
     /// A start value that assembly may change.
     fn released(self, name: &str) -> Self;
     /// A start value as it is set.
     fn start_of(&self, name: &str) -> Start<f64>;
     /// All start values from text, as [`starts`](Named::starts) gives it; locks stay.
     fn with_starts(self, text: &str) -> Self;
+    /// The start that the joints allow; coordinates of bodies in order, with unused room behind.
+    fn assemble(&self) -> Result<absolute::Assembly<f64, { Scene::NQ }, 32>, Fault>;
 }
 
 impl Given for Scene {
@@ -102,6 +108,11 @@ impl Given for Scene {
     }
 
     #[track_caller]
+    fn parameter_of(&self, name: &str) -> f64 {
+        self.parameter(place(name, self.tables().parameters.iter().map(|own| own.name))).unwrap()
+    }
+
+    #[track_caller]
     fn with_start(mut self, name: &str, value: f64) -> Self {
         change_start(&mut self, name, |start| start.value = value);
         self
@@ -110,6 +121,12 @@ impl Given for Scene {
     #[track_caller]
     fn with_lock(mut self, name: &str, value: f64) -> Self {
         change_start(&mut self, name, |start| *start = Start::locked(value));
+        self
+    }
+
+    #[track_caller]
+    fn locked(mut self, name: &str) -> Self {
+        change_start(&mut self, name, |start| start.locked = true);
         self
     }
 
@@ -131,6 +148,10 @@ impl Given for Scene {
         let read = plm::read_starts(text, *self.starts_mut()).unwrap();
         *self.starts_mut() = read;
         self
+    }
+
+    fn assemble(&self) -> Result<absolute::Assembly<f64, { Scene::NQ }, 32>, Fault> {
+        absolute::assemble(self, 0.0)
     }
 }
 

@@ -1,13 +1,17 @@
 //! Benchmark scenes, declared as a user would.
 //!
 //! SI units, angles absolute from +x, uniform bars have `J = m L^2 / 12`. What is handed over behind the name of the module
-//! stands among the items of the mechanism: its outputs, and settings such as `formulation: absolute;`.
+//! stands among the items of the mechanism: its outputs, and settings such as `formulation: absolute;`. What is handed over in brackets
+//! before that name declares it in place of `plm::mechanism!`.
 
 /// S1: double pendulum of two bars, released at 45 and 0 deg.
 macro_rules! double_pendulum {
     ($module:ident: $($item:tt)*) => {
+        double_pendulum!([plm::mechanism] $module: $($item)*);
+    };
+    ([$($declare:tt)+] $module:ident: $($item:tt)*) => {
         pub mod $module {
-            plm::mechanism! {
+            $($declare)+! {
                 /// Double pendulum without damping.
                 pub DoublePendulum {
                     gravity: 9.81 m/s^2;
@@ -38,8 +42,11 @@ pub(crate) use double_pendulum;
 /// S2: four-bar linkage, crank at 60 deg, elbow up.
 macro_rules! four_bar {
     ($module:ident: $($item:tt)*) => {
+        four_bar!([plm::mechanism] $module: $($item)*);
+    };
+    ([$($declare:tt)+] $module:ident: $($item:tt)*) => {
         pub mod $module {
-            plm::mechanism! {
+            $($declare)+! {
                 /// Four-bar linkage: ground 1 m, crank 0.3 m, coupler 0.9 m, rocker 0.7 m.
                 pub FourBar {
                     gravity: 9.81 m/s^2;
@@ -81,8 +88,11 @@ pub(crate) use four_bar;
 /// S6: slider-crank with a torque on the crank.
 macro_rules! slider_crank {
     ($module:ident: $($item:tt)*) => {
+        slider_crank!([plm::mechanism] $module: $($item)*);
+    };
+    ([$($declare:tt)+] $module:ident: $($item:tt)*) => {
         pub mod $module {
-            plm::mechanism! {
+            $($declare)+! {
                 /// Slider-crank: crank 0.2 m, rod 0.6 m, slider on y = 0, 1 N m on the crank.
                 pub SliderCrank {
                     gravity: 9.81 m/s^2;
@@ -122,8 +132,11 @@ pub(crate) use slider_crank;
 /// S5: Andrews' squeezing mechanism (IVP test set; W. Schiehlen, Multibody Systems Handbook, 1990).
 macro_rules! andrews {
     ($module:ident: $($item:tt)*) => {
+        andrews!([plm::mechanism] $module: $($item)*);
+    };
+    ([$($declare:tt)+] $module:ident: $($item:tt)*) => {
         pub mod $module {
-            plm::mechanism! {
+            $($declare)+! {
                 /// Andrews' squeezing mechanism: seven bodies, ten revolutes, a spring and a driving torque.
                 pub Andrews {
                     ground { port a: (0.0, 0.0) m; port b: (-0.03635, 0.03273) m; port c: (-0.06934, -0.00227) m; port d: (0.014, 0.072) m; }
