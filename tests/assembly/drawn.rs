@@ -3,29 +3,41 @@
 use std::f64::consts::PI;
 
 use crate::random::Random;
+use crate::scene::{Given as _, Scene};
 
 /// Largest error of a declared angle, rad.
 const ERROR: f64 = 0.3;
 /// Declares a mechanism, and gives the text of its declaration with numbers in place of its parameters.
 macro_rules! declare {
     ($name:ident, [$($param:ident: $unit:ident = $value:literal),+], { $($item:tt)* }) => {
-        plm::mechanism! {
-            joint ram(a: frame, b: frame) {
-                param length: m;
-                constraint distance: norm(b.position - a.position) = length;
+        scene! {
+            pub $name {
+                joint ram(a: frame, b: frame) {
+                    param length: m;
+                    constraint distance: norm(b.position - a.position) = length;
+                }
+                formulation: absolute;
+                $(param $param: $unit = $value $unit;)+
+                $($item)*
             }
-            pub $name { formulation: absolute; $(param $param: $unit = $value $unit;)+ $($item)* }
         }
 
         impl $name {
-            pub fn text(&self) -> String {
+            pub fn text(of: &Scene) -> String {
                 let joint = "joint ram(a: frame, b: frame) { param length: m; constraint distance: norm(b.position - a.position) = length; }";
-                let params = [$(format!("param {0}: {1} = {2:?} {1};", stringify!($param), stringify!($unit), self.$param)),+];
+                let params = [$(format!("param {0}: {1} = {2:?} {1};", stringify!($param), stringify!($unit), of.parameter_of(stringify!($param)))),+];
                 let items = concat!($(stringify!($item), " "),*);
                 format!("{joint} pub {} {{ formulation: absolute; {} {items} }}", stringify!($name), params.concat())
             }
         }
     };
+}
+
+/// Points whose coordinates are parameters: of `a` they are `ax` and `ay`.
+fn with_points(scene: Scene, points: &[(&str, Point)]) -> Scene {
+    points.iter().fold(scene, |scene, (name, [x, y])| {
+        scene.with(&format!("{name}x"), *x).with(&format!("{name}y"), *y)
+    })
 }
 
 // A rocker that a driven jack turns, and a link from it to a bucket. The declaration gives no angle of the link.
@@ -207,7 +219,7 @@ fn site(r: &mut Draw, seed: u64) -> Point {
     [far * r.0.unit(), far * r.0.unit()]
 }
 
-pub fn loader(seed: u64) -> Option<(Loader, [f64; 3], Vec<Vec<f64>>)> {
+pub fn loader(seed: u64) -> Option<(Scene, [f64; 3], Vec<Vec<f64>>)> {
     let mut r = Draw(Random(seed));
     let at = site(&mut r, seed);
     let a = r.point(at, &[]);
@@ -224,12 +236,16 @@ pub fn loader(seed: u64) -> Option<(Loader, [f64; 3], Vec<Vec<f64>>)> {
     let [lx, ly] = turned(sub(c, b), -link);
     let [bx, by] = turned(sub(c, d), -bucket);
     let reach = size(sub(head, foot));
-    let mut m = Loader { ux, uy, rx, ry, lx, ly, bx, by, reach, ..Loader::new() };
-    ([m.ax, m.ay], [m.dx, m.dy], [m.jx, m.jy]) = (a, d, foot);
     let declared = [rocker, link, bucket].map(|angle| r.declared(angle));
-    [m.one, _, m.three] = declared;
-    let s = &mut m.start;
-    [s.rocker.angle.value, s.link.angle.value, s.bucket.angle.value] = declared;
+    let points =
+        [("a", a), ("d", d), ("j", foot), ("u", [ux, uy]), ("r", [rx, ry]), ("l", [lx, ly]), ("b", [bx, by])];
+    let m = with_points(Loader::new(), &points)
+        .with("reach", reach)
+        .with("one", declared[0])
+        .with("three", declared[2])
+        .with_start("rocker.angle", declared[0])
+        .with_start("link.angle", declared[1])
+        .with_start("bucket.angle", declared[2]);
     let mut images = Vec::new();
     for [rocker, _] in dyad(a, foot, [ux, uy], [reach, 0.0]) {
         let b = place(a, rocker, [rx, ry]);
@@ -240,7 +256,7 @@ pub fn loader(seed: u64) -> Option<(Loader, [f64; 3], Vec<Vec<f64>>)> {
     Some((m, declared, images))
 }
 
-pub fn six_bar(seed: u64) -> Option<(SixBar, [f64; 5], Vec<Vec<f64>>)> {
+pub fn six_bar(seed: u64) -> Option<(Scene, [f64; 5], Vec<Vec<f64>>)> {
     let mut r = Draw(Random(seed));
     let at = site(&mut r, seed);
     let a = r.point(at, &[]);
@@ -259,15 +275,28 @@ pub fn six_bar(seed: u64) -> Option<(SixBar, [f64; 5], Vec<Vec<f64>>)> {
     let [rx, ry] = turned(sub(c, d), -rocker);
     let [lx, ly] = turned(sub(t, s), -link);
     let [tx, ty] = turned(sub(t, g), -arm);
-    let mut m = SixBar { kx, ky, cx, cy, sx, sy, rx, ry, lx, ly, tx, ty, q, ..SixBar::new() };
-    ([m.ax, m.ay], [m.dx, m.dy], [m.gx, m.gy]) = (a, d, g);
     let mut declared = [q, coupler, rocker, link, arm].map(|angle| r.declared(angle));
     declared[0] = q;
-    [_, _, m.three, _, m.five] = declared;
-    let start = &mut m.start;
-    [start.crank.angle.value, start.coupler.angle.value, start.rocker.angle.value] =
-        [declared[0], declared[1], declared[2]];
-    [start.link.angle.value, start.arm.angle.value] = [declared[3], declared[4]];
+    let points = [
+        ("a", a),
+        ("d", d),
+        ("g", g),
+        ("k", [kx, ky]),
+        ("c", [cx, cy]),
+        ("s", [sx, sy]),
+        ("r", [rx, ry]),
+        ("l", [lx, ly]),
+        ("t", [tx, ty]),
+    ];
+    let m = with_points(SixBar::new(), &points)
+        .with("q", q)
+        .with("three", declared[2])
+        .with("five", declared[4])
+        .with_start("crank.angle", declared[0])
+        .with_start("coupler.angle", declared[1])
+        .with_start("rocker.angle", declared[2])
+        .with_start("link.angle", declared[3])
+        .with_start("arm.angle", declared[4]);
     let mut images = Vec::new();
     for [coupler, rocker] in dyad(b, d, [cx, cy], [rx, ry]) {
         let s = place(b, coupler, [sx, sy]);
@@ -279,7 +308,7 @@ pub fn six_bar(seed: u64) -> Option<(SixBar, [f64; 5], Vec<Vec<f64>>)> {
 }
 
 /// Of the crank, the coupler and the rocker; the angle of the coupler is not given.
-pub fn rocking(seed: u64) -> Option<(Rocking, [f64; 3], Vec<Vec<f64>>)> {
+pub fn rocking(seed: u64) -> Option<(Scene, [f64; 3], Vec<Vec<f64>>)> {
     let mut r = Draw(Random(seed));
     let at = site(&mut r, seed);
     let a = r.point(at, &[]);
@@ -294,9 +323,12 @@ pub fn rocking(seed: u64) -> Option<(Rocking, [f64; 3], Vec<Vec<f64>>)> {
     let [[kx, ky], [cx, cy], [rx, ry]] =
         [half(sub(b, a), q), half(sub(c, b), coupler), half(sub(c, d), rocker)];
     let three = r.declared(rocker);
-    let mut m = Rocking { kx, ky, cx, cy, rx, ry, q, three, ..Rocking::new() };
-    ([m.ax, m.ay], [m.dx, m.dy]) = (a, d);
-    (m.start.crank.angle.value, m.start.rocker.angle.value) = (q, three);
+    let points = [("a", a), ("d", d), ("k", [kx, ky]), ("c", [cx, cy]), ("r", [rx, ry])];
+    let m = with_points(Rocking::new(), &points)
+        .with("q", q)
+        .with("three", three)
+        .with_start("crank.angle", q)
+        .with_start("rocker.angle", three);
     let images = dyad(b, d, [2.0 * cx, 2.0 * cy], [2.0 * rx, 2.0 * ry]);
     Some((
         m,
@@ -305,15 +337,20 @@ pub fn rocking(seed: u64) -> Option<(Rocking, [f64; 3], Vec<Vec<f64>>)> {
     ))
 }
 
-pub fn chain(seed: u64) -> (Chain, [f64; 3]) {
+pub fn chain(seed: u64) -> (Scene, [f64; 3]) {
     let mut r = Draw(Random(seed));
     let [ax, ay] = site(&mut r, seed);
     let [[ux, uy], [vx, vy], [ex, ey]] = [0; 3].map(|_| r.point([0.0; 2], &[[0.0; 2]]));
     let [one, two, wheel] = [0; 3].map(|_| r.angle());
-    let mut m = Chain { ax, ay, ux, uy, vx, vy, ex, ey, phase: 2.0_f64.mul_add(one, wheel), ..Chain::new() };
     let declared = [one, two, wheel].map(|angle| r.declared(angle));
-    [m.first, m.second, m.third] = declared;
-    let s = &mut m.start;
-    [s.one.angle.value, s.two.angle.value, s.wheel.angle.value] = declared;
+    let points = [("a", [ax, ay]), ("u", [ux, uy]), ("v", [vx, vy]), ("e", [ex, ey])];
+    let m = with_points(Chain::new(), &points)
+        .with("phase", 2.0_f64.mul_add(one, wheel))
+        .with("first", declared[0])
+        .with("second", declared[1])
+        .with("third", declared[2])
+        .with_start("one.angle", declared[0])
+        .with_start("two.angle", declared[1])
+        .with_start("wheel.angle", declared[2]);
     (m, declared)
 }

@@ -1,6 +1,17 @@
 //! How a mechanism is put together, at its start and in every step, and what is said where it cannot be.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
+#![allow(
+    clippy::large_types_passed_by_value,
+    clippy::unwrap_used,
+    clippy::panic,
+    missing_docs,
+    unreachable_pub,
+    reason = "tests"
+)]
 #![allow(clippy::excessive_precision, reason = "references are written as they were published")]
+
+#[macro_use]
+#[path = "../support/scene.rs"]
+mod scene;
 
 mod assembly;
 mod drawn;

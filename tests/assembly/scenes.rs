@@ -6,6 +6,8 @@ mod shared;
 
 use shared::{double_pendulum, four_bar};
 
-double_pendulum!(s1: output shoulder.force, elbow.force;);
-double_pendulum!(s1_baumgarte: stabilisation: baumgarte; output shoulder.force, elbow.force;);
-four_bar!(s2: output drive.force;);
+double_pendulum!([scene] s1: output shoulder.force, elbow.force;);
+double_pendulum!([scene] s1_baumgarte: stabilisation: baumgarte; output shoulder.force, elbow.force;);
+four_bar!([scene] s2: output drive.force;);
+// Single precision and the branches of loops are asked of compiled mechanisms alone.
+four_bar!(s2_compiled: output drive.force;);

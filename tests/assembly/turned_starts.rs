@@ -6,12 +6,12 @@
 
 use std::f64::consts::{PI, TAU};
 
-use plm::Start;
 use plm_compiler::compile;
 use plm_compiler::token::Sources;
 
-use crate::drawn::{Asked, Draw, Rocking, chain, loader, rocking, six_bar};
+use crate::drawn::{Asked, Chain, Draw, Loader, Rocking, SixBar, chain, loader, rocking, six_bar};
 use crate::random::Random;
+use crate::scene::{Given as _, Scene};
 
 /// A pose all of whose angles are as near as this to the declared ones is as good as another, rad.
 const NEAR: f64 = 0.5;
@@ -114,7 +114,8 @@ fn a_loader_is_assembled_next_to_the_angles_that_are_given() {
     let mut tally = Tally::default();
     for seed in 0..cases() {
         let Some((mut m, mut declared, images)) = loader(seed) else { continue };
-        (m.start.link.angle.value, declared[1]) = (0.0, f64::NAN);
+        m = m.with_start("link.angle", 0.0);
+        declared[1] = f64::NAN;
         let found = m.assemble().ok().map(|found| angles(&found.q));
         tally.judge(&format!("loader without link {seed}"), found, &declared, &images);
     }
@@ -126,8 +127,8 @@ fn a_six_bar_is_assembled_next_to_the_angles_that_are_given() {
     let mut tally = Tally::default();
     for seed in 0..cases() {
         let Some((mut m, mut declared, images)) = six_bar(seed) else { continue };
-        (m.start.coupler.angle.value, declared[1]) = (0.0, f64::NAN);
-        (m.start.link.angle.value, declared[3]) = (0.0, f64::NAN);
+        m = m.with_start("coupler.angle", 0.0).with_start("link.angle", 0.0);
+        (declared[1], declared[3]) = (f64::NAN, f64::NAN);
         let found = m.assemble().ok().map(|found| angles(&found.q));
         tally.judge(&format!("six-bar without couplers {seed}"), found, &declared, &images);
     }
@@ -155,7 +156,11 @@ fn a_coupler_without_an_angle_leaves_the_rocker_on_its_image() {
     let rocker = tip[1].atan2(tip[0]) + ((0.9 * 0.9 + far * far - 0.4 * 0.4) / (2.0 * 0.9 * far)).acos();
     let found = angles(&Rocking::new().assemble().unwrap().q);
     assert!((found[2] - rocker).abs() < 1e-12, "{found:?} is not {rocker}");
-    assert_same_pose("rocking", 0, (Rocking::new().text(), Rocking::new().assemble().unwrap().q.to_vec()));
+    assert_same_pose(
+        "rocking",
+        0,
+        (Rocking::text(&Rocking::new()), Rocking::new().assemble().unwrap().q.to_vec()),
+    );
 }
 
 #[test]
@@ -169,15 +174,19 @@ fn a_geared_chain_is_assembled_next_to_its_angles() {
     tally.is_clean();
 }
 
+/// The four-bar that asks for an image, from these angles, the first of which is locked.
+fn asked([one, two, three]: [f64; 3]) -> Scene {
+    let started = Asked::new().with_start("second.angle", two).with_start("third.angle", three);
+    started.released("second.angle").released("third.angle").with_lock("first.angle", one)
+}
+
 #[test]
 fn a_turned_image_is_turned_no_further_than_it_must() {
     let mut tally = Tally::default();
     for seed in 0..cases() {
         let mut r = Draw(Random(seed));
-        let mut m = Asked::new();
         let declared = [0; 3].map(|_| r.angle());
-        [m.start.first.angle, m.start.second.angle, m.start.third.angle] = declared.map(Start::free);
-        m.start.first.angle.locked = true;
+        let m = asked(declared);
         let found = m.assemble().ok().map(|found| angles(&found.q));
         tally.judge(&format!("four-bar {seed}"), found, &declared, &[]);
     }
@@ -187,16 +196,17 @@ fn a_turned_image_is_turned_no_further_than_it_must() {
 #[test]
 fn what_is_locked_stays_and_what_is_in_place_hardly_moves() {
     for seed in 0..cases() {
-        let (mut m, declared) = chain(seed);
-        (m.start.one.angle.locked, m.start.two.angle.locked) = (true, true);
+        let (m, declared) = chain(seed);
+        let mut m = m.locked("one.angle").locked("two.angle");
         let found = m.assemble().unwrap();
         assert_eq!(angles(&found.q)[..2], declared[..2], "chain {seed}");
         // From the assembled pose nothing moves, whatever turns it has.
-        let s = &mut m.start;
-        for (k, body) in [&mut s.one, &mut s.two, &mut s.wheel].into_iter().enumerate() {
+        for (k, body) in ["one", "two", "wheel"].into_iter().enumerate() {
             let turns = [2.0, -3.0, -4.0][k] * TAU;
             let [x, y, angle] = [0, 1, 2].map(|i| found.q[3 * k + i]);
-            (body.x.value, body.y.value, body.angle.value) = (x, y, angle + turns);
+            for (name, value) in [("x", x), ("y", y), ("angle", angle + turns)] {
+                m = m.with_start(&format!("{body}.{name}"), value);
+            }
         }
         let again = m.assemble().unwrap();
         assert!(again.moved.iter().all(|by| by.abs() < 1e-12), "chain {seed}: {:?}", again.moved);
@@ -208,21 +218,20 @@ fn what_is_locked_stays_and_what_is_in_place_hardly_moves() {
 fn the_compiler_assembles_the_same_poses() {
     for seed in 0..12 {
         let mut r = Draw(Random(seed));
-        let (mut asked, (chain, _)) = (Asked::new(), chain(seed));
-        [asked.one, asked.two, asked.three] = [0; 3].map(|_| r.angle());
-        let declared = [asked.one, asked.two, asked.three].map(Start::free);
-        [asked.start.first.angle, asked.start.second.angle, asked.start.third.angle] = declared;
-        asked.start.first.angle.locked = true;
-        assert_same_pose("four-bar", seed, (asked.text(), asked.assemble().unwrap().q.to_vec()));
-        assert_same_pose("chain", seed, (chain.text(), chain.assemble().unwrap().q.to_vec()));
+        let (chain, _) = chain(seed);
+        let angles = [0; 3].map(|_| r.angle());
+        let [one, two, three] = angles;
+        let asked = asked(angles).with("one", one).with("two", two).with("three", three);
+        assert_same_pose("four-bar", seed, (Asked::text(&asked), asked.assemble().unwrap().q.to_vec()));
+        assert_same_pose("chain", seed, (Chain::text(&chain), chain.assemble().unwrap().q.to_vec()));
         // The texts give no angles of the links.
         if let Some((mut m, ..)) = loader(seed) {
-            m.start.link.angle.value = 0.0;
-            assert_same_pose("loader", seed, (m.text(), m.assemble().unwrap().q.to_vec()));
+            m = m.with_start("link.angle", 0.0);
+            assert_same_pose("loader", seed, (Loader::text(&m), m.assemble().unwrap().q.to_vec()));
         }
         if let Some((mut m, ..)) = six_bar(seed) {
-            (m.start.coupler.angle.value, m.start.link.angle.value) = (0.0, 0.0);
-            assert_same_pose("six-bar", seed, (m.text(), m.assemble().unwrap().q.to_vec()));
+            m = m.with_start("coupler.angle", 0.0).with_start("link.angle", 0.0);
+            assert_same_pose("six-bar", seed, (SixBar::text(&m), m.assemble().unwrap().q.to_vec()));
         }
     }
 }

@@ -1,30 +1,30 @@
 //! Loops that a step would tear open.
 
-use plm::runtime::absolute::Absolute;
-use plm::{Cause, Dop853, Fault, Rk4};
+use plm::runtime::absolute::Absolute as _;
+use plm::{Cause, Dop853, Fault, Mechanism as _, Rk4};
 
+use crate::scene::Named as _;
 use crate::scenes::{s1, s1_baumgarte, s2};
 
-/// A four-bar whose three moving links can only rock: 0.7, 0.6 and 0.5 m over 1 m of ground.
-mod rocker {
-    plm::mechanism! {
-        pub TripleRocker {
-            ground { port a: (0, 0) m; port d: (1, 0) m; }
-            body crank { mass: 0.7 kg; inertia: 0.7 kg * (0.7 m)^2 / 12; port a: (-0.35, 0) m; port b: (0.35, 0) m; start angle: 50 deg, locked; start omega: 6 rad/s, locked; }
-            body coupler { mass: 0.6 kg; inertia: 0.6 kg * (0.6 m)^2 / 12; port b: (-0.3, 0) m; port c: (0.3, 0) m; start x: 0.7 m; start y: 0.5 m; start angle: -10 deg; }
-            body rocker { mass: 0.5 kg; inertia: 0.5 kg * (0.5 m)^2 / 12; port d: (-0.25, 0) m; port c: (0.25, 0) m; start x: 1 m; start y: 0.2 m; start angle: 100 deg; }
-            revolute a(ground.a, crank.a);
-            revolute b(crank.b, coupler.b);
-            revolute c(coupler.c, rocker.c);
-            revolute d(ground.d, rocker.d);
-        }
+// By `Rk4` in steps of 0.05 s it goes on from text where compiled code ends.
+plm::mechanism! {
+    /// A four-bar whose three moving links can only rock: 0.7, 0.6 and 0.5 m over 1 m of ground.
+    pub TripleRocker {
+        ground { port a: (0, 0) m; port d: (1, 0) m; }
+        body crank { mass: 0.7 kg; inertia: 0.7 kg * (0.7 m)^2 / 12; port a: (-0.35, 0) m; port b: (0.35, 0) m; start angle: 50 deg, locked; start omega: 6 rad/s, locked; }
+        body coupler { mass: 0.6 kg; inertia: 0.6 kg * (0.6 m)^2 / 12; port b: (-0.3, 0) m; port c: (0.3, 0) m; start x: 0.7 m; start y: 0.5 m; start angle: -10 deg; }
+        body rocker { mass: 0.5 kg; inertia: 0.5 kg * (0.5 m)^2 / 12; port d: (-0.25, 0) m; port c: (0.25, 0) m; start x: 1 m; start y: 0.2 m; start angle: 100 deg; }
+        revolute a(ground.a, crank.a);
+        revolute b(crank.b, coupler.b);
+        revolute c(coupler.c, rocker.c);
+        revolute d(ground.d, rocker.d);
     }
 }
 
 /// Steps of RK4 over 4 s: the largest gap in a joint of the states that were given, the relative error of the energy at the
 /// end, and what ended the run early.
 fn rocks(h: f64) -> (f64, f64, Option<Fault>) {
-    let mechanism = rocker::TripleRocker::new();
+    let mechanism = TripleRocker::new();
     let mut sim = mechanism.start_with(Rk4::new(h)).unwrap();
     let (start, mut gap) = (sim.kinetic_energy(), 0.0);
     for _ in 0..(4.0 / h).round() as u32 {
@@ -47,7 +47,7 @@ fn dead_points_are_passed_in_other_charts() {
     assert!(gap < 64.0 * f64::EPSILON && fault.is_none(), "{gap:e} {fault:?}");
     let (_, fine, _) = rocks(5e-4);
     assert!(fine < 2e-7 && coarse < 1e-5, "{coarse:e} {fine:e}");
-    let mut sim = rocker::TripleRocker::new().start_with(Dop853::new(1e-10)).unwrap();
+    let mut sim = TripleRocker::new().start_with(Dop853::new(1e-10)).unwrap();
     let start = sim.kinetic_energy();
     sim.step(4.0).unwrap();
     assert!((sim.kinetic_energy() / start - 1.0).abs() < 1e-8, "{:e}", sim.kinetic_energy() / start - 1.0);
@@ -67,46 +67,49 @@ fn steps_that_are_too_long_for_a_loop_are_divided() {
 
 #[test]
 fn a_run_stops_at_a_change_point_if_it_is_told_to() {
-    let mut sim = rhomb::Rhomb::new().start().unwrap();
+    let mut sim = Rhomb::new().start().unwrap();
     sim.step(2.5).unwrap();
     assert_eq!(sim.stats().change_points, 1);
     // The turn through the flat pose at constant speed goes on as a parallelogram.
-    assert!((sim.left().angle - 3.5).abs() < 1e-7 && (sim.right().angle - 3.5).abs() < 1e-7);
-    let mut sim = rhomb::Rhomb::new().start().unwrap();
+    assert!(
+        (sim.state_of("left").angle - 3.5).abs() < 1e-7 && (sim.state_of("right").angle - 3.5).abs() < 1e-7
+    );
+    let mut sim = Rhomb::new().start().unwrap();
     sim.stop_at_change_points(true);
     let fault = sim.step(3.0).unwrap_err();
     assert_eq!((fault.cause, fault.part), (Cause::ChangePoint, "c"));
-    assert!(fault.time > std::f64::consts::PI - 1.0 && sim.left().angle < std::f64::consts::PI, "{fault}");
+    assert!(
+        fault.time > std::f64::consts::PI - 1.0 && sim.state_of("left").angle < std::f64::consts::PI,
+        "{fault}"
+    );
 }
 
-/// A parallelogram without gravity that turns at 1 rad/s from 1 rad.
-mod rhomb {
-    plm::mechanism! {
-        pub Rhomb {
-            ground { port a: (0, 0) m; port d: (2, 0) m; }
-            body left { mass: 1 kg; inertia: 1 kg*m^2/48; port a: (-0.25, 0) m; port b: (0.25, 0) m; start angle: 1 rad, locked; start omega: 1 rad/s, locked; }
-            body top { mass: 2 kg; inertia: 2 kg*m^2/3; port b: (-1, 0) m; port c: (1, 0) m; start x: 1 m; start y: 0.4 m; }
-            body right { mass: 1 kg; inertia: 1 kg*m^2/48; port d: (-0.25, 0) m; port c: (0.25, 0) m; start x: 2 m; start angle: 1 rad; }
-            revolute a(ground.a, left.a);
-            revolute b(left.b, top.b);
-            revolute c(top.c, right.c);
-            revolute d(ground.d, right.d);
-        }
+scene! {
+    /// A parallelogram without gravity that turns at 1 rad/s from 1 rad.
+    pub Rhomb {
+        ground { port a: (0, 0) m; port d: (2, 0) m; }
+        body left { mass: 1 kg; inertia: 1 kg*m^2/48; port a: (-0.25, 0) m; port b: (0.25, 0) m; start angle: 1 rad, locked; start omega: 1 rad/s, locked; }
+        body top { mass: 2 kg; inertia: 2 kg*m^2/3; port b: (-1, 0) m; port c: (1, 0) m; start x: 1 m; start y: 0.4 m; }
+        body right { mass: 1 kg; inertia: 1 kg*m^2/48; port d: (-0.25, 0) m; port c: (0.25, 0) m; start x: 2 m; start angle: 1 rad; }
+        revolute a(ground.a, left.a);
+        revolute b(left.b, top.b);
+        revolute c(top.c, right.c);
+        revolute d(ground.d, right.d);
     }
 }
 
 #[test]
 fn energy_out_of_nowhere_ends_the_run_if_it_is_watched() {
     // Steps of 2/w, w = sqrt(500/0.35) 1/s: Runge-Kutta's formula is stable there and takes most of the energy away.
-    let mut sim = shaken::Shaken::new().start_with(Rk4::new(0.05)).unwrap();
+    let mut sim = Shaken::new().start_with(Rk4::new(0.05)).unwrap();
     sim.watch_energy(Some(0.1));
     let fault = sim.step(1.0).unwrap_err();
     assert!(matches!(fault.cause, Cause::EnergyJump { by, .. } if by.abs() > 0.0), "{fault}");
     // Springs, dampers and torques do work; with steps that are short enough nothing is out of order.
-    let mut sim = shaken::Shaken::new().start_with(Rk4::new(1e-4)).unwrap();
+    let mut sim = Shaken::new().start_with(Rk4::new(1e-4)).unwrap();
     sim.watch_energy(Some(0.1));
     sim.step(1.0).unwrap();
-    let mut sim = rocker::TripleRocker::new().start().unwrap();
+    let mut sim = TripleRocker::new().start().unwrap();
     sim.watch_energy(Some(0.01));
     sim.step(4.0).unwrap();
 }
@@ -126,13 +129,11 @@ fn gravity_is_part_of_the_energy_that_is_watched() {
     linkage.step(5.0).unwrap();
 }
 
-/// A damped bar on a spring that is too stiff for long steps.
-mod shaken {
-    plm::mechanism! {
-        pub Shaken {
-            ground { port o: (0, 0) m; }
-            body bar { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (-0.5, 0) m; start angle: 5 deg, locked; start omega: 1 rad/s, locked; }
-            revolute hinge(ground.o, bar.o) { stiffness: 500 N*m/rad; damping: 0.5 N*m*s/rad; drive: 1 N*m*cos(20 rad/s*t); }
-        }
+scene! {
+    /// A damped bar on a spring that is too stiff for long steps.
+    pub Shaken {
+        ground { port o: (0, 0) m; }
+        body bar { mass: 1 kg; inertia: 0.1 kg*m^2; port o: (-0.5, 0) m; start angle: 5 deg, locked; start omega: 1 rad/s, locked; }
+        revolute hinge(ground.o, bar.o) { stiffness: 500 N*m/rad; damping: 0.5 N*m*s/rad; drive: 1 N*m*cos(20 rad/s*t); }
     }
 }
