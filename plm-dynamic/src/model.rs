@@ -92,6 +92,7 @@ pub(crate) struct Switches {
 pub(crate) struct Sets {
     pub(crate) holds: Code,
     pub(crate) values: Code,
+    pub(crate) values_at_start: Code,
 }
 
 /// Parameters and starts.
@@ -292,7 +293,10 @@ impl Switches {
 
 impl Sets {
     fn new(of: &'static lowered::Sets, room: Room) -> Sets {
-        Sets { holds: Code::new(&of.holds, &["holds"], room), values: Code::new(&of.values, &["set"], room) }
+        let [holds, values, values_at_start] =
+            [(&of.holds, "holds"), (&of.values, "set"), (&of.values_at_start, "set")]
+                .map(|(routine, name)| Code::new(routine, &[name], room));
+        Sets { holds, values, values_at_start }
     }
 }
 

@@ -64,9 +64,7 @@ pub mod described {
 }
 
 pub mod events {
-    pub use crate::events::{
-        Sets, begin, change, holds, start, switch_where_due, take_sides, with_velocities,
-    };
+    pub use crate::events::{Sets, begin, change, holds, switch_where_due, take_sides, with_velocities};
 }
 
 pub mod held {

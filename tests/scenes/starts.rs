@@ -1,6 +1,19 @@
 //! Events as a run begins.
 
 scene! {
+    /// Nothing but the start sets anything.
+    pub Thrown {
+        allow(W0002);
+        gravity: 9.81 m/s^2;
+        body ball { mass: 1 kg; inertia: 0.1 kg*m^2; start y: 2 m; start vx: 1 m/s; }
+        discrete home: m = 0 m;
+        when start { home = ball.y; ball.vy = 3 m/s; }
+        when start { ball.vx = 2*ball.vx + ball.vy; }
+        output home, ball.velocity, ball.position;
+    }
+}
+
+scene! {
     /// A relay that is on, a wheel beyond some teeth, a swing that is pushed from where it closes.
     pub Started {
         gravity: 9.81 m/s^2;

@@ -164,7 +164,7 @@ impl<
         let switches = &self.model.lowered.switches;
         // Contacts have their modes when all conditions have their sides, which gaps may read, and all constraints that hold are closed.
         if !self.model.lowered.sets.at_start.is_empty() {
-            events::start::<Self, EVENTS>(self, t, held, x)?;
+            events::Sets::<EVENTS>::start(self, t, held, x)?;
         }
         if self.sets_states() || self.has_contacts() {
             self.take_sides_at_time(t, held);

@@ -6,6 +6,7 @@ use plm_runtime::{Fault, Moment, Real, events};
 
 use super::State;
 use crate::capacity::EVENTS;
+use crate::code::Code;
 use crate::handle::{Dynamic, Frame, Held};
 use crate::system::contact::store;
 
@@ -21,7 +22,8 @@ impl<
 {
     /// Do events set states?
     pub(super) fn sets_states(&self) -> bool {
-        !self.model.lowered.sets.events.is_empty()
+        let sets = &self.model.lowered.sets;
+        !(sets.events.is_empty() && sets.at_start.is_empty())
     }
 
     /// Changes of sides or modes; events that set states follow.
@@ -37,6 +39,35 @@ impl<
         } else {
             changes(u, x)
         }
+    }
+
+    /// Sets what one of these events sets, by the routine of the values of all of them.
+    fn set_of(
+        &self,
+        (events, values): (&[Vec<Set>], &'static Code),
+        t: S,
+        u: &mut Held<S, NQ, L, H, R>,
+        x: &mut [S; N],
+        index: usize,
+    ) -> Result<(), Fault> {
+        let (q, v) = State::new(*self, *u, t, *x).pose();
+        let mut set = vec![S::ZERO; events.iter().map(Vec::len).sum()];
+        self.run(values, &Frame { held: Some(u), x, ..Frame::of_pose(t, &q, &v) }, [&mut set]);
+        let begins: usize = events.iter().take(index).map(Vec::len).sum();
+        let Some(targets) = events.get(index) else { return Ok(()) };
+        let mut velocities = Vec::new();
+        for (target, value) in targets.iter().zip(set.into_iter().skip(begins)) {
+            match *target {
+                Set::State(state) => store(x, 2 * NQ + state, value),
+                Set::Velocity(velocity) => velocities.push((velocity, value)),
+            }
+        }
+        if velocities.is_empty() {
+            return Ok(());
+        }
+        let v = events::with_velocities::<S, Self, NQ, NC>(self, t, (&q, &v), &velocities)?;
+        self.enter(t, u, (&q, &v), x);
+        Ok(())
     }
 }
 
@@ -66,31 +97,14 @@ impl<
         holds.map(|holds| holds > S::lit(0.5))
     }
 
-    fn is_at_start(&self, index: usize) -> bool {
-        self.model.lowered.sets.at_start.contains(&index)
+    fn start(&self, t: S, u: &mut Held<S, NQ, L, H, R>, x: &mut [S; N]) -> Result<(), Fault> {
+        let (sets, code) = (&self.model.lowered.sets, &self.model.sets);
+        (0..sets.at_start.len())
+            .try_for_each(|index| self.set_of((&sets.at_start, &code.values_at_start), t, u, x, index))
     }
 
     fn set(&self, t: S, u: &mut Held<S, NQ, L, H, R>, x: &mut [S; N], index: usize) -> Result<(), Fault> {
-        let (q, v) = State::new(*self, *u, t, *x).pose();
-        let sets = &self.model.lowered.sets;
-        let mut values = vec![S::ZERO; sets.count()];
-        let frame = Frame { held: Some(u), x, ..Frame::of_pose(t, &q, &v) };
-        self.run(&self.model.sets.values, &frame, [&mut values]);
-        let begins: usize = sets.events.iter().take(index).map(Vec::len).sum();
-        let Some(targets) = sets.events.get(index) else { return Ok(()) };
-        let mut velocities = Vec::new();
-        for (target, value) in targets.iter().zip(values.into_iter().skip(begins)) {
-            match *target {
-                Set::State(state) => store(x, 2 * NQ + state, value),
-                Set::Velocity(velocity) => velocities.push((velocity, value)),
-            }
-        }
-        if velocities.is_empty() {
-            return Ok(());
-        }
-        let v = events::with_velocities::<S, Self, NQ, NC>(self, t, (&q, &v), &velocities)?;
-        self.enter(t, u, (&q, &v), x);
-        Ok(())
+        self.set_of((&self.model.lowered.sets.events, &self.model.sets.values), t, u, x, index)
     }
 
     fn settle(

@@ -64,6 +64,11 @@ impl Status<'_> {
         if self.modes.is_empty() { 0 } else { super::guard_count(self.modes.len()) }
     }
 
+    /// Do the rows do the same as those of another moment, with no impact between?
+    pub(crate) fn has_modes_of(&self, other: &Self) -> bool {
+        self.modes == other.modes && self.carried == other.carried && self.counts == other.counts
+    }
+
     /// What a row does; a row that others hold is closed, or sticks.
     #[must_use]
     pub fn mode(&self, row: usize) -> Option<Mode> {

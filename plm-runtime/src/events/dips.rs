@@ -30,11 +30,14 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         if S::HAS_DERIVATIVES || is_of_state(context.system, index) {
             return false;
         }
-        let first = guards(context.system, start.time, &start.held, &start.x);
-        let noise = rounding((context.system, &start.held), (start.time, start.time), &start.x, &first);
         let residual = self.residual.at(index);
         let Some((depth, end)) = dip(method, context, start.time, index) else { return false };
-        if first.at(index) < residual - noise.at(index) || depth >= residual {
+        if depth >= residual {
+            return false;
+        }
+        let first = guards(context.system, start.time, &start.held, &start.x);
+        let noise = rounding((context.system, &start.held), (start.time, start.time), &start.x, &first);
+        if first.at(index) < residual - noise.at(index) {
             return false;
         }
         let reached = (context.time, context.held, context.x);

@@ -46,7 +46,7 @@ pub(crate) use self::jumps::{at_a_jump, before_projection, hold};
 use self::relevant::bit;
 pub use self::relevant::holds;
 pub(crate) use self::relevant::refresh;
-pub use self::sets::{Sets, begin, change, start, take_sides, with_velocities};
+pub use self::sets::{Sets, begin, change, take_sides, with_velocities};
 use self::thrown::{is_of_state, leads_away, switch_back, switch_there_and_back};
 pub use self::violated::switch_where_due;
 use self::violated::{Switched, required, switch_violated};

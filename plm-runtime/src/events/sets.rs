@@ -32,17 +32,20 @@ pub trait Sets<const W: usize>: System<S: Real> {
     /// Does the condition of each event hold, with the sides that are held?
     fn holds(&self, u: &Self::U) -> [bool; W];
 
-    /// Does this event happen as a run begins, instead of where a condition becomes true?
-    fn is_at_start(&self, index: usize) -> bool {
-        let _ = index;
-        false
-    }
-
     /// Sets what the event `index` sets, each value worked out by the state before.
     ///
     /// # Errors
     /// When joints do not allow the velocities.
     fn set(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X, index: usize) -> Result<(), Fault>;
+
+    /// Sets what events set as a run begins, each by the state that the one before has left. Sides of conditions are taken behind that.
+    ///
+    /// # Errors
+    /// As [`set`](Self::set).
+    fn start(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X) -> Result<(), Fault> {
+        let _ = (t, u, x);
+        Ok(())
+    }
 
     /// Finds the modes of contacts anew, where something was set since the discrete state was `before`.
     ///
@@ -69,12 +72,8 @@ pub fn change<M: Sets<W>, const W: usize>(
     let mut held = system.holds(u);
     let mut before = differences(system, t, u, x);
     change(u, x)?;
-    let mut flipped = beginning;
-    for (side, now) in M::sides(&mut flipped).iter_mut().zip(M::sides(u)) {
-        *side = *now;
-    }
-    // No mode of contact has changed: of a row that sticks a difference becomes zero, which is a jump however small.
-    if flipped == *u && is_rounding(system, &start, x) {
+    // Where a mode of contact has changed, as of a row that sticks, a difference becomes zero, which is a jump however small.
+    if M::contacts(&beginning).has_modes_of(&M::contacts(u)) && is_rounding(system, &start, x) {
         let here = differences(system, t, u, x);
         keep_changed(&mut before, (M::sides(&mut beginning), M::sides(u)), &here);
     }
@@ -105,19 +104,6 @@ pub fn change<M: Sets<W>, const W: usize>(
     let first = marks.iter().position(|due| *due).unwrap_or(0);
     let cause = Cause::Zeno { events: MOST_ROUNDS, within: 0.0, conditions };
     Err(Fault::of_part(t.to_f64(), system.guard_name(first), cause))
-}
-
-/// Sets what events set as a run begins, one event after the other. Sides of conditions are taken behind that.
-///
-/// # Errors
-/// When joints do not allow the velocities.
-pub fn start<M: Sets<W>, const W: usize>(
-    system: &M,
-    t: M::S,
-    u: &mut M::U,
-    x: &mut M::X,
-) -> Result<(), Fault> {
-    (0..W).filter(|&index| system.is_at_start(index)).try_for_each(|index| system.set(t, u, x, index))
 }
 
 /// Takes the sides of all conditions of the state where a run begins: nothing becomes true by that.

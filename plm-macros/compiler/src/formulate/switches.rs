@@ -1,10 +1,10 @@
 //! How far conditions are from switching, and when those of the time do.
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use plm_cas::{Expr, algebra};
 
 use super::function::{Function, stored};
-use crate::model::Model;
+use crate::model::{Model, When};
 
 /// `g`: positive as long as the side that is held applies, then what kinks bend at; symbols are replaced by `substitution`.
 pub(crate) fn guards(model: &Model, substitution: &[(Expr, Expr)]) -> Function {
@@ -32,7 +32,8 @@ pub(crate) fn instants(model: &Model) -> Function {
 
 /// `holds` of the conditions of events: 1, or 0.
 pub(crate) fn events(model: &Model) -> Function {
-    let conditions: Vec<Expr> = model.whens.iter().map(|when| when.condition).collect_vec();
+    let (whens, _) = When::parted(&model.whens);
+    let conditions: Vec<Expr> = whens.iter().map(|when| when.condition).collect_vec();
     Function::of_array("holds", &conditions).optimise()
 }
 
@@ -42,11 +43,10 @@ pub(crate) fn rows_exist(model: &Model) -> Function {
     Function::of_array("exist", &exist).optimise()
 }
 
-/// `set`: the values that events give, one event after the other.
-pub(crate) fn values_set(model: &Model) -> Function {
-    let values: Vec<Expr> =
-        model.whens.iter().flat_map(|when| &when.set).map(|(_, value)| *value).collect_vec();
-    Function::of_array("set", &values).optimise()
+/// `set`: the values that events give, one event after the other; of events that follow conditions, and of those at the start.
+pub(crate) fn values_set(model: &Model) -> [Function; 2] {
+    let (whens, at_start) = When::parted(&model.whens);
+    [whens, at_start].map_each(|whens| Function::of_array("set", &When::values(whens)).optimise())
 }
 
 /// The terms of the rows that may jump, one after the other.

@@ -3,20 +3,22 @@
 use super::Parts;
 use super::routine::Routine;
 use crate::collect::CollectVec;
-use crate::model;
+use crate::model::{self, When};
 use crate::source::Origin;
 
 /// Events that set states.
 #[derive(Clone, Debug)]
 pub struct Sets {
-    /// By event, what it sets, in the order of the values.
+    /// By event that follows a condition, what it sets, in the order of the values.
     pub events: Vec<Vec<Set>>,
-    /// The events that happen as a run begins.
-    pub at_start: Vec<usize>,
+    /// The same of events that happen as a run begins.
+    pub at_start: Vec<Vec<Set>>,
     /// `holds`: 1 for each event whose condition holds, or 0.
     pub holds: Routine,
     /// `set`: the values that events set, one event after the other.
     pub values: Routine,
+    /// `set`: the same of events that happen as a run begins.
+    pub values_at_start: Routine,
 }
 
 /// A target of an event.
@@ -35,17 +37,15 @@ impl Sets {
             model::Target::State(k) => Set::State(k),
             model::Target::Velocity(k) => Set::Velocity(k),
         };
-        let at_start = (0..model.whens.len()).filter(|&k| model.whens[k].is_at_start).collect_vec();
+        let targets =
+            |whens: &[When]| whens.iter().map(|when| when.set.iter().map(target).collect_vec()).collect_vec();
+        let (whens, at_start) = When::parted(&model.whens);
         Sets {
-            at_start,
-            events: model.whens.iter().map(|when| when.set.iter().map(target).collect_vec()).collect_vec(),
+            events: targets(whens),
+            at_start: targets(at_start),
             holds: parts.routine(&absolute.events, Origin::Arguments),
             values: parts.routine(&absolute.values_set, Origin::State),
+            values_at_start: parts.routine(&absolute.values_at_start, Origin::State),
         }
-    }
-
-    /// Number of the values that are set.
-    pub fn count(&self) -> usize {
-        self.events.iter().map(Vec::len).sum()
     }
 }

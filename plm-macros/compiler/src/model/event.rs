@@ -11,7 +11,7 @@ pub struct When {
     pub text: String,
     /// 1 where it holds, else 0; that of an event at the start never holds.
     pub condition: Expr,
-    /// Does it happen as a run begins?
+    /// Does it happen as a run begins? Such events stand behind all others.
     pub is_at_start: bool,
     /// The targets and their values; all are worked out before any is set.
     pub set: Vec<(Target, Expr)>,
@@ -29,6 +29,16 @@ pub enum Target {
 }
 
 impl When {
+    /// Those that follow conditions, and those that happen as a run begins.
+    pub(crate) fn parted(whens: &[When]) -> (&[When], &[When]) {
+        whens.split_at(whens.partition_point(|when| !when.is_at_start))
+    }
+
+    /// The values that events set, one event after the other.
+    pub(crate) fn values(whens: &[When]) -> Vec<Expr> {
+        whens.iter().flat_map(|when| &when.set).map(|(_, value)| *value).collect()
+    }
+
     /// Its expressions.
     pub(crate) fn expressions_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
         [&mut self.condition].into_iter().chain(self.set.iter_mut().map(|(_, value)| value))

@@ -3,6 +3,7 @@
 use crate::collect::CollectVec;
 use crate::emit::template::quote;
 use proc_macro2::{Literal, TokenStream};
+use quote::format_ident;
 
 use super::super::bindings::Origin;
 use super::super::function::function;
@@ -11,6 +12,7 @@ use super::contact;
 use super::contact_events::Beside;
 use super::limits::into_state;
 use crate::facts::contact as facts;
+use crate::formulate::Function;
 use crate::model::{Target, When};
 
 /// Does any event set states?
@@ -18,15 +20,14 @@ pub(in super::super) fn are_there(emission: &Emission) -> bool {
     !emission.model.whens.is_empty()
 }
 
-/// Number of these events.
+/// Number of the events that follow conditions.
 pub(in super::super) fn count(emission: &Emission) -> Literal {
-    number(emission.model.whens.len())
+    number(When::parted(&emission.model.whens).0.len())
 }
 
-/// The events that happen as a run begins.
-pub(in super::super) fn at_start(emission: &Emission) -> Vec<Literal> {
-    let whens = emission.model.whens.iter().enumerate();
-    whens.filter(|(_, when)| when.is_at_start).map(|(k, _)| number(k)).collect_vec()
+/// Do events happen as a run begins?
+pub(in super::super) fn are_at_start(emission: &Emission) -> bool {
+    !When::parted(&emission.model.whens).1.is_empty()
 }
 
 /// Changes of sides or modes, in the body of a function that returns `Result`: without events that set states they are all; else
@@ -51,14 +52,7 @@ pub(crate) fn sets(emission: &Emission) -> TokenStream {
     }
     let Emission { name, model, sizes: Sizes { length, .. }, .. } = emission;
     let (functions, count, conditions) = (functions(emission), count(emission), number(model.guards()));
-    let (events, settle, at_start) = (events(emission), settle(emission), at_start(emission));
-    let is_at_start = (!at_start.is_empty()).then(|| {
-        quote! {
-            fn is_at_start(&self, index: usize) -> bool {
-                matches!(index, #(#at_start)|*)
-            }
-        }
-    });
+    let (events, settle, start) = (events(emission), settle(emission), at_start(emission));
     quote! {
         #functions
 
@@ -75,7 +69,7 @@ pub(crate) fn sets(emission: &Emission) -> TokenStream {
                 holds.map(|holds| holds > S::lit(0.5))
             }
 
-            #is_at_start
+            #start
 
             fn set(&self, t: S, u: &mut Held<S>, x: &mut [S; #length], index: usize) -> Result<(), Fault> {
                 let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
@@ -90,8 +84,7 @@ pub(crate) fn sets(emission: &Emission) -> TokenStream {
 
 /// Conditions of events by the sides that are held, and the values that events set.
 fn functions(emission: &Emission) -> TokenStream {
-    let Emission { name, model, program, sizes: Sizes { nq, .. }, .. } = emission;
-    let values = number(model.whens.iter().map(|when| when.set.len()).sum());
+    let Emission { name, model, program, .. } = emission;
     let count = count(emission);
     let holds = function(
         emission,
@@ -102,39 +95,78 @@ fn functions(emission: &Emission) -> TokenStream {
         },
         (&program.events, Origin::Arguments),
     );
-    let set = function(
-        emission,
-        "The values that events set, one event after the other.",
-        &quote! {
-            #[cold]
-            fn values_set(&self, q: &[S; #nq], v: &[S; #nq], set: &mut [S; #values])
-        },
-        (&program.values_set, Origin::State),
-    );
+    let (whens, at_start) = When::parted(&model.whens);
+    let set = values(emission, "values_set", (whens, &program.values_set));
+    let start = (!at_start.is_empty())
+        .then(|| values(emission, "values_at_start", (at_start, &program.values_at_start)));
     quote! {
         impl<S: Scalar> #name<S> { #holds }
 
         impl<S: Real> State<S> {
             #set
-
-            fn values_set_(&self, q: &[S; #nq], v: &[S; #nq]) -> [S; #values] {
-                let mut set = [S::lit(0.0); #values];
-                self.values_set(q, v, &mut set);
-                set
-            }
+            #start
         }
     }
 }
 
-/// The values of each event where they belong, by its number.
-fn events(emission: &Emission) -> TokenStream {
-    let whens = &emission.model.whens;
+/// The function of this name that gives the values that events set.
+fn values(emission: &Emission, name: &str, (whens, values): (&[When], &Function)) -> TokenStream {
+    let (nq, count) = (&emission.sizes.nq, number(When::values(whens).len()));
+    let [fill, give] = [format_ident!("{name}"), format_ident!("{name}_")];
+    let fill_values = function(
+        emission,
+        "The values that events set, one event after the other.",
+        &quote! {
+            #[cold]
+            fn #fill(&self, q: &[S; #nq], v: &[S; #nq], set: &mut [S; #count])
+        },
+        (values, Origin::State),
+    );
+    quote! {
+        #fill_values
+
+        fn #give(&self, q: &[S; #nq], v: &[S; #nq]) -> [S; #count] {
+            let mut set = [S::lit(0.0); #count];
+            self.#fill(q, v, &mut set);
+            set
+        }
+    }
+}
+
+/// Sets what events set as a run begins, each by the state that the one before has left.
+fn at_start(emission: &Emission) -> Option<TokenStream> {
+    let (_, whens) = When::parted(&emission.model.whens);
+    let length = &emission.sizes.length;
+    let events = numbered(whens).map(|(when, begins)| event(emission, when, begins)).collect_vec();
+    (!events.is_empty()).then(|| {
+        quote! {
+            fn start(&self, t: S, u: &mut Held<S>, x: &mut [S; #length]) -> Result<(), Fault> {
+                #(
+                    let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
+                    let (q, v) = state.pose_();
+                    let set = state.values_at_start_(&q, &v);
+                    #events
+                )*
+                Ok(())
+            }
+        }
+    })
+}
+
+/// Each event with the number of its first value.
+fn numbered(whens: &[When]) -> impl Iterator<Item = (&When, usize)> {
     let begins = whens.iter().scan(0, |next, when| {
         let begins = *next;
         *next += when.set.len();
         Some(begins)
     });
-    let arms = whens.iter().zip(begins).enumerate().map(|(k, (when, begins))| {
+    whens.iter().zip(begins)
+}
+
+/// The values of each event where they belong, by its number.
+fn events(emission: &Emission) -> TokenStream {
+    let (whens, _) = When::parted(&emission.model.whens);
+    let arms = numbered(whens).enumerate().map(|(k, (when, begins))| {
         let (k, event) = (number(k), event(emission, when, begins));
         quote!(#k => { #event })
     });

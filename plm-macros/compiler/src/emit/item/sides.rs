@@ -21,8 +21,8 @@ pub(super) fn sides(emission: &Emission) -> TokenStream {
     let at_time = || of_time.then(|| switches::sides_at_time(emission));
     if sets::are_there(emission) {
         let (count, at_time) = (sets::count(emission), at_time());
-        let start = (!sets::at_start(emission).is_empty())
-            .then(|| quote!(rt::events::start::<Self, #count>(self, t, u, &mut x)?;));
+        let start = sets::are_at_start(emission)
+            .then(|| quote!(rt::events::Sets::<#count>::start(self, t, u, &mut x)?;));
         return quote! {
             let u = &mut held;
             #start

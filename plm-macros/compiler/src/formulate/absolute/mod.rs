@@ -75,6 +75,8 @@ pub(crate) struct Absolute {
     pub(crate) rows_exist: Function,
     /// `set`: the values that events give.
     pub(crate) values_set: Function,
+    /// `set` of events that happen as a run begins.
+    pub(crate) values_at_start: Function,
     /// `jump`: what rows do where conditions change, five terms each.
     pub(crate) jumps: Function,
     /// Outputs.
@@ -105,6 +107,7 @@ pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
     // Assembly and projection hold no switches.
     let released = |function: Function| function.substitute(&model.released);
     let contact = motion.contact(model, equations, &x_dot);
+    let [values_set, values_at_start] = switches::values_set(model);
     Absolute {
         dynamics: motion.dynamics(equations, &x_dot),
         contact,
@@ -115,7 +118,8 @@ pub(crate) fn formulate(model: &Model, equations: &Equations) -> Absolute {
         events: switches::events(model),
         conditional: Conditional::new(model, equations),
         rows_exist: switches::rows_exist(model),
-        values_set: switches::values_set(model),
+        values_set,
+        values_at_start,
         jumps: switches::jumps(model),
         inverse_mass: Function::of_array("inverse_mass", &inverse_mass),
         free: Function::of_results(free),

@@ -13,7 +13,7 @@ use crate::syntax::ast::{self, Moment};
 use crate::units::Dimension;
 
 impl<'a> Resolver<'a> {
-    /// All events of the declaration.
+    /// All events of the declaration; those that happen as a run begins stand last.
     pub(crate) fn evaluate_whens(&mut self) -> Vec<When> {
         let mut whens = Vec::new();
         for (scope, ast) in std::mem::take(&mut self.unresolved.whens) {
@@ -23,6 +23,7 @@ impl<'a> Resolver<'a> {
             }
         }
         self.check_discrete(&whens);
+        whens.sort_by_key(|when| when.is_at_start);
         whens
     }
 
