@@ -66,7 +66,9 @@ impl Status<'_> {
 
     /// Do the rows do the same as those of another moment, with no impact between?
     pub(crate) fn has_modes_of(&self, other: &Self) -> bool {
-        self.modes == other.modes && self.carried == other.carried && self.counts == other.counts
+        self.counts.impacts == other.counts.impacts
+            && self.modes.iter().zip(other.modes).all(|(mode, other)| mode == other)
+            && self.carried.iter().zip(other.carried).all(|(carried, other)| carried == other)
     }
 
     /// What a row does; a row that others hold is closed, or sticks.

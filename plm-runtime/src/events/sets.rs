@@ -73,7 +73,7 @@ pub fn change<M: Sets<W>, const W: usize>(
     let mut before = differences(system, t, u, x);
     change(u, x)?;
     // Where a mode of contact has changed, as of a row that sticks, a difference becomes zero, which is a jump however small.
-    if M::contacts(&beginning).has_modes_of(&M::contacts(u)) && is_rounding(system, &start, x) {
+    if is_rounding(system, &start, x) && M::contacts(&beginning).has_modes_of(&M::contacts(u)) {
         let here = differences(system, t, u, x);
         keep_changed(&mut before, (M::sides(&mut beginning), M::sides(u)), &here);
     }
