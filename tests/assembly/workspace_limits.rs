@@ -6,7 +6,6 @@ use plm::{Cause, Dop853, Fault, Mechanism as _, Rk4};
 use crate::scene::Named as _;
 use crate::scenes::{s1, s1_baumgarte, s2};
 
-// By `Rk4` in steps of 0.05 s it goes on from text where compiled code ends.
 plm::mechanism! {
     /// A four-bar whose three moving links can only rock: 0.7, 0.6 and 0.5 m over 1 m of ground.
     pub TripleRocker {

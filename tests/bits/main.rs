@@ -32,9 +32,12 @@ mod machines;
 mod massless;
 #[path = "../scenes/massless.rs"]
 mod massless_scenes;
+mod near_singular;
 #[path = "../scenes/parts/mod.rs"]
 mod part_scenes;
 mod parts;
+#[path = "../scenes/near_singular.rs"]
+mod singular_scenes;
 mod starts;
 #[path = "../scenes/starts.rs"]
 mod starts_scenes;

@@ -163,6 +163,15 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
         Health::perfect()
     }
 
+    fn coordinates(&self) -> usize {
+        self.system.layout().coordinates.len()
+    }
+
+    fn states(&self) -> usize {
+        let first_order = self.system.states() - 2 * self.system.coordinates();
+        2 * self.coordinates() + first_order
+    }
+
     fn typical(&self) -> [M::S; NX] {
         Vector::from_fn(|i| self.typical_of(i))
     }

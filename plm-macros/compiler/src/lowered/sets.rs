@@ -11,7 +11,7 @@ use crate::source::Origin;
 pub struct Sets {
     /// By event that follows a condition, what it sets, in the order of the values.
     pub events: Vec<Vec<Set>>,
-    /// The same of events that happen as a run begins.
+    /// By event that happens as a run begins, what it sets.
     pub at_start: Vec<Vec<Set>>,
     /// `holds`: 1 for each event whose condition holds, or 0.
     pub holds: Routine,
