@@ -42,7 +42,9 @@ fn declarations() -> Vec<(String, String)> {
                         .map(|(at, (block, _))| (format!("{number}-{at}.plm"), block.to_owned())),
                 );
             }
-            "rs" if !text.contains("mechanism!") && !text.contains("parts!") => {}
+            "rs" if !["mechanism!", "parts!", "scene!"].iter().any(|call| text.contains(call)) => {}
+            // Mechanisms of tests from text.
+            "rs" => all.push((format!("{number}.rs"), text.replace("scene! {", "mechanism! {"))),
             _ => all.push((format!("{number}.{ending}"), text)),
         }
     }
