@@ -58,7 +58,7 @@ fn clock(clock: Scene, swings: &[Swing; 4]) -> Scene {
     })
 }
 
-/// What it shows at a time, and what the run took.
+/// The reading of a clock at a time, and the counts of its run.
 fn run<I: Method<Scene>>(of: Scene, swings: &[Swing; 4], method: I, until: f64) -> (f64, Stats) {
     let mut sim = clock(of, swings).start_with(method).unwrap();
     sim.run(until, 0.05, |state| {

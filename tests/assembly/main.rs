@@ -15,6 +15,9 @@ mod scene;
 
 mod assembly;
 mod drawn;
+#[allow(dead_code, reason = "bits are compared of more")]
+#[path = "../scenes/near_singular.rs"]
+mod near_singular_scenes;
 #[path = "../support/random.rs"]
 mod random;
 mod robust;

@@ -33,11 +33,11 @@ mod massless;
 #[path = "../scenes/massless.rs"]
 mod massless_scenes;
 mod near_singular;
+#[path = "../scenes/near_singular.rs"]
+mod near_singular_scenes;
 #[path = "../scenes/parts/mod.rs"]
 mod part_scenes;
 mod parts;
-#[path = "../scenes/near_singular.rs"]
-mod singular_scenes;
 mod starts;
 #[path = "../scenes/starts.rs"]
 mod starts_scenes;

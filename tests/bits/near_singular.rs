@@ -3,7 +3,7 @@
 use plm::{Gauss, Rk4, Ros34Pw2};
 
 use crate::beside_text::same_bits;
-use crate::singular_scenes::{Kite, TripleRocker};
+use crate::near_singular_scenes::{Kite, TripleRocker};
 
 #[test]
 fn steps_near_a_flat_pose_have_the_bits_of_compiled_code() {

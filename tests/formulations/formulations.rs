@@ -60,7 +60,7 @@ pub(crate) fn moves_alike_on_both(least: &Scene, absolute: &Scene) {
                 x[k] += h * dx[k];
             }
             let mut moved = state;
-            plm::Moment::set(&mut moved, state.time() + h, &state.held(), &x);
+            moved.set(state.time() + h, &state.held(), &x);
             moved.bodies()
         };
         let (after, before) = (beside(h), beside(-h));

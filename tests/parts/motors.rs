@@ -69,7 +69,7 @@ fn a_motion_takes_its_torque() {
         let at = 1e-3 * f64::from(k);
         let (sin, cos) = (3.0 * at).sin_cos();
         for (name, value) in [("at", at), ("place", sin), ("speed", 3.0 * cos), ("gain", -9.0 * sin)] {
-            sim.set(name, value);
+            sim.set_parameter(name, value);
         }
         sim.step(1e-3).unwrap();
         let (sin, cos) = (3.0 * (at + 1e-3)).sin_cos();

@@ -1,4 +1,4 @@
-//! What parts of the library and events set as a run begins.
+//! Starts that parts of the library and events set.
 
 use std::f64::consts::TAU;
 

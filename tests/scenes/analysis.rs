@@ -1,4 +1,4 @@
-//! What rests on rows: texts come to rest where compiled code does.
+//! Bodies that rest on rows of contact, for equilibria.
 
 /// Declares the same mechanism in the formulation that the compiler takes, and in absolute coordinates.
 macro_rules! in_both_formulations {

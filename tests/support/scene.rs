@@ -192,7 +192,7 @@ pub(crate) trait Named {
     /// Sets an input, SI.
     fn set_input(&mut self, name: &str, value: f64);
     /// Sets a parameter from here on, SI.
-    fn set(&mut self, name: &str, value: f64);
+    fn set_parameter(&mut self, name: &str, value: f64);
 }
 
 impl Named for State {
@@ -267,7 +267,7 @@ impl Named for State {
     }
 
     #[track_caller]
-    fn set(&mut self, name: &str, value: f64) {
+    fn set_parameter(&mut self, name: &str, value: f64) {
         let mechanism = self.mechanism().with(name, value);
         *self = Moment::new(mechanism, self.held(), self.time(), *self.x());
     }

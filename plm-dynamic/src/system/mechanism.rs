@@ -11,7 +11,7 @@ use plm_runtime::{
 };
 
 use super::State;
-use crate::capacity::{EVENTS, PARAMETERS};
+use crate::capacity::PARAMETERS;
 use crate::handle::{Dynamic, Held, Starts};
 use crate::memory::Memory;
 use crate::model::Model;
@@ -159,13 +159,11 @@ impl<
         Ok((held, x))
     }
 
-    /// The sides of conditions that apply where a run begins. Events that set states happen there only if they are declared so.
+    /// Sets what is set as a run begins, and takes the sides of conditions that apply there. Events that follow conditions do not happen.
     fn begin_sides(&self, t: S, held: &mut Held<S, NQ, L, H, R>, x: &mut [S; N]) -> Result<(), Fault> {
         let switches = &self.model.lowered.switches;
         // Contacts have their modes when all conditions have their sides, which gaps may read, and all constraints that hold are closed.
-        if !self.model.lowered.sets.at_start.is_empty() {
-            events::Sets::<EVENTS>::start(self, t, held, x)?;
-        }
+        self.set_at_start(t, held, x)?;
         if self.sets_states() || self.has_contacts() {
             self.take_sides_at_time(t, held);
             self.take_sides(t, held, x);

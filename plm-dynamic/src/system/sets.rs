@@ -20,10 +20,9 @@ impl<
     const R: usize,
 > Dynamic<S, NQ, NC, N, L, H, R>
 {
-    /// Do events set states?
+    /// Do events that follow conditions set states?
     pub(super) fn sets_states(&self) -> bool {
-        let sets = &self.model.lowered.sets;
-        !(sets.events.is_empty() && sets.at_start.is_empty())
+        !self.model.lowered.sets.events.is_empty()
     }
 
     /// Changes of sides or modes; events that set states follow.
@@ -39,6 +38,18 @@ impl<
         } else {
             changes(u, x)
         }
+    }
+
+    /// Sets what events set as a run begins, each by the state that the one before has left.
+    pub(super) fn set_at_start(
+        &self,
+        t: S,
+        u: &mut Held<S, NQ, L, H, R>,
+        x: &mut [S; N],
+    ) -> Result<(), Fault> {
+        let (sets, code) = (&self.model.lowered.sets, &self.model.sets);
+        (0..sets.at_start.len())
+            .try_for_each(|index| self.set_of((&sets.at_start, &code.values_at_start), t, u, x, index))
     }
 
     /// Sets what one of these events sets, by the routine of the values of all of them.
@@ -95,12 +106,6 @@ impl<
         let mut holds = [S::ZERO; EVENTS];
         self.run(&self.model.sets.holds, &Frame { held: Some(u), ..Frame::at(S::ZERO) }, [&mut holds]);
         holds.map(|holds| holds > S::lit(0.5))
-    }
-
-    fn start(&self, t: S, u: &mut Held<S, NQ, L, H, R>, x: &mut [S; N]) -> Result<(), Fault> {
-        let (sets, code) = (&self.model.lowered.sets, &self.model.sets);
-        (0..sets.at_start.len())
-            .try_for_each(|index| self.set_of((&sets.at_start, &code.values_at_start), t, u, x, index))
     }
 
     fn set(&self, t: S, u: &mut Held<S, NQ, L, H, R>, x: &mut [S; N], index: usize) -> Result<(), Fault> {

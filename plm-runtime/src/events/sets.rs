@@ -38,15 +38,6 @@ pub trait Sets<const W: usize>: System<S: Real> {
     /// When joints do not allow the velocities.
     fn set(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X, index: usize) -> Result<(), Fault>;
 
-    /// Sets what events set as a run begins, each by the state that the one before has left. Sides of conditions are taken behind that.
-    ///
-    /// # Errors
-    /// As [`set`](Self::set).
-    fn start(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X) -> Result<(), Fault> {
-        let _ = (t, u, x);
-        Ok(())
-    }
-
     /// Finds the modes of contacts anew, where something was set since the discrete state was `before`.
     ///
     /// # Errors

@@ -1,7 +1,7 @@
-//! What catches and rubs.
+//! Latches, ratchets, locks, stops and frictions.
 
 scene! {
-    /// What catches and lets go, side by side.
+    /// A latch, a ratchet and two locks, side by side.
     pub Catches {
         input release = 0;
         input lifted = 0;

@@ -15,7 +15,7 @@ pub(super) fn tools(place: &Place) -> Result {
     place.command("bash plm-view/page/check.sh --install").run()
 }
 
-/// What a machine can read of the rules of CONTRIBUTING.md.
+/// Rules of CONTRIBUTING.md that a machine can read.
 pub(super) fn rules(place: &Place) -> Result {
     let test = place.command("cargo test --workspace --features").arg(FEATURES);
     test.args(["--test", "tidy", "--test", "files"]).run()

@@ -74,7 +74,7 @@ impl<'a> Matters<'a> {
     /// and what rows of contact exist by matters always.
     fn finished(self) -> (Diagram, Vec<usize>) {
         let Self { model, diagram, held, mut roots, kinks, .. } = self;
-        let of_events = model.whens.iter().map(|when| when.condition);
+        let of_events = model.whens.iter().filter_map(|when| when.condition);
         let of_rows = model.contacts.iter().filter_map(|row| row.exists);
         let of_events = algebra::reachable(&of_events.chain(of_rows).collect_vec());
         for (_, side) in held.iter().filter(|(of, _)| of_events.contains(of)) {

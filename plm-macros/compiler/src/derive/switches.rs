@@ -77,7 +77,7 @@ fn unfold_signs(model: &mut Model) {
 /// Switches of all comparisons in the conditions of events and of rows of contact, whatever else reads them.
 fn hold_events(model: &mut Model) -> Vec<(Expr, Expr)> {
     let mut pairs: Vec<(Expr, Expr)> = Vec::new();
-    let of_events = model.whens.iter().map(|when| (when.condition, when.text.clone()));
+    let of_events = model.whens.iter().filter_map(|when| Some((when.condition?, when.text.clone())));
     let of_rows = model.contacts.iter().filter_map(|row| Some((row.exists?, row.name.clone())));
     for (condition, name) in of_events.chain(of_rows).collect_vec() {
         for expr in algebra::reachable(&[condition]) {
@@ -122,8 +122,8 @@ fn substitute(model: &mut Model, pairs: &[(Expr, Expr)]) {
         output.components = algebra::substitute(&output.components, pairs);
     }
     // Values that events set are worked out by the state of their moment.
-    for when in &mut model.whens {
-        when.condition = algebra::substitute(&[when.condition], pairs)[0];
+    for condition in model.whens.iter_mut().filter_map(|when| when.condition.as_mut()) {
+        *condition = algebra::substitute(&[*condition], pairs)[0];
     }
     for place in model.contacts.iter_mut().flat_map(Contact::expressions_mut) {
         *place = algebra::substitute(&[*place], pairs)[0];

@@ -32,8 +32,7 @@ pub(crate) fn instants(model: &Model) -> Function {
 
 /// `holds` of the conditions of events: 1, or 0.
 pub(crate) fn events(model: &Model) -> Function {
-    let (whens, _) = When::parted(&model.whens);
-    let conditions: Vec<Expr> = whens.iter().map(|when| when.condition).collect_vec();
+    let conditions: Vec<Expr> = model.whens.iter().filter_map(|when| when.condition).collect_vec();
     Function::of_array("holds", &conditions).optimise()
 }
 

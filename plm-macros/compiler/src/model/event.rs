@@ -9,13 +9,11 @@ use crate::span::Span;
 pub struct When {
     /// The condition as it was written.
     pub text: String,
-    /// 1 where it holds, else 0; that of an event at the start never holds.
-    pub condition: Expr,
-    /// Does it happen as a run begins? Such events stand behind all others.
-    pub is_at_start: bool,
+    /// 1 where it holds, else 0; none of an event that happens as a run begins. These stand behind all others.
+    pub condition: Option<Expr>,
     /// The targets and their values; all are worked out before any is set.
     pub set: Vec<(Target, Expr)>,
-    /// Place of the condition.
+    /// Place of the condition, or of `start`.
     pub span: Span,
 }
 
@@ -31,7 +29,7 @@ pub enum Target {
 impl When {
     /// Those that follow conditions, and those that happen as a run begins.
     pub(crate) fn parted(whens: &[When]) -> (&[When], &[When]) {
-        whens.split_at(whens.partition_point(|when| !when.is_at_start))
+        whens.split_at(whens.partition_point(|when| when.condition.is_some()))
     }
 
     /// The values that events set, one event after the other.
@@ -41,6 +39,6 @@ impl When {
 
     /// Its expressions.
     pub(crate) fn expressions_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
-        [&mut self.condition].into_iter().chain(self.set.iter_mut().map(|(_, value)| value))
+        self.condition.iter_mut().chain(self.set.iter_mut().map(|(_, value)| value))
     }
 }

@@ -1,4 +1,4 @@
-//! `Sets`: events that set states.
+//! `Sets`: events that set states; and what is set as a run begins.
 
 use crate::collect::CollectVec;
 use crate::emit::template::quote;
@@ -15,19 +15,29 @@ use crate::facts::contact as facts;
 use crate::formulate::Function;
 use crate::model::{Target, When};
 
-/// Does any event set states?
+/// Those that follow conditions.
+fn conditional<'m>(emission: &Emission<'m>) -> &'m [When] {
+    When::parted(&emission.model.whens).0
+}
+
+/// Those that happen as a run begins.
+fn at_start<'m>(emission: &Emission<'m>) -> &'m [When] {
+    When::parted(&emission.model.whens).1
+}
+
+/// Does any event that follows a condition set states?
 pub(in super::super) fn are_there(emission: &Emission) -> bool {
-    !emission.model.whens.is_empty()
+    !conditional(emission).is_empty()
+}
+
+/// Does any event happen as a run begins?
+pub(in super::super) fn are_at_start(emission: &Emission) -> bool {
+    !at_start(emission).is_empty()
 }
 
 /// Number of the events that follow conditions.
 pub(in super::super) fn count(emission: &Emission) -> Literal {
-    number(When::parted(&emission.model.whens).0.len())
-}
-
-/// Do events happen as a run begins?
-pub(in super::super) fn are_at_start(emission: &Emission) -> bool {
-    !When::parted(&emission.model.whens).1.is_empty()
+    number(conditional(emission).len())
 }
 
 /// Changes of sides or modes, in the body of a function that returns `Result`: without events that set states they are all; else
@@ -45,16 +55,34 @@ pub(super) fn followed(emission: &Emission, changes: TokenStream) -> TokenStream
     }
 }
 
-/// `Sets`; nothing where no event sets anything.
+/// The values that are set as a run begins, and `Sets`; nothing where no event sets anything.
 pub(crate) fn sets(emission: &Emission) -> TokenStream {
-    if !are_there(emission) {
-        return TokenStream::new();
-    }
-    let Emission { name, model, sizes: Sizes { length, .. }, .. } = emission;
-    let (functions, count, conditions) = (functions(emission), count(emission), number(model.guards()));
-    let (events, settle, start) = (events(emission), settle(emission), at_start(emission));
+    let start = set_at_start(emission);
+    let conditional = are_there(emission).then(|| conditional_sets(emission));
     quote! {
-        #functions
+        #start
+        #conditional
+    }
+}
+
+/// `Sets`.
+fn conditional_sets(emission: &Emission) -> TokenStream {
+    let Emission { name, model, program, sizes: Sizes { length, .. }, .. } = emission;
+    let (count, conditions) = (count(emission), number(model.guards()));
+    let (events, settle) = (events(emission), settle(emission));
+    let holds = function(
+        emission,
+        "Does the condition of each event hold? 1, or 0.",
+        &quote! {
+            #[cold]
+            fn events_hold(&self, u: &Held<S>, holds: &mut [S; #count])
+        },
+        (&program.events, Origin::Arguments),
+    );
+    let values = values(emission, "values_set", (conditional(emission), &program.values_set));
+    quote! {
+        impl<S: Scalar> #name<S> { #holds }
+        #values
 
         impl<S: Real> rt::events::Sets<#count> for #name<S> {
             const CONDITIONS: usize = #conditions;
@@ -69,8 +97,6 @@ pub(crate) fn sets(emission: &Emission) -> TokenStream {
                 holds.map(|holds| holds > S::lit(0.5))
             }
 
-            #start
-
             fn set(&self, t: S, u: &mut Held<S>, x: &mut [S; #length], index: usize) -> Result<(), Fault> {
                 let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
                 let (q, v) = state.pose_();
@@ -82,31 +108,30 @@ pub(crate) fn sets(emission: &Emission) -> TokenStream {
     }
 }
 
-/// Conditions of events by the sides that are held, and the values that events set.
-fn functions(emission: &Emission) -> TokenStream {
-    let Emission { name, model, program, .. } = emission;
-    let count = count(emission);
-    let holds = function(
-        emission,
-        "Does the condition of each event hold? 1, or 0.",
-        &quote! {
-            #[cold]
-            fn events_hold(&self, u: &Held<S>, holds: &mut [S; #count])
-        },
-        (&program.events, Origin::Arguments),
-    );
-    let (whens, at_start) = When::parted(&model.whens);
-    let set = values(emission, "values_set", (whens, &program.values_set));
-    let start = (!at_start.is_empty())
-        .then(|| values(emission, "values_at_start", (at_start, &program.values_at_start)));
-    quote! {
-        impl<S: Scalar> #name<S> { #holds }
+/// Sets what events set as a run begins, each by the state that the one before has left.
+fn set_at_start(emission: &Emission) -> Option<TokenStream> {
+    let Emission { name, program, sizes: Sizes { length, .. }, .. } = emission;
+    let whens = at_start(emission);
+    let values = values(emission, "values_at_start", (whens, &program.values_at_start));
+    let events = numbered(whens).map(|(when, begins)| event(emission, when, begins)).collect_vec();
+    (!whens.is_empty()).then(|| {
+        quote! {
+            #values
 
-        impl<S: Real> State<S> {
-            #set
-            #start
+            impl<S: Real> #name<S> {
+                #[cold]
+                fn set_at_start_(&self, t: S, u: &mut Held<S>, x: &mut [S; #length]) -> Result<(), Fault> {
+                    #(
+                        let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
+                        let (q, v) = state.pose_();
+                        let set = state.values_at_start_(&q, &v);
+                        #events
+                    )*
+                    Ok(())
+                }
+            }
         }
-    }
+    })
 }
 
 /// The function of this name that gives the values that events set.
@@ -123,34 +148,16 @@ fn values(emission: &Emission, name: &str, (whens, values): (&[When], &Function)
         (values, Origin::State),
     );
     quote! {
-        #fill_values
+        impl<S: Real> State<S> {
+            #fill_values
 
-        fn #give(&self, q: &[S; #nq], v: &[S; #nq]) -> [S; #count] {
-            let mut set = [S::lit(0.0); #count];
-            self.#fill(q, v, &mut set);
-            set
-        }
-    }
-}
-
-/// Sets what events set as a run begins, each by the state that the one before has left.
-fn at_start(emission: &Emission) -> Option<TokenStream> {
-    let (_, whens) = When::parted(&emission.model.whens);
-    let length = &emission.sizes.length;
-    let events = numbered(whens).map(|(when, begins)| event(emission, when, begins)).collect_vec();
-    (!events.is_empty()).then(|| {
-        quote! {
-            fn start(&self, t: S, u: &mut Held<S>, x: &mut [S; #length]) -> Result<(), Fault> {
-                #(
-                    let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
-                    let (q, v) = state.pose_();
-                    let set = state.values_at_start_(&q, &v);
-                    #events
-                )*
-                Ok(())
+            fn #give(&self, q: &[S; #nq], v: &[S; #nq]) -> [S; #count] {
+                let mut set = [S::lit(0.0); #count];
+                self.#fill(q, v, &mut set);
+                set
             }
         }
-    })
+    }
 }
 
 /// Each event with the number of its first value.
@@ -165,8 +172,7 @@ fn numbered(whens: &[When]) -> impl Iterator<Item = (&When, usize)> {
 
 /// The values of each event where they belong, by its number.
 fn events(emission: &Emission) -> TokenStream {
-    let (whens, _) = When::parted(&emission.model.whens);
-    let arms = numbered(whens).enumerate().map(|(k, (when, begins))| {
+    let arms = numbered(conditional(emission)).enumerate().map(|(k, (when, begins))| {
         let (k, event) = (number(k), event(emission, when, begins));
         quote!(#k => { #event })
     });

@@ -14,39 +14,39 @@ pub(super) fn take_sides(emission: &Emission, held: &TokenStream) -> TokenStream
     }
 }
 
-/// The sides of conditions that apply where a run begins. Events that set states happen there only if they are declared so.
+/// Sets what is set as a run begins, and takes the sides of conditions that apply there. Events that follow conditions do not happen.
 pub(super) fn sides(emission: &Emission) -> TokenStream {
     let model = emission.model;
+    let start = sets::are_at_start(emission).then(|| quote!(self.set_at_start_(t, &mut held, &mut x)?;));
     let [of_time, of_state] = [model.switches.len() > model.guards(), model.guards() > 0];
     let at_time = || of_time.then(|| switches::sides_at_time(emission));
-    if sets::are_there(emission) {
+    let sides = if sets::are_there(emission) {
         let (count, at_time) = (sets::count(emission), at_time());
-        let start = sets::are_at_start(emission)
-            .then(|| quote!(rt::events::Sets::<#count>::start(self, t, u, &mut x)?;));
-        return quote! {
+        quote! {
             let u = &mut held;
-            #start
             #at_time
             rt::events::begin::<Self, #count>(self, t, u, &x);
-        };
-    }
-    if contact::are_there(emission) {
-        // Contacts have their modes when all conditions have their sides, which gaps may read, and all constraints that hold are closed.
-        if model.switches.is_empty() {
-            return TokenStream::new();
         }
+    } else if contact::are_there(emission) {
+        // Contacts have their modes when all conditions have their sides, which gaps may read, and all constraints that hold are closed.
         let (at_time, taken) = (at_time(), of_state.then(|| take_sides(emission, &quote!(u))));
-        return quote! {
-            let u = &mut held;
+        let any = (!model.switches.is_empty()).then(|| quote!(let u = &mut held;));
+        quote! {
+            #any
             #at_time
             #taken
-        };
-    }
-    let pass = (!model.switches.is_empty())
-        .then(|| quote!(rt::Events::switch_at_time(self, t, &mut held, &mut x)?;));
-    let switch = of_state.then(|| quote!(rt::events::switch_where_due(self, t, &mut held, &mut x)?;));
+        }
+    } else {
+        let pass = (!model.switches.is_empty())
+            .then(|| quote!(rt::Events::switch_at_time(self, t, &mut held, &mut x)?;));
+        let switch = of_state.then(|| quote!(rt::events::switch_where_due(self, t, &mut held, &mut x)?;));
+        quote! {
+            #pass
+            #switch
+        }
+    };
     quote! {
-        #pass
-        #switch
+        #start
+        #sides
     }
 }

@@ -23,7 +23,7 @@ impl<'a> Resolver<'a> {
             }
         }
         self.check_discrete(&whens);
-        whens.sort_by_key(|when| when.is_at_start);
+        whens.sort_by_key(|when| when.condition.is_none());
         whens
     }
 
@@ -31,8 +31,10 @@ impl<'a> Resolver<'a> {
         let forces = Reads::REACTION.and(Reads::PUSH).and(Reads::FRICTION);
         let allowed = Reads::EVENT.and(Reads::ACCELERATION).and(forces);
         let condition = match &ast.moment {
-            Moment::Start(_) => Ok(Expr::ZERO),
-            Moment::BecomesTrue(condition) => self.event_condition(scope, condition, ("an event", allowed)),
+            Moment::Start(_) => Ok(None),
+            Moment::BecomesTrue(condition) => {
+                self.event_condition(scope, condition, ("an event", allowed)).map(Some)
+            }
         };
         let mut set = Vec::new();
         let mut failed = false;
@@ -50,11 +52,11 @@ impl<'a> Resolver<'a> {
         if failed {
             return Err(Failed);
         }
-        let (text, span, is_at_start) = match &ast.moment {
-            Moment::Start(span) => ("start".to_owned(), *span, true),
-            Moment::BecomesTrue(condition) => (self.condition_text(condition), condition.span, false),
+        let (text, span) = match &ast.moment {
+            Moment::Start(span) => ("start".to_owned(), *span),
+            Moment::BecomesTrue(condition) => (self.condition_text(condition), condition.span),
         };
-        Ok(When { text, condition, is_at_start, set, span })
+        Ok(When { text, condition, set, span })
     }
 
     /// 1 where a condition of an event or of a row of contact holds, else 0.

@@ -66,7 +66,7 @@ impl<'a> Resolver<'a> {
         for output in outputs {
             output.components = algebra::substitute(&output.components, &stands_for);
         }
-        let of_events = whens.iter_mut().map(|when| &mut when.condition);
+        let of_events = whens.iter_mut().filter_map(|when| when.condition.as_mut());
         for place in contacts.iter_mut().flat_map(Contact::expressions_mut).chain(of_events) {
             *place = algebra::substitute(&[*place], &stands_for)[0];
         }
