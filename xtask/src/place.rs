@@ -21,6 +21,8 @@ pub(crate) struct Place {
     pub(crate) root: PathBuf,
     /// Where cargo builds.
     pub(crate) target: PathBuf,
+    /// This program. Its file is replaced where a stage builds it anew, and the system names the old one no more.
+    pub(crate) program: PathBuf,
     /// Variables that are set, the last of a name counts, and those that are taken away.
     variables: Vec<(String, Option<OsString>)>,
     /// Where everything that is printed goes, if not to the terminal. Commands are in groups of their own then.
@@ -34,6 +36,7 @@ impl Place {
     pub(crate) fn new() -> Result<Self> {
         // The folder of this package, from cargo: a target folder may have been built elsewhere.
         let own = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
+        let program = std::env::current_exe().map_err(|why| format!("the path of this program: {why}"))?;
         let root = Path::new(&own).parent().ok_or("the package xtask has no folder above it")?.to_owned();
         std::env::set_current_dir(&root).map_err(|why| format!("{}: {why}", root.display()))?;
         let target = root.join(std::env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()));
@@ -44,6 +47,7 @@ impl Place {
         Ok(Self {
             root,
             target,
+            program,
             variables: variables.into(),
             output: None,
             niceness: 0,

@@ -72,9 +72,9 @@ pub(super) fn licences(place: &Place) -> Result {
 pub(super) fn book(place: &Place) -> Result {
     install_mdbook(place)?;
     let built = place.target.join("book");
-    let math = std::env::current_exe().map_err(|why| why.to_string())?;
     let build = place.command("").arg(place.target.join("tools/bin/mdbook")).args(["build", "docs"]);
-    let build = build.set("MDBOOK_PREPROCESSOR__MATH__COMMAND", format!("'{}' math", math.display()));
+    let build =
+        build.set("MDBOOK_PREPROCESSOR__MATH__COMMAND", format!("'{}' math", place.program.display()));
     build.arg("--dest-dir").arg(&built).run()?;
     if !place.command("node --version").works() {
         return place
