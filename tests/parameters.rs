@@ -1,8 +1,15 @@
 //! What parameters may be, at the start and while it runs.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
-use plm::{Cause, Dop853, Fault, Rk4};
+#[macro_use]
+#[path = "support/scene.rs"]
+mod scene;
 
+use plm::runtime::absolute;
+use plm::{Cause, Dop853, Fault, Mechanism as _, Rk4, Sim};
+use scene::{Given as _, Named as _, Scene};
+
+// Its fields, its start values by type and its dual numbers are what rustc gives: compiled.
 mod slider {
     plm::mechanism! {
         pub Slider {
@@ -72,91 +79,81 @@ fn requirements_of_parameters_are_looked_at_when_they_change() {
     }
 }
 
-mod chain {
-    plm::mechanism! {
-        /// Three bars; the second has what the parameters say, the third hangs on a joint that gives way.
-        pub Chain {
-            gravity: 9.81 m/s^2;
-            allow(W0004);
-            param m2: kg = 1 kg;
-            param i2: kg*m^2 = 0.1 kg*m^2;
-            param give: m/N = 1e-6 m/N;
-            param lag: s = 1 ms;
-            ground { port o: (0, 0) m; }
-            body one { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 10 deg, locked; }
-            body two { mass: m2; inertia: i2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start x: 1.5 m; }
-            body three { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; start x: 2.5 m; }
-            revolute first(ground.o, one.a);
-            revolute second(one.b, two.a);
-            revolute third(two.b, three.a) { compliance: give; relaxation: lag; }
-        }
+scene! {
+    /// Three bars; the second has what the parameters say, the third hangs on a joint that gives way.
+    pub Chain {
+        gravity: 9.81 m/s^2;
+        allow(W0004);
+        param m2: kg = 1 kg;
+        param i2: kg*m^2 = 0.1 kg*m^2;
+        param give: m/N = 1e-6 m/N;
+        param lag: s = 1 ms;
+        ground { port o: (0, 0) m; }
+        body one { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 10 deg, locked; }
+        body two { mass: m2; inertia: i2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start x: 1.5 m; }
+        body three { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; start x: 2.5 m; }
+        revolute first(ground.o, one.a);
+        revolute second(one.b, two.a);
+        revolute third(two.b, three.a) { compliance: give; relaxation: lag; }
     }
 }
 
-mod hung {
-    plm::mechanism! {
-        /// A chain of which the middle bar may be without mass or without inertia.
-        pub Hung {
-            gravity: 9.81 m/s^2;
-            param m2: kg = 1 kg;
-            param i2: kg*m^2 = 0.1 kg*m^2;
-            ground { port o: (0, 0) m; }
-            body one { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 10 deg, locked; }
-            body two { mass: m2; inertia: i2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start x: 1.5 m; }
-            body three { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; start x: 2.5 m; }
-            revolute first(ground.o, one.a);
-            revolute second(one.b, two.a);
-            revolute third(two.b, three.a);
-        }
+scene! {
+    /// A chain of which the middle bar may be without mass or without inertia.
+    pub Hung {
+        gravity: 9.81 m/s^2;
+        param m2: kg = 1 kg;
+        param i2: kg*m^2 = 0.1 kg*m^2;
+        ground { port o: (0, 0) m; }
+        body one { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 10 deg, locked; }
+        body two { mass: m2; inertia: i2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start x: 1.5 m; }
+        body three { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; start x: 2.5 m; }
+        revolute first(ground.o, one.a);
+        revolute second(one.b, two.a);
+        revolute third(two.b, three.a);
     }
 }
 
-mod hung_absolute {
-    plm::mechanism! {
-        pub HungAbsolute {
-            formulation: absolute;
-            param m2: kg = 1 kg;
-            ground { port o: (0, 0) m; }
-            body one { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 10 deg, locked; }
-            body two { mass: m2; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; start x: 1.5 m; }
-            revolute first(ground.o, one.a);
-            revolute second(one.b, two.a);
-        }
+scene! {
+    pub HungAbsolute {
+        formulation: absolute;
+        param m2: kg = 1 kg;
+        ground { port o: (0, 0) m; }
+        body one { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; port b: (0.5, 0) m; start angle: 10 deg, locked; }
+        body two { mass: m2; inertia: 0.1 kg*m^2; port a: (-0.5, 0) m; start x: 1.5 m; }
+        revolute first(ground.o, one.a);
+        revolute second(one.b, two.a);
     }
 }
 
-mod loop_of {
-    plm::mechanism! {
-        pub LoopOf {
-            param span: m = 2 m;
-            param coupler: m = 2 m;
-            ground { port a: (0, 0) m; port d: (span, 0 m); }
-            body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5, 0) m; start angle: 90 deg, locked; start omega: 1 rad/s, locked; }
-            body bar    { mass: 1 kg; inertia: 0.1 kg*m^2; port b: (0, 0) m; port c: (coupler, 0 m); start y: 0.5 m; }
-            body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port d: (0, 0) m; port c: (1, 0) m; start x: 2 m; start angle: 90 deg; }
-            revolute a(ground.a, crank.a);
-            revolute b(crank.b, bar.b);
-            revolute c(bar.c, rocker.c);
-            revolute d(ground.d, rocker.d);
-        }
+scene! {
+    pub LoopOf {
+        param span: m = 2 m;
+        param coupler: m = 2 m;
+        ground { port a: (0, 0) m; port d: (span, 0 m); }
+        body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5, 0) m; start angle: 90 deg, locked; start omega: 1 rad/s, locked; }
+        body bar    { mass: 1 kg; inertia: 0.1 kg*m^2; port b: (0, 0) m; port c: (coupler, 0 m); start y: 0.5 m; }
+        body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port d: (0, 0) m; port c: (1, 0) m; start x: 2 m; start angle: 90 deg; }
+        revolute a(ground.a, crank.a);
+        revolute b(crank.b, bar.b);
+        revolute c(bar.c, rocker.c);
+        revolute d(ground.d, rocker.d);
     }
 }
 
-mod loop_absolute {
-    plm::mechanism! {
-        pub LoopAbsolute {
-            formulation: absolute;
-            param span: m = 2 m;
-            param coupler: m = 2 m;
-            ground { port a: (0, 0) m; port d: (span, 0 m); }
-            body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5, 0) m; start angle: 90 deg, locked; start omega: 1 rad/s, locked; }
-            body bar    { mass: 1 kg; inertia: 0.1 kg*m^2; port b: (0, 0) m; port c: (coupler, 0 m); start y: 0.5 m; }
-            body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port d: (0, 0) m; port c: (1, 0) m; start x: 2 m; start angle: 90 deg; }
-            revolute a(ground.a, crank.a);
-            revolute b(crank.b, bar.b);
-            revolute c(bar.c, rocker.c);
-            revolute d(ground.d, rocker.d);
-        }
+scene! {
+    pub LoopAbsolute {
+        formulation: absolute;
+        param span: m = 2 m;
+        param coupler: m = 2 m;
+        ground { port a: (0, 0) m; port d: (span, 0 m); }
+        body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5, 0) m; start angle: 90 deg, locked; start omega: 1 rad/s, locked; }
+        body bar    { mass: 1 kg; inertia: 0.1 kg*m^2; port b: (0, 0) m; port c: (coupler, 0 m); start y: 0.5 m; }
+        body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port d: (0, 0) m; port c: (1, 0) m; start x: 2 m; start angle: 90 deg; }
+        revolute a(ground.a, crank.a);
+        revolute b(crank.b, bar.b);
+        revolute c(bar.c, rocker.c);
+        revolute d(ground.d, rocker.d);
     }
 }
 
@@ -186,31 +183,28 @@ fn a_mass_that_cannot_be_is_told_at_the_start() {
 
 #[test]
 fn a_mass_inside_a_chain_is_told_by_its_body() {
-    use chain::Chain;
     for wrong in [-1.0, f64::INFINITY, f64::NEG_INFINITY] {
-        assert_eq!(refused((Chain { m2: wrong, ..Chain::new() }).start()), ("two", "mass"));
-        assert_eq!(refused((Chain { i2: wrong, ..Chain::new() }).start()), ("two", "inertia"));
-        assert_eq!(refused((Chain { give: wrong, ..Chain::new() }).start()), ("third", "compliance"));
-        assert_eq!(refused((Chain { lag: wrong, ..Chain::new() }).start()), ("third", "relaxation"));
+        assert_eq!(refused(Chain::new().with("m2", wrong).start()), ("two", "mass"));
+        assert_eq!(refused(Chain::new().with("i2", wrong).start()), ("two", "inertia"));
+        assert_eq!(refused(Chain::new().with("give", wrong).start()), ("third", "compliance"));
+        assert_eq!(refused(Chain::new().with("lag", wrong).start()), ("third", "relaxation"));
     }
-    assert_eq!(refused((Chain { give: 0.0, ..Chain::new() }).start()), ("third", "compliance"));
+    assert_eq!(refused(Chain::new().with("give", 0.0).start()), ("third", "compliance"));
     // Without relaxation there is no damping in the joint.
-    assert!((Chain { lag: 0.0, ..Chain::new() }).start().is_ok());
+    assert!(Chain::new().with("lag", 0.0).start().is_ok());
 }
 
 #[test]
 fn a_body_without_mass_is_carried_by_others_or_refused() {
-    use hung::Hung;
-    use hung_absolute::HungAbsolute;
     // The tip's weight turns the middle bar; with mass and inertia alike gone it is a link.
     for (m2, i2) in [(1.0, 0.0), (0.0, 0.1), (0.0, 0.0)] {
         let run = |m2: f64, i2: f64| {
-            let mut sim = (Hung { m2, i2, ..Hung::new() }).start_with(Dop853::new(1e-11)).unwrap();
+            let mut sim = Hung::new().with("m2", m2).with("i2", i2).start_with(Dop853::new(1e-11)).unwrap();
             let energy = sim.kinetic_energy() + sim.gravity_energy();
             sim.step(1.0).unwrap();
             let change = sim.kinetic_energy() + sim.gravity_energy() - energy;
             assert!(change.abs() < 1e-8, "{m2} kg, {i2} kg m^2: {change:e} J");
-            sim.three().angle
+            sim.state_of("three").angle
         };
         // The limit of small ones is the same motion.
         let (gone, small) = (run(m2, i2), run(m2.max(1e-9), i2.max(1e-9)));
@@ -223,15 +217,14 @@ fn a_body_without_mass_is_carried_by_others_or_refused() {
     // It never turns: any inertia is as good as another.
     assert!((slider::Slider { i1: 0.0, ..slider::Slider::new() }).start().is_ok());
     // Absolute coordinates divide by every mass.
-    assert_eq!(refused((HungAbsolute { m2: 0.0, ..HungAbsolute::new() }).start()), ("two", "mass"));
+    assert_eq!(refused(HungAbsolute::new().with("m2", 0.0).start()), ("two", "mass"));
 }
 
 #[test]
 fn a_length_that_is_not_a_number_is_told_at_the_start() {
-    use loop_of::LoopOf;
-    let told = (LoopOf { span: f64::NAN, ..LoopOf::new() }).start().err().unwrap();
+    let told = LoopOf::new().with("span", f64::NAN).start().err().unwrap();
     assert_eq!(told.to_string(), "t = 0 s: span: the parameter must be a number, found NaN m");
-    let told = (LoopOf { span: f64::INFINITY, ..LoopOf::new() }).start().err().unwrap();
+    let told = LoopOf::new().with("span", f64::INFINITY).start().err().unwrap();
     assert_eq!((told.part, told.cause), ("d", Cause::NotFinite), "{told}");
 }
 
@@ -259,98 +252,88 @@ fn a_parameter_is_looked_at_when_it_is_changed_while_it_runs() {
     assert!((sim.b().x - expected).abs() < 1e-9, "{} {expected}", sim.b().x);
 }
 
-/// How far a joint of the loop is open.
-macro_rules! gap {
-    ($sim:expr) => {{
-        let sim = &$sim;
-        let (bar, rocker) = (sim.bar(), sim.rocker());
-        let coupler = sim.mechanism.coupler;
-        let tip = (bar.x + coupler * bar.angle.cos(), bar.y + coupler * bar.angle.sin());
-        let end = (rocker.x + rocker.angle.cos(), rocker.y + rocker.angle.sin());
-        let crank = sim.crank();
-        let knee = (crank.x + 0.5 * crank.angle.cos(), crank.y + 0.5 * crank.angle.sin());
-        (tip.0 - end.0).hypot(tip.1 - end.1)
-            + (bar.x - knee.0).hypot(bar.y - knee.1)
-            + (rocker.x - sim.mechanism.span).hypot(rocker.y)
-    }};
+/// How far the joints of a loop of some lengths are open.
+fn gap(sim: &Sim<Scene>, span: f64, coupler: f64) -> f64 {
+    let [bar, rocker, crank] = ["bar", "rocker", "crank"].map(|body| sim.state_of(body));
+    let tip = (bar.x + coupler * bar.angle.cos(), bar.y + coupler * bar.angle.sin());
+    let end = (rocker.x + rocker.angle.cos(), rocker.y + rocker.angle.sin());
+    let knee = (crank.x + 0.5 * crank.angle.cos(), crank.y + 0.5 * crank.angle.sin());
+    (tip.0 - end.0).hypot(tip.1 - end.1)
+        + (bar.x - knee.0).hypot(bar.y - knee.1)
+        + (rocker.x - span).hypot(rocker.y)
 }
 
 /// Changes lengths of a loop in a run: those that it can have close it, the others end the run.
 macro_rules! changes_of_length {
-    ($name:ident, $mechanism:path) => {
+    ($name:ident, $mechanism:ident) => {
         #[test]
         fn $name() {
-            let mut sim = <$mechanism>::new().start_with(Dop853::new(1e-10)).unwrap();
+            let mut sim = $mechanism::new().start_with(Dop853::new(1e-10)).unwrap();
             sim.step(0.3).unwrap();
             for (span, coupler) in [(2.1, 2.0), (2.1, 2.2), (1.9, 1.7), (2.0, 2.0)] {
-                (sim.mechanism.span, sim.mechanism.coupler) = (span, coupler);
+                sim.set_parameter("span", span);
+                sim.set_parameter("coupler", coupler);
                 sim.step(0.05).unwrap();
-                assert!(gap!(sim) < 1e-8, "{span}, {coupler}: {:e}", gap!(sim));
+                let gap = gap(&sim, span, coupler);
+                assert!(gap < 1e-8, "{span}, {coupler}: {gap:e}");
             }
             assert_eq!(sim.stats().renewed, 4);
             let saved = sim.save();
             // Crank, coupler and rocker together do not reach that far.
-            sim.mechanism.span = 5.0;
+            sim.set_parameter("span", 5.0);
             assert!(sim.drift().phi > 0.1, "{:?}", sim.drift());
             for _ in 0..2 {
                 let told = sim.step(0.05).unwrap_err();
                 assert!(matches!(told.cause, Cause::Open { gap } if gap > 0.1), "{told}");
             }
             // As it was it goes on to the bit.
-            sim.mechanism.span = 2.0;
+            sim.set_parameter("span", 2.0);
             sim.step(0.05).unwrap();
-            let mended = sim.rocker();
+            let mended = sim.state_of("rocker");
             sim.resume(&saved);
             sim.step(0.05).unwrap();
-            let off = (mended.angle - sim.rocker().angle).abs();
+            let off = (mended.angle - sim.state_of("rocker").angle).abs();
             assert!(off < 1e-12, "{off:e}");
         }
     };
 }
 
-changes_of_length!(a_loop_in_closed_form_is_assembled_anew_by_new_lengths, loop_of::LoopOf);
-changes_of_length!(
-    a_loop_in_absolute_coordinates_is_assembled_anew_by_new_lengths,
-    loop_absolute::LoopAbsolute
-);
+changes_of_length!(a_loop_in_closed_form_is_assembled_anew_by_new_lengths, LoopOf);
+changes_of_length!(a_loop_in_absolute_coordinates_is_assembled_anew_by_new_lengths, LoopAbsolute);
 
 #[test]
 fn an_input_alone_assembles_nothing() {
-    let mut sim = chain::Chain::new().start().unwrap();
-    sim.mechanism.m2 = 1.0;
+    let mut sim = Chain::new().start().unwrap();
+    sim.set_parameter("m2", 1.0);
     sim.step(0.01).unwrap();
     assert_eq!(sim.stats().renewed, 0);
 }
 
-mod small {
-    plm::mechanism! {
-        /// A four-bar of any size, which the default says nothing of.
-        pub Sized {
-            param size: m = 1 m;
-            ground { port a: (0, 0) m; port d: (2*size, 0 m); }
-            body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5*size, 0 m); start angle: 80 deg, locked; start omega: 1 rad/s, locked; }
-            body bar    { mass: 1 kg; inertia: 0.1 kg*m^2; port b: (0, 0) m; port c: (2*size, 0 m); }
-            body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port d: (0, 0) m; port c: (size, 0 m); start angle: 90 deg; }
-            revolute a(ground.a, crank.a);
-            revolute b(crank.b, bar.b);
-            revolute c(bar.c, rocker.c);
-            revolute d(ground.d, rocker.d);
-        }
+scene! {
+    /// A four-bar of any size, which the default says nothing of.
+    pub AnySize {
+        param size: m = 1 m;
+        ground { port a: (0, 0) m; port d: (2*size, 0 m); }
+        body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5*size, 0 m); start angle: 80 deg, locked; start omega: 1 rad/s, locked; }
+        body bar    { mass: 1 kg; inertia: 0.1 kg*m^2; port b: (0, 0) m; port c: (2*size, 0 m); }
+        body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port d: (0, 0) m; port c: (size, 0 m); start angle: 90 deg; }
+        revolute a(ground.a, crank.a);
+        revolute b(crank.b, bar.b);
+        revolute c(bar.c, rocker.c);
+        revolute d(ground.d, rocker.d);
     }
 }
 
-mod huge {
-    plm::mechanism! {
-        pub Huge {
-            ground { port a: (0, 0) m; port d: (2e9, 0) m; }
-            body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5e9, 0) m; start angle: 80 deg, locked; start omega: 1 rad/s, locked; }
-            body bar    { mass: 1 kg; inertia: 0.1 kg*m^2; port b: (0, 0) m; port c: (2e9, 0) m; start x: 0.1e9 m; start y: 0.5e9 m; }
-            body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port d: (0, 0) m; port c: (1e9, 0) m; start x: 2e9 m; start angle: 90 deg; }
-            revolute a(ground.a, crank.a);
-            revolute b(crank.b, bar.b);
-            revolute c(bar.c, rocker.c);
-            revolute d(ground.d, rocker.d);
-        }
+scene! {
+    pub Huge {
+        ground { port a: (0, 0) m; port d: (2e9, 0) m; }
+        body crank  { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.5e9, 0) m; start angle: 80 deg, locked; start omega: 1 rad/s, locked; }
+        body bar    { mass: 1 kg; inertia: 0.1 kg*m^2; port b: (0, 0) m; port c: (2e9, 0) m; start x: 0.1e9 m; start y: 0.5e9 m; }
+        body rocker { mass: 1 kg; inertia: 0.1 kg*m^2; port d: (0, 0) m; port c: (1e9, 0) m; start x: 2e9 m; start angle: 90 deg; }
+        revolute a(ground.a, crank.a);
+        revolute b(crank.b, bar.b);
+        revolute c(bar.c, rocker.c);
+        revolute d(ground.d, rocker.d);
     }
 }
 
@@ -358,10 +341,12 @@ mod huge {
 fn gaps_are_measured_by_the_size_of_the_scene() {
     // Of the same loop in other units of length the angles and their rates are the same.
     let loop_of = |size: f64| {
-        let mut mechanism = small::Sized { size, ..small::Sized::new() };
-        let start = &mut mechanism.start;
-        (start.bar.x.value, start.bar.y.value, start.rocker.x.value) = (0.1 * size, 0.5 * size, 2.0 * size);
-        let found = mechanism.assemble().unwrap();
+        let mechanism = AnySize::new()
+            .with("size", size)
+            .with_start("bar.x", 0.1 * size)
+            .with_start("bar.y", 0.5 * size)
+            .with_start("rocker.x", 2.0 * size);
+        let found = absolute::assemble(&mechanism, 0.0).unwrap();
         (found.q, found.v)
     };
     let (q, v) = loop_of(1.0);
@@ -374,7 +359,7 @@ fn gaps_are_measured_by_the_size_of_the_scene() {
             assert!((speed[k] / unit - v[k]).abs() < 1e-6, "{size:e}: {k}: {} {}", speed[k] / unit, v[k]);
         }
     }
-    let mut sim = huge::Huge::new().start().unwrap();
+    let mut sim = Huge::new().start().unwrap();
     sim.step(1.0).unwrap();
     assert!(sim.drift().phi < 1e-10 * 2e9, "{:?}", sim.drift());
 }
