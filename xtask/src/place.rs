@@ -21,7 +21,7 @@ pub(crate) struct Place {
     pub(crate) root: PathBuf,
     /// Where cargo builds.
     pub(crate) target: PathBuf,
-    /// This program. Its file is replaced where a stage builds it anew, and the system names the old one no more.
+    /// This program, by its path at the start: once a stage has built it anew, Linux calls the file that runs deleted.
     pub(crate) program: PathBuf,
     /// Variables that are set, the last of a name counts, and those that are taken away.
     variables: Vec<(String, Option<OsString>)>,
