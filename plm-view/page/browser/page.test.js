@@ -161,7 +161,7 @@ test("the address keeps what is shown, and a link shows it", { skip }, async () 
 test("narrow and wide, light and dark, everything has its place", { skip }, async () => {
   const views = { front: "", isometric: "&view=-45,35.26439,230,0.8,0.3,0" };
   for (const [name, hash] of [["pendulum", "#t=0.4"], ["workshop", "#t=0.6&forces=1"], ["batch", "#t=1&layout=overlay&tab=runs"], ["fault", "#t=2&select=body:2&tab=objects"]]) {
-    for (const [width, height] of [[1200, 800], [400, 800]]) {
+    for (const [width, height] of [[1200, 800], [800, 600], [400, 800]]) {
       for (const theme of ["light", "dark"]) {
         const { page, errors } = await open(addresses[name], { width, height, theme, hash });
         const where = `${name} ${width} ${theme}`;
