@@ -1,5 +1,7 @@
 //! Lines of a declaration in messages that have no place of their own: faults of a run, and what a run has no room for.
 
+use std::ops::Range;
+
 use plm_compiler::diag::Diagnostics;
 use plm_compiler::syntax::ast::all_items;
 use plm_compiler::syntax::parse;
@@ -19,8 +21,28 @@ pub(crate) fn too_large(refused: &Refused, severity: &str, file: &File) -> Strin
     )
 }
 
-/// The line of the declaration in which a part has its name, with the place of it; nothing of a part that stands in no line of it.
+/// The line of the declaration in which a part has its name, or in which a condition is written, with the place of it; nothing of what
+/// stands in no line of it.
 pub(crate) fn quote(part: &str, file: &File) -> Option<String> {
+    let is_name = |letter: char| letter.is_alphanumeric() || "_.[]".contains(letter);
+    let place = if part.chars().all(is_name) { named(part, file)? } else { written(part, &file.text)? };
+    let start = file.text[..place.start].rfind('\n').map_or(0, |end| end + 1);
+    let line = file.text[start..].lines().next()?;
+    let length = file.text[place.clone()].lines().next()?.chars().count();
+    let (number, column) =
+        (file.text[..start].matches('\n').count() + 1, file.text[start..place.start].chars().count());
+    let margin = " ".repeat(number.to_string().len());
+    Some(format!(
+        "{margin}--> {}:{number}:{}\n{margin} |\n{number} | {line}\n{margin} | {}{}\n",
+        file.name,
+        column + 1,
+        " ".repeat(column),
+        "^".repeat(length),
+    ))
+}
+
+/// The place of a part's name.
+fn named(part: &str, file: &File) -> Option<Range<usize>> {
     let name = part.split(['.', '[']).next().filter(|name| !name.is_empty())?;
     let mut sources = Sources::new();
     let id = sources.add_text(&file.name, &file.text);
@@ -32,18 +54,20 @@ pub(crate) fn quote(part: &str, file: &File) -> Option<String> {
         let head = file.text[range.clone()].split(['(', '{', ';', '=']).next()?;
         word(head, name).map(|at| range.start + at)
     })?;
-    let start = file.text[..at].rfind('\n').map_or(0, |end| end + 1);
-    let line = file.text[start..].lines().next()?;
-    let (number, column) =
-        (file.text[..start].matches('\n').count() + 1, file.text[start..at].chars().count());
-    let margin = " ".repeat(number.to_string().len());
-    Some(format!(
-        "{margin}--> {}:{number}:{}\n{margin} |\n{number} | {line}\n{margin} | {}{}\n",
-        file.name,
-        column + 1,
-        " ".repeat(column),
-        "^".repeat(name.chars().count()),
-    ))
+    Some(at..at + name.len())
+}
+
+/// The place of an expression, whatever the blanks in it.
+fn written(expression: &str, text: &str) -> Option<Range<usize>> {
+    let (mut dense, mut places) = (String::new(), Vec::new());
+    for (at, letter) in text.char_indices().filter(|(_, letter)| !letter.is_whitespace()) {
+        places.resize(dense.len() + letter.len_utf8(), at);
+        dense.push(letter);
+    }
+    let wanted: String = expression.split_whitespace().collect();
+    let at = dense.find(&wanted)?;
+    let (first, last) = (*places.get(at)?, *places.get(at + wanted.len() - 1)?);
+    Some(first..last + text[last..].chars().next()?.len_utf8())
 }
 
 /// Where a whole word stands first in a text.

@@ -175,6 +175,29 @@ fn a_fault_has_the_line_of_its_part() {
     assert!(said.code == 1 && said.errors.ends_with(expected), "{}", said.errors);
 }
 
+#[test]
+fn a_fault_of_conditions_has_the_line_that_they_stand_in() {
+    let text = "pub Ball {\n    gravity: 9.81 m/s^2;\n    ground { port o: (0, 0) m; }\n    \
+                body ball { mass: 1 kg; inertia: 0.1 kg*m^2; start y: 1 m; }\n    \
+                when ball.y<0 m and ball.vy < 0 m/s { ball.vy = -0.5*ball.vy; }\n    output ball.y;\n}\n";
+    let said = plm(&["run", "-", "--until", "5"], text);
+    // Bounces of half the speed end after three times the first fall, by nine digits.
+    let end = 3.0 * (2.0_f64 / 9.81).sqrt();
+    assert!(said.code == 1 && said.errors.starts_with(&format!("plm: t = {end:.5}")), "{said:?}");
+    let time = said.errors.split(' ').nth(3).unwrap();
+    assert!(
+        time.len() <= "1.35457092".len() && said.errors.contains("times within 2e-6 s, by"),
+        "{}",
+        said.errors
+    );
+    let condition = "ball.y<0 m and ball.vy < 0 m/s";
+    let place = format!(
+        " --> <stdin>:5:10\n  |\n5 |     when {condition} {{ ball.vy = -0.5*ball.vy; }}\n  |          {}\n",
+        "^".repeat(condition.len())
+    );
+    assert!(said.errors.ends_with(&place), "{}", said.errors);
+}
+
 /// A wheel of seven spokes has fourteen rows, and twelve have room in a run of a text.
 #[test]
 fn what_has_no_room_is_told_with_its_place() {

@@ -88,7 +88,7 @@ impl fmt::Display for Cause {
             Self::Zeno { events, within, conditions } => {
                 match events {
                     0 => f.write_str("at rest where events without end throw it back")?,
-                    _ => write!(f, "switches without end: {events} times within {within:e} s")?,
+                    _ => write!(f, "switches without end: {events} times within {within:.0e} s")?,
                 }
                 for (i, condition) in conditions.iter().enumerate() {
                     write!(f, "{} `{condition}`", if i == 0 { ", by" } else { " and" })?;

@@ -14,9 +14,17 @@ use crate::read::File;
 
 /// Tells of a run that has ended.
 pub(super) fn ended(fault: &Fault, file: &File, to: &mut dyn Write) -> io::Result<()> {
-    let text = in_unit(&fault.to_string(), fault.part, file);
+    let text = in_unit(&rounded(fault), fault.part, file);
     writeln!(to, "plm: {text}")?;
     quote(fault.part, file).map_or(Ok(()), |quote| write!(to, "{quote}"))
+}
+
+/// The text of a fault, its time with nine digits: what happens is looked for by them, and the results have all.
+fn rounded(fault: &Fault) -> String {
+    let text = fault.to_string();
+    let short = format!("{:.8e}", fault.time).parse().unwrap_or(fault.time);
+    text.strip_prefix(&format!("t = {} s", fault.time))
+        .map_or(text.clone(), |rest| format!("t = {short} s{rest}"))
 }
 
 /// Tells of a start that fails: as the compiler tells it of a declaration in which these values of parameters, and the defaults of all
