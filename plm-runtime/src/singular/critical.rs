@@ -50,7 +50,7 @@ pub(super) struct Rows<
     pub(super) system: &'m M,
     extended: &'m M::Extended,
     length: M::S,
-    /// Rows that say something: the others repeat what they say at every pose, and elimination leaves them out.
+    /// Rows that say something: the others repeat what they say at every pose, and elimination leaves them out, or they are room.
     kept: [bool; NC],
 }
 
@@ -74,7 +74,8 @@ impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, con
     }
 
     fn of(system: &'m M, extended: &'m M::Extended) -> Self {
-        Self { system, extended, length: system.length(), kept: [true; NC] }
+        let rows = system.layout().rows.len();
+        Self { system, extended, length: system.length(), kept: core::array::from_fn(|r| r < rows) }
     }
 
     /// Leaves out the rows that repeat others at the pose `q`: those that elimination leaves out there, of which a residual moves
@@ -85,7 +86,7 @@ impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, con
         let mut combined = Combined::nothing();
         let repeats = self.combined(t, &pose, &mut combined).is_some() && combined.repeats();
         if repeats {
-            for k in 0..NC {
+            for k in 0..self.system.layout().rows.len() {
                 let r = Vector::from_fn(|r| DoubleDouble::lit(if r == k { 1.0 } else { 0.0 }));
                 let mut dq = [DoubleDouble::ZERO; NQ];
                 self.extended.min_norm(DoubleDouble::of(t), q, &[DoubleDouble::lit(1.0); NQ], &r, &mut dq);
@@ -127,7 +128,12 @@ impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, con
 
     /// Are there rows that repeat others?
     pub(super) fn repeat(&self) -> bool {
-        self.kept.contains(&false)
+        self.kept.iter().take(self.system.layout().rows.len()).any(|kept| !kept)
+    }
+
+    /// Coordinates of bodies; behind them is room.
+    fn coordinates(&self) -> usize {
+        self.system.layout().coordinates.len()
     }
 
     /// The unit of a coordinate.
@@ -228,7 +234,7 @@ impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, con
         let mut normal = [[M::S::ZERO; NQ]; NQ];
         let mut sides = [[M::S::ZERO]; NQ];
         for (lambda, gradient) in combined.vanishing() {
-            for (along, value) in (0..NQ).zip(gradient) {
+            for (along, value) in (0..self.coordinates()).zip(gradient) {
                 let bend = self.curvature((t, q), (combined, lambda), along);
                 for ((row, side), entry) in normal.iter_mut().zip(&mut sides).zip(&bend) {
                     add(row, *entry, &bend);
@@ -282,7 +288,7 @@ impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, con
         lambda: &[M::S; NC],
     ) -> bool {
         let (mut hessian, mut nothing) = ([[M::S::ZERO; NQ]; NQ], [[M::S::ZERO]; NQ]);
-        for (along, row) in hessian.iter_mut().enumerate() {
+        for (along, row) in hessian.iter_mut().enumerate().take(self.coordinates()) {
             *row = self.curvature((t, q), (combined, lambda), along);
         }
         let Some(curvatures) = rotate(&mut hessian, &mut nothing) else { return false };
@@ -342,7 +348,7 @@ impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, con
             }
         });
         let h = DIFFERENCE.of::<M::S>();
-        for i in (0..NQ).filter(|i| i % 3 == 2) {
+        for i in (0..self.coordinates()).filter(|i| i % 3 == 2) {
             let mut bends = [M::S::ZERO; NC];
             for h in [h, -h] {
                 let mut beside = *q;
