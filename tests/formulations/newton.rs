@@ -166,7 +166,8 @@ fn fixed_steps_are_divided_where_a_group_turns_sharply() {
         energies.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max) / energies[0]
     };
     let [coarse, fine] = [1e-3, 2.5e-4].map(lost);
-    assert!(coarse < 1e-5 && fine < coarse / 30.0, "{coarse:e} {fine:e}");
+    // Shorter steps lose less, down to what the steps over the poses themselves leave.
+    assert!(coarse < 1e-6 && fine < coarse && fine < 3e-8, "{coarse:e} {fine:e}");
 }
 
 /// What counts as closed depends on the arithmetic.

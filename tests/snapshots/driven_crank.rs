@@ -521,8 +521,8 @@ mod plm_driven_crank_ {
             }
 
             #[inline]
-            fn crossed(&self, held: &Self::U, before: &Self::X, x: &Self::X) -> S {
-                rt::charts::crossed(self, held, before, x)
+            fn crossed(&self, held: &Self::U, dt: S, ends: [&Self::X; 2]) -> S {
+                rt::charts::crossed(self, held, dt, ends)
             }
 
             fn is_near(held: &Self::U) -> bool {

@@ -14,7 +14,7 @@ mod plm_plate_on_three_pins_ {
     /// Chart 0: none; then explicit crank[0].angle; explicit crank[1].angle; explicit crank[2].angle; Newton of 4 unknowns in 3 steps: plate.angle, slot[0].displacement, slot[1].displacement, slot[2].displacement.
     /// State: 0 numbers, 0 bytes in f64.
     /// A solution by rank, where one is needed: 2304 bytes of stack in f64.
-    /// One right-hand side: 182 add, 271 mul, 7 div, 18 neg, 6 sin_cos, 2 select.
+    /// One right-hand side: 183 add, 273 mul, 7 div, 18 neg, 6 sin_cos, 2 select.
     ///
     /// | row | constraint | equation | unit |
     /// |----:|------------|----------|------|
@@ -124,7 +124,7 @@ mod plm_plate_on_three_pins_ {
         pub const NDOF: isize = 0;
         /// Operations of one evaluation of the right-hand side.
         pub const OPERATIONS: Operations =
-            Operations { add: 200, mul: 271, div: 7, sqrt: 0, sin_cos: 6, other: 2 };
+            Operations { add: 201, mul: 273, div: 7, sqrt: 0, sin_cos: 6, other: 2 };
         impl<S: Real> State<S> {
             /// Time, s.
             pub fn time(&self) -> S {
@@ -826,10 +826,11 @@ mod plm_plate_on_three_pins_ {
                 let j_0_across_1_0 = (-arm_1_4_x).mul_add(t44, arm_1_4_y * t46);
                 let j_0_determinant =
                     (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_1_1);
-                let t47 = j_0_determinant * j_0_determinant
-                    / (j_0_across_1_0.mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_0_0)
-                        * j_0_across_1_1.mul_add(j_0_across_1_1, j_0_across_0_1 * j_0_across_0_1));
-                [Two::<S>::select(t40, t47, lit(-1.0))]
+                let t47 = by(1.9999999999999996).mul_add(
+                    j_0_across_0_0.mul_add(j_0_across_0_0, j_0_across_1_0 * j_0_across_1_0),
+                    by(0.32) * j_0_across_0_1.mul_add(j_0_across_0_1, j_0_across_1_1 * j_0_across_1_1),
+                );
+                [Two::<S>::select(t40, by(2.0) * j_0_determinant * j_0_determinant / t47, lit(-1.0))]
             }
 
             /// The rate in one of two stages, at its pose.
@@ -936,8 +937,8 @@ mod plm_plate_on_three_pins_ {
             }
 
             #[inline]
-            fn crossed(&self, held: &Self::U, before: &Self::X, x: &Self::X) -> S {
-                rt::charts::crossed(self, held, before, x)
+            fn crossed(&self, held: &Self::U, dt: S, ends: [&Self::X; 2]) -> S {
+                rt::charts::crossed(self, held, dt, ends)
             }
 
             fn is_near(held: &Self::U) -> bool {
@@ -3094,7 +3095,7 @@ mod plm_plate_on_three_pins_ {
             /// The right-hand side in the coordinates .
             /// Returns the smallest square of a dyad's measure.
             ///
-            /// 182 add, 271 mul, 7 div, 18 neg, 6 sin_cos, 2 select.
+            /// 183 add, 273 mul, 7 div, 18 neg, 6 sin_cos, 2 select.
             #[inline(always)]
             fn motion_0(
                 &self,
@@ -3369,15 +3370,16 @@ mod plm_plate_on_three_pins_ {
                 let j_0_across_1_0 = (-arm_1_4_x).mul_add(t44, arm_1_4_y * t46);
                 let j_0_determinant =
                     (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_1_1);
-                let t47 = j_0_determinant * j_0_determinant
-                    / (j_0_across_1_0.mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_0_0)
-                        * j_0_across_1_1.mul_add(j_0_across_1_1, j_0_across_0_1 * j_0_across_0_1));
-                S::select(t40, t47, lit(-1.0))
+                let t47 = by(1.9999999999999996).mul_add(
+                    j_0_across_0_0.mul_add(j_0_across_0_0, j_0_across_1_0 * j_0_across_1_0),
+                    by(0.32) * j_0_across_0_1.mul_add(j_0_across_0_1, j_0_across_1_1 * j_0_across_1_1),
+                );
+                S::select(t40, by(2.0) * j_0_determinant * j_0_determinant / t47, lit(-1.0))
             }
 
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
             ///
-            /// 211 add, 328 mul, 8 div, 21 neg, 6 sin_cos, 2 select, 1 other.
+            /// 212 add, 330 mul, 8 div, 21 neg, 6 sin_cos, 2 select, 1 other.
             fn pose_0(
                 &self,
                 t: S,
@@ -3726,10 +3728,11 @@ mod plm_plate_on_three_pins_ {
                 let t62 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
                     .lt(by(2684354.5600000005) * precision * precision);
-                let t63 = j_0_determinant * j_0_determinant
-                    / (j_0_across_1_1.mul_add(j_0_across_1_1, j_0_across_0_1 * j_0_across_0_1)
-                        * j_0_across_1_0.mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_0_0));
-                S::select(t62, t63, lit(-1.0))
+                let t63 = by(1.9999999999999996).mul_add(
+                    j_0_across_1_0.mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_0_0),
+                    by(0.32) * j_0_across_0_1.mul_add(j_0_across_0_1, j_0_across_1_1 * j_0_across_1_1),
+                );
+                S::select(t62, by(2.0) * j_0_determinant * j_0_determinant / t63, lit(-1.0))
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
@@ -3737,7 +3740,7 @@ mod plm_plate_on_three_pins_ {
 
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
-            /// 203 add, 330 mul, 10 div, 21 neg, 1 sqrt, 7 sin_cos, 10 select, 1 other.
+            /// 204 add, 332 mul, 10 div, 21 neg, 1 sqrt, 7 sin_cos, 10 select, 1 other.
             fn remember_0(
                 &self,
                 t: S,
@@ -4033,10 +4036,11 @@ mod plm_plate_on_three_pins_ {
                 let t58 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
                     .lt(by(2684354.5600000005) * precision * precision);
-                let t59 = j_0_determinant * j_0_determinant
-                    / (j_0_across_1_0.mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_0_0)
-                        * j_0_across_1_1.mul_add(j_0_across_1_1, j_0_across_0_1 * j_0_across_0_1));
-                let t60 = S::select(t58, t59, lit(-1.0));
+                let t59 = by(1.9999999999999996).mul_add(
+                    j_0_across_0_0.mul_add(j_0_across_0_0, j_0_across_1_0 * j_0_across_1_0),
+                    by(0.32) * j_0_across_0_1.mul_add(j_0_across_0_1, j_0_across_1_1 * j_0_across_1_1),
+                );
+                let t60 = S::select(t58, by(2.0) * j_0_determinant * j_0_determinant / t59, lit(-1.0));
                 let t61 = t60.sqrt();
                 let t62 = by(1.0) / t61;
                 let j_0_time_rate_1 = j_0_time_rate_across_1.mul_add(
@@ -4097,7 +4101,7 @@ mod plm_plate_on_three_pins_ {
 
             /// The same of a pose and velocity.
             ///
-            /// 84 add, 105 mul, 1 div, 2 neg, 1 sqrt, 4 sin_cos.
+            /// 85 add, 107 mul, 1 div, 2 neg, 1 sqrt, 4 sin_cos.
             #[cold]
             fn remember_pose_0(
                 &self,
@@ -4133,122 +4137,124 @@ mod plm_plate_on_three_pins_ {
                 let t1 =
                     by(0.8191520442889918).mul_add(sin_plate_angle, by(0.573576436351046) * cos_plate_angle);
                 let t2 =
-                    by(0.6427876096865393).mul_add(sin_plate_angle, by(0.766044443118978) * cos_plate_angle);
+                    by(0.984807753012208).mul_add(sin_plate_angle, by(0.17364817766693033) * cos_plate_angle);
                 let t3 =
                     by(-0.573576436351046).mul_add(sin_plate_angle, by(0.8191520442889918) * cos_plate_angle);
-                let t4 =
-                    by(-0.766044443118978).mul_add(sin_plate_angle, by(0.6427876096865393) * cos_plate_angle);
-                let j_0_across_0_1 = t3.mul_add(t4, t1 * t2);
-                let t5 =
-                    by(0.984807753012208).mul_add(sin_plate_angle, by(0.17364817766693033) * cos_plate_angle);
-                let t6 = by(-0.17364817766693033)
+                let t4 = by(-0.17364817766693033)
                     .mul_add(sin_plate_angle, by(0.984807753012208) * cos_plate_angle);
-                let j_0_across_1_1 = t3.mul_add(t6, t1 * t5);
+                let j_0_across_1_1 = t3.mul_add(t4, t1 * t2);
+                let t5 =
+                    by(0.6427876096865393).mul_add(sin_plate_angle, by(0.766044443118978) * cos_plate_angle);
                 let crank_0_x = q[0];
                 let plate_x = q[9];
-                let t7 = by(0.3).mul_add(sin_plate_angle, plate_x);
-                let t8 = by(0.4) * cos_plate_angle;
-                let t9 = by(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t8 - t7;
+                let t6 = by(0.3).mul_add(sin_plate_angle, plate_x);
+                let t7 = by(0.4) * cos_plate_angle;
+                let t8 = by(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t7 - t6;
                 let crank_0_y = q[1];
                 let plate_y = q[10];
-                let t10 = by(-0.3).mul_add(cos_plate_angle, plate_y);
-                let t11 = by(0.4) * sin_plate_angle;
-                let t12 = by(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t11 - t10;
-                let t13 = t1.mul_add(t12, t3 * t9);
+                let t9 = by(-0.3).mul_add(cos_plate_angle, plate_y);
+                let t10 = by(0.4) * sin_plate_angle;
+                let t11 = by(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t10 - t9;
+                let t12 = t1.mul_add(t11, t3 * t8);
                 let crank_1_x = q[3];
-                let t14 = by(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t8 - t7;
-                let t15 = t2 * t14;
+                let t13 = by(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t7 - t6;
+                let t14 = t5 * t13;
+                let t15 =
+                    by(-0.766044443118978).mul_add(sin_plate_angle, by(0.6427876096865393) * cos_plate_angle);
                 let crank_1_y = q[4];
-                let t16 = by(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t11 - t10;
-                let t17 = t4 * t16;
-                let t18 = by(0.8191520442889918) * t13;
+                let t16 = by(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t10 - t9;
+                let t17 = t15 * t16;
+                let t18 = by(0.8191520442889918) * t12;
                 let t19 =
-                    by(-0.766044443118978).mul_add(by(0.9999999999999999).mul_add(t15, -t17), t18) - lit(0.8);
-                let t20 = t15 - t17;
-                let t21 = by(0.573576436351046) * t13;
+                    by(-0.766044443118978).mul_add(by(0.9999999999999999).mul_add(t14, -t17), t18) - lit(0.8);
+                let t20 = t14 - t17;
+                let t21 = by(0.573576436351046) * t12;
                 let t22 = by(0.6427876096865393).mul_add(t20, t21);
-                let j_0_across_0_0 = (-t2).mul_add(
+                let j_0_across_0_0 = (-t5).mul_add(
                     (-cos_plate_angle).mul_add(t19, sin_plate_angle * t22),
-                    t4 * -cos_plate_angle.mul_add(t22, sin_plate_angle * t19),
+                    t15 * -cos_plate_angle.mul_add(t22, sin_plate_angle * t19),
                 );
+                let j_0_across_0_1 = t3.mul_add(t15, t1 * t5);
                 let crank_2_x = q[6];
-                let t23 = by(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t11;
-                let t24 = t5 * t23;
+                let t23 = by(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t10;
+                let t24 = t2 * t23;
                 let crank_2_y = q[7];
-                let t25 = by(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t8;
-                let t26 = t6 * t25;
+                let t25 = by(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t7;
+                let t26 = t4 * t25;
                 let t27 = by(-0.17364817766693033).mul_add(by(0.9999999999999999).mul_add(t24, -t26), t18)
                     - lit(0.4);
                 let t28 = t24 - t26;
                 let t29 = by(0.984807753012208).mul_add(t28, t21) - lit(0.7);
-                let j_0_across_1_0 = (-t5).mul_add(
+                let j_0_across_1_0 = (-t2).mul_add(
                     (-cos_plate_angle).mul_add(t27, sin_plate_angle * t29),
-                    t6 * -cos_plate_angle.mul_add(t29, sin_plate_angle * t27),
+                    t4 * -cos_plate_angle.mul_add(t29, sin_plate_angle * t27),
                 );
                 let j_0_determinant =
                     (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_1_1 * j_0_across_0_0);
-                let t30 = j_0_determinant * j_0_determinant
-                    / (j_0_across_1_1.mul_add(j_0_across_1_1, j_0_across_0_1 * j_0_across_0_1)
-                        * j_0_across_1_0.mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_0_0));
-                memory.determinants[0] = t30.sqrt();
+                let t30 = by(1.9999999999999996).mul_add(
+                    j_0_across_0_0.mul_add(j_0_across_0_0, j_0_across_1_0 * j_0_across_1_0),
+                    by(0.32) * j_0_across_0_1.mul_add(j_0_across_0_1, j_0_across_1_1 * j_0_across_1_1),
+                );
+                let t31 = by(2.0) * j_0_determinant * j_0_determinant / t30;
+                memory.determinants[0] = t31.sqrt();
                 memory.iterated[0].value = plate_angle;
                 let plate_omega = v[11];
                 memory.iterated[0].rate = plate_omega;
                 memory.iterated[0].bend = lit(0.0);
-                memory.iterated[1].value = by(2.5) * t13;
-                let t31 = plate_omega * sin_plate_angle;
-                let t32 = plate_omega * cos_plate_angle;
+                memory.iterated[1].value = by(2.5) * t12;
+                let t32 = plate_omega * sin_plate_angle;
+                let t33 = plate_omega * cos_plate_angle;
                 let crank_0_vx = v[0];
                 let crank_0_omega = v[2];
                 let plate_vx = v[9];
-                let t33 = by(0.3).mul_add(t32, plate_vx);
-                let t34 = by(0.1) * crank_0_omega;
-                let t35 = by(0.4) * t31;
+                let t34 = by(0.3).mul_add(t33, plate_vx);
+                let t35 = by(0.1) * crank_0_omega;
+                let t36 = by(0.4) * t32;
                 let crank_0_vy = v[1];
                 let plate_vy = v[10];
-                let t36 = by(0.3).mul_add(t31, plate_vy);
-                let t37 = by(0.4) * t32;
-                let t38 = (-t3).mul_add(
-                    (-t34).mul_add(sin_crank_0_angle, crank_0_vx) - t35 - t33,
-                    by(0.573576436351046).mul_add(t32, by(0.8191520442889918) * t31) * t9,
+                let t37 = by(0.3).mul_add(t32, plate_vy);
+                let t38 = by(0.4) * t33;
+                let t39 = (-t3).mul_add(
+                    (-t35).mul_add(sin_crank_0_angle, crank_0_vx) - t36 - t34,
+                    by(0.573576436351046).mul_add(t33, by(0.8191520442889918) * t32) * t8,
                 );
-                let t39 = (-t1).mul_add(
-                    t34.mul_add(cos_crank_0_angle, crank_0_vy) + t37 - t36,
-                    by(-0.8191520442889918).mul_add(t32, by(0.573576436351046) * t31).mul_add(t12, t38),
+                let t40 = (-t1).mul_add(
+                    t35.mul_add(cos_crank_0_angle, crank_0_vy) + t38 - t37,
+                    by(-0.8191520442889918).mul_add(t33, by(0.573576436351046) * t32).mul_add(t11, t39),
                 );
-                memory.iterated[1].rate = by(-2.5) * t39;
+                memory.iterated[1].rate = by(-2.5) * t40;
                 memory.iterated[1].bend = lit(0.0);
                 memory.iterated[2].value = by(-2.5) * t20;
                 let crank_1_vx = v[3];
                 let crank_1_omega = v[5];
-                let t40 = by(0.1) * crank_1_omega;
+                let t41 = by(0.1) * crank_1_omega;
                 let crank_1_vy = v[4];
-                let t41 = (-t2).mul_add(
-                    (-t40).mul_add(sin_crank_1_angle, crank_1_vx + t35) - t33,
-                    by(-0.6427876096865393).mul_add(t32, by(0.766044443118978) * t31) * t14,
+                let t42 = (-t5).mul_add(
+                    (-t41).mul_add(sin_crank_1_angle, crank_1_vx + t36) - t34,
+                    by(-0.6427876096865393).mul_add(t33, by(0.766044443118978) * t32) * t13,
                 );
-                let t42 = t4.mul_add(
-                    t40.mul_add(cos_crank_1_angle, crank_1_vy - t37) - t36,
-                    (-by(0.766044443118978).mul_add(t32, by(0.6427876096865393) * t31)).mul_add(t16, t41),
+                let t43 = t15.mul_add(
+                    t41.mul_add(cos_crank_1_angle, crank_1_vy - t38) - t37,
+                    (-by(0.766044443118978).mul_add(t33, by(0.6427876096865393) * t32)).mul_add(t16, t42),
                 );
-                memory.iterated[2].rate = by(2.5) * t42;
+                memory.iterated[2].rate = by(2.5) * t43;
                 memory.iterated[2].bend = lit(0.0);
                 memory.iterated[3].value = by(-2.5) * t28;
                 let crank_2_vx = v[6];
                 let crank_2_omega = v[8];
-                let t43 = by(0.1) * crank_2_omega;
+                let t44 = by(0.1) * crank_2_omega;
                 let crank_2_vy = v[7];
-                let t44 = (-t5).mul_add(
-                    (-t43).mul_add(sin_crank_2_angle, crank_2_vx - plate_vx + t37),
-                    t23 * by(-0.984807753012208).mul_add(t32, by(0.17364817766693033) * t31),
+                let t45 = (-t2).mul_add(
+                    (-t44).mul_add(sin_crank_2_angle, crank_2_vx - plate_vx + t38),
+                    t23 * by(-0.984807753012208).mul_add(t33, by(0.17364817766693033) * t32),
                 );
-                let t45 = t6.mul_add(
-                    t43.mul_add(cos_crank_2_angle, crank_2_vy - plate_vy + t35),
-                    (-t25).mul_add(by(0.17364817766693033).mul_add(t32, by(0.984807753012208) * t31), t44),
+                let t46 = t4.mul_add(
+                    t44.mul_add(cos_crank_2_angle, crank_2_vy - plate_vy + t36),
+                    (-t25).mul_add(by(0.17364817766693033).mul_add(t33, by(0.984807753012208) * t32), t45),
                 );
-                memory.iterated[3].rate = by(2.5) * t45;
+                memory.iterated[3].rate = by(2.5) * t46;
                 memory.iterated[3].bend = lit(0.0);
-                t30
+                t31
             }
         }
     }

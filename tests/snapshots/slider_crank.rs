@@ -468,7 +468,7 @@ mod plm_slider_crank_ {
                 false
             }
 
-            fn crossed(&self, _held: &Self::U, _before: &Self::X, _x: &Self::X) -> S {
+            fn crossed(&self, _held: &Self::U, _dt: S, _ends: [&Self::X; 2]) -> S {
                 S::lit(0.0)
             }
 

@@ -49,8 +49,8 @@ impl<
         self.model.lowered.may_be_singular
     }
 
-    fn crossed(&self, held: &Self::U, before: &[S; N], x: &[S; N]) -> S {
-        if Dynamic::is_charted(self) { charts::crossed(self, held, before, x) } else { S::ZERO }
+    fn crossed(&self, held: &Self::U, dt: S, ends: [&[S; N]; 2]) -> S {
+        if Dynamic::is_charted(self) { charts::crossed(self, held, dt, ends) } else { S::ZERO }
     }
 
     fn is_near(held: &Self::U) -> bool {

@@ -49,6 +49,8 @@ pub fn are_short<M: Charted, T: Scalar, X: Vector<T>>(
     continuation.coordinates().iter().enumerate().fold(one, |short, (k, &Reach { reach, .. })| {
         let moved = (x.at(k) - before.at(k)).abs();
         let if_tight = T::select(moved.lt(T::lit(SURELY.get() * LONG.get()) * reach), short, zero);
+        // One that turns back is looked at by itself.
+        let if_tight = T::select((before.at(M::NQ + k) * x.at(M::NQ + k)).lt(zero), zero, if_tight);
         T::select(reach.lt(T::lit(tight() / M::NQ as f64) * typical.at(k)), if_tight, short)
     })
 }

@@ -77,8 +77,8 @@ pub trait ExtendedPrecision<const NQ: usize, const NC: usize, const NX: usize>:
         true
     }
 
-    /// How long a step from `before` to `x` is beside the turn next to a flat pose, [`charts::crossed`](crate::charts::crossed).
-    fn crossed(&self, held: &Self::U, before: &Self::X, x: &Self::X) -> Self::S;
+    /// How long a step is beside the turn next to a flat pose, [`charts::crossed`](crate::charts::crossed).
+    fn crossed(&self, held: &Self::U, dt: Self::S, ends: [&Self::X; 2]) -> Self::S;
 
     /// Is the mechanism held without a chart?
     fn is_near(held: &Self::U) -> bool;

@@ -51,7 +51,7 @@ fn crossed<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, c
     step: &Step<'_, M>,
 ) -> M::S {
     if step.system.is_charted() {
-        step.system.crossed(step.held, step.from.1, step.to.1)
+        step.system.crossed(step.held, step.to.0 - step.from.0, [step.from.1, step.to.1])
     } else {
         M::S::lit(1.0 / BOX.get()) * turned(step)
     }

@@ -72,7 +72,7 @@ fn alone() -> TokenStream {
         fn is_charted(&self) -> bool {
             false
         }
-        fn crossed(&self, _held: &Self::U, _before: &Self::X, _x: &Self::X) -> S {
+        fn crossed(&self, _held: &Self::U, _dt: S, _ends: [&Self::X; 2]) -> S {
             S::lit(0.0)
         }
         fn is_near(_held: &Self::U) -> bool {
@@ -99,8 +99,8 @@ fn charted(emission: &Emission) -> TokenStream {
             true
         }
         #[inline]
-        fn crossed(&self, held: &Self::U, before: &Self::X, x: &Self::X) -> S {
-            rt::charts::crossed(self, held, before, x)
+        fn crossed(&self, held: &Self::U, dt: S, ends: [&Self::X; 2]) -> S {
+            rt::charts::crossed(self, held, dt, ends)
         }
         fn is_near(held: &Self::U) -> bool {
             rt::charts::is_free::<Self>(held)

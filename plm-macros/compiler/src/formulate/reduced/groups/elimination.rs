@@ -8,7 +8,7 @@
 
 use crate::collect::{CollectVec, MapEach};
 use crate::sorted::sort_by_key;
-use plm_cas::algebra::dot;
+use plm_cas::algebra::{self, dot};
 use plm_cas::{Expr, Vec2};
 
 /// Which unknown each loop gives. Loops and unknowns by their places in the block.
@@ -16,13 +16,23 @@ use plm_cas::{Expr, Vec2};
 pub(crate) struct Plan {
     pivots: Vec<Pivot>,
     /// The unknowns of the system that is left.
-    rest: Vec<usize>,
+    rest: Vec<Rest>,
+}
+
+/// An unknown of the system that is left.
+#[derive(Clone)]
+struct Rest {
+    unknown: usize,
+    /// Its columns by loop.
+    columns: Vec<Column>,
 }
 
 #[derive(Clone, Copy)]
 struct Pivot {
     in_loop: usize,
     unknown: usize,
+    /// `g . g`.
+    square: Expr,
     /// `1 / g . g`.
     reciprocal: Expr,
 }
@@ -61,9 +71,11 @@ impl Plan {
             }
         }
         let (_, chosen) = best?;
-        let rest = (0..n).filter(|u| chosen.iter().all(|pivot| pivot.1 != *u)).collect_vec();
+        let left = (0..n).filter(|u| chosen.iter().all(|pivot| pivot.1 != *u));
+        let columns = |unknown: usize| squares.iter().map(|row| row[unknown]).collect_vec();
+        let rest = left.map(|unknown| Rest { unknown, columns: columns(unknown) }).collect_vec();
         let pivots = chosen.into_iter().filter_map(|(in_loop, unknown)| match squares[in_loop][unknown] {
-            Column::Constant(square) => Some(Pivot { in_loop, unknown, reciprocal: square.recip() }),
+            Column::Constant(square) => Some(Pivot { in_loop, unknown, square, reciprocal: square.recip() }),
             _ => None,
         });
         Some(Plan { pivots: pivots.collect_vec(), rest })
@@ -104,7 +116,7 @@ pub(crate) struct Elimination<'a> {
     name: String,
     stages: Vec<Stage>,
     inverse: Vec<Vec<Expr>>,
-    /// The square of the determinant that is left, over those of its columns.
+    /// The square of how far the unknowns that are left are from a singular pose ([`Plan::measure`]).
     pub(crate) measure: Expr,
 }
 
@@ -120,11 +132,15 @@ struct Stage {
 }
 
 impl<'a> Elimination<'a> {
-    /// Decomposes the matrix with the columns `columns[k][u]` in the loops.
-    pub(crate) fn new(plan: &'a Plan, mut columns: Vec<Vec<Vec2>>, name: &str) -> Elimination<'a> {
+    /// Decomposes the matrix with the columns `columns[k][u]` in the loops. What varies is measured by `length`.
+    pub(crate) fn new(
+        plan: &'a Plan,
+        mut columns: Vec<Vec<Vec2>>,
+        (name, length): (&str, Expr),
+    ) -> Elimination<'a> {
         let zero = Expr::ZERO;
         let (mut stages, mut rows): (Vec<Stage>, Vec<Vec<Expr>>) = (Vec::new(), Vec::new());
-        for (place, &Pivot { in_loop, unknown, reciprocal }) in plan.pivots.iter().enumerate() {
+        for (place, &Pivot { in_loop, unknown, reciprocal, .. }) in plan.pivots.iter().enumerate() {
             let own = std::mem::take(&mut columns[in_loop]);
             let column = own[unknown];
             let (mut along, mut across) = (vec![zero; own.len()], vec![zero; own.len()]);
@@ -158,8 +174,10 @@ impl<'a> Elimination<'a> {
             rows.push(across);
             stages.push(stage);
         }
-        let rest = rows.iter().map(|row| plan.rest.iter().map(|&u| row[u]).collect_vec()).collect_vec();
+        let left = |row: &Vec<Expr>| plan.rest.iter().map(|rest| row[rest.unknown]).collect_vec();
+        let rest = rows.iter().map(left).collect_vec();
         let (cofactors, determinant) = cofactors(&rest, name);
+        let measure = plan.measure(&cofactors, determinant, length);
         let reciprocal = determinant.recip().named(format!("{name}_reciprocal"));
         let mut inverse = cofactors;
         for (i, row) in inverse.iter_mut().enumerate() {
@@ -167,7 +185,6 @@ impl<'a> Elimination<'a> {
                 *entry = (*entry * reciprocal).named(format!("{name}_inverse_{i}_{j}"));
             }
         }
-        let measure = plan.measure(&rest, determinant);
         Elimination { plan, name: name.to_owned(), stages, inverse, measure }
     }
 
@@ -188,8 +205,8 @@ impl<'a> Elimination<'a> {
             along.push(product);
         }
         let mut x = vec![Expr::ZERO; self.stages.first().map_or(0, |stage| stage.along.len())];
-        for (row, &unknown) in self.inverse.iter().zip(&self.plan.rest) {
-            x[unknown] = dot(row, &across).named(format!("{label}_{unknown}"));
+        for (row, rest) in self.inverse.iter().zip(&self.plan.rest) {
+            x[rest.unknown] = dot(row, &across).named(format!("{label}_{}", rest.unknown));
         }
         for ((stage, pivot), along) in self.stages.iter().zip(&self.plan.pivots).zip(along).rev() {
             let value = along - dot(&stage.along, &x);
@@ -200,16 +217,32 @@ impl<'a> Elimination<'a> {
 }
 
 impl Plan {
-    /// The square of the determinant of the rows that are left, over those of its columns (J. Hadamard's bound): for two
-    /// unknowns the square of a sine. Rows count as if they stood across columns of the length 1.
-    fn measure(&self, rows: &[Vec<Expr>], determinant: Expr) -> Expr {
-        let column = |c: usize| -> Expr {
-            rows.iter().zip(&self.pivots).map(|(row, pivot)| row[c].squared() * pivot.reciprocal).sum()
+    /// The harmonic mean of `s^2` over the unknowns that are left: `s` is the sine of the angle between the column of an unknown and
+    /// those of the others, `1 / (|a| |row of the inverse|)` (G. W. Stewart, Collinearity and least squares regression, Statistical Science
+    /// 2(1), 1987). For two unknowns it is the square of a sine.
+    ///
+    /// A column counts as it is in the loops: what elimination leaves of it vanishes where it becomes one with those of the pivots.
+    /// Rows count as if they stood across columns of the length 1.
+    fn measure(&self, cofactors: &[Vec<Expr>], determinant: Expr, length: Expr) -> Expr {
+        let of_unknown = |(rest, row): (&Rest, &Vec<Expr>)| -> Expr {
+            let column: Expr = rest.columns.iter().map(|column| column.square(length)).sum();
+            let inverse: Expr =
+                row.iter().zip(&self.pivots).map(|(entry, pivot)| entry.squared() * pivot.square).sum();
+            column * inverse
         };
-        let most: Expr = (0..rows.len()).map(column).product();
-        let pivots = self.pivots.iter().map(|pivot| pivot.reciprocal);
-        let own: Expr = pivots.chain([determinant.squared()]).product();
-        own / most
+        let sum: Expr = self.rest.iter().zip(cofactors).map(of_unknown).sum();
+        algebra::product(&[Expr::from(self.rest.len() as i32), determinant.squared()]) / sum
+    }
+}
+
+impl Column {
+    /// The square of its length, or of the size of the scene.
+    fn square(self, length: Expr) -> Expr {
+        match self {
+            Column::Absent => Expr::ZERO,
+            Column::Varying => length.squared(),
+            Column::Constant(square) => square,
+        }
     }
 }
 
@@ -296,7 +329,7 @@ mod tests {
             let squares: Vec<Vec<Column>> =
                 (0..loops).map(|k| (0..n).map(|u| square(k, u)).collect()).collect();
             let Some(plan) = Plan::new(&squares) else { continue };
-            let elimination = Elimination::new(&plan, columns.clone(), "j");
+            let elimination = Elimination::new(&plan, columns.clone(), ("j", Expr::from(2)));
             shared +=
                 usize::from(elimination.stages.iter().any(|s| !s.later.is_empty() || !s.before.is_empty()));
             let x = elimination.solve(b.clone(), "x");
@@ -312,5 +345,25 @@ mod tests {
             assert!(measure < 1e-8 || worst < 1e-9, "{case}: {worst:e}, measure {measure:e}");
         }
         assert!(shared > 10, "{shared}");
+    }
+
+    /// Two loops of which an unknown turns into the pivot's column of its loop: what is left of its column vanishes, and so does the
+    /// measure, in proportion to the angle between them.
+    #[test]
+    fn measure_tells_a_column_that_vanishes() {
+        let angle = Expr::symbol("angle");
+        let (along, across) = (Vec2::new(Expr::ONE, Expr::ZERO), Vec2::new(Expr::ZERO, Expr::ONE));
+        let turned = along + angle * across;
+        let own = [[Some(along), None, Some(turned), None], [None, Some(across), Some(across), Some(along)]];
+        let columns = own.map(|row| row.map(|column| column.unwrap_or(Vec2::ZERO)).to_vec()).to_vec();
+        let kind = |column: &Option<Vec2>| column.map_or(Column::Absent, |_| Column::Constant(Expr::ONE));
+        let squares = own.iter().map(|row| row.iter().map(kind).collect()).collect_vec();
+        let plan = Plan::new(&squares).unwrap();
+        let measure = Elimination::new(&plan, columns, ("j", Expr::ONE)).measure;
+        let tape = plm_cas::algebra::tape(&[measure]);
+        let [at_tenth, at_hundredth] =
+            [0.1, 0.01].map(|value| tape.eval(&[(angle, value)]).unwrap()[0].sqrt());
+        assert!((at_tenth / at_hundredth - 10.0).abs() < 0.1, "{at_tenth} {at_hundredth}");
+        assert!(at_hundredth < 0.01, "{at_hundredth}");
     }
 }

@@ -254,7 +254,7 @@ impl Newton {
         };
         let columns = self.closures.iter().zip(arms).map(of_loop).collect_vec();
         let name = format!("{name}_{}", self.closures.first().copied().unwrap_or(0));
-        Elimination::new(&self.plan, columns, &name)
+        Elimination::new(&self.plan, columns, (&name, motion.length))
     }
 }
 
