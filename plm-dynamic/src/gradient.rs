@@ -4,7 +4,7 @@ use plm_run::Integrator;
 use plm_runtime::sim::Seen;
 use plm_runtime::{Dop853, Dual, Fault, Method, Moment, Rk4, Sim, with_derivatives};
 
-use crate::capacity::{ROWS, SWITCHES};
+use crate::capacity::{PARAMETERS, ROWS, SWITCHES};
 use crate::handle::Dynamic;
 use crate::model::Model;
 use crate::run::{Error, Mechanism};
@@ -79,7 +79,7 @@ impl Mechanism {
 
     /// The mechanism on numbers with a derivative by one of its own.
     fn lifted(&self, model: &'static Model, by: By) -> Small {
-        let own = self.given.mechanism::<24, 32, 64, 24, SWITCHES, ROWS>(model);
+        let own = self.given.mechanism::<24, 32, 64, 24, SWITCHES, ROWS, PARAMETERS>(model);
         let name = match by {
             By::Parameter(k) => self.parameters().nth(k).map(|(name, _)| plm_runtime::By::Parameter(name)),
             By::Start(k) => self.starts().get(k).map(|name| plm_runtime::By::Start(name)),

@@ -28,9 +28,10 @@ pub struct Dynamic<
     const L: usize = NQ,
     const H: usize = SWITCHES,
     const R: usize = ROWS,
+    const P: usize = PARAMETERS,
 > {
     pub(crate) model: &'static Model,
-    pub(crate) parameters: [S; PARAMETERS],
+    pub(crate) parameters: [S; P],
     pub(crate) starts: Starts<S, N>,
 }
 
@@ -117,7 +118,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     /// Evaluates a function: its outputs go to arrays, what it returns comes back, or zero.
     pub(crate) fn run<const K: usize>(
@@ -270,7 +272,7 @@ impl<
     }
 
     /// The same mechanism in other numbers.
-    pub(crate) fn map<T: Scalar>(&self, number: &impl Fn(S) -> T) -> Dynamic<T, NQ, NC, N, L, H, R> {
+    pub(crate) fn map<T: Scalar>(&self, number: &impl Fn(S) -> T) -> Dynamic<T, NQ, NC, N, L, H, R, P> {
         Dynamic {
             model: self.model,
             parameters: self.parameters.map(number),

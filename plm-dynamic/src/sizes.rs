@@ -48,12 +48,19 @@ pub(crate) enum Contents {
     Full,
 }
 
-impl<const NQ: usize, const NC: usize, const N: usize, const L: usize, const H: usize, const R: usize>
-    Dynamic<f64, NQ, NC, N, L, H, R>
+impl<
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+    const P: usize,
+> Dynamic<f64, NQ, NC, N, L, H, R, P>
 {
     /// Is there room for a mechanism?
     fn has_room(of: &Compiled) -> Result<(), Refused> {
-        of.fits::<NQ, NC, N, L, H, R>()
+        of.fits::<NQ, NC, N, L, H, R, P>()
     }
 }
 
@@ -84,10 +91,11 @@ impl Given {
         const L: usize,
         const H: usize,
         const R: usize,
+        const P: usize,
     >(
         &self,
         model: &'static Model,
-    ) -> Dynamic<f64, NQ, NC, N, L, H, R> {
+    ) -> Dynamic<f64, NQ, NC, N, L, H, R, P> {
         let mut own = Dynamic::declared(model, &self.parameters);
         for (place, value) in own.parameters.iter_mut().zip(&self.parameters) {
             *place = value.unwrap_or(*place);
@@ -207,11 +215,12 @@ fn sim<
     const L: usize,
     const H: usize,
     const R: usize,
-    I: Method<Dynamic<f64, NQ, NC, N, L, H, R>>,
+    const P: usize,
+    I: Method<Dynamic<f64, NQ, NC, N, L, H, R, P>>,
 >(
     (model, given): (&'static Model, &Given),
     method: I,
-) -> Result<Boxed<Dynamic<f64, NQ, NC, N, L, H, R>, I>, Fault> {
+) -> Result<Boxed<Dynamic<f64, NQ, NC, N, L, H, R, P>, I>, Fault> {
     Ok(Box::new(Sim::new(started(model, given)?, method)))
 }
 
@@ -223,10 +232,11 @@ fn started<
     const L: usize,
     const H: usize,
     const R: usize,
+    const P: usize,
 >(
     model: &'static Model,
     given: &Given,
-) -> Result<State<f64, NQ, NC, N, L, H, R>, Fault> {
+) -> Result<State<f64, NQ, NC, N, L, H, R, P>, Fault> {
     with_inputs(&given.mechanism(model), &given.inputs, given.time)
 }
 
@@ -239,11 +249,12 @@ pub(crate) fn with_inputs<
     const L: usize,
     const H: usize,
     const R: usize,
+    const P: usize,
 >(
-    mechanism: &Dynamic<S, NQ, NC, N, L, H, R>,
+    mechanism: &Dynamic<S, NQ, NC, N, L, H, R, P>,
     given: &[Option<S>],
     time: S,
-) -> Result<State<S, NQ, NC, N, L, H, R>, Fault> {
+) -> Result<State<S, NQ, NC, N, L, H, R, P>, Fault> {
     let mut inputs = mechanism.declared_input();
     for (input, given) in inputs.iter_mut().zip(given) {
         *input = given.unwrap_or(*input);

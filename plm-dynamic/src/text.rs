@@ -7,7 +7,7 @@ use plm_compiler::lowered::Lowered;
 use plm_compiler::token::Sources;
 use plm_compiler::{analyse, without_panic};
 
-use crate::capacity::{EVENTS, INPUTS, KINKS, PARAMETERS, ROWS, SWITCHES};
+use crate::capacity::{EVENTS, INPUTS, KINKS, ROWS, SWITCHES};
 use crate::handle::Dynamic;
 use crate::memory::Counts;
 use crate::model::Model;
@@ -90,7 +90,6 @@ impl Compiled {
                 ("conditions", lowered.switches.all.len(), SWITCHES),
                 ("guards of conditions and contact", guards(&lowered), SWITCHES),
                 ("events that set states", lowered.sets.events.len(), EVENTS),
-                ("parameters", lowered.parameters.len(), PARAMETERS),
                 ("inputs", lowered.inputs.len(), INPUTS),
                 ("kinks", lowered.switches.kinks, KINKS),
             ],
@@ -111,10 +110,10 @@ impl Compiled {
     ///
     /// # Errors
     /// [`Refused::TooLarge`].
-    pub fn mechanism<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    pub fn mechanism<const NQ: usize, const NC: usize, const N: usize, const L: usize, const P: usize>(
         self,
-    ) -> Result<Dynamic<f64, NQ, NC, N, L>, Refused> {
-        self.fits::<NQ, NC, N, L, SWITCHES, ROWS>()?;
+    ) -> Result<Dynamic<f64, NQ, NC, N, L, SWITCHES, ROWS, P>, Refused> {
+        self.fits::<NQ, NC, N, L, SWITCHES, ROWS, P>()?;
         Ok(Dynamic::declared(self.model(NQ), &[]))
     }
 
@@ -131,6 +130,7 @@ impl Compiled {
         const L: usize,
         const H: usize,
         const R: usize,
+        const P: usize,
     >(
         &self,
     ) -> Result<(), Refused> {
@@ -147,6 +147,7 @@ impl Compiled {
                 ("constraint rows", self.lowered.rows.len() + conditional, NC),
                 ("first-order states", self.lowered.states.len(), states),
                 ("numbers that loops remember of a kind", remembered, L),
+                ("parameters", self.lowered.parameters.len(), P),
                 ("inputs", self.lowered.inputs.len(), H),
                 ("conditions", self.lowered.switches.all.len(), H),
                 ("guards of conditions and contact", guards(&self.lowered), H),

@@ -31,11 +31,9 @@ use plm::{
     Adams, Dop853, Linearisable, Method, RadauIia5, Rk4, Ros34Pw2, Sim, Stabilise, linearise, stabilise,
 };
 use plm_dynamic::{
-    Compiled, Dynamic, Function, Integrator, MachineCode, Mechanism as Text, Run, Tier, Translator,
+    Compiled, Function, Integrator, MachineCode, Mechanism as Text, Run, Small, Tier, Translator,
 };
 use plm_jit::Host;
-
-type Small = Dynamic<f64, 15, 16, 38>;
 
 /// A mechanism from the declaration of another one: evaluated step by step, and by machine code from the first evaluation on.
 fn from_text<M: Described<S = f64>>(_: &M) -> [Small; 2] {

@@ -13,7 +13,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Absolute<S, NQ, NC> for Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Absolute<S, NQ, NC> for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     fn layout(&self) -> &'static Layout {
         &self.model.layout
@@ -94,7 +95,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     /// Start values of the centres of gravity, body by body.
     fn starts_of(&self, of: impl Fn(BodyStart<S>, [S; 2], usize) -> [Start<S>; 3]) -> [Start<S>; NQ] {

@@ -15,7 +15,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Charted for Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Charted for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     type Input = [S; H];
     type Switches = [S; H];

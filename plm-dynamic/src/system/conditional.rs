@@ -18,8 +18,9 @@ struct Joined<
     const L: usize,
     const H: usize,
     const R: usize,
+    const P: usize,
 > {
-    mechanism: &'a Dynamic<S, NQ, NC, N, L, H, R>,
+    mechanism: &'a Dynamic<S, NQ, NC, N, L, H, R, P>,
     conditional: &'static Conditional,
     holds: [bool; R],
 }
@@ -32,7 +33,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     /// The constraints with a condition, by their numbers among these, that hold.
     pub(super) fn conditions_that_hold(&self, of: &Conditional, held: &Held<S, NQ, L, H, R>) -> [bool; R] {
@@ -63,7 +65,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Joined<'_, S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Joined<'_, S, NQ, NC, N, L, H, R, P>
 {
     /// Writes residuals of the constraints behind those of the joints.
     fn put(&self, code: &'static crate::code::Code, frame: &Frame<S, NQ, L, H, R>, residuals: &mut [S; NC]) {
@@ -85,7 +88,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Absolute<S, NQ, NC> for Joined<'_, S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Absolute<S, NQ, NC> for Joined<'_, S, NQ, NC, N, L, H, R, P>
 {
     fn layout(&self) -> &'static Layout {
         &self.conditional.layout

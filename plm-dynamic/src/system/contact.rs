@@ -27,7 +27,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     /// Has it rows of contact?
     pub(super) fn has_contacts(&self) -> bool {
@@ -223,7 +224,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Contacts<R> for Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Contacts<R> for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     fn law(&self, row: usize) -> Law<S> {
         let Some(contacts) = &self.model.contacts else { return Law::Friction };

@@ -24,7 +24,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Described for Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Described for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     const TABLES: &'static Tables = of_the_value();
     const OBSERVED: Named = of_the_value();
@@ -103,7 +104,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Ports for Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Ports for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     /// Room for inputs: behind the last one they are zero, and nothing reads them.
     type Input = [S; H];

@@ -21,7 +21,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     /// Gives `see` guards, then kinks, at a state.
     fn watch<T>(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N], see: impl FnOnce(&[S]) -> T) -> T {
@@ -133,7 +134,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Events for Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Events for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     type G = [S; H];
     const KINKS: usize = KINKS;

@@ -15,10 +15,11 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Linear for Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Linear for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
-    type Lifted<const K: usize> = Dynamic<Dual<S, K>, NQ, NC, N, L, H, R>;
-    type In<T: Real> = Dynamic<T, NQ, NC, N, L, H, R>;
+    type Lifted<const K: usize> = Dynamic<Dual<S, K>, NQ, NC, N, L, H, R, P>;
+    type In<T: Real> = Dynamic<T, NQ, NC, N, L, H, R, P>;
     type Derivatives = AtRunTime<S, N>;
 
     fn lift<const K: usize>(&self, held: &Self::U) -> (Self::Lifted<K>, Held<Dual<S, K>, NQ, L, H, R>) {
@@ -126,7 +127,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     /// The equations that implicit methods solve in place of df/dx, where the room of a matrix holds them.
     fn augmented(&self) -> Option<&'static Augmented> {

@@ -11,7 +11,6 @@ use plm_runtime::{
 };
 
 use super::State;
-use crate::capacity::PARAMETERS;
 use crate::handle::{Dynamic, Held, Starts};
 use crate::memory::Memory;
 use crate::model::Model;
@@ -34,13 +33,14 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     /// The mechanism as declared; parameters without a default have the values of `given`, by number.
     pub(crate) fn declared(model: &'static Model, given: &[Option<S>]) -> Self {
         let free = Start::free(S::ZERO);
         let starts = Starts { model, values: [free; N] };
-        let mut own = Dynamic { model, parameters: [S::ZERO; PARAMETERS], starts };
+        let mut own = Dynamic { model, parameters: [S::ZERO; P], starts };
         for (k, default) in model.start.defaults.iter().enumerate() {
             let declared =
                 default.as_ref().and_then(|default| own.values(S::ZERO, default, 1).first().copied());
@@ -78,7 +78,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     /// Discrete state with inputs, before anything is known of a state.
     pub(crate) fn holding(&self, input: [S; H]) -> Held<S, NQ, L, H, R> {
@@ -108,7 +109,7 @@ impl<
 
     /// The mechanism with start values that follow its parameters.
     fn following(mut self) -> Self {
-        let mut given = [None; PARAMETERS];
+        let mut given = [None; P];
         for (k, default) in self.model.start.defaults.iter().enumerate() {
             if let (None, Some(place)) = (default, given.get_mut(k)) {
                 *place = self.parameters.get(k).copied();
@@ -240,9 +241,10 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Mechanism for Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Mechanism for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
-    type State = State<S, NQ, NC, N, L, H, R>;
+    type State = State<S, NQ, NC, N, L, H, R, P>;
     type Rescue = NearSingular<Self, NQ, NC, N>;
 
     fn start_state(&self, t: S) -> Result<(Held<S, NQ, L, H, R>, [S; N]), Fault> {
@@ -262,7 +264,7 @@ impl<
             return 0;
         }
         let of_shape = |k: usize| if shaping.contains(&k) { self.parameters[k] } else { S::ZERO };
-        limits::fingerprint::<S, PARAMETERS>(core::array::from_fn(of_shape))
+        limits::fingerprint::<S, P>(core::array::from_fn(of_shape))
     }
 
     fn renew(&self, t: S, held: &mut Held<S, NQ, L, H, R>, x: &mut [S; N]) -> Result<(), Fault> {

@@ -23,7 +23,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Rate for Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Rate for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     type S = S;
     type X = [S; N];
@@ -100,7 +101,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     /// The rate with the multipliers of contact that are held.
     pub(super) fn rate_holding(
@@ -168,7 +170,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Constraints for Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Constraints for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     #[inline]
     fn compute<C: Computation>(
@@ -271,7 +274,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     /// Are states projected onto constraints?
     pub(super) fn projects(&self) -> bool {
@@ -308,7 +312,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Labels for Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Labels for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     fn part_of_state(&self, at: usize) -> &'static str {
         let own = index::<NQ>(at, self.model.coordinates);

@@ -18,7 +18,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     /// Do events that follow conditions set states?
     pub(super) fn sets_states(&self) -> bool {
@@ -90,7 +91,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> events::Sets<EVENTS> for Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> events::Sets<EVENTS> for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     const CONDITIONS: usize = H;
 

@@ -16,9 +16,10 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> ExtendedPrecision<NQ, NC, N> for Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> ExtendedPrecision<NQ, NC, N> for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
-    type Extended = Dynamic<Wide<S>, NQ, NC, N, L, H, R>;
+    type Extended = Dynamic<Wide<S>, NQ, NC, N, L, H, R, P>;
     type Inputs = Held<Wide<S>, NQ, L, H, R>;
 
     fn extended(&self) -> Self::Extended {
@@ -84,8 +85,9 @@ pub(super) fn full<
     const L: usize,
     const H: usize,
     const R: usize,
+    const P: usize,
 >(
-    mechanism: &Dynamic<S, NQ, NC, N, L, H, R>,
+    mechanism: &Dynamic<S, NQ, NC, N, L, H, R, P>,
     t: S,
     held: &Held<S, NQ, L, H, R>,
     x: &[S; N],

@@ -13,7 +13,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     /// The rate where all rows that have a force slip, and the sizes of reactions along a line; nothing where sweeps do not converge.
     pub(super) fn contact_sliding(

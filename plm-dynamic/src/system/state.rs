@@ -2,7 +2,7 @@
 
 use plm_runtime::{BodyState, Health, InPlace, Moment, Real, absolute, charts, turns};
 
-use crate::capacity::{ROWS, SWITCHES};
+use crate::capacity::{PARAMETERS, ROWS, SWITCHES};
 use crate::handle::{Beside, Dynamic, Frame, Held};
 use crate::system::singular;
 use plm_compiler::lowered::Form;
@@ -17,8 +17,9 @@ pub struct State<
     const L: usize = NQ,
     const H: usize = SWITCHES,
     const R: usize = ROWS,
+    const P: usize = PARAMETERS,
 > {
-    mechanism: Dynamic<S, NQ, NC, N, L, H, R>,
+    mechanism: Dynamic<S, NQ, NC, N, L, H, R, P>,
     held: Held<S, NQ, L, H, R>,
     time: S,
     x: [S; N],
@@ -32,9 +33,10 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Moment for State<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Moment for State<S, NQ, NC, N, L, H, R, P>
 {
-    type M = Dynamic<S, NQ, NC, N, L, H, R>;
+    type M = Dynamic<S, NQ, NC, N, L, H, R, P>;
 
     fn new(mechanism: Self::M, held: Held<S, NQ, L, H, R>, time: S, x: [S; N]) -> Self {
         State { mechanism, held, time, x }
@@ -74,7 +76,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> State<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> State<S, NQ, NC, N, L, H, R, P>
 {
     /// Pose and velocity of every body, without whole turns.
     pub(crate) fn pose(&self) -> ([S; NQ], [S; NQ]) {

@@ -16,7 +16,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     /// Coordinates of all bodies, and the room for them.
     fn absolute_room(&self) -> Room {
@@ -58,7 +59,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> Statics for Dynamic<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> Statics for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
     type Full = [S; N];
     type Rows = [S; NC];
@@ -79,7 +81,7 @@ impl<
         self.model.description.states
     }
 
-    fn full(state: &State<S, NQ, NC, N, L, H, R>) -> [S; N] {
+    fn full(state: &State<S, NQ, NC, N, L, H, R, P>) -> [S; N] {
         state.unwrapped()
     }
 
@@ -168,7 +170,8 @@ impl<
     const L: usize,
     const H: usize,
     const R: usize,
-> State<S, NQ, NC, N, L, H, R>
+    const P: usize,
+> State<S, NQ, NC, N, L, H, R, P>
 {
     /// The state in absolute coordinates with all turns, unused room at the end.
     fn unwrapped(&self) -> [S; N] {
