@@ -64,9 +64,6 @@
 //! | `processor-sqrt-f32` | without std: square roots of `f32` by an instruction of the processor (unsafe code, in `plm-processor`) |
 //! | `processor-sqrt-f64` | the same for `f64` too |
 //! | `fma` | fused multiply-add: faster, and the one feature for use that changes bits; it needs a `target-cpu` that has the instruction |
-//! | `sweep` | for tests of `plm` itself: the example of that name, with a few mechanisms |
-//! | `sweep-all` | the same with all mechanisms |
-//! | `vary-tolerances` | for tests of `plm` itself: tolerances that can be set at run time |
 //!
 //! # Targets
 //!

@@ -1,6 +1,6 @@
 //! Prescribed motions that can go no further: told at once, with the time and the value that a closed form knows.
 //!
-//! Seeded drives of many lengths stand in `examples/sweep/driven/`; here are other kinds of mechanisms, and every method.
+//! Seeded drives of many lengths stand in `tests/oracle/src/linkages/driven/`; here are other kinds of mechanisms, and every method.
 
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 

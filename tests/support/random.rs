@@ -41,6 +41,7 @@ impl Random {
         &of[self.below(of.len())]
     }
 
+    /// True as often as this probability says.
     pub fn chance(&mut self, probability: f64) -> bool {
         self.between(0.0, 1.0) < probability
     }

@@ -64,7 +64,7 @@ const STEPS: &[Step] = &[
     // In a minute, before all is built that tests need.
     Step::Here(part("rules", "rules of the repository", tests::rules)),
     Step::Tests,
-    // The tests have built the sweep, and share the target folder and apt with the machines: neither waits for them. One build
+    // The tests have built the sweeps, and share the target folder and apt with the machines: neither waits for them. One build
     // for a machine has one core, the sweep all that are left.
     Step::Begin {
         group: "targets",
@@ -90,6 +90,7 @@ const MORE: &[Step] = &[
     Step::Here(plain("chain", "chain of 64 at opt-level 0 and 3", chores::chain)),
     Step::Here(plain("miri", "Miri", lints::miri)),
     Step::Here(part("long-sweep", "sweep of 1000 mechanisms", chores::long_sweep)),
+    Step::Here(plain("compiled-sweeps", "sweeps of compiled mechanisms", chores::compiled_sweeps)),
     Step::Here(plain("oracle", "random mechanisms of special values", |place| {
         place.command("cargo run --release -p plm-oracle -- all 1000 --seed 7").run()
     })),

@@ -20,7 +20,10 @@ mod pages;
 mod random;
 mod resets;
 mod sweep;
+mod texts;
 mod turned;
 mod wheels;
 
+pub use random::Random;
 pub use sweep::{SWEEPS, Sweep, Table};
+pub use texts::{Look, Text, with_numbers};

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::Result;
 use crate::ci::FEATURES;
-use crate::ci::tests::{built_example, example};
+use crate::ci::tests::{built, example};
 use crate::place::Place;
 
 const MDBOOK: &str = "0.5.4";
@@ -103,13 +103,6 @@ pub(super) fn page(place: &Place) -> Result {
     check.set("PLM_PAGE", place.target.join("debug/examples/page")).run()
 }
 
-/// The examples that are compiled for speed. Level 3 takes longer to compile than it saves.
-pub(super) fn build_sweep(place: &Place) -> Result {
-    let build = place.command("cargo build --config profile.dev.package.plm-planar.opt-level=2 --workspace");
-    let build = build.arg("--features").arg(format!("{FEATURES},sweep"));
-    build.args(["--example", "sweep", "--example", "contacts"]).run()
-}
-
 /// Random trees and loops against a reference in higher precision, and random mechanisms with contacts against equations of their own. A
 /// quarter of [`long_sweep`].
 pub(super) fn sweep(place: &Place) -> Result {
@@ -121,10 +114,23 @@ pub(super) fn long_sweep(place: &Place) -> Result {
     swept(place, "1000", "200")
 }
 
+/// The programs are built with the tests of their package.
 fn swept(place: &Place, smooth: &str, contacts: &str) -> Result {
-    build_sweep(place)?;
-    built_example(place, "sweep").args([smooth, "--seed", "31", "--double", "--verbose"]).run()?;
-    built_example(place, "contacts").args([contacts, "--seed", "31", "--verbose"]).run()
+    let build = place.command("cargo test --no-run --workspace --features").arg(FEATURES);
+    build.args(["--test", "quick"]).run()?;
+    let program = |name: &str| built(place, name);
+    program("linkages").args([smooth, "--seed", "31", "--verbose"]).run()?;
+    program("contacts").args([contacts, "--seed", "31", "--verbose"]).run()
+}
+
+/// The same mechanisms by rustc: the bits of those from text, and linkages in f32.
+pub(super) fn compiled_sweeps(place: &Place) -> Result {
+    let run = |program: &str, words: &[&str]| {
+        let cargo = place.command("cargo run --release -p plm-oracle --features compiled --bin");
+        cargo.arg(program).arg("--").args(words).run()
+    };
+    run("linkages", &["100", "--seed", "7", "--verbose"])?;
+    run("contacts", &["50", "--seed", "7", "--bits"])
 }
 
 /// The same bits on two microcontrollers and as WebAssembly, and what a step costs there.

@@ -1,7 +1,7 @@
 //! All tests, with the lints looking on.
 
 use crate::Result;
-use crate::ci::{Ci, FEATURES, chores};
+use crate::ci::{Ci, FEATURES};
 use crate::place::{Place, Task};
 
 pub(super) const NAME: &str = "tests";
@@ -22,7 +22,7 @@ pub(super) fn rules(place: &Place) -> Result {
 }
 
 /// Two take more than a minute on one core, so that the others run beside them: the disturbed declarations, and the lines of
-/// every method. While these run benchmarks and the sweep are built, and later no build of it keeps others from the target folder.
+/// every method. While these run the lints look at benchmarks, which nobody runs here.
 pub(super) fn all(ci: &mut Ci, place: &Place) -> Result {
     let build = "cargo test --no-run --message-format json-render-diagnostics --workspace --features";
     let messages = place.command(build).arg(FEATURES).text()?;
@@ -31,8 +31,7 @@ pub(super) fn all(ci: &mut Ci, place: &Place) -> Result {
         place.command("").arg(robust).in_folder("plm-macros/compiler").args(["--exact", DISTURBED]).run()
     })?;
     ci.begin("precision", 0, |place| built_example(place, "work_precision").arg("--quick").run())?;
-    place.command("cargo test --no-run --bench * --workspace --features").arg(FEATURES).run()?;
-    chores::build_sweep(place)?;
+    place.command("cargo check --bench * --workspace --features").arg(FEATURES).run()?;
     print!("{}", ci.join("tools")?);
     let mut path = place.target.join("clang").into_os_string();
     if let Some(others) = std::env::var_os("PATH") {
@@ -64,7 +63,12 @@ pub(super) fn example<'a>(place: &'a Place, name: &str) -> Result<Task<'a>> {
 
 /// The program of an example, which hears nothing of the lints.
 pub(super) fn built_example<'a>(place: &'a Place, name: &str) -> Task<'a> {
-    place.command("env -u RUSTC_WORKSPACE_WRAPPER").arg(place.target.join("debug/examples").join(name))
+    built(place, &format!("examples/{name}"))
+}
+
+/// A program of the workspace, as the tests have built it.
+pub(super) fn built<'a>(place: &'a Place, program: &str) -> Task<'a> {
+    place.command("env -u RUSTC_WORKSPACE_WRAPPER").arg(place.target.join("debug").join(program))
 }
 
 /// What fused multiply-add changes; the lints compile the rest with it.
