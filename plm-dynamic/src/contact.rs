@@ -73,11 +73,6 @@ impl Contacts {
         })
     }
 
-    /// Guards: three of each place, and that of the determinant.
-    pub(crate) fn guards(&self) -> usize {
-        self.guard_names.len()
-    }
-
     /// Do conditions read what contacts do?
     pub(crate) fn decide_sides(&self) -> bool {
         self.lowered.read != ReadByConditions::Nothing

@@ -85,6 +85,7 @@ pub(crate) struct Switches {
     pub(crate) instants: Code,
     pub(crate) terms: Code,
     pub(crate) texts: &'static [&'static str],
+    pub(crate) table: plm_runtime::Switches,
 }
 
 /// Functions of events that set states.
@@ -287,7 +288,25 @@ impl Switches {
                     .map(|switch| &switch.text)
                     .chain(lowered.contacts.iter().flat_map(|contacts| &contacts.guard_names)),
             ),
+            table: table(lowered),
         }
+    }
+}
+
+/// The tables of conditions and of contact.
+fn table(lowered: &'static Lowered) -> plm_runtime::Switches {
+    let (of, contacts) = (&lowered.switches, lowered.contacts.as_ref());
+    plm_runtime::Switches {
+        guards: of.guards,
+        kinks: of.kinks,
+        times: of.all.len() - of.guards,
+        selective: !of.roots.is_empty(),
+        roots: &of.roots,
+        nodes: &of.nodes,
+        jumps: kept(of.jumps.iter().map(|jump| (jump.row, jump.switch))),
+        rows: contacts.map_or(0, |contacts| contacts.rows.len()),
+        contact_guards: contacts.map_or(0, |contacts| contacts.guard_names.len()),
+        bends: contacts.is_some_and(|contacts| contacts.reactions.iter().any(|reaction| reaction.in_plane)),
     }
 }
 

@@ -21,17 +21,17 @@ pub use crate::scalar::{Factor, Real, Scalar};
 pub use crate::sim::Sim;
 pub use crate::start::{BodyStart, Start, StartValues, follow};
 pub use crate::statics::Statics;
+pub use crate::switched::{Switched, Switches};
 pub use crate::system::{
-    Computation, Constraints, Drift, Energy, Events, Health, Labels, Question, Rate, Updated,
+    Computation, Constraints, Drift, Energy, Events, Health, Labels, Question, Rate, Step, Updated,
 };
 pub use crate::vector::Vector;
 pub use crate::{Assembly, BodyState, Described, Observed, Operations};
 
 pub mod absolute {
     pub use crate::absolute::{
-        Absolute, Acceleration, Branch, Conditional, Crossing, Layout, accelerate, assemble, assemble_held,
-        balance, check_carried, drift, flat_part, join, jump, opening, phi_q_matrix, project_state, renew,
-        residuals, split,
+        Absolute, Acceleration, Branch, Conditional, Layout, accelerate, assemble, assemble_held, balance,
+        check_carried, drift, flat_part, join, opening, phi_q_matrix, project_state, renew, residuals, split,
     };
 }
 
@@ -50,10 +50,9 @@ pub mod compact {
 
 pub mod contact {
     pub use crate::contact::{
-        Change, Contacts, Held, ImpactLaw, Kinematics, Law, Load, Motion, Proposed, Rows, Solution, Status,
-        Stride, add_forces, appear, begin, drift, guard_count, guards, guards_within, held_rows,
-        packed_steps, project, settle, slide, slipping, state_was_set, stay, step, sum_of, switch_behind,
-        update, update_behind, with_multipliers,
+        Contacts, Held, ImpactLaw, Kinematics, Law, Load, Motion, Proposed, Rows, Solution, Stride,
+        add_forces, appear, begin, drift, guard_count, held_rows, packed_steps, project, settle, slide,
+        slipping, sum_of, update, with_multipliers,
     };
 }
 
@@ -64,7 +63,7 @@ pub mod described {
 }
 
 pub mod events {
-    pub use crate::events::{Sets, begin, change, holds, switch_where_due, take_sides, with_velocities};
+    pub use crate::events::{Sets, begin, change, switch_where_due, take_sides, with_velocities};
 }
 
 pub mod held {
@@ -105,6 +104,10 @@ pub mod step {
 
 pub mod system {
     pub use crate::system::rate_aside;
+}
+
+pub mod switched {
+    pub use crate::switched::{NoContact, WithContact, jump, take_sides_at_time};
 }
 
 pub mod turns {

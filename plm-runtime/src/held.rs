@@ -28,6 +28,27 @@ impl<I, W, T, L, C> Discrete for Held<I, W, T, L, C> {
     const CHARTED: bool = size_of::<L>() > 0;
 }
 
+/// A discrete state that holds sides of conditions.
+pub trait Sides<S> {
+    /// Of each condition -1 where it holds, else 1.
+    fn sides(&self) -> &[S];
+
+    /// The same, to be changed.
+    fn sides_mut(&mut self) -> &mut [S];
+}
+
+impl<I, S, const W: usize, T, L, C> Sides<S> for Held<I, [S; W], T, L, C> {
+    #[inline]
+    fn sides(&self) -> &[S] {
+        &self.switches
+    }
+
+    #[inline]
+    fn sides_mut(&mut self) -> &mut [S] {
+        &mut self.switches
+    }
+}
+
 /// What is held of the loops of several simulations, packed into one.
 pub trait Loops<S>: Copy {
     /// The same in other numbers.

@@ -76,6 +76,7 @@ pub mod start;
 pub mod statics;
 mod stats;
 pub mod step;
+pub mod switched;
 pub mod system;
 #[cfg(feature = "vary-tolerances")]
 pub mod tolerances;
@@ -112,6 +113,7 @@ pub use sim::{Notice, Reached, Seen, Sim, Snapshot};
 pub use start::{BodyStart, Start, StartValues};
 pub use statics::Statics;
 pub use stats::Stats;
+pub use switched::{Switched, Switches};
 pub use system::{Constraints, Drift, Energy, Events, Health, Labels, Rate, Step, System, Updated};
 pub use trace::{Term, Trace, Traced};
 pub use vector::Vector;

@@ -332,29 +332,20 @@ mod plm_bouncer_ {
             }
         }
 
-        impl<S: Real> rt::Events for Bouncer<S> {
-            type G = [S; 2];
-            const KINKS: usize = 1;
-            fn guards(&self, t: S, u: &Self::U, x: &[S; 4], g: &mut [S; 2]) {
-                let mut all = [S::lit(0.0); 3];
-                let out = g;
-                let g = &mut all;
-                self.switching(t, u, x, g);
-                for (guard, value) in out.iter_mut().zip(all) {
-                    *guard = value;
-                }
-            }
-
-            fn kinks(&self, t: S, u: &Self::U, x: &[S; 4], each: &mut impl FnMut(usize, S)) {
+        impl<S: Real> rt::Switched for Bouncer<S> {
+            type Guards = [S; 2];
+            type Contact = rt::switched::NoContact;
+            const SWITCHES: rt::Switches =
+                rt::Switches { guards: 2, kinks: 1, times: 2, ..rt::Switches::NONE };
+            #[inline]
+            fn watch<T>(&self, t: S, u: &Self::U, x: &[S; 4], see: impl FnOnce(&[S]) -> T) -> T {
                 let mut all = [S::lit(0.0); 3];
                 let g = &mut all;
                 self.switching(t, u, x, g);
-                for (index, value) in all.into_iter().skip(2).enumerate() {
-                    each(index, value);
-                }
+                see(&all)
             }
 
-            fn guards_within(
+            fn watch_within(
                 &self,
                 t: rt::Enclosed<S>,
                 u: &Self::U,
@@ -364,45 +355,28 @@ mod plm_bouncer_ {
                 use rt::lanes::Pack;
                 let constant = |[s]: [S; 1]| rt::Enclosed::constant(s);
                 let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
-                let mut guards = [rt::Enclosed::constant(S::lit(0.0)); 3];
+                let mut all = [rt::Enclosed::constant(S::lit(0.0)); 3];
                 let within =
                     |u: &Held<rt::Enclosed<S>>, x: &[rt::Enclosed<S>; 4], g: &mut [rt::Enclosed<S>; 3]| {
                         mechanism.switching(t, u, x, g)
                     };
-                within(&held, &rt::Vector::from_fn(x), &mut guards);
-                for (index, guard) in guards.into_iter().enumerate() {
-                    each(index, guard);
+                within(&held, &rt::Vector::from_fn(x), &mut all);
+                for (number, value) in all.into_iter().enumerate() {
+                    each(number, value);
                 }
                 true
             }
 
-            fn must_hold(&self, index: usize) -> bool {
+            #[inline]
+            fn known_times<T>(&self, u: &Self::U, see: impl FnOnce(&[S], &[S]) -> T) -> T {
+                let (mut at, mut slope) = ([S::lit(0.0); 2], [S::lit(0.0); 2]);
+                self.instants(u, &mut at, &mut slope);
+                see(&at, &slope)
+            }
+
+            #[inline]
+            fn is_required(&self, index: usize) -> bool {
                 matches!(index, 0)
-            }
-
-            fn switch(&self, _t: S, u: &mut Self::U, _x: &mut [S; 4], index: usize) -> Result<(), Fault> {
-                if self.must_hold(index) {
-                    return Ok(());
-                }
-                if let Some(side) = u.switches.get_mut(index) {
-                    *side = -*side;
-                }
-                Ok(())
-            }
-
-            fn next_time_event(&self, t: S, u: &Self::U) -> Option<S> {
-                let (mut at, mut slope) = ([S::lit(0.0); 2], [S::lit(0.0); 2]);
-                self.instants(u, &mut at, &mut slope);
-                at.into_iter().filter(|at| *at > t).reduce(S::min)
-            }
-
-            fn switch_at_time(&self, t: S, u: &mut Self::U, _x: &mut [S; 4]) -> Result<(), Fault> {
-                let (mut at, mut slope) = ([S::lit(0.0); 2], [S::lit(0.0); 2]);
-                self.instants(u, &mut at, &mut slope);
-                for ((side, at), slope) in u.switches.iter_mut().skip(2).zip(at).zip(slope) {
-                    *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
-                }
-                Ok(())
             }
         }
 

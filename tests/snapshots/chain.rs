@@ -491,8 +491,10 @@ mod plm_chain_ {
             }
         }
 
-        impl<S: Real> rt::Events for Chain<S> {
-            type G = [S; 0];
+        impl<S: Real> rt::Switched for Chain<S> {
+            type Guards = [S; 0];
+            type Contact = rt::switched::NoContact;
+            const SWITCHES: rt::Switches = rt::Switches::NONE;
         }
 
         impl<S: Real> rt::Labels for Chain<S> {

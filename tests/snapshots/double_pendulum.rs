@@ -390,8 +390,10 @@ mod plm_double_pendulum_ {
             }
         }
 
-        impl<S: Real> rt::Events for DoublePendulum<S> {
-            type G = [S; 0];
+        impl<S: Real> rt::Switched for DoublePendulum<S> {
+            type Guards = [S; 0];
+            type Contact = rt::switched::NoContact;
+            const SWITCHES: rt::Switches = rt::Switches::NONE;
         }
 
         impl<S: Real> rt::Labels for DoublePendulum<S> {

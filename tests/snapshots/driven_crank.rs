@@ -467,8 +467,10 @@ mod plm_driven_crank_ {
             }
         }
 
-        impl<S: Real> rt::Events for DrivenCrank<S> {
-            type G = [S; 0];
+        impl<S: Real> rt::Switched for DrivenCrank<S> {
+            type Guards = [S; 0];
+            type Contact = rt::switched::NoContact;
+            const SWITCHES: rt::Switches = rt::Switches::NONE;
         }
 
         impl<S: Real> rt::Labels for DrivenCrank<S> {
@@ -521,8 +523,8 @@ mod plm_driven_crank_ {
             }
 
             #[inline]
-            fn crossed(&self, held: &Self::U, dt: S, ends: [&Self::X; 2]) -> S {
-                rt::charts::crossed(self, held, dt, ends)
+            fn crossed(step: &rt::Step<'_, Self>) -> S {
+                rt::charts::crossed(step)
             }
 
             fn is_near(held: &Self::U) -> bool {

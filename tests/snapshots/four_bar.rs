@@ -627,8 +627,10 @@ mod plm_four_bar_ {
             }
         }
 
-        impl<S: Real> rt::Events for FourBar<S> {
-            type G = [S; 0];
+        impl<S: Real> rt::Switched for FourBar<S> {
+            type Guards = [S; 0];
+            type Contact = rt::switched::NoContact;
+            const SWITCHES: rt::Switches = rt::Switches::NONE;
         }
 
         impl<S: Real> rt::Labels for FourBar<S> {
@@ -700,8 +702,8 @@ mod plm_four_bar_ {
             }
 
             #[inline]
-            fn crossed(&self, held: &Self::U, dt: S, ends: [&Self::X; 2]) -> S {
-                rt::charts::crossed(self, held, dt, ends)
+            fn crossed(step: &rt::Step<'_, Self>) -> S {
+                rt::charts::crossed(step)
             }
 
             fn is_near(held: &Self::U) -> bool {

@@ -883,8 +883,10 @@ mod plm_plate_on_three_pins_ {
             }
         }
 
-        impl<S: Real> rt::Events for PlateOnThreePins<S> {
-            type G = [S; 0];
+        impl<S: Real> rt::Switched for PlateOnThreePins<S> {
+            type Guards = [S; 0];
+            type Contact = rt::switched::NoContact;
+            const SWITCHES: rt::Switches = rt::Switches::NONE;
         }
 
         impl<S: Real> rt::Labels for PlateOnThreePins<S> {
@@ -937,8 +939,8 @@ mod plm_plate_on_three_pins_ {
             }
 
             #[inline]
-            fn crossed(&self, held: &Self::U, dt: S, ends: [&Self::X; 2]) -> S {
-                rt::charts::crossed(self, held, dt, ends)
+            fn crossed(step: &rt::Step<'_, Self>) -> S {
+                rt::charts::crossed(step)
             }
 
             fn is_near(held: &Self::U) -> bool {

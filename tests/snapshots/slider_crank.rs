@@ -388,8 +388,10 @@ mod plm_slider_crank_ {
             }
         }
 
-        impl<S: Real> rt::Events for SliderCrank<S> {
-            type G = [S; 0];
+        impl<S: Real> rt::Switched for SliderCrank<S> {
+            type Guards = [S; 0];
+            type Contact = rt::switched::NoContact;
+            const SWITCHES: rt::Switches = rt::Switches::NONE;
         }
 
         impl<S: Real> rt::Labels for SliderCrank<S> {
@@ -468,7 +470,7 @@ mod plm_slider_crank_ {
                 false
             }
 
-            fn crossed(&self, _held: &Self::U, _dt: S, _ends: [&Self::X; 2]) -> S {
+            fn crossed(_step: &rt::Step<'_, Self>) -> S {
                 S::lit(0.0)
             }
 

@@ -66,7 +66,7 @@ def rounds_of(rows):
         "violated::switch_violated": (6, 5),
         # An event sets the tooth, the next round finds the side of its condition, the last one that nothing else follows: less than a
         # pitch passes in a step. Conditions, events and guards within.
-        "Ratchet::switch_behind": (3, 2, 5, 5),
+        "M::switch_behind": (3, 2, 5, 5),
     }
 
 

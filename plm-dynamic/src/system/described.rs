@@ -1,7 +1,7 @@
 //! Names, numbers and outputs by number, for whoever draws, records or sets a mechanism.
 
 use plm_runtime::described::{Described, Hole, Shape, Tables, nearest};
-use plm_runtime::{BodyState, Moment, Ports, Real};
+use plm_runtime::{BodyState, Moment, Ports, Real, Switched};
 
 use crate::handle::{Dynamic, Frame, Held};
 
@@ -87,7 +87,7 @@ impl<
     }
 
     fn instant_name(&self, t: S, held: &Held<S, NQ, L, H, R>) -> &'static str {
-        self.instants(held, |at, _| nearest(t, self.model.description.instants, at))
+        self.known_times(held, |at, _| nearest(t, self.model.description.instants, at))
     }
 
     fn state(state: &Self::State, index: usize) -> Option<S> {

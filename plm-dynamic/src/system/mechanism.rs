@@ -5,6 +5,7 @@ use plm_runtime::charts::{self, OfLoops};
 use plm_runtime::contact;
 use plm_runtime::held::Held as HeldOf;
 use plm_runtime::singular::NearSingular;
+use plm_runtime::switched;
 use plm_runtime::{
     BodyStart, Cause, Drift, Events, Fault, Mechanism, Moment, Names, Real, Scalar, Start, absolute, events,
     limits, start,
@@ -166,7 +167,7 @@ impl<
         // Contacts have their modes when all conditions have their sides, which gaps may read, and all constraints that hold are closed.
         self.set_at_start(t, held, x)?;
         if self.sets_states() || self.has_contacts() {
-            self.take_sides_at_time(t, held);
+            switched::take_sides_at_time(self, t, held);
             self.take_sides(t, held, x);
             return Ok(());
         }

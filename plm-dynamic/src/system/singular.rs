@@ -2,7 +2,7 @@
 
 use plm_runtime::charts::{self, Charted};
 use plm_runtime::singular::ExtendedPrecision;
-use plm_runtime::{DoubleDouble, Real, Scalar, absolute};
+use plm_runtime::{DoubleDouble, Real, Scalar, Step, absolute};
 
 use crate::handle::{Dynamic, Frame, Held};
 
@@ -50,8 +50,8 @@ impl<
         self.model.lowered.may_be_singular
     }
 
-    fn crossed(&self, held: &Self::U, dt: S, ends: [&[S; N]; 2]) -> S {
-        if Dynamic::is_charted(self) { charts::crossed(self, held, dt, ends) } else { S::ZERO }
+    fn crossed(step: &Step<'_, Self>) -> S {
+        if Dynamic::is_charted(step.system) { charts::crossed(step) } else { S::ZERO }
     }
 
     fn is_near(held: &Self::U) -> bool {

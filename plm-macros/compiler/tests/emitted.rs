@@ -124,8 +124,8 @@ fn a_condition_in_a_constraint_is_held_where_accelerations_jump() {
             }}"
         ));
         let guards: Vec<&str> =
-            code.lines().map(str::trim).filter(|line| line.starts_with("type G = ")).collect();
-        assert!(guards.contains(&format!("type G = [S; {held}];").as_str()), "{power}: {guards:?}");
+            code.lines().map(str::trim).filter(|line| line.starts_with("type Guards = ")).collect();
+        assert!(guards.contains(&format!("type Guards = [S; {held}];").as_str()), "{power}: {guards:?}");
     }
 }
 
@@ -153,11 +153,12 @@ fn forces_that_jump_have_guards_and_those_that_bend_have_kinks() {
                 force push(cart.o) {{ x: {force} + 0*stiff*1 m; }}
             }}"
         ));
-        let number = |before: &str, after: &str| {
-            let line = code.lines().find_map(|line| line.trim().strip_prefix(before)?.strip_suffix(after));
-            line.unwrap_or("0").parse::<usize>().unwrap()
+        let number = |before: &str| {
+            let digits = code.split_once(before).map_or("0", |(_, behind)| behind);
+            let end = digits.find(|digit: char| !digit.is_ascii_digit()).unwrap_or(digits.len());
+            digits[..end].parse::<usize>().unwrap()
         };
-        let found = (number("type G = [S; ", "];"), number("const KINKS: usize = ", ";"));
+        let found = (number("type Guards = [S; "), number("kinks: "));
         assert_eq!(found, (guards, kinks), "{force}");
     }
 }

@@ -26,7 +26,7 @@ use revolutions::{are_due, unwind};
 use crate::fault::Fault;
 use crate::held::Held;
 use crate::scalar::{Real, Scalar};
-use crate::system::{System, Updated};
+use crate::system::{Step, System, Updated};
 use crate::tolerances::{BACK, BETTER, BOXES, FLAT, OPEN, PROBE, regular_chart, tight};
 use crate::vector::Vector;
 
@@ -184,22 +184,23 @@ pub fn is_calm<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
 /// A box is a tenth of the way on which the measure changes by its own size, so that this tells how long a step is beside the
 /// turn that it follows. A coordinate that turns back has gone farther than the ends of the step say: it turns back in each flat pose.
 #[inline]
-pub fn crossed<M: Charted>(system: &M, held: &M::U, dt: M::S, [before, x]: [&M::X; 2]) -> M::S {
-    let OfLoops::InChart { continuation, .. } = &held.of_loops else { return M::S::ZERO };
+pub fn crossed<M: Charted>(step: &Step<'_, M>) -> M::S {
+    let OfLoops::InChart { continuation, .. } = &step.held.of_loops else { return M::S::ZERO };
+    let system = step.system;
     let tight = |k: usize| M::S::lit(tight() / system.coordinates() as f64) * system.typical_at(k);
-    let way = |k: usize| {
-        let (moved, rates) = ((x.at(k) - before.at(k)).abs(), [before.at(M::NQ + k), x.at(M::NQ + k)]);
-        moved.max(turned_back(rates, dt))
-    };
     continuation.coordinates().iter().enumerate().fold(M::S::ZERO, |most, (k, &Reach { reach, .. })| {
-        if reach < tight(k) { most.max(way(k) / reach) } else { most }
+        if reach < tight(k) { most.max(way(step, k) / reach) } else { most }
     })
 }
 
-/// How far a coordinate goes until it turns back, or from there, by its rates at both ends of a step; zero where it does not.
-fn turned_back<S: Real>([v0, v1]: [S; 2], dt: S) -> S {
+/// How far a coordinate goes in a step, by its places and rates at both ends: to where it turns back, or from there.
+#[cold]
+#[inline(never)]
+fn way<M: Charted>(step: &Step<'_, M>, k: usize) -> M::S {
+    let ((t0, before), (t1, x)) = (step.from, step.to);
+    let (moved, v0, v1) = ((x.at(k) - before.at(k)).abs(), before.at(M::NQ + k), x.at(M::NQ + k));
     let (fastest, both) = (v0.abs().max(v1.abs()), v0.abs() + v1.abs());
-    if v0 * v1 < S::ZERO { fastest * fastest * dt.abs() / (both + both) } else { S::ZERO }
+    if v0 * v1 < M::S::ZERO { moved.max(fastest * fastest * (t1 - t0).abs() / (both + both)) } else { moved }
 }
 
 /// Looks at a state that has come from what is remembered in a chart; the chart may be left.

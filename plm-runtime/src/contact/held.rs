@@ -18,18 +18,13 @@
 //!   are what `project` and `drift` of the mechanism were without contact. Where there are more reactions than rows, rows that are none
 //!   do not exist.
 //! * `Constraints`: [`project`](super::project), [`drift`](super::drift).
-//! * `Events`: `G` has `g + C` numbers, `CONTACTS` is the number of rows, `BENDS` says whether some are bounded by a reaction in
-//!   the plane, `contacts` gives `u.contact.status()`. [`guards`](super::guards) and
-//!   [`guards_within`](super::guards_within) give numbers `0..C`, to which `g` is added; kinks come behind them. Without conditions and kinks `stay` is [`stay`](super::stay). From `g` on
-//!   `switch_behind` is [`switch_behind`](super::switch_behind) of `index - g`, and `switch` is the same with a step of zero. An own
-//!   condition and `switch_at_time` call [`update`](super::update) behind their change. In `matters` the guards of contact have the root 1.
-//! * Steps of time: `Events` has `stride`, which is [`step`](super::step), and `change_contact`, which sets [`Modes::change`]; `Contacts` has
-//!   `motion_at`, the rate without contact forces, the responses and the rows in one pass, and `moves_by_time`.
+//! * [`Switched`](crate::Switched): `Guards` has `g + C` numbers, `Contact` is [`WithContact<N>`](crate::switched::WithContact), and the tables have
+//!   the number of rows, `C` as `contact_guards`, and `bends` where some are bounded by a reaction in the plane. The runtime makes `Events` of it.
+//! * Steps of time: `Contacts` has `motion_at`, the rate without contact forces, the responses and the rows in one pass, and `moves_by_time`.
 //! * `Linear`: `held_rows` is [`held_rows`](super::held_rows).
 //! * `Labels`: `contact_name` has the rows; `guard_name` of the guard `g + i` that of the row `i / 3`, of each third one that of a row which reads the
 //!   reaction `i / 3`.
-//! * [`begin`](super::begin) is the last thing of a start; `state_was_set` is [`state_was_set`](super::state_was_set). A `renew` needs
-//!   no more.
+//! * [`begin`](super::begin) is the last thing of a start. A `renew` needs no more.
 
 use super::booked::Booked;
 use super::modes::{Change, Mode, Modes};
@@ -83,7 +78,9 @@ impl<S: Scalar, const N: usize> Held<S, N> {
     pub fn has_forces(&self) -> bool {
         self.modes.of.iter().any(|mode| mode.holds() || mode.slips())
     }
+}
 
+impl<S, const N: usize> Held<S, N> {
     /// What the rows do.
     pub fn status(&self) -> Status<'_> {
         let (counts, booked) = (self.counts, &self.booked);
@@ -123,6 +120,11 @@ pub trait Modal<S, const N: usize> {
     /// The modes, to be changed.
     fn modes_mut(&mut self) -> &mut Modes<S, N>;
 
+    /// What the rows do.
+    fn status(&self) -> Status<'_> {
+        Status::default()
+    }
+
     /// Counts an event; from zero on where a run begins.
     fn count(&mut self, outcome: &Outcome, begins: bool) {
         let _ = (outcome, begins);
@@ -150,6 +152,9 @@ impl<S, const N: usize> Modal<S, N> for Held<S, N> {
     fn modes_mut(&mut self) -> &mut Modes<S, N> {
         &mut self.modes
     }
+    fn status(&self) -> Status<'_> {
+        Self::status(self)
+    }
     fn count(&mut self, outcome: &Outcome, begins: bool) {
         if begins {
             self.counts = Counts::default();
@@ -167,6 +172,9 @@ impl<S, I, W, T, L, const N: usize> Modal<S, N> for held::Held<I, W, T, L, Held<
     }
     fn modes_mut(&mut self) -> &mut Modes<S, N> {
         &mut self.contact.modes
+    }
+    fn status(&self) -> Status<'_> {
+        self.contact.status()
     }
     fn count(&mut self, outcome: &Outcome, begins: bool) {
         self.contact.count(outcome, begins);

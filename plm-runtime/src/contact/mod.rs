@@ -58,7 +58,9 @@ pub use self::project::{drift, held_rows, project};
 pub use self::rows::{Friction, Law, Limit, Rows};
 pub use self::sliding::{slide, slipping};
 pub use self::status::{Counts, Status};
-pub use self::stepping::{Motion, Proposed, Solution, Stride, packed_steps, smooth_step, step};
+pub use self::stepping::{
+    Motion, Proposed, Solution, Stride, packed_steps, smooth_step, smooth_stride, step,
+};
 pub use self::sunk::appear;
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};

@@ -78,7 +78,7 @@ pub trait ExtendedPrecision<const NQ: usize, const NC: usize, const NX: usize>:
     }
 
     /// How long a step is beside the turn next to a flat pose, [`charts::crossed`](crate::charts::crossed).
-    fn crossed(&self, held: &Self::U, dt: Self::S, ends: [&Self::X; 2]) -> Self::S;
+    fn crossed(step: &Step<'_, Self>) -> Self::S;
 
     /// Is the mechanism held without a chart?
     fn is_near(held: &Self::U) -> bool;

@@ -50,11 +50,7 @@ pub struct NearSingular<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const
 fn crossed<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     step: &Step<'_, M>,
 ) -> M::S {
-    if step.system.is_charted() {
-        step.system.crossed(step.held, step.to.0 - step.from.0, [step.from.1, step.to.1])
-    } else {
-        M::S::lit(1.0 / BOX.get()) * turned(step)
-    }
+    if step.system.is_charted() { M::crossed(step) } else { M::S::lit(1.0 / BOX.get()) * turned(step) }
 }
 
 impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>

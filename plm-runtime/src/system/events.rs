@@ -4,7 +4,7 @@ use crate::contact;
 use crate::enclosure::Enclosed;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
-use crate::system::{Health, Rate};
+use crate::system::Rate;
 use crate::vector::Vector;
 
 /// Events, at which the discrete state changes and the state may be reset. Without any, `type G = [S; 0]` is all of it.
@@ -196,14 +196,7 @@ pub trait Events: Rate {
         Self: Sized,
         Self::S: Real,
     {
-        let mut worst: Option<Health<Self::S>> = None;
-        contact::smooth_step::<Self, EVALUATIONS>(stride, x, |t, x, dx| {
-            let health = self.rate(t, u, x, dx);
-            worst = Some(worst.map_or(health, |worst| worst.worst(health)));
-        });
-        let health = worst.unwrap_or_else(Health::perfect);
-        let solution = contact::Solution { residual: Self::S::ZERO, rounds: 0, health };
-        behind(u, x, &solution).map(|()| solution)
+        contact::smooth_stride::<Self, EVALUATIONS>(self, stride, (u, x), behind)
     }
 
     /// Brings up to date what the discrete state says of the state, which may have been set from outside: rows of contact that hold may

@@ -157,17 +157,22 @@ impl<S: Real> rt::Constraints for Block<S> {
     }
 }
 
-impl<S: Real> rt::Events for Block<S> {
-    type G = [S; OWN + rt::contact::guard_count(ROWS)];
-    const CONTACTS: usize = ROWS;
+impl<S: Real> rt::Switched for Block<S> {
+    type Guards = [S; OWN + rt::contact::guard_count(ROWS)];
+    type Contact = rt::switched::WithContact<ROWS>;
+    const SWITCHES: rt::Switches = rt::Switches {
+        guards: OWN,
+        rows: ROWS,
+        contact_guards: rt::contact::guard_count(ROWS),
+        ..rt::Switches::NONE
+    };
 
-    fn guards(&self, t: S, u: &Self::U, x: &[S; LENGTH], g: &mut Self::G) {
+    fn watch<T>(&self, t: S, u: &Self::U, x: &[S; LENGTH], see: impl FnOnce(&[S]) -> T) -> T {
         let mut own = [S::lit(0.0); OWN];
         self.switching(t, u, x, &mut own);
-        g[..OWN].copy_from_slice(&own);
-        rt::contact::guards::<Self, ROWS>(self, t, u, x, &mut |index, guard| g[OWN + index] = guard);
+        see(&own)
     }
-    fn guards_within(
+    fn watch_within(
         &self,
         t: rt::Enclosed<S>,
         u: &Self::U,
@@ -179,48 +184,10 @@ impl<S: Real> rt::Events for Block<S> {
         let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
         let mut own = [rt::Enclosed::constant(S::lit(0.0)); OWN];
         mechanism.switching(t, &held, &core::array::from_fn(x), &mut own);
-        for (index, guard) in own.into_iter().enumerate() {
-            each(index, guard);
+        for (number, guard) in own.into_iter().enumerate() {
+            each(number, guard);
         }
-        let each = &mut |index, guard| each(OWN + index, guard);
-        rt::contact::guards_within::<Self, ROWS>(self, t, u, x, each)
-    }
-    fn switch(&self, t: S, u: &mut Self::U, x: &mut [S; LENGTH], index: usize) -> Result<(), Fault> {
-        self.switch_behind(t, u, x, (index, S::lit(0.0)))
-    }
-    fn switch_behind(
-        &self,
-        t: S,
-        u: &mut Self::U,
-        x: &mut [S; LENGTH],
-        (index, step): (usize, S),
-    ) -> Result<(), Fault> {
-        let Some(row_guard) = index.checked_sub(OWN) else {
-            u.switches[index] = -u.switches[index];
-            // Forces may have jumped.
-            rt::contact::update_behind::<Self, ROWS>(self, t, u, x, step)?;
-            return Ok(());
-        };
-        rt::contact::switch_behind::<Self, ROWS>(self, t, u, x, (row_guard, step))?;
-        Ok(())
-    }
-    fn state_was_set(&self, t: S, u: &mut Self::U, x: &mut [S; LENGTH]) -> Result<(), Fault> {
-        rt::contact::state_was_set::<Self, ROWS>(self, t, u, x)
-    }
-    fn contacts(u: &Self::U) -> rt::contact::Status<'_> {
-        u.contact.status()
-    }
-    fn change_contact(u: &mut Self::U, change: rt::contact::Change) {
-        u.contact.modes.change = change;
-    }
-    fn stride<const EVALUATIONS: usize>(
-        &self,
-        stride: &rt::contact::Stride<S>,
-        u: &mut Self::U,
-        x: &mut [S; LENGTH],
-        behind: impl FnOnce(&mut Self::U, &mut [S; LENGTH], &rt::contact::Solution<S>) -> Result<(), Fault>,
-    ) -> Result<rt::contact::Solution<S>, Fault> {
-        rt::contact::step::<Self, ROWS, EVALUATIONS>(self, stride, u, x, behind)
+        true
     }
 }
 

@@ -5,7 +5,7 @@ use plm_runtime::charts::{
     is_calm, is_free, look, pose, update,
 };
 use plm_runtime::held::{Held, Loops};
-use plm_runtime::{Cause, Constraints, Events, Health, Labels, Rate};
+use plm_runtime::{Cause, Constraints, Events, Health, Labels, Rate, Step};
 
 /// A bead on the circle of radius 1 m: by its y in chart 0, by its x in chart 1. The measure of a chart is the size of the other
 /// coordinate.
@@ -165,13 +165,13 @@ fn a_state_within_its_box_is_calm() {
         let expected = (calm, f64::from(u8::from(calm)));
         assert_eq!(both_calm(bead, 0.0, &held, &moved), expected, "{part} of the reach");
         assert_eq!(both_calm(bead, part * WHILE, &held, &x), expected, "{part} of the time");
-        assert!((crossed(&bead, &held, 0.1, [&x, &moved]) - part.abs()).abs() < 1e-12, "{part} of the reach");
+        assert!((in_step(bead, &held, 0.1, [&x, &moved]) - part.abs()).abs() < 1e-12, "{part} of the reach");
     }
     let (chart, mut continuation) = within(&held);
     continuation.coordinates[0].reach = 0.031;
     let wide = in_chart(chart, continuation);
     // A box of a thirtieth of what is typical is not tight.
-    assert_eq!(crossed(&bead, &wide, 0.1, [&x, &[x[0] + 0.04, x[1], x[2]]]), 0.0);
+    assert_eq!(in_step(bead, &wide, 0.1, [&x, &[x[0] + 0.04, x[1], x[2]]]), 0.0);
 }
 
 /// A coordinate of constant acceleration that ends where it began, or beyond: it has gone v^2/(2 a) until it turned back.
@@ -183,12 +183,17 @@ fn a_coordinate_that_turns_back_has_gone_there_and_back() {
         let [before, after] = ends(v0, v1, dt);
         let acceleration = (v1 - v0).abs() / dt;
         let way = v0.abs().max(v1.abs()).powi(2) / (2.0 * acceleration);
-        let found = crossed(&bead, &held, dt, [&before, &after]) * REACH;
+        let found = in_step(bead, &held, dt, [&before, &after]) * REACH;
         assert!((found - way).abs() < 1e-12, "{v0} to {v1}: {found}, {way}");
     }
     // One that comes to rest, or leaves it, has gone as far as its ends are apart.
     let [before, after] = ends(1.0, 0.0, 0.01);
-    assert!((crossed(&bead, &held, 0.01, [&before, &after]) * REACH - 0.005).abs() < 1e-12);
+    assert!((in_step(bead, &held, 0.01, [&before, &after]) * REACH - 0.005).abs() < 1e-12);
+}
+
+/// How much of a box a step of this length crosses.
+fn in_step(bead: Bead, held: &Bound, dt: f64, [before, x]: [&[f64; 3]; 2]) -> f64 {
+    crossed(&Step { system: &bead, held, from: (0.0, before), to: (dt, x), health: 1.0 })
 }
 
 /// Whether there is nothing to look at, by the functions of one state and of several.

@@ -30,7 +30,7 @@ mod solver;
 use self::impacts::{Progress, impacts};
 pub use self::packed::{Proposed, packed_steps};
 use self::problem::{Problem, away, lead_back};
-pub use self::smooth::smooth_step;
+pub use self::smooth::{smooth_step, smooth_stride};
 use self::solver::Solved;
 use super::booked::Struck;
 use super::modes::{Change, Mode, Modes};

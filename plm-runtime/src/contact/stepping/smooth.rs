@@ -1,8 +1,9 @@
 //! The step without rows of contact.
 
-use super::{Stride, drift, predicted};
+use super::{Solution, Stride, drift, predicted};
+use crate::fault::Fault;
 use crate::scalar::Scalar;
-use crate::system::Rate;
+use crate::system::{Health, Rate};
 use crate::vector::Vector;
 
 /// (1) and (2) of this module without rows of contact; `rate` writes the rate at a time and state, once for each evaluation.
@@ -23,4 +24,24 @@ pub fn smooth_step<M: Rate, const EVALUATIONS: usize>(
         x.set(i, stride.h.mul_add(dx.at(i), x.at(i)));
     }
     drift::<M>(behind, x);
+}
+
+/// The same by the rate of a system, with what is done `behind` it.
+///
+/// # Errors
+/// Those of `behind`.
+pub fn smooth_stride<M: Rate, const EVALUATIONS: usize>(
+    system: &M,
+    stride: &Stride<M::S>,
+    (u, x): (&mut M::U, &mut M::X),
+    behind: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
+) -> Result<Solution<M::S>, Fault> {
+    let mut worst: Option<Health<M::S>> = None;
+    smooth_step::<M, EVALUATIONS>(stride, x, |t, x, dx| {
+        let health = system.rate(t, u, x, dx);
+        worst = Some(worst.map_or(health, |worst| worst.worst(health)));
+    });
+    let health = worst.unwrap_or_else(Health::perfect);
+    let solution = Solution { residual: M::S::ZERO, rounds: 0, health };
+    behind(u, x, &solution).map(|()| solution)
 }

@@ -9,7 +9,6 @@ use super::super::bindings::Origin;
 use super::super::function::function;
 use super::super::{Emission, Sizes, number};
 use super::contact;
-use super::contact_events::Beside;
 use super::limits::into_state;
 use crate::facts::contact as facts;
 use crate::formulate::Function;
@@ -38,21 +37,6 @@ pub(in super::super) fn are_at_start(emission: &Emission) -> bool {
 /// Number of the events that follow conditions.
 pub(in super::super) fn count(emission: &Emission) -> Literal {
     number(conditional(emission).len())
-}
-
-/// Changes of sides or modes, in the body of a function that returns `Result`: without events that set states they are all; else
-/// these follow.
-pub(super) fn followed(emission: &Emission, changes: TokenStream) -> TokenStream {
-    if !are_there(emission) {
-        return changes;
-    }
-    let count = count(emission);
-    quote! {
-        rt::events::change::<Self, #count>(self, t, u, x, |u, x| {
-            let _ = &x;
-            #changes
-        })
-    }
 }
 
 /// The values that are set as a run begins, and `Sets`; nothing where no event sets anything.
@@ -189,10 +173,9 @@ fn events(emission: &Emission) -> TokenStream {
 /// The next modes of contacts, where there are some, behind a look at gaps that begin to exist or that what was set has moved.
 fn settle(emission: &Emission) -> Option<TokenStream> {
     let length = &emission.sizes.length;
-    let Beside { switch_at_time: update, appearance: [_, appear], .. } = Beside::new(emission);
+    let rows = contact::count(emission);
     let moved = facts::moved_by_states(emission.model).into_iter().map(number).collect_vec();
-    let appearance = (!(appear.is_empty() && moved.is_empty())).then(|| {
-        let rows = contact::count(emission);
+    let appearance = (facts::some_may_not_exist(emission.model) || !moved.is_empty()).then(|| {
         let stays = if moved.is_empty() { quote!(true) } else { quote!(!matches!(row, #(#moved)|*)) };
         quote! {
             let existed: [bool; #rows] = core::array::from_fn(
@@ -207,7 +190,7 @@ fn settle(emission: &Emission) -> Option<TokenStream> {
                 &self, t: S, before: &Held<S>, u: &mut Held<S>, x: &mut [S; #length]
             ) -> Result<(), Fault> {
                 #appearance
-                #update
+                rt::contact::update::<Self, #rows>(self, t, u, x)?;
                 Ok(())
             }
         }

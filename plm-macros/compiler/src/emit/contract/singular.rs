@@ -72,7 +72,7 @@ fn alone() -> TokenStream {
         fn is_charted(&self) -> bool {
             false
         }
-        fn crossed(&self, _held: &Self::U, _dt: S, _ends: [&Self::X; 2]) -> S {
+        fn crossed(_step: &rt::Step<'_, Self>) -> S {
             S::lit(0.0)
         }
         fn is_near(_held: &Self::U) -> bool {
@@ -99,8 +99,8 @@ fn charted(emission: &Emission) -> TokenStream {
             true
         }
         #[inline]
-        fn crossed(&self, held: &Self::U, dt: S, ends: [&Self::X; 2]) -> S {
-            rt::charts::crossed(self, held, dt, ends)
+        fn crossed(step: &rt::Step<'_, Self>) -> S {
+            rt::charts::crossed(step)
         }
         fn is_near(held: &Self::U) -> bool {
             rt::charts::is_free::<Self>(held)

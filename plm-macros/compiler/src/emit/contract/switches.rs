@@ -1,6 +1,6 @@
-//! Methods of `Events` for switches, whose sides are held over a step: guards, switches, known times, jumps of rows.
+//! `Switched`: tables of conditions and of contact, and the routines that they name; the runtime makes `Events` of it.
 
-use crate::collect::{CollectVec, MapEach};
+use crate::collect::CollectVec;
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 use quote::format_ident;
@@ -10,18 +10,120 @@ use super::super::function::body;
 use super::super::{Emission, Sizes, number, pose_at, quoted};
 use super::charted::in_held;
 use super::contact;
-use super::contact_events::Beside;
 use super::sets;
 use crate::facts::contact::are_read_by_conditions as reads_contact;
 use crate::facts::{self, conditions};
-use crate::model::{Decisions, End};
+use crate::model::{Decisions, End, Switch, bounding_reactions};
+
+/// `Switched`.
+pub(super) fn switched(emission: &Emission) -> TokenStream {
+    let Emission { model, name, .. } = emission;
+    let all = number(model.guards() + facts::contact::guards(model));
+    let contact = if contact::are_there(emission) {
+        let places = contact::count(emission);
+        quote!(rt::switched::WithContact<#places>)
+    } else {
+        quote!(rt::switched::NoContact)
+    };
+    let (table, ends) = (table(emission), ends(emission));
+    let watch = (model.watched() > 0).then(|| watch(emission));
+    let times = (model.switches.len() > model.guards()).then(|| known_times(emission));
+    let change = sets::are_there(emission).then(|| change(emission));
+    let jump = (!model.jumps.is_empty()).then(|| jump(emission));
+    let appear = facts::contact::some_may_not_exist(model).then(|| {
+        quote! {
+            fn may_appear(&self) -> bool {
+                true
+            }
+        }
+    });
+    quote! {
+        impl<S: Real> rt::Switched for #name<S> {
+            type Guards = [S; #all];
+            type Contact = #contact;
+            const SWITCHES: rt::Switches = #table;
+            #watch
+            #times
+            #change
+            #jump
+            #appear
+            #ends
+        }
+    }
+}
+
+/// Conditions that must hold, and guards at whose zeros a run ends.
+fn ends(emission: &Emission) -> TokenStream {
+    let switches = &emission.model.switches;
+    let is_required = |switch: &Switch| switch.must_hold && switch.instant.is_none();
+    let required = switches.iter().enumerate().filter(|(_, switch)| is_required(switch));
+    let required: Vec<_> = required.map(|(index, _)| number(index)).collect_vec();
+    let is_required = (!required.is_empty()).then(|| {
+        quote! {
+            #[inline]
+            fn is_required(&self, index: usize) -> bool {
+                matches!(index, #(#required)|*)
+            }
+        }
+    });
+    let ends = switches.iter().take(emission.model.guards()).enumerate().filter_map(|(index, switch)| {
+        Some(match switch.end.as_ref()? {
+            End::Pole(by) => format!("{index} => Some(rt::Cause::Pole {{ by: {by:?} }}),"),
+            End::Domain(of) => format!("{index} => Some(rt::Cause::Domain {{ of: {of:?} }}),"),
+        })
+    });
+    let ends: Vec<String> = ends.collect_vec();
+    let end_at = (!ends.is_empty()).then(|| {
+        let ends = emission.text(ends.join(" "));
+        quote! {
+            fn end_at(&self, index: usize) -> Option<rt::Cause> {
+                match index {
+                    #ends
+                    _ => None,
+                }
+            }
+        }
+    });
+    quote!(#is_required #end_at)
+}
+
+/// The tables; what is nothing is left out.
+fn table(emission: &Emission) -> TokenStream {
+    let model = emission.model;
+    let Decisions { nodes, roots } = &model.decisions;
+    let in_plane = bounding_reactions(&model.contacts).iter().any(|reaction| reaction.components.len() > 1);
+    let counts = [
+        ("guards", model.guards()),
+        ("kinks", model.kinks.len()),
+        ("times", model.switches.len() - model.guards()),
+        ("rows", model.contacts.len()),
+        ("contact_guards", facts::contact::guards(model)),
+    ];
+    let mut fields: Vec<String> = counts
+        .into_iter()
+        .filter(|(_, count)| *count > 0)
+        .map(|(name, count)| format!("{name}: {count}"))
+        .collect_vec();
+    let lists = [
+        ("roots", roots.iter().map(usize::to_string).collect_vec()),
+        ("nodes", nodes.iter().map(|(side, yes, no)| format!("({side}, {yes}, {no})")).collect_vec()),
+        ("jumps", model.jumps.iter().map(|jump| format!("({}, {})", jump.row, jump.switch)).collect_vec()),
+    ];
+    let lists = lists.into_iter().filter(|(_, items)| !items.is_empty());
+    fields.extend(lists.map(|(name, items)| format!("{name}: &[{}]", items.join(", "))));
+    let is_so = [("selective", !roots.is_empty()), ("bends", in_plane)];
+    fields.extend(is_so.into_iter().filter(|(_, is_so)| *is_so).map(|(name, _)| format!("{name}: true")));
+    if fields.is_empty() {
+        return quote!(rt::Switches::NONE);
+    }
+    let fields = emission.text(fields.join(", "));
+    quote!(rt::Switches { #fields, ..rt::Switches::NONE })
+}
 
 /// Guards and kinks, which every step evaluates, at a time and over an interval.
-pub(super) fn watched(emission: &Emission) -> TokenStream {
+fn watch(emission: &Emission) -> TokenStream {
     let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
-    let Beside { take, guards: contact_guards, .. } = Beside::new(emission);
-    let total = number(model.guards() + Beside::guards_of(emission));
-    let [guards, kinks, all] = [model.guards(), model.kinks.len(), model.watched()].map_each(number);
+    let all = number(model.watched());
     let solution = emission.events_read_solution().then(|| quote!(&a, &lambda,));
     let full = quote!(self.switching(t, u, &rt::charts::full(self, t, u, x), #solution g));
     let solved = emission
@@ -29,32 +131,16 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
         .then(|| quote!(let (a, lambda) = <State<S> as rt::Moment>::new(*self, *u, t, *x).solved_();));
     let loaded = reads_contact(model).then(|| quote!(let u = &self.loaded_(t, u, x);));
     let here = switching(emission, &quote!(self), (&solution, &quote!({ #full })));
-    let within = guards_within(emission);
+    let within = watch_within(emission);
     quote! {
-        const KINKS: usize = #kinks;
-
-        fn guards(&self, t: S, u: &Self::U, x: &[S; #length], g: &mut [S; #total]) {
-            let mut all = [S::lit(0.0); #all];
-            let out = g;
-            let g = &mut all;
-            #solved
-            #loaded
-            #here;
-            for (guard, value) in out.iter_mut().zip(all)#take {
-                *guard = value;
-            }
-            #contact_guards
-        }
-
-        fn kinks(&self, t: S, u: &Self::U, x: &[S; #length], each: &mut impl FnMut(usize, S)) {
+        #[inline]
+        fn watch<T>(&self, t: S, u: &Self::U, x: &[S; #length], see: impl FnOnce(&[S]) -> T) -> T {
             let mut all = [S::lit(0.0); #all];
             let g = &mut all;
             #solved
             #loaded
             #here;
-            for (index, value) in all.into_iter().skip(#guards).enumerate() {
-                each(index, value);
-            }
+            see(&all)
         }
 
         #within
@@ -63,10 +149,10 @@ pub(super) fn watched(emission: &Emission) -> TokenStream {
 
 /// Guards and kinks over an interval of time. Enclosures of accelerations and multipliers are wide: where events read some, all are
 /// looked for by samples.
-fn guards_within(emission: &Emission) -> TokenStream {
+fn watch_within(emission: &Emission) -> TokenStream {
     let (model, Sizes { length, .. }) = (emission.model, &emission.sizes);
     let head = quote! {
-        fn guards_within(
+        fn watch_within(
             &self,
             t: rt::Enclosed<S>,
             u: &Self::U,
@@ -82,7 +168,6 @@ fn guards_within(emission: &Emission) -> TokenStream {
             }
         };
     }
-    let Beside { index: place, within: contact_within, .. } = Beside::new(emission);
     let all = number(model.watched());
     let within = switching(emission, &quote!(mechanism), (&None, &quote!({})));
     // Without a chart the state stands in what is held, and does not move with `x`.
@@ -99,13 +184,13 @@ fn guards_within(emission: &Emission) -> TokenStream {
             use rt::lanes::Pack;
             let constant = |[s]: [S; 1]| rt::Enclosed::constant(s);
             let (mechanism, held) = (self.pack([self], constant), Self::pack_held(u, [u], constant));
-            let mut guards = [rt::Enclosed::constant(S::lit(0.0)); #all];
+            let mut all = [rt::Enclosed::constant(S::lit(0.0)); #all];
             let within = |u: &Held<rt::Enclosed<S>>, x: &[rt::Enclosed<S>; #length], g: &mut [rt::Enclosed<S>; #all]| #within;
-            within(&held, &rt::Vector::from_fn(x), &mut guards);
-            for (index, guard) in guards.into_iter().enumerate() {
-                each(#place, guard);
+            within(&held, &rt::Vector::from_fn(x), &mut all);
+            for (number, value) in all.into_iter().enumerate() {
+                each(number, value);
             }
-            #contact_within
+            true
         }
     }
 }
@@ -131,73 +216,6 @@ fn switching(
     })
 }
 
-/// Events of the switches that depend on the state. One that must hold does not change: it ends the run.
-pub(super) fn switch(emission: &Emission) -> TokenStream {
-    let model = emission.model;
-    let of_state = model.switches.iter().filter(|switch| switch.instant.is_none());
-    let required: Vec<_> = of_state
-        .enumerate()
-        .filter(|(_, switch)| switch.must_hold)
-        .map(|(index, _)| number(index))
-        .collect_vec();
-    let is_required = !required.is_empty();
-    let must_hold = is_required.then(|| {
-        quote! {
-            fn must_hold(&self, index: usize) -> bool {
-                matches!(index, #(#required)|*)
-            }
-        }
-    });
-    let only = is_required.then(|| {
-        quote! {
-            if self.must_hold(index) {
-                return Ok(());
-            }
-        }
-    });
-    let ends = model.switches.iter().take(model.guards()).enumerate().filter_map(|(index, switch)| {
-        Some(match switch.end.as_ref()? {
-            End::Pole(by) => format!("{index} => Some(rt::Cause::Pole {{ by: {by:?} }}),"),
-            End::Domain(of) => format!("{index} => Some(rt::Cause::Domain {{ of: {of:?} }}),"),
-        })
-    });
-    let ends: Vec<String> = ends.collect_vec();
-    let Beside { head, switch: next, appearance: [exist, appear], .. } = Beside::new(emission);
-    let end = (!ends.is_empty()).then(|| {
-        let ends = emission.text(ends.join(" "));
-        quote! {
-            fn end(&self, index: usize) -> Option<rt::Cause> {
-                match index {
-                    #ends
-                    _ => None,
-                }
-            }
-        }
-    });
-    // Behind the guards of conditions stand those of contact; behind sides of conditions of the state those of the time.
-    let own = contact::are_there(emission).then(|| {
-        let own = number(model.guards());
-        quote!(.filter(|_| index < #own))
-    });
-    let changes = quote! {
-        #exist
-        if let Some(side) = u.switches.get_mut(index)#own {
-            *side = -*side;
-        }
-        #appear
-        #next
-    };
-    let changes = sets::followed(emission, changes);
-    quote! {
-        #must_hold
-        #end
-        #head {
-            #only
-            #changes
-        }
-    }
-}
-
 /// Names of the conditions of the state, and their texts.
 pub(super) fn names(emission: &Emission) -> TokenStream {
     let model = emission.model;
@@ -205,7 +223,7 @@ pub(super) fn names(emission: &Emission) -> TokenStream {
     let names = model.switches.iter().take(model.guards()).map(|switch| &switch.name);
     let names = emission.text(quoted(names.chain(of_contact.iter().copied())));
     let texts = emission.text(quoted(conditions::texts(model).chain(of_contact.into_iter().cloned())));
-    let guards = number(model.guards() + Beside::guards_of(emission));
+    let guards = number(model.guards() + facts::contact::guards(model));
     quote! {
         fn guard_name(&self, index: usize) -> &'static str {
             const NAMES: [&str; #guards] = [#names];
@@ -218,73 +236,39 @@ pub(super) fn names(emission: &Emission) -> TokenStream {
     }
 }
 
-/// Which conditions and kinks matter, given the sides that are held.
-pub(super) fn matters(emission: &Emission) -> TokenStream {
-    let Decisions { nodes, roots } = &emission.model.decisions;
-    let contact = Beside::new(emission).matters;
-    let [watched, count] = [roots.len(), nodes.len()].map_each(number);
-    let roots = emission.list(roots.iter().map(usize::to_string));
-    let nodes = emission.list(nodes.iter().map(|(side, yes, no)| format!("({side}, {yes}, {no})")));
+/// When conditions of the time alone change.
+fn known_times(emission: &Emission) -> TokenStream {
+    let count = number(emission.model.switches.len() - emission.model.guards());
     quote! {
-        const SELECTIVE: bool = true;
-
-        fn matters(&self, u: &Self::U, index: usize, unknown: u64) -> bool {
-            const ROOTS: [u16; #watched] = [#roots];
-            const NODES: [(u8, u16, u16); #count] = [#nodes];
-            #contact
-            let root = ROOTS.get(index).copied().unwrap_or(1);
-            rt::events::holds(&NODES, root, &u.switches, unknown)
-        }
-    }
-}
-
-/// When switches of the time alone change, and which sides of them apply.
-pub(super) fn known_times(emission: &Emission) -> TokenStream {
-    let (guards, Sizes { length, .. }) = (emission.model.guards(), &emission.sizes);
-    let Beside { switch_at_time: next, appearance: [exist, appear], .. } = Beside::new(emission);
-    let reads_state = contact::are_there(emission) || sets::are_there(emission);
-    let state = if reads_state { quote!(x) } else { quote!(_x) };
-    let count = number(emission.model.switches.len() - guards);
-    let sides = sides_at_time(emission);
-    let changes = quote! {
-        #exist
-        #sides
-        #appear
-        #next
-        Ok(())
-    };
-    let changes = sets::followed(emission, changes);
-    quote! {
-        fn next_time_event(&self, t: S, u: &Self::U) -> Option<S> {
+        #[inline]
+        fn known_times<T>(&self, u: &Self::U, see: impl FnOnce(&[S], &[S]) -> T) -> T {
             let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
             self.instants(u, &mut at, &mut slope);
-            at.into_iter().filter(|at| *at > t).reduce(S::min)
-        }
-
-        fn switch_at_time(&self, t: S, u: &mut Self::U, #state: &mut [S; #length]) -> Result<(), Fault> {
-            #changes
+            see(&at, &slope)
         }
     }
 }
 
-/// The sides of conditions on the time alone, at the time `t`.
-pub(in super::super) fn sides_at_time(emission: &Emission) -> TokenStream {
-    let guards = emission.model.guards();
-    let [count, guards] = [emission.model.switches.len() - guards, guards].map_each(number);
+/// Changes, and the events that set states behind them.
+fn change(emission: &Emission) -> TokenStream {
+    let (count, Sizes { length, .. }) = (sets::count(emission), &emission.sizes);
     quote! {
-        let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
-        self.instants(u, &mut at, &mut slope);
-        for ((side, at), slope) in u.switches.iter_mut().skip(#guards).zip(at).zip(slope) {
-            *side = if (at <= t) == (slope > S::lit(0.0)) { S::lit(1.0) } else { S::lit(-1.0) };
+        fn change(
+            &self,
+            t: S,
+            u: &mut Self::U,
+            x: &mut [S; #length],
+            changes: impl FnOnce(&mut Self::U, &mut [S; #length]) -> Result<(), Fault>,
+        ) -> Result<(), Fault> {
+            rt::events::change::<Self, #count>(self, t, u, x, changes)
         }
     }
 }
 
 /// Rows that may jump; those that are known to are errors.
-pub(super) fn jump(emission: &Emission) -> TokenStream {
+fn jump(emission: &Emission) -> TokenStream {
     let (jumps, Sizes { nq, length, .. }) = (&emission.model.jumps, &emission.sizes);
-    let [count, terms] = [jumps.len(), 5 * jumps.len()].map_each(number);
-    let places = emission.list(jumps.iter().map(|jump| format!("({}, {})", jump.row, jump.switch)));
+    let terms = number(5 * jumps.len());
     let pose = pose_at("u");
     let (jump_docs, jump) = body(
         emission,
@@ -295,18 +279,12 @@ pub(super) fn jump(emission: &Emission) -> TokenStream {
     quote! {
         #jump_docs
         #[cold]
-        fn jump(&self, t: S, u: &Self::U, x: &[S; #length], after: Option<&Self::U>) -> Option<Fault> {
-            const JUMPS: [(usize, usize); #count] = [#places];
+        fn jump_of_rows(&self, t: S, u: &Self::U, x: &[S; #length], after: Option<&Self::U>) -> Option<Fault> {
             let (q, v): ([S; #nq], [S; #nq]) = #pose;
             let (q, v) = (&q, &v);
             let mut jump = [S::lit(0.0); #terms];
             #jump
-            let (terms, _) = jump.as_chunks::<5>();
-            let crossings = JUMPS.iter().zip(terms).filter_map(|(&(row, switch), &terms)| {
-                let changes = after.is_some_and(|after| after.switches[switch] != u.switches[switch]);
-                (changes || after.is_none()).then_some(absolute::Crossing { row, terms, changes })
-            });
-            absolute::jump::<S, Self, NQ, NC>(self, t, (q, v), crossings)
+            rt::switched::jump::<Self, NQ, NC>(self, t, (q, v), (u, after), &jump)
         }
     }
 }

@@ -1,4 +1,4 @@
-//! `Constraints`, `Events`, `Labels`: what integrators and the event detector ask for beside the rate.
+//! `Constraints`, `Switched`, `Labels`: what integrators and the event detector ask for beside the rate.
 
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
@@ -11,7 +11,8 @@ use crate::model::Stabilisation;
 
 /// Traits of `System` beside the rate.
 pub(crate) fn system(emission: &Emission) -> TokenStream {
-    let (constraints, events, labels) = (constraints(emission), events(emission), labels(emission));
+    let (constraints, events, labels) =
+        (constraints(emission), switches::switched(emission), labels(emission));
     quote! {
         #constraints
         #events
@@ -62,30 +63,6 @@ fn constraints(emission: &Emission) -> TokenStream {
             #update
             #stabilisation
             #energy
-        }
-    }
-}
-
-/// `Events`.
-fn events(emission: &Emission) -> TokenStream {
-    let Emission { model, name, .. } = emission;
-    let guards = number(model.guards());
-    if contact::are_there(emission) {
-        return contact_events::events(emission);
-    }
-    let watched = (model.watched() > 0).then(|| switches::watched(emission));
-    let matters = (!model.decisions.roots.is_empty()).then(|| switches::matters(emission));
-    let switch = (model.guards() > 0).then(|| switches::switch(emission));
-    let known_times = (model.switches.len() > model.guards()).then(|| switches::known_times(emission));
-    let jump = (!model.jumps.is_empty()).then(|| switches::jump(emission));
-    quote! {
-        impl<S: Real> rt::Events for #name<S> {
-            type G = [S; #guards];
-            #watched
-            #matters
-            #switch
-            #known_times
-            #jump
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
-use super::super::contract::{contact, sets, switches};
+use super::super::contract::{contact, sets};
 use super::super::{Emission, number};
 
 /// Takes the sides of all conditions of the state, where no event sets states.
@@ -19,7 +19,7 @@ pub(super) fn sides(emission: &Emission) -> TokenStream {
     let model = emission.model;
     let start = sets::are_at_start(emission).then(|| quote!(self.set_at_start_(t, &mut held, &mut x)?;));
     let [of_time, of_state] = [model.switches.len() > model.guards(), model.guards() > 0];
-    let at_time = || of_time.then(|| switches::sides_at_time(emission));
+    let at_time = || of_time.then(|| quote!(rt::switched::take_sides_at_time(self, t, u);));
     let sides = if sets::are_there(emission) {
         let (count, at_time) = (sets::count(emission), at_time());
         quote! {

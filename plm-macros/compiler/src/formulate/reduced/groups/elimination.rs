@@ -338,7 +338,7 @@ mod tests {
                 let product: Vec2 = row.iter().zip(&x).map(|(&column, &x)| x * column).sum();
                 roots.extend((product - *b).components());
             }
-            let results = plm_cas::algebra::tape(&roots).eval(&values).unwrap();
+            let results = algebra::tape(&roots).eval(&values).unwrap();
             let measure = results[0];
             assert!((0.0..1.0 + 1e-12).contains(&measure), "{case}: {measure}");
             let worst = results[1..].iter().fold(0.0_f64, |worst, gap| worst.max(gap.abs()));
@@ -360,7 +360,7 @@ mod tests {
         let squares = own.iter().map(|row| row.iter().map(kind).collect()).collect_vec();
         let plan = Plan::new(&squares).unwrap();
         let measure = Elimination::new(&plan, columns, ("j", Expr::ONE)).measure;
-        let tape = plm_cas::algebra::tape(&[measure]);
+        let tape = algebra::tape(&[measure]);
         let [at_tenth, at_hundredth] =
             [0.1, 0.01].map(|value| tape.eval(&[(angle, value)]).unwrap()[0].sqrt());
         assert!((at_tenth / at_hundredth - 10.0).abs() < 0.1, "{at_tenth} {at_hundredth}");
