@@ -30,8 +30,7 @@ const SWEEPS: usize = 60;
 /// W B. Returns the singular values, the norms of the rows, in no particular order; `None` if an entry is not finite.
 ///
 /// It works in place: matrices of large mechanisms fit on a stack once, not several times. In builds with debug assertions a crate has its
-/// own copy: of what is never inlined an optimised one would take that of an unoptimised one. Rows and columns of zeros behind the last
-/// one that has a number are room, and cost nothing.
+/// own copy: of what is never inlined an optimised one (`examples/sweep`) would take that of an unoptimised one.
 #[cfg_attr(not(debug_assertions), inline(never))]
 pub fn rotate<S: Real, const ROWS: usize, const COLUMNS: usize, const CARRIED: usize>(
     rows: &mut [[S; COLUMNS]; ROWS],
@@ -42,15 +41,13 @@ pub fn rotate<S: Real, const ROWS: usize, const COLUMNS: usize, const CARRIED: u
         return None;
     }
     let precision = Precision::of(rows, total);
-    let filled = rows.iter().rposition(|row| row.iter().any(is_filled)).map_or(0, |last| last + 1);
-    let (columns, beside) = (width(rows), width(carried));
     for _ in 0..SWEEPS {
         let mut orthogonal = true;
-        for p in 0..filled.min(ROWS) {
-            for q in p + 1..filled.min(ROWS) {
-                if let Some(rotation) = precision.rotation(&rows[p], &rows[q], columns) {
-                    rotation.apply(rows, [p, q], columns);
-                    rotation.apply(carried, [p, q], beside);
+        for p in 0..ROWS {
+            for q in p + 1..ROWS {
+                if let Some(rotation) = precision.rotation(&rows[p], &rows[q]) {
+                    rotation.apply(rows, p, q);
+                    rotation.apply(carried, p, q);
                     orthogonal = false;
                 }
             }
@@ -60,15 +57,6 @@ pub fn rotate<S: Real, const ROWS: usize, const COLUMNS: usize, const CARRIED: u
         }
     }
     None
-}
-
-fn is_filled<S: Real>(number: &S) -> bool {
-    *number != S::lit(0.0)
-}
-
-/// Columns up to the last one that is not zero.
-fn width<S: Real, const ROWS: usize, const COLUMNS: usize>(rows: &[[S; COLUMNS]; ROWS]) -> usize {
-    rows.iter().filter_map(|row| row.iter().rposition(is_filled)).max().map_or(0, |last| last + 1)
 }
 
 /// The singular values of a matrix.
@@ -117,14 +105,8 @@ pub fn add<S: Real, const N: usize>(to: &mut [S; N], factor: S, from: &[S; N]) {
 
 /// Inner product.
 pub fn dot<S: Real, const N: usize>(a: &[S; N], b: &[S; N]) -> S {
-    product(a, b, N)
-}
-
-/// Inner product of the first numbers.
-#[inline]
-fn product<S: Real, const N: usize>(a: &[S; N], b: &[S; N], count: usize) -> S {
     let (mut sum, mut i) = (S::lit(0.0), 0);
-    while i < N && i < count {
+    while i < N {
         sum = a[i].mul_add(b[i], sum);
         i += 1;
     }
@@ -147,6 +129,7 @@ struct Precision<S> {
 impl<S: Real> Precision<S> {
     /// Of a matrix with the sum of squares `total`. Rows and columns of zeros are room, and do not count.
     fn of<const ROWS: usize, const COLUMNS: usize>(matrix: &[[S; COLUMNS]; ROWS], total: S) -> Self {
+        let is_filled = |number: &S| *number != S::lit(0.0);
         let rows = matrix.iter().filter(|row| row.iter().any(is_filled)).count();
         let columns = (0..COLUMNS).filter(|column| matrix.iter().any(|row| is_filled(&row[*column]))).count();
         let cosine = S::lit(columns.max(4) as f64).sqrt() * S::EPSILON;
@@ -155,8 +138,8 @@ impl<S: Real> Precision<S> {
     }
 
     /// The rotation that makes two rows orthogonal; none if they are, or if one is nothing but rounding.
-    fn rotation<const N: usize>(&self, p: &[S; N], q: &[S; N], columns: usize) -> Option<Rotation<S>> {
-        let [pp, qq, pq] = [(p, p), (q, q), (p, q)].map(|(a, b)| product(a, b, columns));
+    fn rotation<const N: usize>(&self, p: &[S; N], q: &[S; N]) -> Option<Rotation<S>> {
+        let (pp, qq, pq) = (dot(p, p), dot(q, q), dot(p, q));
         if pp.min(qq) <= self.square || pq.abs() <= self.cosine * (pp.sqrt() * qq.sqrt()) {
             return None;
         }
@@ -177,15 +160,10 @@ struct Rotation<S> {
 }
 
 impl<S: Real> Rotation<S> {
-    /// Rotates the rows `p` and `q` of so many columns.
-    fn apply<const ROWS: usize, const N: usize>(
-        &self,
-        rows: &mut [[S; N]; ROWS],
-        [p, q]: [usize; 2],
-        columns: usize,
-    ) {
+    /// Rotates the rows `p` and `q`.
+    fn apply<const ROWS: usize, const N: usize>(&self, rows: &mut [[S; N]; ROWS], p: usize, q: usize) {
         let mut j = 0;
-        while j < N && j < columns {
+        while j < N {
             let (x, y) = (rows[p][j], rows[q][j]);
             rows[p][j] = self.cos * x - self.sin * y;
             rows[q][j] = self.sin * x + self.cos * y;
