@@ -18,7 +18,7 @@ use plm_compiler::model::ContactMode;
 
 /// A mechanism of at most `NQ / 3` bodies and `NC` constraint rows, with `N` numbers in a state [q, v, first-order states]. Coordinates
 /// of its own stand in the places of the first ones of these. Loops remember at most `L` numbers of each kind; there are at most `H` inputs,
-/// and as many conditions with guards of contact, and `R` rows of contact.
+/// and as many conditions with guards of contact, `R` rows of contact, and `P` parameters.
 #[derive(Clone, Copy, Debug)]
 pub struct Dynamic<
     S,

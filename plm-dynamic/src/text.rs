@@ -105,7 +105,7 @@ impl Compiled {
         Compiled::with_room(name, lowered)?.fits_largest()
     }
 
-    /// The mechanism as declared, with room for `NQ` coordinates, `NC` rows and `N` numbers of a state; parameters without a default
+    /// The mechanism as declared, with room for `NQ` coordinates, `NC` rows, `N` numbers of a state and `P` parameters; parameters without a default
     /// are zero until they are set. Its tables are never freed.
     ///
     /// # Errors

@@ -33,7 +33,7 @@ pub trait Sides<S> {
     /// Of each condition -1 where it holds, else 1.
     fn sides(&self) -> &[S];
 
-    /// The same, to be changed.
+    /// Sides of conditions, to be changed.
     fn sides_mut(&mut self) -> &mut [S];
 }
 

@@ -14,7 +14,7 @@ mod plm_plate_on_three_pins_ {
     /// Chart 0: none; then explicit crank[0].angle; explicit crank[1].angle; explicit crank[2].angle; Newton of 4 unknowns in 3 steps: plate.angle, slot[0].displacement, slot[1].displacement, slot[2].displacement.
     /// State: 0 numbers, 0 bytes in f64.
     /// A solution by rank, where one is needed: 2304 bytes of stack in f64.
-    /// One right-hand side: 183 add, 273 mul, 7 div, 18 neg, 6 sin_cos, 2 select.
+    /// One right-hand side: 183 add, 273 mul, 7 div, 18 neg, 6 sin_cos, 4 select.
     ///
     /// | row | constraint | equation | unit |
     /// |----:|------------|----------|------|
@@ -124,7 +124,7 @@ mod plm_plate_on_three_pins_ {
         pub const NDOF: isize = 0;
         /// Operations of one evaluation of the right-hand side.
         pub const OPERATIONS: Operations =
-            Operations { add: 201, mul: 273, div: 7, sqrt: 0, sin_cos: 6, other: 2 };
+            Operations { add: 201, mul: 273, div: 7, sqrt: 0, sin_cos: 6, other: 4 };
         impl<S: Real> State<S> {
             /// Time, s.
             pub fn time(&self) -> S {
@@ -808,29 +808,38 @@ mod plm_plate_on_three_pins_ {
                 let t40 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
                     .lt(by(2684354.5600000005) * precision * precision);
-                let t41 = by(0.6427876096865393)
-                    .mul_add(plate_angle_2_sin, by(0.766044443118978) * plate_angle_2_cos);
-                let t42 = by(-0.766044443118978)
-                    .mul_add(plate_angle_2_sin, by(0.6427876096865393) * plate_angle_2_cos);
-                let j_0_across_0_0 = (-arm_0_4_x).mul_add(t41, arm_0_4_y * t42);
-                let t43 = by(0.8191520442889918)
+                let t41 = by(0.8191520442889918)
                     .mul_add(plate_angle_2_sin, by(0.573576436351046) * plate_angle_2_cos);
-                let t44 = by(0.984807753012208)
+                let t42 = by(0.984807753012208)
                     .mul_add(plate_angle_2_sin, by(0.17364817766693033) * plate_angle_2_cos);
-                let t45 = by(-0.573576436351046)
+                let t43 = by(-0.573576436351046)
                     .mul_add(plate_angle_2_sin, by(0.8191520442889918) * plate_angle_2_cos);
-                let t46 = by(-0.17364817766693033)
+                let t44 = by(-0.17364817766693033)
                     .mul_add(plate_angle_2_sin, by(0.984807753012208) * plate_angle_2_cos);
-                let j_0_across_1_1 = t45.mul_add(t46, t43 * t44);
-                let j_0_across_0_1 = t42.mul_add(t45, t41 * t43);
-                let j_0_across_1_0 = (-arm_1_4_x).mul_add(t44, arm_1_4_y * t46);
-                let j_0_determinant =
-                    (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_1_1);
+                let j_0_across_1_1 = t43.mul_add(t44, t41 * t42);
+                let t45 = by(0.6427876096865393)
+                    .mul_add(plate_angle_2_sin, by(0.766044443118978) * plate_angle_2_cos);
+                let t46 = by(-0.766044443118978)
+                    .mul_add(plate_angle_2_sin, by(0.6427876096865393) * plate_angle_2_cos);
+                let j_0_across_0_1 = t43.mul_add(t46, t41 * t45);
+                let j_0_across_1_0 = (-arm_1_4_x).mul_add(t42, arm_1_4_y * t44);
+                let j_0_across_0_0 = (-arm_0_4_x).mul_add(t45, arm_0_4_y * t46);
                 let t47 = by(1.9999999999999996).mul_add(
                     j_0_across_0_0.mul_add(j_0_across_0_0, j_0_across_1_0 * j_0_across_1_0),
                     by(0.32) * j_0_across_0_1.mul_add(j_0_across_0_1, j_0_across_1_1 * j_0_across_1_1),
                 );
-                [Two::<S>::select(t40, by(2.0) * j_0_determinant * j_0_determinant / t47, lit(-1.0))]
+                let j_0_determinant =
+                    (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_1_1 * j_0_across_0_0);
+                let t48 = Two::<S>::select(
+                    t40,
+                    Two::<S>::select(
+                        lit(0.0).lt(t47),
+                        by(2.0) * j_0_determinant * j_0_determinant / t47,
+                        lit(0.0),
+                    ),
+                    lit(-1.0),
+                );
+                [t48]
             }
 
             /// The rate in one of two stages, at its pose.
@@ -3097,7 +3106,7 @@ mod plm_plate_on_three_pins_ {
             /// The right-hand side in the coordinates .
             /// Returns the smallest square of a dyad's measure.
             ///
-            /// 183 add, 273 mul, 7 div, 18 neg, 6 sin_cos, 2 select.
+            /// 183 add, 273 mul, 7 div, 18 neg, 6 sin_cos, 4 select.
             #[inline(always)]
             fn motion_0(
                 &self,
@@ -3354,34 +3363,39 @@ mod plm_plate_on_three_pins_ {
                 let t40 = gap_1_y
                     .mul_add(gap_1_y, gap_1_x.mul_add(gap_1_x, gap_0_y.mul_add(gap_0_y, gap_0_x * gap_0_x)))
                     .lt(by(2684354.5600000005) * precision * precision);
-                let t41 = by(0.6427876096865393)
-                    .mul_add(plate_angle_2_sin, by(0.766044443118978) * plate_angle_2_cos);
-                let t42 = by(-0.766044443118978)
-                    .mul_add(plate_angle_2_sin, by(0.6427876096865393) * plate_angle_2_cos);
-                let j_0_across_0_0 = (-arm_0_4_x).mul_add(t41, arm_0_4_y * t42);
-                let t43 = by(0.8191520442889918)
+                let t41 = by(0.8191520442889918)
                     .mul_add(plate_angle_2_sin, by(0.573576436351046) * plate_angle_2_cos);
-                let t44 = by(0.984807753012208)
+                let t42 = by(0.984807753012208)
                     .mul_add(plate_angle_2_sin, by(0.17364817766693033) * plate_angle_2_cos);
-                let t45 = by(-0.573576436351046)
+                let t43 = by(-0.573576436351046)
                     .mul_add(plate_angle_2_sin, by(0.8191520442889918) * plate_angle_2_cos);
-                let t46 = by(-0.17364817766693033)
+                let t44 = by(-0.17364817766693033)
                     .mul_add(plate_angle_2_sin, by(0.984807753012208) * plate_angle_2_cos);
-                let j_0_across_1_1 = t45.mul_add(t46, t43 * t44);
-                let j_0_across_0_1 = t42.mul_add(t45, t41 * t43);
-                let j_0_across_1_0 = (-arm_1_4_x).mul_add(t44, arm_1_4_y * t46);
-                let j_0_determinant =
-                    (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_1_1);
+                let j_0_across_1_1 = t43.mul_add(t44, t41 * t42);
+                let t45 = by(0.6427876096865393)
+                    .mul_add(plate_angle_2_sin, by(0.766044443118978) * plate_angle_2_cos);
+                let t46 = by(-0.766044443118978)
+                    .mul_add(plate_angle_2_sin, by(0.6427876096865393) * plate_angle_2_cos);
+                let j_0_across_0_1 = t43.mul_add(t46, t41 * t45);
+                let j_0_across_1_0 = (-arm_1_4_x).mul_add(t42, arm_1_4_y * t44);
+                let j_0_across_0_0 = (-arm_0_4_x).mul_add(t45, arm_0_4_y * t46);
                 let t47 = by(1.9999999999999996).mul_add(
                     j_0_across_0_0.mul_add(j_0_across_0_0, j_0_across_1_0 * j_0_across_1_0),
                     by(0.32) * j_0_across_0_1.mul_add(j_0_across_0_1, j_0_across_1_1 * j_0_across_1_1),
                 );
-                S::select(t40, by(2.0) * j_0_determinant * j_0_determinant / t47, lit(-1.0))
+                let j_0_determinant =
+                    (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_1_1 * j_0_across_0_0);
+                let t48 = S::select(
+                    t40,
+                    S::select(lit(0.0).lt(t47), by(2.0) * j_0_determinant * j_0_determinant / t47, lit(0.0)),
+                    lit(-1.0),
+                );
+                t48
             }
 
             /// Pose and velocity of every body: m, m, rad; m/s, m/s, rad/s.
             ///
-            /// 212 add, 330 mul, 8 div, 21 neg, 6 sin_cos, 2 select, 1 other.
+            /// 212 add, 330 mul, 8 div, 21 neg, 6 sin_cos, 4 select, 1 other.
             fn pose_0(
                 &self,
                 t: S,
@@ -3678,25 +3692,25 @@ mod plm_plate_on_three_pins_ {
                     .mul_add(plate_angle_2_sin, by(0.984807753012208) * plate_angle_2_cos);
                 let arm_1_4_y = -plate_angle_2_sin.mul_add(t52, plate_angle_2_cos * t51);
                 let j_0_across_1_0 = (-t49).mul_add(arm_1_4_x, t53 * arm_1_4_y);
-                let t54 = (-j2_0_step_2_0).mul_add(
+                let t54 = by(0.8191520442889918)
+                    .mul_add(plate_angle_2_sin, by(0.573576436351046) * plate_angle_2_cos);
+                let t55 = by(-0.573576436351046)
+                    .mul_add(plate_angle_2_sin, by(0.8191520442889918) * plate_angle_2_cos);
+                let j_0_across_1_1 = t55.mul_add(t53, t54 * t49);
+                let t56 = (-j2_0_step_2_0).mul_add(
                     by(1.0000000000000002) * arm2_0_4_x.mul_add(t34, t33 * arm2_0_4_y),
                     by(-1.0000000000000002) * (-t34).mul_add(gap2_0_y, t33 * gap2_0_x),
                 );
                 let slot_1_displacement_2 = slot_1_displacement_1
-                    - (-j2_0_step_2_1).mul_add(by(1.0000000000000002) * (-t25).mul_add(t34, t27 * t33), t54);
-                let t55 = by(0.766044443118978).mul_add(slot_1_displacement_2, t37) - lit(0.8);
-                let t56 = by(-0.6427876096865393).mul_add(slot_1_displacement_2, t39);
-                let arm_0_4_x = (-plate_angle_2_cos).mul_add(t55, plate_angle_2_sin * t56);
-                let arm_0_4_y = -plate_angle_2_cos.mul_add(t56, t55 * plate_angle_2_sin);
+                    - (-j2_0_step_2_1).mul_add(by(1.0000000000000002) * (-t25).mul_add(t34, t27 * t33), t56);
+                let t57 = by(0.766044443118978).mul_add(slot_1_displacement_2, t37) - lit(0.8);
+                let t58 = by(-0.6427876096865393).mul_add(slot_1_displacement_2, t39);
+                let arm_0_4_x = (-plate_angle_2_cos).mul_add(t57, plate_angle_2_sin * t58);
+                let arm_0_4_y = -plate_angle_2_cos.mul_add(t58, t57 * plate_angle_2_sin);
                 let j_0_across_0_0 = (-arm_0_4_x).mul_add(t46, arm_0_4_y * t48);
-                let t57 = by(0.8191520442889918)
-                    .mul_add(plate_angle_2_sin, by(0.573576436351046) * plate_angle_2_cos);
-                let t58 = by(-0.573576436351046)
-                    .mul_add(plate_angle_2_sin, by(0.8191520442889918) * plate_angle_2_cos);
-                let j_0_across_1_1 = t58.mul_add(t53, t57 * t49);
-                let j_0_across_0_1 = t48.mul_add(t58, t46 * t57);
+                let j_0_across_0_1 = t55.mul_add(t48, t54 * t46);
                 let j_0_determinant =
-                    (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_1_1);
+                    (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_1_1 * j_0_across_0_0);
                 let j_0_reciprocal = by(1.0) / j_0_determinant;
                 let t59 = by(0.16) * cos_t4;
                 let j_0_time_rate_across_1 = (-(-t59).mul_add(cos_crank_2_angle, t44))
@@ -3734,7 +3748,12 @@ mod plm_plate_on_three_pins_ {
                     j_0_across_1_0.mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_0_0),
                     by(0.32) * j_0_across_0_1.mul_add(j_0_across_0_1, j_0_across_1_1 * j_0_across_1_1),
                 );
-                S::select(t62, by(2.0) * j_0_determinant * j_0_determinant / t63, lit(-1.0))
+                let t64 = S::select(
+                    t62,
+                    S::select(lit(0.0).lt(t63), by(2.0) * j_0_determinant * j_0_determinant / t63, lit(0.0)),
+                    lit(-1.0),
+                );
+                t64
             }
 
             /// The joint coordinates and their rates at a pose that closes the joints.
@@ -3742,7 +3761,7 @@ mod plm_plate_on_three_pins_ {
 
             /// What is to be remembered of a state, and the smallest square of a dyad's measure.
             ///
-            /// 204 add, 332 mul, 10 div, 21 neg, 1 sqrt, 7 sin_cos, 10 select, 1 other.
+            /// 204 add, 332 mul, 10 div, 21 neg, 1 sqrt, 7 sin_cos, 12 select, 1 other.
             fn remember_0(
                 &self,
                 t: S,
@@ -4000,7 +4019,7 @@ mod plm_plate_on_three_pins_ {
                 let t45 = by(-0.766044443118978)
                     .mul_add(plate_angle_2_sin, by(0.6427876096865393) * plate_angle_2_cos);
                 let j_0_across_0_0 = (-arm_0_4_x).mul_add(t44, arm_0_4_y * t45);
-                let j_0_across_0_1 = t45.mul_add(t37, t44 * t35);
+                let j_0_across_0_1 = t37.mul_add(t45, t35 * t44);
                 let t46 = (-j2_0_step_2_0).mul_add(
                     by(1.0000000000000002) * t26.mul_add(arm2_1_4_x, t24 * arm2_1_4_y),
                     by(-1.0000000000000002) * (-t26).mul_add(gap2_1_y, t24 * gap2_1_x),
@@ -4013,7 +4032,7 @@ mod plm_plate_on_three_pins_ {
                 let arm_1_4_y = -plate_angle_2_cos.mul_add(t48, plate_angle_2_sin * t47);
                 let j_0_across_1_0 = (-arm_1_4_x).mul_add(t36, arm_1_4_y * t38);
                 let j_0_determinant =
-                    (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_0_0 * j_0_across_1_1);
+                    (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_1_1 * j_0_across_0_0);
                 let j_0_reciprocal = by(1.0) / j_0_determinant;
                 let t49 = by(0.24) * (cos_t14 * cos_crank_0_angle);
                 let t50 = by(0.12) * sin_t15;
@@ -4042,7 +4061,11 @@ mod plm_plate_on_three_pins_ {
                     j_0_across_0_0.mul_add(j_0_across_0_0, j_0_across_1_0 * j_0_across_1_0),
                     by(0.32) * j_0_across_0_1.mul_add(j_0_across_0_1, j_0_across_1_1 * j_0_across_1_1),
                 );
-                let t60 = S::select(t58, by(2.0) * j_0_determinant * j_0_determinant / t59, lit(-1.0));
+                let t60 = S::select(
+                    t58,
+                    S::select(lit(0.0).lt(t59), by(2.0) * j_0_determinant * j_0_determinant / t59, lit(0.0)),
+                    lit(-1.0),
+                );
                 let t61 = t60.sqrt();
                 let t62 = by(1.0) / t61;
                 let j_0_time_rate_1 = j_0_time_rate_across_1.mul_add(
@@ -4061,7 +4084,7 @@ mod plm_plate_on_three_pins_ {
                     by(1.0000000000000002) * t51.mul_add(t45, t53 * t44),
                 );
                 let j_0_time_rate_2 =
-                    (-j_0_time_rate_1).mul_add(by(1.0000000000000002) * (-t45).mul_add(t35, t44 * t37), t65);
+                    (-j_0_time_rate_1).mul_add(by(1.0000000000000002) * (-t35).mul_add(t45, t37 * t44), t65);
                 let t66 = t57
                     .max((t64 * j_0_time_rate_3.abs()).max(
                         (t64 * j_0_time_rate_2.abs()).max((t57 * t62).max(t64 * j_0_time_rate_1.abs())),
@@ -4103,7 +4126,7 @@ mod plm_plate_on_three_pins_ {
 
             /// The same of a pose and velocity.
             ///
-            /// 85 add, 107 mul, 1 div, 2 neg, 1 sqrt, 4 sin_cos.
+            /// 85 add, 107 mul, 1 div, 2 neg, 1 sqrt, 4 sin_cos, 2 select.
             #[cold]
             fn remember_pose_0(
                 &self,
@@ -4147,63 +4170,64 @@ mod plm_plate_on_three_pins_ {
                 let j_0_across_1_1 = t3.mul_add(t4, t1 * t2);
                 let t5 =
                     by(0.6427876096865393).mul_add(sin_plate_angle, by(0.766044443118978) * cos_plate_angle);
+                let t6 =
+                    by(-0.766044443118978).mul_add(sin_plate_angle, by(0.6427876096865393) * cos_plate_angle);
+                let j_0_across_0_1 = t3.mul_add(t6, t1 * t5);
                 let crank_0_x = q[0];
                 let plate_x = q[9];
-                let t6 = by(0.3).mul_add(sin_plate_angle, plate_x);
-                let t7 = by(0.4) * cos_plate_angle;
-                let t8 = by(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t7 - t6;
+                let t7 = by(0.3).mul_add(sin_plate_angle, plate_x);
+                let t8 = by(0.4) * cos_plate_angle;
+                let t9 = by(0.1).mul_add(cos_crank_0_angle, crank_0_x) + t8 - t7;
                 let crank_0_y = q[1];
                 let plate_y = q[10];
-                let t9 = by(-0.3).mul_add(cos_plate_angle, plate_y);
-                let t10 = by(0.4) * sin_plate_angle;
-                let t11 = by(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t10 - t9;
-                let t12 = t1.mul_add(t11, t3 * t8);
-                let crank_1_x = q[3];
-                let t13 = by(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t7 - t6;
-                let t14 = t5 * t13;
-                let t15 =
-                    by(-0.766044443118978).mul_add(sin_plate_angle, by(0.6427876096865393) * cos_plate_angle);
-                let crank_1_y = q[4];
-                let t16 = by(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t10 - t9;
-                let t17 = t15 * t16;
-                let t18 = by(0.8191520442889918) * t12;
-                let t19 =
-                    by(-0.766044443118978).mul_add(by(0.9999999999999999).mul_add(t14, -t17), t18) - lit(0.8);
-                let t20 = t14 - t17;
-                let t21 = by(0.573576436351046) * t12;
-                let t22 = by(0.6427876096865393).mul_add(t20, t21);
-                let j_0_across_0_0 = (-t5).mul_add(
-                    (-cos_plate_angle).mul_add(t19, sin_plate_angle * t22),
-                    t15 * -cos_plate_angle.mul_add(t22, sin_plate_angle * t19),
-                );
-                let j_0_across_0_1 = t3.mul_add(t15, t1 * t5);
+                let t10 = by(-0.3).mul_add(cos_plate_angle, plate_y);
+                let t11 = by(0.4) * sin_plate_angle;
+                let t12 = by(0.1).mul_add(sin_crank_0_angle, crank_0_y) + t11 - t10;
+                let t13 = t1.mul_add(t12, t3 * t9);
                 let crank_2_x = q[6];
-                let t23 = by(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t10;
-                let t24 = t2 * t23;
+                let t14 = by(0.1).mul_add(cos_crank_2_angle, crank_2_x) - plate_x + t11;
+                let t15 = t2 * t14;
                 let crank_2_y = q[7];
-                let t25 = by(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t7;
-                let t26 = t4 * t25;
-                let t27 = by(-0.17364817766693033).mul_add(by(0.9999999999999999).mul_add(t24, -t26), t18)
+                let t16 = by(0.1).mul_add(sin_crank_2_angle, crank_2_y) - plate_y - t8;
+                let t17 = t4 * t16;
+                let t18 = by(0.8191520442889918) * t13;
+                let t19 = by(-0.17364817766693033).mul_add(by(0.9999999999999999).mul_add(t15, -t17), t18)
                     - lit(0.4);
-                let t28 = t24 - t26;
-                let t29 = by(0.984807753012208).mul_add(t28, t21) - lit(0.7);
+                let t20 = t15 - t17;
+                let t21 = by(0.573576436351046) * t13;
+                let t22 = by(0.984807753012208).mul_add(t20, t21) - lit(0.7);
                 let j_0_across_1_0 = (-t2).mul_add(
-                    (-cos_plate_angle).mul_add(t27, sin_plate_angle * t29),
-                    t4 * -cos_plate_angle.mul_add(t29, sin_plate_angle * t27),
+                    (-cos_plate_angle).mul_add(t19, sin_plate_angle * t22),
+                    t4 * -cos_plate_angle.mul_add(t22, sin_plate_angle * t19),
                 );
-                let j_0_determinant =
-                    (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_1_1 * j_0_across_0_0);
+                let crank_1_x = q[3];
+                let t23 = by(0.1).mul_add(cos_crank_1_angle, crank_1_x) - t8 - t7;
+                let t24 = t5 * t23;
+                let crank_1_y = q[4];
+                let t25 = by(0.1).mul_add(sin_crank_1_angle, crank_1_y) - t11 - t10;
+                let t26 = t6 * t25;
+                let t27 =
+                    by(-0.766044443118978).mul_add(by(0.9999999999999999).mul_add(t24, -t26), t18) - lit(0.8);
+                let t28 = t24 - t26;
+                let t29 = by(0.6427876096865393).mul_add(t28, t21);
+                let j_0_across_0_0 = (-t5).mul_add(
+                    (-cos_plate_angle).mul_add(t27, sin_plate_angle * t29),
+                    t6 * -cos_plate_angle.mul_add(t29, sin_plate_angle * t27),
+                );
                 let t30 = by(1.9999999999999996).mul_add(
                     j_0_across_0_0.mul_add(j_0_across_0_0, j_0_across_1_0 * j_0_across_1_0),
                     by(0.32) * j_0_across_0_1.mul_add(j_0_across_0_1, j_0_across_1_1 * j_0_across_1_1),
                 );
-                let t31 = by(2.0) * j_0_determinant * j_0_determinant / t30;
+                let j_0_determinant =
+                    (-j_0_across_0_1).mul_add(j_0_across_1_0, j_0_across_1_1 * j_0_across_0_0);
+                let t31 =
+                    S::select(lit(0.0).lt(t30), by(2.0) * j_0_determinant * j_0_determinant / t30, lit(0.0));
                 memory.determinants[0] = t31.sqrt();
                 memory.iterated[0].value = plate_angle;
                 let plate_omega = v[11];
                 memory.iterated[0].rate = plate_omega;
                 memory.iterated[0].bend = lit(0.0);
-                memory.iterated[1].value = by(2.5) * t12;
+                memory.iterated[1].value = by(2.5) * t13;
                 let t32 = plate_omega * sin_plate_angle;
                 let t33 = plate_omega * cos_plate_angle;
                 let crank_0_vx = v[0];
@@ -4218,41 +4242,41 @@ mod plm_plate_on_three_pins_ {
                 let t38 = by(0.4) * t33;
                 let t39 = (-t3).mul_add(
                     (-t35).mul_add(sin_crank_0_angle, crank_0_vx) - t36 - t34,
-                    by(0.573576436351046).mul_add(t33, by(0.8191520442889918) * t32) * t8,
+                    by(0.573576436351046).mul_add(t33, by(0.8191520442889918) * t32) * t9,
                 );
                 let t40 = (-t1).mul_add(
                     t35.mul_add(cos_crank_0_angle, crank_0_vy) + t38 - t37,
-                    by(-0.8191520442889918).mul_add(t33, by(0.573576436351046) * t32).mul_add(t11, t39),
+                    by(-0.8191520442889918).mul_add(t33, by(0.573576436351046) * t32).mul_add(t12, t39),
                 );
                 memory.iterated[1].rate = by(-2.5) * t40;
                 memory.iterated[1].bend = lit(0.0);
-                memory.iterated[2].value = by(-2.5) * t20;
+                memory.iterated[2].value = by(-2.5) * t28;
                 let crank_1_vx = v[3];
                 let crank_1_omega = v[5];
                 let t41 = by(0.1) * crank_1_omega;
                 let crank_1_vy = v[4];
                 let t42 = (-t5).mul_add(
                     (-t41).mul_add(sin_crank_1_angle, crank_1_vx + t36) - t34,
-                    by(-0.6427876096865393).mul_add(t33, by(0.766044443118978) * t32) * t13,
+                    by(-0.6427876096865393).mul_add(t33, by(0.766044443118978) * t32) * t23,
                 );
-                let t43 = t15.mul_add(
+                let t43 = t6.mul_add(
                     t41.mul_add(cos_crank_1_angle, crank_1_vy - t38) - t37,
-                    (-by(0.766044443118978).mul_add(t33, by(0.6427876096865393) * t32)).mul_add(t16, t42),
+                    (-by(0.766044443118978).mul_add(t33, by(0.6427876096865393) * t32)).mul_add(t25, t42),
                 );
                 memory.iterated[2].rate = by(2.5) * t43;
                 memory.iterated[2].bend = lit(0.0);
-                memory.iterated[3].value = by(-2.5) * t28;
+                memory.iterated[3].value = by(-2.5) * t20;
                 let crank_2_vx = v[6];
                 let crank_2_omega = v[8];
                 let t44 = by(0.1) * crank_2_omega;
                 let crank_2_vy = v[7];
                 let t45 = (-t2).mul_add(
                     (-t44).mul_add(sin_crank_2_angle, crank_2_vx - plate_vx + t38),
-                    t23 * by(-0.984807753012208).mul_add(t33, by(0.17364817766693033) * t32),
+                    t14 * by(-0.984807753012208).mul_add(t33, by(0.17364817766693033) * t32),
                 );
                 let t46 = t4.mul_add(
                     t44.mul_add(cos_crank_2_angle, crank_2_vy - plate_vy + t36),
-                    (-t25).mul_add(by(0.17364817766693033).mul_add(t33, by(0.984807753012208) * t32), t45),
+                    (-t16).mul_add(by(0.17364817766693033).mul_add(t33, by(0.984807753012208) * t32), t45),
                 );
                 memory.iterated[3].rate = by(2.5) * t46;
                 memory.iterated[3].bend = lit(0.0);

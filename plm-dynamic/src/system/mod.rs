@@ -5,7 +5,6 @@ mod charted;
 mod conditional;
 mod contact;
 mod described;
-mod events;
 mod linear;
 mod mechanism;
 mod motion;
@@ -14,5 +13,6 @@ mod singular;
 mod sliding;
 mod state;
 mod statics;
+mod switched;
 
 pub use self::state::State;

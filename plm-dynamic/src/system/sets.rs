@@ -26,21 +26,6 @@ impl<
         !self.model.lowered.sets.events.is_empty()
     }
 
-    /// Changes of sides or modes; events that set states follow.
-    pub(super) fn followed(
-        &self,
-        t: S,
-        u: &mut Held<S, NQ, L, H, R>,
-        x: &mut [S; N],
-        changes: impl FnOnce(&mut Held<S, NQ, L, H, R>, &mut [S; N]) -> Result<(), Fault>,
-    ) -> Result<(), Fault> {
-        if self.sets_states() {
-            events::change::<Self, EVENTS>(self, t, u, x, changes)
-        } else {
-            changes(u, x)
-        }
-    }
-
     /// Sets what events set as a run begins, each by the state that the one before has left.
     pub(super) fn set_at_start(
         &self,

@@ -193,7 +193,7 @@ pub fn crossed<M: Charted>(step: &Step<'_, M>) -> M::S {
     })
 }
 
-/// How far a coordinate goes in a step, by its places and rates at both ends: to where it turns back, or from there.
+/// The way of a coordinate in a step, by its places and rates at both ends: to the place at which it turns back, or from there.
 #[cold]
 #[inline(never)]
 fn way<M: Charted>(step: &Step<'_, M>, k: usize) -> M::S {

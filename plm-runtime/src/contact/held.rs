@@ -120,7 +120,7 @@ pub trait Modal<S, const N: usize> {
     /// The modes, to be changed.
     fn modes_mut(&mut self) -> &mut Modes<S, N>;
 
-    /// What the rows do.
+    /// Modes of the rows, counts, impulses and energies.
     fn status(&self) -> Status<'_> {
         Status::default()
     }

@@ -77,7 +77,7 @@ pub trait ExtendedPrecision<const NQ: usize, const NC: usize, const NX: usize>:
         true
     }
 
-    /// How long a step is beside the turn next to a flat pose, [`charts::crossed`](crate::charts::crossed).
+    /// The length of a step as a part of the turn next to a flat pose, [`charts::crossed`](crate::charts::crossed).
     fn crossed(step: &Step<'_, Self>) -> Self::S;
 
     /// Is the mechanism held without a chart?

@@ -6,71 +6,106 @@ use crate::enclosure::Enclosed;
 use crate::fault::Fault;
 use crate::system::Rate;
 
-/// The part of [`Events`](crate::Events) that belongs to contact.
-pub trait ContactPart<M: Switched + ?Sized> {
+/// The part of [`Events`](crate::Events) that belongs to contact; by default that of a mechanism without any.
+pub trait ContactPart<M: Switched> {
     /// Has a mechanism of this type rows of contact?
-    const ARE_THERE: bool;
-    /// Which rows exist, where that is a question.
-    type Existing;
+    const ARE_THERE: bool = false;
 
     /// Gives each guard of contact with its number.
-    fn guards(system: &M, t: M::S, u: &M::U, x: &M::X, each: &mut impl FnMut(usize, M::S));
+    #[inline]
+    fn guards(system: &M, t: M::S, u: &M::U, x: &M::X, each: &mut impl FnMut(usize, M::S)) {
+        let _ = (system, t, u, x, each);
+    }
 
-    /// The same over an interval; false where that is not known.
+    /// Gives each guard of contact over an interval with its number; false if enclosures do not exist.
+    #[inline]
     fn guards_within(
         system: &M,
         t: Enclosed<M::S>,
         u: &M::U,
         x: &impl Fn(usize) -> Enclosed<M::S>,
         each: &mut impl FnMut(usize, Enclosed<M::S>),
-    ) -> bool;
+    ) -> bool {
+        let _ = (system, t, u, x, each);
+        true
+    }
 
     /// As [`Events::stay`](crate::Events::stay).
+    #[inline]
     fn stay(
         system: &M,
         u: &M::U,
         places: [(M::S, &M::X); 2],
         within: (Enclosed<M::S>, &impl Fn(usize) -> Enclosed<M::S>),
         end: impl Fn(usize) -> M::S,
-    ) -> bool;
+    ) -> bool {
+        let _ = (system, u, places, within, end);
+        false
+    }
 
-    /// The rows that exist.
-    fn existing(system: &M, u: &M::U) -> Self::Existing;
-
-    /// Looks at rows that have begun to exist.
+    /// Changes sides of conditions, and looks at the rows that begin to exist by them.
     ///
     /// # Errors
-    /// Where one is beyond its bound.
-    fn appear(system: &M, t: M::S, at: (&M::U, &M::X), existed: Self::Existing) -> Result<(), Fault>;
+    /// A row begins to exist beyond its bound.
+    #[inline]
+    fn change_sides(
+        system: &M,
+        t: M::S,
+        (u, x): (&mut M::U, &M::X),
+        change: impl FnOnce(&mut M::U),
+    ) -> Result<(), Fault> {
+        let _ = (system, t, x);
+        change(u);
+        Ok(())
+    }
 
     /// The next modes, as the guard of this number has passed zero within a step of this length.
     ///
     /// # Errors
-    /// Where no modes apply.
+    /// No modes apply.
+    #[inline]
     fn switch_behind(
         system: &M,
         t: M::S,
         at: (&mut M::U, &mut M::X),
         event: (usize, M::S),
-    ) -> Result<(), Fault>;
+    ) -> Result<(), Fault> {
+        let _ = (system, t, at, event);
+        Ok(())
+    }
 
     /// The next modes behind another event within a step of this length.
     ///
     /// # Errors
-    /// Where no modes apply.
-    fn update_behind(system: &M, t: M::S, at: (&mut M::U, &mut M::X), step: M::S) -> Result<(), Fault>;
+    /// No modes apply.
+    #[inline]
+    fn update_behind(system: &M, t: M::S, at: (&mut M::U, &mut M::X), step: M::S) -> Result<(), Fault> {
+        let _ = (system, t, at, step);
+        Ok(())
+    }
 
     /// As [`Events::state_was_set`](crate::Events::state_was_set).
     ///
     /// # Errors
-    /// Where no modes apply.
-    fn state_was_set(system: &M, t: M::S, at: (&mut M::U, &mut M::X)) -> Result<(), Fault>;
+    /// No modes apply.
+    #[inline]
+    fn state_was_set(system: &M, t: M::S, at: (&mut M::U, &mut M::X)) -> Result<(), Fault> {
+        let _ = (system, t, at);
+        Ok(())
+    }
 
-    /// What the rows do.
-    fn status(u: &M::U) -> Status<'_>;
+    /// Modes of the rows, counts, impulses and energies.
+    #[inline]
+    fn status(u: &M::U) -> Status<'_> {
+        let _ = u;
+        Status::default()
+    }
 
     /// Decides when modes change.
-    fn set_change(u: &mut M::U, change: Change);
+    #[inline]
+    fn set_change(u: &mut M::U, change: Change) {
+        let _ = (u, change);
+    }
 
     /// As [`Events::stride`](crate::Events::stride).
     ///
@@ -81,7 +116,9 @@ pub trait ContactPart<M: Switched + ?Sized> {
         stride: &Stride<M::S>,
         at: (&mut M::U, &mut M::X),
         behind: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
-    ) -> Result<Solution<M::S>, Fault>;
+    ) -> Result<Solution<M::S>, Fault> {
+        contact::smooth_stride::<M, EVALUATIONS>(system, stride, at, behind)
+    }
 }
 
 /// Without contact.
@@ -92,82 +129,13 @@ pub struct NoContact;
 #[derive(Clone, Copy, Debug)]
 pub struct WithContact<const N: usize>;
 
-impl<M: Switched> ContactPart<M> for NoContact {
-    const ARE_THERE: bool = false;
-    type Existing = ();
-
-    #[inline]
-    fn guards(_: &M, _: M::S, _: &M::U, _: &M::X, _: &mut impl FnMut(usize, M::S)) {}
-
-    #[inline]
-    fn guards_within(
-        _: &M,
-        _: Enclosed<M::S>,
-        _: &M::U,
-        _: &impl Fn(usize) -> Enclosed<M::S>,
-        _: &mut impl FnMut(usize, Enclosed<M::S>),
-    ) -> bool {
-        true
-    }
-
-    #[inline]
-    fn stay(
-        _: &M,
-        _: &M::U,
-        _: [(M::S, &M::X); 2],
-        _: (Enclosed<M::S>, &impl Fn(usize) -> Enclosed<M::S>),
-        _: impl Fn(usize) -> M::S,
-    ) -> bool {
-        false
-    }
-
-    #[inline]
-    fn existing(_: &M, _: &M::U) {}
-
-    #[inline]
-    fn appear(_: &M, _: M::S, _: (&M::U, &M::X), (): ()) -> Result<(), Fault> {
-        Ok(())
-    }
-
-    #[inline]
-    fn switch_behind(_: &M, _: M::S, _: (&mut M::U, &mut M::X), _: (usize, M::S)) -> Result<(), Fault> {
-        Ok(())
-    }
-
-    #[inline]
-    fn update_behind(_: &M, _: M::S, _: (&mut M::U, &mut M::X), _: M::S) -> Result<(), Fault> {
-        Ok(())
-    }
-
-    #[inline]
-    fn state_was_set(_: &M, _: M::S, _: (&mut M::U, &mut M::X)) -> Result<(), Fault> {
-        Ok(())
-    }
-
-    #[inline]
-    fn status(_: &M::U) -> Status<'_> {
-        Status::default()
-    }
-
-    #[inline]
-    fn set_change(_: &mut M::U, _: Change) {}
-
-    fn stride<const EVALUATIONS: usize>(
-        system: &M,
-        stride: &Stride<M::S>,
-        (u, x): (&mut M::U, &mut M::X),
-        behind: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
-    ) -> Result<Solution<M::S>, Fault> {
-        contact::smooth_stride::<M, EVALUATIONS>(system, stride, (u, x), behind)
-    }
-}
+impl<M: Switched> ContactPart<M> for NoContact {}
 
 impl<M: Switched + Contacts<N>, const N: usize> ContactPart<M> for WithContact<N>
 where
     <M as Rate>::U: Modal<<M as Rate>::S, N>,
 {
     const ARE_THERE: bool = true;
-    type Existing = Option<[bool; N]>;
 
     #[inline]
     fn guards(system: &M, t: M::S, u: &M::U, x: &M::X, each: &mut impl FnMut(usize, M::S)) {
@@ -199,13 +167,19 @@ where
     }
 
     #[inline]
-    fn existing(system: &M, u: &M::U) -> Option<[bool; N]> {
-        system.may_appear().then(|| core::array::from_fn(|row| system.exists(u, row)))
-    }
-
-    #[inline]
-    fn appear(system: &M, t: M::S, at: (&M::U, &M::X), existed: Option<[bool; N]>) -> Result<(), Fault> {
-        existed.map_or(Ok(()), |existed| contact::appear::<M, N>(system, t, at, existed))
+    fn change_sides(
+        system: &M,
+        t: M::S,
+        (u, x): (&mut M::U, &M::X),
+        change: impl FnOnce(&mut M::U),
+    ) -> Result<(), Fault> {
+        if !system.may_appear() {
+            change(u);
+            return Ok(());
+        }
+        let existed = core::array::from_fn(|row| system.exists(u, row));
+        change(u);
+        contact::appear::<M, N>(system, t, (u, x), existed)
     }
 
     #[inline]

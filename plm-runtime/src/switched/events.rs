@@ -121,11 +121,11 @@ impl<M: Switched> Events for M {
         }
         let of_contact = index.checked_sub(self.switches().guards);
         self.change(t, u, x, |u, x| {
-            let existed = M::Contact::existing(self, u);
-            if let (None, Some(side)) = (of_contact, u.sides_mut().get_mut(index)) {
-                *side = -*side;
-            }
-            M::Contact::appear(self, t, (u, x), existed)?;
+            M::Contact::change_sides(self, t, (u, x), |u| {
+                if let (None, Some(side)) = (of_contact, u.sides_mut().get_mut(index)) {
+                    *side = -*side;
+                }
+            })?;
             match of_contact.and_then(|place| self.number_of_guard(place)) {
                 Some(number) => M::Contact::switch_behind(self, t, (u, x), (number, step)),
                 None => M::Contact::update_behind(self, t, (u, x), step),
@@ -153,9 +153,7 @@ impl<M: Switched> Events for M {
             return Ok(());
         }
         self.change(t, u, x, |u, x| {
-            let existed = M::Contact::existing(self, u);
-            take_sides_at_time(self, t, u);
-            M::Contact::appear(self, t, (u, x), existed)?;
+            M::Contact::change_sides(self, t, (u, x), |u| take_sides_at_time(self, t, u))?;
             M::Contact::update_behind(self, t, (u, x), M::S::ZERO)
         })
     }

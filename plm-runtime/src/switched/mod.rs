@@ -19,7 +19,7 @@ use crate::system::Rate;
 use crate::vector::Vector;
 
 /// A mechanism with conditions and contact by tables and routines.
-pub trait Switched: Rate<S: Real, U: Sides<<Self as Rate>::S>> {
+pub trait Switched: Rate<S: Real, U: Sides<<Self as Rate>::S>> + Sized {
     /// A number for each guard, of conditions and of contact behind them.
     type Guards: Vector<Self::S> + AsMut<[Self::S]> + AsRef<[Self::S]>;
     /// Its contact: [`NoContact`], or [`WithContact`].

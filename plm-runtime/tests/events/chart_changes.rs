@@ -191,7 +191,7 @@ fn a_coordinate_that_turns_back_has_gone_there_and_back() {
     assert!((in_step(bead, &held, 0.01, [&before, &after]) * REACH - 0.005).abs() < 1e-12);
 }
 
-/// How much of a box a step of this length crosses.
+/// The part of a box that a step of this length crosses.
 fn in_step(bead: Bead, held: &Bound, dt: f64, [before, x]: [&[f64; 3]; 2]) -> f64 {
     crossed(&Step { system: &bead, held, from: (0.0, before), to: (dt, x), health: 1.0 })
 }

@@ -57,7 +57,7 @@ fn mechanism<const NQ: usize, const NC: usize, const N: usize, const P: usize>(
 /// The mechanism of a declaration with parameters in its order, and with start values: of each body x, y, angle, vx, vy, omega.
 ///
 /// # Errors
-/// What the compiler refuses, with its place in the text; a processor without machine code; numbers that are too many or too few.
+/// A mistake in the declaration, with its place; a processor without machine code; numbers that are too many or too few.
 pub fn with_numbers<const NQ: usize, const NC: usize, const N: usize, const P: usize>(
     declaration: &'static str,
     numbers: &[f64],

@@ -123,7 +123,7 @@ fn swept(place: &Place, smooth: &str, contacts: &str) -> Result {
     program("contacts").args([contacts, "--seed", "31", "--verbose"]).run()
 }
 
-/// The same mechanisms by rustc: the bits of those from text, and linkages in f32.
+/// Mechanisms by rustc beside those from text, for their bits, and linkages in f32.
 pub(super) fn compiled_sweeps(place: &Place) -> Result {
     let run = |program: &str, words: &[&str]| {
         let cargo = place.command("cargo run --release -p plm-oracle --features compiled --bin");

@@ -26,7 +26,7 @@ pub fn smooth_step<M: Rate, const EVALUATIONS: usize>(
     drift::<M>(behind, x);
 }
 
-/// The same by the rate of a system, with what is done `behind` it.
+/// [`smooth_step`] by the rate of a system; `behind` follows it.
 ///
 /// # Errors
 /// Those of `behind`.

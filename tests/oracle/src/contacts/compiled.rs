@@ -1,4 +1,4 @@
-//! The same mechanisms by rustc: those from text have to have their bits.
+//! Mechanisms by rustc: those from text have to have their bits.
 
 use plm_oracle::Look;
 use plm_runtime::Start;

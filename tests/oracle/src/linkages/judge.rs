@@ -24,9 +24,9 @@ const LIVELY: f64 = 1000.0;
 /// Steps of a millisecond may be off by this part of the size, more in a lively motion.
 const ROUGH: f64 = 1e-2;
 
-/// What is off by no more than so many times what is allowed may be off by the error of steps alone: ...
+/// An error of up to so many times the bound may be that of steps alone: ...
 const MOST_BY_STEPS: f64 = 10.0;
-/// ... then it is off by a tenth at most at a hundredth of the tolerance, and by fixed steps of a quarter as their order says.
+/// ... then it is a tenth at most at a hundredth of the tolerance, and falls with fixed steps of a quarter as their order says.
 const FINER: f64 = 100.0;
 const LESS: f64 = 0.1;
 

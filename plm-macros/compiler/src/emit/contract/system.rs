@@ -5,14 +5,14 @@ use proc_macro2::TokenStream;
 
 use super::super::lower::inline;
 use super::super::{Emission, Form, Sizes, number, quoted, table_compression};
-use super::{contact, contact_events, switches, turns};
+use super::{contact, contact_projection, switched, turns};
 use crate::facts::{self, state};
 use crate::model::Stabilisation;
 
 /// Traits of `System` beside the rate.
 pub(crate) fn system(emission: &Emission) -> TokenStream {
     let (constraints, events, labels) =
-        (constraints(emission), switches::switched(emission), labels(emission));
+        (constraints(emission), switched::switched(emission), labels(emission));
     quote! {
         #constraints
         #events
@@ -30,7 +30,7 @@ fn constraints(emission: &Emission) -> TokenStream {
     };
     let update = turns::update(emission);
     let stabilisation = if contact::are_there(emission) {
-        Some(contact_events::project(emission))
+        Some(contact_projection::project(emission))
     } else {
         (!emission.is_reduced()).then(|| stabilisation(emission))
     };
@@ -75,7 +75,7 @@ fn labels(emission: &Emission) -> TokenStream {
         table_compression::names(emission, &state::names(model, emission.equations, emission.reduced));
     let names_in_charts = names_in_charts(emission);
     let contacts = contact::labels(emission);
-    let conditions = (model.guards() > 0 || contact::are_there(emission)).then(|| switches::names(emission));
+    let conditions = (model.guards() > 0 || contact::are_there(emission)).then(|| switched::names(emission));
     quote! {
         impl<S: Real> rt::Labels for #name<S> {
             fn part_of_state(&self, index: usize) -> &'static str {

@@ -5,7 +5,7 @@ use crate::emit::template::quote;
 use plm_cas::{Expr, algebra};
 use proc_macro2::TokenStream;
 
-use super::super::contract::{conditional, contact, limits, sets, statics::MOST_LINES, switches};
+use super::super::contract::{conditional, contact, limits, sets, statics::MOST_LINES, switched};
 use super::super::lower::{Bindings, inline};
 use super::super::{Emission, Form, Sizes, docs, number, table_compression};
 use super::sides::{sides, take_sides};
@@ -324,7 +324,7 @@ fn begin(emission: &Emission) -> TokenStream {
         }
     });
     // What contacts do, and reactions with their forces, are known behind that.
-    let again = (contact.is_some() && switches::read_forces(emission)).then(|| {
+    let again = (contact.is_some() && switched::read_forces(emission)).then(|| {
         let held = quote!(&mut held);
         if !sets::are_there(emission) {
             return take_sides(emission, &held);

@@ -231,7 +231,9 @@ impl Plan {
             column * inverse
         };
         let sum: Expr = self.rest.iter().zip(cofactors).map(of_unknown).sum();
-        algebra::product(&[Expr::from(self.rest.len() as i32), determinant.squared()]) / sum
+        let mean = algebra::product(&[Expr::from(self.rest.len() as i32), determinant.squared()]) / sum;
+        // Where two columns depend on the others all cofactors vanish with the determinant.
+        Expr::ZERO.less(sum).select(mean, Expr::ZERO)
     }
 }
 
@@ -365,5 +367,24 @@ mod tests {
             [0.1, 0.01].map(|value| tape.eval(&[(angle, value)]).unwrap()[0].sqrt());
         assert!((at_tenth / at_hundredth - 10.0).abs() < 0.1, "{at_tenth} {at_hundredth}");
         assert!(at_hundredth < 0.01, "{at_hundredth}");
+    }
+
+    /// Three loops in which two unknowns become one with those that the loops give: the determinant and all its cofactors vanish.
+    #[test]
+    fn measure_is_zero_where_the_rank_falls_by_two() {
+        let [x, y] = [Vec2::new(Expr::ONE, Expr::ZERO), Vec2::new(Expr::ZERO, Expr::ONE)];
+        let apart = Expr::symbol("apart");
+        let row = |own: usize, with: (usize, Vec2)| {
+            let place = |u: usize| if u == own { x } else { Vec2::ZERO };
+            (0..6).map(|u| if u == with.0 { with.1 } else { place(u) }).collect_vec()
+        };
+        let near = x + apart * y;
+        let columns = vec![row(0, (3, near)), row(1, (4, near)), row(2, (5, y))];
+        let kind =
+            |column: &Vec2| if column.is_zero() { Column::Absent } else { Column::Constant(Expr::ONE) };
+        let squares = columns.iter().map(|row| row.iter().map(kind).collect()).collect_vec();
+        let plan = Plan::new(&squares).unwrap();
+        let measure = Elimination::new(&plan, columns, ("j", Expr::ONE)).measure;
+        assert_eq!(algebra::tape(&[measure]).eval(&[(apart, 0.0)]).unwrap()[0].to_bits(), 0);
     }
 }

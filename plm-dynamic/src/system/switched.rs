@@ -1,12 +1,12 @@
-//! Routines of events: guards and kinks, known times, rows that jump.
+//! `Switched`: tables and routines of conditions and contact.
 
 use plm_compiler::lowered::End;
 use plm_runtime::charts::OfLoops;
 use plm_runtime::switched::{self, WithContact};
-use plm_runtime::{Cause, Enclosed, Fault, Moment, Real, Switched, Switches, contact};
+use plm_runtime::{Cause, Enclosed, Fault, Moment, Real, Switched, Switches, contact, events};
 
 use super::State;
-use crate::capacity::KINKS;
+use crate::capacity::{EVENTS, KINKS};
 use crate::code::with_room;
 use crate::handle::{Beside, Dynamic, Frame, Held};
 use crate::places::{Argument, Array};
@@ -128,7 +128,11 @@ impl<
         x: &mut [S; N],
         changes: impl FnOnce(&mut Self::U, &mut [S; N]) -> Result<(), Fault>,
     ) -> Result<(), Fault> {
-        self.followed(t, u, x, changes)
+        if self.sets_states() {
+            events::change::<Self, EVENTS>(self, t, u, x, changes)
+        } else {
+            changes(u, x)
+        }
     }
 
     fn jump_of_rows(&self, t: S, u: &Self::U, x: &[S; N], after: Option<&Self::U>) -> Option<Fault> {
