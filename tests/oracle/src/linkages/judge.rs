@@ -6,6 +6,7 @@ use crate::cases::Case;
 use crate::reference::dd::Dd;
 use crate::reference::{Accuracy, Begin, Course, Stop, assemble, follow};
 use crate::run::{By, EVERY, Order, Outcome, Seen};
+use crate::trial::Trial;
 
 /// The reference, from less to more exact. What two of them differ by tells how exact they are; near misses need more.
 const STAGES: [Accuracy; 4] = [
@@ -19,16 +20,7 @@ const KNOWN: f64 = 1e-8;
 /// The start is moved by so much, rad or m, to see what becomes of it.
 const MOVED: f64 = 1e-9;
 /// A motion that multiplies such a change by more than this may be off by that much more.
-const LIVELY: f64 = 1000.0;
-
-/// Steps of a millisecond may be off by this part of the size, more in a lively motion.
-const ROUGH: f64 = 1e-2;
-
-/// An error of up to so many times the bound may be that of steps alone: ...
-const MOST_BY_STEPS: f64 = 10.0;
-/// ... then it is a tenth at most at a hundredth of the tolerance, and falls with fixed steps of a quarter as their order says.
-const FINER: f64 = 100.0;
-const LESS: f64 = 0.1;
+pub const LIVELY: f64 = 1000.0;
 
 /// Offsets, m, below which the reference may not know the motion.
 const SLIGHT: f64 = 1e-13;
@@ -56,11 +48,11 @@ impl Mode {
     }
 
     /// How far a sample may be off, as a fraction of the size: a thousand times the tolerance.
-    fn allowed(self, by: By) -> f64 {
+    pub fn allowed(self, by: By) -> f64 {
         if self == Self::Single { 1e-3 } else { 1e3 * by.tolerance() }
     }
 
-    fn run(self, case: &Case, order: &Order) -> Outcome {
+    pub fn run(self, case: &Case, order: &Order) -> Outcome {
         match self {
             Self::Default => case.entry.run(0, order),
             Self::Absolute => case.entry.run(1, order),
@@ -119,15 +111,15 @@ pub struct Judged {
 
 /// The reference's motion, as far as a comparison needs it.
 pub struct Known {
-    samples: Vec<Seen>,
-    sizes: Sizes,
+    pub samples: Vec<Seen>,
+    pub sizes: Sizes,
     /// By how much a change at the start has grown until each sample.
-    growth: Vec<f64>,
+    pub growth: Vec<f64>,
     own: f64,
 }
 
 /// What errors are measured by.
-struct Sizes {
+pub struct Sizes {
     length: f64,
     angle: f64,
     speed: f64,
@@ -183,58 +175,21 @@ fn one(case: &Case, mode: Mode, known: Result<&Known, &Option<Stop>>) -> Judged 
     };
     judged.own = known.own;
     judged.lively = known.growth.last().copied().unwrap_or(f64::NAN);
-    let (numbers, starts) = (case.scene.numbers(), case.starts());
     let by = if mode == Mode::Default || case.by.fixed() { case.by } else { By::Dop853 };
-    let allowed = mode.allowed(by);
-    let order = |finer: f64| Order {
-        numbers: &numbers,
-        starts: &starts,
-        samples: case.samples,
-        by,
-        pace: case.pace,
-        finer,
+    let trial = Trial { case, mode, by, known, lively: judged.lively };
+    let run = trial.run(1.0);
+    (judged.fingerprint, judged.evaluations) = (run.outcome.fingerprint(), run.outcome.evaluations);
+    (judged.worst, judged.first) = (run.worst, run.first);
+    judged.verdict = match (trial.excuse(&run), run.outcome.fault) {
+        (Some(excuse), _) => excuse,
+        (None, Some(fault)) if is_slight(case, &fault) => Verdict::Undecidable,
+        (None, Some(fault)) => Verdict::FalseStop(fault),
+        (None, None) if run.ratio > 1.0 => Verdict::WrongOk,
+        (None, None) => Verdict::Right,
     };
-    let run = |finer: f64| {
-        let order = order(finer);
-        let outcome = mode.run(case, &order);
-        let (ratio, first, worst) = off(&outcome, known, allowed);
-        (outcome, ratio, first, worst)
-    };
-    let (mut outcome, mut ratio, mut first, worst) = run(1.0);
-    let mut coarse = false;
-    (judged.fingerprint, judged.evaluations) = (outcome.fingerprint(), outcome.evaluations);
-    if by.fixed() && (outcome.fault.is_some() || ratio > 1.0) {
-        // How exact they are, their length decides: they may be off by so much, if shorter ones come nearer to the reference. In
-        // f32 shorter ones add up more rounding; there the same steps in f64 must be off by as much.
-        let most = ROUGH * (judged.lively / LIVELY).max(1.0);
-        let mut rough = worst < most;
-        let excused = if mode == Mode::Single {
-            let double = case.entry.run(0, &order(1.0));
-            outcome.fault.is_none() && worst < 2.0 * off(&double, known, allowed).2
-        } else {
-            let [fourth, last] = [4.0, 16.0].map(&run);
-            // A motion that goes another way is off by more than the order of a method explains.
-            coarse = !rough && worst < MOST_BY_STEPS * most && worst < 4_f64.powi(by.order() + 1) * fourth.3;
-            rough |= coarse;
-            last.0.fault.is_none() && (last.3 < 0.1 * fourth.3 || last.1 <= 1.0)
-        };
-        if rough && excused {
-            (ratio, first) = (0.0, None);
-            outcome.fault = None;
-        }
+    if matches!(judged.verdict, Verdict::Right) {
+        judged.first = None;
     }
-    if !by.fixed() && outcome.fault.is_none() && (1.0..MOST_BY_STEPS).contains(&ratio) {
-        let finer = run(FINER);
-        coarse = finer.0.fault.is_none() && finer.3 < LESS * worst;
-    }
-    (judged.worst, judged.first) = (worst, first);
-    judged.verdict = match outcome.fault {
-        Some(fault) if is_slight(case, &fault) => Verdict::Undecidable,
-        Some(fault) => Verdict::FalseStop(fault),
-        None if coarse => Verdict::Coarse,
-        None if ratio > 1.0 => Verdict::WrongOk,
-        None => Verdict::Right,
-    };
     judged
 }
 
@@ -243,23 +198,6 @@ fn one(case: &Case, mode: Mode, known: Result<&Known, &Option<Stop>>) -> Judged 
 fn is_slight(case: &Case, fault: &Fault) -> bool {
     let of_loops = case.offset.is_some_and(|offset| offset * offset < SLIGHT);
     of_loops && matches!(fault.cause, Cause::Undecided { gap } if gap < SLIGHT)
-}
-
-/// The largest error as a multiple of what is allowed, the time of the first that is more, and the largest error.
-fn off(outcome: &Outcome, known: &Known, allowed: f64) -> (f64, Option<f64>, f64) {
-    let (mut ratio, mut first, mut worst) = (0.0_f64, None, 0.0_f64);
-    for seen in &outcome.seen {
-        let error = known.sizes.error(seen, &known.samples[seen.index]);
-        let here = error / (allowed * (known.growth[seen.index] / LIVELY).max(1.0));
-        // What is not a number is wrong.
-        let here = if here.is_nan() { f64::INFINITY } else { here };
-        if here > 1.0 && first.is_none() {
-            first = Some(EVERY * seen.index as f64);
-        }
-        ratio = ratio.max(here);
-        worst = worst.max(if error.is_nan() { f64::INFINITY } else { error });
-    }
-    (ratio, first, worst)
 }
 
 fn know(case: &Case) -> Result<Known, Option<Stop>> {
@@ -340,7 +278,7 @@ impl Sizes {
     }
 
     /// The largest error of a sample, as a fraction of the size.
-    fn error(&self, found: &Seen, known: &Seen) -> f64 {
+    pub fn error(&self, found: &Seen, known: &Seen) -> f64 {
         let mut worst = 0.0_f64;
         let mut take = |found: f64, known: f64, size: f64| {
             let error = (found - known).abs() / size;

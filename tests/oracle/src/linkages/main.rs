@@ -46,6 +46,7 @@ mod scene;
 #[cfg(feature = "vary-tolerances")]
 mod sensitivity;
 mod table;
+mod trial;
 
 use std::process::ExitCode;
 use std::time::Instant;
