@@ -4,11 +4,11 @@
 //! RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench --bench lanes --features lanes
 //! ```
 //!
-//! Names of scenes behind `--` choose among them. The eight start a hundredth of a radian apart. `formula` is one trajectory
+//! Names of scenes after `--` choose among them. The eight start a hundredth of a radian apart. `formula` is one trajectory
 //! without a look at what it does, `sim` one as users run it, `batch` one of eight in a [`Batch`], with the same looks.
 //! `hand` is one of eight in a kernel that is written by hand (benches/kernels/), without a look, and none for the chain.
-//! Behind these come steps of Moreau and Jean of mechanisms with contact, each by a simulation and by a batch.
-//! `instructions` behind `--` counts instructions instead, by valgrind.
+//! After these come steps of Moreau and Jean of mechanisms with contact, each by a simulation and by a batch.
+//! `instructions` after `--` counts instructions instead, by valgrind.
 #![allow(clippy::panic, reason = "benches")]
 
 #[path = "scenes/chain.rs"]

@@ -88,7 +88,7 @@ instructions() {
     GLIBC_TUNABLES=$by_vectors valgrind --tool=callgrind --callgrind-out-file=/dev/null "$1" 268435456 "$2" 2>&1 | sed -n 's/.*Collected : //p'
 }
 
-# Seconds of the processor that a command takes, the memory that it needs (MB) behind them.
+# Seconds of the processor that a command takes, the memory that it needs (MB) after them.
 cost() {
     /usr/bin/env python3 - "$@" <<'PYTHON'
 import resource, subprocess, sys

@@ -1,6 +1,6 @@
 //! Modules of a crate may depend on each other in circles of three at most, so that each room can be read by itself.
 //!
-//! A module is a file or a folder beside `lib.rs`; it depends on those that its sources name behind `crate::`, and at its top behind
+//! A module is a file or a folder beside `lib.rs`; it depends on those that its sources name after `crate::`, and at its top after
 //! `super::`. Names that `lib.rs` exports again count for the module that has them.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
@@ -101,9 +101,9 @@ fn graph(source: &Path) -> Graph {
         for file in files(path) {
             let text = code(&fs::read_to_string(&file).unwrap());
             let is_top = file == *path || file == path.join("mod.rs");
-            let mut named = behind("crate::", &text);
+            let mut named = after("crate::", &text);
             if is_top {
-                named.extend(behind("super::", &text));
+                named.extend(after("super::", &text));
             }
             let to = named.iter().map(|name| exported.get(name).unwrap_or(name));
             depends.extend(to.filter(|to| names.contains(to.as_str()) && *to != module).cloned());
@@ -118,8 +118,8 @@ fn code(text: &str) -> String {
     lines.map(|line| line.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
 }
 
-/// The first names behind a prefix: one, or those in braces.
-fn behind(prefix: &str, text: &str) -> Vec<String> {
+/// The first names after a prefix: one, or those in braces.
+fn after(prefix: &str, text: &str) -> Vec<String> {
     let mut names = Vec::new();
     for (at, _) in text.match_indices(prefix) {
         let before = text[..at].chars().next_back();

@@ -40,7 +40,7 @@ plm::mechanism! {
     }
 }
 
-/// Runs 300 intervals of 10 ms, turns a parameter and pulls a body in between, and prints the bits of all numbers behind each.
+/// Runs 300 intervals of 10 ms, turns a parameter and pulls a body in between, and prints the bits of all numbers after each.
 const SCRIPT: &str = r#"
 const wasm = new WebAssembly.Module(require("fs").readFileSync(process.argv[2]));
 const { exports: live } = new WebAssembly.Instance(wasm, {});

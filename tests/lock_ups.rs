@@ -15,7 +15,7 @@ use plm::{
 
 use scene::{Given as _, Named as _, Scene};
 
-/// Evaluations that a lock-up may take behind the last step.
+/// Evaluations that a lock-up may take after the last step.
 const AT_ONCE: u64 = 200;
 
 /// Runs to the lock-up of a row at a time and a value; the same with intervals of ten milliseconds.
@@ -38,8 +38,8 @@ fn assert_locks<I: Method<Scene>>(
     told(fault, reached);
     let mut until = start();
     until.step_to(reached).unwrap();
-    let behind = sim.stats().evaluations - until.stats().evaluations;
-    assert!(behind < AT_ONCE, "{name}: {behind} evaluations");
+    let after = sim.stats().evaluations - until.stats().evaluations;
+    assert!(after < AT_ONCE, "{name}: {after} evaluations");
     assert!(sim.stats().near_singular < 20, "{name}: {:?}", sim.stats());
     let mut paced = start();
     let fault = loop {

@@ -316,7 +316,7 @@ fn steps_of_chains_are_told() {
 }
 
 #[test]
-fn steps_of_slides_behind_a_lag_are_told() {
+fn steps_of_slides_after_a_lag_are_told() {
     sweep(("slide", true), 3.0, |random, off| {
         Slide::new()
             .with("k", random.between(10.0, 300.0))

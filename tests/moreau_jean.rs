@@ -91,7 +91,7 @@ fn ordered_steps_have_the_bits_of_a_run() {
                 assert_eq!(solution.residual, sim.method().residual(), "{k}");
             }
             assert_eq!(sim.state().held(), state.held());
-            // A condition that has set something asks for the rate behind it.
+            // A condition that has set something asks for the rate after it.
             let (stats, own) = (sim.stats(), $count $(* $evaluations)?);
             assert!((own..=own + stats.switches).contains(&stats.evaluations), "{stats:?}");
         }};
@@ -248,7 +248,7 @@ mod lanes {
     }
 
     /// All have come to the end but the one that has failed.
-    fn stays_behind<M: Pack<S = f64>>(lanes: &[Lane<M>; 8], end: f64) {
+    fn stays_after<M: Pack<S = f64>>(lanes: &[Lane<M>; 8], end: f64) {
         let times = lanes.each_ref().map(|sim| sim.state().time());
         let is_there = |(lane, time): (usize, &f64)| ((time - end).abs() < 1e-9) == (lane != 5);
         assert!(times.iter().enumerate().all(is_there), "{times:?}");
@@ -274,13 +274,13 @@ mod lanes {
         let (_, lanes) = agree(bars, &[0.1, 0.08, 0.05, 0.1], |interval, lane, sim| {
             sim.input.push = push(interval, lane);
         });
-        stays_behind(&lanes, 0.33);
+        stays_after(&lanes, 0.33);
         bars!(FourBar, &[0.1, 0.08, 0.0005, 0.07, 0.1, 0.1]);
         bars!(Absolute, &[0.08; 5]);
     }
 
     /// Lanes that stick, slip, bounce and let go at times of their own, with steps and shares of steps of their own. One fails, and stays
-    /// behind; it goes on when its cause is gone.
+    /// after; it goes on when its cause is gone.
     #[test]
     fn benches_in_modes_of_their_own() {
         let mut lane = 0..8;
@@ -294,7 +294,7 @@ mod lanes {
             sim.input.push = push(interval, lane);
         });
         assert!(last.iter().all(Result::is_ok));
-        stays_behind(&lanes, 2.0);
+        stays_after(&lanes, 2.0);
 
         let mut batch = Batch::start(&[Bench::new(); 8], MoreauJean::new(1e-3)).unwrap();
         batch[2].input.push = f64::INFINITY;

@@ -309,7 +309,7 @@ fn a_record_has_events_and_whatever_is_read() {
     assert!(
         record.columns[1].iter().all(|push| *push == 1.5) && record.columns[3].iter().all(|k| *k == 5000.0)
     );
-    // Behind them x, y, angle, vx, vy, omega of the ball: at 0.1 s it has fallen g t^2/2 less the push.
+    // After them x, y, angle, vx, vy, omega of the ball: at 0.1 s it has fallen g t^2/2 less the push.
     assert_eq!(record.columns.len(), 1 + columns.len() + 6);
     assert_eq!(record.columns[6].last(), Some(&run.pose(0).unwrap()[1]));
     // It falls by 0.4 m from rest: 0.4 m = (g - 1.5 m/s^2) t^2 / 2 + 1.5 m/s^2 tau (t - tau), as the valve lags by tau.

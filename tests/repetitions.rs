@@ -76,7 +76,7 @@ fn numbers_come_by_the_arguments_of_a_macro() {
     assert!(sim.bar(five::BARS).is_none());
 }
 
-/// Operands as Rust reads them, and units behind them.
+/// Operands as Rust reads them, and units after them.
 macro_rules! numbers {
     ($sum:expr, $negative:literal, $path:expr, $pair:expr) => {
         plm::mechanism! {

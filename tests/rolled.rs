@@ -192,7 +192,7 @@ fn many_bodies_start_where_they_are_told() {
     let branches = sim.branches();
     assert_eq!((branches.len(), branches[108].0), (109, "pin[109]"));
     assert!((branches[56].1 - (0.5 - sim.bar_56().angle)).abs() < 1e-12);
-    // O is 0.01 m behind G.
+    // O is 0.01 m after G.
     let starts = sim.starts();
     let (o, g) = (starts.bar_57, sim.bar_57());
     assert!((o.x.value - (g.x - 0.01 * g.angle.cos())).abs() < 1e-12 && o.angle.locked);

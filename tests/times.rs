@@ -70,7 +70,7 @@ fn a_time_is_reached_exactly() {
         sim.step_to(time).unwrap();
         assert_eq!(sim.time(), time);
     }
-    // So it is behind intervals whose sum is rounded, and the next ones count from it.
+    // So it is after intervals whose sum is rounded, and the next ones count from it.
     for _ in 0..7 {
         sim.step(0.1).unwrap();
     }
@@ -121,7 +121,7 @@ fn a_step_that_ended_at_a_switch_can_be_looked_at() {
     assert!((block.x - 1.5 * 0.35_f64.powi(2)).abs() < 1e-12, "{}", block.x);
     assert!((block.vx - 3.0 * 0.35).abs() < 1e-12, "{}", block.vx);
     assert_eq!(sim.state_of("block").vx, sim.at(0.7).unwrap().state_of("block").vx);
-    // Behind it the block goes on as it is, ahead of where the simulation stands.
+    // After it the block goes on as it is, ahead of where the simulation stands.
     let block = sim.at(1.7).unwrap().state_of("block");
     assert!((block.x - (1.5 * 0.16 + 1.2)).abs() < 1e-12, "{}", block.x);
     assert_eq!(sim.time(), 0.7);
@@ -244,7 +244,7 @@ scene! {
     }
 }
 
-/// How often each state has limited the steps; the room behind them has no names.
+/// How often each state has limited the steps; the room after them has no names.
 fn counted<I: Method<Scene>>(sim: &Sim<Scene, I>) -> Vec<(&'static str, u64)> {
     sim.state_count().filter(|(name, _)| !name.is_empty()).collect()
 }

@@ -30,7 +30,7 @@ function plmFromMargin(text) {
   return `${lines.map(line => line.slice(margin)).join("\n").trim()}\n`;
 }
 
-/** The part of an address behind `#` that holds a text: deflated, in base 64 for addresses, as the playground reads it. */
+/** The part of an address after `#` that holds a text: deflated, in base 64 for addresses, as the playground reads it. */
 async function plmFragment(text) {
   const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate-raw"));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
@@ -38,7 +38,7 @@ async function plmFragment(text) {
   return `#text=${btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")}`;
 }
 
-/** Puts the links behind the blocks of the page. */
+/** Puts the links after the blocks of the page. */
 async function plmLink(address) {
   for (const block of document.querySelectorAll("pre > code.language-plm, pre > code.language-rust")) {
     const texts = plmDeclarations(block.textContent, block.matches(".language-rust"));

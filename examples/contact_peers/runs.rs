@@ -17,7 +17,7 @@ pub struct Run {
     pub steps: u64,
     /// Speed of what sticks, um/s.
     pub creep: Option<f64>,
-    /// How far the energy behind an impact is from that of the law, as a fraction of it: the largest by its amount.
+    /// How far the energy after an impact is from that of the law, as a fraction of it: the largest by its amount.
     pub gain: Option<f64>,
 }
 

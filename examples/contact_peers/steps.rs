@@ -58,7 +58,7 @@ pub fn svg(runs: &[Run], peers: &[Run]) -> String {
     svg + "</svg>\n"
 }
 
-/// The legend, in the place of the panel behind the last one.
+/// The legend, in the place of the panel after the last one.
 fn legend(svg: &mut String, [left, top]: [f64; 2]) {
     let [x0, y0, ..] = PLOT;
     for (number, (name, colour)) in NAMES.into_iter().zip(COLOURS).enumerate() {

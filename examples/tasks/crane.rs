@@ -20,7 +20,7 @@ plm::mechanism! {
 }
 
 /// How far the load swings behind, rad, by its energy at the end of the way.
-fn behind(time: f64) -> Result<f64, plm::Fault> {
+fn after(time: f64) -> Result<f64, plm::Fault> {
     let mut sim = Crane { time, ..Crane::new() }.start()?;
     sim.step(time)?;
     let load = sim.load();
@@ -39,12 +39,12 @@ pub fn run() -> Result<Answers, Box<dyn Error>> {
     let mut best = (0.0, f64::INFINITY);
     for tenth in 70..95 {
         let time = f64::from(tenth) * 0.1;
-        let rest = behind(time)?;
+        let rest = after(time)?;
         best = if rest < best.1 { (time, rest) } else { best };
     }
     Ok(vec![
         Answer::new("in 6 s the load swings by", swing.to_degrees(), "deg"),
-        Answer::new("and behind by", behind(6.0)?.to_degrees(), "deg"),
+        Answer::new("and after by", after(6.0)?.to_degrees(), "deg"),
         Answer::new("greatest pull of the rope", rope, "N"),
         Answer::new("greatest force of the trolley", drive, "N"),
         Answer::new("it hangs still after", best.0, "s"),

@@ -23,7 +23,7 @@ pub fn run() -> Result<Answers, Box<dyn Error>> {
     let mut sim = Stage::new().start()?;
     let system = plm::linearise(&sim)?.sampled(0.01);
     let filter = system.estimator(&[("push", 3.0_f64.powi(2))], &[("measured", 2e-3_f64.powi(2))])?;
-    // The covariance behind the correction. The states are place and speed; the noises have none.
+    // The covariance after the correction. The states are place and speed; the noises have none.
     let p = &filter.covariance - &filter.gains * &system.c * &filter.covariance;
 
     let mut x = DVector::zeros(2);

@@ -20,7 +20,7 @@ plm::mechanism! {
     }
 }
 
-/// Rows of numbers behind a line of titles.
+/// Rows of numbers after a line of titles.
 fn read(file: &str) -> Result<Vec<Vec<f64>>, Box<dyn Error>> {
     let text = std::fs::read_to_string(file).map_err(|why| format!("{file}: {why}"))?;
     let row = |line: &str| line.split(',').map(|number| number.trim().parse()).collect();

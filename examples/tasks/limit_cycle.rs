@@ -7,7 +7,7 @@ use plm::{By, Dop853, Dual, Fault, Moment, Sim, with_derivatives};
 use super::{Answer, Answers};
 
 plm::mechanism! {
-    /// It stands on one of eight spokes, just behind an impact, and the next one comes: T. McGeer, Int. J. Robotics Research 9, 1990.
+    /// It stands on one of eight spokes, just after an impact, and the next one comes: T. McGeer, Int. J. Robotics Research 9, 1990.
     pub Wheel {
         param slope: rad = 5 deg;
         param speed: rad/s = 1.5 rad/s;
@@ -26,23 +26,23 @@ plm::mechanism! {
     }
 }
 
-/// Speed and time behind the next impact, with derivatives by the speed behind the last one and by the slope.
+/// Speed and time after the next impact, with derivatives by the speed after the last one and by the slope.
 fn step(speed: f64) -> Result<[Dual<f64, 2>; 2], Fault> {
     let by = [By::Parameter("speed"), By::Parameter("slope")];
     let wheel = with_derivatives(&Wheel { speed, ..Wheel::new() }, by).expect("both are there");
-    let (mut sim, mut behind) = (wheel.start_with(Dop853::new(1e-12.into()))?, None);
-    while behind.is_none() {
+    let (mut sim, mut after) = (wheel.start_with(Dop853::new(1e-12.into()))?, None);
+    while after.is_none() {
         Sim::watch_towards(&mut sim, 10.0.into(), |seen| {
             if let Seen::Switched(state) = seen {
-                behind = Some([-state.hub().omega, Moment::time(state)]);
+                after = Some([-state.hub().omega, Moment::time(state)]);
             }
         })?;
     }
-    Ok(behind.expect("it has struck"))
+    Ok(after.expect("it has struck"))
 }
 
 pub fn run() -> Result<Answers, Box<dyn Error>> {
-    // Newton's method: the speed is the same behind the next impact.
+    // Newton's method: the speed is the same after the next impact.
     let mut speed = 1.5;
     for _ in 0..6 {
         let [Dual { value, tangents: [by_speed, _] }, _] = step(speed)?;
@@ -50,7 +50,7 @@ pub fn run() -> Result<Answers, Box<dyn Error>> {
     }
     let [Dual { tangents: [multiplier, by_slope], .. }, time] = step(speed)?;
     Ok(vec![
-        Answer::new("speed behind an impact", speed, "rad/s"),
+        Answer::new("speed after an impact", speed, "rad/s"),
         Answer::new("time of a step", time.value, "s"),
         Answer::new("part of a disturbance that a step leaves", multiplier, "1"),
         // v(p) = P(v(p), p), so that dv/dp = P_p/(1 - P_v).

@@ -161,7 +161,7 @@ impl Task {
         let answers = (self.run)()?;
         let width = answers.iter().map(|answer| answer.name.len()).max().unwrap_or(0);
         for Answer { name, value, unit } in answers {
-            // Six digits, whatever the size; counts have none behind the point.
+            // Six digits, whatever the size; counts have none after the point.
             let decimals =
                 if value.fract() == 0.0 { 0.0 } else { 5.0 - value.abs().max(0.1).log10().floor() };
             println!("  {name:width$}  {value:.*} {unit}", decimals.max(0.0) as usize);

@@ -1,4 +1,4 @@
-//! The scenes. Each is a macro, so that it can be declared once for every formulation: what is handed over behind the name of
+//! The scenes. Each is a macro, so that it can be declared once for every formulation: what is handed over after the name of
 //! the module stands among the items of the mechanism.
 //!
 //! SI units; uniform bars have J = m L^2 / 12. The outputs are what is measured, in the order of the references.

@@ -74,7 +74,7 @@ impl Texts<'_> {
         })
     }
 
-    /// Bytes count from 0; lines and columns, in characters, from 1. Ends are behind the last byte and character.
+    /// Bytes count from 0; lines and columns, in characters, from 1. Ends are after the last byte and character.
     fn span(&self, span: Span, is_primary: bool, label: Option<&str>) -> Option<Value> {
         let source = self.sources.get(span.source)?;
         let (mut text, mut range) = (source.file()?, source.range(span)?);

@@ -138,7 +138,7 @@ fn string(text: &str) -> Option<(Kind, usize)> {
     Some(closed(Kind::Literal, quoted(&text[begin..], '"').map(|length| begin + length), text))
 }
 
-/// Length up to behind the mark that closes; a backslash takes the next letter.
+/// Length up to after the mark that closes; a backslash takes the next letter.
 fn quoted(text: &str, close: char) -> Option<usize> {
     let mut is_escaped = false;
     for (at, c) in text.char_indices() {
@@ -168,9 +168,9 @@ fn character(text: &str) -> (Kind, usize) {
 fn number(text: &str) -> usize {
     let mut at = word(text);
     let rest = &text[at..];
-    let behind = rest.strip_prefix('.').unwrap_or_default();
-    if rest.starts_with('.') && !behind.starts_with(|c: char| c == '.' || c == '_' || c.is_alphabetic()) {
-        at += 1 + word(behind);
+    let after = rest.strip_prefix('.').unwrap_or_default();
+    if rest.starts_with('.') && !after.starts_with(|c: char| c == '.' || c == '_' || c.is_alphabetic()) {
+        at += 1 + word(after);
     }
     let is_decimal = !text.starts_with("0x");
     if is_decimal && text[..at].ends_with(['e', 'E']) && text[at..].starts_with(['+', '-']) {

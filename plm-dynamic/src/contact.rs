@@ -78,7 +78,7 @@ impl Contacts {
         self.lowered.read != ReadByConditions::Nothing
     }
 
-    /// The kind of the law of a row; none of a place behind the last row.
+    /// The kind of the law of a row; none of a place after the last row.
     pub(crate) fn kind(&self, row: usize) -> Option<ContactKind> {
         self.lowered.rows.get(row).map(|row| row.kind)
     }

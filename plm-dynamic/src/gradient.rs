@@ -40,7 +40,7 @@ pub struct Derivative {
 impl Mechanism {
     /// Runs until a time, s, with a sample every so often, s, of quantities by their numbers among
     /// [`observables`](Mechanism::observables), and gives their derivatives; of mechanisms of at most 8 bodies, by `Dop853` and `Rk4`.
-    /// The values have the bits of a run, but behind what `max`, `abs` and the like bend, where steps end; it ends early where `goes_on` says so.
+    /// The values have the bits of a run, but after what `max`, `abs` and the like bend, where steps end; it ends early where `goes_on` says so.
     ///
     /// # Errors
     /// As [`start_with`](Mechanism::start_with); [`Error::NoDerivative`]; [`Error::Fault`] of the run.

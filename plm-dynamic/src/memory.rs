@@ -132,7 +132,7 @@ impl<S: Scalar, const N: usize> Memory<S, N> {
 /// Where a number is stored.
 #[derive(Clone, Copy)]
 enum Spot {
-    /// The box of a coordinate, or of the time behind the last one: value or reach.
+    /// The box of a coordinate, or of the time after the last one: value or reach.
     Box(usize, usize),
     /// An angle, its cosine or its sine.
     Angle(usize, usize),

@@ -39,7 +39,7 @@ pub trait Watch {
         let _ = (time, what);
     }
 
-    /// Does the run go on behind an internal step to this time, s?
+    /// Does the run go on after an internal step to this time, s?
     fn goes_on(&mut self, time: f64) -> bool {
         let _ = time;
         true

@@ -102,7 +102,7 @@ impl Running {
         at_state!(self, state => state.body(number))
     }
 
-    /// An output by its number, SI; not a number behind the last one.
+    /// An output by its number, SI; not a number after the last one.
     pub(crate) fn output(&self, number: usize) -> f64 {
         at_state!(self, state => state.output(number)).unwrap_or(f64::NAN)
     }

@@ -183,7 +183,7 @@ fn name_of(lowered: &Lowered, what: &str, number: usize) -> Option<String> {
         "rows of contact" => &contacts?.rows.get(number)?.name,
         "conditions" => &lowered.switches.all.get(number)?.name,
         "guards of conditions and contact" => match number.checked_sub(lowered.switches.guards) {
-            Some(behind) => contacts?.guard_names.get(behind)?,
+            Some(after) => contacts?.guard_names.get(after)?,
             None => &lowered.switches.all.get(number)?.name,
         },
         "parameters" => &lowered.parameters.get(number)?.name,

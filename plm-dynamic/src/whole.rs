@@ -16,7 +16,7 @@ use crate::recorded::{Record, Recorded, record, register, result};
 /// A function of more steps is not worth the time of its translation: its rates by themselves take nearly all of it.
 const MOST_STEPS: usize = 6000;
 
-/// The list of the state behind the step, and that of the health.
+/// The list of the state after the step, and that of the health.
 const STATE: usize = 0;
 const HEALTH: usize = 1;
 
@@ -47,7 +47,7 @@ impl<const NQ: usize, const N: usize> Rate for Recording<'_, NQ, N> {
 }
 
 /// The function of a step of a formula, by a rate: it reads time, length and state, and what the rate reads beside these; it writes the state
-/// behind the step and the worst health of its rates, and returns how far these are apart. None where it would be too long.
+/// after the step and the worst health of its rates, and returns how far these are apart. None where it would be too long.
 pub(crate) fn whole_step<F: OneStep, const NQ: usize, const N: usize>(
     model: &Model,
     rate: &Code,

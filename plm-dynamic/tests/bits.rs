@@ -73,7 +73,7 @@ fn compared<M: Described<S = f64>, I: Method<M>, J: Method<Small>>(
             compiled.step(by).map_err(|fault| fault.to_string()),
             dynamic.step(by).map_err(|fault| fault.to_string()),
         );
-        assert_eq!(ends.0, ends.1, "behind {at}");
+        assert_eq!(ends.0, ends.1, "after {at}");
         if ends.0.is_err() {
             return;
         }

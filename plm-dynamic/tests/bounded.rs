@@ -131,7 +131,7 @@ fn a_light_pulley_takes_no_more_than_a_heavy_one() {
     }
 }
 
-/// A pebble on stairs by fixed steps: where it has struck a tread it is below it by what it moves in a step, and so behind the riser.
+/// A pebble on stairs by fixed steps: where it has struck a tread it is below it by what it moves in a step, and so after the riser.
 #[test]
 fn stairs_are_no_place_to_sink_into_by_fixed_steps() {
     for (friction, restitution) in [(0.3, 0.5), (0.0, 0.5), (0.3, 0.0)] {

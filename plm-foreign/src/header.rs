@@ -142,7 +142,7 @@ fn constants(
     writeln!(to, "}};")
 }
 
-/// Unit behind a name.
+/// Unit after a name.
 enum Unit {
     None,
     Named(&'static str),

@@ -51,7 +51,7 @@ impl Kind {
         Self::ALL.into_iter().find(|kind| *kind as i32 == number).ok_or(Status::NoSuch.into())
     }
 
-    /// Its name in C, behind `PLM_`.
+    /// Its name in C, after `PLM_`.
     pub(crate) fn word(self) -> &'static str {
         match self {
             Self::Parameter => "PARAMETER",

@@ -81,7 +81,7 @@ plm_runtime::methods!(methods);
 pub struct Called {
     /// In Rust, and by `--method`.
     pub rust: &'static str,
-    /// In C, behind `PLM_`.
+    /// In C, after `PLM_`.
     pub c: &'static str,
     /// Its type, for numbers `REAL` of a mechanism `OWN`.
     pub(crate) kind: &'static str,

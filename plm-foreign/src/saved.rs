@@ -104,7 +104,7 @@ impl Words for Writer<'_> {
 
 struct Reader<'a> {
     rest: &'a [u8],
-    /// Words that were asked for behind the end.
+    /// Words that were asked for after the end.
     missing: usize,
 }
 

@@ -76,7 +76,7 @@ impl Status {
         Self::Choice,
     ];
 
-    /// Its name in C behind `PLM_`, and what it means.
+    /// Its name in C after `PLM_`, and what it means.
     pub fn words(self) -> (&'static str, &'static CStr) {
         match self {
             Self::Ok => ("OK", c"done"),

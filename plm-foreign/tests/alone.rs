@@ -68,7 +68,7 @@ fn a_step_by_itself_has_the_bits_of_the_state() {
         state.step_linearly_implicit(1e-3).unwrap();
         assert_eq!(output(&object).to_bits(), state.bar().angle.to_bits(), "step {k}");
     }
-    // A run goes on behind it.
+    // A run goes on after it.
     object.step(0.1).unwrap();
     assert!((object.time().unwrap() - 0.5).abs() < 1e-12);
 }

@@ -74,7 +74,7 @@ plm::mechanism! {
     }
 }
 
-/// A solver outside, of steps of equal length by Kutta's formula, that looks at event indicators behind each of them and shows
+/// A solver outside, of steps of equal length by Kutta's formula, that looks at event indicators after each of them and shows
 /// the instance the end of every `shown`th.
 struct Importer<M: Exchanged> {
     instance: Instance<M>,

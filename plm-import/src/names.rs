@@ -24,7 +24,7 @@ impl Names {
         Names(members.into_iter().map(str::to_owned).collect())
     }
 
-    /// A name that nothing else has, as near to `wanted` as it can be; `kind` is put behind one that is taken.
+    /// A name that nothing else has, as near to `wanted` as it can be; `kind` is put after one that is taken.
     pub(crate) fn give(&mut self, wanted: &str, kind: &str) -> String {
         let plain = identifier(wanted);
         let is_free = |names: &BTreeSet<String>, name: &str| {

@@ -8,7 +8,7 @@ pub(crate) fn short(number: f64) -> String {
     with_digits(number, DIGITS)
 }
 
-/// A number with as many digits as it has behind a few operations.
+/// A number with as many digits as it has after a few operations.
 pub(crate) fn exact(number: f64) -> String {
     with_digits(if number.abs() < 1e-15 { 0.0 } else { number }, 15)
 }

@@ -91,7 +91,7 @@ fn plainer(text: &str) -> String {
             Some(_) => tag.find('>').map(|at| at + 1),
             None => Some(tag.find(|c: char| c.is_whitespace() || c == '>').unwrap_or(tag.len())),
         };
-        let (name, behind) = tag.split_at(end.unwrap_or(tag.len()));
+        let (name, after) = tag.split_at(end.unwrap_or(tag.len()));
         match skip {
             // Two hyphens within a comment are no XML either, and usual.
             Some("<!--") if name.len() >= 7 => {
@@ -103,7 +103,7 @@ fn plainer(text: &str) -> String {
             Some(_) => plain.push_str(name),
             None => plain.push_str(&name.replace(':', "_")),
         }
-        rest = behind;
+        rest = after;
     }
     plain.push_str(rest);
     plain

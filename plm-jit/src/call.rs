@@ -133,7 +133,7 @@ impl Loaded {
     }
 }
 
-/// Sines and cosines one behind the other: of the angles in order.
+/// Sines and cosines one after the other: of the angles in order.
 ///
 /// # Safety
 /// There is room for two numbers of each angle.

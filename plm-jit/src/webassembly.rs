@@ -242,12 +242,12 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// The place of an element behind the begin of its list.
+/// The place of an element after the begin of its list.
 fn element(index: usize) -> MemArg {
     place(index as u64 * SIZE, 3)
 }
 
-/// So many bytes behind an address that is a multiple of a power of two.
+/// So many bytes after an address that is a multiple of a power of two.
 fn place(offset: u64, align: u32) -> MemArg {
     MemArg { offset, align, target: MemArgTarget::Memory(0), ordering: None }
 }

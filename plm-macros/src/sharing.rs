@@ -1,6 +1,6 @@
 //! Parts that are shared between mechanisms and crates.
 //!
-//! A proc macro sees its own tokens only. So `parts! { pub valves { … } }` leaves a `macro_rules!` behind that carries
+//! A proc macro sees its own tokens only. So `parts! { pub valves { … } }` leaves a `macro_rules!` after that carries
 //! the definitions, and `mechanism! { use valves; pub Press { … } }` calls it with what follows the `use`; it calls
 //! `mechanism!` again with the definitions in front, as `parts { … }`.
 
@@ -13,7 +13,7 @@ use syn::{Token, braced, token};
 
 syn::custom_keyword!(parts);
 
-/// If the declaration begins with `use path;` (behind parts that were carried here before): the call of `path!`.
+/// If the declaration begins with `use path;` (after parts that were carried here before): the call of `path!`.
 pub(crate) fn carried(input: &TokenStream) -> Option<TokenStream> {
     // Most declarations begin with something else: they are not read twice.
     let begins = input.clone().into_iter().next()?;
@@ -48,7 +48,7 @@ pub(crate) fn shared(input: ParseStream) -> Result<TokenStream> {
     braced!(definitions in input);
     let definitions: TokenStream = definitions.parse()?;
     if !input.is_empty() {
-        return Err(input.error("something stands behind the parts: each `parts!` holds one list of them"));
+        return Err(input.error("something stands after the parts: each `parts!` holds one list of them"));
     }
     let hidden = format_ident!("__plm_parts_{}", name.unraw());
     // A macro that leaves the crate must be exported from its root; one that stays must not.

@@ -251,7 +251,7 @@ impl Search {
         }
     }
 
-    /// The point behind a step: at a bound exactly where the step ends there.
+    /// The point after a step: at a bound exactly where the step ends there.
     fn trial(&self, problem: &impl Problem, step: &Step) -> DVector<f64> {
         DVector::from_fn(self.z.len(), |i, _| {
             let [least, most] = problem.bounds(i);

@@ -1,4 +1,4 @@
-//! The words behind a program's name: what a table of options knows is taken, everything else is a mistake.
+//! The words after a program's name: what a table of options knows is taken, everything else is a mistake.
 
 use std::ffi::OsString;
 use std::str::FromStr;
@@ -14,12 +14,12 @@ pub struct Known {
     help: &'static str,
 }
 
-/// What stands behind the name of an option.
+/// What stands after the name of an option.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Value {
     Nothing,
     Needed(&'static str),
-    /// Behind `=` alone.
+    /// After `=` alone.
     Possible(&'static str),
     /// It has no name: a word by itself.
     Alone(&'static str),
@@ -212,14 +212,14 @@ impl Arguments {
     }
 }
 
-/// What stands behind an option, which is no option.
+/// What stands after an option, which is no option.
 fn value_of(known: &Known, parser: &mut Parser) -> Result<OsString, BadOption> {
     if let Some(value) = parser.optional_value() {
         return Ok(value);
     }
-    let behind =
+    let after =
         parser.try_raw_args().and_then(|words| words.peek().map(|word| word.to_string_lossy().into_owned()));
-    match behind {
+    match after {
         Some(word) if !word.starts_with("--") => parser.value().map_err(of_words),
         _ => Err(BadOption::new(format!("{}: the value is missing", known.shown()))),
     }

@@ -2,10 +2,10 @@
 //!
 //! The enumerations of C, of the command line and of Python are made of this one list.
 
-/// Calls the macro `$with` with the catalogue, behind the tokens that stand behind its name here.
+/// Calls the macro `$with` with the catalogue, after the tokens that stand after its name here.
 ///
 /// First come the methods that choose their steps by an error, then those with steps of fixed length. A row has the name and, in
-/// brackets, the number in saved runs and in C, the name of that number in C behind `PLM_`, the type for a mechanism `M`, the type as a
+/// brackets, the number in saved runs and in C, the name of that number in C after `PLM_`, the type for a mechanism `M`, the type as a
 /// text for numbers `REAL` of a mechanism `OWN`, the usual relative tolerance of a method that has one, a link for documentation, and
 /// the method in words. Numbers stay: a new method takes the next one.
 #[macro_export]

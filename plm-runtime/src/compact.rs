@@ -36,7 +36,7 @@ pub const fn numbers<const N: usize>(runs: &[Run]) -> [u32; N] {
     all
 }
 
-/// The names in a text, one behind the other, of these lengths.
+/// The names in a text, one after the other, of these lengths.
 pub const fn names<const N: usize>(mut text: &'static str, lengths: &[Run]) -> [&'static str; N] {
     let (lengths, mut all, mut at) = (numbers::<N>(lengths), [""; N], 0);
     while at < N {

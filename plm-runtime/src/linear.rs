@@ -282,7 +282,7 @@ struct Layout<F, G> {
     column: G,
 }
 
-/// The derivatives by the state, and by the time in a direction behind the others, in passes of `K` directions.
+/// The derivatives by the state, and by the time in a direction after the others, in passes of `K` directions.
 fn in_passes<M: Linear + ?Sized, const K: usize>(
     system: &M,
     (t, u, x): (M::S, &M::U, &M::X),

@@ -1,6 +1,6 @@
 //! Numbers with the derivative of one side: what a run does when what it is derived by has moved on a little.
 //!
-//! A number is a value and an infinitesimal multiple of it behind, in lexicographic order: two that are equal are told apart by the way they
+//! A number is a value and an infinitesimal multiple of it after, in lexicographic order: two that are equal are told apart by the way they
 //! go. So an order of two events at one time, a touch and a friction at its limit are decided, each side for itself (directional
 //! derivatives of piecewise smooth functions: A. Griewank, On stable piecewise linearization and generalized algorithmic differentiation,
 //! Optim. Methods Softw. 28, 2013).

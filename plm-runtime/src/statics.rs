@@ -8,7 +8,7 @@ use crate::vector::Vector;
 
 /// The equations of a mechanism as they are before it is solved for accelerations; implemented by generated code.
 pub trait Statics: Mechanism {
-    /// A state in absolute coordinates: [q, v, first-order states], SI units, one behind the other; unused room at the
+    /// A state in absolute coordinates: [q, v, first-order states], SI units, one after the other; unused room at the
     /// end is zero.
     type Full: Vector<<Self as Rate>::S>;
     /// A number for each constraint row.

@@ -20,8 +20,8 @@ use crate::vector::Vector;
 /// more.
 const DRIFT: f64 = 1e-10;
 
-/// What rounding has left out of the time over steps by themselves. In `f32` a step of a millisecond is rounded to 0.977 ms behind
-/// 1000 s, and to 0 or 2 ms behind 20 000 s; so the rest of a step is added to the next one, as [`Sim::step`](crate::Sim::step) does.
+/// What rounding has left out of the time over steps by themselves. In `f32` a step of a millisecond is rounded to 0.977 ms after
+/// 1000 s, and to 0 or 2 ms after 20 000 s; so the rest of a step is added to the next one, as [`Sim::step`](crate::Sim::step) does.
 ///
 /// It is no part of a state: two states are equal whatever it is.
 #[derive(Clone, Copy, Debug)]
@@ -93,7 +93,7 @@ where
 }
 
 /// Takes a mechanism on by a step of `h`, in s, by the time stepping of Moreau and Jean with `theta`, 1/2 to 1, and so many evaluations of
-/// the equations of motion: that of [`MoreauJean`](crate::MoreauJean). Behind it all is as behind any [`step`].
+/// the equations of motion: that of [`MoreauJean`](crate::MoreauJean). After it all is as after any [`step`].
 ///
 /// # Errors
 /// As [`step`].
@@ -144,7 +144,7 @@ fn end_of<M: Pack>(system: &M, held: &M::U, (time, h): (M::S, M::S), end: M::S) 
     if moves { Ok(end) } else { Err(Fault::new(time.to_f64(), Cause::StepTooSmall { step: h.to_f64() })) }
 }
 
-/// Is there nothing to do behind a step? All is looked at where it stands; of a loop in a good chart, whether the state is near
+/// Is there nothing to do after a step? All is looked at where it stands; of a loop in a good chart, whether the state is near
 /// to the last one that was looked at.
 #[inline]
 fn is_uneventful<M: Pack>(step: &Step<'_, M>) -> bool {
@@ -276,7 +276,7 @@ pub fn take<M: System<S: Real>>(
 mod tests {
     use super::Remainder;
 
-    /// Plain sums end at 991.14 s, and gain twice the time behind 20 000 s.
+    /// Plain sums end at 991.14 s, and gain twice the time after 20 000 s.
     #[test]
     fn a_million_milliseconds_are_1000_s_in_f32() {
         for from in [0.0_f32, 1000.0, 20_000.0, 40_000.0] {

@@ -14,7 +14,7 @@ const BLOCK: (f64, f64) = (21.0, 12.0);
 pub(super) const BESIDE_BLOCK: f64 = 19.0;
 /// Half the width of a slot.
 const SLOT: f64 = 8.5;
-/// How far a rail goes on behind its ends.
+/// How far a rail goes on beyond its ends.
 const BEYOND: f64 = 44.0;
 /// Radius of the arc of a positive angle.
 const ARC: f64 = 25.0;

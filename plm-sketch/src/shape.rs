@@ -9,7 +9,7 @@ use super::stage::Stage;
 
 /// The unit of symbols, in pixels.
 const UNIT: f64 = 6.0;
-/// How far a surface goes on behind its ends, in pixels.
+/// How far a surface goes on beyond its ends, in pixels.
 const BEYOND: f64 = 70.0;
 /// Length of the arrow of a force, in pixels.
 const ARROW: f64 = 44.0;

@@ -148,7 +148,7 @@ impl<'a> Stage<'a> {
         !focus.is_empty() && !focus.contains(top(name))
     }
 
-    /// A class of shapes, with `back` behind it for what stands back.
+    /// A class of shapes, with `back` after it for what stands back.
     pub(super) fn class(&self, name: &str, class: &str) -> String {
         format!("{class}{}", if self.is_back(name) { " back" } else { "" })
     }

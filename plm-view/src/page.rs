@@ -182,7 +182,7 @@ fn held(id: &str, text: &str) -> String {
     format!("<script type=\"text/plain\" id=\"{id}\">{text}</script>\n")
 }
 
-/// What stands before the next `{{name}}`, the name, and what stands behind it.
+/// What stands before the next `{{name}}`, the name, and what stands after it.
 fn next_place(text: &str) -> Option<(&str, (&str, &str))> {
     let (before, from) = text.split_once("{{")?;
     Some((before, from.split_once("}}")?))

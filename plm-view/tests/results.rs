@@ -202,7 +202,7 @@ fn of_a_file_that_is_cut_off_all_is_given_that_came_before() {
     }
 }
 
-/// Of an array that is cut off its first rows come, and gaps behind them.
+/// Of an array that is cut off its first rows come, and gaps after them.
 #[test]
 fn rows_of_an_array_that_is_cut_off_are_given() {
     let mut written = Recording::new([("x", "m")]);

@@ -86,7 +86,7 @@ fn derivatives_are_those_of_the_rates() {
             (sim.state().mechanism(), sim.state().held(), sim.state().time(), *sim.state().x());
         let mut matrix = <<Scene as Rate>::X as Dense<f64>>::zeros();
         assert!(mechanism.jacobian(time, &held, &x, &mut matrix, None).is_good());
-        // The room behind the coordinates is nobody's.
+        // The room after the coordinates is nobody's.
         let used = || [0, Scene::NQ].into_iter().flat_map(|first| first..first + coordinates);
         let mut worst = 0.0_f64;
         for column in used() {

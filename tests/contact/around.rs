@@ -127,7 +127,7 @@ fn methods_with_error_control_agree_at_every_pace() {
 }
 
 scene! {
-    /// A shaft that turns by a torque up to a stop behind many turns, and is held by a brake as it rebounds.
+    /// A shaft that turns by a torque up to a stop after many turns, and is held by a brake as it rebounds.
     pub Winch {
         input torque: N*m = 2 N*m;
         input brake: N*m = 0 N*m;

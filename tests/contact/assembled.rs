@@ -30,7 +30,7 @@ fn joints_that_hold_are_closed_by_the_start() {
         let (at, omega) = (sim.state_of("bob").angle, sim.state_of("bob").omega);
         near(1.25 * (omega * omega - 2.25), 2.0 * 9.81 * (at.cos() - angle.cos()), 1e-9);
         sim.step_to(1.1).unwrap();
-        // Behind 1 s the rod falls.
+        // After 1 s the rod falls.
         near(sim.state_of("rod").x, 2.34, 1e-12);
         near(sim.state_of("rod").y, 0.12 - 0.5 * 9.81 * 0.01, 1e-11);
     }

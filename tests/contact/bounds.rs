@@ -64,7 +64,7 @@ fn a_bound_that_falls_below_zero_ends_the_run_at_once() {
     let mut sim = Fading::new().start_with(Dop853::new(1e-12)).unwrap();
     sim.step_to(5.0).unwrap();
 
-    // Steps that end behind it tell of it at their end.
+    // Steps that end after it tell of it at their end.
     let (part, time, _) = fault(Fading::new().with("by_time", 0.5), Rk4::new(0.03));
     assert!(part == "time" && (2.0..2.03 + 1e-12).contains(&time), "{time}");
 }

@@ -144,7 +144,7 @@ fn a_block_rocks() {
 }
 
 /// From an impact to the widest angle of a rocking block, s: from the energy, with theta = widest (1 - s^2), by Gauss's formula for the two
-/// halves. The speed is that behind the impact, `p2` = 3 g/(4 R).
+/// halves. The speed is that after the impact, `p2` = 3 g/(4 R).
 fn half_swing(alpha: f64, p2: f64, speed: f64) -> f64 {
     let lean = (alpha.cos() + speed * speed / (2.0 * p2)).acos();
     let widest = alpha - lean;

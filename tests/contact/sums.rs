@@ -45,7 +45,7 @@ drawers!(InJoints, tree);
 drawers!(InBodies, absolute);
 
 /// A force F at the height h over a guide of the length L turns the drawer with F h, so that its ends carry W/2 + F h/L and W/2 - F h/L. With
-/// both of one sign the friction is mu W, and 2 mu F h/L behind the time at which one is zero. Where 2 mu h/L is above 1 no force moves it.
+/// both of one sign the friction is mu W, and 2 mu F h/L after the time at which one is zero. Where 2 mu h/L is above 1 no force moves it.
 #[test]
 fn a_drawer_slides_or_jams_by_the_height_of_its_knob() {
     let (mass, weight, mu, lever, growth) = (2.0, 2.0 * 9.81, 0.2, 0.5 / 0.4, 4.0);

@@ -130,7 +130,7 @@ fn a_slider_crank_starts_on_the_other_side() {
 
 mod six_bar {
     plm::mechanism! {
-        /// Two dyads, one behind the other, both on their other side.
+        /// Two dyads, one after the other, both on their other side.
         pub SixBar {
             ground { port a: (0, 0) m; port d: (1, 0) m; port g: (2, 0) m; }
             body crank { mass: 1 kg; inertia: 0.1 kg*m^2; port a: (0, 0) m; port b: (0.3, 0) m; start angle: 60 deg, locked; }

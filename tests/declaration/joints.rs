@@ -46,7 +46,7 @@ machine!(absolute, { formulation: absolute; });
 const H: f64 = 1e-4;
 const TOLERANCE: f64 = 1e-4;
 
-/// A moment, and those a little before and behind it.
+/// A moment, and those a little before and after it.
 fn around<M: Mechanism<S = f64>>(mut sim: Sim<M>) -> [M::State; 3] {
     sim.step(0.3).unwrap();
     [(); 3].map(|()| {

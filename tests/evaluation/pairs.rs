@@ -1,4 +1,4 @@
-//! Rates of two stages side by side have the bits of one behind the other.
+//! Rates of two stages side by side have the bits of one after the other.
 
 use plm::runtime::charts::OfLoops;
 use plm::runtime::lanes::Two;

@@ -143,7 +143,7 @@ fn masses_do_not_decide_what_is_nearly_singular() {
 }
 
 /// Cranks that come within a hundredth of flat turn sharply there. Steps that do not know their error are divided for it, and are
-/// the same again behind it.
+/// the same again after it.
 #[test]
 fn steps_of_fixed_length_are_divided_where_a_loop_turns_sharply() {
     // Each takes twenty seconds without optimisation.

@@ -193,7 +193,7 @@ fn a_run_ends_where_a_requirement_does() {
     let mut sim = falling_by_rows::Falling::new().with("limit", 1.0).start().unwrap();
     let found = sim.step(2.0).unwrap_err();
     assert!((found.time - 0.5).abs() < 1e-9 && found.part == "above", "{found}");
-    // Without dense output it is seen behind the step.
+    // Without dense output it is seen after the step.
     let mut sim = falling_by_tree::Falling::new().start_with(Rk4::new(0.3)).unwrap();
     let found = sim.step(3.0).unwrap_err();
     assert!((found.time - 1.2).abs() < 1e-12, "{found}");

@@ -163,7 +163,7 @@ mechanism! {
 pub const EVERY: f64 = 0.4;
 pub const PUSHES: [f64; 5] = [3.0, -1.0, 2.0, 0.5, -4.0];
 
-/// Place of the cart behind all intervals, and the integral of the place: v = u/c + (v0 - u/c) exp(-c t/m) in each.
+/// Place of the cart after all intervals, and the integral of the place: v = u/c + (v0 - u/c) exp(-c t/m) in each.
 pub fn carted([mass, drag, speed, pushes @ ..]: [f64; 8]) -> [f64; 2] {
     let (mut x, mut v, mut way) = (0.0, speed, 0.0);
     let (t, k) = (EVERY, mass / drag);

@@ -6,7 +6,7 @@ use plm::{By, Dop853, Dual, Moment, Sim, mechanism, with_derivatives};
 use super::are_slopes;
 
 mechanism! {
-    /// A wheel of spokes without a rim on a slope that lies along x, from just behind an impact: it stands on one spoke, and the next
+    /// A wheel of spokes without a rim on a slope that lies along x, from just after an impact: it stands on one spoke, and the next
     /// one comes. T. McGeer, Passive dynamic walking, Int. J. Robotics Research 9, 1990; M. J. Coleman, A stability study of a
     /// three-dimensional passive-dynamic model of human gait, thesis, Cornell 1998.
     pub Wheel {
@@ -36,7 +36,7 @@ mechanism! {
 const NAMES: [&str; 5] = ["slope", "half", "mass", "inertia", "length"];
 const VALUES: [f64; 5] = [0.1, std::f64::consts::PI / 8.0, 2.0, 0.6, 0.8];
 
-/// Speed behind the next impact and the time of the step, by the speed and by the parameters.
+/// Speed after the next impact and the time of the step, by the speed and by the parameters.
 fn step(speed: f64) -> [Dual<f64, 6>; 2] {
     let wheel = Wheel { speed, ..Wheel::new() };
     let mut by = [By::Parameter("speed"); 6];
@@ -44,26 +44,26 @@ fn step(speed: f64) -> [Dual<f64, 6>; 2] {
         *by = By::Parameter(name);
     }
     let mut sim = with_derivatives(&wheel, by).unwrap().start_with(Dop853::new(1e-13.into())).unwrap();
-    let mut behind = None;
-    while behind.is_none() {
+    let mut after = None;
+    while after.is_none() {
         Sim::watch_towards(&mut sim, 5.0.into(), |seen| {
             if let Seen::Switched(state) = seen {
-                behind = Some([-state.hub().omega, Moment::time(state)]);
+                after = Some([-state.hub().omega, Moment::time(state)]);
             }
         })
         .unwrap();
     }
-    behind.unwrap()
+    after.unwrap()
 }
 
-/// Share of the speed that is left behind an impact, and what the square of the speed grows by between two.
+/// Share of the speed that is left after an impact, and what the square of the speed grows by between two.
 fn share_and_gain([slope, half, mass, inertia, length]: [f64; 5]) -> [f64; 2] {
     let (own, about_foot) = (mass * length * length, inertia + mass * length * length);
     let share = (inertia + own * (2.0 * half).cos()) / about_foot;
     [share, 4.0 * mass * 9.81 * length * slope.sin() * half.sin() / about_foot]
 }
 
-/// The speed behind each impact on the cycle: its square z is share^2 (z + gain).
+/// The speed after each impact on the cycle: its square z is share^2 (z + gain).
 fn speed_of(at: [f64; 5]) -> f64 {
     let [share, gain] = share_and_gain(at);
     share * (gain / (1.0 - share * share)).sqrt()
@@ -93,20 +93,20 @@ fn period_of(at: [f64; 5]) -> f64 {
 fn of_a_walker_s_limit_cycle() {
     let mut speed = 2.0;
     let mut newton = 0;
-    let [behind, time] = loop {
-        let [behind, time] = step(speed);
-        let off = behind.value - speed;
+    let [after, time] = loop {
+        let [after, time] = step(speed);
+        let off = after.value - speed;
         if off.abs() < 1e-13 || newton > 8 {
-            break [behind, time];
+            break [after, time];
         }
-        speed -= off / (behind.tangents[0] - 1.0);
+        speed -= off / (after.tangents[0] - 1.0);
         newton += 1;
     };
     assert!(newton <= 6, "{newton}");
     assert!((speed - speed_of(VALUES)).abs() < 1e-11, "{speed} {}", speed_of(VALUES));
     assert!((time.value - period_of(VALUES)).abs() < 1e-11);
     let [share, _] = share_and_gain(VALUES);
-    let [multiplier, by_parameters @ ..] = behind.tangents;
+    let [multiplier, by_parameters @ ..] = after.tangents;
     assert!((multiplier - share * share).abs() < 1e-10, "{multiplier}");
     // v(p) = P(v(p), p): dv/dp = P_p/(1 - P_v); the period goes along.
     let by_speed = by_parameters.map(|by| by / (1.0 - multiplier));

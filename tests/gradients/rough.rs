@@ -119,7 +119,7 @@ fn rough_steps_have_their_own_derivatives() {
     }
 }
 
-/// The lengths of the steps behind an event are values. One that moved with the event would pass it on, enlarged from step to step: then the
+/// The lengths of the steps after an event are values. One that moved with the event would pass it on, enlarged from step to step: then the
 /// derivative of 78 is wrong by 1.6e-5 at the looser tolerance.
 #[test]
 fn lengths_of_steps_do_not_move_with_events() {

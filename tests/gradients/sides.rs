@@ -8,7 +8,7 @@ use super::body;
 use super::events::Thrown;
 use crate::scene::{Given as _, Scene};
 
-/// The derivative behind a place of what is smooth there, of three values beside it: its error is of second order.
+/// The derivative after a place of what is smooth there, of three values beside it: its error is of second order.
 fn beside(f: impl Fn(f64) -> f64, at: f64, side: Side) -> f64 {
     let h = if side == Side::Above { 1e-5 } else { -1e-5 };
     (-2.5 * f(at + h) + 4.0 * f(at + 2.0 * h) - 1.5 * f(at + 3.0 * h)) / h

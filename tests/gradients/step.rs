@@ -8,7 +8,7 @@ use super::adjoint::{Cart, EVERY, PUSHES, carted};
 use super::are_slopes;
 use super::loops::FourBar;
 
-/// Place, speed and summed way of the cart behind an interval.
+/// Place, speed and summed way of the cart after an interval.
 fn pushed([x, v, way, push, mass, drag]: [f64; 6], t: f64) -> [f64; 3] {
     let (last, k) = (push / drag, mass / drag);
     let (rest, decay) = (v - last, (-t / k).exp());

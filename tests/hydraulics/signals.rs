@@ -78,7 +78,7 @@ fn stages_lags_and_the_controller_are_what_their_equations_say() {
         if k % 10 != 0 || k == 0 || k > 80 {
             assert_near(sim.jagged_value(), jagged(t), 1.0, &format!("jagged at {t}"));
         }
-        // Stages without duration are left out, in front and behind; then the end of the last is held.
+        // Stages without duration are left out, in front and after; then the end of the last is held.
         let single = |end: f64| 2.0 + (end - 2.0) * t.min(1.0);
         let alone = [
             (sim.first_only_value(), 3.0),

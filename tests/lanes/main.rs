@@ -175,7 +175,7 @@ fn known_times_are_hit() {
     assert!(stats.iter().all(|stats| stats.switches == 2), "{stats:?}");
 }
 
-/// A lane in which a condition may switch makes the step alone, and goes on with the others behind it; one that does not hold what is
+/// A lane in which a condition may switch makes the step alone, and goes on with the others after it; one that does not hold what is
 /// required stops.
 #[test]
 fn conditions_switch_lane_by_lane() {
@@ -261,7 +261,7 @@ fn what_ends_a_run_ends_its_lane() {
     assert!(refused[0] && !refused[1], "{stats:?}");
 }
 
-/// A lane that stops is behind the others when it goes on.
+/// A lane that stops is after the others when it goes on.
 #[test]
 fn a_fault_stops_its_lane_alone() {
     let mechanisms = AROUND.map(|s| Driven { mass: 1.0 + s, ..Driven::new() });

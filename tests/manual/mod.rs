@@ -1,6 +1,6 @@
 //! The demos of the manual: every figure that it prints, and the balance of energy and power.
 //!
-//! `numbers.json` holds the printed figures, how they are to be read, and the exact values behind them, which come from an
+//! `numbers.json` holds the printed figures, how they are to be read, and the exact values after them, which come from an
 //! independent model of the same demos.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 

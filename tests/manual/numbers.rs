@@ -21,7 +21,7 @@ pub(crate) fn reproduced(demo: &str, wanted: bool) -> Vec<String> {
 /// 1e-9 over 40 s, and a mean speed over a stretch of the run of its own.
 const EXACT: f64 = 1e-6;
 
-/// The sheet compares its value with what the manual prints and as the manual wrote it, and the value is the one behind the
+/// The sheet compares its value with what the manual prints and as the manual wrote it, and the value is the one after the
 /// print.
 pub(crate) fn agrees(demo: &str, name: &str) {
     let figures = figures(demo);

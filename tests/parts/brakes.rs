@@ -111,7 +111,7 @@ fn a_torque_limiter_slips_after_a_jump_until_the_speeds_meet() {
     near(sim.value_of("driver.omega"), (0.2 * 100.0 + 0.3 * 20.0) / 0.5, 1e-9);
 }
 
-/// Of a drive M, the limiter carries M J2/(J1 + J2) while it holds: 1.5 30 N m at 1.75 s, for M = 100 N m/s (t - 1 s). Behind that the
+/// Of a drive M, the limiter carries M J2/(J1 + J2) while it holds: 1.5 30 N m at 1.75 s, for M = 100 N m/s (t - 1 s). After that the
 /// slip has the rate 30/J2 - (M - 30)/J1.
 #[test]
 fn a_torque_limiter_breaks_away_at_its_static_torque() {

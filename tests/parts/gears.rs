@@ -49,7 +49,7 @@ fn a_planet_turns_by_willis_between_a_sun_and_a_ring() {
     near(sim.kinetic_energy() - energy, worked, 1e-8 * worked);
 }
 
-/// Masses along the pitch circles m1 = J1/r1^2 = 4 kg, m2 = 3 kg. The flanks meet after 0.5 mm, and after 1 mm each time behind that; the
+/// Masses along the pitch circles m1 = J1/r1^2 = 4 kg, m2 = 3 kg. The flanks meet after 0.5 mm, and after 1 mm each time after that; the
 /// relative speed turns round with e, the momentum stays.
 #[test]
 fn gears_rattle_in_their_play() {

@@ -88,7 +88,7 @@ fn a_slide_comes_to_rest_on_its_limit() {
     sim.step_to(first + 1e-9).unwrap();
     near((sim.state_of("sled").vx.powi(2) + sim.state_of("sled").vy.powi(2)).sqrt(), 0.5 * a * first, 1e-7);
     assert!(sim.state_of("sled").vx < 0.0);
-    // The highest point behind the first impact, a quarter of the way up.
+    // The highest point after the first impact, a quarter of the way up.
     sim.step_to(first * 1.5).unwrap();
     near((sim.state_of("sled").x - 10.0) / 20_f64.to_radians().cos(), 0.375, 1e-9);
     sim.step_to(first * 3.0 + 1e-3).unwrap();

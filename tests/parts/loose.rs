@@ -37,7 +37,7 @@ fn a_turning_journal_rubs_in_an_impact() {
     near(sim.state_of("rigid").omega, 100.0 - 0.2 * impulse * 0.02 / 0.004, 1e-8);
 }
 
-/// Hertz's impact: depth (5 m v^2/(4 K))^(2/5), and with the damping of Lankarani and Nikravesh the speed v' behind it with
+/// Hertz's impact: depth (5 m v^2/(4 K))^(2/5), and with the damping of Lankarani and Nikravesh the speed v' after it with
 /// v/a - ln(1 + a v)/a^2 = -v'/a - ln(1 - a v')/a^2, a = 3 (1 - e^2)/(4 v), the first integral of m x'' = -K x^(3/2) (1 + a x').
 #[test]
 fn a_compliant_bush_gives_back_by_lankarani_and_nikravesh() {
@@ -58,9 +58,9 @@ fn a_compliant_bush_gives_back_by_lankarani_and_nikravesh() {
     sim.step_to(2e-3 + lasts * 1.1).unwrap();
     let a = 3.0 * (1.0 - 0.81) / (4.0 * v);
     let of = |x: f64| x / a - (a * x).ln_1p() / (a * a);
-    let behind = -(sim.state_of("soft").vx * 0.6 + sim.state_of("soft").vy * 0.8);
-    assert!(behind > 0.9 * v * 0.95 && behind < v, "{behind}");
-    near(of(-behind), of(v), 1e-9);
+    let after = -(sim.state_of("soft").vx * 0.6 + sim.state_of("soft").vy * 0.8);
+    assert!(after > 0.9 * v * 0.95 && after < v, "{after}");
+    near(of(-after), of(v), 1e-9);
 }
 
 /// The face stands 0.2 m before the port: the ball comes 0.8 m with 2 m/s, and leaves with 1 m/s.

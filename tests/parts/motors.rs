@@ -45,7 +45,7 @@ fn a_motor_by_its_line_runs_up_and_a_servo_keeps_its_limits() {
     sim.step_to(0.005).unwrap();
     near(sim.value_of("eight.speed"), 0.1 * 0.005 / 0.02, 1e-9);
     sim.step_to(0.3).unwrap();
-    // The torque leaves its limit at 0.9 rad/s, behind 0.18 s; then 1 - 0.1 exp(-(t - 0.18)/0.02).
+    // The torque leaves its limit at 0.9 rad/s, after 0.18 s; then 1 - 0.1 exp(-(t - 0.18)/0.02).
     near(sim.value_of("eight.speed"), 1.0 - 0.1 * (-0.12_f64 / 0.02).exp(), 1e-8);
     near(sim.value_of("position.torque"), 0.1 * (-0.12_f64 / 0.02).exp(), 1e-8);
     sim.step_to(0.9).unwrap();

@@ -29,7 +29,7 @@ fn a_tackle_pulls_twice() {
     }
 }
 
-/// A block that is thrown up leaves the rope slack: both fall freely. Behind that the rope becomes taut by an impact, in which the momenta go by 2
+/// A block that is thrown up leaves the rope slack: both fall freely. After that the rope becomes taut by an impact, in which the momenta go by 2
 /// to 1 and its ends have one speed.
 #[test]
 fn a_rope_pulls_only() {
@@ -46,7 +46,7 @@ fn a_rope_pulls_only() {
     near(sim.value_of("tackle.slack"), 0.2 - 1.5 * G * 0.01, 1e-9);
     let (block, weight) = (1.0 - G * taut, -G * taut);
     sim.step_to(taut + 1e-6).unwrap();
-    // Impulse J: 4 dv = 2 J, 2 dw = J, and 2 v + w = 0 behind.
+    // Impulse J: 4 dv = 2 J, 2 dw = J, and 2 v + w = 0 after.
     let impulse = -(2.0 * block + weight) / (2.0 * 2.0 / 4.0 + 1.0 / 2.0);
     near(sim.value_of("block.vy"), block + impulse / 2.0, 1e-5);
     near(sim.value_of("weight.vy"), weight + impulse / 2.0, 1e-5);

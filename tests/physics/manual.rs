@@ -1,6 +1,6 @@
 //! Figures that the manual prints, section 2.2.
 //!
-//! The exact values behind the printed ones come from an independent model.
+//! The exact values after the printed ones come from an independent model.
 
 use plm::Mechanism as _;
 

@@ -9,7 +9,7 @@ driven!(without);
 driven!(heavy mass: 7 kg; inertia: 0.3 kg*m^2;);
 driven!(light mass: 0.05 kg; inertia: 1e-3 kg*m^2;);
 
-/// Runs three mechanisms that are declared alike, and compares: outputs that read no acceleration to the bit, those behind them to
+/// Runs three mechanisms that are declared alike, and compares: outputs that read no acceleration to the bit, those after them to
 /// rounding.
 macro_rules! compare {
     ($name:ident, $exact:expr, $accelerations:expr) => {

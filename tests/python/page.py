@@ -16,7 +16,7 @@ def blocks(page, kind):
 
 
 def commands(block):
-    """Each command, what the page shows behind it, and the session of Python that it begins."""
+    """Each command, what the page shows after it, and the session of Python that it begins."""
     found = []
     for line in block.splitlines():
         if line.startswith("$ "):

@@ -18,8 +18,8 @@ fn assert_turned(name: &str, trace: &Trace<4>, turns: u32) {
     assert!(trace.survived(), "{name}: {:?}", trace.end);
     let [energy, apart, askew] = [0, 1, 2].map(|column| trace.largest(column));
     assert!(energy < 1e-7 && apart < 1e-12 && askew < 1e-12, "{name}: {energy:e} {apart:e} {askew:e}");
-    let behind = trace.last()[3] + f64::from(turns) * TAU;
-    assert!(behind.abs() < 1e-7, "{name}: {behind:e}");
+    let after = trace.last()[3] + f64::from(turns) * TAU;
+    assert!(after.abs() < 1e-7, "{name}: {after:e}");
 }
 
 #[test]
@@ -52,8 +52,8 @@ fn a_ladder_of_five_windows_turns_over_at_any_tolerance() {
         let mut sim = Ladder5::new().start_with(Dop853::new(rtol)).unwrap();
         let trace = turning(&mut sim, 5, 100);
         assert!(trace.survived(), "{rtol:e}: {:?}", trace.end);
-        let behind = trace.last()[3] + 5.0 * TAU;
-        assert!(behind.abs() < 1000.0 * rtol + 5e-9, "{rtol:e}: {behind:e}");
+        let after = trace.last()[3] + 5.0 * TAU;
+        assert!(after.abs() < 1000.0 * rtol + 5e-9, "{rtol:e}: {after:e}");
         assert_eq!(sim.stats().change_points, 10, "{rtol:e}");
     }
 }
@@ -80,8 +80,8 @@ fn a_parallelogram_stays_one_beyond_its_change_points() {
     let mut sim = Parallelogram::new().start().unwrap();
     let trace = turning_parallelogram(&mut sim, 5);
     assert!(trace.survived(), "{:?}", trace.end);
-    let [energy, askew, behind] = [0, 1, 2].map(|column| trace.largest(column));
-    assert!(energy < 1e-9 && askew < 1e-12 && behind < 1e-8, "{energy:e} {askew:e} {behind:e}");
+    let [energy, askew, after] = [0, 1, 2].map(|column| trace.largest(column));
+    assert!(energy < 1e-9 && askew < 1e-12 && after < 1e-8, "{energy:e} {askew:e} {after:e}");
     // Twice a turn all bars lie in one line.
     assert_eq!(sim.stats().change_points, 10);
 }

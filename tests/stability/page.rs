@@ -26,7 +26,7 @@ fn the_program_fails_if_one_line_is_missed() {
     let table = page.add("second", &[Row::new("count", "3", "4", false), Row::new("end", "b", "b", true)]);
     assert!(table.contains("| count | 3 | 4 **missed** |"), "{table}");
     assert_eq!(page.outcome(), Err("second: count: 4 instead of 3".to_owned()));
-    // What is right behind it makes nothing good.
+    // What is right after it makes nothing good.
     page.add("third", &[Row::new("end", "c", "c", true)]);
     assert!(page.outcome().is_err());
     assert!(

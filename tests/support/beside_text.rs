@@ -8,7 +8,7 @@ use plm::{Method, Sim, Stats};
 /// What a run has been, bit by bit.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Course {
-    /// Poses and outputs behind each interval, with its end; none where assembly fails.
+    /// Poses and outputs after each interval, with its end; none where assembly fails.
     pub(crate) moments: Vec<(u64, Vec<u64>)>,
     counts: [u64; 5],
     pub(crate) fault: Option<String>,

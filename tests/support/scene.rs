@@ -46,7 +46,7 @@ pub(crate) type Scene = Small;
 /// It at one moment.
 pub(crate) type State = <Scene as plm::Mechanism>::State;
 
-/// The numbers of a state without first-order states: coordinates, then their rates, each with unused room behind.
+/// The numbers of a state without first-order states: coordinates, then their rates, each with unused room after.
 pub(crate) fn numbers(coordinates: &[f64], rates: &[f64]) -> <Scene as Rate>::X {
     let mut x = [0.0; _];
     let (q, v) = x.split_at_mut(Scene::NQ);
@@ -95,7 +95,7 @@ pub(crate) trait Given: Sized {
     fn start_of(&self, name: &str) -> Start<f64>;
     /// All start values from text, as [`starts`](Named::starts) gives it; locks stay.
     fn with_starts(self, text: &str) -> Self;
-    /// The start that the joints allow; coordinates of bodies in order, with unused room behind.
+    /// The start that the joints allow; coordinates of bodies in order, with unused room after.
     fn assemble(&self) -> Result<absolute::Assembly<f64, { Scene::NQ }, 32>, Fault>;
 }
 

@@ -1,6 +1,6 @@
 //! Benchmark scenes, declared as a user would.
 //!
-//! SI units, angles absolute from +x, uniform bars have `J = m L^2 / 12`. What is handed over behind the name of the module
+//! SI units, angles absolute from +x, uniform bars have `J = m L^2 / 12`. What is handed over after the name of the module
 //! stands among the items of the mechanism: its outputs, and settings such as `formulation: absolute;`. What is handed over in brackets
 //! before that name declares it in place of `plm::mechanism!`.
 

@@ -41,7 +41,7 @@ fn a_press_and_its_gradient() {
     );
 }
 
-/// Behind an impact the share k = (I + m l^2 cos 2a)/(I + m l^2) of the speed is left, whose square grows by c between two impacts: on the
+/// After an impact the share k = (I + m l^2 cos 2a)/(I + m l^2) of the speed is left, whose square grows by c between two impacts: on the
 /// cycle z = k^2 (z + c). The time is the integral of 1/speed over the lean, by Simpson's rule.
 #[test]
 fn a_rimless_wheel_and_its_limit_cycle() {
@@ -64,7 +64,7 @@ fn a_rimless_wheel_and_its_limit_cycle() {
     check(
         "limit_cycle",
         &[
-            ("speed behind an impact", speed, 1e-10),
+            ("speed after an impact", speed, 1e-10),
             ("time of a step", time, 1e-10),
             ("part of a disturbance that a step leaves", share * share, 1e-9),
             ("change of the speed with the slope", 0.5 * speed / slope.tan(), 1e-9),
@@ -94,11 +94,11 @@ fn a_stand_is_found_by_its_readings() {
         for (k, reading) in (1..).zip(READINGS) {
             let time = 0.05 * f64::from(k);
             let slope = Vector2::from([0, 1].map(|i| {
-                let [mut before, mut behind] = [found; 2];
+                let [mut before, mut after] = [found; 2];
                 let h = 1e-5 * found[i];
                 before[i] -= h;
-                behind[i] += h;
-                (place(behind, time) - place(before, time)) / (2.0 * h)
+                after[i] += h;
+                (place(after, time) - place(before, time)) / (2.0 * h)
             }));
             let error = reading - place(found, time);
             normal += slope * slope.transpose();

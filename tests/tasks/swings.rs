@@ -59,7 +59,7 @@ impl Pendulum {
     }
 
     /// How far it swings behind.
-    fn behind(&self) -> f64 {
+    fn after(&self) -> f64 {
         let [angle, omega] = self.run(|_, _| ());
         (angle.cos() - 5.0 * omega * omega / (2.0 * G)).acos()
     }
@@ -77,13 +77,13 @@ fn a_load_on_a_crane() {
         drive = drive.max((200.0 * pushed - tension * angle.sin()).abs());
     });
     let times = (70..95).map(|tenth| f64::from(tenth) * 0.1);
-    let rests = times.map(|time| (time, Pendulum { time }.behind()));
+    let rests = times.map(|time| (time, Pendulum { time }.after()));
     let (best, rest) = rests.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
     check(
         "crane",
         &[
             ("in 6 s the load swings by", swing.to_degrees(), 1e-5),
-            ("and behind by", six.behind().to_degrees(), 1e-5),
+            ("and after by", six.after().to_degrees(), 1e-5),
             ("greatest pull of the rope", rope, 1e-2),
             ("greatest force of the trolley", drive, 1e-3),
             ("it hangs still after", best, 1e-9),

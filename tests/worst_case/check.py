@@ -73,7 +73,7 @@ class Maker:
         return Piece(lines, again + through, self.after(again, out))
 
     def code(self, depth, loops=0):
-        """Some pieces, one behind the other; the last one is a block, so that every label has an instruction."""
+        """Some pieces, one after the other; the last one is a block, so that every label has an instruction."""
         kinds = [self.block, self.leave, self.call]
         if depth:
             kinds += 2 * [lambda: self.branch(depth - 1, loops), lambda: self.loop(depth - 1, loops)]

@@ -50,7 +50,7 @@ class Constants:
     def _after(self, instruction):
         after = dict(self.before[instruction.address])
         mnemonic, operands = instruction.mnemonic, instruction.operands
-        # What is compared is only used by the jump behind it.
+        # What is compared is only used by the jump after it.
         after.pop(COMPARED, None)
         constant = IMMEDIATE.fullmatch(operands)
         least, most = after.get(constant[1], (0, 1)) if constant else (0, 1)

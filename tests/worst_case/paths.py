@@ -44,7 +44,7 @@ class Graph:
         costs, into = {}, {entry: [NOTHING]}
         for part in components(entry, nodes, self.successors):
             heads = [node for node in part if node in into]
-            # Behind a loop that cannot be entered.
+            # After a loop that cannot be entered.
             if not heads:
                 continue
             if len(heads) > 1:

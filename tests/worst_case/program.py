@@ -39,7 +39,7 @@ class Instruction:
             self.targets.append(after)
 
     def follow_table(self, data, inside):
-        """Finds where a jump by a table goes on, which has `data` behind it: distances in halfwords, of a byte or two each."""
+        """Finds where a jump by a table goes on, which has `data` after it: distances in halfwords, of a byte or two each."""
         # What is aligned has no operations before it, `00 bf`.
         while data.endswith(b"\x00\xbf"):
             data = data[:-2]
@@ -97,7 +97,7 @@ def read(lines):
         if head := re.match(r"([0-9a-f]+) <(.+)>:$", line):
             function = functions.setdefault(int(head[1], 16), Function(int(head[1], 16), head[2]))
         elif code := re.match(r" *([0-9a-f]+):\s+\t([a-z]\S*)\s*(.*)", line):
-            # Behind @ stand remarks.
+            # After @ stand remarks.
             operands = code[3].split("@")[0].strip()
             function.instructions[int(code[1], 16)] = Instruction(int(code[1], 16), code[2], operands)
         elif data := re.match(r" *([0-9a-f]+):((?: [0-9a-f]{2})+)\s+\t\.", line):

@@ -13,7 +13,7 @@ MARKS = {"$LT$": "<", "$GT$": ">", "$LP$": "(", "$RP$": ")", "$C$": ",", "$u20$"
 
 
 def short(name):
-    """The last part of a name, behind its type or module."""
+    """The last part of a name, after its type or module."""
     for mark, sign in MARKS.items():
         name = name.replace(mark, sign)
     return "::".join(re.findall(r"\w+", name.replace("<S>", ""))[-2:])

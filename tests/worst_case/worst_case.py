@@ -15,10 +15,10 @@ from constants import Constants
 from program import NotUnderstood, read
 from walk import Rules, Walk, copies_memory, short
 
-# SysTick's counter, which is read before a step and behind it: examples/firmware/machine/src/bare/cortex_m.rs.
+# SysTick's counter, which is read before a step and after it: examples/firmware/machine/src/bare/cortex_m.rs.
 COUNTER = 0xE000E018
 
-# Rounds of loops at most, of those within others behind them.
+# Rounds of loops at most, of those within others after them.
 ROUNDS = {
     # Bodies whose turns are counted or remembered. A table is gone through once, by rounds that go on at the outer head or, past
     # what is not due, at an inner one; the longest path has all at the outer one. Of a body, the coordinates of a chart that are
@@ -50,12 +50,12 @@ STEPPED = {"four-bar with limits": 2, "rack with backlash": 2, "ratchet": 1}
 SETTERS = {"ratchet"}
 # Rules of steps that are a straight line, and of that line alone.
 LINE_STEPS, LINE = "steps", "line"
-# Where a step goes that is no straight line, or has something to do behind it.
+# Where a step goes that is no straight line, or has something to do after it.
 ASIDE = {"step::rk4", "step::arrive"}
 
 
 def rounds_of(rows):
-    """Rounds of the loops of a step of Moreau and Jean: rows, rounds of their small problem, sweeps behind these."""
+    """Rounds of the loops of a step of Moreau and Jean: rows, rounds of their small problem, sweeps after these."""
     return ROUNDS | {
         "solver::look": (rows, rows),
         "solver::solve": (4*rows + 2, rows, rows),
@@ -66,7 +66,7 @@ def rounds_of(rows):
         "violated::switch_violated": (6, 5),
         # An event sets the tooth, the next round finds the side of its condition, the last one that nothing else follows: less than a
         # pitch passes in a step. Conditions, events and guards within.
-        "M::switch_behind": (3, 2, 5, 5),
+        "M::switch_after": (3, 2, 5, 5),
     }
 
 
@@ -94,9 +94,9 @@ class Step:
         if len(begins) != 1:
             raise NotUnderstood(f"{len(begins)} readings of the counter begin a step in {function.name}")
         self.entry = self.constants.successors(*begins)[0]
-        self.ends = {end for end in self._next_reads([self.entry]) if self._next_reads(self._behind(end)) == begins}
+        self.ends = {end for end in self._next_reads([self.entry]) if self._next_reads(self._after(end)) == begins}
 
-    def _behind(self, address):
+    def _after(self, address):
         return self.constants.successors(address)
 
     def _next_reads(self, addresses):
@@ -105,13 +105,13 @@ class Step:
             address = todo.pop()
             if address not in seen:
                 seen.add(address)
-                todo += [] if address in self.reads else self._behind(address)
+                todo += [] if address in self.reads else self._after(address)
         return seen & self.reads
 
     def cost(self, walk):
         """The cost of its best path."""
         return walk.between(
-            self.constants, self.entry, self.ends, lambda address: [] if address in self.ends else self._behind(address))
+            self.constants, self.entry, self.ends, lambda address: [] if address in self.ends else self._after(address))
 
 
 def measuring(functions, function):

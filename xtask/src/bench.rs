@@ -27,7 +27,7 @@ pub(crate) fn usage() -> String {
     lines.concat()
 }
 
-/// Runs those that are named, or counts instructions. What stands behind `--` goes to each of them.
+/// Runs those that are named, or counts instructions. What stands after `--` goes to each of them.
 pub(crate) fn run(place: &Place, words: &[String]) -> Result {
     let mut parts = words.splitn(2, |word| word == "--");
     let (names, more) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());
@@ -42,8 +42,8 @@ pub(crate) fn run(place: &Place, words: &[String]) -> Result {
             } else {
                 place.command(command)
             };
-            let behind = (!more.is_empty() && command.starts_with("cargo")).then_some("--");
-            task.args(behind).args(more).run()?;
+            let after = (!more.is_empty() && command.starts_with("cargo")).then_some("--");
+            task.args(after).args(more).run()?;
         }
     }
     Ok(())

@@ -132,7 +132,7 @@ fn without_links(markdown: &str) -> String {
                 open -= 1;
                 let target = rest.strip_prefix('(').and_then(|target| target.split_once(')'));
                 // The parentheses of a function in a target are a pair of their own.
-                rest = target.map_or(rest, |(_, behind)| behind.strip_prefix(')').unwrap_or(behind));
+                rest = target.map_or(rest, |(_, after)| after.strip_prefix(')').unwrap_or(after));
             }
             _ => text.push(letter),
         }

@@ -92,8 +92,8 @@ fn typeset_line(line: &str) -> std::result::Result<String, String> {
             let run = rest.len() - rest.trim_start_matches('`').len();
             let code = rest[run..].find(&rest[..run]).map(|code| run + code + run);
             code.unwrap_or(run)
-        } else if let Some(behind) = rest.strip_prefix('\\') {
-            1 + behind.chars().next().map_or(0, char::len_utf8)
+        } else if let Some(after) = rest.strip_prefix('\\') {
+            1 + after.chars().next().map_or(0, char::len_utf8)
         } else {
             let formula = rest[1..].split_once('$').map(|(formula, _)| formula);
             let formula = formula.ok_or("a `$` has no partner in its line")?;

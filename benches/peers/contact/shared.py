@@ -35,7 +35,7 @@ def creep(begin, end, time):
 
 
 def peaks(values):
-    """Maxima behind the start. What rises or falls by less than 2 % of the start is noise."""
+    """Maxima after the start. What rises or falls by less than 2 % of the start is noise."""
     found, noise = [], 0.02 * values[0]
     falls, extreme = True, values[0]
     for value in values:

@@ -173,7 +173,7 @@ fn oscillator(settings: Settings) {
     row("oscillator", settings, (rest - reference("oscillator", "x")).abs(), (seconds, 2.0), creep, f64::NAN);
 }
 
-/// Maxima behind the start. What rises or falls by less than 2 % of the start is noise.
+/// Maxima after the start. What rises or falls by less than 2 % of the start is noise.
 fn peaks(values: &[f64]) -> Vec<f64> {
     let (mut found, mut falls, mut extreme) = (Vec::new(), true, values[0]);
     for &value in values {

@@ -68,10 +68,10 @@ where
 fn along<S: Scene>(scene: S, x: &[f64], v: &[f64], product: &mut [f64]) {
     const SHIFT: f64 = 6e-6;
     let shifted = |by: f64| x.iter().zip(v).map(|(x, v)| x + by * v).collect::<Vec<_>>();
-    let mut behind = vec![0.0; S::SIZE];
+    let mut after = vec![0.0; S::SIZE];
     scene.rate(&shifted(SHIFT), product);
-    scene.rate(&shifted(-SHIFT), &mut behind);
-    for (product, behind) in product.iter_mut().zip(behind) {
-        *product = (*product - behind) / (2.0 * SHIFT);
+    scene.rate(&shifted(-SHIFT), &mut after);
+    for (product, after) in product.iter_mut().zip(after) {
+        *product = (*product - after) / (2.0 * SHIFT);
     }
 }

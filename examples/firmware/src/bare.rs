@@ -1,4 +1,4 @@
-//! Mechanisms on a board: their bits, one number a line in hexadecimal, and behind `#` what each run took.
+//! Mechanisms on a board: their bits, one number a line in hexadecimal, and after `#` what each run took.
 //!
 //! It links only without std, allocation and panic. On Linux and as WebAssembly it prints the same bits and counts nothing.
 #![no_std]

@@ -42,7 +42,7 @@ struct Picture {
     /// The file, without its folder.
     file: &'static str,
     caption: &'static str,
-    /// What is shown, as the address of the page has it behind `#`; and `preset`, from where it is looked at, and `zoom`, beside
+    /// What is shown, as the address of the page has it after `#`; and `preset`, from where it is looked at, and `zoom`, beside
     /// that of all in sight.
     shows: &'static str,
     /// Width and height in pixels.

@@ -39,7 +39,7 @@ pub fn ladders() -> Result<Figure, Fault> {
     .noted("Default method and formulation unless stated otherwise. At a flat pose N + 1 branches cross.");
     let mut rows = Vec::new();
     for (name, trace, turns) in traces {
-        let behind = trace.last()[3] + f64::from(turns) * TAU;
+        let after = trace.last()[3] + f64::from(turns) * TAU;
         rows.push(Row::end(format!("S4, {name}: {turns} turns"), &trace.end));
         rows.push(Row::below(format!("S4, {name}: energy"), 1e-7, "", trace.largest(0)));
         rows.push(Row::below(format!("S4, {name}: windows askew"), 1e-12, " rad", trace.largest(2)));
@@ -48,7 +48,7 @@ pub fn ladders() -> Result<Figure, Fault> {
                 format!("S4, {name}: angle after {turns} turns"),
                 1e-7,
                 " rad",
-                behind.abs(),
+                after.abs(),
             ));
         }
         chart = chart.with(Series::new(name, so_far(trace.over_time(0))));

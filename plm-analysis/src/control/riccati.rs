@@ -7,7 +7,7 @@ use super::lyapunov::lyapunov;
 
 /// Doublings: 2^60 periods are more than any slow mode needs.
 const DOUBLINGS: usize = 60;
-/// Steps of Newton's method behind them; two are usual.
+/// Steps of Newton's method after them; two are usual.
 const POLISHED: usize = 6;
 
 /// What is to become small: the sum, or the integral, of x^T Q x + 2 x^T N u + u^T R u.

@@ -43,7 +43,7 @@ struct Product {
     option: &'static str,
     /// Options of the program that makes it, in the folder of the package; `NAME` is the name of the package.
     made_by: &'static str,
-    /// A command before, and one behind.
+    /// A command before, and one after.
     around: [Option<&'static str>; 2],
 }
 
@@ -203,12 +203,12 @@ type ByCargo = bool;
 impl Product {
     /// The commands that make it, in the folder of the package of this name.
     fn commands(&self, name: &str) -> Vec<(ByCargo, String)> {
-        let [before, behind] = self.around;
+        let [before, after] = self.around;
         let cargo = format!("cargo run --release -- {}", self.made_by);
         let all = [
             before.map(|line| (false, line.to_owned())),
             Some((true, cargo)),
-            behind.map(|line| (false, line.to_owned())),
+            after.map(|line| (false, line.to_owned())),
         ];
         all.into_iter().flatten().map(|(by, line)| (by, line.replace("NAME", name))).collect()
     }

@@ -55,11 +55,11 @@ type Failure = Box<dyn std::error::Error>;
 /// A command.
 struct Command {
     name: &'static str,
-    /// Words behind its name.
+    /// Words after its name.
     usage: &'static str,
     /// Its purpose, in a line.
     title: &'static str,
-    /// Its options, a line each; behind a blank what stands in the place of a value.
+    /// Its options, a line each; after a blank what stands in the place of a value.
     options: &'static [(&'static str, &'static str)],
     run: fn(Words, &mut Streams) -> Result<Outcome, Failure>,
 }

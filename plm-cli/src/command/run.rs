@@ -227,7 +227,7 @@ impl Number {
     }
 }
 
-/// Columns behind the time, with their headings. Where nothing is declared as output, the poses of all bodies stand in front.
+/// Columns after the time, with their headings. Where nothing is declared as output, the poses of all bodies stand in front.
 fn columns(run: &Run, with_observed: bool) -> (Vec<Number>, Vec<String>) {
     let mut columns = Vec::new();
     if !run.all_columns().iter().any(|column| column.declared) {

@@ -15,7 +15,7 @@ pub(super) enum Kind {
     Unknown,
 }
 
-/// The words, options apart from files; behind `--` all words are files.
+/// The words, options apart from files; after `--` all words are files.
 pub(super) struct Words {
     /// Options with their values.
     options: Vec<(String, Option<String>)>,
@@ -131,7 +131,7 @@ impl Words {
     }
 }
 
-/// What stands behind an option, and is no option.
+/// What stands after an option, and is no option.
 fn value(option: &str, wanted: &str, parser: &mut Parser) -> Result<String, Failure> {
     if let Some(value) = parser.optional_value() {
         return text(value);
@@ -150,7 +150,7 @@ fn text(word: OsString) -> Result<String, Failure> {
     word.into_string().map_err(|word| format!("{} is not UTF-8", word.display()).into())
 }
 
-/// Names behind an option, which commas separate: not those in brackets.
+/// Names after an option, which commas separate: not those in brackets.
 pub(super) fn names(texts: &[String]) -> Vec<String> {
     let mut all = Vec::new();
     for text in texts {

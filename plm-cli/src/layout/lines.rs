@@ -4,7 +4,7 @@ use crate::lexer::Kind;
 
 /// Columns of a level.
 const LEVEL: usize = 4;
-/// Blanks between the longest line and the comments behind neighbouring lines; behind a line alone there is one.
+/// Blanks between the longest line and the comments after neighbouring lines; after a line alone there is one.
 const BEFORE_COMMENTS: usize = 4;
 
 /// What is open: the text, or a bracket.
@@ -21,7 +21,7 @@ struct Frame {
 /// A line that is done.
 struct Line {
     code: String,
-    /// `// …` behind the code.
+    /// `// …` after the code.
     comment: Option<String>,
 }
 
@@ -58,7 +58,7 @@ impl Lines {
         }
     }
 
-    /// Would a unit behind so many line breaks begin a line?
+    /// Would a unit after so many line breaks begin a line?
     pub(super) fn begins_line(&self, breaks: usize) -> bool {
         breaks > 0 && !self.is_empty()
     }
@@ -67,7 +67,7 @@ impl Lines {
         self.done.is_empty() && self.present.code.is_empty() && self.present.comment.is_none()
     }
 
-    /// Appends a unit behind line breaks, or behind a blank.
+    /// Appends a unit after line breaks, or after a blank.
     pub(super) fn push(&mut self, word: &str, kind: Kind, breaks: usize, is_apart: bool) {
         let closes = is_close(word, kind);
         let breaks = if self.is_empty() { 0 } else { breaks.max(usize::from(self.needs_break)) };

@@ -78,7 +78,7 @@ fn laid_out(text: &str, range: Range<usize>, indent: usize) -> Result<String, St
     }
 }
 
-/// Whether an item that ended with `}` goes on here, with `else` or `;` behind comments.
+/// Whether an item that ended with `}` goes on here, with `else` or `;` after comments.
 fn goes_on(text: &str, units: &[spacing::Unit]) -> Vec<bool> {
     let (mut goes_on, mut all) = (false, Vec::new());
     for unit in units.iter().rev() {
@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn comments_behind_neighbouring_lines_stand_in_a_column() {
+    fn comments_after_neighbouring_lines_stand_in_a_column() {
         let text =
             "mass: 1 kg; // a\ncentre: (0, 0) m; /* b */\ninertia: 1 kg*m^2;// c\n/* d\n   e */ hole: x;";
         let expected =

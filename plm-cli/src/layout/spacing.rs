@@ -33,11 +33,11 @@ pub(super) fn units(text: &str, tokens: &[Token]) -> Vec<Unit> {
     units
 }
 
-/// Words that begin an operand, so that a `-` behind them is a sign and a `(` stands apart.
+/// Words that begin an operand, so that a `-` after them is a sign and a `(` stands apart.
 const IN_FRONT: [&str; 5] = ["given", "if", "not", "output", "when"];
 /// Words that stand between operands. Where an operand is expected they are names.
 const BETWEEN: [&str; 10] = ["and", "at", "else", "for", "from", "in", "on", "or", "then", "within"];
-/// Those of them that name parts as well: what a `(` behind them is, the blank tells.
+/// Those of them that name parts as well: what a `(` after them is, the blank tells.
 const NAMES_TOO: [&str; 5] = ["at", "for", "from", "on", "output"];
 
 /// Place of a unit among its neighbours.
@@ -62,7 +62,7 @@ enum Role {
     Tight,
     /// `+`, `=`, `<`: with blanks.
     Loose,
-    /// A sign, or what else touches the operand behind it.
+    /// A sign, or what else touches the operand after it.
     Prefix,
     /// What has no place in the language: the blank stays as it was.
     Other,
@@ -101,14 +101,14 @@ impl Spacing {
     }
 
     fn role(&self, kind: Kind, word: &str) -> Role {
-        let is_behind_operand = matches!(self.before, Role::Operand | Role::BlockEnd);
+        let is_after_operand = matches!(self.before, Role::Operand | Role::BlockEnd);
         match kind {
             Kind::Word if IN_FRONT.contains(&word) && self.before != Role::Tight => return Role::Word,
-            Kind::Word if BETWEEN.contains(&word) && is_behind_operand => return Role::Word,
+            Kind::Word if BETWEEN.contains(&word) && is_after_operand => return Role::Word,
             Kind::Mark => {}
             _ => return Role::Operand,
         }
-        let is_sign = !is_behind_operand;
+        let is_sign = !is_after_operand;
         match word {
             "(" | "[" => Role::Open,
             ")" | "]" => Role::Operand,

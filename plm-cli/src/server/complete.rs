@@ -83,19 +83,19 @@ fn choices(document: &Document, declaration: &Declaration, at: usize) -> Option<
         ";" | "{" | "}" => beginnings(text, &before, names, at),
         "start" => of_words(&["x", "y", "angle", "vx", "vy", "omega"], Sort::Property),
         ":" if sets_option(text, &before) => of_words(&words::options(), Sort::Keyword),
-        // Behind a pair, `(0, 0) m`, or behind an expression.
+        // After a pair, `(0, 0) m`, or after an expression.
         ")" => [of_units(), expression(names, at)].concat_all(),
         _ => expression(names, at),
     })
 }
 
-/// Behind `formulation:` and the like.
+/// After `formulation:` and the like.
 fn sets_option(text: &str, before: &[Token]) -> bool {
     let word = before.len().checked_sub(2).map_or("", |at| before[at].text(text));
     ["code", "formulation", "impacts", "stabilisation"].contains(&word)
 }
 
-/// Behind `param k:`, `in`, and an operator within a unit.
+/// After `param k:`, `in`, and an operator within a unit.
 fn is_unit_wanted(text: &str, before: &[Token]) -> bool {
     let word = |back: usize| before.len().checked_sub(back).map_or("", |at| before[at].text(text));
     let is_value =
@@ -120,9 +120,9 @@ fn of_units() -> Vec<Choice> {
     words::units().iter().map(unit).collect()
 }
 
-/// Behind a dot.
+/// After a dot.
 fn members(text: &str, before: &[Token], names: &Names, at: usize) -> Vec<Choice> {
-    // The dot, and behind it an empty word.
+    // The dot, and after it an empty word.
     let Some(end) = before.len().checked_sub(2) else { return Vec::new() };
     let first = if before[end].kind == TokenKind::Word {
         begin(text, before, end)

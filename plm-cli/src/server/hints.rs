@@ -1,4 +1,4 @@
-//! Values at the start, behind the names that stand for them.
+//! Values at the start, after the names that stand for them.
 
 use std::ops::Range;
 

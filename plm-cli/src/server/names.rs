@@ -124,7 +124,7 @@ impl Reader<'_> {
         as_declared(self.source.file().unwrap_or_default(), self.text, range)
     }
 
-    /// The end of the braces that open behind a place; other brackets may be open while one types.
+    /// The end of the braces that open after a place; other brackets may be open while one types.
     fn end_of_braces(&self, at: usize) -> usize {
         let mut depth = 0_i32;
         for mark in self.marks.iter().filter(|mark| mark.range.start >= at) {

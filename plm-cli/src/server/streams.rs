@@ -28,7 +28,7 @@ pub(crate) fn serve() -> Result<(), Box<dyn Error + Send + Sync>> {
         while let Some(message) = read(&mut input)? {
             let is_last =
                 matches!(&message, Message::Notification(Notification { method, .. }) if method == "exit");
-            // Nobody hears a message behind the end.
+            // Nobody hears a message after the end.
             if to_server.send(message).is_err() || is_last {
                 break;
             }
@@ -61,7 +61,7 @@ fn read(input: &mut impl BufRead) -> io::Result<Option<Message>> {
     }
 }
 
-/// The text of the next frame: behind a head of fields and an empty line, as long as `Content-Length` says.
+/// The text of the next frame: after a head of fields and an empty line, as long as `Content-Length` says.
 fn frame(input: &mut impl BufRead) -> io::Result<Option<Vec<u8>>> {
     let mut length = None;
     loop {

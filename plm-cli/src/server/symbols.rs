@@ -60,7 +60,7 @@ fn of_name(document: &Document, declaration: &Declaration, name: &Name) -> Value
         Kind::Body => "body",
         _ => "",
     };
-    // An item may begin behind its name: that of an argument of a part.
+    // An item may begin after its name: that of an argument of a part.
     let item = name.item.start.min(name.place.start)..name.item.end.max(name.place.end);
     symbol(document, (&name.text, detail), Sort::of(&name.kind), [&item, &name.place], &children)
 }

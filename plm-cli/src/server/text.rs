@@ -17,9 +17,9 @@ pub(super) fn offset(text: &str, place: &Value) -> Option<usize> {
     let line = text[start..].split('\n').next().unwrap_or_default();
     let mut units = 0;
     let letter = line.char_indices().find(|(_, letter)| {
-        let is_behind = units >= column;
+        let is_after = units >= column;
         units += letter.len_utf16();
-        is_behind
+        is_after
     });
     Some(start + letter.map_or(line.len(), |(at, _)| at))
 }
@@ -40,11 +40,11 @@ pub(super) fn range(text: &str, of: &Range<usize>) -> Value {
 pub(super) fn path(uri: &str) -> String {
     let Some(path) = uri.strip_prefix("file://") else { return uri.to_owned() };
     let (mut bytes, mut rest) = (Vec::new(), path.as_bytes());
-    while let [first, behind @ ..] = rest {
-        let hex = behind.get(..2).and_then(|hex| u8::from_str_radix(std::str::from_utf8(hex).ok()?, 16).ok());
+    while let [first, after @ ..] = rest {
+        let hex = after.get(..2).and_then(|hex| u8::from_str_radix(std::str::from_utf8(hex).ok()?, 16).ok());
         match (first, hex) {
-            (b'%', Some(byte)) => (bytes.push(byte), rest = &behind[2..]).1,
-            _ => (bytes.push(*first), rest = behind).1,
+            (b'%', Some(byte)) => (bytes.push(byte), rest = &after[2..]).1,
+            _ => (bytes.push(*first), rest = after).1,
         }
     }
     let path = String::from_utf8_lossy(&bytes).into_owned();

@@ -97,8 +97,8 @@ fn what_is_written_is_laid_out_and_compiles_without_warnings() {
 fn the_page_of_the_book_shows_what_is_written() {
     let page = fs::read_to_string(root().join("docs/src/running/import.md")).unwrap();
     let block = |word: &str| {
-        let (_, behind) = page.split_once(&format!("```{word}\n")).unwrap();
-        behind.split_once("```").unwrap().0.to_owned()
+        let (_, after) = page.split_once(&format!("```{word}\n")).unwrap();
+        after.split_once("```").unwrap().0.to_owned()
     };
     let folder = folder();
     fs::write(folder.join("pendulum.xml"), block("xml")).unwrap();
@@ -229,7 +229,7 @@ fn models_that_need_care_are_taken() {
             "mass: 10.471975512 kg;",
             None,
         ),
-        // The leader is declared behind its follower.
+        // The leader is declared after its follower.
         (
             "<sdf version=\"1.9\"><model name=\"m\"><link name=\"a\"><inertial><mass>1</mass></inertial></link><link name=\"b\"><inertial><mass>1</mass>\
              </inertial></link><joint name=\"f\" type=\"revolute\"><parent>world</parent><child>a</child><axis><xyz>0 1 0</xyz>\

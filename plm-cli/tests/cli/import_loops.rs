@@ -2,8 +2,8 @@
 
 use super::{Said, plm};
 
-/// A file of Drake with two pendulums, and what stands behind them.
-fn pendulums(behind: &str) -> String {
+/// A file of Drake with two pendulums, and what stands after them.
+fn pendulums(after: &str) -> String {
     let link = |name: &str| {
         format!(
             "<link name=\"{name}\"><inertial><origin xyz=\"0 0 .5\"/><mass value=\"1\"/>\
@@ -17,7 +17,7 @@ fn pendulums(behind: &str) -> String {
         )
     };
     format!(
-        "<robot name=\"two\" xmlns:drake=\"http://drake.mit.edu\"><link name=\"world\"/>{}{}{}{}\n{behind}</robot>",
+        "<robot name=\"two\" xmlns:drake=\"http://drake.mit.edu\"><link name=\"world\"/>{}{}{}{}\n{after}</robot>",
         link("crank"),
         link("rocker"),
         joint("a", 0.0, "crank"),
@@ -85,7 +85,7 @@ fn no_loop_is_left_out() {
 
 /// Names that the language or emitted code has for itself, for links, joints and frames.
 #[test]
-fn names_that_are_taken_get_a_word_behind_them() {
+fn names_that_are_taken_get_a_word_after_them() {
     let words = "x y theta t pi angle omega vx position mass inertia centre body frame force state param input port start when given repeat in \
                  for if then else and not min turn dot cross rate clamp on from within contour friction fn type mod struct self Self crate m N kg s \
                  rad deg ground alpha State time run step find at drift method notice clone spring revolute wheel free_slide halfway_bushing";

@@ -88,7 +88,7 @@ fn a_ramp_acts_within_steps() {
             close(&row[1..], &[pushed(t), pushed(t) + pulled(t), push(t)]);
         }
     }
-    // A reading behind the end of the run has its part in the line before it.
+    // A reading after the end of the run has its part in the line before it.
     let words = ["carts.plm", "--until", "1.1", "--inputs", "near.csv"];
     close(&rows(&folder, &words, "").pop().unwrap(), &[1.1, 0.2225, 0.2225, 3.0]);
 }
@@ -207,7 +207,7 @@ fn misuse_is_told() {
         ("t,push\n0,1\n", &[], "a.csv: `push` is in `N`, and no unit is given"),
         ("t,pull[0]\n0,1\n", &[], "a.csv: `pull[0]` is in `kN` or `N`, and no unit is given"),
         ("t,push (m)\n0,1\n", &[], "a.csv: push: 1 m is a length (m), and a force (N) is wanted"),
-        ("t,push (N)\n0,1\n2,1\n1,1\n", &[], "a.csv: times of readings ascend, and 1 s stands behind 2 s"),
+        ("t,push (N)\n0,1\n2,1\n1,1\n", &[], "a.csv: times of readings ascend, and 1 s stands after 2 s"),
         ("t,push (N)\n0,1\n2,inf\n", &[], "a.csv: `push` is inf at 2 s: a reading is a number"),
         ("t,push (N)\n0,\n1,\n", &[], "a.csv: `push` has no readings"),
         ("t,push (N)\n", &[], "a.csv has headings, and no readings"),

@@ -66,10 +66,10 @@ fn places_in_json_are_those_that_rustc_shows() {
             .map(|error| {
                 let span = &error["spans"][0];
                 assert_eq!(span["is_primary"], true);
-                let [line, end, start, behind] = ["line_start", "line_end", "column_start", "column_end"]
+                let [line, end, start, after] = ["line_start", "line_end", "column_start", "column_end"]
                     .map(|of| span[of].as_u64().unwrap());
                 assert_eq!(line, end, "{error}");
-                (error["code"]["code"].as_str().unwrap().to_owned(), line, start, behind - start)
+                (error["code"]["code"].as_str().unwrap().to_owned(), line, start, after - start)
             })
             .collect();
         expected.sort();
@@ -116,7 +116,7 @@ fn a_message_has_all_that_an_editor_wants() {
 }
 
 #[test]
-fn places_behind_a_missing_bracket_are_those_of_the_file() {
+fn places_after_a_missing_bracket_are_those_of_the_file() {
     let text = "pub P { body b { mass: (1 kg; } let b = q; }";
     let found = messages(text);
     let unknown = found.iter().find(|of| of["code"]["code"] == "E0201").unwrap();

@@ -122,7 +122,7 @@ fn values_have_units_and_bodies_their_poses() {
 
 /// An arm of 0.5 m whose end is drawn away at 0.4 m/s from 0.2 m: it is stretched after 0.75 s.
 #[test]
-fn a_fault_ends_a_run_behind_what_came_before() {
+fn a_fault_ends_a_run_after_what_came_before() {
     let stretched = "pub Stretched {
         ground { port o: (0, 0) m; }
         body arm { mass: 1 kg; inertia: 1 kg*m^2; port o: (-0.5, 0) m; start angle: 60 deg; }

@@ -58,7 +58,7 @@ fn the_end_of_a_run_is_a_row() {
     }
 }
 
-/// A ball that bounces: rows before and behind each impact, or none.
+/// A ball that bounces: rows before and after each impact, or none.
 #[test]
 fn events_have_rows_and_are_counted() {
     let ball = "pub Ball { gravity: 9.81 m/s^2; allow(W0002); ground { port o: (0, 0) m; }

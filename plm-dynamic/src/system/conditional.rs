@@ -7,7 +7,7 @@ use plm_runtime::{Fault, Health, Real, Start};
 use crate::contact::Conditional;
 use crate::handle::{Dynamic, Frame, Held};
 
-/// A mechanism whose rows are those of its joints, and behind them constraints with a condition: those of the marked ones, of the others
+/// A mechanism whose rows are those of its joints, and after them constraints with a condition: those of the marked ones, of the others
 /// zeros.
 struct Joined<
     'a,
@@ -68,7 +68,7 @@ impl<
     const P: usize,
 > Joined<'_, S, NQ, NC, N, L, H, R, P>
 {
-    /// Writes residuals of the constraints behind those of the joints.
+    /// Writes residuals of the constraints after those of the joints.
     fn put(&self, code: &'static crate::code::Code, frame: &Frame<S, NQ, L, H, R>, residuals: &mut [S; NC]) {
         let joints = self.mechanism.model.lowered.rows.len();
         let mut own = [S::ZERO; R];

@@ -107,7 +107,7 @@ impl<
     const P: usize,
 > Ports for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
-    /// Room for inputs: behind the last one they are zero, and nothing reads them.
+    /// Room for inputs: after the last one they are zero, and nothing reads them.
     type Input = [S; H];
     const INPUTS: Named = of_the_value();
     const OUTPUTS: Named = of_the_value();

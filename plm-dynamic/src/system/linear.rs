@@ -109,7 +109,7 @@ impl<
         if self.is_absolute() {
             let (rows, mut index) = (self.model.lowered.rows.len(), 0);
             absolute::residuals::<S, Self, NQ, NC, N>(self, t, x, &mut |residual| {
-                // Behind the last row there is room.
+                // After the last row there is room.
                 if index % NC < rows {
                     row(residual);
                 }

@@ -186,7 +186,7 @@ impl<
         events::take_sides(self, t, held, x, (guards, |u: &mut Held<S, NQ, L, H, R>| &mut u.switches[..]));
     }
 
-    /// Assembles anew with the constraints that hold where a run begins. Which hold may depend on the pose: it is asked again behind
+    /// Assembles anew with the constraints that hold where a run begins. Which hold may depend on the pose: it is asked again after
     /// that, a few times.
     fn close(
         &self,

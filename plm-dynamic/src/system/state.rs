@@ -102,7 +102,7 @@ impl<
         (q, v)
     }
 
-    /// Pose and velocity of the centre of gravity of a body by its number; none behind the last one.
+    /// Pose and velocity of the centre of gravity of a body by its number; none after the last one.
     pub fn body(&self, number: usize) -> Option<BodyState<S>> {
         let (q, v) = self.unwrapped_pose();
         (number < self.mechanism.model.lowered.bodies.len()).then(|| BodyState::among(&q, &v, number))?

@@ -29,7 +29,7 @@ impl<
         2 * self.model.lowered.coordinates.len() + self.model.lowered.states.len()
     }
 
-    /// A state in absolute coordinates with unused room behind its coordinates and behind its velocities, as functions expect it, from one
+    /// A state in absolute coordinates with unused room after its coordinates and after its velocities, as functions expect it, from one
     /// with all of it at the end.
     fn spread(&self, x: &[S; N]) -> [S; N] {
         let (room, mut all) = (self.absolute_room(), [S::ZERO; N]);

@@ -310,7 +310,7 @@ const THROWN: &str = "pub Thrown {
     allow(W0002);
 }";
 
-/// Behind three impacts by one step or many, and at the end of all: methods with dense output end there, those of equal steps stay at the
+/// After three impacts by one step or many, and at the end of all: methods with dense output end there, those of equal steps stay at the
 /// floor but for what the ball falls in each.
 #[test]
 fn a_ball_that_a_when_throws_back_does_not_fall_through() {

@@ -60,7 +60,7 @@ impl<M: Exchanged> Instance<M> {
         if rates.is_finite() { Ok(rates) } else { Err(Fault::new(state.time(), Cause::NotFinite).into()) }
     }
 
-    /// How far conditions are from where they switch; negative beyond. Behind them, of a mechanism with loops, 1 as long as they can be
+    /// How far conditions are from where they switch; negative beyond. After them, of a mechanism with loops, 1 as long as they can be
     /// followed in the coordinates that they have, else -1.
     ///
     /// # Errors
@@ -147,7 +147,7 @@ impl<M: Exchanged> Instance<M> {
         Ok(())
     }
 
-    /// Discrete state where the solver is, and the state, with charts and branches of loops as they are to be behind a step; whether
+    /// Discrete state where the solver is, and the state, with charts and branches of loops as they are to be after a step; whether
     /// they have changed.
     fn arrived(&self) -> Result<(M::U, M::X, bool), Error> {
         let state = self.state()?;
@@ -190,7 +190,7 @@ impl<M: Exchanged> Instance<M> {
     }
 
     /// An event of model exchange: parameters that were changed, charts, known times, conditions. In co-simulation steps see to
-    /// all that, but for impacts: outputs jump there, and a simulator reads them behind the event.
+    /// all that, but for impacts: outputs jump there, and a simulator reads them after the event.
     ///
     /// # Errors
     /// A requirement that does not hold, a jump, or parameters that cannot be.
@@ -222,7 +222,7 @@ impl<M: Exchanged> Instance<M> {
         Ok(Update { states_changed: differs(&before, &x), next: self.instant })
     }
 
-    /// The motion behind all switches that are due at a place; `late` is about how long ago they were due, s.
+    /// The motion after all switches that are due at a place; `late` is about how long ago they were due, s.
     fn passed(&self, held: M::U, here: &Place<M>, late: f64) -> Result<Passed<M>, Error> {
         let (mechanism, is_due) = (self.state()?.mechanism(), self.instant.is_some_and(|at| here.0 >= at));
         let motion = Motion { system: mechanism, held: &held };
@@ -242,12 +242,12 @@ impl<M: Exchanged> Instance<M> {
         if is_due {
             mechanism.switch_at_time(here.0, &mut held, &mut x)?;
         }
-        let left_over = LeftOver::behind(mechanism, (here.0, x), &held);
+        let left_over = LeftOver::after(mechanism, (here.0, x), &held);
         Ok(Passed { since: there.0, held, x, left_over })
     }
 }
 
-/// Behind what has switched.
+/// After what has switched.
 struct Passed<M: Exchanged> {
     /// Nothing had switched until then, s.
     since: f64,

@@ -39,7 +39,7 @@ pub(super) struct Reached<M: Exchanged> {
 }
 
 impl<M: Exchanged> Way<'_, M> {
-    /// To the end, with what a step changes behind it: whole turns are taken off the state, and at the end other coordinates are chosen.
+    /// To the end, with what a step changes after it: whole turns are taken off the state, and at the end other coordinates are chosen.
     ///
     /// # Errors
     /// Where a loop cannot be followed, or would need other coordinates on the way.

@@ -197,7 +197,7 @@ impl Follows {
             let Some((height, length)) = motion.flight(&at, guard) else { continue };
             let lowest = FLIGHTS * motion.resolved(&at, guard, self.tolerance);
             if is_lost || height <= lowest || length <= SHORT * self.late {
-                system.switch_behind(t, held, x, (guard, BEYOND * length))?;
+                system.switch_after(t, held, x, (guard, BEYOND * length))?;
             }
         }
         Ok(())

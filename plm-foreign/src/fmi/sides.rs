@@ -94,8 +94,8 @@ impl<G: Vector<f64>> LeftOver<G> {
         if late > near(here.0) { motion.before(here, (late, since), holds) } else { None }
     }
 
-    /// Behind a run, which has switched what was due: what is beyond its zero is rounding.
-    pub(super) fn behind<M: Exchanged<G = G>>(system: &M, (t, x): Place<M>, held: &M::U) -> Self {
+    /// After a run, which has switched what was due: what is beyond its zero is rounding.
+    pub(super) fn after<M: Exchanged<G = G>>(system: &M, (t, x): Place<M>, held: &M::U) -> Self {
         Self(beyond_band(system, t, held, &x).map(|guard| if guard < 0.0 { -2.0 * guard } else { 0.0 }))
     }
 
@@ -121,7 +121,7 @@ impl<G: Vector<f64>> LeftOver<G> {
                 return Err(Fault::of_part(t, system.guard_name(index), Cause::Required));
             }
             let step = step(system, (t, held), (index, late));
-            system.switch_behind(t, held, x, (index, step))?;
+            system.switch_after(t, held, x, (index, step))?;
             if let Some(done) = switched.get_mut(index) {
                 *done = true;
             }

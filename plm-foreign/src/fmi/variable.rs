@@ -22,7 +22,7 @@ pub enum Variable {
     State(usize),
     /// The rate of a continuous state.
     Rate(usize),
-    /// An event indicator: negative where a condition has left its side. Behind those of conditions, of mechanisms with loops, one that
+    /// An event indicator: negative where a condition has left its side. After those of conditions, of mechanisms with loops, one that
     /// is negative where the loops need other coordinates.
     Indicator(usize),
     /// The method of co-simulation, a [`Choice`](super::Choice) by its number.

@@ -27,7 +27,7 @@ fn precise() -> Precise {
     Thrown::new().start_with(Dop853::new(1e-12)).unwrap()
 }
 
-/// An instance of co-simulation behind its initialisation.
+/// An instance of co-simulation after its initialisation.
 fn stepped(has_events: bool) -> Instance<Thrown> {
     let mut instance = Instance::new(Thrown::new(), Interface::CoSimulation { has_events });
     instance.begin_at(0.0, Some(1e-12)).unwrap();
@@ -71,7 +71,7 @@ fn a_solver_outside_strikes_slides_and_sticks() {
     }
 }
 
-/// The speed of the block falls by e from impact to impact; outputs in event mode are those behind it.
+/// The speed of the block falls by e from impact to impact; outputs in event mode are those after it.
 #[test]
 fn a_step_returns_at_an_impact() {
     for has_events in [false, true] {

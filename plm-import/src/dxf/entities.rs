@@ -13,7 +13,7 @@ pub(super) struct Chain {
     pub(super) place: Place,
 }
 
-/// An entity: its name, the groups behind it, and the corners of a polyline of the old form.
+/// An entity: its name, the groups after it, and the corners of a polyline of the old form.
 pub(super) struct Entity<'g> {
     pub(super) name: &'g str,
     pub(super) place: &'g Place,
@@ -153,7 +153,7 @@ impl<'g> Entity<'g> {
         Some((points, false))
     }
 
-    /// Corners with the bulge of the side behind each.
+    /// Corners with the bulge of the side after each.
     fn corners(&self) -> Vec<([f64; 2], f64)> {
         let mut corners: Vec<([f64; 2], f64)> = Vec::new();
         let mut x = None;

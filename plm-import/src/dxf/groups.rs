@@ -32,7 +32,7 @@ pub fn drawing_text(bytes: &[u8]) -> Result<Cow<'_, str>, String> {
     Ok(encoding.decode_without_bom_handling(bytes).0)
 }
 
-/// The value of `$DWGCODEPAGE`, which stands two lines behind it.
+/// The value of `$DWGCODEPAGE`, which stands two lines after it.
 fn code_page(bytes: &[u8]) -> Option<String> {
     let name = b"$DWGCODEPAGE";
     let at = bytes.windows(name.len()).position(|window| window == name)?;

@@ -18,7 +18,7 @@ impl Placing {
         [0, 1].map(|i| x * self.x[i] + y * self.y[i] + self.by[i])
     }
 
-    /// This behind another one that is within it.
+    /// This after another one that is within it.
     fn of(&self, inner: &Placing) -> Placing {
         let direction = |v: [f64; 2]| [0, 1].map(|i| v[0] * self.x[i] + v[1] * self.y[i]);
         Placing { x: direction(inner.x), y: direction(inner.y), by: self.point(inner.by) }

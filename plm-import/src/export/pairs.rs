@@ -15,7 +15,7 @@ const NO_LAW: &str = "is not a multiple of one input, clamped or not, which a mo
 pub(super) enum Kind {
     Weld,
     Prismatic,
-    /// A slide with a hinge behind it.
+    /// A slide with a hinge after it.
     PinSlot,
     Revolute,
 }
@@ -144,7 +144,7 @@ impl Pair {
     /// Sets a field.
     ///
     /// # Errors
-    /// The formats have nothing of the kind: why, behind the name of the field.
+    /// The formats have nothing of the kind: why, after the name of the field.
     fn try_to_set(&mut self, field: &str, value: &FieldValue) -> Result<(), &'static str> {
         let law = match value {
             FieldValue::Input(term) => Some(Law::Motor(term.clone())),

@@ -66,7 +66,7 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// Numbers behind each other.
+/// Numbers after each other.
 pub(super) fn numbers(numbers: &[f64]) -> String {
     numbers.iter().map(|number| exact(*number)).collect::<Vec<_>>().join(" ")
 }

@@ -30,7 +30,7 @@ enum Shape {
     Free,
     /// Two slides.
     Upright,
-    /// A slide with a hinge behind it.
+    /// A slide with a hinge after it.
     Slot,
 }
 
@@ -51,7 +51,7 @@ pub(super) fn add(
         return;
     };
     let acting: Vec<usize> = chain.iter().copied().filter(|&k| acts(spatial, k)).collect();
-    // The force of a slide on the ground is one on the body, at the hinge behind it: the body feels no torque of it.
+    // The force of a slide on the ground is one on the body, at the hinge after it: the body feels no torque of it.
     let is_force = |k: usize| {
         spatial.joints[k].kind == Kind::Prismatic && spatial.joints[k].start == spatial.joints[k].drawn
     };

@@ -81,7 +81,7 @@ pub(crate) enum PairKind {
     Revolute,
     Prismatic,
     Weld,
-    /// A slide with a hinge behind it.
+    /// A slide with a hinge after it.
     Slot,
     /// Two slides: `b` does not turn.
     Upright,

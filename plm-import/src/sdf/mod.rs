@@ -252,7 +252,7 @@ impl<'a> Reader<'a> {
         self.axes.push((element, number, scope.to_owned()));
     }
 
-    /// Joints that follow others, which may be declared behind them.
+    /// Joints that follow others, which may be declared after them.
     fn follow(&mut self) {
         for (axis, number, scope) in std::mem::take(&mut self.axes) {
             let number_of = |name: &str| self.joints.get(&format!("{scope}{name}")).copied();

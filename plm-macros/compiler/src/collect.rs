@@ -17,7 +17,7 @@ impl<I: Iterator> CollectVec for I {}
 
 /// Vectors that take over what an iterator gives.
 pub(crate) trait PushAll<T> {
-    /// All items behind those that are there.
+    /// All items after those that are there.
     fn push_all(&mut self, items: impl IntoIterator<Item = T>);
 }
 

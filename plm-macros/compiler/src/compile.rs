@@ -36,7 +36,7 @@ pub struct Expansion {
     pub oracle: Option<Oracle>,
 }
 
-/// Compiles the declaration that is the first of `sources`; library files that it needs are added behind it.
+/// Compiles the declaration that is the first of `sources`; library files that it needs are added after it.
 ///
 /// Mistakes never end the compilation early with nothing: they are all in [`Expansion::diagnostics`].
 pub fn compile(sources: &mut Sources) -> Expansion {
@@ -74,7 +74,7 @@ fn expanded(sources: &mut Sources, emit: Option<Emit>) -> Expansion {
     expansion
 }
 
-/// A mechanism with the names of the declaration and nothing behind them, for code that uses it where [`compile`] gives
+/// A mechanism with the names of the declaration and nothing after them, for code that uses it where [`compile`] gives
 /// none; `None` if it has no name itself.
 pub fn names_only(sources: &mut Sources) -> Option<Code> {
     let reading = front::read(sources, &mut Diagnostics::new());
@@ -109,7 +109,7 @@ fn back_end(
     Some(expansion)
 }
 
-/// The passes behind the model; nothing where there are errors that leave nothing to go on with.
+/// The passes after the model; nothing where there are errors that leave nothing to go on with.
 fn passes(
     mut model: Model,
     observed: Observed,

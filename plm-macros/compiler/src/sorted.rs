@@ -2,7 +2,7 @@
 //!
 //! Whoever uses plm builds this crate without optimisation, and each pair of types in a tree of the standard library costs
 //! ten times the code of these few loops. What is entered in ascending order is entered at the end; the rest moves
-//! what stands behind it.
+//! what stands after it.
 //!
 //! `benches/first_build.sh` prints what the first build costs a user.
 

@@ -53,8 +53,8 @@ impl Oracle {
         let results = self.program.absolute.dynamics.results.iter().map(|&(_, result)| result).collect_vec();
         let results = values(&results, known);
         let accelerations = equations.a.iter().copied().zip(results.iter().skip(coordinates).copied());
-        let behind = 2 * coordinates + equations.x.len();
-        let multipliers = equations.lambda.iter().copied().zip(results.iter().skip(behind).copied());
+        let after = 2 * coordinates + equations.x.len();
+        let multipliers = equations.lambda.iter().copied().zip(results.iter().skip(after).copied());
         accelerations.chain(multipliers).collect_vec()
     }
 }

@@ -101,7 +101,7 @@ pub(crate) fn recover(text: &str) -> Recovered {
         open: Vec::new(),
     };
     let mut rest = text;
-    // Behind a string that is not closed all marks are escaped, and so begin none that is closed.
+    // After a string that is not closed all marks are escaped, and so begin none that is closed.
     let mut closes = true;
     while let Some(first) = rest.chars().next() {
         let whole = match blank(rest) {

@@ -113,7 +113,7 @@ impl Source {
         self.tokens.len()
     }
 
-    /// A token as written, without the `r#` of a raw identifier; `None` behind the last.
+    /// A token as written, without the `r#` of a raw identifier; `None` after the last.
     pub(crate) fn token(&self, at: usize) -> Option<&str> {
         self.tokens.get(at).map(|token| token.text.as_str())
     }
@@ -157,7 +157,7 @@ impl Source {
         self.text.as_deref()
     }
 
-    /// The token at a byte of the text, or the one behind it.
+    /// The token at a byte of the text, or the one after it.
     pub(crate) fn token_at(&self, byte: usize) -> Span {
         let before = self.ranges().unwrap_or_default().partition_point(|range| range.start < byte);
         let at = before.min(self.tokens.len().saturating_sub(1)) as u32;

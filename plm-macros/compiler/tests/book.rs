@@ -1,6 +1,6 @@
 //! The book says what the compiler does.
 //!
-//! Every block of a page that is fenced as `plm` is compiled. Behind the word stand, with commas between, how to read it
+//! Every block of a page that is fenced as `plm` is compiled. After the word stand, with commas between, how to read it
 //! and what it must give:
 //!
 //! | fence | the block is |
@@ -11,7 +11,7 @@
 //!
 //! What a program of the chapter `questions` prints, in a `console` block, stands in that program as an assertion.
 //!
-//! The `text` block right behind one with codes is what the compiler says, the block `text,reactions` is that function of
+//! The `text` block right after one with codes is what the compiler says, the block `text,reactions` is that function of
 //! the manual's double pendulum; `PLM_BLESS=1` writes both anew.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
@@ -145,14 +145,14 @@ fn every_declaration_of_the_book_gives_what_it_says() {
             if codes != block.codes() {
                 let _ = writeln!(wrong, "{place}: gives {codes:?}\n{words}");
             }
-            let behind = blocks.get(k + 1).filter(|next| {
+            let after = blocks.get(k + 1).filter(|next| {
                 next.words[0] == "text"
                     && lines[block.end + 1..next.first - 1].iter().all(|line| line.is_empty())
             });
-            let Some(behind) = behind.filter(|_| !block.codes().is_empty()) else { continue };
+            let Some(after) = after.filter(|_| !block.codes().is_empty()) else { continue };
             if bless {
-                blessed.splice(behind.first..behind.end, words.lines().map(ToString::to_string));
-            } else if behind.text(&lines).trim_end() != words.trim_end() {
+                blessed.splice(after.first..after.end, words.lines().map(ToString::to_string));
+            } else if after.text(&lines).trim_end() != words.trim_end() {
                 let _ = writeln!(wrong, "{place}: says\n{words}");
             }
         }

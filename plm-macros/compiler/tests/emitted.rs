@@ -80,7 +80,7 @@ fn implementations_with_constant_arguments_are_hidden() {
 }
 
 /// A follower on a cam that rises by a power of its angle: from the third on accelerations do not jump where it begins.
-/// The unit behind the colon is the one that is shown; without it that of the default.
+/// The unit after the colon is the one that is shown; without it that of the default.
 #[test]
 fn a_parameter_is_shown_in_its_own_unit_or_in_that_of_its_default() {
     for (param, shown) in [
@@ -154,7 +154,7 @@ fn forces_that_jump_have_guards_and_those_that_bend_have_kinks() {
             }}"
         ));
         let number = |before: &str| {
-            let digits = code.split_once(before).map_or("0", |(_, behind)| behind);
+            let digits = code.split_once(before).map_or("0", |(_, after)| after);
             let end = digits.find(|digit: char| !digit.is_ascii_digit()).unwrap_or(digits.len());
             digits[..end].parse::<usize>().unwrap()
         };

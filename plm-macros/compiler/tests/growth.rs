@@ -146,8 +146,8 @@ fn of_many_mistakes_the_first_are_told_and_the_others_counted() {
 
 /// The function of a name, as lines.
 fn lines_of<'a>(text: &'a str, name: &str) -> Vec<&'a str> {
-    let behind = text.lines().skip_while(|line| !line.trim_start().starts_with(&format!("fn {name}(")));
-    behind.take_while(|line| *line != "            }").collect()
+    let after = text.lines().skip_while(|line| !line.trim_start().starts_with(&format!("fn {name}(")));
+    after.take_while(|line| *line != "            }").collect()
 }
 
 #[test]

@@ -89,7 +89,7 @@ fn corpus() -> Vec<Vec<String>> {
         files.sort();
         texts.extend(files.iter().map(|file| fs::read_to_string(file).unwrap()));
     }
-    // What compiles reaches the passes behind the front end: it comes up as often as all that does not.
+    // What compiles reaches the passes after the front end: it comes up as often as all that does not.
     let right = RIGHT.map(str::to_owned).into_iter().cycle().take(texts.len());
     let all = right.chain(texts).collect::<Vec<_>>();
     // Brackets without partners come by chance.
@@ -126,7 +126,7 @@ fn kind(token: &str) -> Option<bool> {
     (first == '_' || first.is_alphanumeric()).then_some(first.is_ascii_digit())
 }
 
-/// The token behind the statement that a position stands in: behind the next `;`.
+/// The token after the statement that a position stands in: after the next `;`.
 fn end_of_statement(tokens: &[String], at: usize) -> usize {
     tokens[at..].iter().position(|token| is_end(token)).map_or(tokens.len(), |length| at + length + 1)
 }
@@ -241,7 +241,7 @@ fn disturbed_declarations_are_answered() {
             }
         }
     }
-    println!("{CASES} declarations: {whole} compile, {in_form} reach the checks behind the front end");
+    println!("{CASES} declarations: {whole} compile, {in_form} reach the checks after the front end");
     // The cases are worth something only if enough of them pass the front end, and most do not.
     assert!(whole > CASES / 20 && in_form > CASES / 10 && in_form < CASES / 2, "{whole}, {in_form}");
 }

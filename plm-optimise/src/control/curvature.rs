@@ -1,6 +1,6 @@
 //! Curvature of the Lagrangian beyond the model of Gauss and Newton, segment by segment: the Lagrangian is a sum over the segments, and each
 //! part depends on few variables (A. Griewank, P. L. Toint, Partitioned variable metric updates for large structured optimization problems,
-//! Numer. Math. 39, 1982). What a step has changed of all slopes is kept, so that multipliers may change behind it.
+//! Numer. Math. 39, 1982). What a step has changed of all slopes is kept, so that multipliers may change after it.
 
 use std::collections::VecDeque;
 

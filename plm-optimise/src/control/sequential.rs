@@ -73,7 +73,7 @@ enum Outcome {
 enum Attempt {
     /// It is better: what it gains over what was predicted.
     Taken(f64),
-    /// It is not, and this is behind it.
+    /// It is not, and this is after it.
     Refused(Box<Values>),
     /// A run ends with a fault there.
     Faulted,
@@ -189,7 +189,7 @@ impl Search {
             Attempt::Faulted => {}
         }
         let Attempt::Refused(next) = &first else { return Ok(first) };
-        // Curved demands refuse good steps: a second one from where they are behind the first (Fletcher, 14.4).
+        // Curved demands refuse good steps: a second one from where they are after the first (Fletcher, 14.4).
         let mut corrected = from;
         corrected.equal = &next.equal - &corrected.equal_by * d;
         corrected.within = &next.within - &corrected.within_by * d;

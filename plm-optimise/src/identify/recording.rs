@@ -83,7 +83,7 @@ fn between(times: &[f64], segment: &Segment, longest: f64) -> Vec<(f64, Option<u
 }
 
 impl<M: Optimisable> Fit<M> {
-    /// The motion of an experiment, from 0, with the estimates: about a thousand rows. Behind the quantities of the mechanism stand readings
+    /// The motion of an experiment, from 0, with the estimates: about a thousand rows. After the quantities of the mechanism stand readings
     /// and residuals of each output, in its unit and in the rows of the readings alone: `rod.angle measured` and `rod.angle residual`. Their
     /// [`Role`] says how they are drawn.
     ///

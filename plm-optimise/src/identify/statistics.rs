@@ -167,7 +167,7 @@ fn reduce(vectors: &mut [DVector<f64>]) {
 }
 
 fn combination(vector: &DVector<f64>, (free, sizes): (&[usize], &[f64]), places: &[Place]) -> Combination {
-    // Behind the unknowns stand the states in which segments begin.
+    // After the unknowns stand the states in which segments begin.
     let own = free.iter().enumerate().take(vector.len());
     let parts = own.filter(|(a, _)| vector[*a].abs() > SMALL * vector.amax());
     let (mut changes, mut fractions) = (Vec::new(), Vec::new());

@@ -115,7 +115,7 @@ fn all(plan: &Plan, count: usize, threads: usize) -> PyResult<Vec<Ended>> {
     })
 }
 
-/// Runs as arrays. Samples behind the end of a run are no numbers.
+/// Runs as arrays. Samples after the end of a run are no numbers.
 fn joined(py: Python<'_>, runs: Vec<Ended>) -> PyResult<Came<'_>> {
     let of_time = |ended: &Ended| ended.as_ref().ok().and_then(|(record, _)| record.columns.first().cloned());
     let complete = runs.iter().find(|ended| matches!(ended, Ok((_, Ok(())))));

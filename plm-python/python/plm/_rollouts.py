@@ -13,7 +13,7 @@ from ._values import Array, Fault, Quantity, unknown
 
 
 class Rollouts(Dict[str, Array]):
-    """Arrays by name: "time", and of each quantity a row for each run. Behind the end of a run that ended early there are NaN."""
+    """Arrays by name: "time", and of each quantity a row for each run. After the end of a run that ended early there are NaN."""
 
     __module__ = "plm"
 

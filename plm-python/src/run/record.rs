@@ -16,7 +16,7 @@ pub struct Asked<'a> {
     pub every: f64,
     /// Quantities of those that [`Running::get`](super::Running::get) knows.
     pub quantities: &'a [(Kind, usize)],
-    /// Are there the poses and velocities of all bodies behind them: x, y, angle, vx, vy, omega of each?
+    /// Are there the poses and velocities of all bodies after them: x, y, angle, vx, vy, omega of each?
     pub poses: bool,
 }
 

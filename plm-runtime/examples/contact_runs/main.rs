@@ -52,7 +52,7 @@ fn main() {
     }
 }
 
-/// A row: creep in um/s, and how far the energy behind an impact is from that of the law, as a fraction of it.
+/// A row: creep in um/s, and how far the energy after an impact is from that of the law, as a fraction of it.
 fn row(scene: &str, tolerance: f64, error: f64, (seconds, steps): (f64, u64), creep: f64, gain: f64) {
     let number = |value: f64| if value.is_nan() { String::new() } else { format!("{value:.3e}") };
     println!(

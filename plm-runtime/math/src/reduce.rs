@@ -45,7 +45,7 @@ pub(crate) struct Reduced {
 
 /// Reduces m 2^e, m < 2^53 and -62 <= e <= 971, to at most an eighth of a turn, with an error below 2^-61 of the rest:
 /// no double comes nearer to a multiple of pi/2 than 2^-61 (J.-M. Muller, Elementary Functions, 3rd ed., section 11.3),
-/// and the window leaves 137 good bits behind the point.
+/// and the window leaves 137 good bits after the point.
 pub(crate) fn reduce(m: u64, e: i32) -> Reduced {
     // The window's first bit has weight 2 in the quotient; bits before it are whole turns.
     let position = (e + 62).max(0) as usize;

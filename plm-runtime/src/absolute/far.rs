@@ -2,7 +2,7 @@
 //!
 //! Joints that are open by a share `g` of the mechanism's length are closed by turns of the order of `g`, and beside a dead point, where
 //! lengths change with the square of an angle, of `sqrt(g)`. A pose much further away is another one than was drawn: the other image of a
-//! loop, or one behind a dead point that the lengths do not reach.
+//! loop, or one after a dead point that the lengths do not reach.
 
 use core::fmt;
 

@@ -10,7 +10,7 @@ use crate::system::Health;
 pub trait Conditional<S: Real, const NQ: usize, const NC: usize, const K: usize>:
     Absolute<S, NQ, NC>
 {
-    /// The rows of the joints, and behind them these.
+    /// The rows of the joints, and after them these.
     fn layout_with_conditional(&self) -> &'static Layout;
 
     /// Their residuals of position, m or rad.
@@ -23,7 +23,7 @@ pub trait Conditional<S: Real, const NQ: usize, const NC: usize, const K: usize>
     fn conditional_q(&self, t: S, q: &[S; NQ], each: &mut impl FnMut(usize, usize, S));
 }
 
-/// The constraints of the joints, `NC`, and behind them `K` of which those hold that `holds` says; `ALL` is the sum of both. Rows that do
+/// The constraints of the joints, `NC`, and after them `K` of which those hold that `holds` says; `ALL` is the sum of both. Rows that do
 /// not hold are zero everywhere.
 struct Joined<'a, M, const NC: usize, const K: usize, const ALL: usize> {
     mechanism: &'a M,
@@ -53,7 +53,7 @@ pub fn assemble_held<
 }
 
 impl<M, const NC: usize, const K: usize, const ALL: usize> Joined<'_, M, NC, K, ALL> {
-    /// Residuals of the joints, and behind them those of the others, zero where these do not hold.
+    /// Residuals of the joints, and after them those of the others, zero where these do not hold.
     fn residuals<S: Real>(&self, joints: &[S; NC], others: &[S; K]) -> [S; ALL] {
         let held: [S; K] = core::array::from_fn(|k| if self.holds[k] { others[k] } else { S::ZERO });
         let all = joints.iter().chain(&held);

@@ -55,7 +55,7 @@ use crate::vector::Vector;
 
 /// The constraints of a mechanism in absolute coordinates; implemented by generated code.
 pub trait Absolute<S: Real, const NQ: usize, const NC: usize> {
-    /// Names of rows and coordinates, and how many there are: at most `NC` and `NQ`. What stands behind the last ones of them is zero.
+    /// Names of rows and coordinates, and how many there are: at most `NC` and `NQ`. What stands after the last ones of them is zero.
     fn layout(&self) -> &'static Layout;
 
     /// Residuals of position, m or rad.
@@ -90,7 +90,7 @@ pub trait Absolute<S: Real, const NQ: usize, const NC: usize> {
         None
     }
 
-    /// The mirror images that joints ask for, from 0; behind the last one there is none.
+    /// The mirror images that joints ask for, from 0; after the last one there is none.
     fn branch(&self, index: usize) -> Option<Branch<S>> {
         let _ = index;
         None
@@ -108,7 +108,7 @@ pub struct Layout {
     pub coordinates: &'static [&'static str],
     /// Which constraint rows are in rad; the others are in m.
     pub angular: &'static [bool],
-    /// Of each body, whether the declaration gives its start angle; behind the last one it does not. Assembly doubts a pose by angles
+    /// Of each body, whether the declaration gives its start angle; after the last one it does not. Assembly doubts a pose by angles
     /// that were given: by these, and by those that are no longer zero.
     pub given_angles: &'static [bool],
 }

@@ -232,7 +232,7 @@ impl<S: Real> Others<S> {
         S::lit(2.0) * unit - S::lit(1.0)
     }
 
-    /// The next start, of so many coordinates; behind them there is room, which stays as it is.
+    /// The next start, of so many coordinates; after them there is room, which stays as it is.
     fn next<const NQ: usize>(
         &mut self,
         start: &[S; NQ],

@@ -100,7 +100,7 @@ struct Replay<'t, S, F, G> {
 /// What is known after the run.
 struct Forward<'t, S, const R: usize> {
     results: [Traced<'t, S>; R],
-    /// The place behind its last term.
+    /// The place after its last term.
     end: u64,
     /// The place of the first term of the last segment.
     segment: u64,

@@ -1,7 +1,7 @@
 //! What impacts did: impulses of each row, and energy.
 //!
 //! The impulses Lambda of an impact change the kinetic energy by `sum Lambda_i (g_i- + g_i+ - 2 r_i)/2`, g being the rates of the rows
-//! before and behind it and r the part of them that time alone gives. So `-sum Lambda_i (g_i- + g_i+)/2` is lost, and a contact that is moved
+//! before and after it and r the part of them that time alone gives. So `-sum Lambda_i (g_i- + g_i+)/2` is lost, and a contact that is moved
 //! does the work `-sum Lambda_i r_i`.
 
 use super::impact::Doubts;

@@ -1,4 +1,4 @@
-//! Contact rows behind a change from outside: a row that holds may have been moved away, or got a velocity, a friction a bound.
+//! Contact rows after a change from outside: a row that holds may have been moved away, or got a velocity, a friction a bound.
 
 use super::bounds::look_at_bounds;
 use super::candidates::is_off;

@@ -1,4 +1,4 @@
-//! The modes that apply behind an event, and faults where there are none.
+//! The modes that apply after an event, and faults where there are none.
 
 use super::candidates::{Allowed, Found, MARGINAL, Margins, Solution, enumerate, most_holding, solve};
 use super::event::{Event, moving_rows};
@@ -52,7 +52,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     }
 
     /// Has the motion derivatives to both sides, where rows begin with these modes? Not if one stands at its limit, and leaves it for what the
-    /// run is derived by. Behind what the motion comes to, the time of the event is derived.
+    /// run is derived by. After what the motion comes to, the time of the event is derived.
     fn derivable(
         &self,
         rows: &Rows<M::S, N>,

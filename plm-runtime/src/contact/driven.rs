@@ -15,7 +15,7 @@ use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
-/// Acceleration and jerk decide by the velocity that they give within this time, s: behind a motion that comes to rest smoothly the
+/// Acceleration and jerk decide by the velocity that they give within this time, s: after a motion that comes to rest smoothly the
 /// acceleration is still that of braking, and the jerk, which ends it, outweighs it.
 const SHORTLY: f64 = 1e-5;
 /// A prescribed velocity is rounding below so many roundings of 1 m/s, or 1 rad/s, and of the fastest row.

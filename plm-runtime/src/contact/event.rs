@@ -16,7 +16,7 @@ use super::modes::{Mode, Modes};
 use super::multipliers::multipliers;
 use super::outcome::Outcome;
 use super::paradox::lost;
-use super::project::{behind_flights, end_flights, project, stop};
+use super::project::{after_flights, end_flights, project, stop};
 use super::rows::{Law, Rows, below, indices};
 use super::scales::{acceleration, rounding, rounding_of_velocities};
 use super::sunk::above;
@@ -48,7 +48,7 @@ pub fn switch<M: Contacts<N>, const N: usize>(
     x: &mut M::X,
     index: usize,
 ) -> Result<Outcome, Fault> {
-    switch_behind(system, t, u, x, (index, M::S::ZERO))
+    switch_after(system, t, u, x, (index, M::S::ZERO))
 }
 
 /// The same where the guard has passed zero within a step of the length `step`, s, that was not ended there: a slip that the row can
@@ -56,7 +56,7 @@ pub fn switch<M: Contacts<N>, const N: usize>(
 ///
 /// # Errors
 /// As [`switch`].
-pub fn switch_behind<M: Contacts<N>, const N: usize>(
+pub fn switch_after<M: Contacts<N>, const N: usize>(
     system: &M,
     t: M::S,
     u: &mut M::U,
@@ -79,7 +79,7 @@ pub fn switch_behind<M: Contacts<N>, const N: usize>(
     Event { system, t, occasion, step }.commit(u, x)
 }
 
-/// Finds the modes anew behind an event that is none of the rows: forces, motions or parameters may have jumped.
+/// Finds the modes anew after an event that is none of the rows: forces, motions or parameters may have jumped.
 ///
 /// # Errors
 /// As [`switch`].
@@ -89,7 +89,7 @@ pub fn update<M: Contacts<N>, const N: usize>(
     u: &mut M::U,
     x: &mut M::X,
 ) -> Result<Outcome, Fault> {
-    update_behind(system, t, u, x, M::S::ZERO)
+    update_after(system, t, u, x, M::S::ZERO)
 }
 
 /// The same of an event within a step of the length `step`, s, that was not ended there: rows have gone on beyond the ends of their own
@@ -97,7 +97,7 @@ pub fn update<M: Contacts<N>, const N: usize>(
 ///
 /// # Errors
 /// As [`switch`].
-pub fn update_behind<M: Contacts<N>, const N: usize>(
+pub fn update_after<M: Contacts<N>, const N: usize>(
     system: &M,
     t: M::S,
     u: &mut M::U,
@@ -184,7 +184,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             return Err(self.fault(row, Cause::NotUnique { p: p.to_f64() }));
         }
         self.settle_rest(&mut rows, u, x)?;
-        // Before the impacts, behind which rates may be rounding alone.
+        // Before the impacts, after which rates may be rounding alone.
         let none = rounding(&rows).max(rounding_of_velocities(self.system, (self.t, u), x));
         let (mut struck, mut slowest) = (Struck::nothing(), None);
         let (solution, is_ambiguous) = loop {
@@ -236,7 +236,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         Ok(outcome)
     }
 
-    /// Leads the state to the modes that apply from now on; `before` the event they were others. `rows` are those behind the impacts.
+    /// Leads the state to the modes that apply from now on; `before` the event they were others. `rows` are those after the impacts.
     fn arrive(
         &self,
         (laws, rows): (&[Law<M::S>; N], &Rows<M::S, N>),
@@ -250,7 +250,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         if !begins && (impacts > 0 || indices::<N>().any(closes)) {
             end_flights(self.system, (self.t, u, rows), x);
         }
-        // A gap that closes may be some tolerances away from zero: no step is to find that. Behind a step of fixed length it is left to
+        // A gap that closes may be some tolerances away from zero: no step is to find that. After a step of fixed length it is left to
         // the steps where it is farther away.
         let most = M::S::lit(if self.step > M::S::ZERO { CLOSED } else { NEAR }) * self.system.length();
         let is_far = |i: usize| laws[i].is_unilateral() && rows.gap[i].abs() > most;
@@ -276,7 +276,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         })
     }
 
-    /// Below this a gap of this rate is closed. Behind the start it is what rounding of the state and of the time makes of a gap that
+    /// Below this a gap of this rate is closed. After the start it is what rounding of the state and of the time makes of a gap that
     /// closes at the time of the event: one that closes later, however soon, has an impact of its own.
     fn near(&self, rate: M::S) -> M::S {
         if self.occasion == Occasion::Start {
@@ -303,7 +303,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
                 && touches[i]
                 && (returns[i] || rows.rate[i] <= self.resting(rows, i).max(none).max(short))
         };
-        let behind = behind_flights(rows, rests);
+        let behind = after_flights(rows, rests);
         core::array::from_fn(|i| {
             if let Some(mode) = laws[i].fixed(self.system.exists(u, i)) {
                 return Allowed::Only(mode);

@@ -5,7 +5,7 @@
 //! impulses of the phase. Newton's law asks for the rate -e times that before; with friction it can create energy. Limits that do not
 //! depend on contact forces carry no impulse.
 //!
-//! Where more rows rest behind compression than there are freedoms, its impulses are one of many solutions. Expansion gives back fractions
+//! Where more rows rest after compression than there are freedoms, its impulses are one of many solutions. Expansion gives back fractions
 //! of them, and so rates that are one of many.
 
 use super::candidates::{Allowed, Found, MARGINAL, Solution, enumerate, is_same_motion};
@@ -38,7 +38,7 @@ pub(super) enum Impulses<S, const N: usize> {
 /// What the laws of an impact leave open.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Doubts {
-    /// Other impulses, with other rates behind them, satisfy all inequalities as well; or another row could have been the first.
+    /// Other impulses, with other rates after them, satisfy all inequalities as well; or another row could have been the first.
     pub is_ambiguous: bool,
     /// Compression may share its impulses otherwise, and expansion gives other rates then.
     pub is_undetermined: bool,
@@ -55,9 +55,9 @@ impl Doubts {
 /// Impulses and rates of one phase of an impact.
 pub(super) struct Answer<S, const N: usize> {
     pub(super) lambda: [S; N],
-    /// The rates of the rows behind it.
+    /// The rates of the rows after it.
     pub(super) rate: [S; N],
-    /// Other impulses, with other rates behind them, satisfy all inequalities as well.
+    /// Other impulses, with other rates after them, satisfy all inequalities as well.
     pub(super) is_ambiguous: bool,
     /// The combination of modes that gives them, where all were tried.
     pub(super) combination: Option<Solution<S, N>>,
@@ -112,7 +112,7 @@ fn is_as_fast<S: Real, const N: usize>(rows: &Rows<S, N>, fastest: usize, other:
     other != fastest && couples && apart <= none * rows.rate[fastest].abs()
 }
 
-/// The problem of rates: accelerations are rates behind the impact, forces are impulses.
+/// The problem of rates: accelerations are rates after the impact, forces are impulses.
 fn without_own_limits<S: Real, const N: usize>(rows: &Rows<S, N>) -> Rows<S, N> {
     let mut problem = Rows { free: rows.rate, adhesion: rows.kinetic, ..*rows };
     for friction in problem.kinetic.iter_mut().chain(&mut problem.adhesion) {
@@ -179,7 +179,7 @@ fn given_back<S: Real, const N: usize>(laws: &[Law<S>; N], compression: &[S; N])
     })
 }
 
-/// May rows share the impulses of a compression otherwise, with the same rates behind it and others behind the expansion? All solutions of
+/// May rows share the impulses of a compression otherwise, with the same rates after it and others after the expansion? All solutions of
 /// a compression are between those whose rows are independent, which are among the combinations.
 fn is_shared<S: Real, const N: usize>(
     problem: &Rows<S, N>,

@@ -22,7 +22,7 @@ const TURNS_WITHIN: f64 = 1e-6;
 /// The rate of a margin is none below this fraction of its terms.
 const NO_RATE: f64 = 1e-9;
 
-/// Does a gap of this rate, of numbers of one side, close behind the event at this time, or not at all? What times differ by less is
+/// Does a gap of this rate, of numbers of one side, close after the event at this time, or not at all? What times differ by less is
 /// rounding.
 pub(super) fn is_later<S: Real>((gap, rate): (S, S), time: S, length: S) -> bool {
     let (Some(opens), Some(moved)) = (gap.goes(), time.goes()) else { return false };

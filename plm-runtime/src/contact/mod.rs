@@ -45,7 +45,7 @@ mod walk;
 
 pub use self::booked::{Booked, ImpactEnergy, Impulse};
 pub use self::changed::state_was_set;
-pub use self::event::{begin, switch, switch_behind, update, update_behind};
+pub use self::event::{begin, switch, switch_after, update, update_after};
 pub use self::guards::{guards, guards_within, stay};
 pub use self::held::{Held, Modal};
 pub use self::impact::{Doubts, ImpactLaw};

@@ -18,7 +18,7 @@ const MOST_STEPS: u32 = 12;
 /// Multipliers by unit vectors that are off by less are at their solution, since the error of a size is of second order in that of its
 /// unit vector. Derivatives are so a few steps later.
 const NEAR: f64 = 1e-8;
-/// Steps behind that.
+/// Steps after that.
 const BEHIND: u32 = 2;
 /// Sweeps before Newton's steps: with a friction of a hundredth of what would lock a joint one step is left.
 const SWEEPS: u32 = 4;
@@ -35,7 +35,7 @@ pub(super) struct Multipliers<T, const N: usize> {
     pub(super) lambda: [T; N],
     /// With the rows that hold divided by the diagonal entries of D.
     pub(super) determinant: T,
-    /// Steps of Newton's method behind the first solution.
+    /// Steps of Newton's method after the first solution.
     pub(super) newton: u32,
 }
 
@@ -237,7 +237,7 @@ impl<T: Scalar, const N: usize> System<T, N> {
         Some(determinant)
     }
 
-    /// The multipliers of all rows of contact behind the elimination.
+    /// The multipliers of all rows of contact after the elimination.
     fn substitute(&self) -> [T; N] {
         let (mut solution, mut lambda) = ([T::ZERO; N], [T::ZERO; N]);
         let order = self.order.min(N);

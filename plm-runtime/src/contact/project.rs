@@ -26,7 +26,7 @@ pub(super) fn stop<M: Contacts<N>, const N: usize>(
     }
 }
 
-/// Takes the rates of rows that hold out of the velocities behind an event, by impulses that have their share of friction: such a rate is
+/// Takes the rates of rows that hold out of the velocities after an event, by impulses that have their share of friction: such a rate is
 /// that of flights which are not followed, and what slides meanwhile rubs by their pushes. `rows` are those of the state.
 pub(super) fn end_flights<M: Contacts<N>, const N: usize>(
     system: &M,
@@ -50,7 +50,7 @@ pub(super) fn end_flights<M: Contacts<N>, const N: usize>(
 }
 
 /// The rates of the rows where the gaps that rest have none; those that they have where these gaps depend on each other.
-pub(super) fn behind_flights<S: Real, const N: usize>(
+pub(super) fn after_flights<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     rests: impl Fn(usize) -> bool,
 ) -> [S; N] {
@@ -93,11 +93,11 @@ pub fn project<M: Contacts<N>, const N: usize>(
     }
 }
 
-/// Projects the joints behind a step that has led rows back itself, where they drifted.
+/// Projects the joints after a step that has led rows back itself, where they drifted.
 ///
 /// # Errors
 /// Those of [`Contacts::project_joints`].
-pub(super) fn joints_behind_step<M: Contacts<N>, const N: usize>(
+pub(super) fn joints_after_step<M: Contacts<N>, const N: usize>(
     system: &M,
     t: M::S,
     u: &M::U,

@@ -45,9 +45,9 @@ pub(super) fn with_room<const N: usize, const W: usize>(rows: &Rows<f64, N>) -> 
     wide
 }
 
-/// A list with something else behind it.
-pub(super) fn filled<T: Copy, const N: usize, const W: usize>(list: &[T; N], behind: T) -> [T; W] {
-    core::array::from_fn(|i| list.get(i).copied().unwrap_or(behind))
+/// A list with something else after it.
+pub(super) fn filled<T: Copy, const N: usize, const W: usize>(list: &[T; N], after: T) -> [T; W] {
+    core::array::from_fn(|i| list.get(i).copied().unwrap_or(after))
 }
 
 /// The bits of a list, without what is behind so many.

@@ -19,15 +19,15 @@ pub struct Counts {
     pub slips: u64,
     /// Steps of Newton's method for frictions that are bounded by a reaction in the plane, in events.
     pub newton: u64,
-    /// Events behind which other accelerations satisfy all laws as well.
+    /// Events after which other accelerations satisfy all laws as well.
     pub ambiguous: u64,
-    /// Events with impacts that other impulses, with other rates behind them, would satisfy as well: in corners, and of several rows
+    /// Events with impacts that other impulses, with other rates after them, would satisfy as well: in corners, and of several rows
     /// at once by sequential impacts.
     pub ambiguous_impacts: u64,
-    /// Events with impacts whose impulses several rows may share in many ways, some of which have a restitution: the rates behind them
+    /// Events with impacts whose impulses several rows may share in many ways, some of which have a restitution: the rates after them
     /// are one of many.
     pub undetermined_impacts: u64,
-    /// Events behind which more rows rest than there are freedoms: accelerations are unique, multipliers are not.
+    /// Events after which more rows rest than there are freedoms: accelerations are unique, multipliers are not.
     pub undetermined: u64,
 }
 

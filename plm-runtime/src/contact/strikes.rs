@@ -16,7 +16,7 @@ const MOST_PAIRS: u32 = 1000;
 
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     /// Impacts of all rows that touch, until none approaches faster than it may to rest, or than the `slowest`. The rows become those
-    /// behind them.
+    /// after them.
     pub(super) fn impacts(
         &self,
         laws: &[Law<M::S>; N],

@@ -16,7 +16,7 @@ pub(super) struct Words {
 }
 
 impl Words {
-    /// One word; zero behind the last one.
+    /// One word; zero after the last one.
     #[inline]
     pub(super) fn at<S: Real>(&self, index: usize) -> S {
         // All numbers of a type are made by `lit`; a word of f32 passes through f64 unchanged.

@@ -1,7 +1,7 @@
 //! Derivatives of the time of an event and of the state there.
 //!
 //! An event happens where its guard vanishes: t(p) with g(t(p), x(t(p), p), p) = 0, so that t' = -g' / (dg/dt), where g' are the derivatives
-//! at a fixed time. State and time go along the rate before the event by t'. What the event does to them and the rate behind it are
+//! at a fixed time. State and time go along the rate before the event by t'. What the event does to them and the rate after it are
 //! derived by running them, and the two together make the jump of the derivatives (M. A. Aizerman, F. R. Gantmakher, Determination of
 //! stability by linear approximation of a periodic solution of a system of differential equations with discontinuous right-hand sides,
 //! Q. J. Mech. Appl. Math. 11, 1958).
@@ -157,7 +157,7 @@ fn grazes<M: System<S: Real>>(
     slope * slope <= M::S::lit(2.0) * bend * noise
 }
 
-/// Takes the state behind an event along the rate there back by what its time was `moved`, where a step ends at a time that stays.
+/// Takes the state after an event along the rate there back by what its time was `moved`, where a step ends at a time that stays.
 pub(super) fn restore_time<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     moved: M::S,

@@ -33,7 +33,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
 
     /// The event at the end of a step: without dense output by its guards, unless the step stays in the guard-free region.
     #[inline]
-    pub(crate) fn look_behind<M: System<S = S, G = G>, I: Method<M>>(
+    pub(crate) fn look_after<M: System<S = S, G = G>, I: Method<M>>(
         &mut self,
         context: &Context<'_, M>,
         history: &mut History<M>,

@@ -20,7 +20,7 @@ const FINEST: u32 = 12;
 const MOST: u32 = 64;
 /// Kinks that are followed in a step.
 const FOLLOWED: usize = 8;
-/// The part of a step behind a kink where its sign has changed, and nothing else yet: signs are taken so far behind the
+/// The part of a step after a kink where its sign has changed, and nothing else yet: signs are taken so far after the
 /// beginning of a step too, which may be a kink.
 const BESIDE: f64 = 1e-9;
 /// That part in units in the last place, at least.
@@ -29,7 +29,7 @@ const BESIDE_ULPS: f64 = 64.0;
 /// output is some times less exact than the step itself.
 const MATTERS: f64 = 1.0;
 
-/// The time of the first kink in the last step that is not smaller than the tolerance; behind a time at which a condition seems to
+/// The time of the first kink in the last step that is not smaller than the tolerance; after a time at which a condition seems to
 /// switch, of any kink: a guard that stays on its boundary up to the kink may leave it in the dense output by less.
 ///
 /// The rough output of the step tells whether there is one at all, so that steps without kinks need no more evaluations.
@@ -130,7 +130,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         Some(most)
     }
 
-    /// The first fraction of the step after another at which a sign changes, and one shortly behind it.
+    /// The first fraction of the step after another at which a sign changes, and one shortly after it.
     fn after(&self, begin: M::S) -> Option<(M::S, M::S)> {
         self.found(begin).map(|(first, _)| (first, first + beside()))
     }
@@ -223,12 +223,12 @@ impl<M: System<S: Real>> Kinks<'_, M> {
     }
 }
 
-/// How far behind a kink its sign is taken, as a part of the step.
+/// How far after a kink its sign is taken, as a part of the step.
 fn beside<S: Real>() -> S {
     S::lit(BESIDE).max(S::lit(BESIDE_ULPS) * S::EPSILON)
 }
 
-/// The bit of a kink; those behind the first 128 are left to error control.
+/// The bit of a kink; those after the first 128 are left to error control.
 pub(super) fn bit(index: usize) -> Option<u128> {
     u32::try_from(index).ok().and_then(|index| 1_u128.checked_shl(index))
 }

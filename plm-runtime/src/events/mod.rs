@@ -209,7 +209,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             context.stats.rejected += 1;
             before.restore(method, context);
             let is_at_once = time - start <= least;
-            // What happens at once needs no step, unless the state leads away first: then the shortest one ends behind it.
+            // What happens at once needs no step, unless the state leads away first: then the shortest one ends after it.
             let stood = |index| (index, self.residual.at(index));
             if is_at_once && !due.is_some_and(|index| leads_away(context, stood(index))) {
                 return Ok(due);
@@ -246,7 +246,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
     }
 
     /// Holds the other side of the condition that is due; without dense output of all that are past their
-    /// guards, behind a step of the length `step`.
+    /// guards, after a step of the length `step`.
     #[inline]
     pub(crate) fn switch<M: System<S = S, G = G>, I: Method<M>>(
         &mut self,

@@ -24,7 +24,7 @@ const SHORT: f64 = 1.0 / 64.0;
 const BESIDE: f64 = 1.0 / (1_u64 << 34) as f64;
 /// ... which are so many times what is no step at least.
 const STEPS: f64 = 2.0;
-/// Behind a kink a number is beyond zero by so many times its rounding.
+/// After a kink a number is beyond zero by so many times its rounding.
 const BEYOND: f64 = 4.0;
 
 /// Where a step ends because of a kink, as a fraction of it.

@@ -27,7 +27,7 @@ impl Relevant {
     }
 
     /// The kinks that matter, one bit each, as long as only conditions with a bit in `unknown` change their sides; kinks are counted
-    /// behind the conditions, and those behind the first 128 are left to error control.
+    /// after the conditions, and those after the first 128 are left to error control.
     pub(super) fn kinks<M: System>(system: &M, held: &M::U, unknown: u64) -> u128 {
         if !M::SELECTIVE {
             return u128::MAX;

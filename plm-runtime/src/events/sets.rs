@@ -148,7 +148,7 @@ fn is_rounding<M: System<S: Real>>(system: &M, before: &M::X, x: &M::X) -> bool 
     (0..M::X::LEN).all(|i| (x.at(i) - before.at(i)).abs() <= least * (typical.at(i) + x.at(i).abs()))
 }
 
-/// Conditions to which a change has given other sides have the values behind it: these are rounding, of either sign.
+/// Conditions to which a change has given other sides have the values after it: these are rounding, of either sign.
 fn keep_changed<G: Vector<S>, S: Real>(before: &mut G, (old, new): (&[S], &[S]), here: &G) {
     for (k, _) in old.iter().zip(new).enumerate().filter(|(_, (old, new))| old != new) {
         before.set(k, here.at(k));

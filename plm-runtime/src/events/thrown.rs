@@ -1,7 +1,7 @@
 //! Events that throw the state back over their own guards: a ball that falls below the floor flies up again.
 //!
 //! The guard of an event is zero there, but for rounding: its value says nothing of the side that it goes to, and how long it stays on that
-//! is no question of the next step, which may be longer than the whole flight. Its slope behind the event tells.
+//! is no question of the next step, which may be longer than the whole flight. Its slope after the event tells.
 
 use super::boundary::{rates, rates_of_both};
 use super::rounding::rounding;
@@ -105,7 +105,7 @@ pub(super) fn leads_away<M: System<S: Real>>(
     here.at(index) >= residual.min(M::S::lit(0.0)) - noise.at(index) && slope(context, index) > M::S::lit(0.0)
 }
 
-/// Is this guard one of a condition, rather than of a row of contact? Those of rows stand behind.
+/// Is this guard one of a condition, rather than of a row of contact? Those of rows stand after.
 pub(super) fn is_of_state<M: System>(system: &M, index: usize) -> bool {
     let rows = system.contact_count();
     let of_rows = if rows > 0 { contact::guard_count(rows) } else { 0 };

@@ -34,7 +34,7 @@ pub fn switch_where_due<M: System<S: Real>>(
 /// that of a ball which has bounced, triggers it again only below where it was left. The guards have passed zero `within` this time; their
 /// values may be known.
 ///
-/// Behind a step of fixed length a point has sunk in by what it has moved since it struck. A condition that would make another row begin
+/// After a step of fixed length a point has sunk in by what it has moved since it struck. A condition that would make another row begin
 /// below its surface there, as that of the riser of a stair, does not hold: the row that was struck leads the point out again. Those are
 /// given, one bit each.
 pub(crate) fn switch_each<M: System<S: Real>>(
@@ -52,7 +52,7 @@ pub(crate) fn switch_each<M: System<S: Real>>(
         for i in 0..M::G::LEN {
             if is_below(system, &here, &edges, i) {
                 let before = (*u, *x);
-                match system.switch_behind(t, u, x, (i, within)) {
+                match system.switch_after(t, u, x, (i, within)) {
                     Err(Fault { cause: Cause::Sunk { .. }, .. })
                         if i < rows && has_sunk((system, t), &before, &here, rows) =>
                     {
@@ -76,7 +76,7 @@ pub(crate) fn switch_each<M: System<S: Real>>(
     Ok(left)
 }
 
-/// Is a gap negative, behind a step of fixed length, or a row that holds away from its place? The guards of contact begin at `rows`.
+/// Is a gap negative, after a step of fixed length, or a row that holds away from its place? The guards of contact begin at `rows`.
 fn has_sunk<M: System<S: Real>>(
     (system, t): (&M, M::S),
     (u, x): &(M::U, M::X),
@@ -88,7 +88,7 @@ fn has_sunk<M: System<S: Real>>(
     (rows..M::G::LEN).any(|i| here.at(i) < -least) || system.drift(t, u, x).phi > least
 }
 
-/// Guards of contact, which stand behind those of conditions.
+/// Guards of contact, which stand after those of conditions.
 fn guards_of_contact<M: System>(system: &M) -> usize {
     match system.contact_count() {
         0 => 0,
@@ -115,7 +115,7 @@ pub(super) struct Switched {
 }
 
 /// Commits the events of the conditions whose guards `here`, at the state reached, are violated; gives those that switched. A guard is
-/// violated below its `residual`. Behind a step no constraint row may jump; behind a change from outside, with a `boundary`, what was
+/// violated below its `residual`. After a step no constraint row may jump; after a change from outside, with a `boundary`, what was
 /// decided there stays. Guards have passed zero `within` the last step.
 pub(super) fn switch_violated<M: System<S: Real>>(
     context: &mut Context<'_, M>,

@@ -10,7 +10,7 @@ use crate::scalar::Scalar as _;
 use crate::system::{Labels, Rate};
 use crate::vector::Vector;
 
-/// The state behind an interval of a run, and its derivatives by what it begins with: by [states](By::State) the transition matrix, by
+/// The state after an interval of a run, and its derivatives by what it begins with: by [states](By::State) the transition matrix, by
 /// [inputs](By::Input) that of a control which is constant over the interval.
 ///
 /// Exact for the steps that were made, across events, impacts and changes of modes. A row is a number of the state, a column what the
@@ -44,7 +44,7 @@ where
         Ok(Self { moment: *sim.state(), by })
     }
 
-    /// The moment behind the interval, in numbers with derivatives: its outputs have theirs.
+    /// The moment after the interval, in numbers with derivatives: its outputs have theirs.
     pub fn moment(&self) -> &<M::Lifted<K> as Mechanism>::State {
         &self.moment
     }
@@ -64,7 +64,7 @@ where
         self.by.get(column).copied()
     }
 
-    /// The state behind the interval.
+    /// The state after the interval.
     pub fn state(&self) -> M::X {
         M::X::from_fn(|i| self.moment.x().at(i).value)
     }

@@ -38,7 +38,7 @@ impl<'a, M: Pack<S = f64>, I: Method<M>> Lane<'a, M, I> {
         Self { context, method, detector, history, limits, runs, outcome, counted: 0 }
     }
 
-    /// Does what the judge says of the step from a beginning to the state reached, or goes on behind a fault of it; where that is more than
+    /// Does what the judge says of the step from a beginning to the state reached, or goes on after a fault of it; where that is more than
     /// to commit it, the lane goes on without the others.
     pub(super) fn conclude(&mut self, made: Result<Beginning<M>, (Beginning<M>, Fault)>) {
         let mut unobserved = Unobserved;
@@ -53,7 +53,7 @@ impl<'a, M: Pack<S = f64>, I: Method<M>> Lane<'a, M, I> {
         }
     }
 
-    /// Is there nothing to do behind the step from a time and state to the state reached: would the judge accept it as it is, without events?
+    /// Is there nothing to do after the step from a time and state to the state reached: would the judge accept it as it is, without events?
     #[inline]
     pub(super) fn has_nothing_to_do(&self, from: (f64, &M::X)) -> bool {
         let Context { system, time, held, x, .. } = &self.context;
@@ -67,7 +67,7 @@ impl<'a, M: Pack<S = f64>, I: Method<M>> Lane<'a, M, I> {
                 || self.detector.excludes_events(self.history, &step))
     }
 
-    /// Goes on to the end of the interval without the others, behind a step.
+    /// Goes on to the end of the interval without the others, after a step.
     pub(super) fn go_alone(&mut self, made: Made<f64>) {
         self.runs = false;
         let outcome = self.advance(&mut Unobserved).go_on(made);

@@ -159,7 +159,7 @@ fn hold<M: Pack<S = f64>, L: Lanes>(
 }
 
 impl<M: Pack<S = f64>> Strider<'_, M> {
-    /// Goes on behind a step to `next` that was made with the others; whether there was nothing else to do.
+    /// Goes on after a step to `next` that was made with the others; whether there was nothing else to do.
     fn land(&mut self, made: &Result<Solution<f64>, Fault>, next: M::X) -> bool {
         self.context.health = 1.0;
         let (time, x) = (self.context.time, self.context.x);

@@ -14,7 +14,7 @@ const UNKNOWNS: usize = 4;
 /// A matrix, or in its place the coefficients of an augmented system, as [`Sparse`](super::Sparse) has them.
 #[derive(Clone, Copy, Debug)]
 pub struct AtRunTime<S, const N: usize> {
-    /// The matrix, or the coefficients one behind the other.
+    /// The matrix, or the coefficients one after the other.
     numbers: [[S; N]; N],
     /// The pattern, where these are coefficients.
     pattern: Option<&'static Pattern>,
@@ -110,7 +110,7 @@ impl<S: Real, const N: usize> AtRunTime<S, N> {
         nq: usize,
         (mut r, mut each): (impl FnMut(usize) -> T, impl FnMut(usize, T)),
     ) {
-        // A state has room for nq coordinates; first-order states stand behind that.
+        // A state has room for nq coordinates; first-order states stand after that.
         let n = pattern.coordinates as usize;
         let place = |index: usize| if index < nq + n { index } else { index - n + nq };
         let sides = (|index| r(place(index)), |index, k| each(place(index), k));

@@ -65,7 +65,7 @@ pub(super) fn next_step<M: System<S: Real>>(
     if M::S::lit(1.01) * proposal >= rest {
         Ok((rest, true))
     } else if proposal > shortest(context) {
-        // Lengths are values: one that moved with an event would pass this on to all behind it, enlarged.
+        // Lengths are values: one that moved with an event would pass this on to all after it, enlarged.
         Ok((value(proposal), false))
     } else {
         Err(context.fault(too_small(context, proposal)))

@@ -214,10 +214,10 @@ pub enum Length {
     NearSingular,
 }
 
-/// Whether the drift from the constraints is looked at behind a step.
+/// Whether the drift from the constraints is looked at after a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DriftCheck<S> {
-    /// Not behind this one, or the method has projected the state itself.
+    /// Not after this one, or the method has projected the state itself.
     Skip,
     /// The state is projected if its drift is `above` so many times what is tolerated.
     Above {

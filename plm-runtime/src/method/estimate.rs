@@ -7,7 +7,7 @@
 //! constant of the formula. For a linear oscillator this is what it is; for mechanisms a test compares the two.
 //!
 //! The size of a state is its own magnitude, or its typical one where that is larger: an angle that errs by a radian is wrong
-//! however many turns it has behind it.
+//! however many turns it has after it.
 
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};

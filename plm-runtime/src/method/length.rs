@@ -17,7 +17,7 @@ const FIRST: u64 = 64;
 /// ... then in every eighth (with the bits that are not zero in others), ...
 const OFTEN: u64 = 7;
 
-/// ... and in every one again behind one that was too long: of mechanisms with many states.
+/// ... and in every one again after one that was too long: of mechanisms with many states.
 #[inline]
 pub(super) fn is_due<M: Rate>(system: &M, stats: &Stats) -> bool {
     !has_few(moving(system)) && (stats.steps < FIRST || stats.steps & OFTEN == 0 || stats.largest_error > 0.0)

@@ -90,7 +90,7 @@ impl<S: Real, const EVALUATIONS: usize> MoreauJean<S, EVALUATIONS> {
         Stride { t, h: self.partition.h, theta: self.theta }
     }
 
-    /// Goes on to the state `next` behind a step with rows of contact, if that could be made and is healthy. What is held behind it is left to
+    /// Goes on to the state `next` after a step with rows of contact, if that could be made and is healthy. What is held after it is left to
     /// the caller.
     pub(crate) fn land_with_rows<M: System<S = S>>(
         &mut self,
@@ -110,7 +110,7 @@ impl<S: Real, const EVALUATIONS: usize> MoreauJean<S, EVALUATIONS> {
         self.land(context, next)
     }
 
-    /// Goes on to the state behind a step.
+    /// Goes on to the state after a step.
     fn land<M: System<S = S>>(&mut self, context: &mut Context<'_, M>, next: M::X) -> Result<(), Fault> {
         if !next.is_finite() {
             return Err(not_finite(context.system, self.partition.next_time, &next));

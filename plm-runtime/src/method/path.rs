@@ -68,7 +68,7 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
         })
     }
 
-    /// Is all of that path `within` bounds? Of so many coordinates, whose velocities stand behind a place, and of `all` numbers in ranges. The
+    /// Is all of that path `within` bounds? Of so many coordinates, whose velocities stand after a place, and of `all` numbers in ranges. The
     /// hull of its control points encloses it (S. Bernstein's form of a polynomial; G. Farin, Curves and Surfaces for CAGD, 5th edition,
     /// 4.3); it begins within them.
     #[inline]

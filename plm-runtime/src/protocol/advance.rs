@@ -96,7 +96,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         self.go_on(Made::Step)
     }
 
-    /// Advances to the end of the interval behind a step that was made by others.
+    /// Advances to the end of the interval after a step that was made by others.
     pub(crate) fn resume(&mut self, made: Made<M::S>) -> Result<(), Fault> {
         self.method.begin(self.context)?;
         self.go_on(made)
@@ -184,7 +184,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
                 }
             }
         };
-        match guarded.detector.look_behind::<M, I>(context, guarded.history, from, event) {
+        match guarded.detector.look_after::<M, I>(context, guarded.history, from, event) {
             Ok(event) => self
                 .commit(from, (held, x), (accepted, drifted), event)
                 .map_or_else(Made::Failed, |()| Made::Step),
@@ -192,7 +192,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         }
     }
 
-    /// Commits a step, with the discrete state and the state behind it: charts, revolutions, counters, what the method keeps of its
+    /// Commits a step, with the discrete state and the state after it: charts, revolutions, counters, what the method keeps of its
     /// end, which was projected if it had `drifted`; then the events there.
     #[inline]
     fn commit(
@@ -202,7 +202,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         (Updated { moved, turned, passed }, drifted): (Updated, bool),
         event: Event,
     ) -> Result<(), Fault> {
-        // Samples within the step belong to the modes that were held over it. An observer may end the run behind this step; what switches
+        // Samples within the step belong to the modes that were held over it. An observer may end the run after this step; what switches
         // is still on its way to the end of the interval.
         let end = self.context.end;
         self.observer.see(self.method, self.context)?;
@@ -327,7 +327,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         Made::Step
     }
 
-    /// Steps of the near-singular method, until the mechanism's own coordinates are regular again. Behind a fault only where it may
+    /// Steps of the near-singular method, until the mechanism's own coordinates are regular again. After a fault only where it may
     /// come from a singular pose.
     #[cold]
     fn near_singular(&mut self, failed: Option<Fault>) -> Result<(), Fault> {

@@ -1,4 +1,4 @@
-//! Fixed steps behind which nothing is to be done: they are committed without a copy of the discrete state.
+//! Fixed steps after which nothing is to be done: they are committed without a copy of the discrete state.
 //!
 //! The general path works on copies, so that a step can be refused. Systems whose discrete state is large say beforehand that it stays
 //! ([`Constraints::is_settled`](crate::Constraints::is_settled)); such a step is judged where it stands, and all others go the general way.
@@ -37,7 +37,7 @@ impl<M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, '_, M, I, O> {
         }
     }
 
-    /// Would the judge accept the step from a time and state to the state reached, with nothing to change behind it and no event?
+    /// Would the judge accept the step from a time and state to the state reached, with nothing to change after it and no event?
     #[inline]
     fn has_nothing_to_do(&self, from: (M::S, &M::X)) -> bool {
         let context = &*self.context;

@@ -38,9 +38,9 @@ pub(crate) struct Proposal<'a, M: System> {
     pub(crate) from: (M::S, &'a M::X),
     /// The time at its end, s.
     pub(crate) end: M::S,
-    /// The discrete state over it; behind the verdict [`Accept`](Verdict::Accept), that from its end on.
+    /// The discrete state over it; after the verdict [`Accept`](Verdict::Accept), that from its end on.
     pub(crate) held: &'a mut M::U,
-    /// The state at its end; behind that verdict, with the coordinates and revolutions of that discrete state.
+    /// The state at its end; after that verdict, with the coordinates and revolutions of that discrete state.
     pub(crate) x: &'a mut M::X,
     /// The smallest pivot ratio of its rates.
     pub(crate) health: M::S,

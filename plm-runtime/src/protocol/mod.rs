@@ -9,7 +9,7 @@
 //! | path | proposal | what is done |
 //! |---|---|---|
 //! | general | any method | `advance` |
-//! | steps behind which nothing is to be done, of systems with a large discrete state | a formula | commits, else as general |
+//! | steps after which nothing is to be done, of systems with a large discrete state | a formula | commits, else as general |
 //! | an interval of one fixed step | a formula, on a copy of the state | commits what is accepted at once, else the general path begins anew |
 //! | a step by itself ([`crate::step`]) | code that is emitted | commits, or is a fault |
 //! | lanes ([`crate::lanes`]) | eight formulas at once | as `advance`, lane by lane |

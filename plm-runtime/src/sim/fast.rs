@@ -1,6 +1,6 @@
 //! Fast path for an interval of exactly one fixed step, the case of real-time loops.
 //!
-//! It works on a copy of the state, and commits what the judge accepts at once or behind a projection, where no event is possible.
+//! It works on a copy of the state, and commits what the judge accepts at once or after a projection, where no event is possible.
 //! Otherwise the general path ([`Advance`](crate::protocol::Advance)) makes the step from its beginning, with the same bits.
 
 use super::Sim;

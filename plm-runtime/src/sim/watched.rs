@@ -53,7 +53,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
 
     /// Runs as [`watch_events_while`](Self::watch_events_while) with inputs that change on the way: `drive` may change them at the start and
     /// at each time that it has given before, and gives the time of the next change, s, infinite where none comes. A step ends there. A
-    /// sample at such a time is that behind the change.
+    /// sample at such a time is that after the change.
     ///
     /// # Errors
     /// As [`run`](Self::run); [`Cause::Interval`](crate::Cause::Interval) where the next change does not lie ahead.
@@ -113,7 +113,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         see: impl FnMut(Seen<'_, M::State>),
         goes_on: impl FnMut(M::S) -> bool,
     ) -> Result<(), Fault> {
-        // Without dense output a run is at its communication points, behind what switches there.
+        // Without dense output a run is at its communication points, after what switches there.
         let within = if I::DENSE { times } else { Times { last: M::S::ZERO, ..times } };
         let samples = Samples { times: within, next, moment: this.state };
         let mut watcher: Watcher<M, _, _, STEPS> = Watcher { samples, see, asked: Asked(goes_on) };

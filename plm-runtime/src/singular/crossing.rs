@@ -120,7 +120,7 @@ where
         let off: [M::S; NX] = Vector::from_fn(|i| polynomial.h * (dx.at(i) - rate.at(i)));
         size(&off, |i| equations.typical_of(i) + x.at(i).abs()) < half_of_digits(AGREES)
     };
-    // No node sees what changes before the first of them or behind the last.
+    // No node sees what changes before the first of them or after the last.
     let begins = before.is_none_or(|before| agrees(M::S::ZERO, (&polynomial.from, before)));
     if begins && agrees(one, (&end, &after.dx)) { Ok(polynomial) } else { Err(Refused::NotFound) }
 }

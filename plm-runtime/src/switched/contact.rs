@@ -64,7 +64,7 @@ pub trait ContactPart<M: Switched> {
     /// # Errors
     /// No modes apply.
     #[inline]
-    fn switch_behind(
+    fn switch_after(
         system: &M,
         t: M::S,
         at: (&mut M::U, &mut M::X),
@@ -74,12 +74,12 @@ pub trait ContactPart<M: Switched> {
         Ok(())
     }
 
-    /// The next modes behind another event within a step of this length.
+    /// The next modes after another event within a step of this length.
     ///
     /// # Errors
     /// No modes apply.
     #[inline]
-    fn update_behind(system: &M, t: M::S, at: (&mut M::U, &mut M::X), step: M::S) -> Result<(), Fault> {
+    fn update_after(system: &M, t: M::S, at: (&mut M::U, &mut M::X), step: M::S) -> Result<(), Fault> {
         let _ = (system, t, at, step);
         Ok(())
     }
@@ -110,14 +110,14 @@ pub trait ContactPart<M: Switched> {
     /// As [`Events::stride`](crate::Events::stride).
     ///
     /// # Errors
-    /// Those of the step, and of `behind`.
+    /// Those of the step, and of `after`.
     fn stride<const EVALUATIONS: usize>(
         system: &M,
         stride: &Stride<M::S>,
         at: (&mut M::U, &mut M::X),
-        behind: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
+        after: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
     ) -> Result<Solution<M::S>, Fault> {
-        contact::smooth_stride::<M, EVALUATIONS>(system, stride, at, behind)
+        contact::smooth_stride::<M, EVALUATIONS>(system, stride, at, after)
     }
 }
 
@@ -183,7 +183,7 @@ where
     }
 
     #[inline]
-    fn switch_behind(
+    fn switch_after(
         system: &M,
         t: M::S,
         (u, x): (&mut M::U, &mut M::X),
@@ -192,15 +192,15 @@ where
         if !system.has_contact() {
             return Ok(());
         }
-        contact::switch_behind::<M, N>(system, t, u, x, event).map(|_| ())
+        contact::switch_after::<M, N>(system, t, u, x, event).map(|_| ())
     }
 
     #[inline]
-    fn update_behind(system: &M, t: M::S, (u, x): (&mut M::U, &mut M::X), step: M::S) -> Result<(), Fault> {
+    fn update_after(system: &M, t: M::S, (u, x): (&mut M::U, &mut M::X), step: M::S) -> Result<(), Fault> {
         if !system.has_contact() {
             return Ok(());
         }
-        contact::update_behind::<M, N>(system, t, u, x, step).map(|_| ())
+        contact::update_after::<M, N>(system, t, u, x, step).map(|_| ())
     }
 
     #[inline]
@@ -225,8 +225,8 @@ where
         system: &M,
         stride: &Stride<M::S>,
         (u, x): (&mut M::U, &mut M::X),
-        behind: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
+        after: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
     ) -> Result<Solution<M::S>, Fault> {
-        contact::step::<M, N, EVALUATIONS>(system, stride, u, x, behind)
+        contact::step::<M, N, EVALUATIONS>(system, stride, u, x, after)
     }
 }

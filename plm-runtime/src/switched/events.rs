@@ -106,10 +106,10 @@ impl<M: Switched> Events for M {
     }
 
     fn switch(&self, t: M::S, u: &mut M::U, x: &mut M::X, index: usize) -> Result<(), Fault> {
-        self.switch_behind(t, u, x, (index, M::S::ZERO))
+        self.switch_after(t, u, x, (index, M::S::ZERO))
     }
 
-    fn switch_behind(
+    fn switch_after(
         &self,
         t: M::S,
         u: &mut M::U,
@@ -127,8 +127,8 @@ impl<M: Switched> Events for M {
                 }
             })?;
             match of_contact.and_then(|place| self.number_of_guard(place)) {
-                Some(number) => M::Contact::switch_behind(self, t, (u, x), (number, step)),
-                None => M::Contact::update_behind(self, t, (u, x), step),
+                Some(number) => M::Contact::switch_after(self, t, (u, x), (number, step)),
+                None => M::Contact::update_after(self, t, (u, x), step),
             }
         })
     }
@@ -154,7 +154,7 @@ impl<M: Switched> Events for M {
         }
         self.change(t, u, x, |u, x| {
             M::Contact::change_sides(self, t, (u, x), |u| take_sides_at_time(self, t, u))?;
-            M::Contact::update_behind(self, t, (u, x), M::S::ZERO)
+            M::Contact::update_after(self, t, (u, x), M::S::ZERO)
         })
     }
 

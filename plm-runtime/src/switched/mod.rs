@@ -20,7 +20,7 @@ use crate::vector::Vector;
 
 /// A mechanism with conditions and contact by tables and routines.
 pub trait Switched: Rate<S: Real, U: Sides<<Self as Rate>::S>> + Sized {
-    /// A number for each guard, of conditions and of contact behind them.
+    /// A number for each guard, of conditions and of contact after them.
     type Guards: Vector<Self::S> + AsMut<[Self::S]> + AsRef<[Self::S]>;
     /// Its contact: [`NoContact`], or [`WithContact`].
     type Contact: ContactPart<Self>;
@@ -114,7 +114,7 @@ pub trait Switched: Rate<S: Real, U: Sides<<Self as Rate>::S>> + Sized {
         Some(self.switches().guards + number)
     }
 
-    /// The number of the guard of contact that stands in this place behind those of conditions.
+    /// The number of the guard of contact that stands in this place after those of conditions.
     #[inline]
     fn number_of_guard(&self, place: usize) -> Option<usize> {
         Some(place)

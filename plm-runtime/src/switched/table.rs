@@ -7,7 +7,7 @@ pub struct Switches {
     pub guards: usize,
     /// Number of kinks.
     pub kinks: usize,
-    /// Number of conditions of the time alone; their sides stand behind those of the state.
+    /// Number of conditions of the time alone; their sides stand after those of the state.
     pub times: usize,
     /// Conditions and kinks matter only while others have a certain side.
     pub selective: bool,

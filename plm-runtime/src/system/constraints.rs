@@ -81,7 +81,7 @@ pub trait Constraints: Rate {
     /// Is [`is_settled`](Self::is_settled) of use: is the discrete state so large that copies of it take a part of a step?
     const SETTLES: bool = false;
 
-    /// Would [`update`](Self::update) find and change nothing behind a step? False where that is not known.
+    /// Would [`update`](Self::update) find and change nothing after a step? False where that is not known.
     #[inline]
     fn is_settled(&self, t: Self::S, u: &Self::U, x: &Self::X) -> bool {
         let _ = (t, u, x);

@@ -12,7 +12,7 @@ pub trait Events: Rate {
     /// A number for every switching condition; `[S; 0]` costs nothing.
     type G: Vector<Self::S>;
 
-    /// Number of switching conditions; the guards behind them are 1.
+    /// Number of switching conditions; the guards after them are 1.
     #[inline]
     fn guard_count(&self) -> usize {
         Self::G::LEN
@@ -42,7 +42,7 @@ pub trait Events: Rate {
     ///
     /// # Errors
     /// As [`switch`](Self::switch).
-    fn switch_behind(
+    fn switch_after(
         &self,
         t: Self::S,
         u: &mut Self::U,
@@ -101,7 +101,7 @@ pub trait Events: Rate {
         let _ = (t, u, x, each);
     }
 
-    /// Guards over an interval, and kinks behind them: gives each with its index, for a time and components of the state that move. False if
+    /// Guards over an interval, and kinks after them: gives each with its index, for a time and components of the state that move. False if
     /// a system cannot, and then conditions that last shorter than a small part of a step can be missed.
     fn guards_within(
         &self,
@@ -139,7 +139,7 @@ pub trait Events: Rate {
 
     /// Would the rate be another function if the condition `index` had its other side than `u` holds, or can it be so if those
     /// other conditions change theirs whose bits are set in `unknown`? What does not matter is not located. Its side is brought up
-    /// to date behind every step, so that it is right when it comes to matter. Kinks follow behind the conditions.
+    /// to date after every step, so that it is right when it comes to matter. Kinks follow after the conditions.
     fn matters(&self, u: &Self::U, index: usize, unknown: u64) -> bool {
         let _ = (u, index, unknown);
         true
@@ -154,7 +154,7 @@ pub trait Events: Rate {
         Self::CONTACTS
     }
 
-    /// The first guard of a contact row, that of its gap where it is open; the guards of contact stand behind all others.
+    /// The first guard of a contact row, that of its gap where it is open; the guards of contact stand after all others.
     #[inline]
     fn guard_of_row(&self, u: &Self::U, row: usize) -> usize {
         self.guard_count() - Self::contacts(u).guard_count() + contact::PER_ROW * row

@@ -42,7 +42,7 @@ pub trait Rate {
         health.worst(self.rate(later, u, &second(first), last))
     }
 
-    /// One step of a formula from the time `t` by `h`, computed as a whole: `to`, which is the state `from`, becomes that behind the step,
+    /// One step of a formula from the time `t` by `h`, computed as a whole: `to`, which is the state `from`, becomes that after the step,
     /// with the bits that the formula has by rates one by one. Nothing, and `to` stays, where the system computes rates alone.
     #[inline]
     fn whole_step<F: OneStep>(
@@ -59,8 +59,8 @@ pub trait Rate {
     /// Is [`whole_step`](Self::whole_step) of use?
     const WHOLE: bool = false;
 
-    /// Number of coordinates: `NQ`, or fewer of a system that has its size from a program. Then the numbers of the state behind the last
-    /// coordinate, and those behind the last velocity, are zero and stay so.
+    /// Number of coordinates: `NQ`, or fewer of a system that has its size from a program. Then the numbers of the state after the last
+    /// coordinate, and those after the last velocity, are zero and stay so.
     #[inline]
     fn coordinates(&self) -> usize {
         Self::NQ
@@ -78,7 +78,7 @@ pub trait Rate {
         x.is_finite()
     }
 
-    /// Does the state have a number at this place? Else it is one of the zeros behind the last coordinate or the last velocity.
+    /// Does the state have a number at this place? Else it is one of the zeros after the last coordinate or the last velocity.
     #[inline]
     fn has_number(&self, place: usize) -> bool {
         let (coordinates, first_order) = (self.coordinates(), self.states() - 2 * self.coordinates());

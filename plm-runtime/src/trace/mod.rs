@@ -49,7 +49,7 @@ pub struct Trace<'t, S = f64> {
 pub(crate) struct Window {
     /// The first place.
     pub(crate) first: u64,
-    /// The place behind the last one for which there is room.
+    /// The place after the last one for which there is room.
     pub(crate) end: u64,
     /// The place of the memory's first term, as if all of it were of this range.
     pub(crate) base: u64,
@@ -98,10 +98,10 @@ impl<'t, S: Real> Trace<'t, S> {
         self.next.set(place);
     }
 
-    /// Records from a place on, in the memory behind so many terms, which stay.
-    pub(crate) fn record(&self, first: u64, behind: u64) {
-        let end = first.saturating_add((self.terms.len() as u64).saturating_sub(behind));
-        self.window.set(Window { first, end, base: first - behind });
+    /// Records from a place on, in the memory after so many terms, which stay.
+    pub(crate) fn record(&self, first: u64, after: u64) {
+        let end = first.saturating_add((self.terms.len() as u64).saturating_sub(after));
+        self.window.set(Window { first, end, base: first - after });
     }
 
     /// Records nothing.
@@ -120,7 +120,7 @@ impl<'t, S: Real> Trace<'t, S> {
         end - 1
     }
 
-    /// The place behind the next operation of so many terms, and their memory; none where nothing is recorded.
+    /// The place after the next operation of so many terms, and their memory; none where nothing is recorded.
     #[inline]
     fn take(&self, count: usize) -> (u64, &'t [Cell<Term<S>>]) {
         let next = self.next.get();

@@ -129,7 +129,7 @@ fn no_rows_no_columns_and_no_entries_are_fine() {
     assert_eq!(accelerate::<f64, 0, 2>(0.0, &[], &[], &[1.0, 2.0], |_| ()).unwrap().rank, 0);
 }
 
-/// Bits of accelerations and multipliers in arrays of a size; what stands behind the matrix is zero.
+/// Bits of accelerations and multipliers in arrays of a size; what stands after the matrix is zero.
 fn bits<const M: usize, const N: usize>(a: &DMatrix<f64>, b: &DVector<f64>) -> Vec<u64> {
     let (rows, columns) = a.shape();
     let inverse_mass = core::array::from_fn(|j| f64::from(u8::from(j < columns)));
@@ -144,7 +144,7 @@ fn bits<const M: usize, const N: usize>(a: &DMatrix<f64>, b: &DVector<f64>) -> V
 }
 
 #[test]
-fn room_behind_a_matrix_changes_no_bit() {
+fn room_after_a_matrix_changes_no_bit() {
     for seed in 0..200 {
         let mut random = Random(seed);
         let (u, v) = factors::<6, 9>(&mut random, 5, 1.0);

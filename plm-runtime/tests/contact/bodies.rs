@@ -278,7 +278,7 @@ impl Scene<3, 16> for Wheel {
         }
     }
     fn start(&self) -> ([f64; 3], [f64; 3]) {
-        // Just behind an impact: the spoke before it stands, leaning back by half the angle between two.
+        // Just after an impact: the spoke before it stands, leaning back by half the angle between two.
         let (sin, cos) = SPOKE.sin_cos();
         ([-sin, cos, SPOKE], [self.spin * cos, self.spin * sin, -self.spin])
     }
@@ -287,8 +287,8 @@ impl Scene<3, 16> for Wheel {
 system!(Wheel, 3, 16);
 
 impl Wheel {
-    /// The rate just behind the last impact, from the energy: 1 kg.
-    fn behind_impact(&self, modes: [Mode; 16], x: [f64; 6]) -> f64 {
+    /// The rate just after the last impact, from the energy: 1 kg.
+    fn after_impact(&self, modes: [Mode; 16], x: [f64; 6]) -> f64 {
         let stands = modes.iter().position(|mode| *mode == Mode::Closed).unwrap() / 2;
         let lean = SPOKE * (stands * 2) as f64 + x[2];
         // The hub from its foot, now and at the impact.
@@ -319,7 +319,7 @@ fn a_rimless_wheel_walks() {
                 stands = sim.held.of;
                 expected = k * (expected * expected + gain).sqrt();
             }
-            let found = sim.mechanism.behind_impact(sim.held.of, sim.x);
+            let found = sim.mechanism.after_impact(sim.held.of, sim.x);
             assert!((found - expected).abs() < 1e-9, "{inertia} after {} s: {found} {expected}", sim.time);
         }
         assert!((expected - limit).abs() < 0.01 * limit, "{:?}", sim.stats());

@@ -90,7 +90,7 @@ pub(crate) fn random(numbers: &mut Numbers, law: ImpactLaw) -> (Random, [[f64; 3
     (Random { inverse, directions, friction, restitution, law, drive: [0.0; 4], speed }, mass)
 }
 
-/// The start of a run: discrete state, and velocities behind the impacts, whether there is a fault or none.
+/// The start of a run: discrete state, and velocities after the impacts, whether there is a fault or none.
 pub(crate) fn begin(scene: &Random) -> (Held<f64, 4>, [f64; 3], Result<(), Cause>) {
     let speed = scene.speed;
     let (mut u, mut x) = (Held::open(), [0.0, 0.0, 0.0, speed[0], speed[1], speed[2]]);

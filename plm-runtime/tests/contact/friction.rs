@@ -35,14 +35,14 @@ fn a_mass_on_a_belt_sticks_and_slips() {
     let (first, slips, period) = (0.3924, 0.433_536_962_770_418_6, 0.727_836_962_770_418_5);
     for k in 0..10 {
         let begun = first + f64::from(k) * period;
-        for (at, before, behind) in
+        for (at, before, after) in
             [(begun, Mode::Sticks, Mode::Backwards), (begun + slips, Mode::Backwards, Mode::Sticks)]
         {
             let mut sim = sim;
             sim.step_to(at - 1e-10).unwrap();
             assert_eq!(sim.held.of[0], before, "{k}");
             sim.step_to(at + 1e-10).unwrap();
-            assert_eq!(sim.held.of[0], behind, "{k}");
+            assert_eq!(sim.held.of[0], after, "{k}");
         }
         sim.step_to(begun).unwrap();
         assert!((sim.x[0] - 0.03924).abs() < 1e-10, "{k}: {:?}", sim.x);

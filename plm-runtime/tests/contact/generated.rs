@@ -118,8 +118,8 @@ fn an_impact_rubs() {
         let (tip, slip) = (sim.impulse("tip").unwrap(), sim.impulse("slip").unwrap());
         assert!((tip.size - normal).abs() < 1e-11 && (slip.size + rubs).abs() < 1e-11, "{tip:?} {slip:?}");
         assert!((slip.time - fall).abs() < 1e-12 && slip.time == tip.time, "{slip:?}");
-        let behind = speed - rubs / MASS;
-        let lost = 0.5 * MASS * (speed * speed - behind * behind) + 0.75 * MASS * GRAVITY;
+        let after = speed - rubs / MASS;
+        let lost = 0.5 * MASS * (speed * speed - after * after) + 0.75 * MASS * GRAVITY;
         assert!((sim.impact_energy().lost - lost).abs() < 1e-10, "{:?} {lost}", sim.impact_energy());
     }
 }
@@ -158,7 +158,7 @@ fn a_condition_lets_the_force_jump() {
         sim.step(3.0).unwrap();
         assert_eq!(sim.contact("slip"), Some(Mode::Sticks), "{:?}", sim.x);
         assert!((sim.x[0] - (2.0 - start[0])).abs() < 1e-11, "{:?}", sim.x);
-        // Set behind its place, it is pulled again; on the other side it sticks.
+        // Set after its place, it is pulled again; on the other side it sticks.
         sim.x[0] = 0.9;
         sim.step(0.01).unwrap();
         assert_eq!(sim.contact("slip"), Some(Mode::Forwards));

@@ -157,7 +157,7 @@ fn a_pendulum_with_friction_in_its_hinge() {
         }
         last = sim.x[1];
     }
-    // A millisecond behind a turn it has come back by less than 5e-6 rad.
+    // A millisecond after a turn it has come back by less than 5e-6 rad.
     for (found, exact) in
         turns.iter().zip([-0.998_334_532_278_349_8, 0.950_310_223_978_209_7, -0.903_052_596_006_498_3])
     {

@@ -38,10 +38,10 @@ fn errors_fall_with_the_step() {
         let top = 1.5 * (2.0 / GRAVITY).sqrt();
         let ball = Ball { height: 1.0, angle: 0.0, restitution: 0.5 };
         errors(4.0, |h| at(ball, by(h), top).x[1] - 0.25);
-        // A belt: stuck again behind the first slip.
+        // A belt: stuck again after the first slip.
         let caught = 0.3924 + 0.433_536_962_770_418_6;
         errors(0.5, |h| at(Oscillator::ON_BELT, by(h), caught + 0.1).x[0] - 0.01981);
-        // A rocking block behind its first impact, at the turn.
+        // A rocking block after its first impact, at the turn.
         let turn = 0.5 * (0.347_093_586_788_881_3 + 0.950_920_536_477_668_3);
         let block = rocking(0.5 * 0.2_f64.atan());
         errors(4.0, |h| at(block, by(h), turn).x[2].abs() - 0.083_339_113_164_354_69);

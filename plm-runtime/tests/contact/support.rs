@@ -161,14 +161,14 @@ macro_rules! system {
             ) -> Result<(), plm_runtime::Fault> {
                 plm_runtime::contact::switch::<Self, $n>(self, t, u, x, index).map(|_| ())
             }
-            fn switch_behind(
+            fn switch_after(
                 &self,
                 t: f64,
                 u: &mut Self::U,
                 x: &mut Self::X,
                 at: (usize, f64),
             ) -> Result<(), plm_runtime::Fault> {
-                plm_runtime::contact::switch_behind::<Self, $n>(self, t, u, x, at).map(|_| ())
+                plm_runtime::contact::switch_after::<Self, $n>(self, t, u, x, at).map(|_| ())
             }
             const CONTACTS: usize = $n;
             fn change_contact(u: &mut Self::U, change: plm_runtime::contact::Change) {
@@ -179,13 +179,13 @@ macro_rules! system {
                 stride: &plm_runtime::contact::Stride<f64>,
                 u: &mut Self::U,
                 x: &mut Self::X,
-                behind: impl FnOnce(
+                after: impl FnOnce(
                     &mut Self::U,
                     &mut Self::X,
                     &plm_runtime::contact::Solution<f64>,
                 ) -> Result<(), plm_runtime::Fault>,
             ) -> Result<plm_runtime::contact::Solution<f64>, plm_runtime::Fault> {
-                plm_runtime::contact::step::<Self, $n, EVALUATIONS>(self, stride, u, x, behind)
+                plm_runtime::contact::step::<Self, $n, EVALUATIONS>(self, stride, u, x, after)
             }
             fn guards_within(
                 &self,

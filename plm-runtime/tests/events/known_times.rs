@@ -58,7 +58,7 @@ fn known_times_are_hit_by_every_method() {
     passes(Gauss::<_, 3>::new(0.7));
 }
 
-/// Samples at the very times of conditions: without dense output behind them, with it before; watched or not.
+/// Samples at the very times of conditions: without dense output after them, with it before; watched or not.
 #[test]
 fn samples_at_known_times_are_those_of_a_run_where_it_is_watched() {
     fn samples<I: Method<Scene>>(method: impl Fn() -> I) -> [Vec<(u64, usize)>; 2] {

@@ -250,7 +250,7 @@ fn a_requirement_is_looked_at_between_the_ends_of_steps_too() {
     let fault = run(gate, Dop853::new(1e-9), RUN).map(|_| ()).unwrap_err();
     assert!((fault.time - (3.456 - 1e-5)).abs() < 1e-9, "{fault}");
     assert_eq!((fault.part, fault.cause), ("gate", Cause::Required));
-    // Steps of equal length end behind it.
+    // Steps of equal length end after it.
     for fault in [
         run(gate, Rk4::new(0.3), RUN).map(|_| ()).unwrap_err(),
         run(gate, SemiImplicitEuler::new(0.3), RUN).map(|_| ()).unwrap_err(),

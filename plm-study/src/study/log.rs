@@ -18,7 +18,7 @@ pub(super) fn checksum(bytes: &[u8]) -> u64 {
         .fold(0xcbf2_9ce4_8422_2325, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }
 
-/// What a record holds: a row, or a piece of a text with so many pieces behind it, marked where it is the first.
+/// What a record holds: a row, or a piece of a text with so many pieces after it, marked where it is the first.
 const ROW: u64 = u64::MAX;
 const FIRST: u64 = 1 << 32;
 /// A number in a file.

@@ -76,7 +76,7 @@ impl<const P: usize> Points<P> {
         self.len() == 0
     }
 
-    /// Point number `index`, counted from 0; none behind the last.
+    /// Point number `index`, counted from 0; none after the last.
     pub fn at(&self, index: usize) -> Option<[f64; P]> {
         if index >= self.len() {
             return None;

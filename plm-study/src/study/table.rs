@@ -78,7 +78,7 @@ impl<const P: usize, const C: usize> Gathered<P, C> {
     }
 }
 
-/// The names of columns, each with its unit in brackets and a comma behind it.
+/// The names of columns, each with its unit in brackets and a comma after it.
 fn heads<'a>(quantities: impl Iterator<Item = &'a Quantity>) -> String {
     let head = |Quantity { name, unit }: &Quantity| {
         if unit.is_empty() { format!("{name},") } else { format!("{},", quoted(&format!("{name} [{unit}]"))) }
@@ -86,7 +86,7 @@ fn heads<'a>(quantities: impl Iterator<Item = &'a Quantity>) -> String {
     quantities.map(head).collect::<Vec<_>>().concat()
 }
 
-/// Numbers with as many digits as their bits need, a comma behind each.
+/// Numbers with as many digits as their bits need, a comma after each.
 fn cells(values: &[f64]) -> String {
     values.iter().map(|value| format!("{value:?},")).collect::<Vec<_>>().concat()
 }

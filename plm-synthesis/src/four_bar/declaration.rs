@@ -31,7 +31,7 @@ pub(crate) struct Beside {
     pub(crate) ports: [Vec<(&'static str, Point)>; 4],
     /// Links.
     pub(crate) bodies: Vec<Body>,
-    /// Lines behind the joints of the four-bar, and outputs.
+    /// Lines after the joints of the four-bar, and outputs.
     pub(crate) lines: String,
 }
 

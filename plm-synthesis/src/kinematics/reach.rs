@@ -105,17 +105,17 @@ impl<'a, T: Moment<M: Statics<State = T, S = f64>>> Constraints<'a, T> {
         [part(count), part(count + self.rows)]
     }
 
-    /// Residuals and their derivatives by the coordinates, with so many columns behind them.
-    fn equations(&self, x: &DVector<f64>, columns: usize, behind: usize) -> (DVector<f64>, DMatrix<f64>) {
+    /// Residuals and their derivatives by the coordinates, with so many columns after them.
+    fn equations(&self, x: &DVector<f64>, columns: usize, after: usize) -> (DVector<f64>, DMatrix<f64>) {
         let [residuals, at_rest] = self.rows(x, None);
-        let mut by = DMatrix::zeros(self.rows + behind, columns);
+        let mut by = DMatrix::zeros(self.rows + after, columns);
         for k in 0..self.units.len() {
             let [_, moving] = self.rows(x, Some(k));
             for row in 0..self.rows {
                 by[(row, k)] = moving[row] - at_rest[row];
             }
         }
-        let mut all = DVector::zeros(self.rows + behind);
+        let mut all = DVector::zeros(self.rows + after);
         all.rows_mut(0, self.rows).copy_from_slice(&residuals);
         (all, by)
     }

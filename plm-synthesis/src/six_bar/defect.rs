@@ -35,12 +35,12 @@ impl SixBar {
                     defects.push(Defect::Stop { position, angle });
                     let named = Defect::Circuit { position };
                     // The four-bar alone may have told it.
-                    let behind = self.pose(pair[1]).filter(|_| !defects.contains(&named));
+                    let after = self.pose(pair[1]).filter(|_| !defects.contains(&named));
                     let name = |_| {
                         if self.reaches(pair[0], pair[1]) { Defect::Branch { position } } else { named }
                     };
-                    let behind = behind.map(name);
-                    defects.extend(behind);
+                    let after = after.map(name);
+                    defects.extend(after);
                 }
             }
         }

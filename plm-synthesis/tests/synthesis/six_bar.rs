@@ -198,9 +198,9 @@ fn traced(six_bar: &SixBar, angle: f64, length: f64, count: usize) -> Vec<[f64; 
     all
 }
 
-/// Behind a stop the position is on another branch where the motion of the constraints comes there, else on another circuit.
+/// After a stop the position is on another branch where the motion of the constraints comes there, else on another circuit.
 #[test]
-fn what_is_behind_a_stop_has_a_name() {
+fn what_is_after_a_stop_has_a_name() {
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
     println!("seed {state:#x}");
     let mut between = |least: f64, most: f64| {
@@ -235,11 +235,11 @@ fn what_is_behind_a_stop_has_a_name() {
         let defects = six_bar.defects(&[one, other], &Demands::default());
         let is_stop = |defect: &&Defect| matches!(defect, Defect::Stop { position: 1, .. });
         assert_eq!(defects.iter().filter(is_stop).count(), 1, "{defects:?}");
-        let behind: Vec<&Defect> = defects.iter().filter(|defect| !is_stop(defect)).collect();
+        let after: Vec<&Defect> = defects.iter().filter(|defect| !is_stop(defect)).collect();
         let target = all_angles(&six_bar, other);
         let is_near = |x: &[f64; 5]| x.iter().zip(target).all(|(a, b)| (0.5 * (a - b)).sin().abs() < 0.01);
         let comes = traced(&six_bar, one, 0.02, 2000).iter().any(is_near);
-        match behind[..] {
+        match after[..] {
             [Defect::Branch { position: 1 }] => {
                 seen[0] += 1;
                 assert!(comes, "{k}");

@@ -248,5 +248,5 @@ test("what is no number is a gap", { skip }, async () => {
   });
   const share = (from, to) => columns.slice(Math.ceil(from * columns.length), Math.floor(to * columns.length)).filter(Boolean).length;
   assert.equal(share(0.256, 0.394), 0, "nothing in the gap");
-  assert.ok(share(0.02, 0.245) > 0.2 * columns.length && share(0.41, 0.98) > 0.5 * columns.length, "all before and behind it");
+  assert.ok(share(0.02, 0.245) > 0.2 * columns.length && share(0.41, 0.98) > 0.5 * columns.length, "all before and after it");
 });

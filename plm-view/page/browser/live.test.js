@@ -64,10 +64,10 @@ test("the numbers are those of the native run, to the bit", { skip }, async () =
   assert.deepEqual((await rowBits(still)).slice(1), native.slice(0, 200));
 });
 
-/** The time at which it stands, behind the rows that were under way. */
+/** The time at which it stands, after the rows that were under way. */
 async function standing(page) {
   const { revision } = await state(page, "app.live");
-  // The worker answers what it hears in order: behind its answer no row of before comes.
+  // The worker answers what it hears in order: after its answer no row of before comes.
   await page.evaluate(() => window.plmPage.app.live.send({ kind: "input", index: 0, value: 0 }));
   await page.waitForFunction((before) => window.plmPage.app.live.revision > before, revision);
   return now(page);

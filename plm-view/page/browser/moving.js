@@ -109,7 +109,7 @@ async function showMotion({ count, from, period, scheme, back, view, paths, forc
   const begun = from === "" ? run.start : Number(from);
   const repeats = period !== "" ? Number(period) : recurrence(begun);
   const whole = repeats ?? run.end - begun;
-  // Behind a first period all of the path has been travelled.
+  // After a first period all of the path has been travelled.
   const start = from === "" && repeats !== null && run.end >= begun + 2 * repeats ? begun + repeats : begun;
   return Array.from({ length: count }, (_, frame) => start + (frame * whole) / count);
 

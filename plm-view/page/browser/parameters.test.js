@@ -125,7 +125,7 @@ test("contour and pin follow a parameter that is turned", { skip }, async () => 
   }
 });
 
-/** Waits until the view stays: behind a start it is looked ahead, and the view is chosen anew. */
+/** Waits until the view stays: after a start it is looked ahead, and the view is chosen anew. */
 const resting = (page) => page.evaluate(async () => {
   const { view } = window.plmPage.app;
   let [scale, since] = [view.scale, performance.now()];

@@ -83,7 +83,7 @@ test("instant centres and centrodes", { skip }, async () => {
       assert.ok(before.green < 20 && after.green > 60, `${message}: ${before.green}, ${after.green}`);
     }, `${still}&select=body:1`);
   }
-  // Two bodies pressed one behind the other are a pair.
+  // Two bodies pressed one after the other are a pair.
   const { page } = await open(address, { hash: `${still}&centres=1` });
   await clickOn(page, 0, 0, 0.02);
   await clickOn(page, 2, 0, 0);

@@ -88,7 +88,7 @@ function shown(text) {
  * @param {HTMLElement} parent
  * @param {string} text
  * @param {Language} language
- * @param {(text: string) => void} changed called behind every change
+ * @param {(text: string) => void} changed called after every change
  */
 export function makeEditor(parent, text, language, changed) {
   const view = new EditorView({

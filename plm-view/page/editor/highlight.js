@@ -73,7 +73,7 @@ export const declarations = StreamLanguage.define({
   },
 });
 
-/** A line stands as the one before, deeper behind what opens, less where it closes. */
+/** A line stands as the one before, deeper after what opens, less where it closes. */
 export const indentation = indentService.of((context, at) => {
   const { text, from } = context.lineAt(at, 1);
   if (from === 0) return 0;

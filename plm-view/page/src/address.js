@@ -13,7 +13,7 @@ const MODES = ["pan", "orbit", "zoom", "window", "info", "distance", "angle"];
 const LIVE_MODES = [...MODES, "pull", "place"];
 
 /**
- * What is shown, as the part of an address behind `#`. What is usual is left out.
+ * What is shown, as the part of an address after `#`. What is usual is left out.
  * @param {App} app
  */
 export function addressOf(app) {

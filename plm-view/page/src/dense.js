@@ -1,10 +1,10 @@
 // Bytes as text of which each letter is seven bits, in one byte of UTF-8: 8/7 of the bytes, where base 64 takes 4/3.
 //
-// HTML changes or reads three letters: NUL, CR and `<`. Each of them becomes, with the seven bits behind it, one letter of two bytes.
+// HTML changes or reads three letters: NUL, CR and `<`. Each of them becomes, with the seven bits after it, one letter of two bytes.
 
 /** The letters that may not stand there. */
 const BARRED = [0, 13, 60];
-/** The first letter of two bytes: behind the control characters. */
+/** The first letter of two bytes: after the control characters. */
 const FIRST_PAIR = 0xa0;
 
 /** The bytes of a text that `plm-view/src/page/dense.rs` has written. @param {string} text */
@@ -28,7 +28,7 @@ export function undense(text) {
     }
     const pair = letter - FIRST_PAIR;
     put(BARRED[(pair >>> 7) % BARRED.length]);
-    // The last letter of a text may have nothing behind it.
+    // The last letter of a text may have nothing after it.
     if (pair >>> 7 < BARRED.length) put(pair & 127);
   }
   return bytes.slice(0, count);

@@ -80,7 +80,7 @@ export function openHelp(app) {
     "a click tells what is under it, a double click shows everything. Two fingers pan and zoom.";
   showDialog("Keys", [
     element("p", {}, mouse),
-    element("p", {}, "Where the browser keeps a key with Ctrl for itself, the one behind it does the same."),
+    element("p", {}, "Where the browser keeps a key with Ctrl for itself, the one after it does the same."),
     element("div", { class: "keys" }, ...groups),
     element("h3", {}, "About"),
     element("p", {}, `This page is one file and asks nothing of any network. ${app.madeBy === "" ? "" : `Results by ${app.madeBy}.`}`),

@@ -7,7 +7,7 @@ import { View } from "./view.js";
 
 /** So often, ms, it is looked at. */
 const LOOK_EVERY = 250;
-/** Behind the last of several starts, ms, it is looked ahead: a slider that is moved begins anew again and again. */
+/** After the last of several starts, ms, it is looked ahead: a slider that is moved begins anew again and again. */
 const REST = 300;
 
 export class FollowCamera {

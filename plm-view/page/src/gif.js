@@ -1,4 +1,4 @@
-// GIF: pictures of few colours, packed by LZW, one behind another. Of each the part alone is written that differs from the one before.
+// GIF: pictures of few colours, packed by LZW, one after another. Of each the part alone is written that differs from the one before.
 
 /** Colours of a palette; the last one stands for pixels that stay as they are. */
 const COLOURS = 256;
@@ -55,7 +55,7 @@ export class PaletteMaker {
     if (run > 0) count();
   }
 
-  /** Behind the first ones, the most frequent of colours that are hardly different stands for all. @returns {number[]} */
+  /** After the first ones, the most frequent of colours that are hardly different stands for all. @returns {number[]} */
   finish() {
     const falling = [...this.counts].sort((a, b) => b[1] - a[1]);
     // Coarser steps until they are few enough.

@@ -28,7 +28,7 @@ const SHOWN = /** @type {const} */ ({
 const SLID = [SHOWN.arrowFactor, SHOWN.ghosts];
 
 /**
- * Something that was done. `show`: members of the app before and behind it. `set`: a parameter or an input, SI. `state`: the mechanism as
+ * Something that was done. `show`: members of the app before and after it. `set`: a parameter or an input, SI. `state`: the mechanism as
  * a whole, by the numbers under which its states are kept.
  * @typedef {{kind: "show", name: string, from: {[member: string]: any}, to: {[member: string]: any}}
  *   | {kind: "set", name: string, of: "parameter" | "input", index: number, from: number, to: number}
@@ -102,7 +102,7 @@ export class History {
     this.lastAt = now;
     this.undone = [];
     if (isSame) {
-      // Its state before stays; that behind it is taken when it is undone.
+      // Its state before stays; that after it is taken when it is undone.
       if (last.kind !== "state") last.to = deed.to;
       return;
     }

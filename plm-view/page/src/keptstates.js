@@ -28,7 +28,7 @@ export class KeptStates {
     live.send({ kind: "return", id });
   }
 
-  /** It has come back: rows behind that moment were never computed. @param {Float64Array} numbers @param {number} id */
+  /** It has come back: rows after that moment were never computed. @param {Float64Array} numbers @param {number} id */
   arrive(numbers, id) {
     const { live } = this;
     const { run, app } = live;

@@ -37,7 +37,7 @@ export class Language {
     this.asked = 0;
     /** Requests without an answer. @type {Map<number, (result: any) => void>} */
     this.waiting = new Map();
-    /** Messages without anything heard behind them. */
+    /** Messages without anything heard after them. */
     this.silent = 0;
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.timer = undefined;

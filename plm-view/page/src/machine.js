@@ -94,7 +94,7 @@ export class LiveMachine {
     return this.now;
   }
 
-  /** Posts a message behind the rows that came before. @param {FromWorker} message */
+  /** Posts a message after the rows that came before. @param {FromWorker} message */
   send(message) {
     this.flush();
     this.post(message);

@@ -71,7 +71,7 @@ function pathLength(run, { body, x, y }) {
  * Plays a recorded run over and over, one that ends with a fault once. Who asked for less motion begins it, and a link that names
  * a time shows that time.
  * @param {App} app
- * @param {string} hash the address behind `#`
+ * @param {string} hash the address after `#`
  */
 export function playByItself(app, hash) {
   const asked = new URLSearchParams(hash.replace(/^#/, ""));

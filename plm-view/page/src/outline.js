@@ -91,7 +91,7 @@ export function boxOutline(left, right, low, high) {
 
 /**
  * A contour as it was given, turned so that its inside is on the left. With holes each of them and the contour itself is a ring
- * that ends where it begins, and no numbers stand behind it.
+ * that ends where it begins, and no numbers stand after it.
  * @param {number[][]} contour
  * @param {number[][][]} [holes]
  * @returns {Outline}

@@ -49,7 +49,7 @@ export class CanvasPen {
     context.beginPath();
     context.moveTo(points[0], points[1]);
     for (let at = 2; at < points.length; at += 2) {
-      // No numbers stand behind the rings of a contour with holes.
+      // No numbers stand after the rings of a contour with holes.
       if (!Number.isNaN(points[at])) context.lineTo(points[at], points[at + 1]);
       else if (at + 2 < points.length) context.moveTo(points[at + 2], points[at + 3]);
     }

@@ -11,7 +11,7 @@ const SAME_POSE = 0.01;
 const SAMPLES_OF_SPREAD = 1000;
 
 /**
- * One turn of a body, from a time on, or where there is no whole one behind it the last one before the end; null where the body makes none.
+ * One turn of a body, from a time on, or where there is no whole one after it the last one before the end; null where the body makes none.
  * @param {Run} run
  * @param {number} body
  * @param {number} from
@@ -52,7 +52,7 @@ function crossing(run, body, start, step) {
 }
 
 /**
- * The shortest stretch from a time on behind which all bodies stand as at its beginning and move as there, but for whole turns; null
+ * The shortest stretch from a time on after which all bodies stand as at its beginning and move as there, but for whole turns; null
  * where they do not come back.
  * @param {Run} run
  * @param {number} from

@@ -61,7 +61,7 @@ export function shortNumber(value, digits = 5) {
   const size = Math.abs(value);
   const sign = value < 0 ? "−" : "";
   if (size >= 1e-4 && size < 1e6) {
-    // Digits behind the point that are all 0 say nothing.
+    // Digits after the point that are all 0 say nothing.
     return sign + String(Number(size.toPrecision(digits)));
   }
   const [mantissa, exponent] = size.toExponential(digits - 1).split("e");

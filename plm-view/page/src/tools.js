@@ -56,7 +56,7 @@ export function ghostCount(count) {
   return Number.isFinite(count) ? Math.max(0, Math.min(MOST_GHOSTS, Math.round(count))) : 0;
 }
 
-/** Two bodies chosen one behind the other are a pair. @param {App} app @param {number | null} before of the body that was selected */
+/** Two bodies chosen one after the other are a pair. @param {App} app @param {number | null} before of the body that was selected */
 export function choosePair({ tools, run, selected }, before) {
   if (run === null || !tools.centres || before === null || selected?.kind !== "body" || selected.index === before) return;
   tools.pair = [run.mechanism.bodies[before].name, run.mechanism.bodies[selected.index].name];

@@ -60,7 +60,7 @@ test("a pulled state comes back to the bit, and goes on as it went", { skip: wit
   assert.notDeepEqual(pulled.slice(1), went.slice(1));
   app.history.undo();
   assert.deepEqual(bits(machine.now), before);
-  assert.equal(live.run.rows, 51, "rows behind that moment are gone");
+  assert.equal(live.run.rows, 51, "rows after that moment are gone");
   assert.equal(live.run.end, machine.now[0]);
   live.step(0.01, 20);
   assert.deepEqual(bits(machine.now), went, "no force is left");

@@ -40,7 +40,7 @@ test("seven bits are a letter, and barred letters stand in pairs", () => {
   assert.deepEqual([...undense("")], []);
   // 1000001 1000010 1: A, B, and the rest.
   assert.deepEqual([...undense("AB@")], [0b10000011, 0b00001010]);
-  // NUL with A behind it; CR with nothing behind it.
+  // NUL with A after it; CR with nothing after it.
   assert.deepEqual([...undense(`${String.fromCharCode(0xa0 + 65)}@`)], [0b00000001, 0b00000110]);
   assert.deepEqual([...undense(`A${String.fromCharCode(0xa0 + 4 * 128)}`)], [0b10000010]);
 });

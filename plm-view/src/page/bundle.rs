@@ -1,9 +1,9 @@
 //! The modules of the page as one script: imports and exports, comments and indentation are left out.
 //!
 //! All modules share one scope then, so no two of them may declare the same name at the top, and a module stands
-//! behind those that it imports. Tests hold the modules to that.
+//! after those that it imports. Tests hold the modules to that.
 
-/// The modules of every page, each behind those that it imports.
+/// The modules of every page, each after those that it imports.
 const MODULES: &[(&str, &str)] = &[
     ("numbers", include_str!("../../page/src/numbers.js")),
     ("text", include_str!("../../page/src/text.js")),
@@ -76,10 +76,10 @@ const MODULES: &[(&str, &str)] = &[
     ("main", include_str!("../../page/src/main.js")),
 ];
 
-/// Behind them, in a page of results.
+/// After them, in a page of results.
 const RESULTS: &[(&str, &str)] = &[("start", include_str!("../../page/src/start.js"))];
 
-/// Behind them, in a page whose mechanism goes on.
+/// After them, in a page whose mechanism goes on.
 const LIVE: &[(&str, &str)] = &[
     ("shape", include_str!("../../page/src/shape.js")),
     ("write", include_str!("../../page/src/write.js")),
@@ -93,10 +93,10 @@ const LIVE: &[(&str, &str)] = &[
     ("drag", include_str!("../../page/src/drag.js")),
 ];
 
-/// Behind these, in a page that holds the mechanism itself.
+/// After these, in a page that holds the mechanism itself.
 const LIVE_ENTRY: &[(&str, &str)] = &[("liveentry", include_str!("../../page/src/liveentry.js"))];
 
-/// Behind those of a live page, in one in which declarations are typed.
+/// After those of a live page, in one in which declarations are typed.
 const PLAYGROUND: &[(&str, &str)] = &[
     ("packedtext", include_str!("../../page/src/packedtext.js")),
     ("takehome", include_str!("../../page/src/takehome.js")),
@@ -108,7 +108,7 @@ const PLAYGROUND: &[(&str, &str)] = &[
     ("playground", include_str!("../../page/src/playground.js")),
 ];
 
-/// Behind these, in a page that a running program serves.
+/// After these, in a page that a running program serves.
 const SERVED: &[(&str, &str)] = &[
     ("program", include_str!("../../page/src/program.js")),
     ("servedlive", include_str!("../../page/src/servedlive.js")),
@@ -206,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn a_module_stands_behind_those_that_it_imports() {
+    fn a_module_stands_after_those_that_it_imports() {
         let all = all();
         for (position, (name, text)) in all.iter().enumerate() {
             for import in

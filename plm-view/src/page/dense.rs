@@ -1,11 +1,11 @@
 //! Bytes as text of which each letter is seven bits, in one byte of UTF-8: 8/7 of the bytes, where base 64 takes 4/3.
 //!
-//! HTML changes or reads three letters: NUL, CR and `<`. Each of them becomes, with the seven bits behind it, one letter of two bytes.
+//! HTML changes or reads three letters: NUL, CR and `<`. Each of them becomes, with the seven bits after it, one letter of two bytes.
 //! `page/src/dense.js` reads it.
 
 /// The letters that may not stand there.
 const BARRED: [u8; 3] = [0, 13, 60];
-/// The first letter of two bytes: behind the control characters.
+/// The first letter of two bytes: after the control characters.
 const FIRST_PAIR: u32 = 0xa0;
 
 /// The text of some bytes; it can stand in a `<script>`.
@@ -17,7 +17,7 @@ pub(super) fn dense(bytes: &[u8]) -> String {
             text.push(char::from(seven));
             continue;
         };
-        // Behind the pairs stand those that have nothing behind them.
+        // After the pairs stand those that have nothing after them.
         let pair = match sevens.next() {
             Some(next) => kind * 128 + usize::from(next),
             None => (BARRED.len() + kind) * 128,

@@ -11,7 +11,7 @@ use flate2::write::DeflateEncoder;
 const LONGEST: usize = 1 << 16;
 
 /// Link that opens a declaration in the playground at an address: `https://…/playground.html`, or that of a file. The text stands
-/// behind `#`, which a browser sends to no server. A fragment that the address has is replaced. `None` of an empty text, and of one
+/// after `#`, which a browser sends to no server. A fragment that the address has is replaced. `None` of an empty text, and of one
 /// that is longer than 65 536 letters when it is packed, which the page does not read.
 ///
 /// ```

@@ -57,7 +57,7 @@ impl Recording {
     /// `time/s`, `time_us`, `Zeit in s` are headings of the time (in s without a unit; it is recorded in s), columns are separated by
     /// commas, semicolons or tabs or by what Excel's line `sep=;` says, and numbers may have a decimal comma where commas do not separate
     /// them. Units stand in the headings or in a line below; an empty field is a gap (NaN). Lines may end as on any system, the last one
-    /// without a break. Blank lines, comments behind `#`, lines before the headings, separators at the end of lines, a first column that
+    /// without a break. Blank lines, comments after `#`, lines before the headings, separators at the end of lines, a first column that
     /// numbers the lines and a byte-order mark are skipped. The text is UTF-8, UTF-16 with its mark, or else of code page 1252, as
     /// spreadsheets on Windows write it; that is told by a notice ([`About::notices`](super::About::notices)).
     ///

@@ -26,7 +26,7 @@ impl Table {
         self.numbers.extend(row.take(self.width));
     }
 
-    /// Takes so many rows, with gaps behind those that there are.
+    /// Takes so many rows, with gaps after those that there are.
     pub(crate) fn fill(&mut self, mut numbers: Vec<f64>, rows: usize) {
         let length = rows * self.width;
         // Not twice as much as is needed.

@@ -52,7 +52,7 @@ impl<'a> Archive<'a> {
     /// Unpacks an entry; none if there is none of this name.
     ///
     /// # Errors
-    /// If it is damaged, or larger than what is left to be taken: in words that go on behind its name.
+    /// If it is damaged, or larger than what is left to be taken: in words that go on after its name.
     pub(super) fn entry(&mut self, name: &str, budget: &Budget) -> Option<Result<Entry, String>> {
         match self {
             Self::Whole(zip) => {
@@ -65,7 +65,7 @@ impl<'a> Archive<'a> {
             }
             Self::Cut { bytes, starts } => {
                 let mut rest = bytes.get(*starts.get(name)?..)?;
-                // Behind this line the stream stands behind the entry.
+                // After this line the stream stands after the entry.
                 let outcome = unpacked(&mut read_zipfile_from_stream(&mut rest).ok()??, budget);
                 Some(outcome.and_then(|(bytes, is_whole)| match (is_whole, rest) {
                     (true, _) => Ok(Entry::Whole(bytes)),

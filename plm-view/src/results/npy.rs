@@ -45,7 +45,7 @@ impl Array<'_> {
 
 /// The bytes of an array.
 pub(super) fn write(shape: &[usize], numbers: &[f64]) -> Vec<u8> {
-    // One length is a tuple by a comma behind it.
+    // One length is a tuple by a comma after it.
     let shape = shape.iter().map(ToString::to_string).collect::<Vec<String>>().join(", ") + ",";
     let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({shape}), }}");
     let length = (MAGIC.len() + 4 + header.len() + 1).next_multiple_of(ALIGNMENT) - MAGIC.len() - 4;

@@ -41,7 +41,7 @@ struct Waiting {
     is_given_up: bool,
 }
 
-/// Rows behind each other, as the page takes them.
+/// Rows after each other, as the page takes them.
 #[derive(Serialize)]
 struct Rows<'a> {
     kind: &'static str,

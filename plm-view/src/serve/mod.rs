@@ -351,7 +351,7 @@ fn events(stream: &mut TcpStream, shared: &Shared) -> io::Result<()> {
         if state.clients.len() >= MOST_LISTENERS {
             state.clients.remove(0).give_up();
         }
-        // Whatever is sent from now on comes behind this.
+        // Whatever is sent from now on comes after this.
         client.push(Item::Text(Arc::clone(&shared.hello)));
         let texts = [state.settings.clone(), (!state.row.is_empty()).then(|| state.began())];
         let further = [state.running.clone(), state.trouble.clone()];

@@ -16,7 +16,7 @@ pub(crate) struct Archive(pub(crate) Vec<(String, Vec<u8>)>);
 pub(crate) enum Form {
     Stored,
     Deflated,
-    /// With their lengths behind them.
+    /// With their lengths after them.
     Streamed,
 }
 

@@ -49,7 +49,7 @@ fn a_length_that_no_array_has_is_told() {
     }
 }
 
-/// Lengths stand behind the contents there, and in the directory.
+/// Lengths stand after the contents there, and in the directory.
 #[test]
 fn an_archive_that_was_written_to_a_stream_is_read() {
     let read = Results::read(corpus("streamed.npz")).unwrap();

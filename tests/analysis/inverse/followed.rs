@@ -26,7 +26,7 @@ struct Case<const N: usize> {
 }
 
 impl<const N: usize> Case<N> {
-    /// `text` has `+ @name@` behind each drive.
+    /// `text` has `+ @name@` after each drive.
     fn new(
         text: &str,
         (targets, drives): ([&'static str; N], [&'static str; N]),

@@ -127,7 +127,7 @@ fn inputs_that_are_no_forces() {
     near(heat.inputs(&sim, [4.0]).unwrap()[0], 8.0_f64.ln(), 1e-12);
     let refused = heat.inputs(&sim, [-1.0]).unwrap_err();
     assert!(matches!(refused, Unsolved::NotConverged { target: "block.x", .. }), "{refused}");
-    // A force behind a lag moves the block later; the rate of the lag it moves at once.
+    // A force after a lag moves the block later; the rate of the lag it moves at once.
     let late = Inverse::new(&mechanism, ["block.x"], ["late"]).unwrap();
     assert!(matches!(late.inputs(&sim, [1.0]).unwrap_err(), Unsolved::Unmoved { target: "block.x", .. }));
     let filling = Inverse::new(&mechanism, [Target::Rate("filling")], ["late"]).unwrap();

@@ -214,11 +214,11 @@ fn a_slider_strikes_its_guides() {
                 v = core::array::from_fn(|i| v[i] + impulse * response[i]);
                 impacts += 1;
                 // Between impacts that follow each other ever faster.
-                let (_, behind) = Flores::step(q, v, 1e-10);
+                let (_, after) = Flores::step(q, v, 1e-10);
                 sim.step_to(time + 1e-10).unwrap();
-                near(sim.state_of("crank").omega, behind[0], 1e-9);
-                near(sim.state_of("rod").omega, behind[1], 1e-9);
-                near(sim.state_of("slider").omega, behind[2], 1e-9);
+                near(sim.state_of("crank").omega, after[0], 1e-9);
+                near(sim.state_of("rod").omega, after[1], 1e-9);
+                near(sim.state_of("slider").omega, after[2], 1e-9);
             }
         }
     }

@@ -20,7 +20,7 @@ const SICONOS: [(f64, f64, f64); 8] = [
 ];
 
 /// Without friction both corners of a side strike at once, first at 2.7 ms. Steps of 0.1 ms err by 0.4 % of the rate until then, and find each
-/// impact up to a step late: they are ahead by up to a hundredth of a turn behind 35 impacts.
+/// impact up to a step late: they are ahead by up to a hundredth of a turn after 35 impacts.
 #[test]
 fn a_slider_with_clearance_goes_as_published() {
     let mut sim = Clearance::new().with("friction", 0.0).start_with(Dop853::new(1e-10)).unwrap();

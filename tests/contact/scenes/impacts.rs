@@ -8,7 +8,7 @@ use crate::scene::{Given as _, Named as _, Scene};
 
 by_law!(Poisson, poisson);
 
-/// Velocities of the balls behind an impact with the coefficient e; `$apart` is how far the third one is at first.
+/// Velocities of the balls after an impact with the coefficient e; `$apart` is how far the third one is at first.
 fn row_of_balls(balls: Scene, e: f64, apart: f64) -> [f64; 3] {
     // The pendulum does not slip: this is about the balls.
     let balls =
@@ -91,7 +91,7 @@ impl Impact {
         0.5 * (self.mass[0][0] * a * a + self.mass[1][1] * b * b) + self.mass[0][1] * a * b
     }
 
-    fn behind(&self, [normal, along]: [f64; 2]) -> [f64; 2] {
+    fn after(&self, [normal, along]: [f64; 2]) -> [f64; 2] {
         core::array::from_fn(|i| {
             Self::BEFORE[i] + self.responses[0][i] * normal + self.responses[1][i] * along
         })
@@ -106,7 +106,7 @@ fn kanes_double_pendulum_loses_energy_by_poissons_law() {
     let impact = Impact::of(upper, lower);
     let before = impact.energy(Impact::BEFORE);
     for (e, friction) in [(0.5, 0.5), (0.5, 0.3), (0.7, 0.5), (1.0, 0.6), (0.5, 0.0)] {
-        let known = impact.behind(impact.poisson(e, friction));
+        let known = impact.after(impact.poisson(e, friction));
         for pendulum in [Poisson::new(), Sequential::new()] {
             let sim =
                 pendulum.with("e", e).with("friction", friction).start_with(Dop853::new(1e-10)).unwrap();
@@ -129,7 +129,7 @@ fn kanes_double_pendulum_by_newtons_law() {
     let impact = Impact::of(20_f64.to_radians(), 30_f64.to_radians());
     let known = |e: f64, friction: f64| {
         let [approach, slip] = impact.rates;
-        impact.behind(Impact { rates: [(1.0 + e) * approach, slip], ..impact }.compressed(friction))
+        impact.after(Impact { rates: [(1.0 + e) * approach, slip], ..impact }.compressed(friction))
     };
     let before = impact.energy(Impact::BEFORE);
     let gains = impact.energy(known(0.5, 0.5)) - before;

@@ -7,7 +7,7 @@ use crate::declared::Oscillator;
 use crate::scene::{Given as _, Named as _};
 use crate::{flights, friction, near};
 
-/// A row has one mode 1e-10 s before a time, and another one 1e-10 s behind it.
+/// A row has one mode 1e-10 s before a time, and another one 1e-10 s after it.
 macro_rules! changes {
     ($sim:expr, $row:literal, $time:expr, $modes:expr) => {
         let modes: [Mode; 2] = $modes;
@@ -24,8 +24,8 @@ fn c04_c06_a_mass_sticks_and_slips_at_its_times() {
     let mut sim = Oscillator::new().start_with(Dop853::new(1e-10)).unwrap();
     let half = core::f64::consts::PI / 10.0;
     for k in 1..5 {
-        let [before, behind] = if k % 2 == 0 { [Forwards, Backwards] } else { [Backwards, Forwards] };
-        changes!(sim, "slip", half * f64::from(k), [before, behind]);
+        let [before, after] = if k % 2 == 0 { [Forwards, Backwards] } else { [Backwards, Forwards] };
+        changes!(sim, "slip", half * f64::from(k), [before, after]);
     }
     changes!(sim, "slip", 5.0 * half, [Backwards, Sticks]);
     near(sim.state_of("mass").x, -0.0019, 1e-9);
@@ -61,8 +61,8 @@ fn c13_c18_c26_bodies_strike_and_let_go_at_their_times() {
         [0.347_093_586_788_881_3, 0.950_920_536_477_668_3, 1.487_939_643_105_267, 1.972_072_334_511_498];
     let mut speed = 0.648_049_012_267_532_3;
     for (k, time) in times.into_iter().enumerate() {
-        let [before, behind] = if k % 2 == 0 { [Closed, Open] } else { [Open, Closed] };
-        changes!(sim, "left", time, [before, behind]);
+        let [before, after] = if k % 2 == 0 { [Closed, Open] } else { [Open, Closed] };
+        changes!(sim, "left", time, [before, after]);
         speed *= 0.942_307_692_307_692_3;
         near(sim.state_of("block").omega.abs(), speed, 2e-9);
     }

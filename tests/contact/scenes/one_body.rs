@@ -43,7 +43,7 @@ fn from(body: Scene, [x, y]: [f64; 2], [vx, vy, omega]: [f64; 3]) -> Sim<Scene> 
     body.start_with(Dop853::new(1e-10)).unwrap()
 }
 
-/// The row has one mode 1e-10 s before a time, and another one 1e-10 s behind it.
+/// The row has one mode 1e-10 s before a time, and another one 1e-10 s after it.
 #[track_caller]
 fn changes(sim: &mut Sim<Scene>, row: &str, time: f64, modes: [Mode; 2]) {
     for (at, mode) in [time - 1e-10, time + 1e-10].into_iter().zip(modes) {
@@ -59,7 +59,7 @@ fn strikes(sim: &mut Sim<Scene>, times: &[f64]) {
         sim.step_to(time - 1e-10).unwrap();
         assert!(sim.state_of("body").vy < 0.0, "before {time} s: {:?}", sim.state_of("body"));
         sim.step_to(time + 1e-10).unwrap();
-        assert!(sim.state_of("body").vy > 0.0, "behind {time} s: {:?}", sim.state_of("body"));
+        assert!(sim.state_of("body").vy > 0.0, "after {time} s: {:?}", sim.state_of("body"));
     }
 }
 
@@ -161,7 +161,7 @@ fn c10_rollers_that_slide_begin_to_roll() {
     }
 }
 
-/// Case C11: the speed behind is (2 v_0 - r omega_0)/3.
+/// Case C11: the speed after is (2 v_0 - r omega_0)/3.
 #[test]
 fn c11_a_disc_with_backspin_comes_back() {
     let mut sim = from(roller(0.5, 0.0), [0.0, 1.0], [5.0, 0.0, 12.0]);

@@ -32,7 +32,7 @@ scene! {
     }
 }
 
-/// The next time, behind `after`, at which a ball is on the table that flies from `y` with the velocity `v` at the time `t`.
+/// The next time, after `after`, at which a ball is on the table that flies from `y` with the velocity `v` at the time `t`.
 fn lands(t: f64, [y, v]: [f64; 2], after: f64) -> f64 {
     let gap = |at: f64| {
         let s = at - t;
@@ -82,7 +82,7 @@ fn a_ball_is_thrown_by_a_table() {
         sim.step_to(k - 1e-10).unwrap();
         assert_eq!(sim.contact("table"), Some(Mode::Closed), "before {k} s");
         sim.step_to(k + 1e-10).unwrap();
-        assert_eq!(sim.contact("table"), Some(Mode::Open), "behind {k} s");
+        assert_eq!(sim.contact("table"), Some(Mode::Open), "after {k} s");
     }
 }
 

@@ -191,7 +191,7 @@ scene! {
     }
 }
 
-/// Case C56: T = (m x'' + F sign x') dx/dphi, also behind dead centres, where the friction is anything within its limits.
+/// Case C56: T = (m x'' + F sign x') dx/dphi, also after dead centres, where the friction is anything within its limits.
 #[test]
 fn c56_a_driven_slider_crank_rubs() {
     let mut sim = Driven::new().start_with(Dop853::new(1e-10)).unwrap();

@@ -30,7 +30,7 @@ fn c25_a_rimless_wheel_walks() {
         let gain = 4.0 * 9.81 * half.sin() * 0.2_f64.sin() / (1.0 + inertia);
         let mut omega = 1.3 * k * (gain / (1.0 - k * k)).sqrt();
         let wheel = Wheel::new().with("inertia", inertia);
-        // On the spoke 0, just behind an impact: it leans back.
+        // On the spoke 0, just after an impact: it leans back.
         let wheel = [
             ("hub.x", -half.sin()),
             ("hub.y", half.cos()),
@@ -51,7 +51,7 @@ fn c25_a_rimless_wheel_walks() {
                 omega = k * (omega * omega + gain).sqrt();
             }
             let hub = sim.state_of("hub");
-            // Energy since the last impact, where the hub was half a step behind its foot.
+            // Energy since the last impact, where the hub was half a step after its foot.
             let lean = (hub.angle + half).rem_euclid(2.0 * half) - half;
             let (along, up) = (-lean.sin() + half.sin(), lean.cos() - half.cos());
             let work = 9.81 * (0.2_f64.sin() * along - 0.2_f64.cos() * up);

@@ -261,9 +261,9 @@ fn stairs(draw: &mut Draw) -> Scene {
         let [found, expected] = [run, &located].map(|run| run.body("pebble"));
         let (found, expected) = (found?, expected?);
         let is_near_edge = |x: f64| [0.0, 0.4].iter().any(|edge| (x - edge).abs() < 0.05);
-        // Each bounce is late by up to a step, and behind an edge bounces differ.
+        // Each bounce is late by up to a step, and after an edge bounces differ.
         if expected.x > -0.05 || found.x > -0.05 {
-            let side = if is_near_edge(expected.x) { "at" } else { "behind" };
+            let side = if is_near_edge(expected.x) { "at" } else { "after" };
             let is_out = found.y >= -0.61 && found.y <= height + 1e-9;
             return Ok(if is_out {
                 Verdict::Undecided(format!("{side} an edge"))

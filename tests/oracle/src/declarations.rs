@@ -3,7 +3,7 @@
 //! A case is a declaration, a formulation, a method with its tolerance or step, and a pace. A seed puts all of them in an order, so that a
 //! count draws so many, and a count as large as there are cases runs each once. A run may be off by a multiple of its tolerance, which
 //! grows as errors of the reference's method grow; by steps of fixed length it may be off by a multiple of what half and twice
-//! the step change, and behind events by what moves in some steps. Where this is a large part of the motion nothing is decided,
+//! the step change, and after events by what moves in some steps. Where this is a large part of the motion nothing is decided,
 //! nor where a run that is off a little is off by a fifth with a hundredth of its tolerance: its steps err, of order 2 where they are stiff.
 
 mod reference;

@@ -14,7 +14,7 @@ impl Draw {
         Self { random: Random::new(seed, case), seed, case }
     }
 
-    /// The place of this case in a list that cases go through in an order of the seed; none behind its last one.
+    /// The place of this case in a list that cases go through in an order of the seed; none after its last one.
     pub(crate) fn place_in(&self, count: usize) -> Option<usize> {
         let mut random = Random::new(self.seed, 0);
         let mut places: Vec<u32> = (0..count as u32).collect();

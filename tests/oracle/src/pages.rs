@@ -19,7 +19,7 @@ const AGREE: f64 = 1e-6;
 pub(crate) struct Example {
     pub(crate) page: String,
     pub(crate) text: String,
-    /// It stands as items in the mechanism of the book, behind this place.
+    /// It stands as items in the mechanism of the book, after this place.
     items: usize,
 }
 

@@ -18,7 +18,7 @@ const LEAST: f64 = 1e-5;
 /// So near to the end of all flights, s, either is right: a place or a fault.
 const NEAR: f64 = 1e-5;
 
-/// Steps of equal length are followed for so long behind it, s.
+/// Steps of equal length are followed for so long after it, s.
 const LONGEST_REST: f64 = 0.2;
 
 const METHODS: [Integrator; 9] = [
@@ -140,7 +140,7 @@ fn compared(y: f64, throw: &Throw, method: Integrator) -> Verdict {
     let (expected, bound) = match late(method) {
         Some(late) => throw.by_steps(late),
         None if throw.accumulates() <= throw.end - NEAR => {
-            return Verdict::Wrong(format!("y = {y}, behind the end of all flights"));
+            return Verdict::Wrong(format!("y = {y}, after the end of all flights"));
         }
         None => (throw.flown(|_, _| true).map_or(0.0, |flight| flight.place), LEAST),
     };
@@ -154,14 +154,14 @@ fn compared(y: f64, throw: &Throw, method: Integrator) -> Verdict {
 
 /// The flight at a time.
 struct Flight {
-    /// When it began, s; behind an impact of this speed, m/s, zero of the first.
+    /// When it began, s; after an impact of this speed, m/s, zero of the first.
     from: f64,
     struck: f64,
     /// Above the floor, m.
     place: f64,
 }
 
-/// First-order errors of steps that end up to `late` behind each impact: of the speed of an impact, m/s, and of its time, s.
+/// First-order errors of steps that end up to `late` after each impact: of the speed of an impact, m/s, and of its time, s.
 struct Errors {
     late: f64,
     speed: f64,
@@ -169,14 +169,14 @@ struct Errors {
 }
 
 impl Errors {
-    /// Behind a flight that an impact of the speed `struck` begins: s' = e (v + g d) from the depth v d comes down with s + e g d - g d/e.
+    /// After a flight that an impact of the speed `struck` begins: s' = e (v + g d) from the depth v d comes down with s + e g d - g d/e.
     fn fly(&mut self, kept: f64) {
         let Self { late, speed, time } = *self;
         self.time = time + late * (1.0 + 2.0 * kept + 1.0 / kept) + 2.0 * kept * speed / G;
         self.speed = kept * speed + G * late * (kept + 1.0 / kept);
     }
 
-    /// Is a flight behind an impact of this speed so high that these are small beside it?
+    /// Is a flight after an impact of this speed so high that these are small beside it?
     fn are_small(&self, struck: f64, kept: f64) -> bool {
         let leaves = kept * struck;
         10.0 * struck * self.late <= leaves * leaves / (2.0 * G) && 10.0 * self.speed <= struck

@@ -125,7 +125,7 @@ fn speeds_that_an_event_sets_are_derived_through_the_joints() {
     are_near(slopes(&text(0.0), "kick", 0.501, &of), &moving, 1e-6);
 }
 
-/// A bumper: x = 2 x1 - v (T - pi/w) behind it, w = sqrt(k/m); forces begin without a jump, and their derivatives do not.
+/// A bumper: x = 2 x1 - v (T - pi/w) after it, w = sqrt(k/m); forces begin without a jump, and their derivatives do not.
 #[test]
 fn steps_end_where_derivatives_of_forces_jump() {
     for force in [

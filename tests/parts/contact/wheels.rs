@@ -41,7 +41,7 @@ fn run(mechanism: &Scene) -> Sim<Scene> {
     mechanism.start_with(Dop853::new(1e-10)).unwrap()
 }
 
-/// A brake of less than mu N r (1 + J/(m r^2)) does not lock the wheel; it stops by T/(m r (1 + J/(m r^2))). One of more locks it behind
+/// A brake of less than mu N r (1 + J/(m r^2)) does not lock the wheel; it stops by T/(m r (1 + J/(m r^2))). One of more locks it after
 /// J omega/(T - mu N r), and the vehicle stops by mu g.
 #[test]
 fn a_braked_wheel_locks() {

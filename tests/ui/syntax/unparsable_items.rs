@@ -1,4 +1,4 @@
-//! Reading goes on behind what cannot be read.
+//! Reading goes on after what cannot be read.
 
 plm::mechanism! {
     pub Pendulum {

@@ -40,7 +40,7 @@ fn items(contract: &str) -> Vec<String> {
     items
 }
 
-/// Does a text have a path, with nothing behind it that makes it another one?
+/// Does a text have a path, with nothing after it that makes it another one?
 fn has(text: &str, path: &str) -> bool {
     let ends = |rest: &str| !rest.starts_with(|next: char| next.is_alphanumeric() || next == '_');
     text.match_indices(path).any(|(at, _)| ends(&text[at + path.len()..]))

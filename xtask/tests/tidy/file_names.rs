@@ -5,7 +5,7 @@ use std::fs;
 
 use super::{fail_with, root};
 
-/// Names that Windows keeps for devices, whatever stands behind their first full stop.
+/// Names that Windows keeps for devices, whatever stands after their first full stop.
 const DEVICES: [&str; 4] = ["con", "prn", "aux", "nul"];
 /// Windows has 260 characters for a whole path; a checkout needs some for its folder.
 const LONGEST_PATH: usize = 150;

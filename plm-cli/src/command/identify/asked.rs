@@ -217,7 +217,7 @@ fn assigned<'a>(option: &str, text: &'a str, example: &str) -> Result<(&'a str, 
     Ok((name.trim(), given))
 }
 
-/// Two values behind a name: `k=1..2`.
+/// Two values after a name: `k=1..2`.
 fn pair<'a>(option: &str, text: &'a str) -> Result<(&'a str, &'a str), Failure> {
     let two = text.split_once('=').and_then(|(_, range)| range.split_once(".."));
     two.ok_or_else(|| {

@@ -16,7 +16,7 @@ const MOST_ROWS: f64 = 1e5;
 /// Which rows are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Rows {
-    /// Samples, those before and behind what switches, and the end.
+    /// Samples, those before and after what switches, and the end.
     All,
     /// Samples alone.
     Sampled,

@@ -79,8 +79,8 @@ fn with_known_values(file: &File, set: &[String]) -> Option<String> {
 fn known(source: &Source, text: &str, item: &Item, value: &Value, set: &[String]) -> Option<String> {
     let name = value.name.ident.text.as_str();
     let range = source.range(item.span)?;
-    let unit = text.get(range)?.split_once(':').map(|(_, behind)| behind);
-    let unit = unit.and_then(|behind| behind.split(['=', ';', ',']).next()).map_or("", str::trim);
+    let unit = text.get(range)?.split_once(':').map(|(_, after)| after);
+    let unit = unit.and_then(|after| after.split(['=', ';', ',']).next()).map_or("", str::trim);
     let given = set.iter().rev().filter_map(|text| text.split_once('=')).find(|(own, _)| own.trim() == name);
     let default = || text.get(source.range(value.value.as_ref()?.span)?).map(str::to_owned);
     let own = match given {

@@ -38,7 +38,7 @@ impl<'a> Following<'a> {
         Following { start, method, until, clock: Instant::now(), steps: 0, time, has_told: false, errors }
     }
 
-    /// Does the run go on behind a step to this time, s?
+    /// Does the run go on after a step to this time, s?
     pub(super) fn goes_on(&mut self, time: f64) -> bool {
         self.steps += 1;
         self.time = time;

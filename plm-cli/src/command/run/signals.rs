@@ -18,7 +18,7 @@ use crate::read::File;
 /// A mechanism with what its inputs are over a run.
 pub(super) struct Driven {
     pub(super) mechanism: Mechanism,
-    /// Changes behind the start.
+    /// Changes after the start.
     pub(super) course: Course,
     /// Names of inputs with their values at the start, SI.
     pub(super) begin: Vec<(String, f64)>,
@@ -66,7 +66,7 @@ fn held(mechanism: Mechanism, signals: &[Signal], mut begin: Vec<(String, f64)>,
     Driven { mechanism, course: Course::new(changes), begin }
 }
 
-/// The times of readings behind the start of a run, s, ascending.
+/// The times of readings after the start of a run, s, ascending.
 fn times(signals: &[Signal]) -> Vec<f64> {
     let all = signals.iter().flat_map(|own| own.times.iter().copied());
     let mut all: Vec<f64> = all.filter(|time| *time > 0.0).collect();

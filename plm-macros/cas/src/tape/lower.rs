@@ -263,7 +263,7 @@ impl Lowering<'_> {
     }
 }
 
-/// Where a sum begins: with its first positive term, else with the constant (the index behind the terms), else
+/// Where a sum begins: with its first positive term, else with the constant (the index after the terms), else
 /// with a term that can carry the sign in its coefficient.
 fn first_summand(constant: Number, terms: &[(Number, Expr)], turned: bool) -> usize {
     for i in 0..terms.len() {

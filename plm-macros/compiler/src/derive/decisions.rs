@@ -18,7 +18,7 @@ use crate::model::{Decisions, End, Model};
 /// Above so many conditions each of them matters always: diagrams may grow with the power of their number.
 const MOST_SIDES: usize = 64;
 
-/// When each of the conditions of the state matters, and each kink behind them; nothing if all of them do always. `held` are the
+/// When each of the conditions of the state matters, and each kink after them; nothing if all of them do always. `held` are the
 /// conditions whose sides are held and what will stand for them.
 pub(super) fn decisions(model: &Model, held: &[(Expr, Expr)]) -> Decisions {
     if held.is_empty() || model.watched() == 0 || model.switches.len() > MOST_SIDES {

@@ -1,6 +1,6 @@
 //! The catalogue of diagnostics.
 
-/// Writes the enum, its names, its titles and its hints from one table: `hint` stands behind the title of a code that says what is
+/// Writes the enum, its names, its titles and its hints from one table: `hint` stands after the title of a code that says what is
 /// hardly meant.
 macro_rules! catalogue {
     (@is_hint) => { false };

@@ -253,7 +253,7 @@ impl Emission<'_> {
         self.text(entries.into_iter().collect_vec().join(", "))
     }
 
-    /// Entries of a list, a line for each, behind what it takes to read their constants.
+    /// Entries of a list, a line for each, after what it takes to read their constants.
     fn values(&self, entries: Vec<String>) -> (Option<TokenStream>, TokenStream) {
         let literals = entries.iter().any(|entry| entry.contains("lit("));
         (literals.then(|| quote!(let lit = S::lit;)), self.lines(entries))

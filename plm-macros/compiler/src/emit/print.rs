@@ -269,7 +269,7 @@ impl Printer<'_> {
     }
 }
 
-/// Does a statement go on behind a block?
+/// Does a statement go on after a block?
 fn goes_on(next: Option<&TokenTree>) -> bool {
     match next {
         Some(TokenTree::Punct(mark)) => mark.as_char() != '#',

@@ -35,7 +35,7 @@ fn filled(template: TokenStream, holes: &mut std::vec::IntoIter<TokenStream>) ->
                     output.extend(holes.next());
                 }
                 Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => {
-                    // Up to the asterisk, which may stand behind a separator.
+                    // Up to the asterisk, which may stand after a separator.
                     tokens.find(|token| matches!(token, TokenTree::Punct(mark) if mark.as_char() == '*'));
                     output.extend(holes.next());
                 }
@@ -66,7 +66,7 @@ fn spaced(mark: &Punct, next: Option<&TokenTree>) -> Punct {
     Punct::new(mark, if is_joint { Spacing::Joint } else { Spacing::Alone })
 }
 
-/// Streams one behind the other. To `collect` them builds a chain of iterators over the tokens of all.
+/// Streams one after the other. To `collect` them builds a chain of iterators over the tokens of all.
 pub(crate) fn joined(streams: Vec<TokenStream>) -> TokenStream {
     let mut all = TokenStream::new();
     for stream in streams {
@@ -85,7 +85,7 @@ macro_rules! quote {
     }};
 }
 
-/// Pushes what stands for each `#`, in their order: each token is looked at with the three behind it.
+/// Pushes what stands for each `#`, in their order: each token is looked at with the three after it.
 macro_rules! holes {
     ($holes:ident $($tokens:tt)*) => {
         $crate::emit::template::holes_in_windows! {

@@ -9,7 +9,7 @@ use crate::model::{Contact, ContactLaw, Model, bounding_reactions};
 /// Guards of each row, and one for the determinant of the active rows: `rt::contact::guard_count`.
 pub(crate) const PER_ROW: usize = 3;
 
-/// Places for rows. Behind those that are declared there are some that never exist, where more reactions bound frictions than there are
+/// Places for rows. After those that are declared there are some that never exist, where more reactions bound frictions than there are
 /// rows.
 pub(crate) fn places(model: &Model) -> usize {
     model.contacts.len().max(bounding_reactions(&model.contacts).len())

@@ -1,4 +1,4 @@
-//! Placeholder for a declaration with errors: a mechanism with all names that could be read and nothing behind them.
+//! Placeholder for a declaration with errors: a mechanism with all names that could be read and nothing after them.
 //!
 //! It goes the way of every model through derivation and emission, so that code which uses the mechanism sees the very
 //! types that it would see without the errors, and adds none of its own. Its bodies float, its outputs are zero.

@@ -42,7 +42,7 @@ pub(super) struct Accelerated<'a> {
     pub(super) bodies: &'a [Expr],
     /// Results of the rate: `dx`, and what it returns.
     pub(super) rate: &'a [(Place, Expr)],
-    /// Number of the coordinates of the state; their accelerations stand behind their velocities in `dx`.
+    /// Number of the coordinates of the state; their accelerations stand after their velocities in `dx`.
     pub(super) coordinates: usize,
     /// Values for the symbols of the model.
     pub(super) substitution: &'a [(Expr, Expr)],

@@ -111,7 +111,7 @@ impl Augmented {
     }
 }
 
-/// Adds the derivatives of equations by coordinates, their rates and first-order states, whose columns are behind those of
+/// Adds the derivatives of equations by coordinates, their rates and first-order states, whose columns are after those of
 /// the coordinates.
 pub(crate) fn add_slopes(terms: &mut Terms, equations: &[Expr], [q, v, x]: [&[Expr]; 3]) {
     let n = q.len();

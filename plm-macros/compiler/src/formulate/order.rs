@@ -12,17 +12,17 @@ pub(crate) type Pivot = (usize, Vec<usize>);
 /// grow linearly (W. F. Tinney, J. W. Walker, Direct solutions of sparse network equations by optimally ordered
 /// triangular factorization, Proc. IEEE 55, 1967, scheme 2).
 pub(crate) fn minimum_degree(neighbours: Vec<SortedSet<usize>>) -> impl Iterator<Item = Pivot> {
-    let behind = vec![SortedSet::new(); neighbours.len()];
-    minimum_degree_behind(neighbours, behind)
+    let after = vec![SortedSet::new(); neighbours.len()];
+    minimum_degree_after(neighbours, after)
 }
 
-/// Minimum degree where row `i` has to wait until those of `behind[i]` are eliminated, all of which are its neighbours and wait for
+/// Minimum degree where row `i` has to wait until those of `after[i]` are eliminated, all of which are its neighbours and wait for
 /// nothing.
-fn minimum_degree_behind(
+fn minimum_degree_after(
     mut neighbours: Vec<SortedSet<usize>>,
-    mut behind: Vec<SortedSet<usize>>,
+    mut after: Vec<SortedSet<usize>>,
 ) -> impl Iterator<Item = Pivot> {
-    let free = behind.iter().enumerate().filter(|(_, behind)| behind.is_empty());
+    let free = after.iter().enumerate().filter(|(_, after)| after.is_empty());
     let mut waiting: SortedSet<(usize, usize)> = free.map(|(row, _)| (neighbours[row].len(), row)).collect();
     std::iter::from_fn(move || {
         let (_, row) = waiting.pop_first()?;
@@ -30,9 +30,9 @@ fn minimum_degree_behind(
         for &other in &near {
             waiting.remove(&(neighbours[other].len(), other));
             neighbours[other].remove(&row);
-            behind[other].remove(&row);
+            after[other].remove(&row);
             neighbours[other].extend(near.iter().copied().filter(|&third| third != other));
-            if behind[other].is_empty() {
+            if after[other].is_empty() {
                 waiting.insert((neighbours[other].len(), other));
             }
         }
@@ -40,7 +40,7 @@ fn minimum_degree_behind(
     })
 }
 
-/// Minimum degree of the symmetric pattern that holds these entries, (row, column) of `count`; rows from `first` on behind all
+/// Minimum degree of the symmetric pattern that holds these entries, (row, column) of `count`; rows from `first` on after all
 /// that they meet.
 pub(crate) fn minimum_degree_of(
     count: usize,
@@ -52,10 +52,10 @@ pub(crate) fn minimum_degree_of(
         near[row].insert(column);
         near[column].insert(row);
     }
-    let behind = near.iter().enumerate();
-    let behind =
-        behind.map(|(row, near)| if row < first { SortedSet::new() } else { near.clone() }).collect_vec();
-    minimum_degree_behind(near, behind).map(|(pivot, _)| pivot).collect_vec()
+    let after = near.iter().enumerate();
+    let after =
+        after.map(|(row, near)| if row < first { SortedSet::new() } else { near.clone() }).collect_vec();
+    minimum_degree_after(near, after).map(|(pivot, _)| pivot).collect_vec()
 }
 
 #[cfg(test)]

@@ -40,7 +40,7 @@ pub(crate) struct Sliding {
     /// `dx` but for the accelerations, `free`, the accelerations without the forces that are swept, `known`, and `slope`, s of (2). It
     /// returns what the rate returns.
     pub(crate) motion: Function,
-    /// `next` and `changed`, forces and accelerations behind a sweep (2).
+    /// `next` and `changed`, forces and accelerations after a sweep (2).
     pub(crate) sweep: Function,
     /// One sweep finds the forces.
     pub(crate) is_explicit: bool,
@@ -305,7 +305,7 @@ impl<'a> System<'a> {
         size.of(&components.collect_vec())
     }
 
-    /// Forces and accelerations behind (2).
+    /// Forces and accelerations after (2).
     fn sweep(&mut self, rows: &[Row], loads: &[Size]) -> Vec<(Place, Expr)> {
         let (mut second, mut force) = (self.second.clone(), self.force.clone());
         let mut results = Vec::new();

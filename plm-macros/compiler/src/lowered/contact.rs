@@ -18,7 +18,7 @@ pub use crate::model::Impacts;
 pub struct Contacts {
     /// The rows.
     pub rows: Vec<ContactRow>,
-    /// Places for rows and for reactions: those behind the last row never exist.
+    /// Places for rows and for reactions: those after the last row never exist.
     pub places: usize,
     /// `exist`: 1 for each row that exists, or 0; where that is a question.
     pub exist: Option<Routine>,
@@ -40,7 +40,7 @@ pub struct Contacts {
     pub conditional: Option<Conditional>,
 }
 
-/// The numbers of contact that conditions of the state read. Where they read some, their sides are known behind the modes of the rows
+/// The numbers of contact that conditions of the state read. Where they read some, their sides are known after the modes of the rows
 /// where a run begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReadByConditions {

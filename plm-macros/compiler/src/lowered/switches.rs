@@ -14,7 +14,7 @@ pub struct Switches {
     pub all: Vec<Switch>,
     /// Number of conditions of the state: the first ones have guards.
     pub guards: usize,
-    /// Number of kinks behind these.
+    /// Number of kinks after these.
     pub kinks: usize,
     /// `at` and `slope` of conditions that depend on the time alone.
     pub instants: Routine,
@@ -22,7 +22,7 @@ pub struct Switches {
     pub read_solution: bool,
     /// When conditions and kinks matter: nodes (side, yes, no), and where each begins; empty where all matter always.
     pub nodes: Vec<(u8, u16, u16)>,
-    /// Where each condition, and each kink behind them, begins.
+    /// Where each condition, and each kink after them, begins.
     pub roots: Vec<u16>,
     /// Rows that may jump.
     pub jumps: Vec<Jump>,

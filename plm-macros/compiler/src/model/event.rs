@@ -9,7 +9,7 @@ use crate::span::Span;
 pub struct When {
     /// The condition as it was written.
     pub text: String,
-    /// 1 where it holds, else 0; none of an event that happens as a run begins. These stand behind all others.
+    /// 1 where it holds, else 0; none of an event that happens as a run begins. These stand after all others.
     pub condition: Option<Expr>,
     /// The targets and their values; all are worked out before any is set.
     pub set: Vec<(Target, Expr)>,

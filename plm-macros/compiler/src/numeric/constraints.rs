@@ -64,7 +64,7 @@ impl<'a> Constraints<'a> {
         rows.map(|row| row.iter().map(|&(j, _)| j).zip(entries.by_ref()).collect_vec()).collect_vec()
     }
 
-    /// Rank of `phi_q` and, behind it, a row for each locked coordinate.
+    /// Rank of `phi_q` and, after it, a row for each locked coordinate.
     pub(super) fn rank(&self, q: &[f64], locked: &[bool]) -> Rank {
         rank(&self.with_locks(q, locked))
     }

@@ -32,7 +32,7 @@ impl Rank {
 
 /// Eliminates row by row with the largest entry as pivot (column pivoting), and keeps the combination that made each row.
 ///
-/// Rows that come later are the ones reported as dependent, so locks belong behind joints.
+/// Rows that come later are the ones reported as dependent, so locks belong after joints.
 pub(crate) fn rank(rows: &[Row]) -> Rank {
     rank_within(rows, TOLERANCE)
 }

@@ -70,7 +70,7 @@ impl Repeat {
 }
 
 impl Given {
-    /// `condition { items } else { items }` behind `given`.
+    /// `condition { items } else { items }` after `given`.
     pub(super) fn parse(input: Input) -> Result<Given> {
         let start = input.position();
         let condition = Expr::parse(input).unwrap_or_else(|Reported| {

@@ -83,7 +83,7 @@ pub(crate) const WORDS: &[&str] = &[
 ];
 
 impl Body {
-    /// `name { … }` behind `body`.
+    /// `name { … }` after `body`.
     pub(super) fn parse(input: Input) -> Result<Body> {
         let mut body = Body {
             name: IndexedName::parse(input, "the name of the body")?,
@@ -195,7 +195,7 @@ impl Contour {
     }
 }
 
-/// The unit behind the last of several points is that of all.
+/// The unit after the last of several points is that of all.
 pub(super) fn share_unit(points: &mut [Expr]) {
     let Some((Expr { kind: ExprKind::Quantity(_, unit), .. }, others)) = points.split_last_mut() else {
         return;
@@ -207,7 +207,7 @@ pub(super) fn share_unit(points: &mut [Expr]) {
 }
 
 impl Port {
-    /// `{ ports }` behind `ground`.
+    /// `{ ports }` after `ground`.
     pub(super) fn of_ground(input: Input) -> Result<Vec<Port>> {
         let port = |input: Input| {
             input.docs();

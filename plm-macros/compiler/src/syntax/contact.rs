@@ -55,7 +55,7 @@ pub struct Bound {
 }
 
 impl Unilateral {
-    /// `name: left >= right …` behind `unilateral`.
+    /// `name: left >= right …` after `unilateral`.
     pub(super) fn parse(input: Input) -> Result<Unilateral> {
         let start = input.position();
         let name = IndexedName::parse(input, "the name of the row")?;
@@ -73,7 +73,7 @@ impl Unilateral {
 }
 
 impl Friction {
-    /// `name: rate(expr) within bound …` behind `friction`.
+    /// `name: rate(expr) within bound …` after `friction`.
     pub(super) fn parse(input: Input) -> Result<Friction> {
         let start = input.position();
         let name = IndexedName::parse(input, "the name of the row")?;
@@ -86,7 +86,7 @@ impl Friction {
         }
         let slip = readable(input);
         let displacement = input.displacement_of(slip);
-        let kinetic = Bound::behind(input, !is_unknown(&displacement));
+        let kinetic = Bound::after(input, !is_unknown(&displacement));
         let Beside { said: adhesion, when } =
             Beside::parse(input, !is_unknown(&kinetic.upper), "a friction", "static", Bound::parse)?;
         Ok(Friction { name, displacement, kinetic, adhesion, when })
@@ -98,9 +98,9 @@ fn is_unknown(expr: &Expr) -> bool {
 }
 
 impl Bound {
-    /// `within bound` behind a slip; one that cannot be read is unknown. What is missing behind an unreadable slip is no second
+    /// `within bound` after a slip; one that cannot be read is unknown. What is missing after an unreadable slip is no second
     /// mistake.
-    fn behind(input: Input, slip_is_read: bool) -> Bound {
+    fn after(input: Input, slip_is_read: bool) -> Bound {
         let start = input.position();
         if input.eat(kw::within) {
             if let Ok(bound) = Bound::parse(input) {
@@ -142,9 +142,9 @@ fn skipped(input: Input, start: usize) -> Expr {
 
 /// Sentences of a row in braces.
 struct Beside<T> {
-    /// Behind its own word.
+    /// After its own word.
     said: Option<T>,
-    /// Behind `when`.
+    /// After `when`.
     when: Option<Expr>,
 }
 

@@ -61,7 +61,7 @@ impl Declaration {
         }
         if declaration.mechanism.is_some() && !input.is_empty() {
             input
-                .error(Code::UnexpectedToken, input.here(), "something stands behind the mechanism")
+                .error(Code::UnexpectedToken, input.here(), "something stands after the mechanism")
                 .help("a declaration holds one mechanism; parts stand before it or inside");
         } else if declaration.mechanism.is_none() && !input.has_errors() {
             input

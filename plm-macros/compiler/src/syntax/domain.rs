@@ -44,7 +44,7 @@ pub struct Node {
 }
 
 impl Domain {
-    /// `name { across name: unit; through name: unit; … }` behind `domain`.
+    /// `name { across name: unit; through name: unit; … }` after `domain`.
     pub(super) fn parse(input: Input, docs: Vec<String>) -> Result<Domain> {
         let name = Ident::parse(input, "the name of the domain")?;
         input.group(Delimiter::Brace, "`{`", |input| {
@@ -74,7 +74,7 @@ impl Quantity {
 }
 
 impl Node {
-    /// `name: kind = expr;` behind `node`.
+    /// `name: kind = expr;` after `node`.
     pub(super) fn parse(input: Input) -> Result<Node> {
         let name = IndexedName::parse(input, "the name of the node")?;
         input.expect(Token![:], "`:`")?;

@@ -49,7 +49,7 @@ pub struct Assignment {
 }
 
 impl When {
-    /// `condition { … }` behind `when`.
+    /// `condition { … }` after `when`.
     pub(super) fn parse(input: Input) -> Result<When> {
         if input.next() == START && input.peek2(token::Brace) {
             let moment = Moment::Start(input.here());
@@ -115,15 +115,15 @@ impl Assignment {
 /// The operator of `target += value`, if that is how the assignment here is written.
 fn compound(mut cursor: Cursor) -> Option<char> {
     loop {
-        let Some((mark, behind)) = cursor.punct() else {
+        let Some((mark, after)) = cursor.punct() else {
             cursor = cursor.token_tree()?.1;
             continue;
         };
-        let is_equals = behind.punct().is_some_and(|(mark, _)| mark.as_char() == '=');
+        let is_equals = after.punct().is_some_and(|(mark, _)| mark.as_char() == '=');
         match mark.as_char() {
             operator @ ('+' | '-' | '*' | '/') if is_equals => return Some(operator),
             '=' | ';' => return None,
-            _ => cursor = behind,
+            _ => cursor = after,
         }
     }
 }

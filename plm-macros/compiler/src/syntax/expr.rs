@@ -106,7 +106,7 @@ impl Expr {
         })
     }
 
-    /// With the unit behind it, if there is one.
+    /// With the unit after it, if there is one.
     pub(super) fn with_unit(self, input: Input) -> Result<Expr> {
         let start = self.span.first as usize;
         let Some(unit) = unit_after_number(input)? else { return Ok(self) };

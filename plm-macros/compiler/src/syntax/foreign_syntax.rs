@@ -78,12 +78,12 @@ impl Input<'_> {
             _ if arguments.is_empty() => format!("{name}({receiver})"),
             _ => format!("{name}({receiver}, {arguments})"),
         };
-        let message = format!("`{name}` stands behind a point, and there are functions alone");
+        let message = format!("`{name}` stands after a point, and there are functions alone");
         self.error(Code::UnexpectedToken, span, message).help(format!("write `{call}`"));
         Reported
     }
 
-    /// `std::f64::consts::PI`, behind its first word.
+    /// `std::f64::consts::PI`, after its first word.
     pub(super) fn path_of_rust(self, start: usize) -> Reported {
         while self.peek(Token![::]) {
             (0..3).for_each(|_| self.advance());
@@ -111,7 +111,7 @@ impl Input<'_> {
         self.advance();
     }
 
-    /// `<T>` behind the name of the mechanism.
+    /// `<T>` after the name of the mechanism.
     pub(super) fn skip_generics(self) {
         if !self.peek(Token![<]) {
             return;
@@ -135,7 +135,7 @@ impl Input<'_> {
         Reported
     }
 
-    /// The `:` behind the name of a field, or what stands for it: `mass = 1 kg`, `mass 1 kg`.
+    /// The `:` after the name of a field, or what stands for it: `mass = 1 kg`, `mass 1 kg`.
     pub(super) fn colon_of(self, name: &str) -> Result<()> {
         if self.eat(Token![:]) {
             return Ok(());
@@ -182,7 +182,7 @@ impl Input<'_> {
         Reported
     }
 
-    /// `mut` behind `let`.
+    /// `mut` after `let`.
     pub(super) fn skip_mut(self) {
         if self.peek(Token![mut]) && self.peek2(syn::Ident::peek_any) {
             let message = "`mut` has no meaning: a name stands for one expression";
@@ -192,7 +192,7 @@ impl Input<'_> {
         }
     }
 
-    /// A unit behind the name in `let l: m = …` and in `rate p: Pa/s = …`.
+    /// A unit after the name in `let l: m = …` and in `rate p: Pa/s = …`.
     pub(super) fn skip_unit_of(self, word: &str) -> Result<()> {
         let start = self.position();
         if !self.eat(Token![:]) {
@@ -233,7 +233,7 @@ impl Input<'_> {
     }
 
     /// `output b.angle as tilt`: the name stands in front.
-    pub(super) fn name_behind(self, value: &Expr) -> Option<IndexedName> {
+    pub(super) fn name_after(self, value: &Expr) -> Option<IndexedName> {
         if !self.peek(Token![as]) || !self.peek2(syn::Ident::peek_any) {
             return None;
         }
@@ -280,8 +280,8 @@ pub(super) fn instead_of_item(word: &str) -> Option<&'static str> {
     })
 }
 
-/// Equivalent of a mark behind a value.
-pub(super) fn behind_value(text: &str) -> Option<&'static str> {
+/// Equivalent of a mark after a value.
+pub(super) fn after_value(text: &str) -> Option<&'static str> {
     Some(match text {
         "?" => "a choice is written `if a < b then c else d`",
         "%" => "five per cent are `0.05`, and the remainder is `mod(x, period)`",

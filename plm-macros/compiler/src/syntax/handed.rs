@@ -32,7 +32,7 @@ pub struct Points {
 }
 
 impl Function {
-    /// `name(argument: unit, …): unit = expr;` behind `function`.
+    /// `name(argument: unit, …): unit = expr;` after `function`.
     pub(super) fn parse(input: Input) -> Result<Function> {
         let name = Ident::parse(input, "the name of the function")?;
         let arguments = input.group(Delimiter::Parenthesis, "`(`", |input| {
@@ -54,7 +54,7 @@ impl Function {
 }
 
 impl Points {
-    /// `name: unit;` behind `points`.
+    /// `name: unit;` after `points`.
     pub(super) fn parse(input: Input) -> Result<Points> {
         let name = Ident::parse(input, "the name of the points")?;
         input.expect(Token![:], "`:`")?;

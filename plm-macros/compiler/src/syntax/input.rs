@@ -8,7 +8,7 @@ use syn::buffer::Cursor;
 use syn::parse::{ParseBuffer, ParseStream, Parser, Peek};
 use syn::{Token, token};
 
-use super::foreign_syntax::behind_value;
+use super::foreign_syntax::after_value;
 use crate::collect::MapEach;
 use crate::diag::{Code, Diagnostic, Diagnostics};
 use crate::span::Span;
@@ -117,7 +117,7 @@ impl<'a> Input<'a> {
         token.filter(|_| !self.is_empty()).unwrap_or_default()
     }
 
-    /// The texts of the token here and of the two behind it, of brackets too; empty at the end of the source.
+    /// The texts of the token here and of the two after it, of brackets too; empty at the end of the source.
     pub(super) fn ahead(self) -> [&'a str; 3] {
         let at = self.position();
         [at, at + 1, at + 2].map_each(|at| self.reading.source.token(at).unwrap_or_default())
@@ -148,10 +148,10 @@ impl<'a> Input<'a> {
     /// Goes on over a token or a group, in a captured path to its first token.
     pub(super) fn advance(self) {
         let _ = self.stream.step(|cursor| {
-            let word = cursor.ident().map(|(_, behind)| behind);
-            let token = word.or_else(|| cursor.punct().map(|(_, behind)| behind));
-            let behind = token.or_else(|| cursor.token_tree().map(|(_, behind)| behind));
-            Ok(((), behind.unwrap_or(*cursor)))
+            let word = cursor.ident().map(|(_, after)| after);
+            let token = word.or_else(|| cursor.punct().map(|(_, after)| after));
+            let after = token.or_else(|| cursor.token_tree().map(|(_, after)| after));
+            Ok(((), after.unwrap_or(*cursor)))
         });
     }
 
@@ -196,13 +196,13 @@ impl<'a> Input<'a> {
         let content = Input { stream: &inside, reading: self.reading };
         let mut result = rule(content);
         if result.is_ok() && !content.is_empty() {
-            result = Err(match behind_value(content.next()).filter(|_| content.next() != ",") {
+            result = Err(match after_value(content.next()).filter(|_| content.next() != ",") {
                 Some(help) => content.expected_but("the closing bracket", help),
                 None => content.expected("the closing bracket"),
             });
         }
         let _ = self.stream.step(|cursor| match cursor.group(delimiter) {
-            Some((_, _, behind)) => Ok(((), behind)),
+            Some((_, _, after)) => Ok(((), after)),
             None => Ok(((), *cursor)),
         });
         result
@@ -217,7 +217,7 @@ impl<'a> Input<'a> {
         Ok(list)
     }
 
-    /// Items of a rule, between commas, one behind the last among them; may be nothing.
+    /// Items of a rule, between commas, one after the last among them; may be nothing.
     pub(super) fn terminated<T>(self, rule: impl Fn(Input<'a>) -> Result<T>) -> Result<Vec<T>> {
         let mut list = Vec::new();
         while !self.is_empty() {
@@ -242,14 +242,14 @@ impl<'a> Input<'a> {
         all
     }
 
-    /// Skips what is left of an item that began at `start`: to behind a `;` or a `{ … }`, over one token at least.
+    /// Skips what is left of an item that began at `start`: to after a `;` or a `{ … }`, over one token at least.
     pub(super) fn recover(self, start: usize) {
         let at = self.position();
         let before =
             at.checked_sub(1).filter(|_| at > start).and_then(|last| self.reading.source.token(last));
-        let mut is_behind = before.is_some_and(|token| [";", "{", "}"].contains(&token));
-        while !is_behind && !self.is_empty() {
-            is_behind = self.peek(Token![;]) || self.peek(token::Brace);
+        let mut is_after = before.is_some_and(|token| [";", "{", "}"].contains(&token));
+        while !is_after && !self.is_empty() {
+            is_after = self.peek(Token![;]) || self.peek(token::Brace);
             self.advance();
         }
     }

@@ -23,7 +23,7 @@ pub struct Instance {
 }
 
 /// `name: expr, locked;` in the use of a part; `part.name: expr;` reaches into the parts that it contains. A function has its
-/// arguments behind the name, `lift(angle): expr;`, and points are a list, `corners: (0, 0), (1, 0) m;`.
+/// arguments after the name, `lift(angle): expr;`, and points are a list, `corners: (0, 0), (1, 0) m;`.
 #[derive(Clone, Debug)]
 pub struct Field {
     /// Path of the value that is set, segment by segment.

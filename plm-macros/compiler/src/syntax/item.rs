@@ -10,7 +10,7 @@ use super::contact::{Friction, Unilateral};
 use super::domain::{Domain, Node};
 use super::event::When;
 use super::expr::{Expr, ExprKind};
-use super::foreign_syntax::{behind_value, instead_of_item};
+use super::foreign_syntax::{after_value, instead_of_item};
 use super::handed::{Function, Points};
 use super::input::{Input, Reported, Result};
 use super::instance::Instance;
@@ -127,7 +127,7 @@ struct Head {
     docs: Vec<String>,
 }
 
-/// Reads what stands behind the word of an item.
+/// Reads what stands after the word of an item.
 type Reader = fn(Input, &Head) -> Result<ItemKind>;
 
 /// Words that begin an item, where it may stand (`None`: in both), and what reads it.
@@ -291,14 +291,14 @@ impl Input<'_> {
         }
         let begins_item = self.is_empty() || WORDS.iter().any(|(word, ..)| *word == self.next());
         let begins_field = self.peek2(Token![:]) || self.peek(kw::port) || self.peek(kw::start);
-        let reported = match behind_value(self.next()) {
+        let reported = match after_value(self.next()) {
             Some(help) => self.expected_but("`;`", help),
             None => self.expected("`;`"),
         };
         if begins_field || begins_item { Ok(()) } else { Err(reported) }
     }
 
-    /// The end of an item behind its value; what stands behind an unreadable one, or is missing, is no second mistake.
+    /// The end of an item after its value; what stands after an unreadable one, or is missing, is no second mistake.
     pub(super) fn end_of(self, value: &Expr) -> Result<()> {
         if !matches!(value.kind, ExprKind::Unknown) {
             return self.semicolon();
@@ -308,7 +308,7 @@ impl Input<'_> {
         Ok(())
     }
 
-    /// `: expr;` behind a word.
+    /// `: expr;` after a word.
     pub(super) fn field_value(self, word: &str) -> Result<Expr> {
         self.colon_of(word)?;
         self.last_value()
@@ -321,7 +321,7 @@ impl Input<'_> {
         Ok(value)
     }
 
-    /// `: name;` behind a word.
+    /// `: name;` after a word.
     pub(super) fn field_name(self, what: &str) -> Result<Ident> {
         self.expect(Token![:], "`:`")?;
         let name = Ident::parse(self, what)?;

@@ -47,7 +47,7 @@
 //! (expressions: `expr.rs`; units: `unit.rs`)
 //!
 //! Each construct has a file, with its type and its parser. The parsers read a stream of syn (`input.rs`), and the parser
-//! of a construct that begins with a word of its own, `body`, `port`, stands behind that word or takes it, as it says.
+//! of a construct that begins with a word of its own, `body`, `port`, stands after that word or takes it, as it says.
 //!
 //! The parser goes on at the next item after a mistake, so that three mistakes give three errors. Its recursion is
 //! bounded: a stack overflow cannot be caught.

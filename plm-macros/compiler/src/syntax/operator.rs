@@ -43,8 +43,8 @@ impl Operator {
                 _ => None,
             };
         }
-        let (mark, behind) = input.cursor().punct()?;
-        let next = behind.punct().filter(|_| mark.spacing() == Spacing::Joint);
+        let (mark, after) = input.cursor().punct()?;
+        let next = after.punct().filter(|_| mark.spacing() == Spacing::Joint);
         Some(match (mark.as_char(), next.map(|(next, _)| next.as_char())) {
             ('|', Some('|')) => Operator::Or,
             ('&', Some('&')) => Operator::And,

@@ -31,7 +31,7 @@ impl Output {
             input.expect(Token![=], "`=`")?;
         }
         let value = Expr::parse(input)?;
-        let name = name.or_else(|| input.name_behind(&value));
+        let name = name.or_else(|| input.name_after(&value));
         let mut shown = None;
         if input.eat(Token![in]) {
             let start = input.position();
@@ -43,14 +43,14 @@ impl Output {
 
 /// Does `name =` or `name[i] =` stand here?
 fn begins_with_name(input: Input) -> bool {
-    let mut behind = input.cursor().token_tree().map(|(_, behind)| behind);
-    while let Some((_, _, next)) = behind.and_then(|cursor| cursor.group(Delimiter::Bracket)) {
-        behind = Some(next);
+    let mut after = input.cursor().token_tree().map(|(_, after)| after);
+    while let Some((_, _, next)) = after.and_then(|cursor| cursor.group(Delimiter::Bracket)) {
+        after = Some(next);
     }
-    behind.and_then(equals).is_some_and(|next| equals(next).is_none())
+    after.and_then(equals).is_some_and(|next| equals(next).is_none())
 }
 
-/// The cursor behind a `=`.
+/// The cursor after a `=`.
 fn equals(cursor: Cursor) -> Option<Cursor> {
-    cursor.punct().filter(|(mark, _)| mark.as_char() == '=').map(|(_, behind)| behind)
+    cursor.punct().filter(|(mark, _)| mark.as_char() == '=').map(|(_, after)| after)
 }

@@ -43,7 +43,7 @@ pub struct Choice {
 }
 
 impl Definition {
-    /// `name(arguments) { items }` behind `joint` or `part`.
+    /// `name(arguments) { items }` after `joint` or `part`.
     pub(super) fn parse(input: Input, is_joint: bool, docs: Vec<String>) -> Result<Definition> {
         let name = Ident::parse(input, "the name of the part")?;
         let arguments =

@@ -8,7 +8,7 @@ use super::input::{Input, Reported, Result};
 use crate::diag::Code;
 use crate::units::{DisplayUnit, UnitFactor, unit};
 
-/// A number, which stands here, and the unit behind it.
+/// A number, which stands here, and the unit after it.
 pub(super) fn quantity(input: Input) -> Result<Expr> {
     let (span, written) = (input.here(), input.next());
     let (digits, suffix, is_decimal) = match input.parse::<Lit>() {

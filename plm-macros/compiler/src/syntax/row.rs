@@ -47,7 +47,7 @@ impl Load {
     }
 }
 
-/// `name: left = right;` behind `constraint`.
+/// `name: left = right;` after `constraint`.
 pub(super) fn constraint(input: Input) -> Result<ItemKind> {
     let start = input.position();
     let name = IndexedName::parse(input, "the name of the row")?;

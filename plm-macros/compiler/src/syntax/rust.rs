@@ -35,7 +35,7 @@ fn segment(input: ParseStream) -> Result<Ident> {
 /// `pub`, `pub(crate)`, `pub(in path)`; empty where none stands.
 ///
 /// # Errors
-/// No path stands behind `in`.
+/// No path stands after `in`.
 pub fn visibility(input: ParseStream) -> Result<TokenStream> {
     let mut visibility = TokenStream::new();
     // What `$visible:vis` of a macro leaves where it has found none.
@@ -49,24 +49,24 @@ pub fn visibility(input: ParseStream) -> Result<TokenStream> {
     Ok(visibility)
 }
 
-/// The brackets behind `pub`, unless they belong to what follows.
+/// The brackets after `pub`, unless they belong to what follows.
 fn restriction(input: ParseStream) -> Result<Option<Group>> {
     let Some((inside, ..)) = input.cursor().group(Delimiter::Parenthesis) else { return Ok(None) };
-    let Some((word, behind)) = inside.ident() else { return Ok(None) };
+    let Some((word, after)) = inside.ident() else { return Ok(None) };
     if word == "in" {
         let brackets: Group = input.parse()?;
         let inside = |input: ParseStream| input.parse::<Token![in]>().and_then(|_| path(input));
         inside.parse2(brackets.stream())?;
         return Ok(Some(brackets));
     }
-    let is_alone = behind.eof() && ["crate", "self", "super"].iter().any(|known| word == known);
+    let is_alone = after.eof() && ["crate", "self", "super"].iter().any(|known| word == known);
     if is_alone { input.parse().map(Some) } else { Ok(None) }
 }
 
 /// All `#[…]` that stand here. rustc looks at what they hold.
 ///
 /// # Errors
-/// Behind `#` stand no brackets.
+/// After `#` stand no brackets.
 pub fn attributes(input: ParseStream) -> Result<TokenStream> {
     let mut attributes = TokenStream::new();
     while input.peek(Token![#]) {

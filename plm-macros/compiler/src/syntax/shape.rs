@@ -32,7 +32,7 @@ pub struct Shape {
     pub turns: Option<Turns>,
 }
 
-/// Sizes or a shape behind `picture`.
+/// Sizes or a shape after `picture`.
 pub(super) fn picture(input: Input) -> Result<ItemKind> {
     if !input.peek2(kw::on) {
         let names = input.listed(|input| IndexedName::parse(input, "a parameter"))?;

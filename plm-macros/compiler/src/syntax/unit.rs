@@ -130,19 +130,19 @@ fn unknown_unit(input: Input, name: &Ident) -> Reported {
     Reported
 }
 
-/// Does the unit go on behind a `*` or `/` that stands here?
+/// Does the unit go on after a `*` or `/` that stands here?
 fn goes_on(input: Input) -> bool {
     let factor = input.cursor().punct().filter(|(mark, _)| ['*', '/'].contains(&mark.as_char()));
-    factor.is_some_and(|(_, behind)| behind_unit_name(behind).is_some() || is_unit_group(behind))
+    factor.is_some_and(|(_, after)| after_unit_name(after).is_some() || is_unit_group(after))
 }
 
-/// The cursor behind the name of a unit, if that is not the name of a function, of a body or of an array.
-fn behind_unit_name(cursor: Cursor) -> Option<Cursor> {
-    let (name, behind) = cursor.ident()?;
-    let holds_on = behind.group(Delimiter::Parenthesis).is_some()
-        || behind.group(Delimiter::Bracket).is_some()
-        || is_point(behind) && !behind.punct().is_some_and(|(_, next)| is_point(next));
-    (is_unit(&name.unraw().to_string()) && !holds_on).then_some(behind)
+/// The cursor after the name of a unit, if that is not the name of a function, of a body or of an array.
+fn after_unit_name(cursor: Cursor) -> Option<Cursor> {
+    let (name, after) = cursor.ident()?;
+    let holds_on = after.group(Delimiter::Parenthesis).is_some()
+        || after.group(Delimiter::Bracket).is_some()
+        || is_point(after) && !after.punct().is_some_and(|(_, next)| is_point(next));
+    (is_unit(&name.unraw().to_string()) && !holds_on).then_some(after)
 }
 
 /// Does a point stand here? Two of them are `..`, and no member follows.
@@ -161,14 +161,14 @@ fn units_in(mut cursor: Cursor) -> Option<usize> {
     let (mut count, mut is_exponent) = (0, false);
     while !cursor.eof() {
         let mark = cursor.punct();
-        cursor = if let Some(behind) = behind_unit_name(cursor) {
+        cursor = if let Some(after) = after_unit_name(cursor) {
             count += 1;
-            behind
-        } else if let Some((inside, _, behind)) = cursor.group(Delimiter::Parenthesis) {
+            after
+        } else if let Some((inside, _, after)) = cursor.group(Delimiter::Parenthesis) {
             count += units_in(inside)?;
-            behind
-        } else if let Some((mark, behind)) = &mark {
-            "*/^-".contains(mark.as_char()).then_some(*behind)?
+            after
+        } else if let Some((mark, after)) = &mark {
+            "*/^-".contains(mark.as_char()).then_some(*after)?
         } else {
             cursor.literal().filter(|_| is_exponent)?.1
         };

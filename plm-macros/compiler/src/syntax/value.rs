@@ -26,7 +26,7 @@ pub struct Value {
     pub optional: Option<Span>,
 }
 
-/// The word that may stand behind a value.
+/// The word that may stand after a value.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Mark {
     /// Of a state.
@@ -67,7 +67,7 @@ impl Value {
     }
 }
 
-/// `name = expr;` behind `let` or `rate`.
+/// `name = expr;` after `let` or `rate`.
 pub(super) fn named(input: Input, word: &str) -> Result<(IndexedName, Expr)> {
     input.skip_mut();
     let name = IndexedName::parse(input, "a name")?;
@@ -82,7 +82,7 @@ impl Input<'_> {
         self.marked(kw::locked, "`locked`")
     }
 
-    /// A word behind a comma, if there is one.
+    /// A word after a comma, if there is one.
     fn marked<T: syn::parse::Peek>(self, word: T, what: &str) -> Result<Option<Span>> {
         if !self.eat(Token![,]) {
             return Ok(None);

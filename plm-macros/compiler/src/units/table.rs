@@ -86,7 +86,7 @@ const TABLE: &[Unit] = &[
     row("henry", "the henry", (1, 1), INDUCTANCE),
 ];
 
-/// Units whose names may be those of values too: the commonest name of a length is L. Behind a number it is the unit.
+/// Units whose names may be those of values too: the commonest name of a length is L. After a number it is the unit.
 pub const MAY_BE_NAMES: [&str; 1] = ["L"];
 
 /// The unit of a name.

@@ -22,9 +22,9 @@ The package is `plm-planar`, the library `plm`. Written by `cargo xtask bless bo
 
 Rules that are easily missed:
 
-* Every quantity has a unit behind its number, with a blank between: `10 kg`, `(0.5, 0) m`, `9.81 m/s^2`, `30 deg`. 0 needs none.
+* Every quantity has a unit after its number, with a blank between: `10 kg`, `(0.5, 0) m`, `9.81 m/s^2`, `30 deg`. 0 needs none.
 * A joint joins ports, not bodies: `revolute pin(ground.o, arm.a);`. Ports are declared in bodies and in the ground.
-* `locked` stands behind a value at the start that assembly must not move.
+* `locked` stands after a value at the start that assembly must not move.
 * The order of items is free. Names are of snake case; that of the mechanism is of a type.
 * What is read outside of the declaration must be an `output` or be named in `observe`.
 * A stop, a floor, a belt is a row: `unilateral tip: rod.b.y >= 0;` pushes, `friction slip: rate(rod.b.x) within 0.3*reaction(tip);`

@@ -284,5 +284,5 @@ fn what_a_macro_captures_is_one_operand() {
     ] {
         assert_near(captured(text).unwrap(), expected, text);
     }
-    assert_eq!(captured("{ a + a } m"), Err("a unit behind a length (m)".to_string()));
+    assert_eq!(captured("{ a + a } m"), Err("a unit after a length (m)".to_string()));
 }

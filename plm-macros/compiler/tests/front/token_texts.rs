@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 
-/// The tokens of a text, brackets among them. A blank stands behind each, but for marks that touch the next one.
+/// The tokens of a text, brackets among them. A blank stands after each, but for marks that touch the next one.
 pub(crate) fn token_texts(text: &str) -> Vec<String> {
     let mut token_texts = Vec::new();
     flatten(text.parse().unwrap(), &mut token_texts);

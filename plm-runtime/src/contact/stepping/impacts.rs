@@ -22,7 +22,7 @@ pub(super) struct Progress<S> {
     pub(super) rounds: u32,
 }
 
-/// Impacts where the step begins. Rates of the rows, velocities and the intermediate place become those behind them.
+/// Impacts where the step begins. Rates of the rows, velocities and the intermediate place become those after them.
 pub(super) fn impacts<M: Contacts<N>, const N: usize>(
     system: &M,
     stride: &Stride<M::S>,

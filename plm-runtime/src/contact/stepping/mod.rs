@@ -85,10 +85,10 @@ pub struct Motion<S, X, const N: usize> {
 }
 
 /// Makes a step with so many evaluations of the equations of motion; `x` becomes the state at its end, and `u` gets the modes that have led
-/// there. `behind` looks at both, or goes on from there; what it refuses is not made.
+/// there. `after` looks at both, or goes on from there; what it refuses is not made.
 ///
 /// # Errors
-/// Those of [`Contacts::project_joints`] and of `behind`; [`Cause::ImpactGains`](crate::Cause::ImpactGains) and
+/// Those of [`Contacts::project_joints`] and of `after`; [`Cause::ImpactGains`](crate::Cause::ImpactGains) and
 /// [`Cause::NotAllowed`](crate::Cause::NotAllowed) as at events. `x` is of no use then, and `u` is as before.
 pub fn step<M: Contacts<N>, const N: usize, const EVALUATIONS: usize>(
     system: &M,
@@ -151,7 +151,7 @@ fn step_by<M: Contacts<N>, const N: usize, const EVALUATIONS: usize>(
     if !(motion.health.is_good() && x.is_finite()) {
         return behind(u, x, &solution).map(|()| solution);
     }
-    super::project::joints_behind_step(system, stride.t + stride.h, u, x)?;
+    super::project::joints_after_step(system, stride.t + stride.h, u, x)?;
     *u.modes_mut() = after;
     if let Err(fault) = behind(u, x, &solution) {
         *u.modes_mut() = before;
@@ -194,7 +194,7 @@ fn predicted<M: Rate>(time: M::S, x: &M::X, rate: &M::X) -> M::X {
     place
 }
 
-/// The `next` evaluation of a step. The rates of its rows are those with the velocity where the step begins: of the `last`, behind impacts.
+/// The `next` evaluation of a step. The rates of its rows are those with the velocity where the step begins: of the `last`, after impacts.
 fn evaluated_again<S: Real, X, const N: usize>(
     last: &Motion<S, X, N>,
     mut next: Motion<S, X, N>,
@@ -262,7 +262,7 @@ fn forced<S: Scalar, X: Vector<S>, const N: usize>(
     terms.fold(number, |sum, (response, factor)| response.at(i).mul_add(*factor, sum))
 }
 
-/// The modes behind a step, and where frictions began to stick.
+/// The modes after a step, and where frictions began to stick.
 fn modes<S: Real, const N: usize>(
     rows: &super::Rows<S, N>,
     (stride, problem): (&Stride<S>, &Problem<S, N>),

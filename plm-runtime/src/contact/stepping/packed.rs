@@ -15,9 +15,9 @@ pub struct Proposed<'a, M: Rate> {
     pub system: &'a M,
     /// The step of time.
     pub stride: Stride<M::S>,
-    /// The discrete state; behind the step that at its end.
+    /// The discrete state; after the step that at its end.
     pub held: &'a mut M::U,
-    /// The state where the step begins; behind it that at its end.
+    /// The state where the step begins; after it that at its end.
     pub x: &'a mut M::X,
     /// What the step gives.
     pub made: &'a mut Option<Result<Solution<M::S>, Fault>>,

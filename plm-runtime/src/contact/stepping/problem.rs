@@ -19,7 +19,7 @@ pub(super) struct Problem<S, const N: usize> {
 }
 
 impl<S: Real, const N: usize> Problem<S, N> {
-    /// Of the rows at the intermediate place, behind impacts; `before` it they had these modes.
+    /// Of the rows at the intermediate place, after impacts; `before` it they had these modes.
     pub(super) fn of(
         stride: &Stride<S>,
         (laws, exists): (&[Law<S>; N], &[bool; N]),
@@ -77,15 +77,15 @@ fn slip<S: Real>(rate: S, none: S) -> Mode {
 
 /// The displacement at the end of a step in which the row has no rate there: a parabola from the intermediate place.
 fn at_standstill<S: Real, const N: usize>(stride: &Stride<S>, rows: &Rows<S, N>, i: usize) -> S {
-    let [_, behind] = stride.parts();
+    let [_, after] = stride.parts();
     let i = below::<N>(i);
-    rows.gap[i] - S::lit(0.5) * behind * behind * rows.bias[i]
+    rows.gap[i] - S::lit(0.5) * after * after * rows.bias[i]
 }
 
 /// The displacement of a row at the end of a step with a rate there.
 pub(super) fn end<S: Real, const N: usize>(stride: &Stride<S>, rows: &Rows<S, N>, i: usize, rate: S) -> S {
-    let [_, behind] = stride.parts();
-    behind.mul_add(rate, at_standstill(stride, rows, i))
+    let [_, after] = stride.parts();
+    after.mul_add(rate, at_standstill(stride, rows, i))
 }
 
 /// How far rows that hold are from their places at the end of a step; a gap that closes there is in its place.

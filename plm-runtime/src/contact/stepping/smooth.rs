@@ -12,7 +12,7 @@ pub fn smooth_step<M: Rate, const EVALUATIONS: usize>(
     x: &mut M::X,
     mut rate: impl FnMut(M::S, &M::X, &mut M::X),
 ) {
-    let [before, behind] = stride.parts();
+    let [before, after] = stride.parts();
     drift::<M>(before, x);
     let mut dx = *x;
     rate(stride.t + before, x, &mut dx);
@@ -23,18 +23,18 @@ pub fn smooth_step<M: Rate, const EVALUATIONS: usize>(
     for i in M::NQ..M::X::LEN {
         x.set(i, stride.h.mul_add(dx.at(i), x.at(i)));
     }
-    drift::<M>(behind, x);
+    drift::<M>(after, x);
 }
 
-/// [`smooth_step`] by the rate of a system; `behind` follows it.
+/// [`smooth_step`] by the rate of a system; `after` follows it.
 ///
 /// # Errors
-/// Those of `behind`.
+/// Those of `after`.
 pub fn smooth_stride<M: Rate, const EVALUATIONS: usize>(
     system: &M,
     stride: &Stride<M::S>,
     (u, x): (&mut M::U, &mut M::X),
-    behind: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
+    after: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
 ) -> Result<Solution<M::S>, Fault> {
     let mut worst: Option<Health<M::S>> = None;
     smooth_step::<M, EVALUATIONS>(stride, x, |t, x, dx| {
@@ -43,5 +43,5 @@ pub fn smooth_stride<M: Rate, const EVALUATIONS: usize>(
     });
     let health = worst.unwrap_or_else(Health::perfect);
     let solution = Solution { residual: M::S::ZERO, rounds: 0, health };
-    behind(u, x, &solution).map(|()| solution)
+    after(u, x, &solution).map(|()| solution)
 }

@@ -22,7 +22,7 @@ fn rounds<const N: usize>(rules: &[Rule; N]) -> [u32; 2] {
     [2 * rows + 2, 2 * rows]
 }
 
-/// Sweeps behind these.
+/// Sweeps after these.
 const SWEEPS: u32 = 32;
 /// A law is met if it is off by less than so many roundings of the terms of the acceleration.
 const ROUNDING: f64 = 64.0;

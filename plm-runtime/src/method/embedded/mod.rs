@@ -160,7 +160,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         let by = (&weight, context.system.states());
         let error = P::error(h, k, by);
         // Where forces bend sharply within a step estimates are no powers of its length, and one that is combined may vanish by chance: the
-        // error was 1000 times the tolerance then. Behind the first step the last one tells what is to be expected; before, the estimate of
+        // error was 1000 times the tolerance then. After the first step the last one tells what is to be expected; before, the estimate of
         // lower order bounds it by itself.
         let is_first = context.system.may_bend() && self.steady.is_new();
         let least = if is_first { P::plain_error(h, k, by) } else { M::S::ZERO };

@@ -24,7 +24,7 @@ pub(in crate::method) trait Rows<const N: usize> {
 /// The rates `k` of all stages of a step `h` at `t`, of which the first is known, and the state at its end.
 ///
 /// Coordinates of a stage follow from velocities of those before, not from the acceleration of the last: they stand before its
-/// rate, so that processors work on the next pose while they wait for an acceleration. Behind it compilers pack both into
+/// rate, so that processors work on the next pose while they wait for an acceleration. After it compilers pack both into
 /// vectors that wait for the later one: a four-bar's evaluation takes a quarter longer.
 // The rate's captures (health, system, inputs) stay in registers only if the formula is part of its caller; and the rate,
 // unless it is short, becomes part of the formula only if it is called in one place, hence the loop.

@@ -8,8 +8,8 @@ use crate::vector::Vector;
 /// stages that they belong to; of the stages those stay known that the error and the dense output need.
 ///
 /// `end` has the weights of the formula that goes on. A pair whose last stage is the rate at the end of the step names it
-/// behind `last`. `error` has the weights of one estimate, or of two that are combined. `rate_at_end` names the rate at the end of
-/// the step, behind a projection; the stages of `dense` are evaluated where dense output is asked for.
+/// after `last`. `error` has the weights of one estimate, or of two that are combined. `rate_at_end` names the rate at the end of
+/// the step, after a projection; the stages of `dense` are evaluated where dense output is asked for.
 macro_rules! pair {
     (
         $(#[$doc:meta])*

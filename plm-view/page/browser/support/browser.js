@@ -34,7 +34,7 @@ export const skip =
 /** @type {any} */
 let browser = null;
 
-/** The browser, which is closed behind the last test. */
+/** The browser, which is closed after the last test. */
 export async function theBrowser() {
   if (browser === null) {
     // Chromium as root runs without its sandbox alone.
@@ -84,7 +84,7 @@ export async function open(address, { width = 1200, height = 800, theme = "light
   await page.setViewportSize({ width, height });
   // Who asks for less motion starts it: most tests look at a moment.
   await page.emulateMedia({ colorScheme: theme, reducedMotion: plays ? "no-preference" : "reduce" });
-  // Over another page, so that an address which differs behind # alone loads anew.
+  // Over another page, so that an address which differs after # alone loads anew.
   await page.goto("about:blank");
   heard.requests.length = 0;
   await page.goto(address + hash);
@@ -93,7 +93,7 @@ export async function open(address, { width = 1200, height = 800, theme = "light
   return { page, ...heard };
 }
 
-/** Until the page has begun, or its script has ended with an error, behind which it never does. */
+/** Until the page has begun, or its script has ended with an error, after which it never does. */
 async function begins(page) {
   const begun = page.waitForFunction(() => "plmPage" in window);
   begun.catch(() => {});

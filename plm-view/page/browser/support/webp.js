@@ -114,7 +114,7 @@ export function muxWebp({ width, height }, frames) {
   return chunk("RIFF", content);
 }
 
-/** What codes the image of a still WebP file: `VP8L`, or `VP8 ` behind its `ALPH`. @param {Uint8Array} webp */
+/** What codes the image of a still WebP file: `VP8L`, or `VP8 ` after its `ALPH`. @param {Uint8Array} webp */
 function imageChunks(webp) {
   const found = chunksOf(webp).filter(({ name }) => ["ALPH", "VP8 ", "VP8L"].includes(name));
   if (found.length === 0) throw new Error("no WebP image");
@@ -124,7 +124,7 @@ function imageChunks(webp) {
 /**
  * The chunks of a WebP file, or those within one.
  * @param {Uint8Array} bytes
- * @param {number} [at] behind the header
+ * @param {number} [at] after the header
  */
 export function chunksOf(bytes, at = 12) {
   const all = Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength);

@@ -42,7 +42,7 @@ export function readGif(bytes) {
       gif.frames.push({ delay: control.delay, box: [x, y, w, h], pixels: [...screen] });
     } else throw new Error(`byte ${bytes[at]} at ${at}`);
   }
-  if (at !== bytes.length - 1) throw new Error("something stands behind the end");
+  if (at !== bytes.length - 1) throw new Error("something stands after the end");
   return gif;
 }
 

@@ -23,7 +23,7 @@ export function fourBarHead() {
   return headOf(mechanism, { name: "recorded", columns });
 }
 
-/** The numbers of the native run, a row for each interval: a parameter is turned behind 150, a body pulled behind 200. */
+/** The numbers of the native run, a row for each interval: a parameter is turned after 150, a body pulled after 200. */
 export function nativeRows() {
   const numbers = (line) => new Float64Array(BigUint64Array.from(line.split(" "), (word) => BigInt(`0x${word}`)).buffer);
   return about().native.map(numbers);

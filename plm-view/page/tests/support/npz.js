@@ -3,7 +3,7 @@
 import { crc32, deflateRawSync } from "node:zlib";
 
 /**
- * A zip archive. `how`: "stored" or "deflated"; `streamed` leaves sizes to descriptors behind the data; `large` marks
+ * A zip archive. `how`: "stored" or "deflated"; `streamed` leaves sizes to descriptors after the data; `large` marks
  * sizes as of 64 bits in the local headers, as NumPy does.
  * @param {[string, Uint8Array][]} files
  */

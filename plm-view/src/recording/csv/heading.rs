@@ -110,11 +110,11 @@ pub(super) fn column(heading: &str) -> Column {
         heading[name.len()..].starts_with(char::is_whitespace) || (!name.is_empty() && is_unit(unit))
     };
     let in_brackets = bracketed(heading).filter(|(name, unit)| is_apart(name, unit));
-    let behind = |mark: &str| {
+    let after = |mark: &str| {
         let (name, unit) = heading.split_once(mark)?;
         is_unit(unit.trim()).then(|| (name.trim(), unit.trim()))
     };
-    let parts = in_brackets.or_else(|| behind(" in ")).or_else(|| behind("/"));
+    let parts = in_brackets.or_else(|| after(" in ")).or_else(|| after("/"));
     let (name, unit) = parts.unwrap_or((heading, ""));
     (name, spelled(unit).as_str()).into()
 }

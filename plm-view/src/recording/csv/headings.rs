@@ -114,7 +114,7 @@ impl Headings {
         unknown.map(Err)
     }
 
-    /// The headings that stand behind `#` or `%` above the numbers, as NumPy writes them.
+    /// The headings that stand after `#` or `%` above the numbers, as NumPy writes them.
     fn in_comment(text: &[u8], named: Option<u8>) -> Option<Self> {
         let text = std::str::from_utf8(text).ok()?;
         let separators = named.map_or_else(|| SEPARATORS.to_vec(), |own| vec![own]);
@@ -170,7 +170,7 @@ impl Headings {
             // Tables of this library have the time in front: no column of theirs is taken for one of numbers of lines.
             let is_index =
                 at == 0 && INDICES.contains(&name.to_lowercase().as_str()) && counts && has_numbers;
-            // LabVIEW has a column of comments behind the others.
+            // LabVIEW has a column of comments after the others.
             let is_comment = self.separator == b'\t' && name.eq_ignore_ascii_case("comment");
             if is_index || (!has_numbers && (name.is_empty() || is_comment)) {
                 continue;

@@ -30,8 +30,8 @@ fn read(headings: &Headings, text: &[u8], rows: &mut Vec<(f64, Vec<f64>)>) -> Re
     let mut lines = Lines::new(text, headings.separator);
     let mut next = lines.next()?;
     while let Some(line) = next {
-        let behind = lines.next();
-        let may_be_cut = text.last() != Some(&b'\n') && matches!(behind, Ok(None));
+        let after = lines.next();
+        let may_be_cut = text.last() != Some(&b'\n') && matches!(after, Ok(None));
         if line.number > headings.last {
             // A gap is nothing between two separators: nothing at the very end may be half of a line.
             let ends_open = line.fields.len() <= headings.names.len()
@@ -40,7 +40,7 @@ fn read(headings: &Headings, text: &[u8], rows: &mut Vec<(f64, Vec<f64>)>) -> Re
             let told = |what| if may_be_cut { format!("{what}; the file is cut off there") } else { what };
             rows.push(row.map_err(told)?);
         }
-        next = behind?;
+        next = after?;
     }
     Ok(())
 }

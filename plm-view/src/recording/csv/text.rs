@@ -52,7 +52,7 @@ fn letter(byte: u8) -> char {
     own.copied().unwrap_or(char::from(byte))
 }
 
-/// UTF-16 behind its mark as UTF-8.
+/// UTF-16 after its mark as UTF-8.
 fn wide(bytes: &[u8], of: fn([u8; 2]) -> u16) -> Result<Vec<u8>, String> {
     let units: Vec<u16> =
         bytes[2..].chunks(2).map(|pair| of([pair[0], *pair.get(1).unwrap_or(&0)])).collect();

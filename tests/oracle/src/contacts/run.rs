@@ -45,7 +45,7 @@ pub enum Method {
 /// A sample.
 #[derive(Clone, Debug)]
 pub struct Sample {
-    /// Its number; the first one behind the start has 1.
+    /// Its number; the first one after the start has 1.
     pub index: usize,
     /// x, y, angle, then vx, vy, omega of each body.
     pub q: Vec<f64>,

@@ -10,7 +10,7 @@ use plm_runtime::Fault;
 const UNTIL: f64 = 0.97;
 /// Intervals of the reference.
 const INTERVALS: u32 = 40;
-/// Steps of the reference, behind which it is followed no further: every other method would take more.
+/// Steps of the reference, after which it is followed no further: every other method would take more.
 const STEPS: u64 = 600;
 /// Times that are compared.
 pub(super) const TIMES: usize = 4;

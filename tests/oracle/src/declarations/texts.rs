@@ -56,7 +56,7 @@ impl Found {
     }
 }
 
-/// Where the inside of a mechanism begins, behind its bracket.
+/// Where the inside of a mechanism begins, after its bracket.
 fn opens(text: &str) -> Option<usize> {
     let mut at = 0;
     for line in text.split_inclusive('\n') {

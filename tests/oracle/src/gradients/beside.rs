@@ -103,7 +103,7 @@ pub(super) fn beside_differences(
             continue;
         }
         decided = true;
-        for (way, slope) in [("forward", Some(*slope)), ("backward", behind.map(|behind| behind[k]))] {
+        for (way, slope) in [("forward", Some(*slope)), ("backward", after.map(|after| after[k]))] {
             let Some(slope) = slope else { continue };
             let error = (slope - near[k]).abs() / size / (FACTOR * apart + LEAST);
             let is_right = error <= 1.0;

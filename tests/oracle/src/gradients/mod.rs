@@ -91,7 +91,7 @@ fn chosen(draw: &mut Draw, own: &Small) -> Vec<By<'static>> {
 fn judged(machine: &Machine, own: &Small, by: &[By<'static>]) -> Verdict {
     let mut worst = 0.0_f64;
     let (mut decided, mut stopped) = (false, false);
-    let behind = backward(own, by, machine.until);
+    let after = backward(own, by, machine.until);
     for (k, of) in by.iter().enumerate() {
         let ahead = match (forward(own, *of, machine.until), machine.known) {
             (Ok(ahead), _) => ahead,
@@ -101,7 +101,7 @@ fn judged(machine: &Machine, own: &Small, by: &[By<'static>]) -> Verdict {
             }
             (Err(cause), _) => return Verdict::Wrong(format!("{of:?}: {cause:?}")),
         };
-        let gradient = match &behind {
+        let gradient = match &after {
             Ok(gradient) => Some(&gradient[k]),
             Err(NoGradient::Short(_)) => None,
             Err(NoGradient::Fault(Fault { cause: Cause::Grazes, .. })) if machine.known == Known::Touches => {

@@ -96,7 +96,7 @@ pub(crate) fn case(draw: &mut Draw) -> Case {
     let (sender, receiver) = channel();
     let work = move || {
         let outcome = catch_unwind(AssertUnwindSafe(|| (call.call)(&mut hostile)));
-        // Nobody listens behind the deadline.
+        // Nobody listens after the deadline.
         let _ = sender.send(outcome.map_err(|panic| text_of(&*panic)));
     };
     let verdict = match thread::Builder::new().stack_size(32 << 20).spawn(work) {

@@ -32,7 +32,7 @@ impl Importer {
         Self { instance, step, finds, late, events: 0 }
     }
 
-    /// To a time, s, or a little farther where an event is handed over late; with so many events at most behind the start.
+    /// To a time, s, or a little farther where an event is handed over late; with so many events at most after the start.
     pub(super) fn run(&mut self, until: f64, most: usize) -> Result<(), String> {
         let told = |error: plm_foreign::Error| error.to_string();
         self.instance.renew().map_err(told)?;

@@ -92,7 +92,7 @@ fn pieces(signals: &[Signal], until: f64) -> Vec<(f64, f64, Piece)> {
     begins.extend(times(signals));
     let mut pieces: Vec<(f64, f64, Piece)> = Vec::new();
     for (k, begin) in begins.iter().enumerate().take_while(|(_, begin)| **begin < until) {
-        // Behind the last reading there is no end that counts.
+        // After the last reading there is no end that counts.
         let end = begins.get(k + 1).copied().unwrap_or(begin + 1.0);
         let piece: Piece = signals.iter().map(|own| [own.from(*begin), own.up_to(end)]).collect();
         let rests = |piece: &Piece| piece.iter().all(|[a, b]| a.to_bits() == b.to_bits());

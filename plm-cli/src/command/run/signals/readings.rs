@@ -20,8 +20,8 @@ pub(super) struct Signal {
 impl Signal {
     /// What the last reading is at a time, s; the first one before all.
     pub(super) fn held(&self, time: f64) -> f64 {
-        let behind = self.times.partition_point(|own| *own <= time);
-        self.values[behind.saturating_sub(1)]
+        let after = self.times.partition_point(|own| *own <= time);
+        self.values[after.saturating_sub(1)]
     }
 
     /// Its value from a time on, s, on straight lines between readings.
@@ -34,7 +34,7 @@ impl Signal {
         self.on_line(self.times.partition_point(|own| *own < time), time)
     }
 
-    /// The value on the line that ends at this reading; constant before the first and behind the last one.
+    /// The value on the line that ends at this reading; constant before the first and after the last one.
     fn on_line(&self, end: usize, time: f64) -> f64 {
         let (Some(begin), true) = (end.checked_sub(1), end < self.times.len()) else {
             return self.values[end.min(self.values.len() - 1)];
@@ -98,7 +98,7 @@ fn times<'a>(path: &str, table: &'a Recording) -> Result<&'a [f64], Failure> {
     }
     match times.windows(2).find(|pair| pair[1] < pair[0]) {
         Some(pair) => {
-            Err(format!("{path}: times of readings ascend, and {} s stands behind {} s", pair[1], pair[0])
+            Err(format!("{path}: times of readings ascend, and {} s stands after {} s", pair[1], pair[0])
                 .into())
         }
         None => Ok(times),

@@ -123,7 +123,7 @@ Returns the smallest pivot ratio of the factorisation.",
     }
 }
 
-/// Names of the rows of the joints, of others behind them, and of coordinates.
+/// Names of the rows of the joints, of others after them, and of coordinates.
 pub(super) fn layout(emission: &Emission, others: &[&Contact]) -> TokenStream {
     let Emission { equations, model, .. } = emission;
     let names = model.rows.iter().map(|row| &row.name).chain(others.iter().map(|row| &row.name));
@@ -162,7 +162,7 @@ fn marks(emission: &Emission, marks: &[bool]) -> TokenStream {
     }
 }
 
-/// Start positions and velocities of G from those of O, behind what it takes to read their constants.
+/// Start positions and velocities of G from those of O, after what it takes to read their constants.
 fn starts(emission: &Emission) -> [(Option<TokenStream>, TokenStream); 2] {
     let Emission { model, fields, .. } = emission;
     let bindings = emission.parameters();

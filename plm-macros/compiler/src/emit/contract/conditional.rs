@@ -66,7 +66,7 @@ pub(crate) fn conditional(emission: &Emission) -> TokenStream {
 }
 
 /// Assembles anew with the constraints that hold where a run begins, in `held` and `x`; `arrive` takes the pose (q, v) into both. Which
-/// hold may depend on the pose: it is asked again behind that, a few times.
+/// hold may depend on the pose: it is asked again after that, a few times.
 pub(in super::super) fn close(emission: &Emission, arrive: &TokenStream) -> Option<TokenStream> {
     let rows = &emission.program.conditional.as_ref()?.rows;
     let (places, count) = (contact::count(emission), number(rows.len()));

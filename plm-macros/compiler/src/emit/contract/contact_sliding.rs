@@ -71,7 +71,7 @@ fn in_chart(emission: &Emission, k: usize, (sliding, origin): Of) -> TokenStream
     let [know, sweeps, size] = names(emission, k);
     let slide = emission.in_chart("contact_slide", k);
     let [state, memory] = state(emission);
-    let (freedom, behind) = (number(sliding.second.len()), number(2 * sliding.second.len()));
+    let (freedom, after) = (number(sliding.second.len()), number(2 * sliding.second.len()));
     let weights = weights(emission, k);
     let (numbers, is_explicit) = (number(sliding.known.len()), sliding.is_explicit);
     let motion = quote!(self.#know(t, u, #memory x, slip, line, dx, &mut free, &mut known, &mut slope));
@@ -102,7 +102,7 @@ fn in_chart(emission: &Emission, k: usize, (sliding, origin): Of) -> TokenStream
                 free,
                 |force, second, next, changed| self.#sweeps(&known, force, second, next, changed)
             )?;
-            dx[#freedom..#behind].copy_from_slice(&second);
+            dx[#freedom..#after].copy_from_slice(&second);
             if let Some(sizes) = sizes {
                 self.#size(line, &known, &force, &second, sizes);
             }
@@ -167,7 +167,7 @@ fn straight_line(emission: &Emission, k: usize, (sliding, origin): Of) -> [Token
     );
     let sweep = function(
         emission,
-        "Forces and accelerations behind a sweep.",
+        "Forces and accelerations after a sweep.",
         &quote! {
             #[inline(always)]
             fn #sweep(&self, #forces, next: &mut [S; #count], changed: &mut [S; #freedom])

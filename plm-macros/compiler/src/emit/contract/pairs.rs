@@ -67,7 +67,7 @@ fn in_both(text: &str) -> String {
     if is_held { format!("Two::both({text})") } else { text.to_owned() }
 }
 
-/// The part of `Rate` for pairs of stages, and the functions behind it.
+/// The part of `Rate` for pairs of stages, and the functions after it.
 pub(super) fn pairs(emission: &Emission) -> [TokenStream; 2] {
     let Some(parts) = of_rate(emission) else { return Default::default() };
     [rate_pair(emission, &parts), functions(emission, &parts)]

@@ -170,7 +170,7 @@ fn events(emission: &Emission) -> TokenStream {
     }
 }
 
-/// The next modes of contacts, where there are some, behind a look at gaps that begin to exist or that what was set has moved.
+/// The next modes of contacts, where there are some, after a look at gaps that begin to exist or that what was set has moved.
 fn settle(emission: &Emission) -> Option<TokenStream> {
     let length = &emission.sizes.length;
     let rows = contact::count(emission);

@@ -124,7 +124,7 @@ constraints, rates of the first-order states, without accelerations.",
 struct OfContact {
     /// Room for the gaps, and the limits of frictions.
     gaps: TokenStream,
-    /// Gives the rates of the states, and gaps and limits behind them.
+    /// Gives the rates of the states, and gaps and limits after them.
     rates: TokenStream,
     /// The multipliers of what is held.
     multipliers: TokenStream,

@@ -249,7 +249,7 @@ fn known_times(emission: &Emission) -> TokenStream {
     }
 }
 
-/// Changes, and the events that set states behind them.
+/// Changes, and the events that set states after them.
 fn change(emission: &Emission) -> TokenStream {
     let (count, Sizes { length, .. }) = (sets::count(emission), &emission.sizes);
     quote! {

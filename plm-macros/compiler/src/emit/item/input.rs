@@ -38,7 +38,7 @@ pub(super) fn of_loops(emission: &Emission) -> TokenStream {
     })
 }
 
-/// The type of what is held of contact, behind a comma, where there is contact.
+/// The type of what is held of contact, after a comma, where there is contact.
 pub(super) fn of_contact(emission: &Emission) -> Option<TokenStream> {
     let held = contact::held(emission);
     contact::are_there(emission).then(|| quote!(, #held))

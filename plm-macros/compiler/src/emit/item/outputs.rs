@@ -143,8 +143,8 @@ fn arrays(text: &str, [first, second]: [&str; 2], from: &str) -> String {
 /// Does the text read this array?
 fn reads(text: &str, array: &str) -> bool {
     text.match_indices(array).any(|(at, _)| {
-        let (before, behind) = (&text[..at], &text[at + array.len()..]);
-        !before.ends_with(|c: char| c.is_alphanumeric() || c == '_') && behind.starts_with(['[', ';'])
+        let (before, after) = (&text[..at], &text[at + array.len()..]);
+        !before.ends_with(|c: char| c.is_alphanumeric() || c == '_') && after.starts_with(['[', ';'])
     })
 }
 

@@ -227,7 +227,7 @@ pub(crate) fn placed(emission: &Emission) -> TokenStream {
     }
 }
 
-/// The centre of gravity of the body with the number `k`, from O, behind the tables that it reads.
+/// The centre of gravity of the body with the number `k`, from O, after the tables that it reads.
 pub(crate) fn centre(centres: &[[String; 2]]) -> (String, String) {
     let of_axis = |axis: usize, name| {
         let texts = centres.iter().map(|centre| centre[axis].clone()).collect_vec();
@@ -323,7 +323,7 @@ fn begin(emission: &Emission) -> TokenStream {
             #sides
         }
     });
-    // What contacts do, and reactions with their forces, are known behind that.
+    // What contacts do, and reactions with their forces, are known after that.
     let again = (contact.is_some() && switched::read_forces(emission)).then(|| {
         let held = quote!(&mut held);
         if !sets::are_there(emission) {

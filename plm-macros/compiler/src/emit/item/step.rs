@@ -106,7 +106,7 @@ fn semi_implicit_euler(emission: &Emission) -> TokenStream {
     let moved = |(i, x): (usize, &Ident)| format!("h.mul_add(k[{i}], {x})");
     let rest = emission.lines(names.iter().enumerate().skip(n).map(moved));
     let velocities = &names[n..2 * n];
-    let behind = &names[n..];
+    let after = &names[n..];
     let positions = names.iter().zip(velocities).map(|(q, v)| format!("h.mul_add({v}, {q})"));
     let positions = emission.lines(positions);
     quote! {
@@ -119,8 +119,8 @@ fn semi_implicit_euler(emission: &Emission) -> TokenStream {
                 let [#(#names),*] = *x;
                 let mut k = [S::lit(0.0); #length];
                 let health = self.rate(t, u, x, &mut k);
-                let [#(#behind),*]: [S; #count] = [#rest];
-                *x = [#positions #(#behind),*];
+                let [#(#after),*]: [S; #count] = [#rest];
+                *x = [#positions #(#after),*];
                 health
             }
         }

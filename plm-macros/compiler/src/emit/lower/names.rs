@@ -112,7 +112,7 @@ pub(crate) fn module_name(name: &str) -> String {
 pub(crate) struct Names {
     taken: SortedSet<String>,
     numbered: usize,
-    /// The next number behind a name that was taken.
+    /// The next number after a name that was taken.
     next: SortedMap<String, usize>,
 }
 
@@ -126,7 +126,7 @@ impl Names {
         }
     }
 
-    /// The identifier of a path, with a number behind it if it is taken.
+    /// The identifier of a path, with a number after it if it is taken.
     pub(crate) fn unique(&mut self, path: &str) -> String {
         let base = plain(path).to_lowercase();
         let mut name = raw(&base);

@@ -85,7 +85,7 @@ impl Lowering<'_> {
     }
 }
 
-/// Is this a sine that is wanted with the cosine behind it?
+/// Is this a sine that is wanted with the cosine after it?
 pub(crate) fn is_pair(tape: &Tape, uses: &[u32], index: usize) -> bool {
     let next = tape.ops.get(index + 1).map(|next| next.op);
     let same = matches!((tape.ops[index].op, next), (Op::Sin(a), Some(Op::Cos(b))) if a == b);

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Their derivatives by coordinates, velocities, accelerations and multipliers tie neighbours only. A multiplier is
-//! eliminated behind the coordinates of its row: its pivot is then the sum of `phi_q^2 / m`, which masses make positive.
+//! eliminated after the coordinates of its row: its pivot is then the sum of `phi_q^2 / m`, which masses make positive.
 
 use crate::collect::CollectVec;
 use crate::sorted::SortedSet;

@@ -121,7 +121,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Arguments stand behind the name of a function alone, and lists are points.
+    /// Arguments stand after the name of a function alone, and lists are points.
     fn check_form(&mut self, outer: ScopeId, definition: &Definition, field: &Field, text: &str) {
         let is_it = |item: &&Item| field_name(&item.kind) == Some(text);
         let kind = definition.items.iter().find(is_it).map(|item| &item.kind);

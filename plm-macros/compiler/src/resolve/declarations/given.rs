@@ -180,7 +180,7 @@ impl<'a> Names<'a> {
 #[derive(Clone, Copy)]
 struct Block<'a> {
     given: &'a Given,
-    /// Behind `else`?
+    /// After `else`?
     is_otherwise: bool,
 }
 
@@ -190,7 +190,7 @@ fn text_of_blocks(blocks: &[Block]) -> String {
     format!("where {}", conditions.collect_vec().join(", and "))
 }
 
-/// A condition in words; negated, where the block stands behind `else`.
+/// A condition in words; negated, where the block stands after `else`.
 fn condition_text(expr: &ast::Expr, negated: bool) -> Option<String> {
     match &expr.kind {
         ExprKind::Name(name) => {

@@ -228,7 +228,7 @@ impl<'a> Resolver<'a> {
         std::iter::once(domain.across.name.text.as_str()).chain(through).collect_vec()
     }
 
-    /// The node behind `from`: of the same domain.
+    /// The node after `from`: of the same domain.
     pub(crate) fn other_node(
         &mut self,
         scope: ScopeId,

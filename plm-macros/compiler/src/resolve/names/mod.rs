@@ -179,7 +179,7 @@ impl<'a> Names<'a> {
         std::iter::successors(Some(scope), |scope| self.scopes[*scope].parent)
     }
 
-    /// All names that can be seen, in the order of declaration; rows, which only `reaction` reads, behind the others.
+    /// All names that can be seen, in the order of declaration; rows, which only `reaction` reads, after the others.
     pub(crate) fn visible(&self, scope: ScopeId) -> Vec<String> {
         let scopes = self.outwards(scope);
         let mut names: Vec<(&str, SlotId)> = scopes

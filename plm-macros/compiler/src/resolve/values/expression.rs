@@ -93,7 +93,7 @@ impl<'a> Resolver<'a> {
         self.warn_of_unit_that_is_a_name(scope, inner, unit);
         match self.eval(scope, inner)? {
             Value::Scalar(found) if found.nature.dimension != Dimension::NUMBER => {
-                let message = format!("a unit behind {}", found.nature.dimension.describe());
+                let message = format!("a unit after {}", found.nature.dimension.describe());
                 self.error(scope, Code::BadUnit, inner.span, message)
                     .help("it has a unit: leave this one out");
                 Err(Failed)
@@ -101,7 +101,7 @@ impl<'a> Resolver<'a> {
             Value::Scalar(number) => Ok(in_unit(unit, number).into()),
             Value::Vector(pair) if pair.nature.dimension != Dimension::NUMBER => {
                 let message = format!(
-                    "a unit behind the pair, but its components are {}",
+                    "a unit after the pair, but its components are {}",
                     pair.nature.dimension.describe()
                 );
                 let help = match crate::resolve::values::expect::text_of(inner) {

@@ -81,7 +81,7 @@ impl<'a> Resolver<'a> {
 }
 
 /// The value at x: of the first segment whose end lies above x, as a polynomial in the distance from its first point, its
-/// coefficients by ascending powers; before the first point and behind the last, the value there.
+/// coefficients by ascending powers; before the first point and after the last, the value there.
 fn between(x: Expr, points: &[Point], segment: impl Fn(usize) -> Vec<Expr>) -> Expr {
     let mut value = points[points.len() - 1].y;
     for k in (0..points.len() - 1).rev() {
@@ -178,10 +178,10 @@ fn slopes(runs: &[f64], of: usize) -> Vec<f64> {
     let value = |k: usize| if k == of { 1.0 } else { 0.0 };
     let (mut above, mut slopes) = (vec![0.0; count], vec![0.0; count]);
     for k in 1..count - 1 {
-        let (before, behind) = (1.0 / runs[k - 1], 1.0 / runs[k]);
-        let rises = (value(k) - value(k - 1)) * before * before + (value(k + 1) - value(k)) * behind * behind;
-        let pivot = 2.0 * (before + behind) - before * above[k - 1];
-        above[k] = behind / pivot;
+        let (before, after) = (1.0 / runs[k - 1], 1.0 / runs[k]);
+        let rises = (value(k) - value(k - 1)) * before * before + (value(k + 1) - value(k)) * after * after;
+        let pivot = 2.0 * (before + after) - before * above[k - 1];
+        above[k] = after / pivot;
         slopes[k] = (3.0 * rises - before * slopes[k - 1]) / pivot;
     }
     for k in (1..count.saturating_sub(1)).rev() {

@@ -28,7 +28,7 @@ impl<'a> Resolver<'a> {
         Ok(Quantity::new(value, x.nature).into())
     }
 
-    /// `mod(x, period)`: what is left of x behind the last whole multiple of the period below it.
+    /// `mod(x, period)`: what is left of x after the last whole multiple of the period below it.
     pub(crate) fn remainder(
         &mut self,
         scope: ScopeId,

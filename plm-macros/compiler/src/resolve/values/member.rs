@@ -1,4 +1,4 @@
-//! Members: what stands behind a point.
+//! Members: what stands after a point.
 
 use crate::collect::CollectVec;
 use plm_cas::Expr;

@@ -34,7 +34,7 @@ struct Section {
 /// A rolled section: its size by name, height, width, web, flange, and root radius, mm times 10.
 type Rolled = (i64, [i32; 5]);
 
-/// How a section follows from the sizes behind its name.
+/// How a section follows from the sizes after its name.
 #[derive(Clone, Copy)]
 enum Shape {
     /// Of lengths.

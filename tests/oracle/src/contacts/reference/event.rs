@@ -39,7 +39,7 @@ impl<'w> Runner<'w> {
     /// Impacts, and the modes from now on. `due` is the row whose margin is passed.
     pub fn event(&mut self, due: Option<usize>) -> Result<(), Stop> {
         let before = self.now.v.clone();
-        // Behind impacts rates are rounding of those before.
+        // After impacts rates are rounding of those before.
         let rows = self.problem(&self.now).rows;
         let none = 1e-12 * rows.iter().fold(0.0, |fast: f64, row| fast.max(row.rate.abs()));
         let (problem, best) = match self.next((due, none), false)? {

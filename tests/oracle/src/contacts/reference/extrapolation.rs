@@ -7,7 +7,7 @@ use super::run::State;
 const SUBSTEPS: [usize; 7] = [2, 4, 6, 8, 10, 12, 14];
 const TOLERANCE: f64 = 2e-14;
 
-/// The state behind a step; none if the step is too long for its tolerance, or if the accelerations are not known.
+/// The state after a step; none if the step is too long for its tolerance, or if the accelerations are not known.
 pub fn step(from: &State, h: f64, accelerations: &impl Fn(&State) -> Option<Vec<f64>>) -> Option<State> {
     let first = accelerations(from)?;
     let mut table: Vec<Vec<f64>> = Vec::new();

@@ -7,7 +7,7 @@ use super::world::Law;
 /// Impulses of an impact.
 pub enum Impulses {
     Found(Vec<f64>),
-    /// Several with different rates behind them.
+    /// Several with different rates after them.
     Ambiguous,
     /// Several distributions over the rows, of which restitution gives back different parts.
     Undetermined,

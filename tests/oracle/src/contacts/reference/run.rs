@@ -52,7 +52,7 @@ pub struct Run {
     pub impacts: usize,
 }
 
-/// An event of which others can see something: its time, the state before it and the one behind it.
+/// An event of which others can see something: its time, the state before it and the one after it.
 #[derive(Clone, Debug)]
 pub struct Event {
     pub t: f64,

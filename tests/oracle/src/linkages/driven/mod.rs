@@ -22,7 +22,7 @@ use crate::run::fold;
 const LENGTH: f64 = 2.0;
 /// A lock-up is told so exactly, s and rad or m.
 const EXACT: f64 = 1e-8;
-/// Within so many evaluations behind the last step.
+/// Within so many evaluations after the last step.
 const AT_ONCE: u64 = 200;
 
 /// What came of a run: its end, the places of what the dyad joins, and evaluations.
@@ -148,8 +148,8 @@ fn judge(driven: &Driven, seen: impl FnOnce(&Run)) -> Option<String> {
                 return Some(format!("{fault}, known {lock} s, stopped at {} s", run.time));
             }
             let before = go(run.time).map_or(0, |before| before.evaluations);
-            let behind = run.evaluations.saturating_sub(before);
-            (behind > AT_ONCE).then(|| format!("{behind} evaluations behind the last step"))
+            let after = run.evaluations.saturating_sub(before);
+            (after > AT_ONCE).then(|| format!("{after} evaluations after the last step"))
         }
     }
 }

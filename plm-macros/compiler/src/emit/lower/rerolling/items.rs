@@ -39,7 +39,7 @@ pub(super) struct Item {
     pub(super) stores: Option<usize>,
 }
 
-/// Text before and behind the index of an array's element.
+/// Text before and after the index of an array's element.
 type Around = (String, String);
 
 /// All of a function.
@@ -52,7 +52,7 @@ pub(super) struct Items<'a> {
     pub(super) ops: Vec<usize>,
     pub(super) sources: Vec<Source>,
     pub(super) arrays: Vec<Around>,
-    /// Sines (by instruction) that stand, each with the cosine behind it, in arrays from the beginning on; the array and
+    /// Sines (by instruction) that stand, each with the cosine after it, in arrays from the beginning on; the array and
     /// index of the angle before.
     pub(super) sines: Vec<((usize, usize), usize)>,
     /// Titles of sections, and the items before which they stand.
@@ -117,18 +117,18 @@ impl<'a> Items<'a> {
         self.leaves[instruction]
     }
 
-    fn array(&mut self, before: String, behind: String) -> usize {
+    fn array(&mut self, before: String, after: String) -> usize {
         let next = self.arrays.len();
-        let array = *self.known_arrays.or_insert((before.clone(), behind.clone()), next);
+        let array = *self.known_arrays.or_insert((before.clone(), after.clone()), next);
         if array == next {
-            self.arrays.push((before, behind));
+            self.arrays.push((before, after));
         }
         array
     }
 
     fn element(&mut self, text: &str) -> Option<Source> {
-        let (before, index, behind) = at_index(text)?;
-        Some(Source::Element { array: self.array(before.to_owned(), behind.to_owned()), index })
+        let (before, index, after) = at_index(text)?;
+        Some(Source::Element { array: self.array(before.to_owned(), after.to_owned()), index })
     }
 
     fn find_leaves(&mut self, bindings: &Bindings, uses: &[u32]) {
@@ -284,14 +284,14 @@ impl<'a> Items<'a> {
     }
 }
 
-/// Text before the last index in brackets that is a number, that number, and the text behind it.
+/// Text before the last index in brackets that is a number, that number, and the text after it.
 fn at_index(text: &str) -> Option<(&str, usize, &str)> {
     for (open, _) in text.rmatch_indices('[') {
         let (before, rest) = text.split_at(open + 1);
         let digits = rest.find(|letter: char| !letter.is_ascii_digit())?;
-        let (digits, behind) = rest.split_at(digits);
-        if let (Ok(index), true) = (digits.parse(), behind.starts_with(']')) {
-            return Some((before, index, behind));
+        let (digits, after) = rest.split_at(digits);
+        if let (Ok(index), true) = (digits.parse(), after.starts_with(']')) {
+            return Some((before, index, after));
         }
     }
     None

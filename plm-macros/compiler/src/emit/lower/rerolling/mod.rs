@@ -110,8 +110,8 @@ impl Writer<'_> {
             }
             if rest > 0 {
                 let lane = |lane: usize| {
-                    let behind = rounds * LANES + lane;
-                    [first + behind * step, begin + behind].map_each(|number| number.to_string())
+                    let after = rounds * LANES + lane;
+                    [first + after * step, begin + after].map_each(|number| number.to_string())
                 };
                 let text = self.sines_at_once(rest, lane, array);
                 self.block(format!("{{\n{text}}}"), Vec::new());
@@ -138,8 +138,8 @@ impl Writer<'_> {
 
     /// An element of an array that exists anyway.
     fn element(&self, array: usize, index: &str) -> String {
-        let (before, behind) = &self.items.arrays[array];
-        format!("{before}{index}{behind}")
+        let (before, after) = &self.items.arrays[array];
+        format!("{before}{index}{after}")
     }
 
     /// Constants and symbols stand wherever they are read.

@@ -47,7 +47,7 @@ pub(super) struct Loop {
 pub(super) struct Plan {
     pub(super) loops: Vec<Loop>,
     /// Values that go from a loop to what is not in it: the repetitions of which they are kept, first and last. Those
-    /// outside its count are of items like those of the pattern, before it and behind it.
+    /// outside its count are of items like those of the pattern, before it and after it.
     pub(super) kept: SortedMap<Slot, (isize, isize)>,
     /// Items outside the loops that are read in one.
     pub(super) read: SortedSet<usize>,

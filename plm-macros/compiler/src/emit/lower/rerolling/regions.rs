@@ -44,7 +44,7 @@ pub(super) fn regions(items: &Items) -> Vec<Region> {
     regions
 }
 
-/// For each item the next that, with those behind it, has the same shapes.
+/// For each item the next that, with those after it, has the same shapes.
 fn next_alike(items: &Items) -> Vec<Option<usize>> {
     let shapes = items.all.iter().map(|item| item.shape).collect_vec();
     let mut windows: SortedMap<&[usize], usize> = SortedMap::new();

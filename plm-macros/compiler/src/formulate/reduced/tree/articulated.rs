@@ -292,7 +292,7 @@ impl Elimination<'_> {
         reached
     }
 
-    /// Inertia of bodies with all that hangs on them. In the entries of the plane each body adds terms to those behind it, which
+    /// Inertia of bodies with all that hangs on them. In the entries of the plane each body adds terms to those after it, which
     /// makes a row of n bodies n^2 terms to sort and to share.
     fn summed(&mut self, inertia: Inertia) -> Inertia {
         if self.model.bodies.len() <= FEW_BODIES {
