@@ -1,11 +1,11 @@
 //! Loops that are solved in charts: which coordinates describe the mechanism, and on which of its mirror images each loop
 //! is.
 //!
-//! A dyad has two solutions, which meet where its determinant vanishes. Which of them is meant is remembered as a sign, and
-//! stays as it is: around a state that was looked at, the coordinates have a box in which no loop comes much nearer to
-//! flat. A step that ends within it needs no look; one that ends far from it may have passed a flat pose, and is refused.
-//! A chart whose worst dyad is flat is left for one that is better by far, if there is one. Where none is good, the
-//! mechanism goes on without a chart ([`crate::singular`]).
+//! A dyad has two solutions, which meet where its determinant vanishes. The sign of the determinant is stored and selects one of them. It
+//! stays valid near a checked state: each coordinate has an interval in which no loop comes much nearer to a flat pose. A step that ends
+//! within the intervals needs no check; one that ends far outside may have passed a flat pose, and is refused. A chart whose worst dyad is
+//! flat is left for one that is better by far, if there is one. If no chart is good, the mechanism goes on without one
+//! ([`crate::singular`]).
 //!
 //! Loops without a closed form are solved by Newton's iteration from where their unknowns should be by the last accepted
 //! state, so that these are followed as well: values, rates, and how the rates change.
@@ -47,9 +47,9 @@ pub trait Charted:
     type Input: Copy;
     /// The sides of the switches.
     type Switches: Copy;
-    /// Whole turns, by count.
+    /// Revolutions, by count.
     type Turns: Copy + AsMut<[i32]>;
-    /// What is held of the contact rows.
+    /// Discrete state of the contact rows.
     type Contact: Copy;
     /// Continuation data, a [`Continuation`].
     type Continuation: ContinuationData<Self::S>;
@@ -71,7 +71,7 @@ pub trait Charted:
     /// The continuation data of a state, and the square of the measure; nothing and zero without a chart.
     fn continuation(&self, t: Self::S, held: &Self::U, x: &Self::X) -> (Self::Continuation, Self::S);
 
-    /// The same of a pose and velocity in some chart, but for how far the coordinates may move.
+    /// Continuation data at a pose and velocity in some chart, without how far the coordinates may move.
     fn continuation_at(
         &self,
         chart: usize,
@@ -84,18 +84,18 @@ pub trait Charted:
     fn to_chart(&self, chart: usize, t: Self::S, q: &Self::Q, v: &Self::Q, x: &mut Self::X);
 }
 
-/// What charts hold, whatever the state.
+/// Constants of the charts of a mechanism, for every state.
 #[derive(Clone, Copy, Debug)]
 pub struct Charts {
     /// Number of charts.
     pub count: usize,
-    /// The angles of each count of turns.
+    /// The angles of each count of revolutions.
     pub revolutions: &'static [Revolutions],
-    /// A coordinate whose turns are counted moves no loop: how far it goes is looked at in every step.
+    /// True if a coordinate whose revolutions are counted moves no loop: how far it has turned is then checked in every step.
     pub is_loose: bool,
     /// The bodies whose angles are continued, in the order of the data.
     pub turning: &'static [&'static str],
-    /// By chart, by place among those angles, which of them loops give: known but for whole turns.
+    /// By chart: indices of those angles that loops give, known but for whole revolutions.
     pub found: &'static [&'static [usize]],
     /// The bodies and joints of the unknowns of iterations, in the order of the data.
     pub iterated: &'static [&'static str],
@@ -147,8 +147,8 @@ pub fn hold<M: Charted, const N: usize>(held: &mut M::U, x: &mut M::X, full: &[M
     }
 }
 
-/// Remembers an accepted state, and leaves its chart if another one is better by far, or if it is not good; not before
-/// something can have changed that matters.
+/// Stores the continuation data of an accepted state, and leaves its chart if another one is better by far, or if it is not good. It does
+/// nothing as long as the state is within its intervals.
 ///
 /// # Errors
 /// When the loops cannot be closed there, or cannot have been followed so far.
@@ -163,7 +163,7 @@ pub fn update<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) ->
     }
 }
 
-/// Whether [`update`] has nothing to look at yet.
+/// True if [`update`] has nothing to check yet.
 #[inline]
 pub fn is_calm<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
     let OfLoops::InChart { continuation, .. } = &held.of_loops else { return false };
@@ -179,31 +179,32 @@ pub fn is_calm<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
         && !(charts.is_loose && are_due::<M>(charts, held, x))
 }
 
-/// How much of its box a coordinate has crossed in a step, the most of all; zero where all loops are far from flat.
+/// Largest part of its interval that a coordinate has crossed in a step; zero if all loops are far from flat poses.
 ///
-/// A box is a tenth of the way on which the measure changes by its own size, so that this tells how long a step is beside the
-/// turn that it follows. A coordinate that turns back has gone farther than the ends of the step say: it turns back in each flat pose.
+/// Half an interval is a tenth of the distance on which the measure changes by its own size, so that the result compares the length of a
+/// step with that of the turn that it follows. A coordinate that reverses has gone farther than the ends of the step show: it reverses in
+/// each flat pose.
 #[inline]
 pub fn crossed<M: Charted>(step: &Step<'_, M>) -> M::S {
     let OfLoops::InChart { continuation, .. } = &step.held.of_loops else { return M::S::ZERO };
-    let system = step.system;
+    let (system, (t0, before), (t1, x)) = (step.system, step.from, step.to);
     let tight = |k: usize| M::S::lit(tight() / system.coordinates() as f64) * system.typical_at(k);
     continuation.coordinates().iter().enumerate().fold(M::S::ZERO, |most, (k, &Reach { reach, .. })| {
-        if reach < tight(k) { most.max(way(step, k) / reach) } else { most }
+        if reach < tight(k) { most.max(way::<M>(t1 - t0, [before, x], k) / reach) } else { most }
     })
 }
 
-/// The way of a coordinate in a step, by its places and rates at both ends: to the place at which it turns back, or from there.
+/// The distance that a coordinate covers in a step of this length, by its values and rates at both ends: the change, or if it reverses, at
+/// least the distance to or from the point of reversal.
 #[cold]
 #[inline(never)]
-fn way<M: Charted>(step: &Step<'_, M>, k: usize) -> M::S {
-    let ((t0, before), (t1, x)) = (step.from, step.to);
+fn way<M: Charted>(h: M::S, [before, x]: [&M::X; 2], k: usize) -> M::S {
     let (moved, v0, v1) = ((x.at(k) - before.at(k)).abs(), before.at(M::NQ + k), x.at(M::NQ + k));
     let (fastest, both) = (v0.abs().max(v1.abs()), v0.abs() + v1.abs());
-    if v0 * v1 < M::S::ZERO { moved.max(fastest * fastest * (t1 - t0).abs() / (both + both)) } else { moved }
+    if v0 * v1 < M::S::ZERO { moved.max(fastest * fastest * h.abs() / (both + both)) } else { moved }
 }
 
-/// Looks at a state that has come from what is remembered in a chart; the chart may be left.
+/// Checks a state that continues the stored data in a chart; the chart may be left.
 fn watch<M: Charted>(
     system: &M,
     t: M::S,
@@ -226,13 +227,13 @@ fn watch<M: Charted>(
 
 /// Can a loop not be closed at all?
 fn is_open<S: Real>(measure: S) -> bool {
-    // False for what is not a number.
+    // False for NaN.
     let closes = measure >= S::lit(-OPEN.get()).min(S::lit(-64.0) * S::EPSILON);
     !closes
 }
 
-/// The name of a coordinate or its rate in the chart that is held, of `count` names for each chart; none of other states, and
-/// without a chart.
+/// The name of a coordinate or its rate in the present chart, of `count` names for each chart; `None` for other states, and without a
+/// chart.
 pub fn name_of<M: Charted>(
     held: &M::U,
     index: usize,
@@ -284,7 +285,7 @@ fn come_back<M: Charted>(system: &M, t: M::S, held: &mut M::U, x: &mut M::X) -> 
     }
     let (alone, rest) = (*held, *x);
     change(system, t, held, (chart, &q, &v), x);
-    // Lengths that repeat each other may disagree in what a pose does not tell.
+    // Redundant lengths may disagree in a way that a pose does not show.
     let closed = !is_open(system.continuation(t, held, x).1);
     if !closed {
         (*held, *x) = (alone, rest);

@@ -26,7 +26,7 @@ const FACTOR: f64 = 20.0;
 /// ... and by this part of their size: the error of the runs.
 const LEAST: f64 = 1e-7;
 
-/// What a comparison says.
+/// Verdict of a comparison.
 pub(super) enum Beside {
     /// So much of what is allowed.
     Right(f64),
@@ -89,7 +89,7 @@ pub(super) fn beside_differences(
     own: &Small,
     by: By<'_>,
     until: f64,
-    (ahead, behind): (&[Dual<f64, 1>], Option<&[f64; OUTPUTS]>),
+    (ahead, back): (&[Dual<f64, 1>], Option<&[f64; OUTPUTS]>),
 ) -> Beside {
     let value = number(own, by);
     let step = REACH * value.abs().max(0.1);
@@ -103,7 +103,7 @@ pub(super) fn beside_differences(
             continue;
         }
         decided = true;
-        for (way, slope) in [("forward", Some(*slope)), ("backward", after.map(|after| after[k]))] {
+        for (way, slope) in [("forward", Some(*slope)), ("backward", back.map(|back| back[k]))] {
             let Some(slope) = slope else { continue };
             let error = (slope - near[k]).abs() / size / (FACTOR * apart + LEAST);
             let is_right = error <= 1.0;
