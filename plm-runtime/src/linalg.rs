@@ -21,7 +21,6 @@ pub use resolvent::{Dense, Derivatives, Resolvent};
 pub use sparse::{Below, Eliminated, Part, Pattern, Patterned, Pivot, Sparse, Term};
 
 use crate::scalar::Real;
-use crate::vector::Vector;
 
 /// Sweeps that are enough many times over: convergence is quadratic, six to ten are usual.
 const SWEEPS: usize = 60;
@@ -29,34 +28,95 @@ const SWEEPS: usize = 60;
 /// Rotates `rows` until they are orthogonal, and `carried` along with them: what was A becomes S V^T, what was B becomes
 /// W B. Returns the singular values, the norms of the rows, in no particular order; `None` if an entry is not finite.
 ///
-/// It works in place: matrices of large mechanisms fit on a stack once, not several times. In builds with debug assertions a crate has its
-/// own copy: of what is never inlined an optimised one (`examples/sweep`) would take that of an unoptimised one.
-#[cfg_attr(not(debug_assertions), inline(never))]
+/// It works in place: matrices of large mechanisms fit on a stack once, not several times. Rows and columns of zeros after the last one
+/// that has a number are room, and cost nothing.
 pub fn rotate<S: Real, const ROWS: usize, const COLUMNS: usize, const CARRIED: usize>(
     rows: &mut [[S; COLUMNS]; ROWS],
     carried: &mut [[S; CARRIED]; ROWS],
 ) -> Option<Singular<S, ROWS>> {
-    let total = rows.iter().fold(S::lit(0.0), |sum, row| sum + dot(row, row));
+    let mut values = [S::lit(0.0); ROWS];
+    let [matrix, carried] =
+        [Rows::of(rows.as_flattened_mut(), COLUMNS), Rows::of(carried.as_flattened_mut(), CARRIED)];
+    orthogonalise(matrix, carried, &mut values).then_some(Singular { values })
+}
+
+/// [`rotate`] for all sizes of matrices; false if an entry is not finite. In builds with debug assertions a crate has its own copy: of what
+/// is never inlined an optimised one would take that of an unoptimised one.
+#[cfg_attr(not(debug_assertions), inline(never))]
+fn orthogonalise<S: Real>(mut rows: Rows<'_, S>, mut carried: Rows<'_, S>, values: &mut [S]) -> bool {
+    let total = (0..values.len()).fold(S::lit(0.0), |sum, k| sum + rows.product(k, k));
     if !total.is_finite() {
-        return None;
+        return false;
     }
-    let precision = Precision::of(rows, total);
+    let precision = Precision::of(&rows, total);
+    let count = rows.filled();
     for _ in 0..SWEEPS {
         let mut orthogonal = true;
-        for p in 0..ROWS {
-            for q in p + 1..ROWS {
-                if let Some(rotation) = precision.rotation(&rows[p], &rows[q]) {
-                    rotation.apply(rows, p, q);
-                    rotation.apply(carried, p, q);
+        for p in 0..count {
+            for q in p + 1..count {
+                if let Some(rotation) = precision.rotation(&rows, p, q) {
+                    rotation.apply(&mut rows, p, q);
+                    rotation.apply(&mut carried, p, q);
                     orthogonal = false;
                 }
             }
         }
         if orthogonal {
-            return Some(Singular { values: Vector::from_fn(|k| dot(&rows[k], &rows[k]).sqrt()) });
+            for (k, value) in values.iter_mut().enumerate() {
+                *value = rows.product(k, k).sqrt();
+            }
+            return true;
         }
     }
-    None
+    false
+}
+
+/// A matrix by its rows, whatever its size.
+struct Rows<'a, S> {
+    numbers: &'a mut [S],
+    /// Room for columns.
+    stride: usize,
+    /// Columns up to the last one that is not zero.
+    width: usize,
+}
+
+impl<'a, S: Real> Rows<'a, S> {
+    fn of(numbers: &'a mut [S], stride: usize) -> Self {
+        let widths = numbers.chunks(stride.max(1)).filter_map(|row| row.iter().rposition(is_filled));
+        let width = widths.max().map_or(0, |last| last + 1);
+        Self { numbers, stride, width }
+    }
+
+    /// Rows up to the last one that is not zero.
+    fn filled(&self) -> usize {
+        self.numbers.iter().rposition(is_filled).map_or(0, |last| last / self.stride.max(1) + 1)
+    }
+
+    fn row(&self, k: usize) -> &[S] {
+        self.numbers.get(k * self.stride..).and_then(|rest| rest.get(..self.width)).unwrap_or_default()
+    }
+
+    /// Inner product of two rows.
+    fn product(&self, p: usize, q: usize) -> S {
+        let (p, q) = (self.row(p), self.row(q));
+        let count = p.len().min(q.len());
+        let (mut sum, mut j) = (S::lit(0.0), 0);
+        while j < count {
+            sum = p[j].mul_add(q[j], sum);
+            j += 1;
+        }
+        sum
+    }
+
+    /// Two rows, the first before the other.
+    fn pair(&mut self, p: usize, q: usize) -> Option<(&mut [S], &mut [S])> {
+        let (before, from) = self.numbers.split_at_mut_checked(q * self.stride)?;
+        Some((before.get_mut(p * self.stride..)?.get_mut(..self.width)?, from.get_mut(..self.width)?))
+    }
+}
+
+fn is_filled<S: Real>(number: &S) -> bool {
+    *number != S::lit(0.0)
 }
 
 /// The singular values of a matrix.
@@ -118,7 +178,7 @@ pub fn largest<S: Real, const N: usize>(v: &[S; N]) -> S {
     v.iter().fold(S::lit(0.0), |largest, s| if s.abs() <= largest { largest } else { s.abs() })
 }
 
-/// What cannot be told from zero in a matrix of a given size.
+/// Thresholds of rounding for a matrix of a given size.
 struct Precision<S> {
     /// Cosine of the angle between rows that count as orthogonal.
     cosine: S,
@@ -128,18 +188,19 @@ struct Precision<S> {
 
 impl<S: Real> Precision<S> {
     /// Of a matrix with the sum of squares `total`. Rows and columns of zeros are room, and do not count.
-    fn of<const ROWS: usize, const COLUMNS: usize>(matrix: &[[S; COLUMNS]; ROWS], total: S) -> Self {
-        let is_filled = |number: &S| *number != S::lit(0.0);
-        let rows = matrix.iter().filter(|row| row.iter().any(is_filled)).count();
-        let columns = (0..COLUMNS).filter(|column| matrix.iter().any(|row| is_filled(&row[*column]))).count();
+    fn of(matrix: &Rows<'_, S>, total: S) -> Self {
+        let all = || matrix.numbers.chunks(matrix.stride.max(1));
+        let rows = all().filter(|row| row.iter().any(is_filled)).count();
+        let is_column = |column: &usize| all().any(|row| row.get(*column).is_some_and(is_filled));
+        let columns = (0..matrix.width).filter(is_column).count();
         let cosine = S::lit(columns.max(4) as f64).sqrt() * S::EPSILON;
         let noise = S::lit(rows.max(columns) as f64) * S::EPSILON;
         Self { cosine, square: noise * noise * total }
     }
 
     /// The rotation that makes two rows orthogonal; none if they are, or if one is nothing but rounding.
-    fn rotation<const N: usize>(&self, p: &[S; N], q: &[S; N]) -> Option<Rotation<S>> {
-        let (pp, qq, pq) = (dot(p, p), dot(q, q), dot(p, q));
+    fn rotation(&self, rows: &Rows<'_, S>, p: usize, q: usize) -> Option<Rotation<S>> {
+        let (pp, qq, pq) = (rows.product(p, p), rows.product(q, q), rows.product(p, q));
         if pp.min(qq) <= self.square || pq.abs() <= self.cosine * (pp.sqrt() * qq.sqrt()) {
             return None;
         }
@@ -160,13 +221,15 @@ struct Rotation<S> {
 }
 
 impl<S: Real> Rotation<S> {
-    /// Rotates the rows `p` and `q`.
-    fn apply<const ROWS: usize, const N: usize>(&self, rows: &mut [[S; N]; ROWS], p: usize, q: usize) {
+    /// Rotates the rows `p` and `q`, `p` before `q`.
+    fn apply(&self, rows: &mut Rows<'_, S>, p: usize, q: usize) {
+        let Some((p, q)) = rows.pair(p, q) else { return };
+        let count = p.len().min(q.len());
         let mut j = 0;
-        while j < N {
-            let (x, y) = (rows[p][j], rows[q][j]);
-            rows[p][j] = self.cos * x - self.sin * y;
-            rows[q][j] = self.sin * x + self.cos * y;
+        while j < count {
+            let (x, y) = (p[j], q[j]);
+            p[j] = self.cos * x - self.sin * y;
+            q[j] = self.sin * x + self.cos * y;
             j += 1;
         }
     }
