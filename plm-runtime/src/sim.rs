@@ -27,10 +27,9 @@ use crate::system::Drift;
 
 /// A running simulation.
 ///
-/// It dereferences to the mechanism's state: `sim.arm_angle()`, `sim.input.drive = 1.0`. Any mutable access makes the
-/// method forget the rate that it had kept, because state, parameters or inputs may have been changed. The next step looks
-/// at what was: a parameter whose value the equations do not allow is a fault, and one that joints read makes it assemble
-/// anew from the present pose ([`Mechanism::renew`]).
+/// It dereferences to the mechanism's state: `sim.arm_angle()`, `sim.input.drive = 1.0`. Any mutable access makes the method discard its
+/// stored rate, because state, parameters or inputs may have been changed. The next step checks for changes: a parameter whose value the
+/// equations do not allow is a fault, and one that joints read makes the mechanism reassemble from the present pose ([`Mechanism::renew`]).
 #[derive(Clone, Copy)]
 pub struct Sim<M: Mechanism, I = Dop853<M>> {
     pub(crate) state: M::State,
@@ -38,7 +37,7 @@ pub struct Sim<M: Mechanism, I = Dop853<M>> {
     pub(crate) stats: Stats,
     pub(crate) detector: Detector<M::S, M::G>,
     pub(crate) limits: Limits<M::S>,
-    /// What rounding has left out of the time.
+    /// Clock that carries the rounding error of the time.
     pub(crate) clock: Clock<M::S>,
     /// The longest step so far, s.
     pub(crate) longest_step: M::S,
@@ -47,7 +46,7 @@ pub struct Sim<M: Mechanism, I = Dop853<M>> {
     pub(crate) start_time: M::S,
     /// The caller may have changed something since the last step.
     pub(crate) changed: bool,
-    /// What the parameters were when they were looked at last.
+    /// Fingerprint of the parameters at the last check.
     pub(crate) parameters: u64,
 }
 
@@ -78,8 +77,8 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
 
     /// Runs for the communication interval `dt`, in s, and ends exactly there.
     ///
-    /// What rounding leaves out of the time is made up for by the intervals that follow: a million of a millisecond end
-    /// at 1000 s, in `f32` as well.
+    /// The rounding error of the time is carried into the following intervals: a million intervals of a millisecond end at 1000 s, in `f32`
+    /// as well.
     ///
     /// # Errors
     /// When the interval cannot be integrated; the state is then that of the last accepted step.
@@ -112,10 +111,10 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             return self.advance(until, until - times.start, &mut Unobserved);
         }
         let samples = Samples { times, next: one, moment: self.state };
-        self.advance(until, until - times.start, &mut Sampler { samples, sample })
+        self.advance(until, until - times.start, &mut Sampler { samples, sample: &mut sample })
     }
 
-    /// The communication points of a run, after a look at what was changed.
+    /// Communication points of a run, after a check for changes by the caller.
     fn times(&mut self, until: M::S, every: M::S) -> Result<Times<M::S>, Fault> {
         let start = self.state.time();
         let length = until - start;
@@ -169,7 +168,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         &mut self.method
     }
 
-    /// What was done so far.
+    /// Counters of the run so far, with the longest step.
     pub fn stats(&self) -> Stats {
         Stats { longest_step: self.longest_step.to_f64(), ..self.stats }
     }
@@ -181,9 +180,9 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     }
 
     /// Ends a step in which kinetic and potential energy less the work of the forces change by more than this fraction of
-    /// what moves (the kinetic energy or the work in the step). It guards against formulas, parts and step lengths that
+    /// the larger of the kinetic energy and the work in the step. It guards against formulas, parts and step lengths that
     /// are wrong; 0.1 is a good value. It costs two evaluations of all outputs a step, and is off at first. Prescribed motions do
-    /// work that is not accounted for, so that nothing is looked at where there are some.
+    /// work that is not counted, so that nothing is checked if there are some.
     pub fn watch_energy(&mut self, fraction: Option<M::S>) {
         self.limits.energy_jump = fraction;
     }
@@ -200,7 +199,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
 
     /// Advances to `end`, which is to be `length` from here; `observer` sees every accepted step.
     fn advance<O: Observer<M>>(&mut self, end: M::S, length: M::S, observer: &mut O) -> Result<(), Fault> {
-        // False for what is not a number; no step by itself leads to an infinite time.
+        // False for NaN; no step by itself leads to an infinite time.
         let begins = end >= self.state.time() && !self.changed;
         if !begins {
             self.begin(end, length)?;

@@ -9,17 +9,18 @@ use crate::method::Method;
 use crate::scalar::Scalar;
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
-    /// State, parameters or inputs may be changed now.
+    /// Marks that the caller may change the state, parameters or inputs before the next step.
     pub(super) fn expect_changes(&mut self) {
         self.forget();
         self.changed = true;
     }
 
-    /// Looks at changes from outside: parameters must have values that the equations allow, and if joints read them, the
-    /// mechanism is assembled anew from its present pose.
+    /// Applies the caller's changes. Changed parameters must have values that the equations allow; if joints read them,
+    /// the mechanism is reassembled from its present pose. Time events that a change has moved into the past are
+    /// committed, and the modes of contact rows are checked against the state.
     ///
     /// # Errors
-    /// Those of [`Mechanism::check`] and [`Mechanism::renew`]; they come back until the change is undone.
+    /// Those of [`Mechanism::check`] and [`Mechanism::renew`]; they recur until the change is undone.
     #[cold]
     pub(crate) fn take_changes(&mut self) -> Result<(), Fault> {
         if !self.changed {
@@ -31,13 +32,13 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         if parameters != self.parameters {
             mechanism.check(time)?;
             mechanism.renew(time, &mut held, &mut x)?;
-            // Known times may have moved past the present.
+            // Event times may have moved before the present time.
             mechanism.switch_at_time(time, &mut held, &mut x)?;
             self.state.set(time, &held, &x);
             self.parameters = parameters;
             self.stats.renewed += 1;
         } else if mechanism.next_time_event(M::S::lit(f64::NEG_INFINITY), &held).is_some() {
-            // Inputs too move known times past the present.
+            // Inputs also can move event times before the present time.
             mechanism.switch_at_time(time, &mut held, &mut x)?;
             self.state.set(time, &held, &x);
         }
@@ -50,7 +51,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         Ok(())
     }
 
-    /// Why an interval to `end`, which is to be `length` from here, cannot be begun, unless changes were all that kept it.
+    /// Checks that an interval of `length` to `end` can begin, and applies the caller's changes.
     #[cold]
     pub(super) fn begin(&mut self, end: M::S, length: M::S) -> Result<(), Fault> {
         let time = self.state.time();

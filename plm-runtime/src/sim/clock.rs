@@ -1,20 +1,20 @@
-//! The time over many intervals.
+//! Compensated sum of the lengths of many intervals.
 
 use plm_math::exact::two_sum;
 
 use crate::scalar::Real;
 
-/// The time as the intervals so far have it: what rounding has left out of it is kept.
+/// The time as the sum of all intervals so far, with the rounding error of the sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Clock<S> {
-    /// The time that it belongs to, s.
+    /// The time to which `rest` belongs, s.
     pub(crate) time: S,
-    /// What is to be added to it, s.
+    /// Rounding error of the sum, s: the sum is `time + rest`.
     pub(crate) rest: S,
 }
 
 impl<S: Real> Clock<S> {
-    /// The clock after `dt`, from the time `now`; what is known of another time is forgotten.
+    /// The clock `dt` after the time `now`. A rest that belongs to another time than `now` is dropped.
     pub(crate) fn after(self, now: S, dt: S) -> Self {
         let rest = if self.time == now { self.rest } else { S::ZERO };
         let (length, low) = two_sum(dt, rest);

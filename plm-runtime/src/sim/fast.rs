@@ -11,7 +11,7 @@ use crate::scalar::Scalar;
 use crate::system::Updated;
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
-    /// Makes the step to `end`; false, and nothing has changed, where more is to be done.
+    /// Makes the step to `end`. Returns false, with nothing changed, if the general path has to make it.
     #[inline]
     pub(super) fn fast_step(&mut self, end: M::S) -> bool {
         let Self { state, method, detector, history, limits, stats, .. } = self;

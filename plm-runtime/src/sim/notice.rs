@@ -8,7 +8,7 @@ use crate::mechanism::{Mechanism, Moment};
 use crate::method::Method;
 use crate::stats::Stats;
 
-/// The state and what was done; a method has hundreds of numbers of its own.
+/// Shows the state and the counters only; a method has hundreds of numbers of its own.
 impl<M: Mechanism<State: fmt::Debug>, I> fmt::Debug for Sim<M, I> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut sim = f.debug_struct("Sim");
@@ -23,14 +23,14 @@ impl<M: Mechanism<State: fmt::Debug>, I> fmt::Debug for Snapshot<M, I> {
 }
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
-    /// The first of what the user should know of the motion although the run goes on.
+    /// The most important notice about the motion of a run that can continue.
     pub fn notice(&self) -> Option<Notice> {
-        // Of undetermined forces the motion knows nothing.
+        // Undetermined contact forces do not change the motion.
         Self::notices(self).find(|notice| !matches!(notice, Notice::UndeterminedContact { .. }))
     }
 
-    /// All that the user should know although the run goes on, what weighs most first. To be called as `Sim::notices(&sim)`, so that it
-    /// hides no output of this name.
+    /// All notices about a run that can continue, the most important first. Call it as `Sim::notices(&sim)`: an associated function cannot
+    /// hide an output of this name.
     pub fn notices(this: &Self) -> impl Iterator<Item = Notice> + use<M, I> {
         let stats = this.stats();
         let alpha = this.state.mechanism().baumgarte_rate().unwrap_or_default();
@@ -46,7 +46,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     }
 }
 
-/// Something that the user should know although the run goes on.
+/// Notice for the user about a run that can continue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Notice {
@@ -56,60 +56,60 @@ pub enum Notice {
         /// Step times decay rate.
         h_alpha: f64,
     },
-    /// Conditions came and went within steps of equal length, which passed over them: shorter steps, or a method with dense
-    /// output, which ends a step there.
+    /// Conditions switched forth and back within steps of fixed length and were not detected. Remedies: shorter steps, or a method with
+    /// dense output, which ends a step at every event.
     PassedOver {
-        /// How often.
+        /// Number of these conditions.
         conditions: u64,
     },
-    /// Contact rows went on in one of several ways, at each of which all laws of contact are satisfied: the motion from there on is
-    /// one of several, as with large coefficients of friction.
+    /// Events after which contact rows could continue in several ways, each of which satisfies all laws of contact. The motion from there
+    /// on is one of several, as with large coefficients of friction.
     AmbiguousContact {
-        /// At how many events.
+        /// Number of these events.
         events: u64,
     },
-    /// Impacts had one of several outcomes, each of which satisfies all laws: the motion from there on is one of several. So may corners,
-    /// and several gaps that close at once by sequential impacts.
+    /// Impacts with several outcomes, each of which satisfies all laws. The motion from there on is one of several. Causes are corners, and
+    /// several gaps that close at once while impacts are solved in sequence.
     AmbiguousImpact {
-        /// At how many events.
+        /// Number of these events.
         events: u64,
     },
-    /// Impacts whose impulses several rows may share in many ways, as a stop and a friction beside it: what a restitution gives back depends
-    /// on the share, so that the motion from there on is one of many.
+    /// Impacts whose impulses can be shared by several rows in many ways, as by a stop and a friction beside it. The rates after the impact
+    /// depend on the share, because restitution does, so that the motion from there on is one of many.
     UndeterminedImpact {
-        /// At how many events.
+        /// Number of these events.
         events: u64,
     },
-    /// More contact rows rest than there are freedoms: the motion is unique, but pushes, frictions and reactions are one of many
-    /// solutions, as at a table on four legs.
+    /// More contact rows are at rest than there are degrees of freedom. The motion is unique, but contact forces, frictions and reactions
+    /// are one of many solutions, as at a table on four legs.
     UndeterminedContact {
-        /// From how many events on.
+        /// Number of events after which this was so; at least 1 if it is so now.
         events: u64,
     },
-    /// Steps of fixed length are so long that a step errs by more than three thousandths of the size of a state, or all of them together
-    /// by more than a tenth: the motion is a rough one, and may be another one. Shorter steps, or a method that chooses them by
-    /// their error. Both are estimates of what the steps add; what a motion makes of that may be more or less.
+    /// Steps of fixed length are too long: one step errs by more than three thousandths of the size of a state, or all steps together by
+    /// more than a tenth. The motion is inaccurate and may differ in kind. Remedies: shorter steps, or a method that controls its error.
+    /// Both figures estimate local errors; the motion may amplify or damp them.
     LongSteps {
-        /// The largest error of a step, as a share of the size of a state.
+        /// Largest error of one step, relative to the size of a state.
         largest: f64,
-        /// The sum of those of all steps, as such a share.
+        /// Sum of the errors of all steps, on that scale.
         sum: f64,
-        /// The longest step, s.
+        /// Longest step, s.
         step: f64,
     },
 }
 
 impl Notice {
-    /// What steps of fixed length were off by, where that is worth to be told.
+    /// Notice about the errors of steps of fixed length, if they exceed [`LARGE`] or [`SUM`].
     fn of_errors(stats: &Stats) -> Option<Self> {
         let Stats { largest_error: largest, errors: sum, longest_step: step, .. } = *stats;
         (largest >= LARGE || sum >= SUM).then_some(Self::LongSteps { largest, sum, step })
     }
 
-    /// What contacts have left open, where they have; `is_undetermined` says so of the present modes.
+    /// Notices about contact that is not unique; `is_undetermined` tells this of the present modes.
     fn of_contacts(counts: &Counts, is_undetermined: bool) -> [Option<Self>; 4] {
         let Counts { ambiguous, ambiguous_impacts, undetermined_impacts, .. } = *counts;
-        // The modes of a start are no event.
+        // The modes at the start belong to no event.
         let undetermined = counts.undetermined.max(u64::from(is_undetermined));
         let told = |events: u64, notice| (events > 0).then_some(notice);
         [
@@ -121,10 +121,10 @@ impl Notice {
     }
 }
 
-/// A step is told that errs by this share of a state: estimates are right to a factor of three, and a run that is right to a
-/// thousandth is silent, ...
+/// Least error of one step, relative to the size of a state, that is reported. Estimates are accurate to a factor of three, and a run that
+/// is accurate to a thousandth gives no notice.
 const LARGE: f64 = 3e-3;
-/// ... and a run whose steps do so together.
+/// Least sum of the errors of all steps, on that scale, that is reported.
 const SUM: f64 = 0.1;
 
 impl fmt::Display for Notice {

@@ -7,40 +7,42 @@ use crate::mechanism::{Mechanism, Moment};
 use crate::method::Method;
 use crate::scalar::Scalar;
 
-/// The point that a run has come to on its way to a time.
+/// Point that a run has reached on its way to a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reached {
-    /// The end of a step before that time.
+    /// End of a step before that time.
     Step,
-    /// That time.
+    /// The time itself.
     End,
 }
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
-    /// Makes one internal step, or two at a time at which something switches, on the way to the time `until`, s. Until that is reached, calls
-    /// make the steps of [`step_to`](Self::step_to); a method with steps of one length divides what is left anew with each.
+    /// Makes one internal step towards the time `until`, s, or two at an event. Repeated calls make the steps of
+    /// [`step_to`](Self::step_to), except that a method with steps of fixed length divides the remaining interval again at each
+    /// call.
     ///
     /// # Errors
     /// As [`step_to`](Self::step_to).
     pub fn step_towards(this: &mut Self, until: M::S) -> Result<Reached, Fault> {
         let length = until - this.state.time();
-        this.advance(until, length, &mut Asked(|_| false))?;
+        this.advance(until, length, &mut Asked(&mut |_| false))?;
         Ok(this.reached(until))
     }
 
-    /// The same, and shows the end of each step and what switches, as [`watch`](Self::watch).
+    /// Makes a step as [`step_towards`](Self::step_towards), and shows its end and its events as [`watch`](Self::watch) does.
     ///
     /// # Errors
     /// As [`step_to`](Self::step_to).
     pub fn watch_towards(
         this: &mut Self,
         until: M::S,
-        see: impl FnMut(Seen<'_, M::State>),
+        mut see: impl FnMut(Seen<'_, M::State>),
     ) -> Result<Reached, Fault> {
         let start = this.state.time();
         let times = Times { start, every: until - start, until, last: M::S::ZERO };
         let samples = Samples { times, next: M::S::lit(1.0), moment: this.state };
-        let mut watcher: Watcher<M, _, _, true> = Watcher { samples, see, asked: Asked(|_| false) };
+        let mut goes_on = |_| false;
+        let mut watcher: Watcher<M, true> = Watcher { samples, see: &mut see, asked: Asked(&mut goes_on) };
         this.advance(until, until - start, &mut watcher)?;
         Ok(this.reached(until))
     }

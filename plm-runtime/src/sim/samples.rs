@@ -8,13 +8,13 @@ use crate::protocol::{Observer, Trigger};
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
-/// The communication points of a run: its begin, and after every so many seconds.
+/// Communication points of a run: its start, and multiples of a sampling interval after it.
 #[derive(Clone, Copy)]
 pub(super) struct Times<S> {
     pub(super) start: S,
     pub(super) every: S,
     pub(super) until: S,
-    /// Number of the last one.
+    /// Number of the last point.
     pub(super) last: S,
 }
 
@@ -23,35 +23,35 @@ impl<S: Real> Times<S> {
         (self.start + k * self.every).min(self.until)
     }
 
-    /// Number of the last one at a time or before it.
+    /// Number of the last point at or before a time.
     pub(super) fn last_at(&self, time: S) -> S {
         let (number, near) = self.number(time);
         (number + near).floor()
     }
 
-    /// Number of the last one before a time.
+    /// Number of the last point before a time.
     pub(super) fn last_before(&self, time: S) -> S {
         let (number, near) = self.number(time);
         -(near - number).floor() - S::lit(1.0)
     }
 
-    /// The number that a point at a time would have, and how far from it rounding may put one.
+    /// Number that a point at this time would have, and the largest error of that number by rounding.
     fn number(&self, time: S) -> (S, S) {
         let number = (time - self.start) / self.every;
         (number, S::lit(1e-9).max(S::lit(16.0) * S::EPSILON * number))
     }
 }
 
-/// The communication points that are to come.
+/// Communication points that are still to come.
 pub(super) struct Samples<M: Mechanism> {
     pub(super) times: Times<M::S>,
-    /// Number of the next one.
+    /// Number of the next point.
     pub(super) next: M::S,
     pub(super) moment: M::State,
 }
 
 impl<M: Mechanism> Samples<M> {
-    /// After a step: gives those within it.
+    /// Gives the samples within the step that was just made.
     fn give<I: Method<M>>(
         &mut self,
         method: &mut I,
@@ -67,19 +67,19 @@ impl<M: Mechanism> Samples<M> {
     }
 }
 
-/// Gives samples at even times.
-pub(super) struct Sampler<M: Mechanism, F> {
+/// Observer that gives samples at equal intervals.
+pub(super) struct Sampler<'a, M: Mechanism> {
     pub(super) samples: Samples<M>,
-    pub(super) sample: F,
+    pub(super) sample: &'a mut dyn FnMut(&M::State),
 }
 
-impl<M: Mechanism, F: FnMut(&M::State)> Observer<M> for Sampler<M, F> {
+impl<M: Mechanism> Observer<M> for Sampler<'_, M> {
     fn see<I: Method<M>>(&mut self, method: &mut I, context: &mut Context<'_, M>) -> Result<(), Fault> {
-        self.samples.give(method, context, &mut self.sample)
+        self.samples.give(method, context, &mut *self.sample)
     }
 }
 
-/// What a run shows on its way, to [`Sim::watch`](super::Sim::watch).
+/// Moment of a run that is shown to the callback of [`Sim::watch`](super::Sim::watch).
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum Seen<'a, T> {
@@ -87,19 +87,19 @@ pub enum Seen<'a, T> {
     Sample(&'a T),
     /// The state at the end of an internal step.
     Step(&'a T),
-    /// The condition with this index switches ([`Labels::guard_name`](crate::Labels::guard_name)); the state before that.
+    /// The condition with this index switches ([`Labels::guard_name`](crate::Labels::guard_name)); the state just before.
     Condition(usize, &'a T),
-    /// The time comes to where conditions on it alone change
-    /// ([`Described::instant_name`](crate::Described::instant_name)); the state before that.
+    /// A time event: conditions on the time alone change ([`Described::instant_name`](crate::Described::instant_name));
+    /// the state just before.
     Instant(&'a T),
-    /// The state after all that has switched at its time.
+    /// The state after all events at its time.
     Switched(&'a T),
 }
 
-/// Asked with the time after each step whether to go on.
-pub(super) struct Asked<F>(pub(super) F);
+/// Observer that ends the run when its predicate returns false for the time at the end of a step.
+pub(super) struct Asked<'a, S>(pub(super) &'a mut dyn FnMut(S) -> bool);
 
-impl<M: Mechanism, F: FnMut(M::S) -> bool> Observer<M> for Asked<F> {
+impl<M: Mechanism> Observer<M> for Asked<'_, M::S> {
     const ENDS: bool = true;
 
     fn see<I: Method<M>>(&mut self, _method: &mut I, context: &mut Context<'_, M>) -> Result<(), Fault> {
@@ -110,19 +110,17 @@ impl<M: Mechanism, F: FnMut(M::S) -> bool> Observer<M> for Asked<F> {
     }
 }
 
-/// Shows samples and switches, and is asked as well; shows the ends of steps if `STEPS`.
-pub(super) struct Watcher<M: Mechanism, F, G, const STEPS: bool> {
+/// Observer that shows samples and events, and the ends of steps if `STEPS`; `asked` may end the run.
+///
+/// Its type names no closure: closures within functions that are generic over the method have another type for each of them, and all that
+/// advances a run would be compiled for each.
+pub(super) struct Watcher<'a, M: Mechanism, const STEPS: bool> {
     pub(super) samples: Samples<M>,
-    pub(super) see: F,
-    pub(super) asked: Asked<G>,
+    pub(super) see: &'a mut dyn FnMut(Seen<'_, M::State>),
+    pub(super) asked: Asked<'a, M::S>,
 }
 
-impl<M, F, G, const STEPS: bool> Observer<M> for Watcher<M, F, G, STEPS>
-where
-    M: Mechanism,
-    F: FnMut(Seen<'_, M::State>),
-    G: FnMut(M::S) -> bool,
-{
+impl<M: Mechanism, const STEPS: bool> Observer<M> for Watcher<'_, M, STEPS> {
     const SWITCHES: bool = true;
     const ENDS: bool = true;
 
@@ -145,7 +143,7 @@ where
             Trigger::Condition(index) => see(Seen::Condition(index, moment)),
             Trigger::Time => see(Seen::Instant(moment)),
             Trigger::Due => {
-                // The events were committed: they do not fail here.
+                // These events have been committed before, so they do not fail here.
                 let _ = events::switch_each(
                     (context.system, M::G::fill(M::S::ZERO), M::S::ZERO),
                     None,
@@ -161,7 +159,7 @@ where
     }
 }
 
-/// Puts `moment` at a time within the last step, onto the constraints.
+/// Sets `moment` to a time within the last step, and projects it onto the constraints if it has drifted from them.
 pub(super) fn sample_at<M: Mechanism, I: Method<M>>(
     method: &mut I,
     context: &mut Context<'_, M>,

@@ -1,4 +1,4 @@
-//! To a time, the state at another one, and back to the beginning.
+//! Runs to a time, the state at another time, and reset.
 
 use super::samples::sample_at;
 use super::{Clock, Sim};
@@ -10,22 +10,23 @@ use crate::protocol::Unobserved;
 use crate::scalar::Scalar;
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
-    /// Runs until the time `until`, in s, and ends exactly there. At the present time it does nothing.
+    /// Runs until the time `until`, s, and ends exactly there. Does nothing if that is the present time.
     ///
     /// # Errors
-    /// As those of [`step`](Self::step); [`Cause::Interval`](crate::Cause::Interval) where that time has passed.
+    /// Those of [`step`](Self::step); [`Cause::Interval`](crate::Cause::Interval) if that time is in the past.
     pub fn step_to(&mut self, until: M::S) -> Result<(), Fault> {
         self.advance(until, until - self.state.time(), &mut Unobserved)?;
         self.clock = Clock { time: until, rest: M::S::lit(0.0) };
         Ok(())
     }
 
-    /// The state at a time, in s, without moving the simulation: ahead by a copy that goes there, within the last step by
-    /// the dense output of the method, as the samples of [`run`](Self::run).
+    /// The state at a time, s, without moving the simulation. A later time is reached by a copy; a time within the last
+    /// step is evaluated by the dense output of the method, as the samples of [`run`](Self::run) are.
     ///
     /// # Errors
-    /// [`Cause::Interval`](crate::Cause::Interval) before the last step, or before now where nothing is known of it: after
-    /// a change from outside, and with methods without dense output. Ahead, as those of [`step_to`](Self::step_to).
+    /// [`Cause::Interval`](crate::Cause::Interval) for a time before the last step, or before now if the last step is
+    /// unknown: after a change by the caller, and with methods without dense output. For a later time, those of
+    /// [`step_to`](Self::step_to).
     pub fn at(&self, time: M::S) -> Result<M::State, Fault> {
         let mut other = *self;
         let now = self.state.time();
@@ -37,10 +38,10 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         Ok(other.state)
     }
 
-    /// The state within the last step.
+    /// The state within the last step, which began at `beginning`.
     fn go_back(&mut self, beginning: Beginning<M>, time: M::S) -> Result<M::State, Fault> {
         if self.method.path().is_none_or(|path| path.start != beginning.time) {
-            // The step ended where something switched, and its dense output is gone: it is made again.
+            // An event ended the step, so that its dense output is gone: the step is repeated.
             self.state.set(beginning.time, &beginning.held, &beginning.x);
             self.forget();
             self.step_to(time)?;
@@ -54,11 +55,12 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         Ok(moment)
     }
 
-    /// Begins again at the time at which it began, from the start values of the mechanism with its parameters as they are
-    /// and the inputs as declared. Method and statistics begin anew, options stay: the run has the bits of a fresh one.
+    /// Restarts at the time at which the simulation began, with the start values of the mechanism, its present parameters
+    /// and the inputs as declared. Method and statistics are reset, options are unchanged: the run has the bits of a fresh
+    /// one.
     ///
     /// # Errors
-    /// As [`Mechanism::start_state`]; the simulation is then as it was.
+    /// Those of [`Mechanism::start_state`]; the simulation is unchanged then.
     pub fn reset(&mut self) -> Result<(), Fault> {
         let (mechanism, time) = (*self.state.mechanism(), self.start_time);
         let (held, x) = mechanism.start_state(time)?;

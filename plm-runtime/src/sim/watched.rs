@@ -1,4 +1,4 @@
-//! A run that shows what happens on its way, and can be ended on its way.
+//! Runs that show their samples, steps and events, and that the caller can end.
 
 use super::samples::{Asked, Samples, Seen, Times, Watcher};
 use super::{Clock, Sim};
@@ -8,8 +8,8 @@ use crate::method::Method;
 use crate::scalar::Scalar;
 
 impl<M: Mechanism, I: Method<M>> Sim<M, I> {
-    /// Runs as [`run`](Self::run), and shows more: communication points, the end of every internal step, and what switches.
-    /// It has the same bits. To be called as `Sim::watch(&mut sim, …)`, so that it hides no output of this name.
+    /// Runs as [`run`](Self::run), with the same bits, and shows communication points, the end of every internal step, and events. Call it
+    /// as `Sim::watch(&mut sim, …)`: an associated function hides no output of this name.
     ///
     /// # Errors
     /// As [`run`](Self::run).
@@ -22,8 +22,8 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         Self::watch_while(this, until, every, see, |_| true)
     }
 
-    /// The same as long as `goes_on` says so, which is asked with the time, s, after each internal step. Where it does not, the
-    /// run is at the end of that step or of the next one, and can go on from there.
+    /// Runs as [`watch`](Self::watch) while `goes_on` returns true. It is called with the time, s, after each internal step. After false
+    /// the run stops at the end of that step or of the next one, and can be continued from there.
     ///
     /// # Errors
     /// As [`run`](Self::run).
@@ -37,7 +37,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         Self::watch_by::<true>(this, (until, every), see, goes_on)
     }
 
-    /// The same without the end of every internal step ([`Seen::Step`]): of a short step that costs as much as the step.
+    /// Runs as [`watch_while`](Self::watch_while) without [`Seen::Step`], which costs about as much as a short step.
     ///
     /// # Errors
     /// As [`run`](Self::run).
@@ -51,12 +51,12 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         Self::watch_by::<false>(this, (until, every), see, goes_on)
     }
 
-    /// Runs as [`watch_events_while`](Self::watch_events_while) with inputs that change on the way: `drive` may change them at the start and
-    /// at each time that it has given before, and gives the time of the next change, s, infinite where none comes. A step ends there. A
-    /// sample at such a time is that after the change.
+    /// Runs as [`watch_events_while`](Self::watch_events_while) with inputs that change during the run. `drive` is called at the start and
+    /// at each time that it has returned. It may change inputs, and returns the time of the next change, s, infinite if there is none. A
+    /// step ends at each of these times, and a sample there shows the state after the change.
     ///
     /// # Errors
-    /// As [`run`](Self::run); [`Cause::Interval`](crate::Cause::Interval) where the next change does not lie ahead.
+    /// Those of [`run`](Self::run); [`Cause::Interval`](crate::Cause::Interval) if the next change is not later than the present time.
     pub fn watch_driven(
         this: &mut Self,
         until: M::S,
@@ -83,11 +83,11 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
                 return Err(this.bad_interval(end - now));
             }
             let times = Times { until: end, last: whole.last_before(end), ..whole };
-            let goes_on = |time| {
+            let mut goes_on = |time| {
                 is_over |= !goes_on(time);
                 !is_over
             };
-            Self::watch_within::<false>(this, (times, next), &mut see, goes_on)?;
+            Self::watch_within::<false>(this, (times, next), &mut see, &mut goes_on)?;
             if this.state.time() < end {
                 return Ok(());
             }
@@ -99,24 +99,24 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         this: &mut Self,
         (until, every): (M::S, M::S),
         mut see: impl FnMut(Seen<'_, M::State>),
-        goes_on: impl FnMut(M::S) -> bool,
+        mut goes_on: impl FnMut(M::S) -> bool,
     ) -> Result<(), Fault> {
         let times = this.times(until, every)?;
         see(Seen::Sample(&this.state));
-        Self::watch_within::<STEPS>(this, (times, M::S::lit(1.0)), see, goes_on)
+        Self::watch_within::<STEPS>(this, (times, M::S::lit(1.0)), &mut see, &mut goes_on)
     }
 
-    /// Runs to the end of times with the communication points from this number on.
+    /// Runs to `times.until`, and gives the communication points from the number `next` on.
     fn watch_within<const STEPS: bool>(
         this: &mut Self,
         (times, next): (Times<M::S>, M::S),
-        see: impl FnMut(Seen<'_, M::State>),
-        goes_on: impl FnMut(M::S) -> bool,
+        see: &mut dyn FnMut(Seen<'_, M::State>),
+        goes_on: &mut dyn FnMut(M::S) -> bool,
     ) -> Result<(), Fault> {
-        // Without dense output a run is at its communication points, after what switches there.
+        // Without dense output the run stops at its communication points, after the events there.
         let within = if I::DENSE { times } else { Times { last: M::S::ZERO, ..times } };
         let samples = Samples { times: within, next, moment: this.state };
-        let mut watcher: Watcher<M, _, _, STEPS> = Watcher { samples, see, asked: Asked(goes_on) };
+        let mut watcher: Watcher<M, STEPS> = Watcher { samples, see, asked: Asked(goes_on) };
         if !I::DENSE {
             let mut k = next;
             while k <= times.last {
@@ -131,15 +131,14 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         this.advance(times.until, times.until - times.start, &mut watcher)
     }
 
-    /// Runs for `dt`, s, as [`step`](Self::step) and with its bits, as long as `goes_on` says so, as in
-    /// [`watch_while`](Self::watch_while).
+    /// Runs for `dt`, s, as [`step`](Self::step) and with its bits, while `goes_on` returns true, as in [`watch_while`](Self::watch_while).
     ///
     /// # Errors
     /// As [`step`](Self::step).
-    pub fn step_while(this: &mut Self, dt: M::S, goes_on: impl FnMut(M::S) -> bool) -> Result<(), Fault> {
+    pub fn step_while(this: &mut Self, dt: M::S, mut goes_on: impl FnMut(M::S) -> bool) -> Result<(), Fault> {
         let clock: Clock<M::S> = this.clock.after(this.state.time(), dt);
-        this.advance(clock.time, dt, &mut Asked(goes_on))?;
-        // Of a time that was not reached nothing is known.
+        this.advance(clock.time, dt, &mut Asked(&mut goes_on))?;
+        // If the time was not reached, the clock drops its rest.
         this.clock = clock;
         Ok(())
     }
