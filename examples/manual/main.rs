@@ -54,7 +54,7 @@ fn run(words: &[String]) -> Result<ExitCode, Box<dyn Error>> {
         }
         [name, option, ..] if option.starts_with('-') => {
             let shown = command::find(&SHOWN, |shown| shown.demo, name)?;
-            (shown.program)(&Options::parse(&words[1..])?)?;
+            shown.program.start(&Options::parse(&words[1..])?)?;
             Ok(ExitCode::SUCCESS)
         }
         named => command::sheets(&DEMOS, named),

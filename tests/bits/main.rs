@@ -3,6 +3,8 @@
 
 #[path = "../support/beside_text.rs"]
 mod beside_text;
+#[path = "../snapshots/blessed.rs"]
+mod blessed;
 
 /// Here `scene!` is [`plm::mechanism!`].
 macro_rules! scene {
@@ -24,9 +26,15 @@ mod analysis_scenes;
 mod contact;
 #[path = "../scenes/contact.rs"]
 mod contact_scenes;
+mod emitted;
 #[path = "../scenes/events.rs"]
 mod event_scenes;
 mod events;
+mod every_method;
+mod first_steps;
+mod from_text;
+#[path = "../support/linearised.rs"]
+mod linearised;
 #[path = "../contact/machines.rs"]
 mod machines;
 mod massless;

@@ -42,7 +42,7 @@ mod plm_arm_on_jack_ {
             ///
             /// In no unit; 0 by default.
             pub gas: S,
-            /// Where the bodies start, and what assembly must keep.
+            /// Start values of the bodies, and which of them assembly keeps.
             pub start: super::code_::Starts<S>,
         }
     }
@@ -1928,7 +1928,7 @@ mod plm_arm_on_jack_ {
             }
         }
 
-        /// Where the coefficients of the linearised equations stand, and how those are eliminated.
+        /// Places of the coefficients of the linearised equations, and the order of their elimination.
         #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]
         pub struct Augmented<S>(core::marker::PhantomData<S>);

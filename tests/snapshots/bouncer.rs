@@ -36,7 +36,7 @@ mod plm_bouncer_ {
             ///
             /// In s; 0.7 s by default.
             pub until: S,
-            /// Where the bodies start, and what assembly must keep.
+            /// Start values of the bodies, and which of them assembly keeps.
             pub start: super::code_::Starts<S>,
         }
     }
@@ -1152,7 +1152,7 @@ mod plm_bouncer_ {
             }
         }
 
-        /// Where the coefficients of the linearised equations stand, and how those are eliminated.
+        /// Places of the coefficients of the linearised equations, and the order of their elimination.
         #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]
         pub struct Augmented<S>(core::marker::PhantomData<S>);

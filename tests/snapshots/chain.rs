@@ -38,7 +38,7 @@ mod plm_chain_ {
         /// A chain of five bars: elimination body by body.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct Chain<S = ::core::primitive::f64> {
-            /// Where the bodies start, and what assembly must keep.
+            /// Start values of the bodies, and which of them assembly keeps.
             pub start: super::code_::Starts<S>,
         }
     }
@@ -2024,7 +2024,7 @@ mod plm_chain_ {
             }
         }
 
-        /// Where the coefficients of the linearised equations stand, and how those are eliminated.
+        /// Places of the coefficients of the linearised equations, and the order of their elimination.
         #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]
         pub struct Augmented<S>(core::marker::PhantomData<S>);

@@ -32,7 +32,7 @@ mod plm_double_pendulum_ {
         /// The double pendulum of the manual, section 2.2.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct DoublePendulum<S = ::core::primitive::f64> {
-            /// Where the bodies start, and what assembly must keep.
+            /// Start values of the bodies, and which of them assembly keeps.
             pub start: super::code_::Starts<S>,
         }
     }
@@ -1296,7 +1296,7 @@ mod plm_double_pendulum_ {
             }
         }
 
-        /// Where the coefficients of the linearised equations stand, and how those are eliminated.
+        /// Places of the coefficients of the linearised equations, and the order of their elimination.
         #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]
         pub struct Augmented<S>(core::marker::PhantomData<S>);

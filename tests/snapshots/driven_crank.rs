@@ -38,7 +38,7 @@ mod plm_driven_crank_ {
         pub struct DrivenCrank<S = ::core::primitive::f64> {
             /// Parameter `amplitude`, m; 0.01 m by default.
             pub amplitude: S,
-            /// Where the bodies start, and what assembly must keep.
+            /// Start values of the bodies, and which of them assembly keeps.
             pub start: super::code_::Starts<S>,
         }
     }

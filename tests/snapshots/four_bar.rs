@@ -38,7 +38,7 @@ mod plm_four_bar_ {
         /// Four-bar linkage: its loop is a dyad, solved in closed form in several charts.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct FourBar<S = ::core::primitive::f64> {
-            /// Where the bodies start, and what assembly must keep.
+            /// Start values of the bodies, and which of them assembly keeps.
             pub start: super::code_::Starts<S>,
         }
     }

@@ -39,7 +39,7 @@ mod plm_plate_on_three_pins_ {
         /// A plate on the pins of three driven cranks: an angle and three slides that only Newton's iteration finds.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct PlateOnThreePins<S = ::core::primitive::f64> {
-            /// Where the bodies start, and what assembly must keep.
+            /// Start values of the bodies, and which of them assembly keeps.
             pub start: super::code_::Starts<S>,
         }
     }

@@ -34,7 +34,7 @@ mod plm_slider_crank_ {
         /// Slider-crank in absolute coordinates.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct SliderCrank<S = ::core::primitive::f64> {
-            /// Where the bodies start, and what assembly must keep.
+            /// Start values of the bodies, and which of them assembly keeps.
             pub start: super::code_::Starts<S>,
         }
     }

@@ -1,5 +1,5 @@
 //! Mechanisms of tests from text. Rustc compiles none of them, so that a change of one costs milliseconds; they have the bits of those that
-//! it does compile (`tests/bits`, `plm-dynamic/tests/bits.rs`).
+//! it does compile (`tests/bits`).
 #![allow(dead_code, reason = "each program uses some of it")]
 
 use std::collections::BTreeMap;

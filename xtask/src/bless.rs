@@ -5,7 +5,7 @@ use crate::place::Place;
 
 struct Text {
     name: &'static str,
-    /// What is written.
+    /// Description of the expected texts that are written.
     what: &'static str,
     /// Does `cargo test` compare it, with nothing but Rust?
     is_compared: bool,
@@ -36,7 +36,7 @@ const TEXTS: [Text; 14] = [
         what: "what is emitted, and the bits of first steps: tests/snapshots/",
         is_compared: true,
         variable: BLESS,
-        command: "cargo test --test emitted --test snapshots",
+        command: "cargo test --test emitted --test bits",
     },
     Text {
         name: "figures",
@@ -53,11 +53,11 @@ const TEXTS: [Text; 14] = [
         command: "cargo test --test contact pictures",
     },
     Text {
-        name: "index",
-        what: "the list of source files in the book, and the picture of the architecture",
+        name: "architecture",
+        what: "the picture of the architecture",
         is_compared: true,
         variable: None,
-        command: "cargo xtask index",
+        command: "cargo xtask architecture",
     },
     Text {
         name: "c",

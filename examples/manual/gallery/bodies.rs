@@ -3,6 +3,7 @@
 use plm::view::Program;
 
 use super::{AT_START, Picture, Shown, USUAL, WIDE, run};
+use crate::command::Command;
 use crate::demos::plmcalcul::Plmcalcul;
 use crate::demos::quadrorhomb::Quadrorhomb;
 
@@ -31,7 +32,7 @@ pub const CONTOUR: Shown = Shown {
     text: "A body whose [contour](language/bodies.md#pictures) is a file of points; those of the manual's Table 16 are a picture, these are \
            our own.",
     runs: || Ok(vec![run("swinging", Hook::new(), [4.0, 0.005])?]),
-    program: |options| Program::new(Hook::new()).until(4.0).every(0.005).with(options),
+    program: Command::new(|options| Program::new(Hook::new()).until(4.0).every(0.005).with(options)),
     figures: &[],
     pictures: &[Picture {
         file: "figure-79.svg",
@@ -52,7 +53,7 @@ pub const QUADRORHOMB: Shown = Shown {
             run("turning", Quadrorhomb::new(), [1.0, 0.01])?,
         ])
     },
-    program: |options| Program::new(Quadrorhomb::new()).until(1.0).every(0.01).with(options),
+    program: Command::new(|options| Program::new(Quadrorhomb::new()).until(1.0).every(0.01).with(options)),
     figures: &[],
     pictures: &[Picture {
         file: "figure-83.svg",
@@ -67,7 +68,7 @@ pub const PLMCALCUL: Shown = Shown {
     section: "4.8",
     text: "Points in relative and absolute axes: a plate stands at (1, 0.5) m, turned by 30 deg.",
     runs: || Ok(vec![run("fixed", Plmcalcul::new(), AT_START)?]),
-    program: |options| Program::new(Plmcalcul::new()).until(1.0).with(options),
+    program: Command::new(|options| Program::new(Plmcalcul::new()).until(1.0).with(options)),
     figures: &[],
     pictures: &[Picture {
         file: "plmcalcul.svg",

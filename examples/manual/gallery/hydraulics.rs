@@ -5,6 +5,7 @@ use plm::view::Program;
 use super::figure::Across::Time;
 use super::figure::{Figure, curve, panel};
 use super::{Picture, Shown, USUAL, WIDE, run};
+use crate::command::Command;
 use crate::demos::connect_plm_hcd::{self, ConnectPlmHcd};
 use crate::demos::connect_plm_hyd::{self, ConnectPlmHyd};
 use crate::demos::double_arm::{self, DoubleArm};
@@ -19,9 +20,9 @@ pub const CONNECT_PLM_HYD: Shown = Shown {
     text: "An arm on a hydraulic jack with a servo-valve and two lines. The valve lets 20 L/min through at 0.5 bar, so that the jack \
            reaches its end stop, as the manual says. The diameters are those of Table 4, whose rod is wider than its piston.",
     runs: || Ok(vec![run(RUN, connect_plm_hyd::on_the_stop()?, CYCLE)?]),
-    program: |options| {
+    program: Command::new(|options| {
         Program::new(connect_plm_hyd::at_rest(&ConnectPlmHyd::new())?).until(4.0).every(0.005).with(options)
-    },
+    }),
     figures: &[Figure {
         number: 20,
         caption: "servo-valve reference, cylinder position, cylinder pressures",
@@ -52,9 +53,9 @@ pub const CONNECT_PLM_HCD: Shown = Shown {
     text: "The same arm, its cylinder put together from pistons, volumes and an end stop; with the same valve and friction, the results are \
            the same.",
     runs: || Ok(vec![run(RUN, connect_plm_hcd::at_rest(&same_arm())?, CYCLE)?]),
-    program: |options| {
+    program: Command::new(|options| {
         Program::new(connect_plm_hcd::at_rest(&ConnectPlmHcd::new())?).until(4.0).every(0.005).with(options)
-    },
+    }),
     figures: &[Figure {
         number: 22,
         caption: "servo-valve reference, cylinder position, cylinder pressures",
@@ -85,7 +86,9 @@ pub const DOUBLE_ARM: Shown = Shown {
     text: "A second arm slides along the first; each has a hydraulic cylinder. The valves let 20 L/min through at 1.5 bar: then the forces \
            end as the manual says.",
     runs: || Ok(vec![run(RUN, double_arm::at_rest(&arms())?, CYCLE)?]),
-    program: |options| Program::new(double_arm::at_rest(&arms())?).until(4.0).every(0.005).with(options),
+    program: Command::new(|options| {
+        Program::new(double_arm::at_rest(&arms())?).until(4.0).every(0.005).with(options)
+    }),
     figures: &[
         Figure {
             number: 29,

@@ -6,6 +6,7 @@ use plm::view::Program;
 use super::figure::Across::{Column, Time};
 use super::figure::{Figure, curve, panel};
 use super::{AT_START, Picture, Shown, USUAL, WIDE, run};
+use crate::command::Command;
 use crate::demos::plmemb01::Plmemb01;
 use crate::demos::plmj00::Plmj00;
 use crate::demos::plmpiv10::Plmpiv10;
@@ -19,7 +20,7 @@ pub const PLMPIV10: Shown = Shown {
     text: "An eccentric wheel on a driven pivot. It turns with 1000 rev/min after some 10 ms; the pivot carries the centrifugal \
            force. At the start, off the scale of the curves, it carries 700 N.",
     runs: || Ok(vec![run("from rest", Plmpiv10::new(), [0.3, 2e-4])?]),
-    program: |options| Program::new(Plmpiv10::new()).until(0.3).every(2e-4).with(options),
+    program: Command::new(|options| Program::new(Plmpiv10::new()).until(0.3).every(2e-4).with(options)),
     figures: &[Figure {
         number: 42,
         caption: "force in the rotary joint in both absolute directions",
@@ -56,7 +57,7 @@ pub const PLMTRA00: Shown = Shown {
             run("Example 4", case(-20.0, -45.0), AT_START)?,
         ])
     },
-    program: |options| Program::new(Plmtra00::new()).until(1.0).with(options),
+    program: Command::new(|options| Program::new(Plmtra00::new()).until(1.0).with(options)),
     figures: &[],
     pictures: &[
         Picture {
@@ -100,7 +101,7 @@ pub const PLMTRA10: Shown = Shown {
         };
         [0.0, 30.0, 60.0, 90.0].into_iter().map(slope).collect()
     },
-    program: |options| Program::new(Plmtra10::new()).until(1.0).every(1e-3).with(options),
+    program: Command::new(|options| Program::new(Plmtra10::new()).until(1.0).every(1e-3).with(options)),
     figures: &[Figure {
         number: 59,
         caption: "spring force for four slope angles",
@@ -129,7 +130,7 @@ pub const PLMTRPI00: Shown = Shown {
     section: "4.2.4.3",
     text: "A bar hangs on a pin in a slot; a torque of 100 N·m turns it to and fro, and the pin slides.",
     runs: || Ok(vec![run("4 s", Plmtrpi00::new(), [4.0, 2e-3])?]),
-    program: |options| Program::new(Plmtrpi00::new()).until(4.0).every(2e-3).with(options),
+    program: Command::new(|options| Program::new(Plmtrpi00::new()).until(4.0).every(2e-3).with(options)),
     figures: &[Figure {
         number: 67,
         caption: "displacement of point A in the xy plane",
@@ -149,7 +150,7 @@ pub const PLMJ00: Shown = Shown {
     section: "4.2.5.3",
     text: "An arm that a spring in a jack holds up. The stabilising run finds the force, 4086.32 N, and nothing moves.",
     runs: || Ok(vec![run("stabilised", Plmj00::new().stabilise()?.mechanism, AT_START)?]),
-    program: |options| Program::new(Plmj00::new()).until(2.0).every(2e-3).with(options),
+    program: Command::new(|options| Program::new(Plmj00::new()).until(2.0).every(2e-3).with(options)),
     figures: &[],
     pictures: &[Picture {
         file: "figure-73.svg",
@@ -164,7 +165,7 @@ pub const PLMEMB01: Shown = Shown {
     section: "4.5.3",
     text: "The same arm with the jack on a second ground, at (-0.05, -0.25) m.",
     runs: || Ok(vec![run("stabilised", Plmemb01::new().stabilise()?.mechanism, AT_START)?]),
-    program: |options| Program::new(Plmemb01::new()).until(2.0).every(2e-3).with(options),
+    program: Command::new(|options| Program::new(Plmemb01::new()).until(2.0).every(2e-3).with(options)),
     figures: &[],
     pictures: &[Picture {
         file: "figure-100.svg",

@@ -6,6 +6,7 @@ use plm::view::Program;
 use super::figure::Across::Time;
 use super::figure::{Figure, Panel, curve, panel};
 use super::{Picture, Shown, USUAL, WIDE, run};
+use crate::command::Command;
 use crate::demos::plmt01d::Plmt01d;
 use crate::demos::plmt01d01::Plmt01d01;
 use crate::demos::prismatic_joint::{System1, Systems23};
@@ -26,7 +27,7 @@ pub const PRISMATIC_JOINT: Shown = Shown {
             run("Systems 2 and 3, stabilised", Systems23::new().stabilise()?.mechanism, SECOND)?,
         ])
     },
-    program: |options| Program::new(Systems23::new()).until(1.0).every(1e-3).with(options),
+    program: Command::new(|options| Program::new(Systems23::new()).until(1.0).every(1e-3).with(options)),
     figures: &[
         Figure {
             number: 13,
@@ -68,7 +69,7 @@ pub const PLMT01D: Shown = Shown {
     section: "4.6.1",
     text: "A body that falls onto a spring of the 1-D library, which holds the port below by its y alone. Such springs are not drawn.",
     runs: || Ok(vec![run("falling", Plmt01d::new(), [0.5, 5e-4])?]),
-    program: |options| Program::new(Plmt01d::new()).until(0.5).every(5e-4).with(options),
+    program: Command::new(|options| Program::new(Plmt01d::new()).until(0.5).every(5e-4).with(options)),
     figures: &[],
     pictures: &[Picture { file: "plmt01d.svg", caption: "The body at the start", shows: "", size: WIDE }],
 };
@@ -78,7 +79,7 @@ pub const PLMT01D01: Shown = Shown {
     section: "4.6.2",
     text: "A 1-D mass carries a prismatic joint with a body that a force pushes.",
     runs: || Ok(vec![run("transient", Plmt01d01::new(), [0.2, 1e-4])?]),
-    program: |options| Program::new(Plmt01d01::new()).until(0.2).every(1e-4).with(options),
+    program: Command::new(|options| Program::new(Plmt01d01::new()).until(0.2).every(1e-4).with(options)),
     figures: &[],
     pictures: &[Picture {
         file: "plmt01d01.svg",

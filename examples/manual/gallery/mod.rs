@@ -12,10 +12,11 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use plm::view::{Options, Page, Recorder, Recording, Results};
+use plm::view::{Page, Recorder, Recording, Results};
 use plm::{Described, Fault};
 use serde_json::{Value, json};
 
+use crate::command::Command;
 use crate::demos::DEMOS;
 use figure::Figure;
 
@@ -30,7 +31,7 @@ pub struct Shown {
     /// The runs of its curves and pictures.
     runs: fn() -> Result<Vec<Recording>, Fault>,
     /// One run as the command line asks for it.
-    pub program: fn(&Options) -> Result<(), Box<dyn Error>>,
+    pub program: Command,
     /// The manual's curves.
     figures: &'static [Figure],
     /// What the page shows of the runs.

@@ -5,6 +5,7 @@ use plm::view::Program;
 use super::figure::Across::Time;
 use super::figure::{Figure, curve, panel};
 use super::{AT_START, Picture, Shown, USUAL, WIDE, run};
+use crate::command::Command;
 use crate::demos::double_pendulum::DoublePendulum;
 use crate::demos::plmassembly::Plmassembly;
 use crate::demos::plmbod02::{Drawn, Relative};
@@ -25,7 +26,9 @@ pub const DOUBLE_PENDULUM: Shown = Shown {
             run("falling", DoublePendulum::new(), [40.0, 0.02])?,
         ])
     },
-    program: |options| Program::new(DoublePendulum::new()).until(40.0).every(0.02).with(options),
+    program: Command::new(|options| {
+        Program::new(DoublePendulum::new()).until(40.0).every(0.02).with(options)
+    }),
     figures: &[
         Figure {
             number: 9,
@@ -81,7 +84,7 @@ pub const PLMPIV00: Shown = Shown {
     section: "4.2.2.2",
     text: "A bar on a damped pivot, released horizontal.",
     runs: || Ok(vec![run("falling", Plmpiv00::new(), [10.0, 0.01])?]),
-    program: |options| Program::new(Plmpiv00::new()).every(0.01).with(options),
+    program: Command::new(|options| Program::new(Plmpiv00::new()).every(0.01).with(options)),
     figures: &[],
     pictures: &[Picture {
         file: "plmpiv00.svg",
@@ -108,7 +111,7 @@ pub const PLMBOD02: Shown = Shown {
             run("Example 4", drawn(20.0, 45.0), AT_START)?,
         ])
     },
-    program: |options| Program::new(Drawn::new()).until(5.0).every(0.005).with(options),
+    program: Command::new(|options| Program::new(Drawn::new()).until(5.0).every(0.005).with(options)),
     figures: &[],
     pictures: &[Picture {
         file: "figure-91.svg",
@@ -123,7 +126,7 @@ pub const PLMASSEMBLY: Shown = Shown {
     section: "4.4",
     text: "A pendulum with three locks, which cannot be assembled: two of them are too many. With the angle alone locked it can.",
     runs: || Ok(vec![run("one lock", one_lock(), [2.0, 0.005])?]),
-    program: |options| Program::new(one_lock()).until(2.0).every(0.005).with(options),
+    program: Command::new(|options| Program::new(one_lock()).until(2.0).every(0.005).with(options)),
     figures: &[],
     pictures: &[Picture {
         file: "plmassembly.svg",

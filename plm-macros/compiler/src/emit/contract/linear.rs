@@ -115,7 +115,7 @@ fn of_charts(emission: &Emission) -> Option<TokenStream> {
 /// The linearised equations of a formulation, or of one of its charts.
 #[derive(Clone, Copy)]
 pub(crate) struct System<'a> {
-    /// Where its functions find their arguments.
+    /// Origin of the arguments of its functions.
     origin: Origin<'a>,
     /// The equations.
     pub(crate) linearised: &'a Linearised,
@@ -250,7 +250,7 @@ pub(crate) fn augmented(emission: &Emission) -> TokenStream {
     }
 }
 
-/// Where coefficients stand, and in which order unknowns are eliminated.
+/// Type `Augmented` of the emitted code: places of the coefficients and order of elimination, as constants.
 fn pattern(emission: &Emission, augmented: &Augmented) -> TokenStream {
     let (coordinates, states) = (number(augmented.accelerations.len()), number(augmented.states));
     let Elimination { terms, pivots, below, right, targets } = Elimination::of(augmented);
@@ -263,7 +263,7 @@ fn pattern(emission: &Emission, augmented: &Augmented) -> TokenStream {
     let [below, right] = [table("below", &below, 3), table("pairs", &right, 2)];
     let targets = table_compression::numbers(emission, &targets);
     quote! {
-        /// Where the coefficients of the linearised equations stand, and how those are eliminated.
+        /// Places of the coefficients of the linearised equations, and the order of their elimination.
         #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]
         pub struct Augmented<S>(core::marker::PhantomData<S>);

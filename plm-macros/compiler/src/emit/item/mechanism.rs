@@ -33,7 +33,7 @@ pub(crate) fn definition(emission: &Emission) -> TokenStream {
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct #shown<#scalar = ::core::primitive::f64> {
             #(#params)*
-            /// Where the bodies start, and what assembly must keep.
+            /// Start values of the bodies, and which of them assembly keeps.
             pub start: super::code_::Starts<#scalar>,
         }
     }

@@ -1,26 +1,15 @@
 //! The bits of the first steps of eight mechanisms, as they are emitted.
 //!
 //! Beside each declaration, `tests/snapshots/*.plm`, stands its emitted code, which the test `emitted` compares and writes; here it
-//! is compiled. `PLM_BLESS=1 cargo test --test snapshots` writes the bits anew.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
-#![allow(
-    unused_qualifications,
-    reason = "emitted code qualifies where a name of the user's could stand in the way"
-)]
+//! is compiled. `PLM_BLESS=1 cargo test --test bits` writes the bits anew.
 
-mod arm_on_jack;
-mod blessed;
-mod bouncer;
-mod chain;
-mod double_pendulum;
-mod driven_crank;
-mod four_bar;
-mod plate_on_three_pins;
-mod slider_crank;
-
-use blessed::blessed;
 use plm::Rk4;
 use plm::runtime::{Mechanism, Moment, Vector};
+
+use crate::blessed::blessed;
+use crate::emitted::{
+    arm_on_jack, bouncer, chain, double_pendulum, driven_crank, four_bar, plate_on_three_pins, slider_crank,
+};
 
 /// The bits of the state and the outputs after ten steps of a tenth of a millisecond.
 fn bits<M: Mechanism<S = f64>, O: IntoIterator<Item = f64>>(

@@ -1,20 +1,5 @@
 //! The bits of compiled code by every method of the catalogue: trees, whose implicit methods solve augmented equations, loops in charts, and
 //! absolute coordinates; also of a run that was saved and goes on.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
-#![allow(unused_qualifications, unreachable_pub, dead_code, reason = "emitted code")]
-
-#[path = "../../tests/snapshots/arm_on_jack.rs"]
-mod arm_on_jack;
-#[path = "../../tests/snapshots/double_pendulum.rs"]
-mod double_pendulum;
-#[path = "../../tests/snapshots/driven_crank.rs"]
-mod driven_crank;
-#[path = "../../tests/snapshots/four_bar.rs"]
-mod four_bar;
-#[path = "../../tests/support/linearised.rs"]
-mod linearised;
-#[path = "../../tests/snapshots/slider_crank.rs"]
-mod slider_crank;
 
 use std::sync::Arc;
 
@@ -23,10 +8,11 @@ use plm::runtime::{Described, Linear, Method, methods};
 use plm_dynamic::{Compiled, Dynamic, Small};
 use plm_jit::Host;
 
-use linearised::chain;
-use linearised::loom::Loom;
-use linearised::mill::Mill;
-use linearised::zoo::Zoo;
+use crate::emitted::{arm_on_jack, double_pendulum, driven_crank, four_bar, slider_crank};
+use crate::linearised::chain;
+use crate::linearised::loom::Loom;
+use crate::linearised::mill::Mill;
+use crate::linearised::zoo::Zoo;
 
 chain!(chain4, 4);
 chain!(chain16, 16);

@@ -1,24 +1,5 @@
 //! The bits of compiled code: the eight mechanisms of `tests/snapshots`, from their declarations and as they are emitted; from the
 //! declarations both step by step and as machine code.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
-#![allow(unused_qualifications, unreachable_pub, reason = "emitted code")]
-
-#[path = "../../tests/snapshots/arm_on_jack.rs"]
-mod arm_on_jack;
-#[path = "../../tests/snapshots/bouncer.rs"]
-mod bouncer;
-#[path = "../../tests/snapshots/chain.rs"]
-mod chain;
-#[path = "../../tests/snapshots/double_pendulum.rs"]
-mod double_pendulum;
-#[path = "../../tests/snapshots/driven_crank.rs"]
-mod driven_crank;
-#[path = "../../tests/snapshots/four_bar.rs"]
-mod four_bar;
-#[path = "../../tests/snapshots/plate_on_three_pins.rs"]
-mod plate_on_three_pins;
-#[path = "../../tests/snapshots/slider_crank.rs"]
-mod slider_crank;
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -34,6 +15,10 @@ use plm_dynamic::{
     Compiled, Function, Integrator, MachineCode, Mechanism as Text, Run, Small, Tier, Translator,
 };
 use plm_jit::Host;
+
+use crate::emitted::{
+    arm_on_jack, bouncer, chain, double_pendulum, driven_crank, four_bar, plate_on_three_pins, slider_crank,
+};
 
 /// A mechanism from the declaration of another one: evaluated step by step, and by machine code from the first evaluation on.
 fn from_text<M: Described<S = f64>>(_: &M) -> [Small; 2] {
