@@ -1,4 +1,4 @@
-//! What must hold before a change lands: stages, one after the other, and what runs beside them.
+//! Checks that must pass before a change lands: stages, one after the other, and work beside them.
 
 mod chores;
 mod lints;
@@ -30,13 +30,13 @@ struct Part {
 }
 
 enum Step {
-    /// What needs nothing of the stages begins to run beside them, one part after the other.
+    /// Beginning of work beside the stages that follow: its parts run in a thread, one after the other.
     Begin { group: &'static str, niceness: u32, parts: &'static [Part] },
     /// A stage.
     Here(Part),
     /// The stage of all tests, which has work beside itself.
     Tests,
-    /// What has begun has to end well.
+    /// End of such work: waits for it, and fails if a part has failed.
     Join { group: &'static str, title: &'static str },
 }
 
@@ -69,7 +69,7 @@ const STEPS: &[Step] = &[
     Step::Begin {
         group: "targets",
         niceness: 19,
-        parts: &[plain("machines", "machines", chores::few_machines)],
+        parts: &[plain("machines", "machines", chores::one_machine)],
     },
     Step::Begin { group: "random", niceness: 19, parts: &[part("sweep", "sweep", chores::sweep)] },
     Step::Here(plain("lints", "other lints", lints::what_tests_do_not_compile)),
@@ -84,7 +84,7 @@ const STEPS: &[Step] = &[
     Step::Join { group: "targets", title: "machines" },
 ];
 
-/// What takes longer, or needs more than a fresh machine has.
+/// Stages that take longer, or need more than a fresh machine has.
 const MORE: &[Step] = &[
     Step::Here(plain("oldest", "oldest Rust", lints::oldest_rust)),
     Step::Here(plain("chain", "chain of 64 at opt-level 0 and 3", chores::chain)),
@@ -243,14 +243,14 @@ impl Ci {
         Ok(())
     }
 
-    /// What it has printed.
+    /// Waits for work beside the stages, and gives what it has printed.
     fn join(&mut self, name: &str) -> Result<String> {
         let beside = self.running.remove(name).ok_or_else(|| format!("{name} was not begun"))?;
         beside.join()
     }
 }
 
-/// What a stage took.
+/// Time that a stage took.
 struct Took {
     /// By the clock.
     wall: Duration,

@@ -103,13 +103,13 @@ pub(super) fn page(place: &Place) -> Result {
     check.set("PLM_PAGE", place.target.join("debug/examples/page")).run()
 }
 
-/// Random trees and loops against a reference in higher precision, and random mechanisms with contacts against equations of their own. A
-/// quarter of [`long_sweep`].
+/// Random trees and loops against a reference in higher precision, and random mechanisms with contacts against equations of their own: two
+/// minutes of a processor.
 pub(super) fn sweep(place: &Place) -> Result {
-    swept(place, "250", "50")
+    swept(place, "60", "50")
 }
 
-/// The sweeps of a release: four times as many mechanisms.
+/// The sweeps of a release.
 pub(super) fn long_sweep(place: &Place) -> Result {
     swept(place, "1000", "200")
 }
@@ -133,7 +133,7 @@ pub(super) fn compiled_sweeps(place: &Place) -> Result {
     run("contacts", &["50", "--seed", "7", "--bits"])
 }
 
-/// The same bits on two microcontrollers and as WebAssembly, and what a step costs there.
-pub(super) fn few_machines(place: &Place) -> Result {
-    place.command("bash tests/machines.sh --quick").run()
+/// Bits on a microcontroller of 32 bits beside those of this machine, which has 64, and the instructions of a step there.
+pub(super) fn one_machine(place: &Place) -> Result {
+    place.command("bash tests/machines.sh --one").run()
 }
