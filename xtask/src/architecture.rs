@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use super::index::{packages, read};
+use super::workspace::{packages, read};
 
 /// The picture, from the root of the repository.
 pub(crate) const PICTURE: &str = "docs/src/images/architecture.svg";
 
-/// Where a crate stands, and what it is for.
+/// Place of a crate in the picture, and its role.
 struct Place {
     name: &'static str,
     role: &'static str,

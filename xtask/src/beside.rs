@@ -16,7 +16,7 @@ pub(crate) struct Beside {
 }
 
 impl Beside {
-    /// What it prints is saved in a file of that name.
+    /// Begins work in a thread. Its commands print into the file NAME.txt of the target folder.
     pub(crate) fn begin(
         name: &str,
         niceness: u32,

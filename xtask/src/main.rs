@@ -1,20 +1,20 @@
-//! Chores of the repository, by `cargo xtask`: what CI runs, expected texts anew, benchmarks, the list of files, the picture, and
-//! the formulas of the book.
+//! Chores of the repository, by `cargo xtask`: what CI runs, expected texts anew, benchmarks, the picture of the architecture,
+//! and the formulas of the book.
 
 mod architecture;
 mod bench;
 mod beside;
 mod bless;
 mod ci;
-mod index;
 mod math;
 mod place;
+mod workspace;
 
 use std::process::ExitCode;
 
 use place::Place;
 
-/// What went wrong, in a sentence.
+/// Result whose error says in a sentence what went wrong.
 type Result<T = ()> = std::result::Result<T, String>;
 
 const USAGE: &str = "\
@@ -24,7 +24,7 @@ cargo xtask ci --only NAME...     some of the stages, of both
 cargo xtask ci --list             the names of all stages
 cargo xtask bless [NAME...]       expected texts anew: what `cargo test` compares, or what is named
 cargo xtask bench [NAME...]       instruction counts beside their limits, or what is named
-cargo xtask index                 the book's list of source files and the picture of the architecture
+cargo xtask architecture          the picture of the architecture
 cargo xtask math                  a preprocessor of mdBook: formulas become MathML
 ";
 
@@ -35,7 +35,7 @@ fn main() -> ExitCode {
         Some((first, rest)) if first == "bless" => bless::run(&place, rest),
         Some((first, rest)) if first == "bench" => bench::run(&place, rest),
         Some((first, rest)) if first == "math" => math::run(rest),
-        Some((first, [])) if first == "index" => write_index(&place),
+        Some((first, [])) if first == "architecture" => draw(&place),
         _ => Err(format!("these are the commands:\n{USAGE}\n{}{}", bless::usage(), bench::usage())),
     });
     match done {
@@ -47,10 +47,8 @@ fn main() -> ExitCode {
     }
 }
 
-fn write_index(place: &Place) -> Result {
-    let write = |path: &str, text: String| {
-        std::fs::write(place.root.join(path), text).map_err(|why| format!("{path}: {why}"))
-    };
-    write(index::PAGE, index::page(&place.root)?)?;
-    write(architecture::PICTURE, architecture::picture(&place.root)?)
+fn draw(place: &Place) -> Result {
+    let path = architecture::PICTURE;
+    let picture = architecture::picture(&place.root)?;
+    std::fs::write(place.root.join(path), picture).map_err(|why| format!("{path}: {why}"))
 }

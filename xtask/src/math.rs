@@ -12,7 +12,7 @@ use serde_json::Value;
 
 use crate::Result;
 
-/// What mdBook asks: `supports html` first, then a book on the standard input.
+/// Preprocessor of mdBook: answers `supports html`; without words it reads a book from the standard input, and prints it with MathML.
 pub(crate) fn run(words: &[String]) -> Result {
     match words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["supports", "html"] => Ok(()),
@@ -133,7 +133,7 @@ fn mathml(formula: &str, display_mode: DisplayMode) -> std::result::Result<Strin
 /// Signs that have names in MathML. mdBook takes numbers alone.
 const NAMED: [(&str, char); 4] = [("&nbsp;", '\u{a0}'), ("&amp;", '&'), ("&lt;", '<'), ("&gt;", '>')];
 
-/// The same MathML without a mark that Markdown or HTML would read: those between tags become numbers.
+/// MathML without a mark that Markdown or HTML would read: those between tags become numeric character references.
 fn without_marks(mathml: &str) -> String {
     let (mut made, mut rest) = (String::new(), mathml);
     while let Some(letter) = rest.chars().next() {

@@ -1,4 +1,4 @@
-//! Where commands run: the environment that they get, and where what they print goes.
+//! Places in which commands run: their environment, and the destination of their output.
 
 use std::ffi::{OsStr, OsString};
 use std::fs::{self, File};
@@ -19,16 +19,16 @@ use crate::beside::Guard;
 pub(crate) struct Place {
     /// The root of the repository.
     pub(crate) root: PathBuf,
-    /// Where cargo builds.
+    /// Target folder of cargo.
     pub(crate) target: PathBuf,
     /// This program, by its path at the start: once a stage has built it anew, Linux calls the file that runs deleted.
     pub(crate) program: PathBuf,
     /// Variables that are set, the last of a name counts, and those that are taken away.
     variables: Vec<(String, Option<OsString>)>,
-    /// Where everything that is printed goes, if not to the terminal. Commands are in groups of their own then.
+    /// File into which everything is printed; `None` is the terminal. With a file, commands are in groups of their own.
     output: Option<Arc<File>>,
     niceness: u32,
-    /// What its commands have taken of the processor, ms.
+    /// Processor time of its commands, ms.
     spent: Arc<AtomicU64>,
 }
 
@@ -59,29 +59,29 @@ impl Place {
         self.variables.push((name.to_owned(), Some(value.into())));
     }
 
-    /// The same place without these variables.
+    /// A place like this one, without these variables.
     pub(crate) fn without(&self, names: &[&str]) -> Self {
         let mut place = self.clone();
         place.variables.extend(names.iter().map(|name| ((*name).to_owned(), None)));
         place
     }
 
-    /// The same place for what runs beside: it prints into a file, and leaves the processor to others.
+    /// A place like this one, for work beside the stages: it prints into a file, and leaves the processor to others.
     pub(crate) fn beside(&self, output: File, niceness: u32) -> Self {
         Self { output: Some(Arc::new(output)), niceness, ..self.clone() }
     }
 
-    /// The same place that prints where another one does, with its niceness.
+    /// A place like this one, which prints where another one does, with its niceness.
     pub(crate) fn printing_as(&self, other: &Self) -> Self {
         Self { output: other.output.clone(), niceness: other.niceness, ..self.clone() }
     }
 
-    /// The same place, of whose commands the time on the processor is counted anew.
+    /// A place like this one, which counts the processor time of its commands anew.
     pub(crate) fn counting(&self) -> Self {
         Self { spent: Arc::default(), ..self.clone() }
     }
 
-    /// What its commands that have ended took of the processor, with all that they started.
+    /// Processor time of its commands that have ended, with all that they started.
     pub(crate) fn spent(&self) -> Duration {
         Duration::from_millis(self.spent.load(Ordering::Relaxed))
     }

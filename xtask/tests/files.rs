@@ -1,4 +1,4 @@
-//! The book's list of source files and the picture of the architecture are those that the sources give; packages have what they need.
+//! The picture of the architecture is what the manifests give; packages have what they need.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use std::path::Path;
@@ -7,29 +7,19 @@ use std::path::Path;
 mod architecture;
 #[path = "files/contract.rs"]
 mod contract;
-#[path = "../src/index.rs"]
-mod index;
 #[path = "files/packages.rs"]
 mod packages;
+#[path = "../src/workspace.rs"]
+mod workspace;
 
 /// The folder of the workspace.
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
 }
 
-fn same(path: &str, made: &str) {
-    let shown = index::read(&root().join(path)).unwrap_or_default();
-    assert!(shown == made, "{path} is not what the sources give: run `cargo xtask index`");
-}
-
-#[test]
-fn the_list_of_files_is_current() {
-    let made = index::page(root()).unwrap();
-    same(index::PAGE, &made);
-}
-
 #[test]
 fn the_picture_of_the_architecture_is_current() {
-    let made = architecture::picture(root()).unwrap();
-    same(architecture::PICTURE, &made);
+    let (path, made) = (architecture::PICTURE, architecture::picture(root()).unwrap());
+    let shown = workspace::read(&root().join(path)).unwrap_or_default();
+    assert!(shown == made, "{path} is not what the manifests give: run `cargo xtask architecture`");
 }

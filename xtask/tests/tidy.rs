@@ -13,6 +13,8 @@ mod file_names;
 mod formulas;
 #[path = "tidy/old_words.rs"]
 mod old_words;
+#[path = "tidy/source_files.rs"]
+mod source_files;
 #[path = "tidy/words.rs"]
 mod words;
 
@@ -78,35 +80,6 @@ fn lines(files: Vec<PathBuf>) -> impl Iterator<Item = (String, String, String)> 
 
 fn fail_with(what: &str, wrong: &[String]) {
     assert!(wrong.is_empty(), "{what}:\n  {}", wrong.join("\n  "));
-}
-
-/// A file that no module names is never compiled.
-#[test]
-fn every_source_file_is_a_module() {
-    let mut wrong = Vec::new();
-    for file in files(&["rs"])
-        .into_iter()
-        .filter(|file| shown(file).contains("src/") && !shown(file).starts_with("tests/"))
-    {
-        let stem = file.file_stem().unwrap().to_str().unwrap();
-        let folder = file.parent().unwrap();
-        if ["lib", "main", "bare", "twin"].contains(&stem) {
-            continue;
-        }
-        let (name, above) = if stem == "mod" {
-            (folder.file_name().unwrap().to_str().unwrap(), folder.parent().unwrap())
-        } else {
-            (stem, folder)
-        };
-        let parents = ["mod.rs", "lib.rs", "main.rs", "bare.rs"].map(|parent| above.join(parent));
-        let named = parents.into_iter().chain([above.with_extension("rs")]).any(|parent| {
-            fs::read_to_string(parent).is_ok_and(|text| text.contains(&format!("mod {name};")))
-        });
-        if !named {
-            wrong.push(shown(&file));
-        }
-    }
-    fail_with("source files that no module names", &wrong);
 }
 
 #[test]

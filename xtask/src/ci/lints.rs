@@ -1,4 +1,4 @@
-//! What the compilers say: formatting, lints, documentation, the oldest Rust, Miri.
+//! Checks by compilers: formatting, lints, documentation, the oldest Rust, Miri.
 
 use std::fs;
 
@@ -74,7 +74,7 @@ pub(super) fn documentation(place: &Place) -> Result {
     doc.set("RUSTDOCFLAGS", "-D warnings").run()
 }
 
-/// What docs.rs shows, with the names of features: by the nightly toolchain, as there.
+/// Documentation as docs.rs shows it, with the names of features: by the nightly toolchain, as there.
 pub(super) fn docs_rs(place: &Place) -> Result {
     if !place.command("cargo +nightly --version").works() {
         return place.say("NOT CHECKED: the nightly toolchain cannot be had on this machine");

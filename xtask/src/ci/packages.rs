@@ -10,11 +10,11 @@ use crate::place::{Place, Task};
 
 /// The largest file that a package may hold, in bytes.
 const LARGEST: u64 = 200_000;
-/// What every package holds.
+/// Files that every package must hold, besides its README.
 const FILES: [&str; 3] = ["Cargo.toml", "LICENSE-APACHE", "LICENSE-MIT"];
 /// The package that users name.
 const PLM: &str = "plm-planar";
-/// What the program of its README prints: the same bits on every machine.
+/// Output of the program in its README: the same bits on every machine.
 const PRINTED: &str = "0.761883 rad, [-45.60926972753451, -79.02384099541798] N";
 
 /// A declaration of which `plm export` makes a whole program, which has options.
@@ -125,7 +125,7 @@ fn version(root: &Path) -> Result<String> {
     version.map(str::to_owned).ok_or_else(|| "Cargo.toml has no version".to_owned())
 }
 
-/// What is missing in a package, and what is too large.
+/// Faults of a package: files that are missing, and files that are too large.
 fn faults(package: &Package) -> Result<Vec<String>> {
     let readme = if package.name == PLM { "src/README.md" } else { "README.md" };
     let missing = FILES.into_iter().chain([readme]).filter(|file| !package.folder.join(file).is_file());

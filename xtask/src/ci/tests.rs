@@ -9,7 +9,7 @@ pub(super) const NAME: &str = "tests";
 /// The disturbed declarations, which take more than a minute on one core.
 const DISTURBED: &str = "disturbed_declarations_are_answered";
 
-/// What tests of other languages need. One after the other: both ask apt.
+/// Tools that tests of other languages need. One after the other: both ask apt.
 pub(super) fn tools(place: &Place) -> Result {
     place.command("bash tests/clang.sh").arg(place.target.join("clang")).run()?;
     place.command("bash plm-view/page/check.sh --install").run()
@@ -71,7 +71,7 @@ pub(super) fn built<'a>(place: &'a Place, program: &str) -> Task<'a> {
     place.command("env -u RUSTC_WORKSPACE_WRAPPER").arg(place.target.join("debug").join(program))
 }
 
-/// What fused multiply-add changes; the lints compile the rest with it.
+/// Tests of the functions that fused multiply-add changes; the lints compile the rest with it.
 pub(super) fn fused(place: &Place) -> Result {
     place.command("cargo test -p plm-math --features fma").run()
 }

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use super::index;
+use super::workspace;
 
 /// The text of all sources in a folder and below.
 fn sources(folder: &Path) -> String {
@@ -13,7 +13,7 @@ fn sources(folder: &Path) -> String {
         if path.is_dir() {
             text += &sources(&path);
         } else if path.extension().is_some_and(|extension| extension == "rs") {
-            text += &index::read(&path).unwrap();
+            text += &workspace::read(&path).unwrap();
         }
     }
     text
@@ -49,7 +49,7 @@ fn has(text: &str, path: &str) -> bool {
 #[test]
 fn the_contract_of_generated_code_has_what_is_emitted() {
     let root = super::root();
-    let items = items(&index::read(&root.join("plm-runtime/src/generated.rs")).unwrap());
+    let items = items(&workspace::read(&root.join("plm-runtime/src/generated.rs")).unwrap());
     assert!(items.len() > 100, "items were read: {items:?}");
     let emission = sources(&root.join("plm-macros/compiler/src"));
     let imported = emission.split("use #path::runtime::generated::{").skip(1);

@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::index::{self, Package};
 use super::root;
+use super::workspace::{self, Package};
 
 fn read(path: &str) -> String {
-    index::read(&root().join(path)).unwrap()
+    workspace::read(&root().join(path)).unwrap()
 }
 
 /// A crate that is published, with its manifest.
@@ -48,7 +48,7 @@ impl Published {
 }
 
 fn published() -> Vec<Published> {
-    let packages = index::packages(root()).unwrap().into_iter();
+    let packages = workspace::packages(root()).unwrap().into_iter();
     let with_manifest = packages.map(|package| {
         let manifest = read(&format!("{}/Cargo.toml", package.folder));
         Published { package, manifest }
@@ -288,7 +288,7 @@ fn the_workflow_and_the_release_name_stages_of_ci() {
 #[test]
 fn libraries_are_compiled_for_tests_where_they_have_some() {
     let mut wrong = Vec::new();
-    for package in index::members(root()).unwrap() {
+    for package in workspace::members(root()).unwrap() {
         let folder = root().join(&package.folder);
         let manifest = read(&format!("{}/Cargo.toml", package.folder));
         if !folder.join("src/lib.rs").exists() {
